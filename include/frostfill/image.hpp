@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace frostfill
+{
+
+/// 8-bit sRGB pixels, rows from top to bottom, no padding.
+struct Image
+{
+    int width = 0;
+    int height = 0;
+    int channels = 3;                 ///< 3 (RGB) or 4 (RGBA, straight alpha)
+    std::vector<std::uint8_t> pixels; ///< [height x width x channels]
+
+    [[nodiscard]] const std::uint8_t* at(int x, int y) const
+    {
+        return pixels.data() + (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                                static_cast<std::size_t>(x)) *
+                                   static_cast<std::size_t>(channels);
+    }
+};
+
+/// How far two pictures are apart.
+struct ImageDifference
+{
+    bool sameShape = false;      ///< width, height and channels agree; all else is 0 otherwise
+    double rootMeanSquare = 0;   ///< over all channels, of 255
+    int largest = 0;             ///< largest difference of one channel, of 255
+    std::size_t pixelsApart = 0; ///< pixels with a channel that differs by more than 8
+};
+[[nodiscard]] ImageDifference compareImages(const Image& a, const Image& b);
+
+/// The absolute difference, stretched so that it can be seen. Both pictures have the same shape.
+[[nodiscard]] Image differenceImage(const Image& a, const Image& b);
+
+/// Keyword and text of a PNG text chunk (Latin-1).
+using PngText = std::vector<std::pair<std::string, std::string>>;
+
+/// The bytes of a PNG file.
+[[nodiscard]] std::vector<std::uint8_t> encodePng(const Image& image, const PngText& text = {});
+
+/// Writes under a temporary name beside `file` and renames, so that no half picture is ever seen.
+/// Throws Error cannotCreate or writeFailed.
+void savePng(const Image& image, const std::filesystem::path& file, const PngText& text = {});
+
+/// Throws Error inputMissing or badData.
+[[nodiscard]] Image loadPng(const std::filesystem::path& file);
+
+/// Where pictures go.
+class ImageSink
+{
+public:
+    virtual ~ImageSink() = default;
+    /// Takes frame `number`, counted from 0. Throws Error when it cannot be kept.
+    virtual void put(std::size_t number, const Image& image) = 0;
+};
+
+} // namespace frostfill

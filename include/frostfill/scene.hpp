@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <frostfill/mesh.hpp>
+#include <frostfill/view.hpp>
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace frostfill
+{
+
+enum class Axis : std::uint8_t
+{
+    x,
+    y,
+    z
+};
+enum class Integrator : std::uint8_t
+{
+    explicitEuler,
+    semiImplicitEuler
+};
+enum class SphereSearch : std::uint8_t
+{
+    allPairs
+};
+enum class PolygonSearch : std::uint8_t
+{
+    loop,
+    list,
+    quadtree
+};
+enum class DiscardRule : std::uint8_t
+{
+    none,
+    paper
+};
+enum class Preset : std::uint8_t
+{
+    paper
+};
+
+/// What is filled.
+struct ObjectSettings
+{
+    std::string mesh = "torus"; ///< a built-in name or a file
+    Axis up = Axis::y;          ///< which axis of the mesh points up
+    double unitsPerMetre = 1;   ///< mesh units in a metre: 1000 for a CAD file in millimetres
+};
+
+/// How many spheres, how large, and how they appear (PAPER: gamma, k).
+struct SphereSettings
+{
+    std::optional<double> radius;       ///< [mesh unit]; derived from the count when not given
+    std::optional<std::uint64_t> count; ///< stop at this many; until full when not given
+    bool untilFull = false;             ///< go on after `count` until no sphere fits
+    std::uint32_t groupSize = 10;       ///< gamma: spheres in a group
+    std::uint32_t groupsPerSet = 2;     ///< k: groups that appear together
+};
+
+/// How a sphere moves. Lengths in r and times in sqrt(r/g) make defaults independent of units.
+struct MotionSettings
+{
+    double gravity = 9.81; ///< [m/s^2], along the down axis
+    Integrator integrator = Integrator::explicitEuler;
+    std::optional<double> dt; ///< [s]; chosen so that no fall moves more than r/2 a step
+    double restitution = 0.2; ///< [1] 0..1, of every contact
+};
+
+/// When moving spheres become immobile for good (PAPER: frozen).
+struct FreezingSettings
+{
+    std::uint32_t everySets = 2; ///< freeze when so many sets have come to rest; 0 never freezes
+    double restSpeed = 0.1;      ///< [sqrt(g r)] mean speed over the window below which one rests
+    double restWindow = 1;       ///< [sqrt(r/g)] for how long
+    double setTimeLimit = 60;    ///< [sqrt(r/g)] after which a set counts as come to rest, plus
+                                 ///< twice the time of a fall through the object's height
+};
+
+/// What is not tested any more (PAPER: equation 3 and covered polygons).
+struct DiscardSettings
+{
+    DiscardRule rule = DiscardRule::paper;
+    double epsilon = 4;   ///< [r] a group goes when it lies more than this below the last one
+    double closeness = 1; ///< [r] how close to its polygon a covering sphere lies
+};
+
+struct SearchSettings
+{
+    SphereSearch spheres = SphereSearch::allPairs;
+    PolygonSearch polygons = PolygonSearch::quadtree;
+};
+
+/// Which moments become pictures. Has no influence on what is simulated.
+struct FrameSettings
+{
+    bool enabled = true;
+    double fps = 30;                  ///< frames a second of video
+    std::optional<double> slowMotion; ///< video time over simulated time; automatic when not given
+    std::size_t limit = 1000;         ///< at most so many: every n-th is kept; 0 for no limit
+};
+
+/// Everything that describes a run; a plain value. Two equal scenes give equal results.
+struct Scene
+{
+    std::string name = "torus";
+    Preset preset = Preset::paper;
+    std::uint64_t seed = 1;
+    ObjectSettings object;
+    SphereSettings spheres;
+    MotionSettings motion;
+    FreezingSettings freezing;
+    DiscardSettings discard;
+    SearchSettings search;
+    FrameSettings frames;
+    PictureSize size;
+    Camera camera;
+    Style style;
+    int samples = 4;
+};
+
+/// The paper's parameters for one of its four objects, or general ones for any other mesh.
+[[nodiscard]] Scene presetScene(Preset preset, const std::string& meshNameOrFile);
+
+/// Reads a TOML scene on top of the preset it names. Relative mesh paths are relative to the file.
+/// Throws Error inputMissing, or badData with the line and, for an unknown key, the nearest one.
+[[nodiscard]] Scene loadScene(const std::filesystem::path& file);
+[[nodiscard]] Scene parseScene(std::string_view toml, std::string_view nameForMessages);
+
+/// The whole scene as TOML: parseScene gives it back unchanged.
+[[nodiscard]] std::string sceneToToml(const Scene& scene);
+
+/// Throws Error usage for the first value that makes no sense, with its allowed range.
+void validateScene(const Scene& scene);
+
+/// Unit vector against gravity, in mesh coordinates.
+[[nodiscard]] Eigen::Vector3d upVector(Axis axis);
+
+/// Gravity in mesh units a square second.
+[[nodiscard]] double gravityInMeshUnits(const Scene& scene);
+
+/// The radius of the run: the scene's own, or the one at which `count` spheres take 90 % of the
+/// wall-corrected estimate phi (V - c r S), phi = 0.586, c = 0.38.
+/// Throws Error usage when neither radius nor count is given.
+[[nodiscard]] double sphereRadius(const Scene& scene, const MeshReport& mesh);
+
+} // namespace frostfill

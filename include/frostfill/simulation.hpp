@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <frostfill/measure.hpp>
+#include <frostfill/mesh.hpp>
+#include <frostfill/scene.hpp>
+#include <frostfill/snapshot.hpp>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace frostfill
+{
+
+/// What happened while one set was the newest.
+struct SetRecord
+{
+    std::uint32_t set = 0;
+    std::size_t spheres = 0; ///< that appeared with it
+    std::uint64_t steps = 0;
+    double simulatedSeconds = 0;
+    double meanSphereSphereMs = 0; ///< a step
+    double p95SphereSphereMs = 0;
+    double meanSpherePolygonMs = 0;
+    double p95SpherePolygonMs = 0;
+    StageTimes times;        ///< of the simulation's stages, in all
+    std::size_t running = 0; ///< counts at the set's end, after freezing and discarding
+    std::size_t frozen = 0;
+    std::size_t discarded = 0;
+    std::size_t discardedPolygons = 0;
+    bool timedOut = false; ///< did not come to rest within the limit
+    OperationCounts operations;
+};
+
+/// How good the state is. Overlaps are penetration depths over the radius.
+struct QualityReport
+{
+    double maxOverlap = 0;          ///< [r] between two spheres
+    double meanOverlap = 0;         ///< [r] over the pairs that touch or overlap
+    double maxWallOverlap = 0;      ///< [r] between a sphere and the mesh
+    std::size_t centresOutside = 0; ///< by winding number
+    std::size_t notFinite = 0;
+    std::size_t unsupported = 0; ///< at rest, but gravity leaves the cone of its contacts
+    double energyGain = 0;   ///< largest growth of total energy in a step over the run, relative to
+                             ///< the energy of a fall through the object's height
+    double meshVolume = 0;   ///< [unit^3]
+    double sphereVolume = 0; ///< [unit^3] of all spheres
+    double volumeEstimate = 0;      ///< [unit^3] N v / phi + c r S, the wall-corrected estimate
+    double volumeEstimateError = 0; ///< [unit^3] standard uncertainty of the estimate
+};
+
+/// A sphere as the files have it: mesh coordinates, full precision.
+struct SphereRecord
+{
+    Eigen::Vector3d centre;
+    double radius = 0;
+    std::uint32_t group = 0;
+    SphereState state = SphereState::running;
+};
+
+/// Fills one mesh according to one scene. PAPER: Algorithm 1 and the schedule of sets around it.
+class Simulation
+{
+public:
+    /// `mesh` is closed and outward (see loadMesh). Throws Error usage for a scene that makes no
+    /// sense and badData for a mesh into which not one sphere fits.
+    Simulation(const Scene& scene, const TriangleMesh& mesh);
+    ~Simulation();
+    Simulation(Simulation&&) noexcept;
+    Simulation& operator=(Simulation&&) noexcept;
+
+    /// Advances by one time step; releases, freezes and discards when it is time to.
+    /// Returns false when the run is over (and then changes nothing).
+    bool step();
+
+    /// Brings `snapshot` up to date; see Snapshot for what that costs.
+    void capture(Snapshot& snapshot) const;
+
+    [[nodiscard]] bool finished() const;
+    [[nodiscard]] bool full() const;       ///< the run is over because no sphere fits any more
+    [[nodiscard]] double time() const;     ///< [s] simulated
+    [[nodiscard]] double timeStep() const; ///< [s]
+    [[nodiscard]] double radius() const;   ///< [mesh unit]
+    [[nodiscard]] std::uint64_t steps() const;
+    [[nodiscard]] std::size_t sphereCount() const;
+    [[nodiscard]] std::size_t restingCount() const; ///< frozen and discarded
+    /// Spheres that the run aims at: the count, or an estimate when it fills until full.
+    [[nodiscard]] std::size_t expectedSpheres() const;
+
+    [[nodiscard]] SphereRecord sphere(std::size_t id) const;
+    [[nodiscard]] std::vector<PolygonState> polygonStates() const;
+    [[nodiscard]] const OperationCounts& operations() const;
+    [[nodiscard]] const StageTimes& times() const;
+    [[nodiscard]] const std::vector<SetRecord>& sets() const;
+    [[nodiscard]] QualityReport quality() const;
+
+    /// Hash of all positions, bit for bit, and of which spheres are at rest, as 16 hex digits.
+    [[nodiscard]] std::string stateHash() const;
+
+private:
+    struct Implementation;
+    std::unique_ptr<Implementation> implementation_;
+};
+
+} // namespace frostfill
