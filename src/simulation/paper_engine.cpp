@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <simulation/paper_engine.hpp>
 
+#include <frostfill/error.hpp>
 #include <simulation/paper_discards.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -61,6 +64,13 @@ PaperEngine::PaperEngine(World& world)
                              world.scene.freezing.restSpeed * world.scene.freezing.restWindow),
       setTimeLimit_(world.scene.freezing.setTimeLimit + 2 * fallTime(world.height))
 {
+    if (release_.find(1).empty())
+    {
+        throw Error(ErrorCode::badData,
+                    fmt::format("not one sphere of radius {:g} fits into {}: choose a smaller "
+                                "--radius or a larger --count",
+                                world.frame.length, world.scene.object.mesh));
+    }
 }
 
 bool PaperEngine::step()
