@@ -19,10 +19,23 @@ double cornerAngle(const Eigen::Vector3d& at, const Eigen::Vector3d& b, const Ei
     return std::atan2(u.cross(v).norm(), u.dot(v));
 }
 
+TriangleBound boundOf(const SurfaceTriangle& triangle)
+{
+    TriangleBound bound;
+    bound.normal = triangle.normal;
+    bound.offset = triangle.offset;
+    bound.centre = (triangle.corner[0] + triangle.corner[1] + triangle.corner[2]) / 3;
+    for (const Eigen::Vector3d& corner : triangle.corner)
+    {
+        bound.radius = std::max(bound.radius, (corner - bound.centre).norm());
+    }
+    return bound;
+}
+
 } // namespace
 
 Surface::Surface(const TriangleMesh& mesh)
-    : mesh_(mesh), triangles_(mesh.triangles.size()),
+    : mesh_(mesh), triangles_(mesh.triangles.size()), bounds_(mesh.triangles.size()),
       vertexNormals_(mesh.vertices.size(), Eigen::Vector3d::Zero())
 {
     // Planes, and what each triangle adds to the normals of its edges and corners.
@@ -41,6 +54,7 @@ Surface::Surface(const TriangleMesh& mesh)
         const auto& [a, b, c] = triangle.corner;
         triangle.normal = (c - a).cross(b - a).normalized();
         triangle.offset = triangle.normal.dot(a);
+        bounds_[t] = boundOf(triangle);
         for (int k = 0; k < 3; ++k)
         {
             const int next = (k + 1) % 3;

@@ -5,6 +5,7 @@
 #include <geometry/closest_point.hpp>
 
 #include <array>
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -20,6 +21,26 @@ struct SurfaceTriangle
     std::array<Eigen::Vector3d, 7> pseudonormal; ///< by TriangleFeature, not normalised
 };
 
+/// What a first look at a triangle needs, in one cache line: its plane and a sphere around it.
+struct alignas(64) TriangleBound
+{
+    Eigen::Vector3d normal;
+    double offset = 0;
+    Eigen::Vector3d centre;
+    double radius = 0;
+
+    /// False only when every point of the triangle is farther than `distance` from p.
+    [[nodiscard]] bool mayBeWithin(double distance, const Eigen::Vector3d& p) const
+    {
+        if (std::abs(normal.dot(p) - offset) > distance)
+        {
+            return false;
+        }
+        const double reach = radius + distance;
+        return (p - centre).squaredNorm() <= reach * reach;
+    }
+};
+
 /// A closed surface prepared for contact: the sign of the distance follows from the angle-weighted
 /// pseudonormal of the closest feature [Baerentzen & Aanaes 2005].
 class Surface
@@ -30,7 +51,7 @@ public:
 
     [[nodiscard]] std::size_t size() const { return triangles_.size(); }
     [[nodiscard]] const SurfaceTriangle& operator[](std::size_t i) const { return triangles_[i]; }
-    [[nodiscard]] std::span<const SurfaceTriangle> triangles() const { return triangles_; }
+    [[nodiscard]] const TriangleBound& bound(std::size_t i) const { return bounds_[i]; }
     [[nodiscard]] const Eigen::AlignedBox3d& box() const { return box_; }
     [[nodiscard]] const TriangleMesh& mesh() const { return mesh_; }
 
@@ -43,6 +64,7 @@ public:
 private:
     TriangleMesh mesh_;
     std::vector<SurfaceTriangle> triangles_;
+    std::vector<TriangleBound> bounds_;
     std::vector<Eigen::Vector3d> vertexNormals_;
     Eigen::AlignedBox3d box_;
 };

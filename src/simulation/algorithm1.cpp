@@ -13,8 +13,10 @@ namespace
 constexpr double kSmallestDepth = 0.25;
 /// A push that is not worth that check. [r]
 constexpr double kShallow = 0.1;
+/// Frozen spheres that are tested at once.
+constexpr std::size_t kBlock = 8;
 /// How far from a centre a polygon may be to be looked at again by that check. [r]
-constexpr double kNearby = 2.5;
+constexpr double kNearby = 2;
 
 /// Direction from b to a and the penetration depth of two spheres whose centres are d apart.
 Eigen::Vector3d directionApart(const Eigen::Vector3d& d, double distance)
@@ -78,31 +80,58 @@ void Algorithm1::runningRunning(std::size_t runningBegin, OperationCounts& count
 void Algorithm1::runningFrozen(std::size_t frozenBegin, std::size_t runningBegin,
                                OperationCounts& counts)
 {
-    Spheres& s = spheres_;
-    std::uint64_t responses = 0;
-    for (std::size_t i = runningBegin; i < s.size(); ++i)
+    std::uint64_t total = 0;
+    for (std::size_t i = runningBegin; i < spheres_.size(); ++i)
     {
-        for (std::size_t j = frozenBegin; j < runningBegin; ++j)
+        std::uint64_t responses = 0;
+        std::size_t j = frozenBegin;
+        for (; j + kBlock <= runningBegin; j += kBlock)
         {
-            const double dx = s.x[i] - s.x[j];
-            const double dy = s.y[i] - s.y[j];
-            const double dz = s.z[i] - s.z[j];
-            const double contact = s.radius[i] + s.radius[j];
-            const double squared = dx * dx + dy * dy + dz * dz;
-            if (squared >= contact * contact)
+            if (anyContact(i, j))
             {
-                continue;
+                responses += respondToFrozen(i, j, j + kBlock);
             }
-            const double distance = std::sqrt(squared);
-            const Eigen::Vector3d normal = directionApart({dx, dy, dz}, distance);
-            s.setPosition(i, s.position(i) + normal * (contact - distance));
-            reflect(i, normal);
-            touched_[i - runningBegin] = true;
-            ++responses;
         }
+        responses += respondToFrozen(i, j, runningBegin);
+        total += responses;
+        touched_[i - runningBegin] = touched_[i - runningBegin] || responses > 0;
     }
-    counts.runningFrozenTests += (s.size() - runningBegin) * (runningBegin - frozenBegin);
-    counts.runningFrozenResponses += responses;
+    counts.runningFrozenTests += (spheres_.size() - runningBegin) * (runningBegin - frozenBegin);
+    counts.runningFrozenResponses += total;
+}
+
+// Tests a whole block at once, in vector instructions. The sign of a difference is exact, so this
+// finds a contact where the test one by one does.
+bool Algorithm1::anyContact(std::size_t i, std::size_t first) const
+{
+    using Block = Eigen::Array<double, kBlock, 1>;
+    const Spheres& s = spheres_;
+    const auto block = [first](const std::vector<double>& values)
+    { return Eigen::Map<const Block>(values.data() + first); };
+    const Block gap = (block(s.x) - s.x[i]).square() + (block(s.y) - s.y[i]).square() +
+                      (block(s.z) - s.z[i]).square() - (block(s.radius) + s.radius[i]).square();
+    return gap.minCoeff() < 0;
+}
+
+std::uint64_t Algorithm1::respondToFrozen(std::size_t i, std::size_t begin, std::size_t end)
+{
+    std::uint64_t responses = 0;
+    for (std::size_t j = begin; j < end; ++j)
+    {
+        const Eigen::Vector3d d = spheres_.position(i) - spheres_.position(j);
+        const double contact = spheres_.radius[i] + spheres_.radius[j];
+        const double squared = d.squaredNorm();
+        if (squared >= contact * contact)
+        {
+            continue;
+        }
+        const double distance = std::sqrt(squared);
+        const Eigen::Vector3d normal = directionApart(d, distance);
+        spheres_.setPosition(i, spheres_.position(i) + normal * (contact - distance));
+        reflect(i, normal);
+        ++responses;
+    }
+    return responses;
 }
 
 void Algorithm1::runningPolygons(std::size_t runningBegin,
@@ -135,21 +164,20 @@ std::uint64_t Algorithm1::collideWithPolygons(std::size_t i, const Eigen::Vector
                       [&](std::uint32_t polygon)
                       {
                           ++tests;
-                          const SurfaceTriangle& triangle = surface_[polygon];
-                          const double height = triangle.normal.dot(p) - triangle.offset;
-                          if (std::abs(height) > kNearby * radius)
+                          if (!surface_.bound(polygon).mayBeWithin(kNearby * radius, p))
                           {
                               return;
                           }
+                          nearby_.push_back(polygon);
                           Push push;
-                          if (wallPush(triangle, p, before, radius, push))
+                          if (surface_.bound(polygon).mayBeWithin(radius, p) &&
+                              wallPush(surface_[polygon], p, before, radius, push))
                           {
                               p += push.direction * push.depth;
                               reflect(i, push.direction);
                               deepest_ = std::max(deepest_, push.depth);
                               ++responses;
                           }
-                          nearby_.push_back(polygon);
                       });
     spheres_.setPosition(i, p);
     counts.spherePolygonTests += tests;

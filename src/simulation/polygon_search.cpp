@@ -49,7 +49,7 @@ PolygonTests::PolygonTests(PolygonSearch search, const Surface& surface,
     {
         if (search == PolygonSearch::list)
         {
-            parts_[0].append(polygon);
+            list_.append(polygon);
         }
         if (search != PolygonSearch::quadtree)
         {
@@ -73,7 +73,7 @@ PolygonTests::PolygonTests(PolygonSearch search, const Surface& surface,
             }
             if (near)
             {
-                parts_[part].append(polygon);
+                quarters_[part].push_back(polygon);
             }
         }
     }
@@ -81,9 +81,11 @@ PolygonTests::PolygonTests(PolygonSearch search, const Surface& surface,
 
 void PolygonTests::update()
 {
-    for (PolygonList& part : parts_)
+    list_.unlinkDiscarded(*states_);
+    for (std::vector<std::uint32_t>& quarter : quarters_)
     {
-        part.unlinkDiscarded(*states_);
+        std::erase_if(quarter, [this](std::uint32_t polygon)
+                      { return (*states_)[polygon] == PolygonState::discarded; });
     }
 }
 

@@ -66,10 +66,13 @@ public:
             }
             return;
         case PolygonSearch::list:
-            parts_[0].forEach(visit);
+            list_.forEach(visit);
             return;
         case PolygonSearch::quadtree:
-            parts_[quarter(p)].forEach(visit);
+            for (const std::uint32_t polygon : quarters_[quarter(p)])
+            {
+                visit(polygon);
+            }
             return;
         }
     }
@@ -86,7 +89,8 @@ private:
 
     PolygonSearch search_;
     const std::vector<PolygonState>* states_;
-    std::array<PolygonList, 4> parts_; ///< the list uses the first only
+    PolygonList list_;
+    std::array<std::vector<std::uint32_t>, 4> quarters_; ///< ascending; active ones only
     Eigen::Vector3d centre_;
     std::array<int, 2> axes_ = {0, 1}; ///< the two longest of the box, which are halved
 };
