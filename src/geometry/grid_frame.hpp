@@ -51,6 +51,11 @@ struct GridFrame
         const auto c = coordinates(p);
         return index(c[0], c[1], c[2]);
     }
+    [[nodiscard]] bool contains(const Eigen::Vector3d& p) const
+    {
+        const Eigen::Vector3d upper = origin + cell * Eigen::Vector3d(count[0], count[1], count[2]);
+        return (p.array() >= origin.array()).all() && (p.array() < upper.array()).all();
+    }
     [[nodiscard]] std::size_t size() const
     {
         return static_cast<std::size_t>(count[0]) * count[1] * count[2];

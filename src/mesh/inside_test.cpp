@@ -67,18 +67,7 @@ void InsideTest::classifyFrom(std::size_t seed, std::vector<std::uint32_t>& stac
 
 bool InsideTest::contains(const Eigen::Vector3d& p) const
 {
-    const std::size_t cell = grid_->frame().index(p);
-    if (sides_[cell] != Side::mixed)
-    {
-        return sides_[cell] == Side::inside;
-    }
-    // The nearest triangle of the list is the nearest of all when it is within the list's reach.
-    const SignedDistance nearest = nearestDistance(*surface_, grid_->cell(cell), p);
-    if (std::abs(nearest.value) <= grid_->reach())
-    {
-        return nearest.value > 0;
-    }
-    return windingNumber(surface_->mesh(), p) > 0.5;
+    return distance(p) > 0;
 }
 
 double InsideTest::distance(const Eigen::Vector3d& p) const
@@ -89,12 +78,30 @@ double InsideTest::distance(const Eigen::Vector3d& p) const
     {
         return sides_[cell] == Side::inside ? reach : -reach;
     }
+    // The nearest triangle of the list is the nearest of all when it is within the list's reach.
     const double nearest = nearestDistance(*surface_, grid_->cell(cell), p).value;
     if (std::abs(nearest) <= reach)
     {
         return nearest;
     }
-    return windingNumber(surface_->mesh(), p) > 0.5 ? reach : -reach;
+    return isInsideFarFromSurface(p) ? reach : -reach;
+}
+
+// No surface is within the reach of p, so every point that near is on the same side, among them
+// points of cells that have been classified.
+bool InsideTest::isInsideFarFromSurface(const Eigen::Vector3d& p) const
+{
+    for (int direction = 0; direction < 6; ++direction)
+    {
+        Eigen::Vector3d other = p;
+        other[direction / 2] += (direction % 2 == 0 ? -1 : 1) * 0.99 * grid_->reach();
+        const Side side = sides_[grid_->frame().index(other)];
+        if (side != Side::mixed && grid_->frame().contains(other))
+        {
+            return side == Side::inside;
+        }
+    }
+    return windingNumber(surface_->mesh(), p) > 0.5;
 }
 
 } // namespace frostfill

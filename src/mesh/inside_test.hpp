@@ -24,6 +24,7 @@ public:
     [[nodiscard]] double distance(const Eigen::Vector3d& p) const;
 
 private:
+    [[nodiscard]] bool isInsideFarFromSurface(const Eigen::Vector3d& p) const;
     void classifyFrom(std::size_t seed, std::vector<std::uint32_t>& stack);
 
     const Surface* surface_;

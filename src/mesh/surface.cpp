@@ -12,6 +12,9 @@ namespace frostfill
 namespace
 {
 
+/// Share of their length that equal vectors keep when they are added; the rest is rounding.
+constexpr double kFlat = 1 - 1e-12;
+
 double cornerAngle(const Eigen::Vector3d& at, const Eigen::Vector3d& b, const Eigen::Vector3d& c)
 {
     const Eigen::Vector3d u = b - at;
@@ -40,6 +43,7 @@ Surface::Surface(const TriangleMesh& mesh)
 {
     // Planes, and what each triangle adds to the normals of its edges and corners.
     std::map<std::pair<std::uint32_t, std::uint32_t>, Eigen::Vector3d> edgeNormals;
+    std::vector<double> anglesAtVertex(mesh.vertices.size(), 0);
     const auto edgeKey = [](std::uint32_t a, std::uint32_t b)
     { return std::make_pair(std::min(a, b), std::max(a, b)); };
     for (std::size_t t = 0; t < triangles_.size(); ++t)
@@ -61,9 +65,10 @@ Surface::Surface(const TriangleMesh& mesh)
             const auto [entry, isNew] =
                 edgeNormals.try_emplace(edgeKey(index[k], index[next]), Eigen::Vector3d::Zero());
             entry->second += triangle.normal;
-            vertexNormals_[index[k]] +=
-                triangle.normal * cornerAngle(triangle.corner[k], triangle.corner[next],
-                                              triangle.corner[(k + 2) % 3]);
+            const double angle = cornerAngle(triangle.corner[k], triangle.corner[next],
+                                             triangle.corner[(k + 2) % 3]);
+            vertexNormals_[index[k]] += triangle.normal * angle;
+            anglesAtVertex[index[k]] += angle;
         }
     }
 
@@ -75,6 +80,9 @@ Surface::Surface(const TriangleMesh& mesh)
         {
             pseudonormal[k] = vertexNormals_[index[k]];
             pseudonormal[3 + k] = edgeNormals.at(edgeKey(index[k], index[(k + 1) % 3]));
+            // Unit normals add up to their number exactly when they are all the same.
+            triangles_[t].flat[k] = pseudonormal[k].norm() > kFlat * anglesAtVertex[index[k]];
+            triangles_[t].flat[3 + k] = pseudonormal[3 + k].norm() > kFlat * 2;
         }
         pseudonormal[6] = triangles_[t].normal;
     }
@@ -101,6 +109,10 @@ SignedDistance nearestDistance(const Surface& surface, std::span<const std::uint
     nearest.value = std::numeric_limits<double>::infinity();
     for (const std::uint32_t id : ids)
     {
+        if (!surface.bound(id).mayBeWithin(std::abs(nearest.value), p))
+        {
+            continue;
+        }
         const SignedDistance candidate = signedDistance(surface[id], p);
         if (std::abs(candidate.value) < std::abs(nearest.value))
         {

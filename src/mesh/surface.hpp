@@ -19,6 +19,9 @@ struct SurfaceTriangle
     Eigen::Vector3d normal;                      ///< of the plane
     double offset = 0;                           ///< normal . x of the plane's points
     std::array<Eigen::Vector3d, 7> pseudonormal; ///< by TriangleFeature, not normalised
+    /// By TriangleFeature: all triangles that share this edge or corner lie in one plane. A sphere
+    /// that touches it touches one of their faces just as well.
+    std::array<bool, 7> flat = {};
 };
 
 /// What a first look at a triangle needs, in one cache line: its plane and a sphere around it.

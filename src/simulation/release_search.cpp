@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <simulation/release_search.hpp>
 
+#include <simulation/clear_place.hpp>
 #include <simulation/random.hpp>
 
 #include <algorithm>
@@ -14,9 +15,9 @@ namespace
 constexpr double kRadius = 1; // all lengths are in radii
 constexpr double kCell = 0.5; // edge of a lattice cell
 constexpr double kHalfDiagonal = 0.8660254037844387 * kCell;
-constexpr double kClearance = 1e-9; // by which a place is clear, so that rounding cannot overlap
-constexpr double kTopBand = 2;      // sites whose heights differ by less come in random order
-constexpr int kMoves = 24;          // attempts at moving a place out of an overlap
+constexpr double kFarthest = 2 * kHalfDiagonal; // a place may be from its lattice point
+constexpr double kTopBand = 2; // sites whose heights differ by less come in random order
+constexpr int kMoves = 24;     // attempts at moving a place out of an overlap
 
 std::array<int, 3> cellOf(const GridFrame& lattice, std::uint32_t site)
 {
@@ -77,10 +78,10 @@ std::vector<Eigen::Vector3d> ReleaseSearch::find(std::size_t count)
             p[axis] += kCell * (uniformRandom(world_.scene.seed, site, ++draws_) - 0.5);
         }
         // The spheres at rest only grow in number: what they leave no room for now stays so.
-        if (!moveClear(p, centre))
+        if (!moveClear(world_, p, kRadius, kFarthest))
         {
             p = centre;
-            if (!moveClear(p, centre))
+            if (!moveClear(world_, p, kRadius, kFarthest))
             {
                 continue;
             }
@@ -107,56 +108,6 @@ bool ReleaseSearch::takenForGood(const Eigen::Vector3d& site) const
                                    taken = taken || d.squaredNorm() < limit * limit;
                                });
     return taken;
-}
-
-// Pushes p out of the deepest overlap, again and again. Succeeds when none is left and p is still
-// in the neighbourhood that its site stands for.
-bool ReleaseSearch::moveClear(Eigen::Vector3d& p, const Eigen::Vector3d& site) const
-{
-    for (int move = 0; move < kMoves; ++move)
-    {
-        double depth = -kClearance / 2;
-        Eigen::Vector3d push = Eigen::Vector3d::Zero();
-        const auto triangles = world_.triangles.near(p);
-        if (!triangles.empty())
-        {
-            const SignedDistance wall = nearestDistance(world_.surface, triangles, p);
-            if (wall.value == 0)
-            {
-                return false;
-            }
-            if (kRadius - wall.value > depth)
-            {
-                depth = kRadius - wall.value;
-                push = (p - wall.closest) / wall.value * (depth + kClearance);
-            }
-        }
-        else if (!world_.inside.contains(p))
-        {
-            return false;
-        }
-        world_.resting.forEachNear(p, 2 * kRadius,
-                                   [&](std::uint32_t id)
-                                   {
-                                       const Eigen::Vector3d d = p - world_.spheres.position(id);
-                                       const double distance = d.norm();
-                                       if (2 * kRadius - distance > depth && distance > 0)
-                                       {
-                                           depth = 2 * kRadius - distance;
-                                           push = d / distance * (depth + kClearance);
-                                       }
-                                   });
-        if (push.isZero(0))
-        {
-            return true;
-        }
-        p += push;
-        if ((p - site).squaredNorm() > 4 * kHalfDiagonal * kHalfDiagonal)
-        {
-            return false;
-        }
-    }
-    return false;
 }
 
 bool ReleaseSearch::clearOfRunning(const Eigen::Vector3d& p,

@@ -25,7 +25,6 @@ public:
 
 private:
     [[nodiscard]] bool takenForGood(const Eigen::Vector3d& site) const;
-    [[nodiscard]] bool moveClear(Eigen::Vector3d& p, const Eigen::Vector3d& site) const;
     [[nodiscard]] bool clearOfRunning(const Eigen::Vector3d& p,
                                       const std::vector<Eigen::Vector3d>& released) const;
 

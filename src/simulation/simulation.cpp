@@ -2,6 +2,7 @@
 #include <frostfill/simulation.hpp>
 
 #include <frostfill/error.hpp>
+#include <simulation/descent_engine.hpp>
 #include <simulation/paper_engine.hpp>
 #include <simulation/quality.hpp>
 #include <simulation/state_hash.hpp>
@@ -14,14 +15,27 @@
 namespace frostfill
 {
 
+namespace
+{
+
+std::unique_ptr<Engine> makeEngine(World& world)
+{
+    if (std::getenv("DESC"))
+        return std::make_unique<DescentEngine>(world);
+    return std::make_unique<PaperEngine>(world);
+}
+
+} // namespace
+
 struct Simulation::Implementation
 {
-    Implementation(const Scene& scene, const TriangleMesh& mesh) : world(scene, mesh), engine(world)
+    Implementation(const Scene& scene, const TriangleMesh& mesh)
+        : world(scene, mesh), engine(makeEngine(world))
     {
     }
 
     World world;
-    PaperEngine engine;
+    std::unique_ptr<Engine> engine;
 };
 
 namespace
@@ -45,7 +59,7 @@ Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
 bool Simulation::step()
 {
-    return implementation_->engine.step();
+    return implementation_->engine->step();
 }
 bool Simulation::finished() const
 {
@@ -82,16 +96,7 @@ std::size_t Simulation::restingCount() const
 
 std::size_t Simulation::expectedSpheres() const
 {
-    const World& world = implementation_->world;
-    if (world.targetCount > 0)
-    {
-        return world.targetCount;
-    }
-    // The wall-corrected estimate that sphereRadius uses, the other way round.
-    const double r = world.frame.length;
-    const double room = std::max(0.0, world.report.volume - 0.38 * r * world.report.area);
-    const double one = 4.0 / 3.0 * std::numbers::pi * r * r * r;
-    return static_cast<std::size_t>(std::max(1.0, 0.586 * room / one));
+    return expectedCount(implementation_->world);
 }
 
 SphereRecord Simulation::sphere(std::size_t id) const

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <simulation/world.hpp>
 
+#include <algorithm>
+#include <numbers>
+
 namespace frostfill
 {
 namespace
@@ -51,6 +54,19 @@ void World::discardPolygon(std::uint32_t polygon)
 {
     polygons[polygon] = PolygonState::discarded;
     ++discardedPolygons;
+}
+
+std::size_t expectedCount(const World& world)
+{
+    if (world.targetCount > 0)
+    {
+        return world.targetCount;
+    }
+    // The estimate that sphereRadius uses, the other way round.
+    const double r = world.frame.length;
+    const double room = std::max(0.0, world.report.volume - 0.38 * r * world.report.area);
+    const double one = 4.0 / 3.0 * std::numbers::pi * r * r * r;
+    return static_cast<std::size_t>(std::max(1.0, 0.586 * room / one));
 }
 
 } // namespace frostfill

@@ -62,6 +62,9 @@ struct World
     void discardPolygon(std::uint32_t polygon);
 };
 
+/// Spheres that the run aims at: the count, or the wall-corrected estimate of how many fit.
+[[nodiscard]] std::size_t expectedCount(const World& world);
+
 /// Moves a world. One time step of the paper's method, or of ours.
 class Engine
 {

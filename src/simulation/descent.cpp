@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include <simulation/descent.hpp>
+
+#include <simulation/free_path.hpp>
+#include <simulation/gravity_cone.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace frostfill
+{
+namespace
+{
+
+constexpr double kTouch = 1e-7;         // gap below which a contact carries [r]
+constexpr double kSettled = 0.01;       // share of the weight that may remain uncarried
+constexpr double kLongestSlide = 0.3;   // straight part of a path that follows a curve [r]
+constexpr double kShortestSlide = 1e-4; // a path that advances by less is stuck [r]
+constexpr double kRegain = 0.2;         // how far behind a straight part the contact may be [r]
+
+} // namespace
+
+bool Descent::settle(Eigen::Vector3d& p, double radius)
+{
+    around_.invalidate();
+    longestSlide_ = kLongestSlide;
+    // A path loses height with every step, so it ends; the bound is for wedges that Newton's method
+    // enters ever more slowly.
+    const auto bound = static_cast<std::uint64_t>(2000 + 200 * world_.height);
+    for (std::uint64_t step = 0; step < bound; ++step)
+    {
+        ++steps_;
+        around_.ensure(world_, p, radius, kLongestSlide + kRegain);
+        contactNormals(world_.surface, around_, p, radius, kTouch, normals_);
+        const Eigen::Vector3d pull = projectGravity(normals_);
+        const double weight = pull.norm();
+        if (weight < kSettled)
+        {
+            return true;
+        }
+        if (normals_.empty())
+        {
+            fall(p, radius);
+        }
+        else if (!slide(p, radius, pull))
+        {
+            return false;
+        }
+    }
+    return false;
+}
+
+void Descent::fall(Eigen::Vector3d& p, double radius)
+{
+    const double height = falls_.freeHeight(p);
+    if (height < p.y())
+    {
+        p.y() = height;
+        return;
+    }
+    const Eigen::Vector3d down(0, -1, 0);
+    p.y() -= freePath(world_.surface, around_, p, radius, down, kLongestSlide);
+}
+
+// A straight part along the pull, then back to the contact that curves away from it. Both lose
+// height: the second leads against the contacts' forces, whose sum points up.
+bool Descent::slide(Eigen::Vector3d& p, double radius, const Eigen::Vector3d& pull)
+{
+    const double weight = pull.norm();
+    const Eigen::Vector3d along = pull / weight;
+    // Near the bottom of a curve the pull fades with the distance to it.
+    const double length = std::min(longestSlide_, 1.5 * weight);
+    const double path = freePath(world_.surface, around_, p, radius, along, length);
+    p += path * along;
+
+    const Eigen::Vector3d forces = Eigen::Vector3d(0, 1, 0) + pull;
+    const double force = forces.norm();
+    if (force > kSettled)
+    {
+        const Eigen::Vector3d back = -forces / force;
+        const double regained = freePath(world_.surface, around_, p, radius, back, kRegain);
+        if (regained < kRegain)
+        {
+            p += regained * back;
+        }
+    }
+    if (path < kShortestSlide * weight)
+    {
+        longestSlide_ /= 2;
+        return longestSlide_ > kShortestSlide;
+    }
+    longestSlide_ = kLongestSlide;
+    return true;
+}
+
+} // namespace frostfill

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <simulation/fall_index.hpp>
+#include <simulation/neighbourhood.hpp>
+#include <simulation/world.hpp>
+
+#include <vector>
+
+namespace frostfill
+{
+
+/// Takes one sphere at a time down to a place where it stays, without dynamics: it falls, then
+/// slides in the direction in which gravity moves it among its contacts, until they carry its
+/// weight. Drop and roll [Visscher & Bolsterli 1972] for spheres at rest and triangles alike. The
+/// sphere always stays clear of everything, so its final overlap is rounding.
+class Descent
+{
+public:
+    Descent(const World& world, const FallIndex& falls) : world_(world), falls_(falls) {}
+
+    /// `p` is a place that is clear of everything. Returns true when a place was found that carries
+    /// the sphere: what gravity has left of its weight is below the tolerance. False when the
+    /// sphere got stuck in a wedge on the way.
+    [[nodiscard]] bool settle(Eigen::Vector3d& p, double radius);
+
+    /// Path steps made so far, for statistics.
+    [[nodiscard]] std::uint64_t steps() const { return steps_; }
+
+private:
+    void fall(Eigen::Vector3d& p, double radius);
+    bool slide(Eigen::Vector3d& p, double radius, const Eigen::Vector3d& pull);
+
+    const World& world_;
+    const FallIndex& falls_;
+    Neighbourhood around_;
+    std::vector<Eigen::Vector3d> normals_;
+    double longestSlide_ = 0;
+    std::uint64_t steps_ = 0;
+};
+
+} // namespace frostfill

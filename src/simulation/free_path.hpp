@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <mesh/surface.hpp>
+#include <simulation/neighbourhood.hpp>
+
+#include <vector>
+
+namespace frostfill
+{
+
+/// How far a sphere of `radius` at p can move along the unit vector `direction`, at most `limit`,
+/// until it first touches something of the neighbourhood. Contacts that it touches already and that
+/// the direction does not lead into don't count. The result never leads into an overlap.
+[[nodiscard]] double freePath(const Surface& surface, const Neighbourhood& around,
+                              const Eigen::Vector3d& p, double radius,
+                              const Eigen::Vector3d& direction, double limit);
+
+/// Unit vectors to p from everything that a sphere there touches: gaps of at most `gap`.
+void contactNormals(const Surface& surface, const Neighbourhood& around, const Eigen::Vector3d& p,
+                    double radius, double gap, std::vector<Eigen::Vector3d>& normals);
+
+} // namespace frostfill

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include <simulation/neighbourhood.hpp>
+
+namespace frostfill
+{
+
+void Neighbourhood::ensure(const World& world, const Eigen::Vector3d& p, double radius,
+                           double ahead)
+{
+    if (radius_ == radius && room(p) >= ahead)
+    {
+        return;
+    }
+    centre_ = p;
+    radius_ = radius;
+    x.clear();
+    y.clear();
+    z.clear();
+    reach.clear();
+    const Spheres& s = world.spheres;
+    world.resting.forEachNear(p, radius + 1 + kSkin,
+                              [&](std::uint32_t id)
+                              {
+                                  const double contact = radius + s.radius[id];
+                                  const double limit = contact + kSkin;
+                                  if ((s.position(id) - p).squaredNorm() < limit * limit)
+                                  {
+                                      x.push_back(s.x[id]);
+                                      y.push_back(s.y[id]);
+                                      z.push_back(s.z[id]);
+                                      reach.push_back(contact);
+                                  }
+                              });
+    triangles_ = world.triangles.near(p);
+}
+
+} // namespace frostfill

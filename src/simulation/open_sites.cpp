@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include <simulation/open_sites.hpp>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace frostfill
+{
+
+OpenSites::OpenSites(const Surface& surface, const InsideTest& inside)
+    : lattice_(GridFrame::cover(surface.box(), kCell, 0)), bits_((lattice_.size() + 63) / 64, 0)
+{
+    std::size_t site = 0;
+    for (int z = 0; z < lattice_.count[2]; ++z)
+    {
+        for (int y = 0; y < lattice_.count[1]; ++y)
+        {
+            for (int x = 0; x < lattice_.count[0]; ++x, ++site)
+            {
+                if (inside.distance(lattice_.centre(x, y, z)) >= 1 - kHalfDiagonal)
+                {
+                    bits_[site / 64] |= std::uint64_t{1} << (site % 64);
+                }
+            }
+        }
+    }
+}
+
+void OpenSites::close(const Eigen::Vector3d& centre, double radius)
+{
+    // Sites whose own centre is nearer than this have all their points within the two radii.
+    const double limit = radius + 1 - kHalfDiagonal;
+    const auto low = lattice_.coordinates(centre.array() - limit);
+    const auto high = lattice_.coordinates(centre.array() + limit);
+    for (int z = low[2]; z <= high[2]; ++z)
+    {
+        const double dz = lattice_.centre(0, 0, z).z() - centre.z();
+        for (int y = low[1]; y <= high[1]; ++y)
+        {
+            const double dy = lattice_.centre(0, y, 0).y() - centre.y();
+            const double left = limit * limit - dz * dz - dy * dy;
+            if (left <= 0)
+            {
+                continue;
+            }
+            // Cells of the row whose centre is within the half chord.
+            const double half = std::sqrt(left);
+            const double first = (centre.x() - half - lattice_.origin.x()) / kCell - 0.5;
+            const double last = (centre.x() + half - lattice_.origin.x()) / kCell - 0.5;
+            const int begin = std::max(0, static_cast<int>(std::ceil(first)));
+            const int end = std::min(lattice_.count[0] - 1, static_cast<int>(std::floor(last)));
+            const std::size_t row = lattice_.index(0, y, z);
+            for (int x = begin; x <= end; ++x)
+            {
+                closeSite(row + static_cast<std::size_t>(x));
+            }
+        }
+    }
+}
+
+Eigen::Vector3d OpenSites::centre(std::size_t site) const
+{
+    const auto nx = static_cast<std::size_t>(lattice_.count[0]);
+    const auto ny = static_cast<std::size_t>(lattice_.count[1]);
+    return lattice_.centre(static_cast<int>(site % nx), static_cast<int>(site / nx % ny),
+                           static_cast<int>(site / nx / ny));
+}
+
+std::size_t OpenSites::nextOpen(std::size_t site) const
+{
+    std::size_t word = site / 64;
+    if (word >= bits_.size())
+    {
+        return lattice_.size();
+    }
+    std::uint64_t rest = bits_[word] & (~std::uint64_t{0} << (site % 64));
+    while (rest == 0)
+    {
+        if (++word == bits_.size())
+        {
+            return lattice_.size();
+        }
+        rest = bits_[word];
+    }
+    return word * 64 + static_cast<std::size_t>(std::countr_zero(rest));
+}
+
+} // namespace frostfill

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <mesh/inside_test.hpp>
+#include <simulation/spheres.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace frostfill
+{
+
+/// A lattice of half a radius over the object, a bit a cell: whether the cell may still hold the
+/// centre of a sphere of the largest radius, 1. Spheres at rest close the cells that lie wholly
+/// within two radii; a cell that is closed stays closed.
+class OpenSites
+{
+public:
+    OpenSites(const Surface& surface, const InsideTest& inside);
+
+    /// Closes all cells that a sphere at rest leaves no place in.
+    void close(const Eigen::Vector3d& centre, double radius);
+    void closeSite(std::size_t site) { bits_[site / 64] &= ~(std::uint64_t{1} << (site % 64)); }
+
+    [[nodiscard]] bool isOpen(std::size_t site) const
+    {
+        return (bits_[site / 64] >> (site % 64) & 1u) != 0;
+    }
+    [[nodiscard]] const GridFrame& lattice() const { return lattice_; }
+    [[nodiscard]] Eigen::Vector3d centre(std::size_t site) const;
+    /// The next open site from `site` on, or lattice().size(). Ascending in z, y, x.
+    [[nodiscard]] std::size_t nextOpen(std::size_t site) const;
+
+    static constexpr double kCell = 0.5;
+    static constexpr double kHalfDiagonal = 0.8660254037844387 * kCell;
+
+private:
+    GridFrame lattice_;
+    std::vector<std::uint64_t> bits_;
+};
+
+} // namespace frostfill
