@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <simulation/descent.hpp>
 
+#include <simulation/contact_cone.hpp>
 #include <simulation/free_path.hpp>
-#include <simulation/gravity_cone.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +32,7 @@ bool Descent::settle(Eigen::Vector3d& p, double radius)
         ++steps_;
         around_.ensure(world_, p, radius, kLongestSlide + kRegain);
         contactNormals(world_.surface, around_, p, radius, kTouch, normals_);
-        const Eigen::Vector3d pull = projectGravity(normals_);
+        const Eigen::Vector3d pull = projectToFree({0, -1, 0}, normals_);
         const double weight = pull.norm();
         if (weight < kSettled)
         {

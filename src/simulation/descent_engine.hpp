@@ -3,12 +3,9 @@
 
 #include <simulation/descent.hpp>
 #include <simulation/fall_index.hpp>
-#include <simulation/open_sites.hpp>
+#include <simulation/release_sites.hpp>
 #include <simulation/set_clock.hpp>
 #include <simulation/world.hpp>
-
-#include <optional>
-#include <vector>
 
 namespace frostfill
 {
@@ -24,19 +21,12 @@ public:
 
 private:
     bool placeOne();
-    [[nodiscard]] std::optional<Eigen::Vector3d> nextRelease();
-    [[nodiscard]] std::optional<Eigen::Vector3d> releaseAtCeiling();
-    [[nodiscard]] std::optional<Eigen::Vector3d> releaseAnywhere();
-    void findCeilings();
 
     World& world_;
     FallIndex falls_;
-    OpenSites sites_;
+    ReleaseSites release_;
     Descent descent_;
     SetClock clock_;
-    std::vector<std::uint32_t> ceilings_; ///< open sites with none above
-    std::size_t sweep_ = 0;               ///< where releaseAnywhere goes on
-    std::uint64_t draws_ = 0;
     std::size_t setSize_ = 1;
 };
 

@@ -146,7 +146,7 @@ bool PaperEngine::releaseSet()
     for (std::size_t k = 0; k < places.size(); ++k)
     {
         const auto group = nextGroup_ + static_cast<std::uint32_t>(k / settings.groupSize);
-        world_.spheres.add(places[k], 1, group);
+        world_.release(places[k], 1, group);
     }
     nextGroup_ = world_.spheres.group.back() + 1;
     setIsOver_ = false;
@@ -163,6 +163,7 @@ void PaperEngine::freezeAndDiscard()
         {
             world_.freeze(static_cast<std::uint32_t>(world_.restingCount));
         }
+        world_.forgetFrozen();
         setsAtRest_ = 0;
     }
     if (world_.scene.discard.rule == DiscardRule::paper)

@@ -3,6 +3,7 @@
 
 #include <frostfill/error.hpp>
 #include <simulation/descent_engine.hpp>
+#include <simulation/fast_engine.hpp>
 #include <simulation/paper_engine.hpp>
 #include <simulation/quality.hpp>
 #include <simulation/state_hash.hpp>
@@ -22,6 +23,8 @@ std::unique_ptr<Engine> makeEngine(World& world)
 {
     if (std::getenv("DESC"))
         return std::make_unique<DescentEngine>(world);
+    if (std::getenv("FAST"))
+        return std::make_unique<FastEngine>(world);
     return std::make_unique<PaperEngine>(world);
 }
 
@@ -149,9 +152,9 @@ void Simulation::capture(Snapshot& snapshot) const
             changed.push_back(world.stateChanges[k]);
         }
     }
-    for (std::size_t id = std::min(world.restingCount, known); id < known; ++id)
+    for (const std::uint32_t id : world.runningIds)
     {
-        changed.push_back(static_cast<std::uint32_t>(id));
+        changed.push_back(id);
     }
     for (std::size_t id = known; id < count; ++id)
     {

@@ -34,6 +34,19 @@ World::World(const Scene& sceneOfRun, const TriangleMesh& mesh)
     }
 }
 
+std::uint32_t World::release(const Eigen::Vector3d& place, double radius, std::uint32_t group)
+{
+    const std::uint32_t id = spheres.add(place, radius, group);
+    runningIds.push_back(id);
+    return id;
+}
+
+void World::forgetFrozen()
+{
+    std::erase_if(runningIds,
+                  [this](std::uint32_t id) { return spheres.state[id] != SphereState::running; });
+}
+
 void World::freeze(std::uint32_t id)
 {
     spheres.state[id] = SphereState::frozen;

@@ -55,9 +55,13 @@ struct World
 
     /// Ids in the order in which their state changed: what Simulation::capture reads.
     std::vector<std::uint32_t> stateChanges;
+    std::vector<std::uint32_t> runningIds; ///< ascending
 
     [[nodiscard]] std::size_t running() const { return spheres.size() - restingCount; }
+    std::uint32_t release(const Eigen::Vector3d& place, double radius, std::uint32_t group);
     void freeze(std::uint32_t id);
+    /// To be called after freezing: takes the frozen ones out of runningIds.
+    void forgetFrozen();
     void discard(std::uint32_t id);
     void discardPolygon(std::uint32_t polygon);
 };

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+#include <simulation/encounters.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace frostfill
+{
+namespace
+{
+
+constexpr double kMeetingMargin = 0.5; // gap up to which runners may meet within a step [r]
+constexpr double kLongestPush = 0.2;   // in one sweep [r]
+
+// How much of the penetration depth a gives way by. One that nothing at rest has carried for long
+// stops giving way, so that it comes down to something that does; of two such, the lower.
+double shareOf(const Runner& a, const Runner& b)
+{
+    if (a.yields != b.yields)
+    {
+        return a.yields ? 1 : 0;
+    }
+    if (!a.yields)
+    {
+        const bool lower =
+            a.position.y() < b.position.y() || (a.position.y() == b.position.y() && a.id < b.id);
+        return lower ? 0 : 1;
+    }
+    const double ma = a.radius * a.radius * a.radius;
+    const double mb = b.radius * b.radius * b.radius;
+    return mb / (ma + mb);
+}
+
+Eigen::Vector3d pushOffResting(const Runner& runner)
+{
+    Eigen::Vector3d push = Eigen::Vector3d::Zero();
+    const Neighbourhood& around = runner.around;
+    for (std::size_t k = 0; k < around.spheres(); ++k)
+    {
+        const Eigen::Vector3d d =
+            runner.position - Eigen::Vector3d(around.x[k], around.y[k], around.z[k]);
+        const double squared = d.squaredNorm();
+        const double reach = around.reach[k] - 1e-9;
+        if (squared < reach * reach && squared > 0)
+        {
+            const double distance = std::sqrt(squared);
+            push += d * ((around.reach[k] - distance) / distance);
+        }
+    }
+    return push;
+}
+
+} // namespace
+
+Encounters::Encounters(const World& world, const Flight& flight, const Settings& settings)
+    : flight_(flight), settings_(settings), frame_(world.resting.frame()), head_(frame_.size(), 0)
+{
+}
+
+void Encounters::resolve(std::span<Runner> runners, double dt)
+{
+    findMeetings(runners);
+    for (Runner& runner : runners)
+    {
+        runner.flown = runner.position;
+        runner.velocityBefore = runner.velocity;
+    }
+    for (int k = 0; k < settings_.sweeps; ++k)
+    {
+        if (sweep(runners) < settings_.tolerance)
+        {
+            break;
+        }
+    }
+    updateVelocities(runners, dt);
+}
+
+void Encounters::findMeetings(std::span<Runner> runners)
+{
+    next_.resize(runners.size());
+    for (std::size_t i = 0; i < runners.size(); ++i)
+    {
+        const std::size_t cell = frame_.index(runners[i].position);
+        next_[i] = head_[cell];
+        head_[cell] = static_cast<std::uint32_t>(i + 1);
+    }
+    for (std::size_t i = 0; i < runners.size(); ++i)
+    {
+        Runner& runner = runners[i];
+        runner.meeting.clear();
+        const double reach = runner.radius + 1 + kMeetingMargin;
+        const auto low = frame_.coordinates(runner.position.array() - reach);
+        const auto high = frame_.coordinates(runner.position.array() + reach);
+        for (int z = low[2]; z <= high[2]; ++z)
+        {
+            for (int y = low[1]; y <= high[1]; ++y)
+            {
+                for (int x = low[0]; x <= high[0]; ++x)
+                {
+                    for (std::uint32_t k = head_[frame_.index(x, y, z)]; k != 0; k = next_[k - 1])
+                    {
+                        const double limit = runner.radius + runners[k - 1].radius + kMeetingMargin;
+                        if (k - 1 != i &&
+                            (runners[k - 1].position - runner.position).squaredNorm() <
+                                limit * limit)
+                        {
+                            runner.meeting.push_back(k - 1);
+                        }
+                    }
+                }
+            }
+        }
+        std::sort(runner.meeting.begin(), runner.meeting.end());
+    }
+    for (const Runner& runner : runners)
+    {
+        head_[frame_.index(runner.position)] = 0;
+    }
+}
+
+// Returns the deepest penetration that it found.
+double Encounters::sweep(std::span<Runner> runners)
+{
+    double deepest = 0;
+    for (Runner& runner : runners)
+    {
+        runner.push = pushOffResting(runner);
+        deepest = std::max(deepest, runner.push.norm());
+        for (const std::uint32_t k : runner.meeting)
+        {
+            const Runner& other = runners[k];
+            const Eigen::Vector3d d = runner.position - other.position;
+            const double contact = runner.radius + other.radius;
+            const double squared = d.squaredNorm();
+            if (squared >= contact * contact)
+            {
+                continue;
+            }
+            const double distance = std::sqrt(squared);
+            const double depth = contact - distance;
+            deepest = std::max(deepest, depth);
+            if (distance > 0)
+            {
+                runner.push += d * (shareOf(runner, other) * depth / distance);
+            }
+        }
+        const double length = runner.push.norm();
+        if (length > kLongestPush)
+        {
+            runner.push *= kLongestPush / length;
+        }
+    }
+    for (Runner& runner : runners)
+    {
+        flight_.shift(runner, runner.push);
+    }
+    return deepest;
+}
+
+// Velocity from the corrected displacement (position-based dynamics), except where a pair met fast
+// enough to bounce: there the relative speed along the normal becomes -e times what it was.
+void Encounters::updateVelocities(std::span<Runner> runners, double dt)
+{
+    for (Runner& runner : runners)
+    {
+        const Eigen::Vector3d shift = runner.position - runner.flown;
+        runner.push = shift / dt;
+        const double speed = runner.velocityBefore.norm() + dt;
+        const Eigen::Vector3d corrected = runner.velocityBefore + runner.push;
+        const double length = corrected.norm();
+        runner.velocity =
+            length > speed ? Eigen::Vector3d(corrected * (speed / length)) : corrected;
+    }
+    if (settings_.restitution == 0)
+    {
+        return;
+    }
+    for (Runner& runner : runners)
+    {
+        Eigen::Vector3d change = Eigen::Vector3d::Zero();
+        int contacts = 0;
+        for (const std::uint32_t k : runner.meeting)
+        {
+            const Runner& other = runners[k];
+            const Eigen::Vector3d d = runner.flown - other.flown;
+            const double distance = d.norm();
+            if (distance >= runner.radius + other.radius || distance == 0)
+            {
+                continue;
+            }
+            const Eigen::Vector3d normal = d / distance;
+            const double before = (runner.velocityBefore - other.velocityBefore).dot(normal);
+            if (before < -settings_.bounceSpeed)
+            {
+                // As if the pair met alone: its own velocities before, not the corrected ones.
+                change += normal * (-(1 + settings_.restitution) * before * shareOf(runner, other));
+                ++contacts;
+            }
+        }
+        if (contacts > 0)
+        {
+            runner.velocity = runner.velocityBefore + change / contacts;
+        }
+    }
+}
+
+} // namespace frostfill

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <simulation/flight.hpp>
+#include <simulation/runner.hpp>
+#include <simulation/world.hpp>
+
+#include <span>
+#include <vector>
+
+namespace frostfill
+{
+
+/// Collisions of runners with each other, and with spheres that came to rest on top of them. All
+/// runners are read before any is written (Jacobi), so the result does not depend on their order.
+class Encounters
+{
+public:
+    struct Settings
+    {
+        double restitution = 0.2;
+        double bounceSpeed = 0.5; ///< [sqrt(g r)]
+        int sweeps = 4;
+        double tolerance = 1e-3; ///< penetration depth at which the sweeps end early [r]
+    };
+
+    Encounters(const World& world, const Flight& flight, const Settings& settings);
+
+    /// Separates the runners and makes their velocities agree with it.
+    void resolve(std::span<Runner> runners, double dt);
+
+private:
+    void findMeetings(std::span<Runner> runners);
+    double sweep(std::span<Runner> runners);
+    void updateVelocities(std::span<Runner> runners, double dt);
+
+    const Flight& flight_;
+    Settings settings_;
+    GridFrame frame_;
+    std::vector<std::uint32_t> head_; ///< first runner of each cell, as index + 1; 0 for none
+    std::vector<std::uint32_t> next_;
+};
+
+} // namespace frostfill

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <simulation/descent.hpp>
+#include <simulation/encounters.hpp>
+#include <simulation/fall_index.hpp>
+#include <simulation/flight.hpp>
+#include <simulation/release_sites.hpp>
+#include <simulation/runner.hpp>
+#include <simulation/set_clock.hpp>
+#include <simulation/world.hpp>
+
+#include <vector>
+
+namespace frostfill
+{
+
+/// Our own engine: the paper's Algorithm 1 with better parts. Sets appear as in the paper; each
+/// sphere is frozen by itself as soon as it is calm and what is at rest carries it.
+class FastEngine : public Engine
+{
+public:
+    explicit FastEngine(World& world);
+    bool step() override;
+
+private:
+    bool releaseSet();
+    void advance();
+    void freezeCalm();
+    [[nodiscard]] bool tryFreeze(Runner& runner);
+    void freezeAt(Runner& runner, const Eigen::Vector3d& place);
+    void wakeAround(const Eigen::Vector3d& place);
+    void forgetFrozen();
+
+    World& world_;
+    FallIndex falls_;
+    ReleaseSites release_;
+    Descent descent_;
+    Flight flight_;
+    Encounters encounters_;
+    SetClock clock_;
+    std::vector<Runner> runners_; ///< the first running_ are in use; the others keep their memory
+    std::size_t running_ = 0;
+    std::vector<bool> frozen_; ///< by runner, in this step
+    std::uint32_t windowSteps_ = 1;
+    std::uint32_t stepsInWindow_ = 0;
+    std::uint32_t nextGroup_ = 0;
+    std::size_t setSize_ = 0;
+    double ageLimit_ = 0;
+};
+
+} // namespace frostfill

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include <simulation/flight.hpp>
+
+#include <simulation/contact_cone.hpp>
+#include <simulation/free_path.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace frostfill
+{
+namespace
+{
+
+constexpr double kTouch = 1e-7;        // gap below which a contact acts [r]
+constexpr double kLeaves = 1e-9;       // speed at which a contact is being left [sqrt(g r)]
+constexpr double kStandsStill = 1e-12; // displacement not worth following [r]
+constexpr int kMostParts = 12;         // contacts met in one step's path
+constexpr int kMostShifts = 3;         // straight parts of one displacement
+
+} // namespace
+
+void Runner::restart(std::uint32_t newId, const Eigen::Vector3d& p)
+{
+    id = newId;
+    position = p;
+    watched = p;
+    velocity.setZero();
+    around.invalidate();
+    age = 0;
+    calmWindows = 0;
+    yields = true;
+}
+
+void Flight::advance(Runner& runner, double dt) const
+{
+    const Eigen::Vector3d gravity(0, -world_.frame.gravity, 0);
+    double left = dt;
+    const double longest = dt * (runner.velocity.norm() + dt);
+    const int mostParts = kMostParts + static_cast<int>(longest / (Neighbourhood::kSkin / 2));
+    for (int part = 0; part < mostParts && left > 0; ++part)
+    {
+        // Acceleration: what the contacts that are not being left let through of gravity.
+        runner.around.ensure(world_, runner.position, runner.radius, Neighbourhood::kSkin / 2);
+        contactNormals(world_.surface, runner.around, runner.position, runner.radius, kTouch,
+                       runner.normals);
+        collide(runner);
+        const bool inContact = !runner.normals.empty();
+        std::erase_if(runner.normals, [&](const Eigen::Vector3d& normal)
+                      { return normal.dot(runner.velocity) > kLeaves; });
+        const Eigen::Vector3d acceleration = projectToFree(gravity, runner.normals);
+
+        // The chord of the parabola, as far as the neighbourhood reaches. Where the path ends early
+        // the speed is that of an earlier point of the parabola: energy is lost there, never
+        // gained.
+        const Eigen::Vector3d way = left * runner.velocity + 0.5 * left * left * acceleration;
+        const double length = way.norm();
+        if (length < kStandsStill)
+        {
+            runner.velocity += left * acceleration;
+            break;
+        }
+        const double limit = std::min(length, runner.around.room(runner.position));
+        const Eigen::Vector3d direction = way / length;
+        const double path = freePath(world_.surface, runner.around, runner.position, runner.radius,
+                                     direction, limit);
+        const double share = path / length;
+        runner.position += path * direction;
+        runner.velocity += share * left * acceleration;
+        if (inContact)
+        {
+            runner.velocity *= 1 - std::min(1.0, settings_.damping * share * left);
+        }
+        left *= 1 - share;
+    }
+    runner.around.ensure(world_, runner.position, runner.radius, Neighbourhood::kSkin / 2);
+    contactNormals(world_.surface, runner.around, runner.position, runner.radius, kTouch,
+                   runner.normals);
+    collide(runner);
+}
+
+// Contacts that are approached fast are bounced off one after another; then whatever still leads
+// into a contact is lost. Neither adds energy when restitution is at most 1.
+void Flight::collide(Runner& runner) const
+{
+    for (const Eigen::Vector3d& normal : runner.normals)
+    {
+        const double approach = normal.dot(runner.velocity);
+        if (approach < -settings_.bounceSpeed)
+        {
+            runner.velocity -= (1 + settings_.restitution) * approach * normal;
+        }
+    }
+    runner.velocity = projectToFree(runner.velocity, runner.normals);
+}
+
+void Flight::shift(Runner& runner, const Eigen::Vector3d& displacement) const
+{
+    Eigen::Vector3d left = displacement;
+    for (int part = 0; part < kMostShifts; ++part)
+    {
+        const double length = left.norm();
+        if (length < kStandsStill)
+        {
+            return;
+        }
+        runner.around.ensure(world_, runner.position, runner.radius,
+                             std::min(length, Neighbourhood::kSkin / 2));
+        const double limit = std::min(length, runner.around.room(runner.position));
+        const Eigen::Vector3d direction = left / length;
+        const double path = freePath(world_.surface, runner.around, runner.position, runner.radius,
+                                     direction, limit);
+        runner.position += path * direction;
+        if (path >= limit)
+        {
+            return;
+        }
+        contactNormals(world_.surface, runner.around, runner.position, runner.radius, kTouch,
+                       runner.normals);
+        left = projectToFree((length - path) * direction, runner.normals);
+    }
+}
+
+} // namespace frostfill

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <simulation/runner.hpp>
+#include <simulation/world.hpp>
+
+namespace frostfill
+{
+
+/// How a runner moves among what is at rest. It never overlaps anything at rest, however fast it is
+/// or long the step: every straight part of its path ends at the first contact.
+class Flight
+{
+public:
+    struct Settings
+    {
+        double restitution = 0.2;
+        double bounceSpeed = 0.5; ///< approaches slower than this do not bounce [sqrt(g r)]
+        double damping = 0.3;     ///< of the speed while in contact [1 / sqrt(r/g)]
+    };
+
+    Flight(const World& world, const Settings& settings) : world_(world), settings_(settings) {}
+
+    /// Moves by one step of exact ballistic flight, with sliding and bounces.
+    void advance(Runner& runner, double dt) const;
+
+    /// Moves by a displacement as far as what is at rest lets it, sliding along where it is
+    /// stopped.
+    void shift(Runner& runner, const Eigen::Vector3d& displacement) const;
+
+private:
+    void collide(Runner& runner) const;
+
+    const World& world_;
+    Settings settings_;
+};
+
+} // namespace frostfill

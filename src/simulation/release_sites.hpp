@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <simulation/open_sites.hpp>
+#include <simulation/world.hpp>
+
+#include <optional>
+#include <vector>
+
+namespace frostfill
+{
+
+/// Finds one place after another at which a sphere can be released: first at random below the
+/// object's ceilings, then, once nothing fits there, everywhere else that is still free, so that
+/// "full" means that no place is left.
+class ReleaseSites
+{
+public:
+    /// `world` outlives this.
+    explicit ReleaseSites(const World& world);
+
+    /// A place that is clear of walls and of spheres at rest, and for which `suits(place)` holds.
+    /// Places that do not suit now are left for later. Empty when there is none.
+    template <class Suits>
+    [[nodiscard]] std::optional<Eigen::Vector3d> find(Suits&& suits)
+    {
+        for (std::size_t attempts = 0; attempts < 4 * ceilings_.size() && !ceilings_.empty();
+             ++attempts)
+        {
+            const auto place = drawAtCeiling();
+            if (place && suits(*place))
+            {
+                return place;
+            }
+        }
+        if (!ceilings_.empty())
+        {
+            return std::nullopt;
+        }
+        sweep_ = sites_.nextOpen(sweep_);
+        for (std::size_t site = nextFree(sweep_); site < sites_.lattice().size();
+             site = nextFree(site + 1))
+        {
+            if (suits(place_))
+            {
+                lastFree_ = site;
+                return place_;
+            }
+        }
+        return std::nullopt;
+    }
+
+    /// To be called for each sphere that has come to rest.
+    void close(const Eigen::Vector3d& centre, double radius) { sites_.close(centre, radius); }
+
+    /// Gives up the site of the last place found, from which no sphere came to rest.
+    void giveUp();
+
+private:
+    void findCeilings();
+    [[nodiscard]] std::optional<Eigen::Vector3d> drawAtCeiling();
+    [[nodiscard]] std::size_t nextFree(std::size_t site);
+
+    const World& world_;
+    OpenSites sites_;
+    std::vector<std::uint32_t> ceilings_; ///< open sites with none above
+    std::size_t lastCeiling_ = 0;         ///< index of the one drawn last
+    std::size_t sweep_ = 0;               ///< all sites before this one are closed
+    std::size_t lastFree_ = 0;            ///< the site found last in the sweep
+    Eigen::Vector3d place_ = Eigen::Vector3d::Zero();
+    std::uint64_t draws_ = 0;
+};
+
+} // namespace frostfill

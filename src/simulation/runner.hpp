@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <simulation/neighbourhood.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace frostfill
+{
+
+/// A running sphere of the fast engine, with all that its motion needs close together.
+struct Runner
+{
+    std::uint32_t id = 0;
+    double radius = 1;
+    Eigen::Vector3d position = Eigen::Vector3d::Zero();
+    Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
+
+    Neighbourhood around;                 ///< what is at rest near it
+    std::vector<std::uint32_t> meeting;   ///< runners near it, by index, ascending
+    std::vector<Eigen::Vector3d> normals; ///< of its contacts, scratch
+
+    Eigen::Vector3d flown = Eigen::Vector3d::Zero();          ///< position after this step's flight
+    Eigen::Vector3d velocityBefore = Eigen::Vector3d::Zero(); ///< at the end of that flight
+    Eigen::Vector3d push = Eigen::Vector3d::Zero();           ///< this sweep's displacement
+    Eigen::Vector3d watched = Eigen::Vector3d::Zero();        ///< position at the window's start
+    double age = 0;                                           ///< since its release [sqrt(r/g)]
+    std::uint32_t calmWindows = 0;                            ///< in a row in which it hardly moved
+    bool yields = true; ///< gives way to other runners; one that nothing carries for long does not
+
+    void restart(std::uint32_t newId, const Eigen::Vector3d& p);
+};
+
+} // namespace frostfill
