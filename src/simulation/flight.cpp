@@ -13,7 +13,6 @@ namespace
 {
 
 constexpr double kTouch = 1e-7;        // gap below which a contact acts [r]
-constexpr double kLeaves = 1e-9;       // speed at which a contact is being left [sqrt(g r)]
 constexpr double kStandsStill = 1e-12; // displacement not worth following [r]
 constexpr int kMostParts = 12;         // contacts met in one step's path
 constexpr int kMostShifts = 3;         // straight parts of one displacement
@@ -46,8 +45,10 @@ void Flight::advance(Runner& runner, double dt) const
                        runner.normals);
         collide(runner);
         const bool inContact = !runner.normals.empty();
-        std::erase_if(runner.normals, [&](const Eigen::Vector3d& normal)
-                      { return normal.dot(runner.velocity) > kLeaves; });
+        // A contact is left when the speed away from it outlasts gravity.
+        const Eigen::Vector3d free = runner.velocity + 0.5 * left * gravity;
+        std::erase_if(runner.normals,
+                      [&](const Eigen::Vector3d& normal) { return normal.dot(free) > 0; });
         const Eigen::Vector3d acceleration = projectToFree(gravity, runner.normals);
 
         // The chord of the parabola, as far as the neighbourhood reaches. Where the path ends early
