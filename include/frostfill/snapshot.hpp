@@ -46,7 +46,8 @@ struct Snapshot
 
     /// Ids that were added, moved or changed state in the last capture, ascending.
     std::vector<std::uint32_t> changed;
-    bool polygonsChanged = false; ///< some polygon changed its state in the last capture
+    bool polygonsChanged = false;     ///< some polygon changed its state in the last capture
+    std::size_t stateChangesSeen = 0; ///< where the next capture goes on; not for the reader
 
     double time = 0;         ///< [s] simulated
     std::uint64_t step = 0;  ///< steps made since the start

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace frostfill
+{
+
+/// A box cut into equal cubes. Cells are numbered with x fastest. Points outside the box belong to
+/// the nearest cell of its border, so that a lookup never leaves the array.
+struct GridFrame
+{
+    Eigen::Vector3d origin = Eigen::Vector3d::Zero(); ///< lower corner
+    double cell = 1;                                  ///< edge of a cube
+    std::array<int, 3> count = {1, 1, 1};             ///< cells along each axis
+
+    static GridFrame cover(const Eigen::AlignedBox3d& box, double cell, double margin)
+    {
+        GridFrame frame;
+        frame.cell = cell;
+        frame.origin = box.min().array() - margin;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            const double length = box.sizes()[axis] + 2 * margin;
+            frame.count[axis] = std::max(1, static_cast<int>(std::ceil(length / cell)));
+        }
+        return frame;
+    }
+
+    [[nodiscard]] int coordinate(double position, int axis) const
+    {
+        const double index = std::floor((position - origin[axis]) / cell);
+        const double last = count[axis] - 1;
+        return static_cast<int>(index < 0 ? 0.0 : (index > last ? last : index));
+    }
+    [[nodiscard]] std::array<int, 3> coordinates(const Eigen::Vector3d& p) const
+    {
+        return {coordinate(p.x(), 0), coordinate(p.y(), 1), coordinate(p.z(), 2)};
+    }
+    [[nodiscard]] std::size_t index(int x, int y, int z) const
+    {
+        return (static_cast<std::size_t>(z) * count[1] + y) * count[0] + x;
+    }
+    [[nodiscard]] std::size_t index(const Eigen::Vector3d& p) const
+    {
+        const auto c = coordinates(p);
+        return index(c[0], c[1], c[2]);
+    }
+    [[nodiscard]] std::size_t size() const
+    {
+        return static_cast<std::size_t>(count[0]) * count[1] * count[2];
+    }
+    [[nodiscard]] Eigen::Vector3d centre(int x, int y, int z) const
+    {
+        return origin + cell * Eigen::Vector3d(x + 0.5, y + 0.5, z + 0.5);
+    }
+};
+
+} // namespace frostfill

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <mesh/triangle_grid.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace frostfill
+{
+
+/// Inside or outside in constant time, for a closed surface: cells without triangles are classified
+/// once, points near the surface by the sign of the nearest triangle.
+class InsideTest
+{
+public:
+    /// Both live at least as long as this. The grid's frame encloses the surface by a margin of at
+    /// least one cell.
+    InsideTest(const Surface& surface, const TriangleGrid& grid);
+
+    [[nodiscard]] bool contains(const Eigen::Vector3d& p) const;
+
+    /// Distance to the surface, positive inside, clamped to +- the grid's reach.
+    [[nodiscard]] double distance(const Eigen::Vector3d& p) const;
+
+private:
+    void classifyFrom(std::size_t seed, std::vector<std::uint32_t>& stack);
+
+    const Surface* surface_;
+    const TriangleGrid* grid_;
+    enum class Side : std::uint8_t
+    {
+        unknown,
+        outside,
+        inside,
+        mixed
+    };
+    std::vector<Side> sides_; ///< [#cells]
+};
+
+} // namespace frostfill

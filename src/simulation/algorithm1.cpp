@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: MIT
+#include <simulation/algorithm1.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace frostfill
+{
+namespace
+{
+
+/// A centre that a step leaves nearer to the surface than this is put back to where it was. [r]
+constexpr double kSmallestDepth = 0.25;
+/// A push that is not worth that check. [r]
+constexpr double kShallow = 0.1;
+/// Frozen spheres that are tested at once.
+constexpr std::size_t kBlock = 8;
+/// How far from a centre a polygon may be to be looked at again by that check. [r]
+constexpr double kNearby = 2;
+
+/// Direction from b to a and the penetration depth of two spheres whose centres are d apart.
+Eigen::Vector3d directionApart(const Eigen::Vector3d& d, double distance)
+{
+    // Two spheres in the same place leave each other along the vertical.
+    return distance > 0 ? Eigen::Vector3d(d / distance) : Eigen::Vector3d(0, 1, 0);
+}
+
+} // namespace
+
+Algorithm1::Algorithm1(Spheres& spheres, const Surface& surface, const PolygonTests& polygons,
+                       const Settings& settings)
+    : spheres_(spheres), surface_(surface), polygons_(polygons), settings_(settings)
+{
+}
+
+void Algorithm1::runningRunning(std::size_t runningBegin, OperationCounts& counts)
+{
+    Spheres& s = spheres_;
+    const std::size_t end = s.size();
+    const std::uint64_t running = end - runningBegin;
+    std::uint64_t responses = 0;
+    for (std::size_t i = runningBegin; i < end; ++i)
+    {
+        for (std::size_t j = i + 1; j < end; ++j)
+        {
+            const double dx = s.x[i] - s.x[j];
+            const double dy = s.y[i] - s.y[j];
+            const double dz = s.z[i] - s.z[j];
+            const double contact = s.radius[i] + s.radius[j];
+            const double squared = dx * dx + dy * dy + dz * dz;
+            if (squared >= contact * contact)
+            {
+                continue;
+            }
+            const double distance = std::sqrt(squared);
+            const Eigen::Vector3d normal = directionApart({dx, dy, dz}, distance);
+            const double mi = std::pow(s.radius[i], 3);
+            const double mj = std::pow(s.radius[j], 3);
+            const double shareOfI = mj / (mi + mj);
+            const double depth = contact - distance;
+            s.setPosition(i, s.position(i) + normal * (depth * shareOfI));
+            s.setPosition(j, s.position(j) - normal * (depth * (1 - shareOfI)));
+            const double approach = (s.velocity(i) - s.velocity(j)).dot(normal);
+            if (approach < 0)
+            {
+                const double e = -approach > settings_.bounceSpeed ? settings_.restitution : 0;
+                const double change = -(1 + e) * approach;
+                s.setVelocity(i, s.velocity(i) + normal * (change * shareOfI));
+                s.setVelocity(j, s.velocity(j) - normal * (change * (1 - shareOfI)));
+            }
+            touched_[i - runningBegin] = true;
+            touched_[j - runningBegin] = true;
+            responses += 2;
+        }
+    }
+    counts.runningRunningTests += running * (running - std::min<std::uint64_t>(running, 1)) / 2;
+    counts.runningRunningResponses += responses;
+}
+
+void Algorithm1::runningFrozen(std::size_t frozenBegin, std::size_t runningBegin,
+                               OperationCounts& counts)
+{
+    std::uint64_t total = 0;
+    for (std::size_t i = runningBegin; i < spheres_.size(); ++i)
+    {
+        std::uint64_t responses = 0;
+        std::size_t j = frozenBegin;
+        for (; j + kBlock <= runningBegin; j += kBlock)
+        {
+            if (anyContact(i, j))
+            {
+                responses += respondToFrozen(i, j, j + kBlock);
+            }
+        }
+        responses += respondToFrozen(i, j, runningBegin);
+        total += responses;
+        touched_[i - runningBegin] = touched_[i - runningBegin] || responses > 0;
+    }
+    counts.runningFrozenTests += (spheres_.size() - runningBegin) * (runningBegin - frozenBegin);
+    counts.runningFrozenResponses += total;
+}
+
+// Tests a whole block at once, in vector instructions. The sign of a difference is exact, so this
+// finds a contact where the test one by one does.
+bool Algorithm1::anyContact(std::size_t i, std::size_t first) const
+{
+    using Block = Eigen::Array<double, kBlock, 1>;
+    const Spheres& s = spheres_;
+    const auto block = [first](const std::vector<double>& values)
+    { return Eigen::Map<const Block>(values.data() + first); };
+    const Block gap = (block(s.x) - s.x[i]).square() + (block(s.y) - s.y[i]).square() +
+                      (block(s.z) - s.z[i]).square() - (block(s.radius) + s.radius[i]).square();
+    return gap.minCoeff() < 0;
+}
+
+std::uint64_t Algorithm1::respondToFrozen(std::size_t i, std::size_t begin, std::size_t end)
+{
+    std::uint64_t responses = 0;
+    for (std::size_t j = begin; j < end; ++j)
+    {
+        const Eigen::Vector3d d = spheres_.position(i) - spheres_.position(j);
+        const double contact = spheres_.radius[i] + spheres_.radius[j];
+        const double squared = d.squaredNorm();
+        if (squared >= contact * contact)
+        {
+            continue;
+        }
+        const double distance = std::sqrt(squared);
+        const Eigen::Vector3d normal = directionApart(d, distance);
+        spheres_.setPosition(i, spheres_.position(i) + normal * (contact - distance));
+        reflect(i, normal);
+        ++responses;
+    }
+    return responses;
+}
+
+void Algorithm1::runningPolygons(std::size_t runningBegin,
+                                 const std::vector<Eigen::Vector3d>& before,
+                                 OperationCounts& counts)
+{
+    for (std::size_t i = runningBegin; i < spheres_.size(); ++i)
+    {
+        const std::uint64_t responses = collideWithPolygons(i, before[i - runningBegin], counts);
+        counts.spherePolygonResponses += responses;
+        touched_[i - runningBegin] = touched_[i - runningBegin] || responses > 0;
+        // One shallow push off one wall cannot lead through another.
+        if (responses > 1 || deepest_ > kShallow * spheres_.radius[i])
+        {
+            keepInside(i, before[i - runningBegin]);
+        }
+    }
+}
+
+std::uint64_t Algorithm1::collideWithPolygons(std::size_t i, const Eigen::Vector3d& before,
+                                              OperationCounts& counts)
+{
+    Eigen::Vector3d p = spheres_.position(i);
+    const double radius = spheres_.radius[i];
+    std::uint64_t tests = 0;
+    std::uint64_t responses = 0;
+    nearby_.clear();
+    deepest_ = 0;
+    polygons_.forEach(p,
+                      [&](std::uint32_t polygon)
+                      {
+                          ++tests;
+                          if (!surface_.bound(polygon).mayBeWithin(kNearby * radius, p))
+                          {
+                              return;
+                          }
+                          nearby_.push_back(polygon);
+                          Push push;
+                          if (surface_.bound(polygon).mayBeWithin(radius, p) &&
+                              wallPush(surface_[polygon], p, before, radius, push))
+                          {
+                              p += push.direction * push.depth;
+                              reflect(i, push.direction);
+                              deepest_ = std::max(deepest_, push.depth);
+                              ++responses;
+                          }
+                      });
+    spheres_.setPosition(i, p);
+    counts.spherePolygonTests += tests;
+    return responses;
+}
+
+// One-sided contact. In front of the wall the sphere is pushed away from the closest point. Behind
+// it, it is pulled back through the closest point, provided that it was in front before this step:
+// otherwise it belongs to another sheet of a thin wall.
+bool Algorithm1::wallPush(const SurfaceTriangle& triangle, const Eigen::Vector3d& p,
+                          const Eigen::Vector3d& before, double radius, Push& push)
+{
+    const SignedDistance here = signedDistance(triangle, p);
+    if (std::abs(here.value) >= radius)
+    {
+        return false;
+    }
+    const Eigen::Vector3d& outward = triangle.pseudonormal[static_cast<int>(here.feature)];
+    if (here.value >= 0)
+    {
+        const Eigen::Vector3d away = p - here.closest;
+        push.direction = here.value > 0 ? Eigen::Vector3d(away / here.value) : outward.normalized();
+        push.depth = radius - here.value;
+        return true;
+    }
+    if ((before - here.closest).dot(outward) < 0)
+    {
+        return false;
+    }
+    push.direction = (p - here.closest) / here.value;
+    push.depth = radius - here.value;
+    return true;
+}
+
+void Algorithm1::reflect(std::size_t i, const Eigen::Vector3d& normal)
+{
+    const Eigen::Vector3d velocity = spheres_.velocity(i);
+    const double approach = velocity.dot(normal);
+    if (approach < 0)
+    {
+        const double e = -approach > settings_.bounceSpeed ? settings_.restitution : 0;
+        spheres_.setVelocity(i, velocity - normal * ((1 + e) * approach));
+    }
+}
+
+// Several walls, or walls and spheres, can push a centre through a wall that it had already been
+// tested with: in a wedge narrower than the sphere every polygon undoes the other's work. Walls
+// always win: such a step is taken back, and the sphere starts again from rest.
+void Algorithm1::keepInside(std::size_t i, const Eigen::Vector3d& before)
+{
+    if (nearby_.empty())
+    {
+        return;
+    }
+    const double depth = nearestDistance(surface_, nearby_, spheres_.position(i)).value;
+    const double smallest = kSmallestDepth * spheres_.radius[i];
+    if (depth < smallest && nearestDistance(surface_, nearby_, before).value >= smallest)
+    {
+        spheres_.setPosition(i, before);
+        spheres_.setVelocity(i, Eigen::Vector3d::Zero());
+    }
+}
+
+} // namespace frostfill

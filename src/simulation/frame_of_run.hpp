@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <frostfill/mesh.hpp>
+#include <frostfill/scene.hpp>
+
+namespace frostfill
+{
+
+/// The simulation's own coordinates: the box's centre is the origin, y is up, lengths are counted
+/// in sphere radii and times in sqrt(radius / gravity). Every tolerance is then a pure number.
+/// Axes are permuted, never rotated, so that no bit is lost.
+struct FrameOfRun
+{
+    Eigen::Vector3d origin = Eigen::Vector3d::Zero(); ///< mesh coordinates
+    std::array<int, 3> axis = {0, 1, 2};              ///< mesh axis that becomes x, y, z
+    double length = 1;                                ///< [mesh unit] of one radius
+    double time = 1;                                  ///< [s] of one unit
+    double gravity = 1;                               ///< downwards; 1, or 0 without gravity
+
+    FrameOfRun() = default;
+    FrameOfRun(const Scene& scene, const Eigen::AlignedBox3d& box, double radius);
+
+    [[nodiscard]] Eigen::Vector3d toRun(const Eigen::Vector3d& p) const
+    {
+        const Eigen::Vector3d q = (p - origin) / length;
+        return {q[axis[0]], q[axis[1]], q[axis[2]]};
+    }
+    /// Offset from `origin` in mesh coordinates.
+    [[nodiscard]] Eigen::Vector3d toMeshOffset(const Eigen::Vector3d& p) const
+    {
+        Eigen::Vector3d q;
+        for (int k = 0; k < 3; ++k)
+        {
+            q[axis[k]] = p[k] * length;
+        }
+        return q;
+    }
+    [[nodiscard]] Eigen::Vector3d toMesh(const Eigen::Vector3d& p) const
+    {
+        return origin + toMeshOffset(p);
+    }
+    [[nodiscard]] TriangleMesh toRun(const TriangleMesh& mesh) const;
+};
+
+} // namespace frostfill

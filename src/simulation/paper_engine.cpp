@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: MIT
+#include <simulation/paper_engine.hpp>
+
+#include <frostfill/error.hpp>
+#include <simulation/paper_discards.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace frostfill
+{
+namespace
+{
+
+/// A centre's polygon may be this far beyond the edge of its quarter: its radius, and what it may
+/// be pushed while it is tested. [r]
+constexpr double kQuarterReach = 1.25;
+/// Contacts between spheres move a centre at most this far in a step, so that walls can win. [r]
+constexpr double kLongestPush = 0.5;
+/// No fall moves a sphere farther than this in a step by default. [r]
+constexpr double kLongestFall = 0.5;
+/// Largest default step, which matters for objects not much higher than a sphere. [sqrt(r/g)]
+constexpr double kLongestStep = 0.1;
+/// Approaches slower than gravity makes in this many steps do not bounce.
+constexpr double kBounceSteps = 4;
+/// A centre this far outside the box has leaked and will never rest. [r]
+constexpr double kLost = 4;
+
+double fallTime(double height)
+{
+    return std::sqrt(2 * height);
+}
+double fallSpeed(double height)
+{
+    return std::sqrt(2 * height);
+}
+
+double chooseTimeStep(const World& world)
+{
+    if (world.scene.motion.dt)
+    {
+        return *world.scene.motion.dt / world.frame.time;
+    }
+    return std::min(kLongestStep, kLongestFall / fallSpeed(world.height));
+}
+
+std::uint32_t windowSteps(const World& world)
+{
+    const double steps = std::ceil(world.scene.freezing.restWindow / world.dt);
+    return static_cast<std::uint32_t>(std::clamp(steps, 1.0, 1e6));
+}
+
+} // namespace
+
+PaperEngine::PaperEngine(World& world)
+    : world_(world),
+      polygons_(world.scene.search.polygons, world.surface, world.polygons, kQuarterReach),
+      algorithm1_(world.spheres, world.surface, polygons_,
+                  {world.scene.motion.restitution,
+                   kBounceSteps * world.frame.gravity * chooseTimeStep(world)}),
+      release_(world), rest_((world.dt = chooseTimeStep(world), windowSteps(world)),
+                             world.scene.freezing.restSpeed * world.scene.freezing.restWindow),
+      setTimeLimit_(world.scene.freezing.setTimeLimit + 2 * fallTime(world.height))
+{
+    if (release_.find(1).empty())
+    {
+        throw Error(ErrorCode::badData,
+                    fmt::format("not one sphere of radius {:g} fits into {}: choose a smaller "
+                                "--radius or a larger --count",
+                                world.frame.length, world.scene.object.mesh));
+    }
+}
+
+bool PaperEngine::step()
+{
+    if (world_.finished)
+    {
+        return false;
+    }
+    if (setIsOver_ && !startNextSet())
+    {
+        world_.finished = true;
+        return false;
+    }
+    const double energyBefore = runningEnergy();
+    integrate();
+    collide();
+    const double scale = world_.height * static_cast<double>(world_.running());
+    world_.energyGain = std::max(world_.energyGain, (runningEnergy() - energyBefore) / scale);
+    ++world_.steps;
+    world_.time += world_.dt;
+    setTime_ += world_.dt;
+    observeRest();
+    return true;
+}
+
+// Called when the newest set has come to rest. Returns false when the run is over.
+bool PaperEngine::startNextSet()
+{
+    const std::uint32_t every = world_.scene.freezing.everySets;
+    if (every > 0 && setsAtRest_ >= every)
+    {
+        freezeAndDiscard();
+    }
+    if (releaseSet())
+    {
+        return true;
+    }
+    // Whatever still runs is at rest; once it is frozen the search sees it as it will stay.
+    freezeAndDiscard();
+    if (releaseSet())
+    {
+        return true;
+    }
+    world_.full = world_.targetCount == 0 || world_.spheres.size() < world_.targetCount;
+    clock_.close(world_);
+    return false;
+}
+
+bool PaperEngine::releaseSet()
+{
+    const SphereSettings& settings = world_.scene.spheres;
+    std::size_t wanted = static_cast<std::size_t>(settings.groupSize) * settings.groupsPerSet;
+    if (world_.targetCount > 0)
+    {
+        wanted = std::min(wanted, world_.targetCount - world_.spheres.size());
+    }
+    if (wanted == 0)
+    {
+        return false;
+    }
+    std::vector<Eigen::Vector3d> places;
+    {
+        const StageTimer timer(world_.times, Stage::releasing);
+        places = release_.find(wanted);
+    }
+    if (places.empty())
+    {
+        return false;
+    }
+
+    clock_.close(world_);
+    clock_.open(world_, places.size());
+    for (std::size_t k = 0; k < places.size(); ++k)
+    {
+        const auto group = nextGroup_ + static_cast<std::uint32_t>(k / settings.groupSize);
+        world_.spheres.add(places[k], 1, group);
+    }
+    nextGroup_ = world_.spheres.group.back() + 1;
+    setIsOver_ = false;
+    setTime_ = 0;
+    rest_.restart(world_.spheres, world_.restingCount);
+    return true;
+}
+
+void PaperEngine::freezeAndDiscard()
+{
+    {
+        const StageTimer timer(world_.times, Stage::freezing);
+        while (world_.restingCount < world_.spheres.size())
+        {
+            world_.freeze(static_cast<std::uint32_t>(world_.restingCount));
+        }
+        setsAtRest_ = 0;
+    }
+    if (world_.scene.discard.rule == DiscardRule::paper)
+    {
+        const StageTimer timer(world_.times, Stage::discarding);
+        firstFrozen_ = discardByHeight(world_, firstFrozen_, world_.restingCount,
+                                       world_.scene.discard.epsilon);
+        if (discardCoveredPolygons(world_, world_.scene.discard.closeness) > 0)
+        {
+            polygons_.update();
+        }
+    }
+}
+
+void PaperEngine::integrate()
+{
+    const StageTimer timer(world_.times, Stage::motion);
+    Spheres& s = world_.spheres;
+    const double dt = world_.dt;
+    const double fall = world_.frame.gravity * dt;
+    const bool explicitEuler = world_.scene.motion.integrator == Integrator::explicitEuler;
+    before_.clear();
+    predicted_.clear();
+    for (std::size_t i = world_.restingCount; i < s.size(); ++i)
+    {
+        before_.push_back(s.position(i));
+        if (!explicitEuler)
+        {
+            s.vy[i] -= fall;
+        }
+        s.x[i] += s.vx[i] * dt;
+        s.y[i] += s.vy[i] * dt;
+        s.z[i] += s.vz[i] * dt;
+        if (explicitEuler)
+        {
+            s.vy[i] -= fall;
+        }
+        predicted_.push_back(s.position(i));
+    }
+}
+
+// PAPER, Algorithm 1: the three cycles of one time step.
+void PaperEngine::collide()
+{
+    const std::size_t runningBegin = world_.restingCount;
+    algorithm1_.clearTouched(world_.running());
+    double sphereSphere = 0;
+    double spherePolygon = 0;
+    {
+        const StageTimer timer(world_.times, Stage::sphereSphere);
+        algorithm1_.runningRunning(runningBegin, world_.operations);
+        algorithm1_.runningFrozen(firstFrozen_, runningBegin, world_.operations);
+        limitPushes();
+        sphereSphere = timer.seconds();
+    }
+    {
+        const StageTimer timer(world_.times, Stage::spherePolygon);
+        algorithm1_.runningPolygons(runningBegin, before_, world_.operations);
+        spherePolygon = timer.seconds();
+    }
+    clock_.observe(1e3 * sphereSphere, 1e3 * spherePolygon);
+}
+
+void PaperEngine::limitPushes()
+{
+    for (std::size_t k = 0; k < predicted_.size(); ++k)
+    {
+        const std::size_t id = world_.restingCount + k;
+        const Eigen::Vector3d push = world_.spheres.position(id) - predicted_[k];
+        const double length = push.norm();
+        if (length > kLongestPush)
+        {
+            world_.spheres.setPosition(id, predicted_[k] + push * (kLongestPush / length));
+        }
+    }
+}
+
+void PaperEngine::observeRest()
+{
+    const StageTimer timer(world_.times, Stage::motion);
+    const bool atRest = rest_.observe(world_.spheres, world_.restingCount, algorithm1_.touched(),
+                                      [this](std::size_t id) { return isLost(id); });
+    const bool timedOut = !atRest && setTime_ > setTimeLimit_;
+    if (timedOut)
+    {
+        clock_.markTimedOut();
+    }
+    if (atRest || timedOut)
+    {
+        setIsOver_ = true;
+        ++setsAtRest_;
+    }
+}
+
+double PaperEngine::runningEnergy() const
+{
+    const Spheres& s = world_.spheres;
+    double energy = 0;
+    for (std::size_t i = world_.restingCount; i < s.size(); ++i)
+    {
+        energy += s.velocity(i).squaredNorm() / 2 + world_.frame.gravity * s.y[i];
+    }
+    return energy;
+}
+
+bool PaperEngine::isLost(std::size_t id) const
+{
+    const Eigen::Vector3d p = world_.spheres.position(id);
+    return !p.allFinite() || world_.surface.box().exteriorDistance(p) > kLost;
+}
+
+} // namespace frostfill

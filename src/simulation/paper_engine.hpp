@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <simulation/algorithm1.hpp>
+#include <simulation/release_search.hpp>
+#include <simulation/rest_monitor.hpp>
+#include <simulation/set_clock.hpp>
+#include <simulation/world.hpp>
+
+namespace frostfill
+{
+
+/// The paper's method, whole: sets of groups appear, run by Euler's method and Algorithm 1, come to
+/// rest, are frozen every so many sets, and discards follow each freezing.
+class PaperEngine : public Engine
+{
+public:
+    explicit PaperEngine(World& world);
+    bool step() override;
+
+private:
+    bool startNextSet();
+    bool releaseSet();
+    void freezeAndDiscard();
+    void integrate();
+    void collide();
+    void limitPushes();
+    void observeRest();
+    [[nodiscard]] double runningEnergy() const;
+    [[nodiscard]] bool isLost(std::size_t id) const;
+
+    World& world_;
+    PolygonTests polygons_;
+    Algorithm1 algorithm1_;
+    ReleaseSearch release_;
+    RestMonitor rest_;
+    SetClock clock_;
+
+    bool setIsOver_ = true;        ///< the newest set has come to rest, or there is none yet
+    std::uint32_t setsAtRest_ = 0; ///< since the last freezing
+    std::uint32_t nextGroup_ = 0;
+    std::size_t firstFrozen_ = 0; ///< first sphere of group FFG
+    double setTime_ = 0;          ///< since the newest set appeared
+    double setTimeLimit_ = 0;
+    std::vector<Eigen::Vector3d> before_;    ///< running centres before the step
+    std::vector<Eigen::Vector3d> predicted_; ///< after integration
+};
+
+} // namespace frostfill

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include <simulation/quality.hpp>
+
+#include <simulation/support.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace frostfill
+{
+namespace
+{
+
+constexpr double kContactGap = 0.01;    // [r] below which a gap counts as a contact that carries
+constexpr double kUnsupported = 0.1;    // [g] of weight that may remain uncarried
+constexpr double kWindingBudget = 2e7;  // winding numbers: spheres times triangles worth computing
+constexpr double kBulkFraction = 0.586; // phi of N v = phi (V - c r S), sets of about 20
+constexpr double kWallLayer = 0.38;     // c of the same fit
+constexpr double kFitError = 0.0093;    // largest error of the fit over shapes, r S / V <= 0.3
+
+class Examination
+{
+public:
+    explicit Examination(const World& world) : world_(world), all_(world.resting.frame())
+    {
+        for (std::uint32_t id = 0; id < world.spheres.size(); ++id)
+        {
+            if (world.spheres.position(id).allFinite())
+            {
+                all_.insert(id, world.spheres.position(id));
+            }
+        }
+        const double work =
+            static_cast<double>(world.spheres.size()) * static_cast<double>(world.surface.size());
+        exactWinding_ = work <= kWindingBudget;
+    }
+
+    QualityReport run()
+    {
+        for (std::uint32_t id = 0; id < world_.spheres.size(); ++id)
+        {
+            examineSphere(id);
+        }
+        report_.meanOverlap = pairs_ > 0 ? overlapSum_ / static_cast<double>(pairs_) : 0;
+        report_.energyGain = world_.energyGain;
+        estimateVolume();
+        return report_;
+    }
+
+private:
+    void examineSphere(std::uint32_t id)
+    {
+        const Eigen::Vector3d p = world_.spheres.position(id);
+        if (!p.allFinite())
+        {
+            ++report_.notFinite;
+            return;
+        }
+        const bool outside = exactWinding_ ? windingNumber(world_.surface.mesh(), p) < 0.5
+                                           : !world_.inside.contains(p);
+        report_.centresOutside += outside ? 1 : 0;
+
+        const bool resting = world_.spheres.state[id] != SphereState::running;
+        normals_.clear();
+        meetSpheres(id, p, resting);
+        meetWalls(id, p);
+        if (resting && world_.frame.gravity > 0 && unsupportedWeight(normals_) > kUnsupported)
+        {
+            ++report_.unsupported;
+        }
+        sumOfCubes_ += std::pow(world_.spheres.radius[id], 3);
+    }
+
+    void meetSpheres(std::uint32_t id, const Eigen::Vector3d& p, bool resting)
+    {
+        const Spheres& s = world_.spheres;
+        const double reach = s.radius[id] + 1 + kContactGap;
+        all_.forEachNear(p, reach,
+                         [&](std::uint32_t other)
+                         {
+                             if (other == id)
+                             {
+                                 return;
+                             }
+                             const Eigen::Vector3d d = p - s.position(other);
+                             const double distance = d.norm();
+                             const double depth = s.radius[id] + s.radius[other] - distance;
+                             if (depth >= 0 && other > id)
+                             {
+                                 report_.maxOverlap = std::max(report_.maxOverlap, depth);
+                                 overlapSum_ += depth;
+                                 ++pairs_;
+                             }
+                             if (depth > -kContactGap && distance > 0 && resting &&
+                                 s.state[other] != SphereState::running)
+                             {
+                                 normals_.push_back(d / distance);
+                             }
+                         });
+    }
+
+    void meetWalls(std::uint32_t id, const Eigen::Vector3d& p)
+    {
+        const double radius = world_.spheres.radius[id];
+        for (const std::uint32_t t : world_.triangles.near(p))
+        {
+            const SignedDistance wall = signedDistance(world_.surface[t], p);
+            if (wall.value < 0 || wall.value > radius + kContactGap || wall.value == 0)
+            {
+                continue;
+            }
+            report_.maxWallOverlap = std::max(report_.maxWallOverlap, radius - wall.value);
+            const Eigen::Vector3d normal = (p - wall.closest) / wall.value;
+            const auto same = [&](const Eigen::Vector3d& n) { return n.dot(normal) > 1 - 1e-12; };
+            if (std::none_of(normals_.begin(), normals_.end(), same))
+            {
+                normals_.push_back(normal);
+            }
+        }
+    }
+
+    void estimateVolume()
+    {
+        const double unit = std::pow(world_.frame.length, 3);
+        report_.meshVolume = world_.report.volume;
+        report_.sphereVolume = 4.0 / 3.0 * std::numbers::pi * sumOfCubes_ * unit;
+        report_.volumeEstimate = report_.sphereVolume / kBulkFraction +
+                                 kWallLayer * world_.frame.length * world_.report.area;
+        report_.volumeEstimateError = kFitError * report_.volumeEstimate;
+    }
+
+    const World& world_;
+    SphereGrid all_;
+    bool exactWinding_ = true;
+    QualityReport report_;
+    std::vector<Eigen::Vector3d> normals_;
+    double overlapSum_ = 0;
+    std::size_t pairs_ = 0;
+    double sumOfCubes_ = 0;
+};
+
+} // namespace
+
+QualityReport examine(const World& world)
+{
+    return Examination(world).run();
+}
+
+} // namespace frostfill

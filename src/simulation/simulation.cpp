@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+#include <frostfill/simulation.hpp>
+
+#include <frostfill/error.hpp>
+#include <simulation/paper_engine.hpp>
+#include <simulation/quality.hpp>
+#include <simulation/state_hash.hpp>
+#include <simulation/world.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace frostfill
+{
+
+struct Simulation::Implementation
+{
+    Implementation(const Scene& scene, const TriangleMesh& mesh) : world(scene, mesh), engine(world)
+    {
+    }
+
+    World world;
+    PaperEngine engine;
+};
+
+namespace
+{
+
+const Scene& validated(const Scene& scene)
+{
+    validateScene(scene);
+    return scene;
+}
+
+} // namespace
+
+Simulation::Simulation(const Scene& scene, const TriangleMesh& mesh)
+    : implementation_(std::make_unique<Implementation>(validated(scene), mesh))
+{
+}
+Simulation::~Simulation() = default;
+Simulation::Simulation(Simulation&&) noexcept = default;
+Simulation& Simulation::operator=(Simulation&&) noexcept = default;
+
+bool Simulation::step()
+{
+    return implementation_->engine.step();
+}
+bool Simulation::finished() const
+{
+    return implementation_->world.finished;
+}
+bool Simulation::full() const
+{
+    return implementation_->world.full;
+}
+double Simulation::time() const
+{
+    return implementation_->world.time * implementation_->world.frame.time;
+}
+double Simulation::timeStep() const
+{
+    return implementation_->world.dt * implementation_->world.frame.time;
+}
+double Simulation::radius() const
+{
+    return implementation_->world.frame.length;
+}
+std::uint64_t Simulation::steps() const
+{
+    return implementation_->world.steps;
+}
+std::size_t Simulation::sphereCount() const
+{
+    return implementation_->world.spheres.size();
+}
+std::size_t Simulation::restingCount() const
+{
+    return implementation_->world.restingCount;
+}
+
+std::size_t Simulation::expectedSpheres() const
+{
+    const World& world = implementation_->world;
+    if (world.targetCount > 0)
+    {
+        return world.targetCount;
+    }
+    // The wall-corrected estimate that sphereRadius uses, the other way round.
+    const double r = world.frame.length;
+    const double room = std::max(0.0, world.report.volume - 0.38 * r * world.report.area);
+    const double one = 4.0 / 3.0 * std::numbers::pi * r * r * r;
+    return static_cast<std::size_t>(std::max(1.0, 0.586 * room / one));
+}
+
+SphereRecord Simulation::sphere(std::size_t id) const
+{
+    const World& world = implementation_->world;
+    return {world.frame.toMesh(world.spheres.position(id)),
+            world.spheres.radius[id] * world.frame.length, world.spheres.group[id],
+            world.spheres.state[id]};
+}
+
+std::vector<PolygonState> Simulation::polygonStates() const
+{
+    return implementation_->world.polygons;
+}
+const OperationCounts& Simulation::operations() const
+{
+    return implementation_->world.operations;
+}
+const StageTimes& Simulation::times() const
+{
+    return implementation_->world.times;
+}
+const std::vector<SetRecord>& Simulation::sets() const
+{
+    return implementation_->world.sets;
+}
+QualityReport Simulation::quality() const
+{
+    return examine(implementation_->world);
+}
+std::string Simulation::stateHash() const
+{
+    return hashState(implementation_->world.spheres);
+}
+
+void Simulation::capture(Snapshot& snapshot) const
+{
+    const World& world = implementation_->world;
+    const std::size_t known = snapshot.centres.size();
+    const std::size_t count = world.spheres.size();
+
+    // What may differ from the last capture: new spheres, those that ran then, those that changed
+    // their state since.
+    auto& changed = snapshot.changed;
+    changed.clear();
+    for (std::size_t k = snapshot.stateChangesSeen; k < world.stateChanges.size(); ++k)
+    {
+        if (world.stateChanges[k] < known)
+        {
+            changed.push_back(world.stateChanges[k]);
+        }
+    }
+    for (std::size_t id = std::min(world.restingCount, known); id < known; ++id)
+    {
+        changed.push_back(static_cast<std::uint32_t>(id));
+    }
+    for (std::size_t id = known; id < count; ++id)
+    {
+        changed.push_back(static_cast<std::uint32_t>(id));
+    }
+    std::sort(changed.begin(), changed.end());
+    changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+
+    snapshot.centres.resize(count);
+    snapshot.radii.resize(count);
+    snapshot.states.resize(count);
+    snapshot.groups.resize(count);
+    for (const std::uint32_t id : changed)
+    {
+        snapshot.centres[id] = world.frame.toMeshOffset(world.spheres.position(id)).cast<float>();
+        snapshot.radii[id] = static_cast<float>(world.spheres.radius[id] * world.frame.length);
+        snapshot.states[id] = world.spheres.state[id];
+        snapshot.groups[id] = world.spheres.group[id];
+    }
+
+    snapshot.polygonsChanged = snapshot.polygons.size() != world.polygons.size() ||
+                               snapshot.discardedPolygons != world.discardedPolygons;
+    if (snapshot.polygonsChanged)
+    {
+        snapshot.polygons = world.polygons;
+    }
+    snapshot.origin = world.frame.origin;
+    snapshot.stateChangesSeen = world.stateChanges.size();
+    snapshot.time = time();
+    snapshot.step = world.steps;
+    snapshot.set = world.sets.empty() ? 0 : static_cast<std::uint32_t>(world.sets.size() - 1);
+    snapshot.running = world.running();
+    snapshot.frozen = world.restingCount - world.discardedCount;
+    snapshot.discarded = world.discardedCount;
+    snapshot.discardedPolygons = world.discardedPolygons;
+}
+
+} // namespace frostfill

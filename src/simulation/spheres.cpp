@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#include <simulation/spheres.hpp>
+
+namespace frostfill
+{
+
+std::uint32_t Spheres::add(const Eigen::Vector3d& p, double r, std::uint32_t groupOfSphere)
+{
+    x.push_back(p.x());
+    y.push_back(p.y());
+    z.push_back(p.z());
+    vx.push_back(0);
+    vy.push_back(0);
+    vz.push_back(0);
+    radius.push_back(r);
+    group.push_back(groupOfSphere);
+    state.push_back(SphereState::running);
+    return static_cast<std::uint32_t>(size() - 1);
+}
+
+} // namespace frostfill

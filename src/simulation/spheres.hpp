@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <frostfill/snapshot.hpp>
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <vector>
+
+namespace frostfill
+{
+
+/// All spheres as a structure of arrays, in order of appearance: the index is the id. Coordinates
+/// of the run (see FrameOfRun).
+struct Spheres
+{
+    std::vector<double> x, y, z;
+    std::vector<double> vx, vy, vz;
+    std::vector<double> radius;
+    std::vector<std::uint32_t> group;
+    std::vector<SphereState> state;
+
+    [[nodiscard]] std::size_t size() const { return x.size(); }
+    [[nodiscard]] Eigen::Vector3d position(std::size_t i) const { return {x[i], y[i], z[i]}; }
+    [[nodiscard]] Eigen::Vector3d velocity(std::size_t i) const { return {vx[i], vy[i], vz[i]}; }
+    void setPosition(std::size_t i, const Eigen::Vector3d& p)
+    {
+        x[i] = p.x();
+        y[i] = p.y();
+        z[i] = p.z();
+    }
+    void setVelocity(std::size_t i, const Eigen::Vector3d& v)
+    {
+        vx[i] = v.x();
+        vy[i] = v.y();
+        vz[i] = v.z();
+    }
+    std::uint32_t add(const Eigen::Vector3d& p, double r, std::uint32_t groupOfSphere);
+};
+
+} // namespace frostfill

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <frostfill/simulation.hpp>
+#include <mesh/inside_test.hpp>
+#include <mesh/triangle_grid.hpp>
+#include <simulation/frame_of_run.hpp>
+#include <simulation/sphere_grid.hpp>
+#include <simulation/spheres.hpp>
+
+#include <memory>
+#include <vector>
+
+namespace frostfill
+{
+
+/// What there is, whoever moves it: the object, the spheres and the counters. An Engine changes it,
+/// everyone else only looks. Coordinates of the run.
+struct World
+{
+    World(const Scene& sceneOfRun, const TriangleMesh& mesh);
+    World(const World&) = delete;
+    World& operator=(const World&) = delete;
+
+    // The object.
+    Scene scene;
+    MeshReport report; ///< of the mesh as given
+    FrameOfRun frame;
+    Surface surface;
+    TriangleGrid triangles; ///< within reach 1.5 of each cell
+    InsideTest inside;
+    double height = 0; ///< of the object [r]
+
+    // What is in it.
+    Spheres spheres;
+    SphereGrid resting; ///< frozen and discarded spheres
+    std::vector<PolygonState> polygons;
+    std::size_t restingCount = 0;
+    std::size_t discardedCount = 0;
+    std::size_t discardedPolygons = 0;
+
+    // How far the run has come.
+    double dt = 0;
+    double time = 0;
+    std::uint64_t steps = 0;
+    bool finished = false;
+    bool full = false;
+    std::size_t targetCount = 0; ///< spheres after which no set appears any more; 0: until full
+
+    // What it took.
+    OperationCounts operations;
+    StageTimes times;
+    std::vector<SetRecord> sets;
+    double energyGain = 0;
+
+    /// Ids in the order in which their state changed: what Simulation::capture reads.
+    std::vector<std::uint32_t> stateChanges;
+
+    [[nodiscard]] std::size_t running() const { return spheres.size() - restingCount; }
+    void freeze(std::uint32_t id);
+    void discard(std::uint32_t id);
+    void discardPolygon(std::uint32_t polygon);
+};
+
+/// Moves a world. One time step of the paper's method, or of ours.
+class Engine
+{
+public:
+    virtual ~Engine() = default;
+    /// See Simulation::step.
+    virtual bool step() = 0;
+};
+
+} // namespace frostfill
