@@ -166,11 +166,14 @@ Command addFillCommand(CLI::App& program)
         "fill", "Fill a mesh with spheres, draw frames, write tables and a summary");
     command->footer(kExamples);
     command->add_option("MESH", arguments->mesh, "torus, sphere, cube, human, or a mesh file");
-    command->add_option("--scene", arguments->sceneFile,
-                        "Scene file (TOML), or the summary.json of a run to repeat");
+    command
+        ->add_option("--scene", arguments->sceneFile,
+                     "Scene file (TOML), or the summary.json of a run to repeat")
+        ->type_name("FILE");
     addSceneOptions(*command, arguments->given);
     const char* output = "Output";
     command->add_option("--out", arguments->directory, "Directory of the run (output/NAME)")
+        ->type_name("DIR")
         ->group(output);
     command->add_flag("--overwrite", arguments->overwrite, "Replace the run that is there")
         ->group(output);

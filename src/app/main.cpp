@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <memory>
 #include <new>
 #include <utility>
 #include <vector>
@@ -24,6 +25,20 @@ constexpr const char* kUsage = R"(Examples:
   frostfill mesh bunny.stl                what is wrong with a mesh
   frostfill COMMAND --help                all options of a command
 )";
+
+/// CLI11's help, without the "{false}" that it writes behind the negative form of a flag.
+class HelpFormatter : public CLI::Formatter
+{
+public:
+    HelpFormatter() { column_width(32); }
+
+    std::string make_option_name(const CLI::Option* option, bool positional) const override
+    {
+        std::string name = CLI::Formatter::make_option_name(option, positional);
+        const std::size_t mark = name.find("{false}");
+        return mark == std::string::npos ? name : name.erase(mark, 7);
+    }
+};
 
 int report(int code, const std::string& message)
 {
@@ -63,6 +78,7 @@ int run(int argumentCount, char** arguments)
                      "frostfill");
     program.set_version_flag("--version", std::string("frostfill ") + FROSTFILL_VERSION);
     program.footer(kUsage);
+    program.formatter(std::make_shared<HelpFormatter>());
     program.require_subcommand(1);
 
     std::vector<std::pair<std::string, Command>> commands;

@@ -32,7 +32,8 @@ std::string placeholder(const Option& option)
         what = "X,Y,Z";
         break;
     case OptionType::text:
-        what = option.choices.empty() ? "TEXT" : fmt::format("{}", fmt::join(option.choices, "|"));
+        what = option.choices.empty() ? option.placeholder
+                                      : fmt::format("{}", fmt::join(option.choices, "|"));
         break;
     }
     for (const auto& [word, number] : option.words)

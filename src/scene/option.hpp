@@ -46,9 +46,10 @@ struct Option
     std::string group = {}; ///< heading in the help
     std::string help = {};  ///< one line, with the unit
     OptionType type = OptionType::text; ///< of the value when there is one
-    std::string nothing = {};  ///< the word for no value ("auto"); empty when there must be one
-    std::string form = "text"; ///< what a text looks like: "a size such as 1280x720"
-    std::vector<std::string> choices = {};                  ///< of a text; any when empty
+    std::string nothing = {}; ///< the word for no value ("auto"); empty when there must be one
+    std::string placeholder = "TEXT";      ///< of a text in the help
+    std::string form = "text";             ///< what a text looks like: "a size such as 1280x720"
+    std::vector<std::string> choices = {}; ///< of a text; any when empty
     std::vector<std::pair<std::string, double>> words = {}; ///< that stand for a number
     OptionRange range = {};
 

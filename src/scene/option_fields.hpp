@@ -153,6 +153,10 @@ Option fieldOption(Option option, Access access)
     if constexpr (std::is_enum_v<Field>)
         option.choices.assign(EnumNames<Field>::kNames.begin(), EnumNames<Field>::kNames.end());
     if constexpr (std::is_same_v<Field, Colour>)
+        option.placeholder = "#RRGGBB";
+    if constexpr (std::is_same_v<Field, PictureSize>)
+        option.placeholder = "WxH";
+    if constexpr (std::is_same_v<Field, Colour>)
         option.form = "a colour such as #ffcc00 or, with alpha, #ffcc0080";
     if constexpr (std::is_same_v<Field, PictureSize>)
         option.form = "a size such as 1280x720, from 1x1 to 16384x16384";

@@ -24,7 +24,7 @@ FillPlan makePlan(const Scene& scene, const LoadedMesh& mesh, const Simulation& 
     plan.radius = simulation.radius();
     plan.timeStep = simulation.timeStep();
     plan.timing = timing;
-    plan.estimate = estimateFrames(scene, mesh.report, plan.spheres);
+    plan.estimate = estimateFrames(scene, mesh.report, plan.spheres, plan.radius);
     return plan;
 }
 

@@ -10,9 +10,11 @@ namespace
 {
 
 constexpr double kFallInVideo = 1.5; // [s]
-// Both by runs of the four objects with their default settings: from its appearance to its rest a
-// set takes about so many falls; a picture takes about so many bytes a pixel.
-constexpr double kFallsPerSet = 2.5;
+// By runs of the four objects with their default settings: from its appearance to its rest a set
+// takes about so many falls through the object and so many sqrt(r/g).
+constexpr double kFallsPerSet = 0.5;
+constexpr double kRadiusTimesPerSet = 20;
+// What a picture of a filled object takes as a PNG.
 constexpr double kBytesPerPixel = 0.1;
 
 } // namespace
@@ -31,7 +33,8 @@ FrameTiming frameTiming(const Scene& scene, const MeshReport& mesh)
     return timing;
 }
 
-FrameEstimate estimateFrames(const Scene& scene, const MeshReport& mesh, std::size_t spheres)
+FrameEstimate estimateFrames(const Scene& scene, const MeshReport& mesh, std::size_t spheres,
+                             double radius)
 {
     FrameEstimate estimate;
     if (!scene.frames.enabled)
@@ -39,8 +42,9 @@ FrameEstimate estimateFrames(const Scene& scene, const MeshReport& mesh, std::si
     const double sets =
         std::ceil(static_cast<double>(spheres) / (static_cast<double>(scene.spheres.groupSize) *
                                                   static_cast<double>(scene.spheres.groupsPerSet)));
-    const double frames =
-        sets * kFallsPerSet * fallTime(scene, mesh) / frameTiming(scene, mesh).interval + 2;
+    const double secondsPerSet = kFallsPerSet * fallTime(scene, mesh) +
+                                 kRadiusTimesPerSet * std::sqrt(radius / gravityInMeshUnits(scene));
+    const double frames = sets * secondsPerSet / frameTiming(scene, mesh).interval + 2;
     // Thinning halves the number until it is within the limit.
     double kept = frames;
     while (scene.frames.limit > 1 && kept > static_cast<double>(scene.frames.limit))

@@ -30,6 +30,6 @@ struct FrameEstimate
     double bytes = 0; ///< of all frames
 };
 [[nodiscard]] FrameEstimate estimateFrames(const Scene& scene, const MeshReport& mesh,
-                                           std::size_t spheres);
+                                           std::size_t spheres, double radius);
 
 } // namespace frostfill

@@ -52,13 +52,13 @@ TEST(FrameEstimate, staysWithinTheLimitAndIsNothingWithoutFrames)
     for (const std::size_t limit : {1u, 2u, 10u, 1000u})
     {
         scene.frames.limit = limit;
-        EXPECT_LE(estimateFrames(scene, meshOfHeight(1), 1000000).frames, limit);
-        EXPECT_GE(estimateFrames(scene, meshOfHeight(1), 1000000).frames, 1u);
+        EXPECT_LE(estimateFrames(scene, meshOfHeight(1), 1000000, 0.1).frames, limit);
+        EXPECT_GE(estimateFrames(scene, meshOfHeight(1), 1000000, 0.1).frames, 1u);
     }
     scene.frames.limit = 0;
-    EXPECT_GT(estimateFrames(scene, meshOfHeight(1), 1000000).frames, 10000u);
+    EXPECT_GT(estimateFrames(scene, meshOfHeight(1), 1000000, 0.1).frames, 10000u);
     scene.frames.enabled = false;
-    EXPECT_EQ(estimateFrames(scene, meshOfHeight(1), 1000).frames, 0u);
+    EXPECT_EQ(estimateFrames(scene, meshOfHeight(1), 1000, 0.1).frames, 0u);
 }
 
 } // namespace
