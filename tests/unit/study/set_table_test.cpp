@@ -67,7 +67,9 @@ TEST(SetTable, sharesRowsWhenThereAreManySets)
         EXPECT_EQ(spheres, 20u * count);
         EXPECT_EQ(rows.empty(), count == 0);
         if (!rows.empty())
+        {
             EXPECT_EQ(rows.back().spheres, 20u * count);
+        }
         const std::string text = formatSetTable(rows);
         EXPECT_EQ(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')),
                   rows.empty() ? 0 : rows.size() + 2);
