@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: MIT
+# shellcheck shell=sh disable=SC2154 # root is set by who sources this
 # Sourced by scripts/run and scripts/test, with $root set: installs what is missing and builds.
 
 say()
@@ -26,7 +27,7 @@ install_missing_packages()
 
     say "Missing Debian packages: $missing"
     if [ "$(id -u)" -eq 0 ]; then
-        as_root=env
+        as_root='env'
     elif command -v sudo >/dev/null 2>&1; then
         say "Installing them needs sudo, which may ask for your password."
         as_root="sudo env"
@@ -35,12 +36,12 @@ install_missing_packages()
         exit 69
     fi
     # shellcheck disable=SC2086 # lists of words on purpose
-    $as_root apt-get update -q >&2 &&
+    if ! { $as_root apt-get update -q >&2 &&
         $as_root DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends \
-            $missing >&2 || {
-        say "The packages could not be installed."
+            $missing >&2; }; then
+        say "The packages could not be installed; see above."
         exit 69
-    }
+    fi
 }
 
 # As many compilers as there are cores, but none without a gigabyte and a half of memory: the

@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <memory>
 #include <new>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -120,6 +121,11 @@ int main(int argumentCount, char** arguments)
     {
         return report(static_cast<int>(ErrorCode::outOfMemory),
                       "out of memory; try fewer spheres, a smaller picture or a coarser mesh");
+    }
+    catch (const std::system_error& error)
+    {
+        // Printing to a full disk, or a file system that changes under our hands.
+        return report(static_cast<int>(ErrorCode::writeFailed), error.what());
     }
     catch (const std::exception& error)
     {

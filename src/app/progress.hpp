@@ -14,6 +14,9 @@ class ProgressBar
 {
 public:
     ProgressBar();
+    ~ProgressBar() { close(); }
+    ProgressBar(const ProgressBar&) = delete;
+    ProgressBar& operator=(const ProgressBar&) = delete;
 
     void update(const FillProgress& progress);
 

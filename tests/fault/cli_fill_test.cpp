@@ -109,6 +109,7 @@ TEST_F(FillCommand, tellsThatTheDiskIsFull)
     const Answer answer = run(kSmall + "--frames none --quiet --overwrite --out full");
     EXPECT_EQ(answer.code, 0) << "the part of an earlier run is replaced: " << answer.errors;
     EXPECT_EQ(run(kSmall + "--frames none --out b >/dev/full").code, 74);
+    EXPECT_EQ(run(kSmall + "--frames none --out c --json >/dev/full").code, 74);
 }
 
 TEST_F(FillCommand, blankPicturesFailWith70AndKeepTheFiles)
@@ -122,7 +123,7 @@ TEST_F(FillCommand, blankPicturesFailWith70AndKeepTheFiles)
 TEST_F(FillCommand, stopsWith75WhenAskedToAndWritesEverything)
 {
     // The shell sends the signal a moment after the start; the run would take far longer.
-    const Answer answer = run("fill cube --count 2000 --frames none --quiet --out a & "
+    const Answer answer = run("fill cube --count 20000 --frames none --quiet --out a & "
                               "process=$!; sleep 0.5; kill -TERM $process; wait $process");
     EXPECT_EQ(answer.code, 75) << answer.errors;
     const auto summary =
