@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands.hpp"
 #include "app/progress.hpp"
+#include "app/say.hpp"
 #include "app/scene_options.hpp"
 
 #include "output/scene_json.hpp"
@@ -101,13 +102,13 @@ std::string bytesText(double bytes)
 void printPlan(const FillRequest& request, const FillPlan& plan)
 {
     for (const std::string& repair : plan.repairs)
-        fmt::print(stderr, "repaired: {}\n", repair);
-    fmt::print(stderr, "{}: {} triangles, about {} spheres of radius {:.5g}, steps of {:.3g} s\n",
-               request.scene.name, plan.triangles, plan.spheres, plan.radius, plan.timeStep);
+        say(fmt::format("repaired: {}\n", repair));
+    say(fmt::format("{}: {} triangles, about {} spheres of radius {:.5g}, steps of {:.3g} s\n",
+                    request.scene.name, plan.triangles, plan.spheres, plan.radius, plan.timeStep));
     if (request.scene.frames.enabled)
-        fmt::print(stderr, "expecting about {} frames of {}x{}, {}, {:.3g} times slowed down\n",
-                   plan.estimate.frames, request.scene.size.width, request.scene.size.height,
-                   bytesText(plan.estimate.bytes), plan.timing.slowMotion);
+        say(fmt::format("expecting about {} frames of {}x{}, {}, {:.3g} times slowed down\n",
+                        plan.estimate.frames, request.scene.size.width, request.scene.size.height,
+                        bytesText(plan.estimate.bytes), plan.timing.slowMotion));
 }
 
 void printResult(const FillResult& result)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands.hpp"
+#include "app/say.hpp"
 
 #include "scene/nearest_name.hpp"
 
@@ -43,7 +44,7 @@ public:
 
 int report(int code, const std::string& message)
 {
-    fmt::print(stderr, "frostfill: {}\n", message);
+    say(fmt::format("frostfill: {}\n", message));
     return code;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/progress.hpp"
+#include "app/say.hpp"
 
 #include <fmt/format.h>
 
@@ -52,17 +53,17 @@ void ProgressBar::update(const FillProgress& progress)
     if (terminal_)
     {
         const int filled = static_cast<int>(done * kBarWidth);
-        fmt::print(stderr, "\r[{:#<{}}{:.<{}}] {}\x1b[K", "", filled, "", kBarWidth - filled, text);
+        say(fmt::format("\r[{:#<{}}{:.<{}}] {}\x1b[K", "", filled, "", kBarWidth - filled, text));
         open_ = true;
     }
     else
-        fmt::print(stderr, "{}\n", text);
+        say(fmt::format("{}\n", text));
 }
 
 void ProgressBar::close()
 {
     if (open_)
-        fmt::print(stderr, "\n");
+        say("\n");
     open_ = false;
 }
 
