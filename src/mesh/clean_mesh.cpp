@@ -15,9 +15,16 @@ constexpr int kMostPasses = 20;       // a chain of flat triangles takes one eac
 constexpr double kTinyEdge = 1e-9;    // [1] of the longest: two corners are one in fact
 constexpr Triangle kGone = {0, 0, 0}; // repeats a corner
 
-std::size_t eraseGone(TriangleMesh& mesh)
+void eraseGone(TriangleMesh& mesh)
 {
-    return std::erase_if(mesh.triangles, repeatsCorner);
+    std::erase_if(mesh.triangles, repeatsCorner);
+}
+
+std::size_t countFlat(const TriangleMesh& mesh)
+{
+    return static_cast<std::size_t>(std::count_if(mesh.triangles.begin(), mesh.triangles.end(),
+                                                  [&](const Triangle& t)
+                                                  { return isFlat(mesh, t); }));
 }
 
 /// The corner from which the longest side starts.
@@ -109,7 +116,7 @@ TriangleMesh withoutDuplicates(const TriangleMesh& mesh, bool cancelOpposites)
 
 std::size_t dropFlatTriangles(TriangleMesh& mesh)
 {
-    const std::size_t before = mesh.triangles.size();
+    const std::size_t before = countFlat(mesh);
     for (int pass = 0; pass < kMostPasses; ++pass)
     {
         eraseGone(mesh);
@@ -123,7 +130,7 @@ std::size_t dropFlatTriangles(TriangleMesh& mesh)
             break;
     }
     eraseGone(mesh);
-    return before - mesh.triangles.size();
+    return before - countFlat(mesh);
 }
 
 std::size_t dropDuplicateTriangles(TriangleMesh& mesh)

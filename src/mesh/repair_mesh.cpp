@@ -22,8 +22,10 @@ constexpr double kWeldDistance = 1e-6; // [1] of the box's diagonal: the roundin
 constexpr double kNoVolume = 1e-9;     // [1] of the box's diagonal cubed
 constexpr std::size_t kMostHolesListed = 10;
 
-std::string place(const Eigen::Vector3d& p)
+/// Coordinates for a message; what vanishes to rounding reads as 0.
+std::string place(Eigen::Vector3d p)
 {
+    p = (p.array().abs() < 1e-15).select(0, p);
     return fmt::format("({:.6g} {:.6g} {:.6g})", p.x(), p.y(), p.z());
 }
 
@@ -140,16 +142,16 @@ void refuseDefects(const MeshReport& report, const Hole& hole, std::string_view 
 
 void refuseUnfillable(const TriangleMesh& mesh, const MeshReport& report, std::string_view name)
 {
-    const double size = report.box.diagonal().norm();
-    if (!(report.volume > kNoVolume * size * size * size))
-        refuse(name, "it encloses no volume; model it as the skin of a solid");
-    if (report.components < 2)
-        return;
-    if (const auto crossing = findCrossingPieces(mesh))
+    const auto crossing =
+        report.components > 1 ? findCrossingPieces(mesh) : std::optional<Eigen::Vector3d>();
+    if (crossing)
         refuse(name,
                fmt::format("it consists of {} pieces, and two of them pass through each other "
                            "near {}; unite them in a mesh editor (a Boolean union)",
                            report.components, place(*crossing)));
+    const double size = report.box.diagonal().norm();
+    if (!(report.volume > kNoVolume * size * size * size))
+        refuse(name, "it encloses no volume; model it as the skin of a solid");
 }
 
 } // namespace

@@ -89,8 +89,12 @@ Surface makeCube(double edge, int quadsAlongEdge)
                 for (int j = 0; j < quadsAlongEdge; ++j)
                 {
                     const Eigen::Vector3i corner = base + i * u + j * v;
-                    addQuad(surface, vertex(corner), vertex(corner + u), vertex(corner + u + v),
-                            vertex(corner + v));
+                    // One by one: in a call the compiler may number them in any order.
+                    const int a = vertex(corner);
+                    const int b = vertex(corner + u);
+                    const int c = vertex(corner + u + v);
+                    const int d = vertex(corner + v);
+                    addQuad(surface, a, b, c, d);
                 }
         }
     return surface;
