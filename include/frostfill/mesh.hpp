@@ -69,13 +69,14 @@ struct LoadedMesh
 [[nodiscard]] MeshReport inspectMesh(const TriangleMesh& mesh);
 
 /// Reads OBJ, STL, PLY, OFF, glTF or GLB as triangles, with equal vertices welded and nothing else
-/// changed: what `frostfill mesh` inspects.
-/// Throws Error inputMissing when there is no such file, badData when it cannot be read.
+/// changed: what `frostfill mesh` inspects. Opens no other file, but for a glTF's .bin in its
+/// folder. Throws Error inputMissing when there is no such file, badData when it cannot be read.
 [[nodiscard]] TriangleMesh readMesh(const std::filesystem::path& file);
 
-/// Makes a mesh fit to be filled: drops triangles without area and duplicates, makes windings
-/// consistent and outward, closes small holes. `name` is used in messages.
-/// Throws Error badData when the mesh cannot be filled: no volume, open beyond repair, not finite.
+/// Makes a mesh fit to be filled: joins seams, drops triangles without area and duplicates, makes
+/// windings consistent and outward (of cavities inward), closes holes of up to 5 % of the surface.
+/// `name` is used in messages. Throws Error badData when the mesh cannot be filled: no volume, open
+/// beyond repair, pieces that pass through each other, not finite.
 [[nodiscard]] LoadedMesh repairMesh(TriangleMesh mesh, std::string_view name);
 
 /// readMesh and repairMesh, or one of the built-in objects when `name` is one of their names.

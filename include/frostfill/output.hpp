@@ -2,34 +2,37 @@
 #pragma once
 
 #include <frostfill/image.hpp>
-#include <frostfill/simulation.hpp>
+#include <frostfill/measure.hpp>
+#include <frostfill/snapshot.hpp>
 
 #include <cstddef>
 #include <filesystem>
-#include <functional>
-#include <string>
-#include <vector>
+#include <span>
 
 namespace frostfill
 {
 
-/// Numbered pictures frames/frame_00000.png, ... in a directory. Keeps at most `limit` of them:
-/// when that is reached every second one is removed, the others are renumbered, and from then on
-/// every second (fourth, ...) is kept.
+/// Numbered pictures frame_00000.png, ... in a directory. Keeps at most `limit` of them: when that
+/// is reached every second one is removed, the others are renumbered, and from then on every second
+/// (fourth, ...) is kept.
 class PngSequence : public ImageSink
 {
 public:
-    /// Throws Error cannotCreate. A limit of 0 means none.
+    /// Creates the directory when there is none. `text` goes into every picture; a limit of 0 means
+    /// none, and a limit of 1 keeps the first picture only. Throws Error cannotCreate.
     PngSequence(std::filesystem::path directory, std::size_t limit, PngText text = {});
+    /// Does nothing for a frame that is not wanted. Numbers come in ascending order.
     void put(std::size_t number, const Image& image) override;
     /// Whether frame `number` would be kept, so that it need not be drawn otherwise.
     [[nodiscard]] bool wants(std::size_t number) const { return number % stride_ == 0; }
     [[nodiscard]] std::size_t count() const { return count_; }
     [[nodiscard]] std::size_t stride() const { return stride_; }
+    /// Time spent so far in Stage::encoding, and in Stage::writing for thinning.
     [[nodiscard]] const StageTimes& times() const { return times_; }
 
 private:
     void thin();
+    [[nodiscard]] std::filesystem::path file(std::size_t index) const;
     std::filesystem::path directory_;
     std::size_t limit_;
     std::size_t count_ = 0;
@@ -38,19 +41,11 @@ private:
     StageTimes times_;
 };
 
-/// Files of a run; each is written under a temporary name and renamed. Throw Error cannotCreate or
-/// writeFailed.
-void writeSpheresCsv(const Simulation& simulation, const std::filesystem::path& file);
-void writePolygonsCsv(const Simulation& simulation, const std::filesystem::path& file);
+/// `id,group,x,y,z,radius,state`, a row a sphere; the id is the index. Numbers have 17 significant
+/// digits. Written under a temporary name and renamed. Throws Error cannotCreate or writeFailed.
+void writeSpheresCsv(std::span<const SphereRecord> spheres, const std::filesystem::path& file);
 
-/// What the renderer did while a set was the newest, beside the simulation's own SetRecord.
-struct SetRenderRecord
-{
-    std::size_t frames = 0;
-    double renderMs = 0; ///< mean a frame
-    double readbackMs = 0;
-    double encodeMs = 0;
-    double framesPerSecond = 0; ///< frames over the wall time of the set; steps when none is drawn
-};
+/// `id,state`, a row a polygon; the id is the index. Otherwise like writeSpheresCsv.
+void writePolygonsCsv(std::span<const PolygonState> polygons, const std::filesystem::path& file);
 
 } // namespace frostfill

@@ -51,15 +51,6 @@ struct QualityReport
     double volumeEstimateError = 0; ///< [unit^3] standard uncertainty of the estimate
 };
 
-/// A sphere as the files have it: mesh coordinates, full precision.
-struct SphereRecord
-{
-    Eigen::Vector3d centre;
-    double radius = 0;
-    std::uint32_t group = 0;
-    SphereState state = SphereState::running;
-};
-
 /// Fills one mesh according to one scene. PAPER: Algorithm 1 and the schedule of sets around it.
 class Simulation
 {

@@ -23,6 +23,15 @@ enum class PolygonState : std::uint8_t
     discarded = 1, ///< covered by spheres or out of reach, not tested any more
 };
 
+/// A sphere as the files have it: mesh coordinates, full precision.
+struct SphereRecord
+{
+    Eigen::Vector3d centre;
+    double radius = 0;
+    std::uint32_t group = 0;
+    SphereState state = SphereState::running;
+};
+
 /// All that one picture needs, and nothing of how it came about. Indexed by sphere id, which is the
 /// order of appearance. A snapshot is filled by Simulation::capture, which touches only what has
 /// changed since it filled the same snapshot last: keep one and reuse it.

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/App.hpp>
+
+#include <functional>
+
+namespace frostfill
+{
+
+/// Does the work of a command and returns the program's exit code. Throws Error.
+using Command = std::function<int()>;
+
+/// Each adds its command to the program and returns what to run when it was asked for.
+Command addFillCommand(CLI::App& program);
+Command addMeshCommand(CLI::App& program);
+Command addDoctorCommand(CLI::App& program);
+
+} // namespace frostfill

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "app/commands.hpp"
+
+#include "study/library_versions.hpp"
+
+#include <frostfill/error.hpp>
+#include <frostfill/measure.hpp>
+#include <frostfill/renderer.hpp>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+#include <string>
+
+namespace frostfill
+{
+namespace
+{
+
+/// Where a program lies, as the shell would find it; empty when it would not.
+std::string findProgram(const std::string& name)
+{
+    const char* path = std::getenv("PATH");
+    std::istringstream folders(path ? path : "");
+    for (std::string folder; std::getline(folders, folder, ':');)
+    {
+        const std::filesystem::path file = std::filesystem::path(folder) / name;
+        if (std::filesystem::is_regular_file(file) && access(file.c_str(), X_OK) == 0)
+            return file.string();
+    }
+    return {};
+}
+
+void printMachine()
+{
+    const MachineInfo machine = describeMachine();
+    fmt::print("frostfill {} ({}, {})\n", FROSTFILL_VERSION, machine.build, machine.compiler);
+    fmt::print("machine   {}, {} cores, {:.1f} GiB, {}\n", machine.cpu, machine.cores,
+               machine.memoryGib, machine.system);
+    for (const auto& [library, version] : libraryVersions())
+        fmt::print("library   {} {}\n", library, version);
+    fmt::print("font      compiled in\n");
+}
+
+/// Programs that make videos and figures; a run works without them.
+void printPrograms()
+{
+    for (const auto& [program, package] :
+         {std::pair{"ffmpeg", "ffmpeg"}, {"gnuplot", "gnuplot-nox"}})
+    {
+        const std::string file = findProgram(program);
+        if (file.empty())
+            fmt::print("program   {} is missing; optional: apt-get install {}\n", program, package);
+        else
+            fmt::print("program   {}\n", file);
+    }
+}
+
+int examine()
+{
+    printMachine();
+    const auto attempts = probeBackends();
+    for (const BackendAttempt& attempt : attempts)
+    {
+        fmt::print("OpenGL    {}: {}{}\n", attempt.name,
+                   attempt.works ? "" : "does not work: ", attempt.description);
+        if (!attempt.works && !attempt.remedy.empty())
+            fmt::print("          remedy: {}\n", attempt.remedy);
+    }
+    printPrograms();
+    const bool works = std::any_of(attempts.begin(), attempts.end(),
+                                   [](const BackendAttempt& attempt) { return attempt.works; });
+    if (!works)
+        throw Error(ErrorCode::noOpenGl,
+                    "no OpenGL to be had, so frames cannot be drawn; --frames none still works");
+    fmt::print("all is well\n");
+    return 0;
+}
+
+} // namespace
+
+Command addDoctorCommand(CLI::App& program)
+{
+    program.add_subcommand("doctor", "Which OpenGL and libraries there are, and what is missing");
+    return [] { return examine(); };
+}
+
+} // namespace frostfill

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+#include "app/commands.hpp"
+#include "app/progress.hpp"
+#include "app/say.hpp"
+#include "app/scene_options.hpp"
+
+#include "output/scene_json.hpp"
+#include "study/fill_run.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <csignal>
+#include <fstream>
+#include <memory>
+
+namespace frostfill
+{
+namespace
+{
+
+constexpr std::size_t kRowsOfTable = 24;
+
+constexpr const char* kExamples = R"(Examples:
+  frostfill fill torus                           the paper's run, with frames
+  frostfill fill human --frames none             tables only
+  frostfill fill part.stl --up z --units mm --count 500
+  frostfill fill bunny.obj --radius 0.02 --out output/fine
+  frostfill fill --scene output/torus/summary.json --out output/again
+)";
+
+volatile std::sig_atomic_t stopSignal = 0;
+
+extern "C" void requestStop(int signal)
+{
+    stopSignal = signal;
+}
+
+/// The first signal stops after the step; a second one ends the program as usual.
+void catchSignals()
+{
+    struct sigaction action = {};
+    action.sa_handler = requestStop;
+    action.sa_flags = static_cast<int>(SA_RESETHAND);
+    sigaction(SIGINT, &action, nullptr);
+    sigaction(SIGTERM, &action, nullptr);
+}
+
+struct FillArguments
+{
+    std::string mesh;
+    std::string sceneFile;
+    std::string directory;
+    bool overwrite = false;
+    bool quiet = false;
+    bool json = false;
+    GivenOptions given;
+};
+
+/// A scene file, or the summary of a run that is to be repeated.
+Scene sceneFromFile(const std::string& file)
+{
+    if (!file.ends_with(".json"))
+        return loadScene(file);
+    std::ifstream in(file);
+    if (!in)
+        throw Error(ErrorCode::inputMissing, fmt::format("cannot read {}", file));
+    const auto summary = nlohmann::ordered_json::parse(in, nullptr, false);
+    if (!summary.is_object() || !summary.contains("scene"))
+        throw Error(ErrorCode::badData, fmt::format("{} is not the summary of a run", file));
+    return sceneFromJson(summary["scene"], file);
+}
+
+Scene requestedScene(const FillArguments& arguments)
+{
+    if (arguments.mesh.empty() && arguments.sceneFile.empty())
+        throw Error(ErrorCode::usage,
+                    "give a MESH (torus, sphere, cube, human or a file) or a --scene; see "
+                    "frostfill fill --help");
+    Scene scene = arguments.sceneFile.empty() ? presetScene(Preset::paper, arguments.mesh)
+                                              : sceneFromFile(arguments.sceneFile);
+    if (!arguments.sceneFile.empty() && !arguments.mesh.empty())
+    {
+        scene.object.mesh = arguments.mesh;
+        scene.name = presetScene(scene.preset, arguments.mesh).name;
+    }
+    applyGivenOptions(arguments.given, scene);
+    // A radius alone asks to be filled until no sphere fits, whatever the preset's count.
+    if (arguments.sceneFile.empty() && arguments.given.contains("spheres.radius") &&
+        !arguments.given.contains("spheres.count"))
+        scene.spheres.count.reset();
+    return scene;
+}
+
+std::string bytesText(double bytes)
+{
+    return bytes < 1e6 ? fmt::format("{:.0f} kB", bytes / 1e3)
+                       : (bytes < 1e9 ? fmt::format("{:.0f} MB", bytes / 1e6)
+                                      : fmt::format("{:.1f} GB", bytes / 1e9));
+}
+
+void printPlan(const FillRequest& request, const FillPlan& plan)
+{
+    for (const std::string& repair : plan.repairs)
+        say(fmt::format("repaired: {}\n", repair));
+    say(fmt::format("{}: {} triangles, about {} spheres of radius {:.5g}, steps of {:.3g} s\n",
+                    request.scene.name, plan.triangles, plan.spheres, plan.radius, plan.timeStep));
+    if (request.scene.frames.enabled)
+        say(fmt::format("expecting about {} frames of {}x{}, {}, {:.3g} times slowed down\n",
+                        plan.estimate.frames, request.scene.size.width, request.scene.size.height,
+                        bytesText(plan.estimate.bytes), plan.timing.slowMotion));
+}
+
+void printResult(const FillResult& result)
+{
+    const auto rows = setTable(result.sets, result.setFrames, kRowsOfTable);
+    fmt::print("{}", formatSetTable(rows));
+    if (result.stopped)
+        fmt::print("stopped early, with {} of {} spheres\n", result.spheres, result.wanted);
+    else if (result.full)
+        fmt::print("full: no sphere fits any more after {}\n", result.spheres);
+    fmt::print("{} spheres of radius {:.5g} take {:.1f} % of the volume; {} frames; {:.1f} s; in "
+               "{}\n",
+               result.spheres, result.radius,
+               100 * result.quality.sphereVolume / result.quality.meshVolume, result.frames,
+               result.wallSeconds, result.directory.string());
+}
+
+int fill(const FillArguments& arguments)
+{
+    FillRequest request;
+    request.scene = requestedScene(arguments);
+    request.directory = arguments.directory.empty()
+                            ? std::filesystem::path("output") / request.scene.name
+                            : std::filesystem::path(arguments.directory);
+    request.overwrite = arguments.overwrite;
+
+    ProgressBar bar;
+    FillObserver observer;
+    observer.stopRequested = [] { return stopSignal != 0; };
+    if (!arguments.quiet)
+    {
+        observer.planned = [&](const FillPlan& plan) { printPlan(request, plan); };
+        observer.progressed = [&](const FillProgress& progress) { bar.update(progress); };
+    }
+    catchSignals();
+    const FillResult result = runFill(request, observer);
+    bar.close();
+
+    if (arguments.json)
+        fmt::print("{}", result.summary);
+    else if (!arguments.quiet)
+        printResult(result);
+    if (result.failure)
+        throw Error(
+            ErrorCode::postcondition,
+            fmt::format("{}; the files are in {}", *result.failure, result.directory.string()));
+    return result.stopped ? static_cast<int>(ErrorCode::stoppedEarly) : 0;
+}
+
+} // namespace
+
+Command addFillCommand(CLI::App& program)
+{
+    const auto arguments = std::make_shared<FillArguments>();
+    CLI::App* command = program.add_subcommand(
+        "fill", "Fill a mesh with spheres, draw frames, write tables and a summary");
+    command->footer(kExamples);
+    command->add_option("MESH", arguments->mesh, "torus, sphere, cube, human, or a mesh file");
+    command
+        ->add_option("--scene", arguments->sceneFile,
+                     "Scene file (TOML), or the summary.json of a run to repeat")
+        ->type_name("FILE");
+    addSceneOptions(*command, arguments->given);
+    const char* output = "Output";
+    command->add_option("--out", arguments->directory, "Directory of the run (output/NAME)")
+        ->type_name("DIR")
+        ->group(output);
+    command->add_flag("--overwrite", arguments->overwrite, "Replace the run that is there")
+        ->group(output);
+    command->add_flag("--quiet", arguments->quiet, "Print errors only")->group(output);
+    command->add_flag("--json", arguments->json, "Print the summary as JSON on standard output")
+        ->group(output);
+    return [arguments] { return fill(*arguments); };
+}
+
+} // namespace frostfill

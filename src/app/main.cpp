@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include "app/commands.hpp"
+#include "app/say.hpp"
+
+#include "scene/nearest_name.hpp"
+
+#include <frostfill/error.hpp>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+#include <new>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+namespace
+{
+
+using namespace frostfill;
+
+constexpr const char* kUsage = R"(Examples:
+  frostfill fill torus                    the paper's torus: frames and tables in output/torus
+  frostfill fill bunny.stl --radius 0.02  any closed mesh, until no sphere fits
+  frostfill mesh bunny.stl                what is wrong with a mesh
+  frostfill COMMAND --help                all options of a command
+)";
+
+/// CLI11's help, without the "{false}" that it writes behind the negative form of a flag.
+class HelpFormatter : public CLI::Formatter
+{
+public:
+    HelpFormatter() { column_width(32); }
+
+    std::string make_option_name(const CLI::Option* option, bool positional) const override
+    {
+        std::string name = CLI::Formatter::make_option_name(option, positional);
+        const std::size_t mark = name.find("{false}");
+        return mark == std::string::npos ? name : name.erase(mark, 7);
+    }
+};
+
+int report(int code, const std::string& message)
+{
+    say(fmt::format("frostfill: {}\n", message));
+    return code;
+}
+
+/// The option that was probably meant, as the end of a sentence.
+std::string didYouMean(const CLI::App& program, const std::string& argument)
+{
+    std::vector<std::string> known;
+    for (const CLI::App* command : program.get_subcommands())
+        for (const CLI::Option* option : command->get_options())
+            for (const std::string& name : option->get_lnames())
+                known.push_back("--" + name);
+    const std::string nearest = nearestName(argument.substr(0, argument.find('=')), known);
+    return nearest.empty() ? "" : "; did you mean " + nearest + "?";
+}
+
+int reportParseError(const CLI::App& program, const CLI::ParseError& error)
+{
+    // Help and version arrive as exceptions too.
+    if (error.get_exit_code() == 0)
+        return program.exit(error);
+    constexpr int kUsageError = static_cast<int>(ErrorCode::usage);
+    if (dynamic_cast<const CLI::ExtrasError*>(&error))
+        for (const CLI::App* command : program.get_subcommands())
+            for (const std::string& rest : command->remaining())
+                return report(kUsageError, fmt::format("unexpected argument '{}'{}", rest,
+                                                       didYouMean(program, rest)));
+    return report(kUsageError, fmt::format("{}; see frostfill --help", error.what()));
+}
+
+int run(int argumentCount, char** arguments)
+{
+    CLI::App program("Fills a closed mesh with falling spheres and renders it without a screen.",
+                     "frostfill");
+    program.set_version_flag("--version", std::string("frostfill ") + FROSTFILL_VERSION);
+    program.footer(kUsage);
+    program.formatter(std::make_shared<HelpFormatter>());
+    program.require_subcommand(1);
+
+    std::vector<std::pair<std::string, Command>> commands;
+    commands.emplace_back("fill", addFillCommand(program));
+    commands.emplace_back("mesh", addMeshCommand(program));
+    commands.emplace_back("doctor", addDoctorCommand(program));
+    try
+    {
+        program.parse(argumentCount, arguments);
+    }
+    catch (const CLI::ParseError& error)
+    {
+        return reportParseError(program, error);
+    }
+    for (const auto& [name, command] : commands)
+        if (program.got_subcommand(name))
+            return command();
+    return 0;
+}
+
+} // namespace
+
+int main(int argumentCount, char** arguments)
+{
+    try
+    {
+        const int code = run(argumentCount, arguments);
+        // What was printed may not have arrived: standard output can be a full disk.
+        if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+            return report(static_cast<int>(ErrorCode::writeFailed),
+                          "cannot write to standard output");
+        return code;
+    }
+    catch (const Error& error)
+    {
+        return report(static_cast<int>(error.code()), error.what());
+    }
+    catch (const std::bad_alloc&)
+    {
+        return report(static_cast<int>(ErrorCode::outOfMemory),
+                      "out of memory; try fewer spheres, a smaller picture or a coarser mesh");
+    }
+    catch (const std::system_error& error)
+    {
+        // Printing to a full disk, or a file system that changes under our hands.
+        return report(static_cast<int>(ErrorCode::writeFailed), error.what());
+    }
+    catch (const std::exception& error)
+    {
+        return report(static_cast<int>(ErrorCode::postcondition),
+                      fmt::format("internal error: {}", error.what()));
+    }
+}

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "app/commands.hpp"
+
+#include <frostfill/error.hpp>
+#include <frostfill/mesh.hpp>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace frostfill
+{
+namespace
+{
+
+constexpr const char* kExamples = R"(Examples:
+  frostfill mesh torus
+  frostfill mesh bunny.obj --repair bunny.ply
+)";
+
+struct MeshArguments
+{
+    std::string mesh;
+    std::string repaired;
+};
+
+void printReport(const std::string& name, const MeshReport& report)
+{
+    const Eigen::Vector3d size = report.box.sizes();
+    fmt::print("{}: {} triangles, {} vertices, {} {}\n", name, report.triangles, report.vertices,
+               report.components, report.components == 1 ? "piece" : "pieces");
+    if (report.triangles == 0)
+        return;
+    fmt::print("  size        {:.6g} x {:.6g} x {:.6g}\n", size.x(), size.y(), size.z());
+    fmt::print("  area        {:.6g}\n", report.area);
+    fmt::print("  closed      {}\n", report.closed() ? "yes" : "no");
+    if (report.closed())
+        fmt::print("  volume      {:.6g}\n  genus       {}\n", report.volume, report.genus);
+
+    const auto defect = [](const char* what, std::size_t count)
+    {
+        if (count > 0)
+            fmt::print("  defect      {}: {}\n", what, count);
+    };
+    defect("edges at a hole", report.boundaryEdges);
+    defect("edges with more than two triangles", report.nonManifoldEdges);
+    defect("edges whose triangles are wound against each other", report.inconsistentEdges);
+    defect("triangles without area", report.degenerateTriangles);
+    defect("duplicate triangles", report.duplicateTriangles);
+    defect("unused vertices", report.unusedVertices);
+    if (!report.closed())
+        fmt::print("  first at    {:.6g} {:.6g} {:.6g}\n", report.firstDefect.x(),
+                   report.firstDefect.y(), report.firstDefect.z());
+}
+
+int inspect(const MeshArguments& arguments)
+{
+    TriangleMesh mesh =
+        isBuiltInMesh(arguments.mesh) ? builtInMesh(arguments.mesh) : readMesh(arguments.mesh);
+    printReport(arguments.mesh, inspectMesh(mesh));
+    // Throws with the reason when the mesh cannot be filled.
+    const LoadedMesh loaded = repairMesh(std::move(mesh), arguments.mesh);
+    for (const std::string& repair : loaded.repairs)
+        fmt::print("  repair      {}\n", repair);
+    if (!loaded.repairs.empty())
+        printReport("after repair", loaded.report);
+    fmt::print("can be filled\n");
+    if (!arguments.repaired.empty())
+    {
+        savePly(loaded.mesh, arguments.repaired);
+        fmt::print("written to {}\n", arguments.repaired);
+    }
+    return 0;
+}
+
+} // namespace
+
+Command addMeshCommand(CLI::App& program)
+{
+    const auto arguments = std::make_shared<MeshArguments>();
+    CLI::App* command =
+        program.add_subcommand("mesh", "Inspect a mesh: can it be filled, and what is repaired?");
+    command->footer(kExamples);
+    command->add_option("FILE", arguments->mesh, "A mesh file, or torus, sphere, cube, human")
+        ->required();
+    command->add_option("--repair", arguments->repaired, "Write the repaired mesh here (PLY)")
+        ->type_name("OUT");
+    return [arguments] { return inspect(*arguments); };
+}
+
+} // namespace frostfill

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "app/progress.hpp"
+#include "app/say.hpp"
+
+#include <fmt/format.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+
+namespace frostfill
+{
+namespace
+{
+
+constexpr std::uint64_t kStepsPerLook = 16; // at the clock; a step can be shorter than the look
+constexpr double kSecondsPerBar = 0.1;
+constexpr double kSecondsPerLine = 5;
+constexpr int kBarWidth = 30;
+
+std::string duration(double seconds)
+{
+    const auto whole = static_cast<long>(seconds);
+    return whole < 3600 ? fmt::format("{}:{:02}", whole / 60, whole % 60)
+                        : fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
+}
+
+} // namespace
+
+ProgressBar::ProgressBar() : terminal_(isatty(STDERR_FILENO) == 1)
+{
+}
+
+void ProgressBar::update(const FillProgress& progress)
+{
+    if (++calls_ % kStepsPerLook != 0)
+        return;
+    const auto now = Clock::now();
+    const double sinceShown = std::chrono::duration<double>(now - shown_).count();
+    if (sinceShown < (terminal_ ? kSecondsPerBar : kSecondsPerLine))
+        return;
+    shown_ = now;
+
+    const double elapsed = std::chrono::duration<double>(now - start_).count();
+    const double expected = static_cast<double>(std::max<std::size_t>(progress.expected, 1));
+    const double done = std::min(1.0, static_cast<double>(progress.spheres) / expected);
+    const std::string left = done > 0 ? duration(elapsed * (1 - done) / done) : "?";
+    const std::string text =
+        fmt::format("{}/{} spheres, {:.2f} s simulated, {} frames, {} left", progress.spheres,
+                    progress.expected, progress.time, progress.frames, left);
+    if (terminal_)
+    {
+        const int filled = static_cast<int>(done * kBarWidth);
+        say(fmt::format("\r[{:#<{}}{:.<{}}] {}\x1b[K", "", filled, "", kBarWidth - filled, text));
+        open_ = true;
+    }
+    else
+        say(fmt::format("{}\n", text));
+}
+
+void ProgressBar::close()
+{
+    if (open_)
+        say("\n");
+    open_ = false;
+}
+
+} // namespace frostfill

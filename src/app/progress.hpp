@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "study/fill_run.hpp"
+
+#include <chrono>
+
+namespace frostfill
+{
+
+/// Tells on standard error how far a run is: a bar that renews itself on a terminal, a line now and
+/// then elsewhere.
+class ProgressBar
+{
+public:
+    ProgressBar();
+    ~ProgressBar() { close(); }
+    ProgressBar(const ProgressBar&) = delete;
+    ProgressBar& operator=(const ProgressBar&) = delete;
+
+    void update(const FillProgress& progress);
+
+    /// Ends the bar's line.
+    void close();
+
+private:
+    using Clock = std::chrono::steady_clock;
+    Clock::time_point start_ = Clock::now();
+    Clock::time_point shown_ = start_;
+    std::uint64_t calls_ = 0;
+    bool terminal_;
+    bool open_ = false;
+};
+
+} // namespace frostfill

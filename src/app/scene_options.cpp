@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "app/scene_options.hpp"
+
+#include "scene/option.hpp"
+
+#include <frostfill/error.hpp>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace frostfill
+{
+namespace
+{
+
+/// What stands behind the flag in the help.
+std::string placeholder(const Option& option)
+{
+    std::string what;
+    switch (option.type)
+    {
+    case OptionType::boolean:
+        return "";
+    case OptionType::integer:
+        what = "N";
+        break;
+    case OptionType::number:
+        what = "X";
+        break;
+    case OptionType::vector:
+        what = "X,Y,Z";
+        break;
+    case OptionType::text:
+        what = option.choices.empty() ? option.placeholder
+                                      : fmt::format("{}", fmt::join(option.choices, "|"));
+        break;
+    }
+    for (const auto& [word, number] : option.words)
+        what += "|" + word;
+    return option.nothing.empty() ? what : what + "|" + option.nothing;
+}
+
+std::string helpWithDefault(const Option& option)
+{
+    // The count and the groups depend on the object; what is told is the torus's.
+    const Scene standard = presetScene(Preset::paper, "torus");
+    return fmt::format("{} ({})", option.help, optionText(option, option.get(standard)));
+}
+
+} // namespace
+
+void addSceneOptions(CLI::App& command, GivenOptions& given)
+{
+    for (const Option& option : sceneOptions())
+    {
+        if (option.flag.empty())
+            continue;
+        const auto keep = [&given, key = option.key](const std::string& text)
+        { given[key] = text; };
+        CLI::Option* added = nullptr;
+        if (option.type == OptionType::boolean)
+            added = command.add_flag_function(
+                fmt::format("{},!--no-{}", option.flag, option.flag.substr(2)),
+                [keep](std::int64_t times) { keep(times > 0 ? "true" : "false"); },
+                helpWithDefault(option));
+        else
+            added =
+                command
+                    .add_option_function<std::string>(option.flag, keep, helpWithDefault(option))
+                    ->type_name(placeholder(option));
+        added->group(option.group);
+    }
+}
+
+void applyGivenOptions(const GivenOptions& given, Scene& scene)
+{
+    for (const auto& [key, text] : given)
+    {
+        const Option& option = *findOption(key);
+        const auto value = readOptionText(option, text);
+        if (!value || !setOption(option, scene, *value))
+            throw Error(ErrorCode::usage, fmt::format("{} is '{}', but it must be {}", option.flag,
+                                                      text, describeAllowed(option)));
+    }
+}
+
+} // namespace frostfill

@@ -1,0 +1,59 @@
+# What find_package(frostfill COMPONENTS core render) finds. Without components: both.
+include(CMakePackageConfigHelpers)
+
+set(public ${PROJECT_SOURCE_DIR}/include)
+target_sources(frostfill_core PUBLIC FILE_SET HEADERS BASE_DIRS ${public} FILES
+    ${public}/frostfill/error.hpp
+    ${public}/frostfill/measure.hpp
+    ${public}/frostfill/mesh.hpp
+    ${public}/frostfill/scene.hpp
+    ${public}/frostfill/simulation.hpp
+    ${public}/frostfill/snapshot.hpp
+    ${public}/frostfill/view.hpp)
+target_sources(frostfill_render PUBLIC FILE_SET HEADERS BASE_DIRS ${public} FILES
+    ${public}/frostfill/image.hpp
+    ${public}/frostfill/output.hpp
+    ${public}/frostfill/renderer.hpp)
+
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/frostfill)
+foreach(component core render)
+    set_target_properties(frostfill_${component} PROPERTIES EXPORT_NAME ${component})
+    install(TARGETS frostfill_${component} EXPORT frostfill-${component}
+        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} FILE_SET HEADERS)
+    install(EXPORT frostfill-${component} NAMESPACE frostfill:: DESTINATION ${package_dir})
+endforeach()
+
+# A static library does not carry the libraries that it uses: the consumer finds and links them.
+file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/frostfill-config.cmake @ONLY CONTENT [=[
+include(CMakeFindDependencyMacro)
+if(NOT frostfill_FIND_COMPONENTS)
+    set(frostfill_FIND_COMPONENTS core render)
+endif()
+foreach(component IN LISTS frostfill_FIND_COMPONENTS)
+    if(NOT component MATCHES "^(core|render)$")
+        set(frostfill_FOUND FALSE)
+        set(frostfill_NOT_FOUND_MESSAGE "frostfill has no component ${component}")
+        return()
+    endif()
+    set(frostfill_${component}_FOUND TRUE)
+endforeach()
+
+find_dependency(Eigen3 3.4 NO_MODULE)
+find_dependency(assimp)
+find_dependency(fmt)
+find_dependency(tomlplusplus)
+find_dependency(TBB)
+include(${CMAKE_CURRENT_LIST_DIR}/frostfill-core.cmake)
+if("render" IN_LIST frostfill_FIND_COMPONENTS)
+    find_dependency(PkgConfig)
+    pkg_check_modules(STB REQUIRED IMPORTED_TARGET stb)
+    pkg_check_modules(DEFLATE REQUIRED IMPORTED_TARGET libdeflate)
+    include(${CMAKE_CURRENT_LIST_DIR}/frostfill-render.cmake)
+endif()
+]=])
+write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/frostfill-config-version.cmake
+    COMPATIBILITY SameMinorVersion)
+install(FILES
+    ${CMAKE_CURRENT_BINARY_DIR}/frostfill-config.cmake
+    ${CMAKE_CURRENT_BINARY_DIR}/frostfill-config-version.cmake
+    DESTINATION ${package_dir})

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <assimp/DefaultIOSystem.h>
+
+#include <filesystem>
+
+namespace frostfill
+{
+
+/// Lets assimp open the mesh file and, for glTF, its .bin files in the same folder; nothing else,
+/// wherever a material library or a crafted reference may point.
+class OneFileIo : public Assimp::DefaultIOSystem
+{
+public:
+    explicit OneFileIo(const std::filesystem::path& file);
+
+    bool Exists(const char* name) const override;
+    Assimp::IOStream* Open(const char* name, const char* mode = "rb") override;
+
+private:
+    [[nodiscard]] bool isAllowed(const char* name) const;
+
+    std::filesystem::path file_;
+    bool hasBuffers_;
+};
+
+} // namespace frostfill

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include <frostfill/error.hpp>
+#include <frostfill/mesh.hpp>
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+namespace frostfill
+{
+namespace
+{
+
+static_assert(std::endian::native == std::endian::little, "PLY is written as it lies in memory");
+
+template <typename Value>
+void append(std::string& bytes, const Value& value)
+{
+    const std::size_t size = bytes.size();
+    bytes.resize(size + sizeof value);
+    std::memcpy(bytes.data() + size, &value, sizeof value);
+}
+
+std::string encode(const TriangleMesh& mesh)
+{
+    std::string bytes = fmt::format("ply\n"
+                                    "format binary_little_endian 1.0\n"
+                                    "comment Frostfill: the mesh as simulated\n"
+                                    "element vertex {}\n"
+                                    "property double x\n"
+                                    "property double y\n"
+                                    "property double z\n"
+                                    "element face {}\n"
+                                    "property list uchar uint vertex_indices\n"
+                                    "end_header\n",
+                                    mesh.vertices.size(), mesh.triangles.size());
+    bytes.reserve(bytes.size() + 24 * mesh.vertices.size() + 13 * mesh.triangles.size());
+    for (const Eigen::Vector3d& vertex : mesh.vertices)
+        for (int axis = 0; axis < 3; ++axis)
+            append(bytes, vertex[axis]);
+    for (const auto& triangle : mesh.triangles)
+    {
+        append(bytes, std::uint8_t{3});
+        for (const std::uint32_t corner : triangle)
+            append(bytes, corner);
+    }
+    return bytes;
+}
+
+} // namespace
+
+void savePly(const TriangleMesh& mesh, const std::filesystem::path& file)
+{
+    const std::string bytes = encode(mesh);
+    const std::filesystem::path unfinished = file.string() + ".part";
+    std::FILE* output = std::fopen(unfinished.c_str(), "wb");
+    if (output == nullptr)
+        throw Error(ErrorCode::cannotCreate,
+                    fmt::format("cannot create '{}': {}", file.string(), std::strerror(errno)));
+    bool written = std::fwrite(bytes.data(), 1, bytes.size(), output) == bytes.size();
+    int reason = errno;
+    if (std::fclose(output) != 0 && written)
+    {
+        written = false;
+        reason = errno;
+    }
+    std::error_code ignored;
+    if (!written)
+    {
+        std::filesystem::remove(unfinished, ignored);
+        throw Error(ErrorCode::writeFailed, fmt::format("cannot write all of '{}': {}",
+                                                        file.string(), std::strerror(reason)));
+    }
+    std::error_code failure;
+    std::filesystem::rename(unfinished, file, failure);
+    if (failure)
+    {
+        std::filesystem::remove(unfinished, ignored);
+        throw Error(ErrorCode::cannotCreate,
+                    fmt::format("cannot create '{}': {}", file.string(), failure.message()));
+    }
+}
+
+} // namespace frostfill

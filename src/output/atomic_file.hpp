@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string_view>
+
+namespace frostfill
+{
+
+/// A file that appears under its name only when it is complete: written as `NAME.part` and renamed
+/// by commit(). Without a commit the part is removed.
+class AtomicFile
+{
+public:
+    /// Throws Error cannotCreate.
+    explicit AtomicFile(std::filesystem::path file);
+    ~AtomicFile();
+    AtomicFile(const AtomicFile&) = delete;
+    AtomicFile& operator=(const AtomicFile&) = delete;
+
+    /// Throws Error writeFailed, for instance on a full disk.
+    void write(std::string_view text);
+
+    /// Throws Error writeFailed.
+    void commit();
+
+private:
+    [[noreturn]] void fail(int error) const;
+
+    struct Closer
+    {
+        void operator()(std::FILE* stream) const { std::fclose(stream); }
+    };
+    std::filesystem::path file_;
+    std::filesystem::path part_;
+    std::unique_ptr<std::FILE, Closer> stream_;
+};
+
+/// Creates `directory` and what is missing above it. Throws Error cannotCreate.
+void createDirectory(const std::filesystem::path& directory);
+
+} // namespace frostfill

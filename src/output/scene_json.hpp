@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <frostfill/scene.hpp>
+
+#include <nlohmann/json.hpp>
+
+namespace frostfill
+{
+
+/// The scene with the same keys as a scene file; null where nothing is set.
+[[nodiscard]] nlohmann::ordered_json sceneToJson(const Scene& scene);
+
+/// Reads back what sceneToJson gave. Throws Error badData for a key or value that is not allowed.
+[[nodiscard]] Scene sceneFromJson(const nlohmann::ordered_json& json,
+                                  std::string_view nameForMessages);
+
+} // namespace frostfill

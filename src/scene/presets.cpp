@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include <frostfill/error.hpp>
+#include <frostfill/scene.hpp>
+
+#include <cmath>
+#include <filesystem>
+
+namespace frostfill
+{
+namespace
+{
+
+// Random packing of equal spheres far from walls takes this share of the room; a wall takes away a
+// layer of kWallLayer radii. Both are measured on dropped, frictionless fillings of the objects.
+constexpr double kPackingFraction = 0.586;
+constexpr double kWallLayer = 0.38;
+// What surely fits is this share of the estimate.
+constexpr double kSurely = 0.9;
+
+struct PaperObject
+{
+    std::string_view mesh;
+    std::uint64_t count;
+    std::uint32_t groupSize;
+    std::uint32_t groupsPerSet;
+    std::uint32_t freezeEvery;
+};
+
+// PAPER: the experiments. The count is the paper's for the torus; the others are ours, in whole
+// sets.
+constexpr PaperObject kPaperObjects[] = {
+    {"torus", 320, 10, 2, 2},
+    {"sphere", 320, 10, 2, 2},
+    {"cube", 336, 3, 7, 2},
+    {"human", 300, 3, 2, 3},
+};
+constexpr PaperObject kAnyObject = {"", 300, 10, 2, 2};
+
+PaperObject paperObject(std::string_view mesh)
+{
+    for (const PaperObject& object : kPaperObjects)
+        if (object.mesh == mesh)
+            return object;
+    return kAnyObject;
+}
+
+std::string runName(const std::string& mesh)
+{
+    const std::string stem = std::filesystem::path(mesh).stem().string();
+    return stem.empty() ? "run" : stem;
+}
+
+} // namespace
+
+Scene presetScene(Preset preset, const std::string& meshNameOrFile)
+{
+    const PaperObject object = paperObject(meshNameOrFile);
+    Scene scene;
+    scene.name = runName(meshNameOrFile);
+    scene.preset = preset;
+    scene.object.mesh = meshNameOrFile;
+    scene.spheres.count = object.count;
+    scene.spheres.groupSize = object.groupSize;
+    scene.spheres.groupsPerSet = object.groupsPerSet;
+    scene.freezing.everySets = object.freezeEvery;
+    return scene;
+}
+
+Eigen::Vector3d upVector(Axis axis)
+{
+    return Eigen::Vector3d::Unit(static_cast<int>(axis));
+}
+
+double gravityInMeshUnits(const Scene& scene)
+{
+    return scene.motion.gravity * scene.object.unitsPerMetre;
+}
+
+double sphereRadius(const Scene& scene, const MeshReport& mesh)
+{
+    if (scene.spheres.radius)
+        return *scene.spheres.radius;
+    if (!scene.spheres.count)
+        throw Error(ErrorCode::usage, "neither a radius nor a count of spheres is given; give "
+                                      "--radius, --count or both");
+
+    // N v(r) = 0.9 phi (V - c r S): the left side grows with r from 0 and the right side falls from
+    // a positive value to 0 at c r S = V, so there is exactly one root between.
+    const double volumePerCube = static_cast<double>(*scene.spheres.count) * 4.0 / 3.0 * M_PI;
+    double low = 0;
+    double high = mesh.volume / (kWallLayer * mesh.area);
+    for (int i = 0; i < 100; ++i)
+    {
+        const double middle = (low + high) / 2;
+        const double wanted = volumePerCube * middle * middle * middle;
+        const double room =
+            kSurely * kPackingFraction * (mesh.volume - kWallLayer * middle * mesh.area);
+        (wanted < room ? low : high) = middle;
+    }
+    return (low + high) / 2;
+}
+
+} // namespace frostfill

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#include "scene/option.hpp"
+
+#include <frostfill/error.hpp>
+
+#include <fmt/format.h>
+
+namespace frostfill
+{
+
+void validateScene(const Scene& scene)
+{
+    // A value that the table would not let in again is out of its range.
+    Scene copy = scene;
+    for (const Option& option : sceneOptions())
+    {
+        const OptionValue value = option.get(scene);
+        if (!setOption(option, copy, value))
+            throw Error(ErrorCode::usage,
+                        fmt::format("{}{} is {}, but it must be {}", option.key,
+                                    option.flag.empty() ? "" : fmt::format(" ({})", option.flag),
+                                    optionText(option, value), describeAllowed(option)));
+    }
+    if (!scene.spheres.radius && !scene.spheres.count)
+        throw Error(ErrorCode::usage, "neither a radius nor a count of spheres is given; give "
+                                      "--radius, --count or both");
+}
+
+} // namespace frostfill

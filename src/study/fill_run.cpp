@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "study/fill_run.hpp"
+
+#include "study/frame_recorder.hpp"
+#include "study/run_directory.hpp"
+#include "study/run_files.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+namespace frostfill
+{
+namespace
+{
+
+FillPlan makePlan(const Scene& scene, const LoadedMesh& mesh, const Simulation& simulation,
+                  const FrameTiming& timing)
+{
+    FillPlan plan;
+    plan.repairs = mesh.repairs;
+    plan.triangles = mesh.report.triangles;
+    plan.spheres = simulation.expectedSpheres();
+    plan.radius = simulation.radius();
+    plan.timeStep = simulation.timeStep();
+    plan.timing = timing;
+    plan.estimate = estimateFrames(scene, mesh.report, plan.spheres, plan.radius);
+    return plan;
+}
+
+/// Steps to the end, or until the caller wants to stop; returns whether it did.
+bool simulate(Simulation& simulation, FrameRecorder* recorder, const FillObserver& observer)
+{
+    const std::size_t expected = simulation.expectedSpheres();
+    if (recorder)
+        recorder->record(simulation);
+    while (simulation.step())
+    {
+        if (recorder)
+            recorder->record(simulation);
+        if (observer.progressed)
+            observer.progressed({simulation.sphereCount(), simulation.restingCount(), expected,
+                                 recorder ? recorder->count() : 0, simulation.time()});
+        if (observer.stopRequested && observer.stopRequested())
+            return true;
+    }
+    return false;
+}
+
+std::optional<std::string> failedPostcondition(const QualityReport& quality, bool blank)
+{
+    if (quality.notFinite > 0)
+        return fmt::format("{} spheres have positions that are not numbers; try a smaller --dt",
+                           quality.notFinite);
+    if (quality.centresOutside > 0)
+        return fmt::format("{} spheres ended outside the object; try a smaller --dt or "
+                           "--discard none",
+                           quality.centresOutside);
+    if (blank)
+        return "the pictures are blank: the camera does not see the object";
+    return std::nullopt;
+}
+
+} // namespace
+
+FillResult runFill(const FillRequest& request, const FillObserver& observer)
+{
+    const auto start = std::chrono::steady_clock::now();
+    validateScene(request.scene);
+    const LoadedMesh mesh = loadMesh(request.scene.object.mesh);
+    Simulation simulation(request.scene, mesh.mesh);
+    prepareRunDirectory(request.directory, request.overwrite);
+
+    const FrameTiming timing = frameTiming(request.scene, mesh.report);
+    std::unique_ptr<FrameRecorder> recorder;
+    if (request.scene.frames.enabled)
+        recorder = std::make_unique<FrameRecorder>(mesh.mesh, request.scene, timing.interval,
+                                                   request.directory / "frames");
+    if (observer.planned)
+        observer.planned(makePlan(request.scene, mesh, simulation, timing));
+
+    FillResult result;
+    result.directory = request.directory;
+    result.stopped = simulate(simulation, recorder.get(), observer);
+    StageTimes times = simulation.times();
+    if (recorder)
+    {
+        recorder->finish(simulation);
+        result.frames = recorder->count();
+        result.setFrames = recorder->sets();
+        result.renderer = recorder->description();
+        times += recorder->times();
+    }
+    result.sets = simulation.sets();
+    result.spheres = simulation.sphereCount();
+    result.wanted = simulation.expectedSpheres();
+    result.radius = simulation.radius();
+    result.full = simulation.full();
+    result.stateHash = simulation.stateHash();
+    result.quality = simulation.quality();
+    result.failure = failedPostcondition(result.quality, recorder && recorder->blank());
+    result.wallSeconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+
+    const RunRecord run{
+        request, mesh, simulation, timing, result, times, recorder ? recorder->stride() : 1};
+    result.summary = summaryText(run);
+    writeRunFiles(run);
+    return result;
+}
+
+} // namespace frostfill

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "study/frame_timing.hpp"
+#include "study/set_table.hpp"
+
+#include <frostfill/error.hpp>
+#include <frostfill/scene.hpp>
+#include <frostfill/simulation.hpp>
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace frostfill
+{
+
+struct FillRequest
+{
+    Scene scene;
+    std::filesystem::path directory;
+    bool overwrite = false; ///< replace the run that the directory holds
+};
+
+/// What is known before the first step.
+struct FillPlan
+{
+    std::vector<std::string> repairs; ///< of the mesh
+    std::size_t triangles = 0;
+    std::size_t spheres = 0;
+    double radius = 0;   ///< [mesh unit]
+    double timeStep = 0; ///< [s]
+    FrameTiming timing;
+    FrameEstimate estimate;
+};
+
+struct FillProgress
+{
+    std::size_t spheres = 0; ///< that have appeared
+    std::size_t resting = 0;
+    std::size_t expected = 0;
+    std::size_t frames = 0;
+    double time = 0; ///< [s] simulated
+};
+
+/// What the caller wants to hear. Every function may be empty.
+struct FillObserver
+{
+    std::function<void(const FillPlan&)> planned;
+    std::function<void(const FillProgress&)> progressed; ///< after every step
+    std::function<bool()> stopRequested;                 ///< asked after every step
+};
+
+struct FillResult
+{
+    std::filesystem::path directory;
+    std::vector<SetRecord> sets;
+    std::vector<SetFrames> setFrames;
+    std::size_t frames = 0;
+    std::size_t spheres = 0;
+    std::size_t wanted = 0; ///< spheres that the run aimed at
+    double radius = 0;      ///< [mesh unit]
+    bool full = false;
+    bool stopped = false;   ///< by stopRequested
+    double wallSeconds = 0; ///< of the whole run
+    std::string renderer;   ///< empty when nothing was drawn
+    std::string stateHash;
+    std::string summary; ///< the text of summary.json
+    QualityReport quality;
+    /// A postcondition that failed, in a sentence; the files are written all the same.
+    std::optional<std::string> failure;
+};
+
+/// Loads the mesh, fills it, draws frames and writes every file of a run into the directory.
+/// Throws Error; see ErrorCode.
+[[nodiscard]] FillResult runFill(const FillRequest& request, const FillObserver& observer = {});
+
+} // namespace frostfill

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "program.hpp"
+
+#include "support/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include <unistd.h>
+
+namespace frostfill
+{
+namespace
+{
+
+using test::Answer;
+using test::readFile;
+using test::writeFile;
+
+// A run of a moment: two sets of four spheres.
+const std::string kSmall = "fill cube --radius 0.3 --count 8 --group-size 2 --groups-per-set 2 ";
+
+class FillCommand : public ::testing::Test
+{
+protected:
+    [[nodiscard]] Answer run(const std::string& arguments) const
+    {
+        return test::runProgram(arguments, folder_.path());
+    }
+    test::TemporaryFolder folder_;
+};
+
+TEST_F(FillCommand, writesEveryFileIntoItsDirectoryByDefault)
+{
+    const Answer answer = run(kSmall + "--size 64x48 --max-frames 4");
+    EXPECT_EQ(answer.code, 0) << answer.errors;
+    for (const char* file : {"spheres.csv", "polygons.csv", "sets.csv", "summary.json", "mesh.ply",
+                             "frames/frame_00000.png"})
+        EXPECT_TRUE(std::filesystem::exists(folder_ / "output/cube" / file)) << file;
+    EXPECT_NE(answer.output.find("frames/s"), std::string::npos) << answer.output;
+    EXPECT_NE(answer.errors.find("expecting about"), std::string::npos) << answer.errors;
+
+    EXPECT_EQ(run(kSmall + "--frames none").code, 73);
+    EXPECT_EQ(run(kSmall + "--frames none --overwrite").code, 0);
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "output/cube/frames"));
+}
+
+TEST_F(FillCommand, takesOptionsInAnyOrder)
+{
+    const Answer answer = run("fill --quiet --count 4 --frames none --out a cube --radius 0.3");
+    EXPECT_EQ(answer.code, 0) << answer.errors;
+    EXPECT_EQ(answer.output + answer.errors, "");
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "a/summary.json"));
+}
+
+TEST_F(FillCommand, printsOneJsonDocumentOnStandardOutput)
+{
+    const Answer answer = run(kSmall + "--frames none --json");
+    ASSERT_EQ(answer.code, 0) << answer.errors;
+    const auto summary = nlohmann::json::parse(answer.output, nullptr, false);
+    ASSERT_TRUE(summary.is_object()) << answer.output;
+    EXPECT_EQ(summary["spheres"]["total"], 8);
+    EXPECT_EQ(summary["error"]["centres_outside"], 0);
+    EXPECT_EQ(summary["frames"], 0);
+    EXPECT_EQ(answer.output, readFile(folder_ / "output/cube/summary.json"));
+}
+
+TEST_F(FillCommand, repeatsARunFromItsSummaryOrASceneFile)
+{
+    ASSERT_EQ(run(kSmall + "--seed 7 --frames none --quiet --out a").code, 0);
+    ASSERT_EQ(run("fill --scene a/summary.json --quiet --out b").code, 0);
+    EXPECT_EQ(readFile(folder_ / "a/spheres.csv"), readFile(folder_ / "b/spheres.csv"));
+
+    writeFile(folder_ / "c.toml", "seed = 7\n[object]\nmesh = \"cube\"\n[spheres]\nradius = 0.3\n"
+                                  "count = 8\ngroup_size = 2\ngroups_per_set = 2\n"
+                                  "[frames]\nwhich = \"none\"\n");
+    ASSERT_EQ(run("fill --scene c.toml --quiet --out c").code, 0);
+    EXPECT_EQ(readFile(folder_ / "a/spheres.csv"), readFile(folder_ / "c/spheres.csv"));
+}
+
+TEST_F(FillCommand, fillsUntilFullWhenOnlyARadiusIsGiven)
+{
+    const Answer answer = run("fill cube --radius 0.45 --frames none --quiet --json");
+    ASSERT_EQ(answer.code, 0) << answer.errors;
+    EXPECT_EQ(nlohmann::json::parse(answer.output)["outcome"], "full");
+}
+
+TEST_F(FillCommand, tellsThatItsDirectoryCannotBeCreated)
+{
+    writeFile(folder_ / "file", "");
+    EXPECT_EQ(run(kSmall + "--frames none --out file").code, 73);
+    EXPECT_EQ(run(kSmall + "--frames none --out file/inner").code, 73);
+    EXPECT_EQ(run(kSmall + "--frames none --out /proc/no").code, 73);
+    if (geteuid() != 0)
+    {
+        std::filesystem::create_directory(folder_ / "locked");
+        std::filesystem::permissions(folder_ / "locked", std::filesystem::perms::owner_read |
+                                                             std::filesystem::perms::owner_exec);
+        EXPECT_EQ(run(kSmall + "--frames none --out locked").code, 73);
+        std::filesystem::permissions(folder_ / "locked", std::filesystem::perms::owner_all);
+    }
+}
+
+TEST_F(FillCommand, tellsThatTheDiskIsFull)
+{
+    std::filesystem::create_directory(folder_ / "full");
+    std::filesystem::create_symlink("/dev/full", folder_ / "full/sets.csv.part");
+    const Answer answer = run(kSmall + "--frames none --quiet --overwrite --out full");
+    EXPECT_EQ(answer.code, 0) << "the part of an earlier run is replaced: " << answer.errors;
+    EXPECT_EQ(run(kSmall + "--frames none --out b >/dev/full").code, 74);
+    EXPECT_EQ(run(kSmall + "--frames none --out c --json >/dev/full").code, 74);
+}
+
+TEST_F(FillCommand, blankPicturesFailWith70AndKeepTheFiles)
+{
+    const Answer answer = run(kSmall + "--size 64x48 --max-frames 2 --target 1e6,0,0 --quiet");
+    EXPECT_EQ(answer.code, 70);
+    EXPECT_NE(answer.errors.find("blank"), std::string::npos) << answer.errors;
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "output/cube/spheres.csv"));
+}
+
+TEST_F(FillCommand, stopsWith75WhenAskedToAndWritesEverything)
+{
+    // The shell sends the signal a moment after the start; the run would take far longer.
+    const Answer answer = run("fill cube --count 20000 --frames none --quiet --out a & "
+                              "process=$!; sleep 0.5; kill -TERM $process; wait $process");
+    EXPECT_EQ(answer.code, 75) << answer.errors;
+    const auto summary =
+        nlohmann::json::parse(readFile(folder_ / "a/summary.json"), nullptr, false);
+    ASSERT_TRUE(summary.is_object());
+    EXPECT_EQ(summary["outcome"], "stopped");
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "a/spheres.csv"));
+}
+
+} // namespace
+} // namespace frostfill

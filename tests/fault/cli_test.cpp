@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "program.hpp"
+
+#include "support/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace frostfill
+{
+namespace
+{
+
+using test::Answer;
+using test::writeFile;
+
+class CommandLine : public ::testing::Test
+{
+protected:
+    [[nodiscard]] Answer run(const std::string& arguments) const
+    {
+        return test::runProgram(arguments, folder_.path());
+    }
+    /// Expects this exit code and one line of error that holds `part`.
+    void expectRefused(const std::string& arguments, int code, const std::string& part) const
+    {
+        const Answer answer = run(arguments);
+        EXPECT_EQ(answer.code, code) << arguments << "\n" << answer.errors;
+        EXPECT_EQ(std::count(answer.errors.begin(), answer.errors.end(), '\n'), 1)
+            << arguments << "\n"
+            << answer.errors;
+        EXPECT_EQ(answer.errors.rfind("frostfill: ", 0), 0u) << answer.errors;
+        EXPECT_NE(answer.errors.find(part), std::string::npos) << arguments << "\n"
+                                                               << answer.errors;
+        EXPECT_EQ(answer.output, "") << arguments;
+    }
+    test::TemporaryFolder folder_;
+};
+
+TEST_F(CommandLine, helpOfEveryCommandIsCompleteAndHasExamples)
+{
+    for (const char* command : {"", "fill", "mesh", "doctor"})
+    {
+        const Answer answer = run(std::string(command) + " --help");
+        EXPECT_EQ(answer.code, 0);
+        EXPECT_EQ(answer.errors, "");
+        EXPECT_NE(answer.output.find("--help"), std::string::npos) << command;
+    }
+    const std::string help = run("fill --help").output;
+    for (const char* part : {"--radius",
+                             "--count",
+                             "--until-full",
+                             "--group-size",
+                             "--groups-per-set",
+                             "--freeze-every",
+                             "--sphere-search",
+                             "--polygon-search",
+                             "--integrator",
+                             "--dt",
+                             "--restitution",
+                             "--discard",
+                             "--discard-epsilon",
+                             "--discard-closeness",
+                             "--seed",
+                             "--scene",
+                             "--frames",
+                             "--fps",
+                             "--slow-motion",
+                             "--max-frames",
+                             "--size",
+                             "--up",
+                             "--gravity",
+                             "--units",
+                             "--azimuth",
+                             "--background",
+                             "--legend",
+                             "--no-legend",
+                             "--samples",
+                             "--out",
+                             "--overwrite",
+                             "--quiet",
+                             "--json",
+                             "Examples:"})
+        EXPECT_NE(help.find(part), std::string::npos) << part;
+}
+
+TEST_F(CommandLine, versionIsTold)
+{
+    const Answer answer = run("--version");
+    EXPECT_EQ(answer.code, 0);
+    EXPECT_EQ(answer.output.rfind("frostfill ", 0), 0u) << answer.output;
+}
+
+TEST_F(CommandLine, wrongUseIsRefusedWith64AndOneLine)
+{
+    expectRefused("", 64, "--help");
+    expectRefused("fly", 64, "");
+    expectRefused("fill", 64, "MESH");
+    expectRefused("fill torus --cuont 5", 64, "--count");
+    expectRefused("fill torus sphere", 64, "sphere");
+    expectRefused("fill torus --count", 64, "--count");
+    expectRefused("fill torus --count 0", 64, "--count");
+    expectRefused("fill torus --radius abc", 64, "--radius");
+    expectRefused("fill torus --radius -1", 64, "--radius");
+    expectRefused("fill torus --restitution 2", 64, "0 to 1");
+    expectRefused("fill torus --size 0x0", 64, "--size");
+    expectRefused("fill torus --polygon-search octree", 64, "quadtree");
+    expectRefused("fill torus --preset slow", 64, "paper");
+    expectRefused("mesh", 64, "FILE");
+}
+
+TEST_F(CommandLine, missingInputIsRefusedWith66)
+{
+    expectRefused("fill no-such-file.obj", 66, "no-such-file.obj");
+    expectRefused("mesh no-such-file.obj", 66, "no-such-file.obj");
+    expectRefused("fill --scene no-such-file.toml", 66, "no-such-file.toml");
+    expectRefused("fill --scene no-such-file.json", 66, "no-such-file.json");
+}
+
+TEST_F(CommandLine, badSceneIsRefusedWith65NamingLineAndNearestKey)
+{
+    writeFile(folder_ / "a.toml", "[spheres]\ncuont = 5\n");
+    expectRefused("fill --scene a.toml", 65,
+                  "line 2: unknown key 'spheres.cuont'; did you mean "
+                  "'spheres.count'?");
+    writeFile(folder_ / "b.toml", "seed = \"x\"\n");
+    expectRefused("fill --scene b.toml", 65, "line 1");
+    writeFile(folder_ / "c.toml", "seed = = 1\n");
+    expectRefused("fill --scene c.toml", 65, "line 1");
+    writeFile(folder_ / "d.json", "{\"frames\": 3}");
+    expectRefused("fill --scene d.json", 65, "d.json");
+    writeFile(folder_ / "e.json", "{");
+    expectRefused("fill --scene e.json", 65, "e.json");
+}
+
+TEST_F(CommandLine, meshThatCannotBeFilledIsRefusedWith65)
+{
+    writeFile(folder_ / "empty.obj", "");
+    expectRefused("fill empty.obj", 65, "empty.obj");
+    writeFile(folder_ / "garbage.stl", "this is no mesh");
+    expectRefused("fill garbage.stl", 65, "garbage.stl");
+    writeFile(folder_ / "flat.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    expectRefused("fill flat.obj", 65, "flat.obj");
+    EXPECT_EQ(run("mesh flat.obj").code, 65);
+}
+
+TEST_F(CommandLine, meshTellsWhatItFoundAndWritesTheRepair)
+{
+    const Answer answer = run("mesh torus --repair out.ply");
+    EXPECT_EQ(answer.code, 0) << answer.errors;
+    EXPECT_NE(answer.output.find("1152 triangles"), std::string::npos) << answer.output;
+    EXPECT_NE(answer.output.find("can be filled"), std::string::npos);
+    EXPECT_EQ(run("mesh out.ply").code, 0);
+    EXPECT_EQ(run("mesh torus --repair no/such/folder/out.ply").code, 73);
+}
+
+TEST_F(CommandLine, fullStandardOutputIsAFailedWrite)
+{
+    EXPECT_EQ(run("mesh torus >/dev/full").code, 74);
+}
+
+TEST_F(CommandLine, doctorTellsVersionsAndOpenGl)
+{
+    const Answer answer = run("doctor");
+    EXPECT_TRUE(answer.code == 0 || answer.code == 69) << answer.errors;
+    for (const char* part : {"Eigen", "assimp", "OpenGL", "ffmpeg", "gnuplot"})
+        EXPECT_NE(answer.output.find(part), std::string::npos) << part << "\n" << answer.output;
+}
+
+} // namespace
+} // namespace frostfill

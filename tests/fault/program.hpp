@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+namespace frostfill::test
+{
+
+/// What the program answered.
+struct Answer
+{
+    int code = 0; ///< exit code, or 128 + the signal that ended it
+    std::string output;
+    std::string errors;
+};
+
+/// Runs the frostfill program in `folder`; `arguments` is read by a shell and may redirect.
+[[nodiscard]] Answer runProgram(const std::string& arguments, const std::string& folder);
+
+} // namespace frostfill::test

@@ -1,0 +1,11 @@
+# Runs GENERATOR into MADE and compares with the files in COMMITTED.
+file(REMOVE_RECURSE ${MADE})
+file(MAKE_DIRECTORY ${MADE})
+execute_process(COMMAND ${GENERATOR} ${MADE} COMMAND_ERROR_IS_FATAL ANY)
+foreach(object torus sphere cube human)
+    file(SHA256 ${MADE}/${object}.obj made)
+    file(SHA256 ${COMMITTED}/${object}.obj committed)
+    if(NOT made STREQUAL committed)
+        message(SEND_ERROR "${COMMITTED}/${object}.obj is not what ${GENERATOR} makes (${MADE})")
+    endif()
+endforeach()

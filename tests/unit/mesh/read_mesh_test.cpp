@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+#include "unit/mesh/mesh_samples.hpp"
+
+#include <cstring>
+#include <limits>
+
+namespace frostfill
+{
+namespace
+{
+
+template <typename Value>
+void appendBytes(std::string& bytes, Value value)
+{
+    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+std::string binaryStl(const TriangleMesh& mesh)
+{
+    std::string bytes(80, ' ');
+    appendBytes(bytes, static_cast<std::uint32_t>(mesh.triangles.size()));
+    for (const auto& t : mesh.triangles)
+    {
+        for (int i = 0; i < 3; ++i)
+            appendBytes(bytes, 0.0F);
+        for (const std::uint32_t corner : t)
+            for (int axis = 0; axis < 3; ++axis)
+                appendBytes(bytes, static_cast<float>(mesh.vertices[corner][axis]));
+        appendBytes(bytes, std::uint16_t{0});
+    }
+    return bytes;
+}
+
+/// A box with `node` as the JSON of its only node's placement; positions and indices in `buffer`.
+std::string gltf(const std::string& node, const std::string& buffer)
+{
+    return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0)" +
+           node +
+           R"(}],"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],)"
+           R"("accessors":[{"bufferView":0,"componentType":5126,"count":8,"type":"VEC3",)"
+           R"("min":[0,0,0],"max":[1,1,1]},)"
+           R"({"bufferView":1,"componentType":5125,"count":36,"type":"SCALAR"}],)"
+           R"("bufferViews":[{"buffer":0,"byteOffset":0,"byteLength":96},)"
+           R"({"buffer":0,"byteOffset":96,"byteLength":144}],)"
+           R"("buffers":[{"uri":")" +
+           buffer + R"(","byteLength":240}]})";
+}
+
+std::string gltfBuffer()
+{
+    const TriangleMesh mesh = test::box(0, 1);
+    std::string bytes;
+    for (const auto& vertex : mesh.vertices)
+        for (int axis = 0; axis < 3; ++axis)
+            appendBytes(bytes, static_cast<float>(vertex[axis]));
+    for (const auto& t : mesh.triangles)
+        for (const std::uint32_t corner : t)
+            appendBytes(bytes, corner);
+    return bytes;
+}
+
+TEST(ReadMesh, WeldsTheLooseTrianglesOfStl)
+{
+    const LoadedMesh loaded =
+        loadMesh(test::writeFile("cube.stl", binaryStl(builtInMesh("cube"))).string());
+    EXPECT_TRUE(loaded.repairs.empty());
+    EXPECT_EQ(loaded.report.vertices, 386U);
+    EXPECT_EQ(loaded.report.volume, 8.0);
+}
+
+TEST(ReadMesh, ReadsOffWithPolygons)
+{
+    const auto file = test::writeFile("box.off", "OFF\n8 6 12\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n"
+                                                 "1 0 1\n0 1 1\n1 1 1\n4 0 2 3 1\n4 4 5 7 6\n"
+                                                 "4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n4 1 3 7 5\n");
+    const LoadedMesh loaded = loadMesh(file.string());
+    EXPECT_EQ(loaded.report.triangles, 12U);
+    EXPECT_EQ(loaded.report.volume, 1.0);
+}
+
+TEST(ReadMesh, WeldsVerticesThatNormalsAndGroupsHaveSplit)
+{
+    const auto file = test::writeFile(
+        "split.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\nv 1 1 1\n"
+                     "vn 0 0 -1\nvn 0 0 1\nvn 0 -1 0\nvn 0 1 0\nvn -1 0 0\nvn 1 0 0\n"
+                     "g low\nf 1//1 3//1 4//1 2//1\nf 5//2 6//2 8//2 7//2\n"
+                     "o other\nf 1//3 2//3 6//3 5//3\nf 3//4 7//4 8//4 4//4\n"
+                     "g rest\nf 1//5 5//5 7//5 3//5\nf 2//6 4//6 8//6 6//6\nl 1 8\n");
+    const LoadedMesh loaded = loadMesh(file.string());
+    EXPECT_EQ(loaded.report.vertices, 8U);
+    EXPECT_EQ(loaded.report.triangles, 12U);
+    EXPECT_EQ(loaded.report.components, 1U);
+    EXPECT_EQ(loaded.report.volume, 1.0);
+}
+
+TEST(ReadMesh, PlacesTheNodesOfGltf)
+{
+    test::writeFile("box.bin", gltfBuffer());
+    const auto file =
+        test::writeFile("box.gltf", gltf(R"(,"translation":[10,0,0],"scale":[2,-1,1])", "box.bin"));
+    const LoadedMesh loaded = loadMesh(file.string());
+    EXPECT_TRUE(loaded.repairs.empty()); // mirrored by the node, and turned back
+    EXPECT_DOUBLE_EQ(loaded.report.volume, 2.0);
+    EXPECT_EQ(loaded.report.box.min(), Eigen::Vector3d(10, -1, 0));
+}
+
+TEST(ReadMesh, OpensNoBufferOutsideTheFolderOfAGltf)
+{
+    std::filesystem::create_directories(test::outputFile("inner"));
+    test::writeFile("outer.bin", gltfBuffer());
+    const auto file = test::writeFile("inner/box.gltf", gltf("", "../outer.bin"));
+    test::expectRefused(ErrorCode::badData, "box.gltf", [&] { (void)readMesh(file); });
+}
+
+TEST(ReadMesh, OpensNoMaterialLibrary)
+{
+    test::writeFile("fat.mtl", "newmtl red\nKd 1 0 0\n");
+    const auto file =
+        test::writeFile("material.obj", "mtllib fat.mtl\nmtllib /etc/hostname\nusemtl red\n" +
+                                            test::objText(test::box(0, 1)));
+    EXPECT_EQ(readMesh(file).triangles.size(), 12U);
+}
+
+TEST(ReadMesh, ChangesNothingButEqualVertices)
+{
+    TriangleMesh mesh = test::box(0, 1);
+    mesh.triangles.pop_back();
+    test::flip(mesh.triangles[0]);
+    const TriangleMesh read = readMesh(test::writeFile("torn.obj", test::objText(mesh)));
+    EXPECT_EQ(inspectMesh(read).boundaryEdges, 3U);
+    EXPECT_GT(inspectMesh(read).inconsistentEdges, 0U);
+}
+
+TEST(ReadMesh, SaysThatAFileIsMissing)
+{
+    test::expectRefused(ErrorCode::inputMissing, "no_such.obj",
+                        [] { (void)loadMesh("no_such.obj"); });
+    test::expectRefused(ErrorCode::inputMissing, "files",
+                        [] { (void)readMesh(test::outputFile("")); });
+}
+
+TEST(ReadMesh, RefusesFormatsThatAreNotAllowed)
+{
+    const auto file = test::writeFile("model.fbx", "something");
+    test::expectRefused(ErrorCode::badData, ".obj, .stl", [&] { (void)readMesh(file); });
+    // Another format in disguise has no reader either.
+    const auto disguised =
+        test::writeFile("disguised.obj", "<?xml version=\"1.0\"?>\n<COLLADA/>\n");
+    test::expectRefused(ErrorCode::badData, "disguised.obj", [&] { (void)readMesh(disguised); });
+}
+
+TEST(ReadMesh, RefusesFilesThatAreNoMesh)
+{
+    for (const char* name :
+         {"junk.obj", "junk.stl", "junk.ply", "junk.off", "junk.gltf", "junk.glb"})
+        for (const std::string& content :
+             {std::string(), std::string("hello there, no mesh here\n"), std::string(300, '\x7f')})
+        {
+            const auto file = test::writeFile(name, content);
+            test::expectRefused(ErrorCode::badData, name, [&] { (void)readMesh(file); });
+        }
+}
+
+TEST(ReadMesh, RefusesNumbersThatAreNotFinite)
+{
+    TriangleMesh mesh = test::box(0, 1);
+    mesh.vertices[3].z() = std::numeric_limits<double>::quiet_NaN();
+    const auto file = test::writeFile("nan.stl", binaryStl(mesh));
+    test::expectRefused(ErrorCode::badData, "no number", [&] { (void)readMesh(file); });
+}
+
+TEST(ReadMesh, RefusesAFileOfPointsAndLines)
+{
+    const auto file =
+        test::writeFile("lines.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2\nl 2 3\np 1\n");
+    test::expectRefused(ErrorCode::badData, "lines.obj", [&] { (void)readMesh(file); });
+}
+
+} // namespace
+} // namespace frostfill

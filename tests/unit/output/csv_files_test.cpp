@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "output/atomic_file.hpp"
+
+#include "support/expect_error.hpp"
+#include "support/temporary_folder.hpp"
+
+#include <frostfill/output.hpp>
+
+#include <vector>
+
+namespace frostfill
+{
+namespace
+{
+
+using test::expectError;
+using test::readFile;
+using test::TemporaryFolder;
+
+TEST(SpheresCsv, hasARowASphereWithEveryDigit)
+{
+    const TemporaryFolder folder;
+    const std::vector<SphereRecord> spheres = {
+        {{0.1, -2, 1e-7}, 0.25, 0, SphereState::discarded},
+        {{1.0 / 3.0, 0, 5}, 0.25, 3, SphereState::frozen},
+        {{1, 2, 3}, 0.25, 4, SphereState::running},
+    };
+    writeSpheresCsv(spheres, folder / "spheres.csv");
+    EXPECT_EQ(readFile(folder / "spheres.csv"),
+              "id,group,x,y,z,radius,state\n"
+              "0,0,0.10000000000000001,-2,9.9999999999999995e-08,0.25,discarded\n"
+              "1,3,0.33333333333333331,0,5,0.25,frozen\n"
+              "2,4,1,2,3,0.25,running\n");
+}
+
+TEST(PolygonsCsv, hasARowAPolygon)
+{
+    const TemporaryFolder folder;
+    writePolygonsCsv(std::vector{PolygonState::active, PolygonState::discarded},
+                     folder / "polygons.csv");
+    EXPECT_EQ(readFile(folder / "polygons.csv"), "id,state\n0,active\n1,discarded\n");
+}
+
+TEST(AtomicFile, appearsOnlyWhenItIsComplete)
+{
+    const TemporaryFolder folder;
+    {
+        AtomicFile file(folder / "a");
+        file.write("half");
+        EXPECT_FALSE(std::filesystem::exists(folder / "a"));
+    }
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+
+    test::writeFile(folder / "a", "old");
+    AtomicFile file(folder / "a");
+    file.write("new");
+    EXPECT_EQ(readFile(folder / "a"), "old");
+    file.commit();
+    EXPECT_EQ(readFile(folder / "a"), "new");
+    EXPECT_FALSE(std::filesystem::exists(folder / "a.part"));
+}
+
+TEST(AtomicFile, tellsThatItCannotBeCreated)
+{
+    expectError(
+        ErrorCode::cannotCreate, [] { AtomicFile file("no/such/folder/a"); }, "no/such/folder/a");
+}
+
+TEST(AtomicFile, tellsThatTheDiskIsFull)
+{
+    const TemporaryFolder folder;
+    // A part that is really the device which is always full.
+    std::filesystem::create_symlink("/dev/full", folder / "a.part");
+    expectError(
+        ErrorCode::writeFailed,
+        [&]
+        {
+            AtomicFile file(folder / "a");
+            file.write(std::string(100, 'x'));
+            file.commit();
+        },
+        "No space left");
+    EXPECT_FALSE(std::filesystem::exists(folder / "a"));
+}
+
+TEST(CreateDirectory, tellsThatAFileIsInTheWay)
+{
+    const TemporaryFolder folder;
+    test::writeFile(folder / "file", "");
+    expectError(
+        ErrorCode::cannotCreate, [&] { createDirectory(folder / "file"); }, "file");
+    expectError(
+        ErrorCode::cannotCreate, [&] { createDirectory((folder / "file") / "inner"); }, "file");
+}
+
+} // namespace
+} // namespace frostfill

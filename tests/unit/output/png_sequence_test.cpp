@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "support/expect_error.hpp"
+#include "support/temporary_folder.hpp"
+
+#include <frostfill/output.hpp>
+
+#include <fmt/format.h>
+
+#include <set>
+
+namespace frostfill
+{
+namespace
+{
+
+/// One pixel that tells the number it was made from.
+Image numberedImage(std::size_t number)
+{
+    return {1, 1, 3, {static_cast<std::uint8_t>(number), 0, 0}};
+}
+
+std::size_t numberOf(const std::filesystem::path& file)
+{
+    return loadPng(file).pixels.at(0);
+}
+
+TEST(PngSequence, numbersPicturesFromZero)
+{
+    const test::TemporaryFolder folder;
+    PngSequence sequence(folder / "frames", 0);
+    for (std::size_t i = 0; i < 3; ++i)
+        sequence.put(i, numberedImage(i));
+    EXPECT_EQ(sequence.count(), 3u);
+    for (std::size_t i = 0; i < 3; ++i)
+        EXPECT_EQ(numberOf(folder / fmt::format("frames/frame_{:05}.png", i)), i);
+}
+
+TEST(PngSequence, keepsEveryNthWhenThereAreTooMany)
+{
+    for (const std::size_t limit : {1u, 2u, 3u, 5u, 8u})
+        for (const std::size_t total : {1u, 2u, 5u, 9u, 33u, 100u})
+        {
+            const test::TemporaryFolder folder;
+            PngSequence sequence(folder.path(), limit);
+            for (std::size_t i = 0; i < total; ++i)
+                sequence.put(i, numberedImage(i));
+
+            EXPECT_LE(sequence.count(), limit);
+            EXPECT_TRUE(sequence.count() == limit || limit == 1 || 2 * sequence.count() >= limit ||
+                        sequence.count() == total)
+                << limit << " of " << total;
+            std::set<std::string> names;
+            for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+                names.insert(entry.path().filename());
+            EXPECT_EQ(names.size(), sequence.count());
+            for (std::size_t i = 0; i < sequence.count(); ++i)
+                EXPECT_EQ(numberOf(folder / fmt::format("frame_{:05}.png", i)),
+                          i * sequence.stride());
+        }
+}
+
+TEST(PngSequence, tellsThatItsDirectoryCannotBeCreated)
+{
+    const test::TemporaryFolder folder;
+    test::writeFile(folder / "file", "");
+    test::expectError(
+        ErrorCode::cannotCreate, [&] { PngSequence sequence(folder / "file", 0); }, "file");
+}
+
+} // namespace
+} // namespace frostfill

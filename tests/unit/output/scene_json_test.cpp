@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "output/scene_json.hpp"
+
+#include "support/expect_error.hpp"
+
+namespace frostfill
+{
+namespace
+{
+
+TEST(SceneJson, givesBackTheScene)
+{
+    for (const char* mesh : {"torus", "human", "some/file.obj"})
+    {
+        Scene scene = presetScene(Preset::paper, mesh);
+        scene.camera.target = Eigen::Vector3d(1, 2.5, -1.0 / 3.0);
+        scene.spheres.radius = 0.1 + 0.2;
+        const auto text = sceneToJson(scene).dump();
+        const Scene back = sceneFromJson(nlohmann::ordered_json::parse(text), "test");
+        EXPECT_EQ(sceneToToml(back), sceneToToml(scene));
+    }
+}
+
+TEST(SceneJson, hasTheKeysOfASceneFile)
+{
+    const auto json = sceneToJson(presetScene(Preset::paper, "torus"));
+    EXPECT_EQ(json["spheres"]["count"], 320);
+    EXPECT_TRUE(json["spheres"]["radius"].is_null());
+    EXPECT_EQ(json["motion"]["integrator"], "explicit");
+}
+
+TEST(SceneJson, namesAKeyThatIsMissingOrWrong)
+{
+    auto json = sceneToJson(presetScene(Preset::paper, "torus"));
+    json["motion"]["restitution"] = 7;
+    test::expectError(
+        ErrorCode::badData, [&] { (void)sceneFromJson(json, "summary.json"); }, "summary.json",
+        "motion.restitution");
+    json["motion"].erase("restitution");
+    test::expectError(
+        ErrorCode::badData, [&] { (void)sceneFromJson(json, "summary.json"); },
+        "motion.restitution");
+}
+
+} // namespace
+} // namespace frostfill
