@@ -19,10 +19,11 @@ constexpr double kCalm = 0.03;            // a calm sphere moves less than this 
 constexpr double kContactGap = 0.01;      // below which a contact carries, for the first look [r]
 constexpr double kMostlyCarried = 0.5;    // weight that may be missing at that first look
 constexpr double kLongestSettling = 0.15; // a sphere that is frozen comes down by less [r]
-constexpr double kMostOverlap = 0.05;     // with a runner, of a place where a sphere is frozen [r]
-constexpr std::uint32_t kPatience = 8;    // calm windows after which a sphere stops giving way
-constexpr double kStillRunning = 0.2;     // share of a set that may run when the next one appears
-constexpr double kFootprint = 0.1;        // share of the cross-section that a set covers by default
+constexpr double kNearRoom = 0.1; // that a runner may be moved out of a freezing one's place [r]
+constexpr double kFarRoom = 1;    // the same for one that is overdue [r]
+constexpr std::uint32_t kPatience = 8; // calm windows after which a sphere stops giving way
+constexpr double kStillRunning = 0.2;  // share of a set that may run when the next one appears
+constexpr double kFootprint = 0.1;     // share of the cross-section that a set covers by default
 
 double timeStep(const World& world)
 {
@@ -86,18 +87,7 @@ bool FastEngine::releaseSet()
         wanted = std::min(wanted, world_.targetCount - world_.spheres.size());
     }
     const std::size_t before = world_.spheres.size();
-    const auto suits = [this](const Eigen::Vector3d& place)
-    {
-        for (std::size_t k = 0; k < running_; ++k)
-        {
-            const double contact = runners_[k].radius + 1 + kClearance;
-            if ((runners_[k].position - place).squaredNorm() < contact * contact)
-            {
-                return false;
-            }
-        }
-        return true;
-    };
+    const auto suits = [this](const Eigen::Vector3d& place) { return clearOfRunners(place); };
     while (world_.spheres.size() - before < wanted)
     {
         const auto place = release_.find(suits);
@@ -172,56 +162,51 @@ void FastEngine::freezeCalm()
     frozen_.assign(running_, false);
     for (const std::uint32_t k : order)
     {
-        frozen_[k] = tryFreeze(runners_[k]);
+        if (!frozen_[k])
+        {
+            frozen_[k] = tryFreeze(k);
+        }
     }
     forgetFrozen();
 }
 
-bool FastEngine::tryFreeze(Runner& runner)
+bool FastEngine::tryFreeze(std::uint32_t index)
 {
+    Runner& runner = runners_[index];
     const bool tooOld = runner.age > ageLimit_;
-    Eigen::Vector3d place = runner.position;
-    runner.around.ensure(world_, place, runner.radius, 0);
-    contactNormals(world_.surface, runner.around, place, runner.radius, kContactGap,
+    runner.yields = runner.yields && runner.calmWindows < kPatience && !tooOld;
+    runner.around.ensure(world_, runner.position, runner.radius, 0);
+    contactNormals(world_.surface, runner.around, runner.position, runner.radius, kContactGap,
                    runner.normals);
     const double missing = projectToFree({0, -1, 0}, runner.normals).norm();
     if (missing > kMostlyCarried && !tooOld)
     {
-        runner.yields = runner.calmWindows < kPatience;
         return false;
     }
-    if (!moveClear(world_, place, runner.radius, tooOld ? 1 : kLongestSettling) ||
-        !descent_.settle(place, runner.radius))
-    {
-        if (tooOld)
-        {
-            if (const auto other = release_.find([](const Eigen::Vector3d&) { return true; }))
-            {
-                runner.restart(runner.id, *other);
-            }
-        }
-        return false;
-    }
-    if (tooOld)
-    {
-        freezeAt(runner, place);
-        return true;
-    }
-    if ((place - runner.position).squaredNorm() > kLongestSettling * kLongestSettling)
+    Eigen::Vector3d place = runner.position;
+    if (!descent_.settle(place, runner.radius) && !tooOld)
     {
         return false;
     }
-    for (const std::uint32_t k : runner.meeting)
+    const double way = (place - runner.position).squaredNorm();
+    if (way > kLongestSettling * kLongestSettling && !tooOld)
     {
-        const double contact = runner.radius + runners_[k].radius - kMostOverlap;
-        if (!frozen_[k] && runner.yields &&
-            (runners_[k].position - place).squaredNorm() < contact * contact)
-        {
-            runner.yields = runner.calmWindows < kPatience;
-            return false;
-        }
+        return false;
     }
     freezeAt(runner, place);
+    if (!makeRoom(index, tooOld ? kFarRoom : kNearRoom))
+    {
+        if (!tooOld)
+        {
+            world_.unfreezeLast();
+            world_.spheres.setPosition(runner.id, runner.position);
+            return false;
+        }
+        evict(index);
+    }
+    falls_.insert(place);
+    release_.close(place, runner.radius);
+    wakeAround(place);
     return true;
 }
 
@@ -229,9 +214,85 @@ void FastEngine::freezeAt(Runner& runner, const Eigen::Vector3d& place)
 {
     world_.spheres.setPosition(runner.id, place);
     world_.freeze(runner.id);
-    falls_.insert(place);
-    release_.close(place, runner.radius);
-    wakeAround(place);
+}
+
+// Moves every runner that the sphere just frozen overlaps to a clear place nearby. Returns false,
+// and moves none, when one of them cannot be moved.
+bool FastEngine::makeRoom(std::uint32_t index, double farthest)
+{
+    const Eigen::Vector3d place = world_.spheres.position(runners_[index].id);
+    moved_.clear();
+    for (std::uint32_t k = 0; k < running_; ++k)
+    {
+        Runner& other = runners_[k];
+        const double contact = other.radius + runners_[index].radius;
+        if (k == index || frozen_[k] || (other.position - place).squaredNorm() >= contact * contact)
+        {
+            continue;
+        }
+        Eigen::Vector3d clear = other.position;
+        if (!moveClear(world_, clear, other.radius, farthest))
+        {
+            return false;
+        }
+        moved_.emplace_back(k, clear);
+    }
+    for (const auto& [k, clear] : moved_)
+    {
+        runners_[k].position = clear;
+    }
+    return true;
+}
+
+// The last resort, for a sphere that has been running for far too long and rests where others are:
+// these appear again elsewhere, or are withdrawn when the object is full.
+void FastEngine::evict(std::uint32_t index)
+{
+    const Eigen::Vector3d place = world_.spheres.position(runners_[index].id);
+    for (std::uint32_t k = 0; k < running_; ++k)
+    {
+        Runner& other = runners_[k];
+        const double contact = other.radius + runners_[index].radius;
+        if (k == index || frozen_[k] || (other.position - place).squaredNorm() >= contact * contact)
+        {
+            continue;
+        }
+        Eigen::Vector3d clear = other.position;
+        if (moveClear(world_, clear, other.radius, kFarRoom))
+        {
+            other.position = clear;
+        }
+        else if (const auto elsewhere =
+                     release_.find([this](const Eigen::Vector3d& p) { return clearOfRunners(p); }))
+        {
+            other.restart(other.id, *elsewhere);
+        }
+        else
+        {
+            frozen_[k] = true; // not to be looked at any more
+            const std::uint32_t renumbered = world_.withdraw(other.id);
+            for (std::uint32_t other2 = 0; other2 < running_; ++other2)
+            {
+                if (runners_[other2].id == renumbered)
+                {
+                    runners_[other2].id = other.id;
+                }
+            }
+        }
+    }
+}
+
+bool FastEngine::clearOfRunners(const Eigen::Vector3d& place) const
+{
+    for (std::size_t k = 0; k < running_; ++k)
+    {
+        const double contact = runners_[k].radius + 1 + kClearance;
+        if ((runners_[k].position - place).squaredNorm() < contact * contact)
+        {
+            return false;
+        }
+    }
+    return true;
 }
 
 void FastEngine::wakeAround(const Eigen::Vector3d& place)

@@ -27,7 +27,10 @@ private:
     bool releaseSet();
     void advance();
     void freezeCalm();
-    [[nodiscard]] bool tryFreeze(Runner& runner);
+    [[nodiscard]] bool tryFreeze(std::uint32_t index);
+    [[nodiscard]] bool makeRoom(std::uint32_t index, double farthest);
+    void evict(std::uint32_t index);
+    [[nodiscard]] bool clearOfRunners(const Eigen::Vector3d& place) const;
     void freezeAt(Runner& runner, const Eigen::Vector3d& place);
     void wakeAround(const Eigen::Vector3d& place);
     void forgetFrozen();
@@ -41,7 +44,8 @@ private:
     SetClock clock_;
     std::vector<Runner> runners_; ///< the first running_ are in use; the others keep their memory
     std::size_t running_ = 0;
-    std::vector<bool> frozen_; ///< by runner, in this step
+    std::vector<bool> frozen_;                                     ///< by runner, in this step
+    std::vector<std::pair<std::uint32_t, Eigen::Vector3d>> moved_; ///< scratch of makeRoom
     std::uint32_t windowSteps_ = 1;
     std::uint32_t stepsInWindow_ = 0;
     std::uint32_t nextGroup_ = 0;

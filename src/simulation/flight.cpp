@@ -39,26 +39,20 @@ void Flight::advance(Runner& runner, double dt) const
     const int mostParts = kMostParts + static_cast<int>(longest / (Neighbourhood::kSkin / 2));
     for (int part = 0; part < mostParts && left > 0; ++part)
     {
-        // Acceleration: what the contacts that are not being left let through of gravity.
         runner.around.ensure(world_, runner.position, runner.radius, Neighbourhood::kSkin / 2);
         contactNormals(world_.surface, runner.around, runner.position, runner.radius, kTouch,
                        runner.normals);
         collide(runner);
-        const bool inContact = !runner.normals.empty();
-        // A contact is left when the speed away from it outlasts gravity.
-        const Eigen::Vector3d free = runner.velocity + 0.5 * left * gravity;
-        std::erase_if(runner.normals,
-                      [&](const Eigen::Vector3d& normal) { return normal.dot(free) > 0; });
-        const Eigen::Vector3d acceleration = projectToFree(gravity, runner.normals);
 
-        // The chord of the parabola, as far as the neighbourhood reaches. Where the path ends early
-        // the speed is that of an earlier point of the parabola: energy is lost there, never
-        // gained.
-        const Eigen::Vector3d way = left * runner.velocity + 0.5 * left * left * acceleration;
+        // The chord of the parabola, as far as contacts and the neighbourhood let it. Where the
+        // path ends early the speed is that of an earlier point of the parabola: energy is lost
+        // there, never gained.
+        const Eigen::Vector3d way =
+            projectToFree(left * runner.velocity + 0.5 * left * left * gravity, runner.normals);
         const double length = way.norm();
         if (length < kStandsStill)
         {
-            runner.velocity += left * acceleration;
+            runner.velocity = projectToFree(runner.velocity + left * gravity, runner.normals);
             break;
         }
         const double limit = std::min(length, runner.around.room(runner.position));
@@ -67,8 +61,8 @@ void Flight::advance(Runner& runner, double dt) const
                                      direction, limit);
         const double share = path / length;
         runner.position += path * direction;
-        runner.velocity += share * left * acceleration;
-        if (inContact)
+        runner.velocity = projectToFree(runner.velocity + share * left * gravity, runner.normals);
+        if (!runner.normals.empty())
         {
             runner.velocity *= 1 - std::min(1.0, settings_.damping * share * left);
         }

@@ -104,7 +104,7 @@ bool ReleaseSearch::takenForGood(const Eigen::Vector3d& site) const
     world_.resting.forEachNear(site, limit,
                                [&](std::uint32_t id)
                                {
-                                   const auto d = world_.spheres.position(id) - site;
+                                   const Eigen::Vector3d d = world_.spheres.position(id) - site;
                                    taken = taken || d.squaredNorm() < limit * limit;
                                });
     return taken;

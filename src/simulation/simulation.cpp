@@ -138,8 +138,8 @@ std::string Simulation::stateHash() const
 void Simulation::capture(Snapshot& snapshot) const
 {
     const World& world = implementation_->world;
-    const std::size_t known = snapshot.centres.size();
     const std::size_t count = world.spheres.size();
+    const std::size_t known = std::min(snapshot.centres.size(), count);
 
     // What may differ from the last capture: new spheres, those that ran then, those that changed
     // their state since.

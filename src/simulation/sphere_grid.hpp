@@ -10,8 +10,7 @@
 namespace frostfill
 {
 
-/// Spheres by cell, as linked lists: insertion is all there is, for spheres at rest stay where they
-/// are. Cells are at least as large as the largest distance asked for.
+/// Spheres by cell, as linked lists. Cells are at least as large as the largest distance asked for.
 class SphereGrid
 {
 public:
@@ -26,6 +25,17 @@ public:
         const std::size_t cell = frame_.index(p);
         next_[id] = head_[cell];
         head_[cell] = id;
+    }
+
+    /// Takes out a sphere that was inserted at p.
+    void remove(std::uint32_t id, const Eigen::Vector3d& p)
+    {
+        std::uint32_t* link = &head_[frame_.index(p)];
+        while (*link != id)
+        {
+            link = &next_[*link];
+        }
+        *link = next_[id];
     }
 
     /// Calls visit(id) for each sphere in the cells that a cube of half-edge `reach` about p meets.

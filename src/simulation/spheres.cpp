@@ -4,6 +4,25 @@
 namespace frostfill
 {
 
+void Spheres::moveTo(std::size_t from, std::size_t to)
+{
+    for (auto* values : {&x, &y, &z, &vx, &vy, &vz, &radius})
+    {
+        (*values)[to] = (*values)[from];
+    }
+    state[to] = state[from];
+}
+
+void Spheres::removeLast()
+{
+    for (auto* values : {&x, &y, &z, &vx, &vy, &vz, &radius})
+    {
+        values->pop_back();
+    }
+    group.pop_back();
+    state.pop_back();
+}
+
 std::uint32_t Spheres::add(const Eigen::Vector3d& p, double r, std::uint32_t groupOfSphere)
 {
     x.push_back(p.x());

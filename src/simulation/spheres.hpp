@@ -36,6 +36,9 @@ struct Spheres
         vy[i] = v.y();
         vz[i] = v.z();
     }
+    /// Gives sphere `to` all that sphere `from` has but its group.
+    void moveTo(std::size_t from, std::size_t to);
+    void removeLast();
     std::uint32_t add(const Eigen::Vector3d& p, double r, std::uint32_t groupOfSphere);
 };
 

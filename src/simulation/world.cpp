@@ -56,6 +56,39 @@ void World::freeze(std::uint32_t id)
     stateChanges.push_back(id);
 }
 
+void World::unfreezeLast()
+{
+    const std::uint32_t id = stateChanges.back();
+    stateChanges.pop_back();
+    spheres.state[id] = SphereState::running;
+    resting.remove(id, spheres.position(id));
+    --restingCount;
+}
+
+std::uint32_t World::withdraw(std::uint32_t id)
+{
+    std::erase(runningIds, id);
+    const auto last = static_cast<std::uint32_t>(spheres.size() - 1);
+    if (last != id)
+    {
+        if (spheres.state[last] == SphereState::running)
+        {
+            std::erase(runningIds, last);
+            runningIds.insert(std::lower_bound(runningIds.begin(), runningIds.end(), id), id);
+        }
+        else
+        {
+            resting.remove(last, spheres.position(last));
+            resting.insert(id, spheres.position(last));
+        }
+        spheres.moveTo(last, id);
+        stateChanges.push_back(id);
+    }
+    std::erase(stateChanges, last);
+    spheres.removeLast();
+    return last;
+}
+
 void World::discard(std::uint32_t id)
 {
     spheres.state[id] = SphereState::discarded;

@@ -62,6 +62,11 @@ struct World
     void freeze(std::uint32_t id);
     /// To be called after freezing: takes the frozen ones out of runningIds.
     void forgetFrozen();
+    /// Takes back the freezing of the sphere that was frozen last, at the same place.
+    void unfreezeLast();
+    /// Takes out a running sphere for which there is no room. The sphere with the highest id takes
+    /// over its id; returns that sphere's old id.
+    std::uint32_t withdraw(std::uint32_t id);
     void discard(std::uint32_t id);
     void discardPolygon(std::uint32_t polygon);
 };
