@@ -42,7 +42,14 @@ enum class DiscardRule : std::uint8_t
 };
 enum class Preset : std::uint8_t
 {
-    paper
+    fast,  ///< our own engine: exact contacts, each sphere frozen as soon as it is carried
+    paper, ///< the paper's method, whole
+};
+enum class Motion : std::uint8_t
+{
+    fall,    ///< every moment of the fall, for animations
+    skip,    ///< spheres appear at their first contact; only settling is simulated
+    descend, ///< no dynamics: each sphere is taken down to a place that carries it
 };
 
 /// What is filled.
@@ -67,7 +74,8 @@ struct SphereSettings
 struct MotionSettings
 {
     double gravity = 9.81; ///< [m/s^2], along the down axis
-    Integrator integrator = Integrator::explicitEuler;
+    Motion mode = Motion::fall; ///< of the preset fast; the paper's spheres always fall
+    Integrator integrator = Integrator::explicitEuler; ///< of the preset paper
     std::optional<double> dt; ///< [s]; chosen so that no fall moves more than r/2 a step
     double restitution = 0.2; ///< [1] 0..1, of every contact
 };
@@ -109,7 +117,7 @@ struct FrameSettings
 struct Scene
 {
     std::string name = "torus";
-    Preset preset = Preset::paper;
+    Preset preset = Preset::fast;
     std::uint64_t seed = 1;
     ObjectSettings object;
     SphereSettings spheres;

@@ -71,14 +71,26 @@ Scene sceneFromFile(const std::string& file)
     return sceneFromJson(summary["scene"], file);
 }
 
+/// The preset decides where all other settings start from, so it is looked at first.
+Preset requestedPreset(const GivenOptions& given)
+{
+    GivenOptions presetAlone;
+    if (const auto found = given.find("preset"); found != given.end())
+        presetAlone.insert(*found);
+    Scene scene;
+    applyGivenOptions(presetAlone, scene);
+    return scene.preset;
+}
+
 Scene requestedScene(const FillArguments& arguments)
 {
     if (arguments.mesh.empty() && arguments.sceneFile.empty())
         throw Error(ErrorCode::usage,
                     "give a MESH (torus, sphere, cube, human or a file) or a --scene; see "
                     "frostfill fill --help");
-    Scene scene = arguments.sceneFile.empty() ? presetScene(Preset::paper, arguments.mesh)
-                                              : sceneFromFile(arguments.sceneFile);
+    Scene scene = arguments.sceneFile.empty()
+                      ? presetScene(requestedPreset(arguments.given), arguments.mesh)
+                      : sceneFromFile(arguments.sceneFile);
     if (!arguments.sceneFile.empty() && !arguments.mesh.empty())
     {
         scene.object.mesh = arguments.mesh;

@@ -44,7 +44,7 @@ std::string placeholder(const Option& option)
 std::string helpWithDefault(const Option& option)
 {
     // The count and the groups depend on the object; what is told is the torus's.
-    const Scene standard = presetScene(Preset::paper, "torus");
+    const Scene standard = presetScene(Preset::fast, "torus");
     return fmt::format("{} ({})", option.help, optionText(option, option.get(standard)));
 }
 

@@ -41,7 +41,12 @@ struct EnumNames<DiscardRule>
 template <>
 struct EnumNames<Preset>
 {
-    static constexpr std::array<const char*, 1> kNames = {"paper"};
+    static constexpr std::array<const char*, 2> kNames = {"fast", "paper"};
+};
+template <>
+struct EnumNames<Motion>
+{
+    static constexpr std::array<const char*, 3> kNames = {"fall", "skip", "descend"};
 };
 
 [[nodiscard]] std::string colourText(const Colour& colour);

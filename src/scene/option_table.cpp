@@ -114,12 +114,12 @@ void addMotion(TableBuilder& table)
         .add("motion.gravity", "--gravity", "Pull along the down axis [m/s^2]",
              FROSTFILL_FIELD(motion.gravity))
         .above(0);
-    table.add("motion.integrator", "--integrator",
-              "Euler's method: explicit as in the paper, or semi-implicit",
+    table.add("motion.mode", "--motion",
+              "fall: every moment; skip: from the first contact on; descend: no dynamics (fast)",
+              FROSTFILL_FIELD(motion.mode));
+    table.add("motion.integrator", "--integrator", "Euler's method, of the preset paper",
               FROSTFILL_FIELD(motion.integrator));
-    table
-        .add("motion.dt", "--dt", "Time step [s]; auto: no fall moves more than r/2 a step",
-             FROSTFILL_FIELD(motion.dt))
+    table.add("motion.dt", "--dt", "Time step [s]", FROSTFILL_FIELD(motion.dt))
         .orNothing("auto")
         .above(0);
     table

@@ -21,6 +21,12 @@ void validateScene(const Scene& scene)
                                     option.flag.empty() ? "" : fmt::format(" ({})", option.flag),
                                     optionText(option, value), describeAllowed(option)));
     }
+    if (scene.preset == Preset::paper && scene.motion.mode != Motion::fall)
+        throw Error(ErrorCode::usage, "the spheres of the preset paper always fall: leave "
+                                      "motion.mode (--motion) out, or use the preset fast");
+    if (scene.preset == Preset::fast && scene.discard.rule == DiscardRule::paper)
+        throw Error(ErrorCode::usage, "the paper's discards are not exact, so discard.rule "
+                                      "(--discard) paper goes with the preset paper only");
     if (!scene.spheres.radius && !scene.spheres.count)
         throw Error(ErrorCode::usage, "neither a radius nor a count of spheres is given; give "
                                       "--radius, --count or both");

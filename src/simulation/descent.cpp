@@ -50,6 +50,17 @@ bool Descent::settle(Eigen::Vector3d& p, double radius)
     return false;
 }
 
+void Descent::drop(Eigen::Vector3d& p, double radius)
+{
+    around_.invalidate();
+    for (double before = p.y() + 1; p.y() < before;)
+    {
+        before = p.y();
+        around_.ensure(world_, p, radius, kLongestSlide);
+        fall(p, radius);
+    }
+}
+
 void Descent::fall(Eigen::Vector3d& p, double radius)
 {
     const double height = falls_.freeHeight(p);

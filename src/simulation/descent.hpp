@@ -24,6 +24,9 @@ public:
     /// sphere got stuck in a wedge on the way.
     [[nodiscard]] bool settle(Eigen::Vector3d& p, double radius);
 
+    /// Takes p straight down to its first contact.
+    void drop(Eigen::Vector3d& p, double radius);
+
     /// Path steps made so far, for statistics.
     [[nodiscard]] std::uint64_t steps() const { return steps_; }
 

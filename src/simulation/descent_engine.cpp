@@ -10,6 +10,8 @@ namespace
 
 /// A run is recorded as at most so many sets.
 constexpr std::size_t kMostSets = 200;
+/// Nothing moves in time here; a set counts as this, so that frames show the object fill up.
+constexpr double kTimeOfSet = 1; // [sqrt(r/g)]
 
 } // namespace
 
@@ -18,8 +20,13 @@ DescentEngine::DescentEngine(World& world)
       descent_(world, falls_)
 {
     const SphereSettings& spheres = world.scene.spheres;
+    world.dt = kTimeOfSet;
     setSize_ = std::max<std::size_t>(std::size_t{spheres.groupSize} * spheres.groupsPerSet,
                                      expectedCount(world) / kMostSets);
+    if (!release_.any())
+    {
+        refuseTooLarge(world);
+    }
 }
 
 bool DescentEngine::step()
@@ -45,6 +52,7 @@ bool DescentEngine::step()
         world_.full = placed < wanted;
     }
     ++world_.steps;
+    world_.time += world_.dt;
     clock_.close(world_);
     world_.finished = world_.full || world_.spheres.size() == world_.targetCount;
     return true;

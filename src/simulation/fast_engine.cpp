@@ -48,6 +48,10 @@ FastEngine::FastEngine(World& world)
       encounters_(world, flight_, {world.scene.motion.restitution}), setSize_(spheresInSet(world)),
       ageLimit_(world.scene.freezing.setTimeLimit + 4 * std::sqrt(2 * world.height))
 {
+    if (!release_.any())
+    {
+        refuseTooLarge(world);
+    }
     world.dt = timeStep(world);
     windowSteps_ = std::max(1u, static_cast<std::uint32_t>(std::lround(kWindow / world.dt)));
 }
@@ -87,23 +91,33 @@ bool FastEngine::releaseSet()
         wanted = std::min(wanted, world_.targetCount - world_.spheres.size());
     }
     const std::size_t before = world_.spheres.size();
-    const auto suits = [this](const Eigen::Vector3d& place) { return clearOfRunners(place); };
+    // Free flight is analytic: with Motion::skip a sphere appears where it would touch first.
+    const bool skip = world_.scene.motion.mode == Motion::skip;
+    Eigen::Vector3d start;
+    const auto suits = [&](const Eigen::Vector3d& place)
+    {
+        start = place;
+        if (skip)
+        {
+            descent_.drop(start, 1);
+        }
+        return clearOfRunners(start);
+    };
     while (world_.spheres.size() - before < wanted)
     {
-        const auto place = release_.find(suits);
-        if (!place)
+        if (!release_.find(suits))
         {
             break;
         }
         const std::size_t inSet = world_.spheres.size() - before;
         const auto group =
             nextGroup_ + static_cast<std::uint32_t>(inSet / world_.scene.spheres.groupSize);
-        const std::uint32_t id = world_.release(*place, 1, group);
+        const std::uint32_t id = world_.release(start, 1, group);
         if (running_ == runners_.size())
         {
             runners_.emplace_back();
         }
-        runners_[running_++].restart(id, *place);
+        runners_[running_++].restart(id, start);
     }
     if (world_.spheres.size() == before)
     {

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <simulation/paper_engine.hpp>
 
-#include <frostfill/error.hpp>
 #include <simulation/paper_discards.hpp>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -66,10 +63,7 @@ PaperEngine::PaperEngine(World& world)
 {
     if (release_.find(1).empty())
     {
-        throw Error(ErrorCode::badData,
-                    fmt::format("not one sphere of radius {:g} fits into {}: choose a smaller "
-                                "--radius or a larger --count",
-                                world.frame.length, world.scene.object.mesh));
+        refuseTooLarge(world);
     }
 }
 

@@ -50,6 +50,12 @@ public:
         return std::nullopt;
     }
 
+    /// Whether a single place is free now.
+    [[nodiscard]] bool any()
+    {
+        return find([](const Eigen::Vector3d&) { return true; }).has_value();
+    }
+
     /// To be called for each sphere that has come to rest.
     void close(const Eigen::Vector3d& centre, double radius) { sites_.close(centre, radius); }
 

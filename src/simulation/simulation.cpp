@@ -21,11 +21,15 @@ namespace
 
 std::unique_ptr<Engine> makeEngine(World& world)
 {
-    if (std::getenv("DESC"))
+    if (world.scene.preset == Preset::paper)
+    {
+        return std::make_unique<PaperEngine>(world);
+    }
+    if (world.scene.motion.mode == Motion::descend)
+    {
         return std::make_unique<DescentEngine>(world);
-    if (std::getenv("FAST"))
-        return std::make_unique<FastEngine>(world);
-    return std::make_unique<PaperEngine>(world);
+    }
+    return std::make_unique<FastEngine>(world);
 }
 
 } // namespace

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <simulation/world.hpp>
 
+#include <frostfill/error.hpp>
+
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numbers>
 
@@ -100,6 +104,14 @@ void World::discardPolygon(std::uint32_t polygon)
 {
     polygons[polygon] = PolygonState::discarded;
     ++discardedPolygons;
+}
+
+void refuseTooLarge(const World& world)
+{
+    throw Error(ErrorCode::badData,
+                fmt::format("not one sphere of radius {:g} fits into {}: choose a smaller --radius "
+                            "or a larger --count",
+                            world.frame.length, world.scene.object.mesh));
 }
 
 std::size_t expectedCount(const World& world)

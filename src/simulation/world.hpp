@@ -74,6 +74,9 @@ struct World
 /// Spheres that the run aims at: the count, or the wall-corrected estimate of how many fit.
 [[nodiscard]] std::size_t expectedCount(const World& world);
 
+/// Throws Error badData: not one sphere of the run's radius fits into the object.
+[[noreturn]] void refuseTooLarge(const World& world);
+
 /// Moves a world. One time step of the paper's method, or of ours.
 class Engine
 {
