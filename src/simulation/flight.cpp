@@ -17,6 +17,12 @@ constexpr double kStandsStill = 1e-12; // displacement not worth following [r]
 constexpr int kMostParts = 12;         // contacts met in one step's path
 constexpr int kMostShifts = 3;         // straight parts of one displacement
 
+// Displacement within the time under gravity, as far as the contacts let it.
+Eigen::Vector3d freeWay(const Runner& runner, double time, const Eigen::Vector3d& gravity)
+{
+    return projectToFree(time * runner.velocity + 0.5 * time * time * gravity, runner.normals);
+}
+
 } // namespace
 
 void Runner::restart(std::uint32_t newId, const Eigen::Vector3d& p)
@@ -37,36 +43,42 @@ void Flight::advance(Runner& runner, double dt) const
     double left = dt;
     const double longest = dt * (runner.velocity.norm() + dt);
     const int mostParts = kMostParts + static_cast<int>(longest / (Neighbourhood::kSkin / 2));
-    for (int part = 0; part < mostParts && left > 0; ++part)
+    for (int part = 0; part < mostParts && left > 1e-12 * dt; ++part)
     {
         runner.around.ensure(world_, runner.position, runner.radius, Neighbourhood::kSkin / 2);
         contactNormals(world_.surface, runner.around, runner.position, runner.radius, kTouch,
                        runner.normals);
         collide(runner);
 
-        // The chord of the parabola, as far as contacts and the neighbourhood let it. Where the
-        // path ends early the speed is that of an earlier point of the parabola: energy is lost
-        // there, never gained.
-        const Eigen::Vector3d way =
-            projectToFree(left * runner.velocity + 0.5 * left * left * gravity, runner.normals);
+        // The chord of the parabola over as much of the time as the neighbourhood reaches. Where a
+        // contact ends it early, the speed is that of an earlier point of the parabola: energy is
+        // lost there, never gained.
+        double time = left;
+        Eigen::Vector3d way = freeWay(runner, time, gravity);
+        const double room = runner.around.room(runner.position);
+        while (way.norm() > room)
+        {
+            time *= std::clamp(0.95 * room / way.norm(), 0.1, 0.95);
+            way = freeWay(runner, time, gravity);
+        }
         const double length = way.norm();
         if (length < kStandsStill)
         {
-            runner.velocity = projectToFree(runner.velocity + left * gravity, runner.normals);
-            break;
+            runner.velocity = projectToFree(runner.velocity + time * gravity, runner.normals);
+            left -= time;
+            continue;
         }
-        const double limit = std::min(length, runner.around.room(runner.position));
         const Eigen::Vector3d direction = way / length;
         const double path = freePath(world_.surface, runner.around, runner.position, runner.radius,
-                                     direction, limit);
+                                     direction, length);
         const double share = path / length;
         runner.position += path * direction;
-        runner.velocity = projectToFree(runner.velocity + share * left * gravity, runner.normals);
+        runner.velocity = projectToFree(runner.velocity + share * time * gravity, runner.normals);
         if (!runner.normals.empty())
         {
-            runner.velocity *= 1 - std::min(1.0, settings_.damping * share * left);
+            runner.velocity *= 1 - std::min(1.0, settings_.damping * share * time);
         }
-        left *= 1 - share;
+        left -= path < length ? share * time : time;
     }
     runner.around.ensure(world_, runner.position, runner.radius, Neighbourhood::kSkin / 2);
     contactNormals(world_.surface, runner.around, runner.position, runner.radius, kTouch,

@@ -15,6 +15,8 @@ constexpr double kSlides = 1e-7;
 constexpr double kReached = 1e-10;
 /// A triangle whose back is turned this far belongs to another sheet of a thin wall. [r]
 constexpr double kOtherSheet = -0.5;
+/// One minus the cosine up to which a plane's normal and the direction to its edge agree.
+constexpr double kBelow = 1e-13;
 /// Newton's method converges quadratically; more steps than this mean a grazing approach.
 constexpr int kNewtonSteps = 40;
 
@@ -109,13 +111,18 @@ void contactNormals(const Surface& surface, const Neighbourhood& around, const E
             continue;
         }
         const SignedDistance wall = signedDistance(surface[id], p);
-        if (wall.value <= 0 || wall.value > radius + gap ||
-            surface[id].flat[static_cast<int>(wall.feature)])
+        if (wall.value <= 0 || wall.value > radius + gap)
         {
             continue;
         }
-        // Triangles that meet at the closest point give the same normal.
+        // On a plane only the triangle below counts, or those that meet exactly below; all of them
+        // give the same normal.
         const Eigen::Vector3d normal = (p - wall.closest) / wall.value;
+        if (surface[id].flat[static_cast<int>(wall.feature)] &&
+            normal.dot(surface[id].normal) < 1 - kBelow)
+        {
+            continue;
+        }
         const auto same = [&](const Eigen::Vector3d& n) { return n.dot(normal) > 1 - 1e-14; };
         if (std::none_of(normals.begin(), normals.end(), same))
         {

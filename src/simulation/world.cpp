@@ -88,7 +88,6 @@ std::uint32_t World::withdraw(std::uint32_t id)
         spheres.moveTo(last, id);
         stateChanges.push_back(id);
     }
-    std::erase(stateChanges, last);
     spheres.removeLast();
     return last;
 }

@@ -45,15 +45,15 @@ TEST_P(FreeFall, HasExactlyTheErrorOfItsIntegrator)
     }
 }
 
+std::string nameOf(const ::testing::TestParamInfo<Integrator>& info)
+{
+    return info.param == Integrator::explicitEuler ? "ExplicitEuler" : "SemiImplicitEuler";
+}
+
 INSTANTIATE_TEST_SUITE_P(BothIntegrators, FreeFall,
                          ::testing::Values(Integrator::explicitEuler,
                                            Integrator::semiImplicitEuler),
-                         [](const auto& info)
-                         {
-                             return std::string(info.param == Integrator::explicitEuler
-                                                    ? "ExplicitEuler"
-                                                    : "SemiImplicitEuler");
-                         });
+                         nameOf);
 
 } // namespace
 } // namespace frostfill

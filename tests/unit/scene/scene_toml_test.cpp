@@ -27,7 +27,7 @@ Scene unusualScene()
     scene.seed = 9007199254740992;
     scene.object = {"dir with space/mesh.stl", Axis::z, 1 / 0.0254};
     scene.spheres = {0.1 + 0.2, std::nullopt, true, 3, 7};
-    scene.motion = {1.0 / 3.0, Integrator::semiImplicitEuler, 1e-300, 1};
+    scene.motion = {1.0 / 3.0, Motion::descend, Integrator::semiImplicitEuler, 1e-300, 1};
     scene.freezing = {0, 0.30000000000000004, 5e-324, 1e308};
     scene.discard = {DiscardRule::none, 0, 2};
     scene.search = {SphereSearch::allPairs, PolygonSearch::list};
@@ -55,10 +55,10 @@ TEST(SceneToml, standsOnThePresetOfItsMesh)
 {
     const Scene scene =
         parseScene("[object]\nmesh = \"cube\"\n[motion]\nrestitution = 1\n", "test");
-    Scene expected = presetScene(Preset::paper, "cube");
+    Scene expected = presetScene(Preset::fast, "cube");
     expected.motion.restitution = 1;
     expectEqual(scene, expected);
-    expectEqual(parseScene("", "test"), presetScene(Preset::paper, "torus"));
+    expectEqual(parseScene("", "test"), presetScene(Preset::fast, "torus"));
 }
 
 TEST(SceneToml, fillsUntilFullWhenOnlyARadiusIsGiven)
