@@ -74,7 +74,7 @@ ReachMap::ReachMap(const Surface& surface, const InsideTest& inside, const Radii
     search_ = VoxelFlood(layout_);
     open_.assign(layout_.words, 0);
     seeds_.assign(layout_.words, 0);
-    anchor_.assign(layout_.words, 0);
+    marks_.assign(layout_.words, 0);
     triangleCursor_.assign(surface.size(), 0);
     const auto& count = layout_.frame.count;
     for (int y = 0; y < count[1]; ++y)
@@ -105,18 +105,19 @@ void ReachMap::blockTriangles()
     for (const SurfaceTriangle& triangle : surface_.triangles())
     {
         const TriangleRows rows(layout_.frame, triangle, reach);
-        for (std::uint32_t row = 0; row < rows.window().size(); ++row)
-        {
-            const VoxelRun run = rows.run(row);
-            for (int x = run.first; x <= run.last; ++x)
+        rows.window().forEach(
+            [&](int y, int z)
             {
-                const VoxelWord cube = layout_.at(x, run.y, run.z);
-                if ((open_[cube.word] & cube.bits) != 0 && rows.near(x, run.y, run.z))
+                const VoxelRun run = rows.run(y, z);
+                for (int x = run.first; x <= run.last; ++x)
                 {
-                    open_[cube.word] &= ~cube.bits;
+                    const VoxelWord cube = layout_.at(x, y, z);
+                    if ((open_[cube.word] & cube.bits) != 0 && rows.near(x, y, z))
+                    {
+                        open_[cube.word] &= ~cube.bits;
+                    }
                 }
-            }
-        }
+            });
     }
 }
 

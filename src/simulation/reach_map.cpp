@@ -65,15 +65,16 @@ void ReachMap::setSeeds(std::span<const Eigen::Vector3d> points, double distance
     for (const Eigen::Vector3d& p : points)
     {
         const BallRows rows(layout_.frame, p, distance + kRounding, kMeetsBall);
-        for (std::uint32_t row = 0; row < rows.window().size(); ++row)
-        {
-            const VoxelRun run = rows.run(row);
-            if (run.first <= run.last)
+        rows.window().forEach(
+            [&](int y, int z)
             {
-                layout_.forEachWord(run.y, run.z, run.first, run.last,
-                                    [&](VoxelWord w) { seeds[w.word] |= w.bits; });
-            }
-        }
+                const VoxelRun run = rows.run(y, z);
+                if (run.first <= run.last)
+                {
+                    layout_.forEachWord(y, z, run.first, run.last,
+                                        [&](VoxelWord w) { seeds[w.word] |= w.bits; });
+                }
+            });
     }
     replaceSeeds(std::move(seeds));
 }
@@ -99,24 +100,36 @@ void ReachMap::addResting(const Eigen::Vector3d& centre, double radius)
         return;
     }
     const BallRows rows(layout_.frame, centre, exclusion(radius + radii_.smallest), kInsideBall);
-    for (std::uint32_t row = 0; row < rows.window().size(); ++row)
+    const VoxelRun widest = rows.widest();
+    if (widest.first > widest.last)
     {
-        const VoxelRun run = rows.run(row);
-        if (run.first > run.last)
-        {
-            continue;
-        }
-        layout_.forEachWord(run.y, run.z, run.first, run.last,
-                            [&](VoxelWord w)
-                            {
-                                const std::uint64_t bits = open_[w.word] & w.bits;
-                                if (bits != 0)
-                                {
-                                    open_[w.word] &= ~bits;
-                                    blocked_.push_back({w.word, bits});
-                                }
-                            });
+        return;
     }
+    rows.window().forEach(
+        [&](int y, int z)
+        {
+            // Most rows that a sphere at rest meets have been closed by its neighbours.
+            if (!layout_.any(open_, y, z, widest.first, widest.last))
+            {
+                return;
+            }
+            const VoxelRun run = rows.run(y, z);
+            if (run.first <= run.last)
+            {
+                layout_.forEachWord(y, z, run.first, run.last, [&](VoxelWord w) { block(w); });
+            }
+        });
+}
+
+void ReachMap::block(VoxelWord cubes)
+{
+    const std::uint64_t bits = open_[cubes.word] & cubes.bits;
+    if (bits == 0)
+    {
+        return;
+    }
+    open_[cubes.word] &= ~bits;
+    mark({cubes.word, bits});
 }
 
 bool ReachMap::contains(const Eigen::Vector3d& p) const
@@ -135,35 +148,36 @@ bool ReachMap::reaches(const Eigen::Vector3d& p, double distance) const
     {
         return true;
     }
-    const BallRows rows(layout_.frame, p, distance + kRounding, kMeetsBall);
-    for (std::uint32_t row = 0; row < rows.window().size(); ++row)
-    {
-        const VoxelRun run = rows.run(row);
-        if (run.first <= run.last && layout_.any(open_, run.y, run.z, run.first, run.last))
-        {
-            return true;
-        }
-    }
-    return false;
+    Cursor fromTheTop = 0;
+    return findReached(p, distance + kRounding, fromTheTop);
 }
 
 bool ReachMap::sphereDroppable(const Eigen::Vector3d& centre, double radius, Cursor& cursor) const
 {
-    if (!active_)
+    const double distance = radius + radii_.largest + margins_.query + kRounding;
+    return active_ && !findReached(centre, distance, cursor);
+}
+
+// From row `cursor` on.
+bool ReachMap::findReached(const Eigen::Vector3d& p, double distance, Cursor& cursor) const
+{
+    const BallRows rows(layout_.frame, p, distance, kMeetsBall);
+    const VoxelRun widest = rows.widest();
+    if (widest.first > widest.last)
     {
         return false;
     }
-    const double distance = radius + radii_.largest + margins_.query + kRounding;
-    const BallRows rows(layout_.frame, centre, distance, kMeetsBall);
-    for (; cursor < rows.window().size(); ++cursor)
-    {
-        const VoxelRun run = rows.run(cursor);
-        if (run.first <= run.last && layout_.any(open_, run.y, run.z, run.first, run.last))
-        {
-            return false;
-        }
-    }
-    return true;
+    return rows.window().find(cursor,
+                              [&](int y, int z)
+                              {
+                                  if (!layout_.any(open_, y, z, widest.first, widest.last))
+                                  {
+                                      return false;
+                                  }
+                                  const VoxelRun run = rows.run(y, z);
+                                  return run.first <= run.last &&
+                                         layout_.any(open_, y, z, run.first, run.last);
+                              });
 }
 
 bool ReachMap::polygonDroppable(std::uint32_t triangle)
@@ -175,23 +189,22 @@ bool ReachMap::polygonDroppable(std::uint32_t triangle)
     const double distance =
         radii_.largest + margins_.query + kHalfDiagonal * layout_.frame.cell + kRounding;
     const TriangleRows rows(layout_.frame, surface_[triangle], distance);
-    for (Cursor& cursor = triangleCursor_[triangle]; cursor < rows.window().size(); ++cursor)
-    {
-        const VoxelRun run = rows.run(cursor);
-        if (run.last < run.first || !layout_.any(open_, run.y, run.z, run.first, run.last))
+    return !rows.window().find(
+        triangleCursor_[triangle],
+        [&](int y, int z)
         {
-            continue;
-        }
-        for (int x = run.first; x <= run.last; ++x)
-        {
-            const VoxelWord cube = layout_.at(x, run.y, run.z);
-            if ((open_[cube.word] & cube.bits) != 0 && rows.near(x, run.y, run.z))
+            const VoxelRun run = rows.run(y, z);
+            bool found = false;
+            if (run.first <= run.last && layout_.any(open_, y, z, run.first, run.last))
             {
-                return false;
+                for (int x = run.first; x <= run.last && !found; ++x)
+                {
+                    const VoxelWord cube = layout_.at(x, y, z);
+                    found = (open_[cube.word] & cube.bits) != 0 && rows.near(x, y, z);
+                }
             }
-        }
-    }
-    return true;
+            return found;
+        });
 }
 
 } // namespace frostfill

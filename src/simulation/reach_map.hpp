@@ -139,9 +139,12 @@ private:
     void blockTriangles();
     void keepInside(const InsideTest& inside);
     void replaceSeeds(VoxelBits seeds);
+    void block(VoxelWord cubes);
+    void takeBlocked();
     bool anchorRunning(std::span<const Eigen::Vector3d> running);
     void settle(VoxelWord suspects);
-    void releaseAnchors();
+    void mark(VoxelWord cubes);
+    [[nodiscard]] bool findReached(const Eigen::Vector3d& p, double distance, Cursor& cursor) const;
     [[nodiscard]] double exclusion(double contact) const;
 
     const Surface& surface_;
@@ -152,14 +155,15 @@ private:
     bool flooded_ = false;
     std::optional<Eigen::Vector3d> leak_;
     std::size_t reachedCount_ = 0;
-    VoxelBits open_;   ///< not blocked and inside; once flooded, the reached cubes
-    VoxelBits seeds_;  ///< where spheres may be released; some may be blocked by now
-    VoxelBits anchor_; ///< known to be connected with a seed, while an update runs
+    VoxelBits open_;  ///< not blocked and inside; once flooded, the reached cubes
+    VoxelBits seeds_; ///< where spheres may be released; some may be blocked by now
+    /// Between updates the cubes that were reached until spheres came to rest there; during an
+    /// update those that are known to be connected with a seed.
+    VoxelBits marks_;
+    std::vector<std::size_t> markedWords_; ///< words of marks_ that are not empty
     VoxelFlood search_;
-    std::vector<VoxelWord> blocked_;       ///< reached until spheres came to rest there
-    std::vector<VoxelWord> unseeded_;      ///< no seeds any more
-    std::vector<VoxelWord> runningCubes_;  ///< seeds of the last update
-    std::vector<std::size_t> anchorWords_; ///< words of anchor_ that are not empty
+    std::vector<VoxelWord> unseeded_;     ///< no seeds any more
+    std::vector<VoxelWord> runningCubes_; ///< seeds of the last update
     std::vector<VoxelWord> lost_;
     std::vector<Cursor> triangleCursor_; ///< [#T]
 };

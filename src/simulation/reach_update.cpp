@@ -39,8 +39,7 @@ bool ReachMap::flood(std::span<const Eigen::Vector3d> running)
             reached[w.word] = w.bits;
             reachedCount_ += static_cast<std::size_t>(std::popcount(w.bits));
         });
-    lost_ = std::move(blocked_);
-    blocked_.clear();
+    takeBlocked();
     unseeded_.clear();
     for (std::size_t word = 0; word < layout_.words; ++word)
     {
@@ -65,8 +64,7 @@ bool ReachMap::update(std::span<const Eigen::Vector3d> running)
     {
         return true;
     }
-    lost_ = std::move(blocked_);
-    blocked_.clear();
+    takeBlocked();
     const std::vector<VoxelWord> left = std::move(runningCubes_);
     const bool trusted = anchorRunning(running);
 
@@ -86,13 +84,37 @@ bool ReachMap::update(std::span<const Eigen::Vector3d> running)
     {
         settle(suspects);
     }
-    releaseAnchors();
+    for (const std::size_t word : markedWords_)
+    {
+        marks_[word] = 0;
+    }
+    markedWords_.clear();
 
     for (const VoxelWord lost : lost_)
     {
         reachedCount_ -= static_cast<std::size_t>(std::popcount(lost.bits));
     }
     return trusted;
+}
+
+void ReachMap::takeBlocked()
+{
+    lost_.clear();
+    for (const std::size_t word : markedWords_)
+    {
+        lost_.push_back({word, marks_[word]});
+        marks_[word] = 0;
+    }
+    markedWords_.clear();
+}
+
+void ReachMap::mark(VoxelWord cubes)
+{
+    if (marks_[cubes.word] == 0)
+    {
+        markedWords_.push_back(cubes.word);
+    }
+    marks_[cubes.word] |= cubes.bits;
 }
 
 bool ReachMap::anchorRunning(std::span<const Eigen::Vector3d> running)
@@ -108,8 +130,7 @@ bool ReachMap::anchorRunning(std::span<const Eigen::Vector3d> running)
             continue;
         }
         runningCubes_.push_back(cube);
-        anchorWords_.push_back(cube.word);
-        anchor_[cube.word] |= cube.bits;
+        mark(cube);
     }
     return trusted;
 }
@@ -119,21 +140,20 @@ void ReachMap::settle(VoxelWord suspects)
     const std::size_t word = suspects.word;
     while (true)
     {
-        const std::uint64_t unsettled = suspects.bits & open_[word] & ~anchor_[word];
+        const std::uint64_t unsettled = suspects.bits & open_[word] & ~marks_[word];
         if (unsettled == 0)
         {
             return;
         }
         const bool connected = search_.run(
             open_, {word, unsettled & -unsettled},
-            [&](VoxelWord w) { return (w.bits & (anchor_[w.word] | seeds_[w.word])) != 0; });
+            [&](VoxelWord w) { return (w.bits & (marks_[w.word] | seeds_[w.word])) != 0; });
         search_.drain(
             [&](VoxelWord w)
             {
                 if (connected)
                 {
-                    anchorWords_.push_back(w.word);
-                    anchor_[w.word] |= w.bits;
+                    mark(w);
                 }
                 else
                 {
@@ -142,15 +162,6 @@ void ReachMap::settle(VoxelWord suspects)
                 }
             });
     }
-}
-
-void ReachMap::releaseAnchors()
-{
-    for (const std::size_t word : anchorWords_)
-    {
-        anchor_[word] = 0;
-    }
-    anchorWords_.clear();
 }
 
 std::vector<Eigen::AlignedBox3d> ReachMap::lostBlocks() const

@@ -53,8 +53,8 @@ public:
     VoxelFlood() = default;
     explicit VoxelFlood(const VoxelLayout& layout) : layout_(layout), visited_(layout.words, 0) {}
 
-    /// Visits what is connected with `start` inside `open`, until stop(VoxelWord) says that it has
-    /// seen enough. Returns whether it did. To be followed by drain.
+    /// Visits what is connected with `start` inside `open`, until stop(VoxelWord) says that some
+    /// cubes are enough. Returns whether it did. To be followed by drain.
     template <class Stop>
     bool run(const VoxelBits& open, VoxelWord start, Stop&& stop)
     {
@@ -65,12 +65,19 @@ public:
             stack_.pop_back();
             const VoxelWord here{word, fillWord(visited_[word], open[word])};
             visited_[word] = here.bits;
-            if (stop(here))
+            // Asked for neighbours as well, lest a flood climb all the way beside an earlier one.
+            bool enough = stop(here);
+            forEachNeighbour(layout_, here,
+                             [&](VoxelWord next)
+                             {
+                                 const std::uint64_t fresh = push(open, next);
+                                 enough = enough || (fresh != 0 && stop({next.word, fresh}));
+                             });
+            if (enough)
             {
                 stack_.clear();
                 return true;
             }
-            forEachNeighbour(layout_, here, [&](VoxelWord next) { push(open, next); });
         }
         return false;
     }
@@ -88,20 +95,21 @@ public:
     }
 
 private:
-    void push(const VoxelBits& open, VoxelWord cubes)
+    // Returns the cubes that had not been visited.
+    std::uint64_t push(const VoxelBits& open, VoxelWord cubes)
     {
         const std::uint64_t seen = visited_[cubes.word];
         const std::uint64_t fresh = cubes.bits & open[cubes.word] & ~seen;
-        if (fresh == 0)
+        if (fresh != 0)
         {
-            return;
+            if (seen == 0)
+            {
+                touched_.push_back(cubes.word);
+            }
+            visited_[cubes.word] = seen | fresh;
+            stack_.push_back(cubes.word);
         }
-        if (seen == 0)
-        {
-            touched_.push_back(cubes.word);
-        }
-        visited_[cubes.word] = seen | fresh;
-        stack_.push_back(cubes.word);
+        return fresh;
     }
 
     VoxelLayout layout_;

@@ -100,10 +100,9 @@ struct VoxelLayout
 
     [[nodiscard]] bool any(const VoxelBits& set, int y, int z, int first, int last) const
     {
-        bool found = false;
-        forEachWord(y, z, first, last,
-                    [&](VoxelWord w) { found = found || (set[w.word] & w.bits) != 0; });
-        return found;
+        std::uint64_t found = 0;
+        forEachWord(y, z, first, last, [&](VoxelWord w) { found |= set[w.word] & w.bits; });
+        return found != 0;
     }
 };
 

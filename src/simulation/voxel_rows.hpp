@@ -14,8 +14,6 @@ namespace frostfill
 /// Cubes first..last of a row; none when last < first.
 struct VoxelRun
 {
-    int y;
-    int z;
     int first;
     int last;
 };
@@ -45,14 +43,42 @@ public:
                      : static_cast<std::uint32_t>(y[1] - y[0] + 1) * static_cast<unsigned>(depth_))
     {
     }
-    [[nodiscard]] std::uint32_t size() const { return count_; }
-    [[nodiscard]] int y(std::uint32_t row) const
+    /// Looks for a row from number `row` on for which test(y, z) holds. Leaves its number in `row`,
+    /// or the number of rows when there is none.
+    template <class Test>
+    bool find(std::uint32_t& row, Test&& test) const
     {
-        return top_ - static_cast<int>(row / static_cast<unsigned>(depth_));
+        if (row >= count_)
+        {
+            return false;
+        }
+        int y = top_ - static_cast<int>(row / static_cast<unsigned>(depth_));
+        int z = firstZ_ + static_cast<int>(row % static_cast<unsigned>(depth_));
+        for (; row < count_; ++row)
+        {
+            if (test(y, z))
+            {
+                return true;
+            }
+            if (++z == firstZ_ + depth_)
+            {
+                z = firstZ_;
+                --y;
+            }
+        }
+        return false;
     }
-    [[nodiscard]] int z(std::uint32_t row) const
+
+    template <class Visit>
+    void forEach(Visit&& visit) const
     {
-        return firstZ_ + static_cast<int>(row % static_cast<unsigned>(depth_));
+        std::uint32_t row = 0;
+        find(row,
+             [&](int y, int z)
+             {
+                 visit(y, z);
+                 return false;
+             });
     }
 
 private:
@@ -72,25 +98,26 @@ class BallRows
 public:
     BallRows(const GridFrame& frame, const Eigen::Vector3d& centre, double radius, double half)
         : count_(frame.count), centre_(((centre - frame.origin) / frame.cell).array() - 0.5),
-          radius_(radius / frame.cell), half_(half),
+          radius_(radius / frame.cell), half_(half), widest_(range(0, radius_ - half)),
           window_(range(1, radius_ - half), range(2, radius_ - half))
     {
     }
     [[nodiscard]] const RowWindow& window() const { return window_; }
 
-    [[nodiscard]] VoxelRun run(std::uint32_t row) const
+    /// What no row has more cubes than.
+    [[nodiscard]] VoxelRun widest() const { return {widest_[0], widest_[1]}; }
+
+    [[nodiscard]] VoxelRun run(int y, int z) const
     {
-        const int y = window_.y(row);
-        const int z = window_.z(row);
         const double dy = std::max(0.0, std::abs(y - centre_.y()) + half_);
         const double dz = std::max(0.0, std::abs(z - centre_.z()) + half_);
         const double rest = radius_ * radius_ - dy * dy - dz * dz;
         if (rest < 0)
         {
-            return {y, z, 0, -1};
+            return {0, -1};
         }
         const auto x = range(0, std::sqrt(rest) - half_);
-        return {y, z, x[0], x[1]};
+        return {x[0], x[1]};
     }
 
 private:
@@ -103,6 +130,7 @@ private:
     Eigen::Vector3d centre_; ///< in cubes, counted from the middle of cube 0
     double radius_;          ///< in cubes
     double half_;
+    std::array<int, 2> widest_;
     RowWindow window_;
 };
 
@@ -119,10 +147,8 @@ public:
     [[nodiscard]] const RowWindow& window() const { return window_; }
 
     /// The cubes of a row that may be near: their middle is near the triangle's plane and box.
-    [[nodiscard]] VoxelRun run(std::uint32_t row) const
+    [[nodiscard]] VoxelRun run(int y, int z) const
     {
-        const int y = window_.y(row);
-        const int z = window_.z(row);
         double low = box_.min().x();
         double high = box_.max().x();
         const Eigen::Vector3d start = frame_.centre(0, y, z);
@@ -137,7 +163,7 @@ public:
             high = std::min(high, middle + width - reach_);
         }
         const auto x = range(0, low, high);
-        return {y, z, x[0], x[1]};
+        return {x[0], x[1]};
     }
 
     [[nodiscard]] bool near(int x, int y, int z) const
