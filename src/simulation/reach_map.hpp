@@ -31,16 +31,27 @@ namespace frostfill
 ///     An obstacle whose distance from every reached cube exceeds R + Q is in none of them.
 ///  5. Freezing adds obstacles, so the set only shrinks, and what was dropped stays dropped.
 ///
-/// What the engine owes, step by step (guards):
-///  G1 no centre ends a step, is released or is frozen nearer than R - tau to an obstacle or to
-///     another running sphere (which will be one), dropped ones included;
-///  G2 no centre moves farther than D between two checks of G1 (a jump over free flight that is
-///     swept against all kept obstacles may be longer: it is a continuous path by itself);
-///  G3 no position used in a contact query is farther than Q from the last end of a step; Q also
-///     covers skins of neighbour lists, polish at freezing and gaps of support tests;
-///  G4 spheres are released only where contains() holds, at every time from flood() on.
-/// When a guard trips the engine takes everything back that it dropped, builds a new map with wider
-/// margins, adds all spheres at rest, floods and carries on.
+/// What the engine checks, always:
+///  - contains() for the centre of every running sphere at the end of each step, and where a sphere
+///    is released; and what flood() and update() return;
+///  - no position used in a contact query is farther than Q from the last end of a step. Q also
+///    covers skins of neighbour lists, polish at freezing and gaps of support tests.
+/// These alone make dropping exact, by 4 and 5. When one fails, the engine takes back all that it
+/// dropped before it goes on, builds a new map with wider margins, adds the spheres at rest and
+/// floods. What it keeps so that none ever fails, by 1 to 3:
+///  - at the end of each step, where a sphere is released and where it is frozen, its centre is
+///    inside and no nearer than R - tau to an obstacle or to another running sphere (which will be
+///    one);
+///  - no centre moves farther than D in a step. A jump over free flight may be longer when the
+///    whole of its way is swept against the obstacles that are kept: to leave the reached cubes it
+///    would have to cross a blocked one beside them, which no kept obstacle lets it, and no dropped
+///    one is that near.
+///
+/// Seeds decide what counts as free to be released in, not whether the map is right: a place
+/// without a seed is merely lost to releases once it is cut off. For results that are equal
+/// with and without dropping, the engine keeps to contains() in both.
+///
+/// One thread at a time may change a map.
 class ReachMap
 {
 public:
@@ -77,8 +88,9 @@ public:
     /// A point in a hole that is wider than the smallest sphere.
     [[nodiscard]] const std::optional<Eigen::Vector3d>& leak() const { return leak_; }
 
-    // Seeds: the cubes where a sphere may yet be released. They replace those set before, and must
-    // cover every release from now on; a cube that is blocked stops being a seed by itself.
+    // Seeds: the cubes where a sphere may yet be released, everywhere at first. Each call replaces
+    // those set before. Once flooded, seeds out of reach count for nothing. A cube that is blocked
+    // stops being a seed by itself.
     void seedEverywhere();
     void seedAbove(double height); ///< cubes that reach above y = height
     /// Cubes that come within `distance` of one of the points.

@@ -141,7 +141,10 @@ ReachReport reportReach(const ReachMap& map, const InsideTest& inside, double sm
                                                within |= std::uint64_t{1} << (x % 64);
                                            }
                                        });
-                    uncovered[w.word] = within & ~covered.word(y, z, w.word - layout.row(y, z));
+                    if (within != reached)
+                    {
+                        uncovered[w.word] = within & ~covered.word(y, z, w.word - layout.row(y, z));
+                    }
                     cubesInside += static_cast<std::size_t>(std::popcount(within));
                     cubesUncovered += static_cast<std::size_t>(std::popcount(uncovered[w.word]));
                 });

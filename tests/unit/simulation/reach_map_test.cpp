@@ -182,6 +182,30 @@ TEST(ReachMap, JumpsThatKeepTheGuardsNeverLeaveTheReachedSet)
     }
 }
 
+TEST(ReachMap, JumpThroughAGateTooNarrowToPassIsFollowed)
+{
+    // The middle of four spheres is too near to them to be in, but both sides of it are not: one
+    // step of length D leads through. Cubes are small, so that nothing but the rule keeps it open.
+    const Object object(cubeOfSide(4));
+    const double toMiddle =
+        std::sqrt((2 - kWide.overlap) * (2 - kWide.overlap) - kWide.step * kWide.step / 4 + 1e-3);
+    const double apart = toMiddle / std::sqrt(2.0);
+    for (const double step : {kWide.step, 0.8 * kWide.step})
+    {
+        const ReachMap::Margins margins{kWide.overlap, step, kWide.query};
+        ReachMap map(object.surface, object.inside, {1, 1}, margins, {0.04, 1u << 30});
+        for (const double x : {-apart, apart})
+        {
+            map.addResting({x, 0, apart}, 1);
+            map.addResting({x, 0, -apart}, 1);
+        }
+        const std::vector<Eigen::Vector3d> site = {{0, step / 2, 0}};
+        map.setSeeds(site, 0);
+        ASSERT_TRUE(map.flood({}));
+        EXPECT_EQ(map.contains({0, -step / 2, 0}), step == kWide.step);
+    }
+}
+
 TEST(ReachMap, DroppableEqualsBruteForceOverAllReachedCubes)
 {
     Random random(5);
