@@ -72,20 +72,10 @@ ReachMap::ReachMap(const Surface& surface, const InsideTest& inside, const Radii
     }
     layout_ = *layout;
     search_ = VoxelFlood(layout_);
-    open_.assign(layout_.words, 0);
+    open_ = unblockedCubes();
     seeds_.assign(layout_.words, 0);
     marks_.assign(layout_.words, 0);
     triangleCursor_.assign(surface.size(), 0);
-    const auto& count = layout_.frame.count;
-    for (int y = 0; y < count[1]; ++y)
-    {
-        for (int z = 0; z < count[2]; ++z)
-        {
-            layout_.forEachWord(y, z, 0, count[0] - 1,
-                                [&](VoxelWord w) { open_[w.word] |= w.bits; });
-        }
-    }
-    blockTriangles();
     keepInside(inside);
     reachedCount_ = countCubes(open_);
     seedEverywhere();
@@ -99,8 +89,18 @@ double ReachMap::exclusion(double contact) const
     return least > 0 && square > 0 ? std::max(0.0, std::sqrt(square) - kRounding) : 0;
 }
 
-void ReachMap::blockTriangles()
+VoxelBits ReachMap::unblockedCubes() const
 {
+    VoxelBits open(layout_.words, 0);
+    const auto& count = layout_.frame.count;
+    for (int y = 0; y < count[1]; ++y)
+    {
+        for (int z = 0; z < count[2]; ++z)
+        {
+            layout_.forEachWord(y, z, 0, count[0] - 1,
+                                [&](VoxelWord w) { open[w.word] |= w.bits; });
+        }
+    }
     const double reach = exclusion(radii_.smallest) - kHalfDiagonal * layout_.frame.cell;
     for (const SurfaceTriangle& triangle : surface_.triangles())
     {
@@ -112,13 +112,14 @@ void ReachMap::blockTriangles()
                 for (int x = run.first; x <= run.last; ++x)
                 {
                     const VoxelWord cube = layout_.at(x, y, z);
-                    if ((open_[cube.word] & cube.bits) != 0 && rows.near(x, y, z))
+                    if ((open[cube.word] & cube.bits) != 0 && rows.near(x, y, z))
                     {
-                        open_[cube.word] &= ~cube.bits;
+                        open[cube.word] &= ~cube.bits;
                     }
                 }
             });
     }
+    return open;
 }
 
 // Cubes that are connected lie on the same side of the surface: one test serves a whole component.

@@ -142,13 +142,15 @@ public:
     /// Boxes of four cubes a side that hold the lost cubes, each box once.
     [[nodiscard]] std::vector<Eigen::AlignedBox3d> lostBlocks() const;
 
+    /// Cubes, inside or outside, that the surface alone does not block; of an active map.
+    [[nodiscard]] VoxelBits unblockedCubes() const;
+
     [[nodiscard]] const VoxelLayout& layout() const { return layout_; }
     [[nodiscard]] const VoxelBits& reached() const { return open_; }
     [[nodiscard]] const Radii& radii() const { return radii_; }
     [[nodiscard]] const Margins& margins() const { return margins_; }
 
 private:
-    void blockTriangles();
     void keepInside(const InsideTest& inside);
     void replaceSeeds(VoxelBits seeds);
     void block(VoxelWord cubes);

@@ -66,6 +66,55 @@ private:
     int reach_;
 };
 
+// Cubes whose middle is inside. Blocked ones are near the surface, where the test is quick; of the
+// others each connected component lies on one side.
+VoxelBits cubesInside(const ReachMap& map, const InsideTest& inside)
+{
+    const VoxelLayout& layout = map.layout();
+    const auto& count = layout.frame.count;
+    VoxelBits open = map.unblockedCubes();
+    VoxelBits result(layout.words, 0);
+    const auto test = [&](VoxelWord cubes)
+    {
+        layout.forEachCube(cubes,
+                           [&](int x, int y, int z)
+                           {
+                               if (inside.contains(layout.frame.centre(x, y, z)))
+                               {
+                                   result[cubes.word] |= layout.at(x, y, z).bits;
+                               }
+                           });
+    };
+    for (int y = 0; y < count[1]; ++y)
+    {
+        for (int z = 0; z < count[2]; ++z)
+        {
+            layout.forEachWord(y, z, 0, count[0] - 1,
+                               [&](VoxelWord w) {
+                                   test({w.word, w.bits & ~open[w.word]});
+                               });
+        }
+    }
+    VoxelFlood flood(layout);
+    for (std::size_t word = 0; word < open.size(); ++word)
+    {
+        while (open[word] != 0)
+        {
+            const VoxelWord first{word, open[word] & -open[word]};
+            test(first);
+            const bool isInside = (result[word] & first.bits) != 0;
+            flood.run(open, first, [](VoxelWord) { return false; });
+            flood.drain(
+                [&](VoxelWord w)
+                {
+                    open[w.word] &= ~w.bits;
+                    result[w.word] |= isInside ? w.bits : 0;
+                });
+        }
+    }
+    return result;
+}
+
 std::vector<UnreachablePart> findParts(const VoxelLayout& layout, VoxelBits cubes,
                                        double smallestPart)
 {
@@ -120,40 +169,32 @@ ReachReport reportReach(const ReachMap& map, const InsideTest& inside, double sm
     const GridFrame& frame = layout.frame;
     const Dilation covered(layout, map.reached(), map.radii().smallest / frame.cell);
     VoxelBits uncovered(layout.words, 0);
-    std::size_t cubesInside = 0;
-    std::size_t cubesUncovered = 0;
+    const VoxelBits within = cubesInside(map, inside);
+    std::size_t all = 0;
+    std::size_t missed = 0;
     for (int y = 0; y < frame.count[1]; ++y)
     {
         for (int z = 0; z < frame.count[2]; ++z)
         {
-            layout.forEachWord(
-                y, z, 0, frame.count[0] - 1,
-                [&](VoxelWord w)
-                {
-                    // What is reached is inside; of the rest each cube is asked.
-                    const std::uint64_t reached = map.reached()[w.word];
-                    std::uint64_t within = reached;
-                    layout.forEachCube({w.word, w.bits & ~reached},
-                                       [&](int x, int, int)
-                                       {
-                                           if (inside.contains(frame.centre(x, y, z)))
-                                           {
-                                               within |= std::uint64_t{1} << (x % 64);
-                                           }
-                                       });
-                    if (within != reached)
-                    {
-                        uncovered[w.word] = within & ~covered.word(y, z, w.word - layout.row(y, z));
-                    }
-                    cubesInside += static_cast<std::size_t>(std::popcount(within));
-                    cubesUncovered += static_cast<std::size_t>(std::popcount(uncovered[w.word]));
-                });
+            layout.forEachWord(y, z, 0, frame.count[0] - 1,
+                               [&](VoxelWord w)
+                               {
+                                   const std::uint64_t here = within[w.word];
+                                   if ((here & ~map.reached()[w.word]) != 0)
+                                   {
+                                       uncovered[w.word] =
+                                           here & ~covered.word(y, z, w.word - layout.row(y, z));
+                                   }
+                                   all += static_cast<std::size_t>(std::popcount(here));
+                                   missed +=
+                                       static_cast<std::size_t>(std::popcount(uncovered[w.word]));
+                               });
         }
     }
     const double cube = frame.cell * frame.cell * frame.cell;
     report.resolution = frame.cell;
-    report.objectVolume = static_cast<double>(cubesInside) * cube;
-    report.unreachedVolume = static_cast<double>(cubesUncovered) * cube;
+    report.objectVolume = static_cast<double>(all) * cube;
+    report.unreachedVolume = static_cast<double>(missed) * cube;
     report.coveredVolume = report.objectVolume - report.unreachedVolume;
     report.parts = findParts(layout, std::move(uncovered), smallestPart);
     return report;
