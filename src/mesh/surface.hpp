@@ -54,6 +54,7 @@ public:
 
     [[nodiscard]] std::size_t size() const { return triangles_.size(); }
     [[nodiscard]] const SurfaceTriangle& operator[](std::size_t i) const { return triangles_[i]; }
+    [[nodiscard]] std::span<const SurfaceTriangle> triangles() const { return triangles_; }
     [[nodiscard]] const TriangleBound& bound(std::size_t i) const { return bounds_[i]; }
     [[nodiscard]] const Eigen::AlignedBox3d& box() const { return box_; }
     [[nodiscard]] const TriangleMesh& mesh() const { return mesh_; }
