@@ -38,7 +38,8 @@ enum class PolygonSearch : std::uint8_t
 enum class DiscardRule : std::uint8_t
 {
     none,
-    paper
+    paper, ///< by height and covered vertices: heuristics, of the preset paper
+    exact, ///< by reachability: same bits as without, of the preset fast
 };
 enum class Preset : std::uint8_t
 {

@@ -36,7 +36,7 @@ struct EnumNames<PolygonSearch>
 template <>
 struct EnumNames<DiscardRule>
 {
-    static constexpr std::array<const char*, 2> kNames = {"none", "paper"};
+    static constexpr std::array<const char*, 3> kNames = {"none", "paper", "exact"};
 };
 template <>
 struct EnumNames<Preset>

@@ -63,7 +63,7 @@ Scene presetScene(Preset preset, const std::string& meshNameOrFile)
     scene.spheres.groupSize = object.groupSize;
     scene.spheres.groupsPerSet = object.groupsPerSet;
     scene.freezing.everySets = object.freezeEvery;
-    scene.discard.rule = preset == Preset::paper ? DiscardRule::paper : DiscardRule::none;
+    scene.discard.rule = preset == Preset::paper ? DiscardRule::paper : DiscardRule::exact;
     return scene;
 }
 

@@ -24,9 +24,14 @@ void validateScene(const Scene& scene)
     if (scene.preset == Preset::paper && scene.motion.mode != Motion::fall)
         throw Error(ErrorCode::usage, "the spheres of the preset paper always fall: leave "
                                       "motion.mode (--motion) out, or use the preset fast");
-    if (scene.preset == Preset::fast && scene.discard.rule == DiscardRule::paper)
-        throw Error(ErrorCode::usage, "the paper's discards are not exact, so discard.rule "
-                                      "(--discard) paper goes with the preset paper only");
+    const DiscardRule foreign =
+        scene.preset == Preset::fast ? DiscardRule::paper : DiscardRule::exact;
+    if (scene.discard.rule == foreign)
+        throw Error(ErrorCode::usage,
+                    scene.preset == Preset::fast
+                        ? "the paper's discards are not exact: discard.rule (--discard) paper goes "
+                          "with the preset paper only"
+                        : "discard.rule (--discard) exact goes with the preset fast only");
     if (!scene.spheres.radius && !scene.spheres.count)
         throw Error(ErrorCode::usage, "neither a radius nor a count of spheres is given; give "
                                       "--radius, --count or both");

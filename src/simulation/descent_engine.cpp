@@ -20,6 +20,10 @@ DescentEngine::DescentEngine(World& world)
       descent_(world, falls_)
 {
     const SphereSettings& spheres = world.scene.spheres;
+    if (world.scene.discard.rule == DiscardRule::exact)
+    {
+        discard_ = std::make_unique<ExactDiscard>(world);
+    }
     world.dt = kTimeOfSet;
     setSize_ = std::max<std::size_t>(std::size_t{spheres.groupSize} * spheres.groupsPerSet,
                                      expectedCount(world) / kMostSets);
@@ -52,9 +56,14 @@ bool DescentEngine::step()
         world_.full = placed < wanted;
     }
     ++world_.steps;
+    world_.finished = world_.full || world_.spheres.size() == world_.targetCount;
+    if (discard_)
+    {
+        const StageTimer timer(world_.times, Stage::discarding);
+        world_.finished ? discard_->update({}) : discard_->updateWhenDue({});
+    }
     world_.time += world_.dt;
     clock_.close(world_);
-    world_.finished = world_.full || world_.spheres.size() == world_.targetCount;
     return true;
 }
 
@@ -71,6 +80,10 @@ bool DescentEngine::placeOne()
             world_.freeze(world_.spheres.add(*place, 1, group)); // never runs
             falls_.insert(*place);
             release_.close(*place, 1);
+            if (discard_)
+            {
+                discard_->addResting(static_cast<std::uint32_t>(world_.spheres.size() - 1));
+            }
             return true;
         }
         release_.giveUp();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <simulation/descent.hpp>
+#include <simulation/exact_discard.hpp>
 #include <simulation/fall_index.hpp>
 #include <simulation/release_sites.hpp>
 #include <simulation/set_clock.hpp>
@@ -26,6 +27,7 @@ private:
     FallIndex falls_;
     ReleaseSites release_;
     Descent descent_;
+    std::unique_ptr<ExactDiscard> discard_; ///< empty when nothing is to be discarded
     SetClock clock_;
     std::size_t setSize_ = 1;
 };

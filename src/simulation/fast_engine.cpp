@@ -52,6 +52,10 @@ FastEngine::FastEngine(World& world)
     {
         refuseTooLarge(world);
     }
+    if (world.scene.discard.rule == DiscardRule::exact)
+    {
+        discard_ = std::make_unique<ExactDiscard>(world);
+    }
     world.dt = timeStep(world);
     windowSteps_ = std::max(1u, static_cast<std::uint32_t>(std::lround(kWindow / world.dt)));
 }
@@ -67,6 +71,10 @@ bool FastEngine::step()
     {
         world_.full = world_.targetCount == 0 || world_.spheres.size() < world_.targetCount;
         world_.finished = true;
+        if (discard_)
+        {
+            discard_->update({});
+        }
         clock_.close(world_);
         return false;
     }
@@ -78,6 +86,11 @@ bool FastEngine::step()
         const StageTimer timer(world_.times, Stage::freezing);
         stepsInWindow_ = 0;
         freezeCalm();
+    }
+    if (discard_)
+    {
+        const StageTimer timer(world_.times, Stage::discarding);
+        discard_->updateWhenDue({runners_.data(), running_});
     }
     return true;
 }
@@ -221,6 +234,10 @@ bool FastEngine::tryFreeze(std::uint32_t index)
     falls_.insert(place);
     release_.close(place, runner.radius);
     wakeAround(place);
+    if (discard_)
+    {
+        discard_->addResting(runner.id);
+    }
     return true;
 }
 

@@ -3,6 +3,7 @@
 
 #include <simulation/descent.hpp>
 #include <simulation/encounters.hpp>
+#include <simulation/exact_discard.hpp>
 #include <simulation/fall_index.hpp>
 #include <simulation/flight.hpp>
 #include <simulation/release_sites.hpp>
@@ -41,6 +42,7 @@ private:
     Descent descent_;
     Flight flight_;
     Encounters encounters_;
+    std::unique_ptr<ExactDiscard> discard_; ///< empty when nothing is to be discarded
     SetClock clock_;
     std::vector<Runner> runners_; ///< the first running_ are in use; the others keep their memory
     std::size_t running_ = 0;

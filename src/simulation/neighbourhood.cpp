@@ -23,7 +23,8 @@ void Neighbourhood::ensure(const World& world, const Eigen::Vector3d& p, double 
                               {
                                   const double contact = radius + s.radius[id];
                                   const double limit = contact + kSkin;
-                                  if ((s.position(id) - p).squaredNorm() < limit * limit)
+                                  if (s.state[id] != SphereState::discarded &&
+                                      (s.position(id) - p).squaredNorm() < limit * limit)
                                   {
                                       x.push_back(s.x[id]);
                                       y.push_back(s.y[id]);
@@ -31,7 +32,15 @@ void Neighbourhood::ensure(const World& world, const Eigen::Vector3d& p, double 
                                       reach.push_back(contact);
                                   }
                               });
-    triangles_ = world.triangles.near(p);
+    triangles_.clear();
+    for (const std::uint32_t triangle : world.triangles.near(p))
+    {
+        if (world.polygons[triangle] == PolygonState::active &&
+            world.surface.bound(triangle).mayBeWithin(radius + kSkin, p))
+        {
+            triangles_.push_back(triangle);
+        }
+    }
 }
 
 } // namespace frostfill

@@ -39,7 +39,7 @@ public:
 private:
     Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();
     double radius_ = -1;
-    std::span<const std::uint32_t> triangles_;
+    std::vector<std::uint32_t> triangles_;
 };
 
 } // namespace frostfill

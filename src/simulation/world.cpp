@@ -99,6 +99,21 @@ void World::discard(std::uint32_t id)
     stateChanges.push_back(id);
 }
 
+void World::restoreDiscarded()
+{
+    for (std::uint32_t id = 0; id < spheres.size(); ++id)
+    {
+        if (spheres.state[id] == SphereState::discarded)
+        {
+            spheres.state[id] = SphereState::frozen;
+            stateChanges.push_back(id);
+        }
+    }
+    discardedCount = 0;
+    std::fill(polygons.begin(), polygons.end(), PolygonState::active);
+    discardedPolygons = 0;
+}
+
 void World::discardPolygon(std::uint32_t polygon)
 {
     polygons[polygon] = PolygonState::discarded;

@@ -69,6 +69,8 @@ struct World
     std::uint32_t withdraw(std::uint32_t id);
     void discard(std::uint32_t id);
     void discardPolygon(std::uint32_t polygon);
+    /// Takes all discards back.
+    void restoreDiscarded();
 };
 
 /// Spheres that the run aims at: the count, or the wall-corrected estimate of how many fit.

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <memory>
 #include <string>
 
 namespace frostfill
@@ -68,6 +69,25 @@ TEST_P(FastEngines, EqualScenesGiveEqualBits)
         return simulation.stateHash();
     };
     EXPECT_EQ(hash(), hash());
+}
+
+TEST_P(FastEngines, GiveTheSameBitsWithAndWithoutExactDiscards)
+{
+    const auto run = [this](DiscardRule rule)
+    {
+        Scene chosen = scene(5);
+        chosen.discard.rule = rule;
+        auto simulation = std::make_unique<Simulation>(chosen, mesh());
+        while (simulation->step())
+        {
+        }
+        return simulation;
+    };
+    const auto with = run(DiscardRule::exact);
+    const auto without = run(DiscardRule::none);
+    EXPECT_EQ(with->stateHash(), without->stateHash());
+    EXPECT_GT(with->sets().back().discarded, with->sphereCount() / 8);
+    EXPECT_EQ(without->sets().back().discarded, 0u);
 }
 
 TEST_P(FastEngines, StopAtTheCount)
