@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include <frostfill/image.hpp>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstdlib>
+
+namespace frostfill
+{
+namespace
+{
+
+/// A channel may be this far off before its pixel counts as being apart.
+constexpr int kApart = 8;
+
+/// Differences are multiplied by this, so that one step of 255 can be seen.
+constexpr int kStretch = 8;
+
+bool sameShape(const Image& a, const Image& b)
+{
+    return a.width == b.width && a.height == b.height && a.channels == b.channels &&
+           a.pixels.size() == b.pixels.size();
+}
+
+} // namespace
+
+ImageDifference compareImages(const Image& a, const Image& b)
+{
+    ImageDifference difference;
+    difference.sameShape = sameShape(a, b);
+    if (!difference.sameShape || a.pixels.empty())
+    {
+        return difference;
+    }
+
+    double squares = 0;
+    const auto channels = static_cast<std::size_t>(a.channels);
+    for (std::size_t pixel = 0; pixel < a.pixels.size(); pixel += channels)
+    {
+        int worst = 0;
+        for (std::size_t i = pixel; i < pixel + channels; ++i)
+        {
+            const int apart = std::abs(int{a.pixels[i]} - int{b.pixels[i]});
+            squares += apart * apart;
+            worst = std::max(worst, apart);
+        }
+        difference.largest = std::max(difference.largest, worst);
+        difference.pixelsApart += worst > kApart ? 1 : 0;
+    }
+    difference.rootMeanSquare = std::sqrt(squares / static_cast<double>(a.pixels.size()));
+    return difference;
+}
+
+Image differenceImage(const Image& a, const Image& b)
+{
+    assert(sameShape(a, b));
+    Image difference{a.width, a.height, 3, {}};
+    const auto channels = static_cast<std::size_t>(a.channels);
+    difference.pixels.reserve(a.pixels.size() / channels * 3);
+    for (std::size_t pixel = 0; pixel < a.pixels.size(); pixel += channels)
+    {
+        // A difference in opacity alone is shown in all three colours: it must not vanish.
+        const int alpha =
+            channels == 4 ? std::abs(int{a.pixels[pixel + 3]} - int{b.pixels[pixel + 3]}) : 0;
+        for (std::size_t i = pixel; i < pixel + 3; ++i)
+        {
+            const int apart = std::max(alpha, std::abs(int{a.pixels[i]} - int{b.pixels[i]}));
+            difference.pixels.push_back(static_cast<std::uint8_t>(std::min(255, kStretch * apart)));
+        }
+    }
+    return difference;
+}
+
+} // namespace frostfill

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <frostfill/renderer.hpp>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <span>
+
+namespace frostfill
+{
+
+/// The part of the picture that the object is fitted into [pixel], from the upper left corner.
+struct PictureRegion
+{
+    double left = 0;
+    double top = 0;
+    double right = 0;
+    double bottom = 0;
+};
+
+/// From mesh coordinates to the picture. The mesh is first moved to its box's centre and scaled to
+/// fit a sphere of radius 1 ("unit space"), in double precision: what OpenGL computes in single
+/// precision is then the same for a mesh of micrometres far from its origin.
+struct Framing
+{
+    Eigen::Vector3d centre = Eigen::Vector3d::Zero(); ///< unit space's origin in mesh coordinates
+    double scale = 1;                                 ///< unit length over mesh length
+    glm::dmat4 view{1};                               ///< unit space to eye space
+    glm::dmat4 projection{1};                         ///< eye space to clip space
+    glm::dvec3 eye{0}; ///< unit space: the eye, or without perspective the direction towards it
+    bool orthographic = false;
+    double depthAtInfinity = 0; ///< window depth at infinity; perspective
+    double depthSlope = 0;      ///< window depth over eye distance; orthographic
+    glm::dvec4 heightPlane{0};  ///< with an eye-space point: 0 at the object's foot, 1 at its top
+    glm::dvec4 distancePlane{
+        0}; ///< with an eye-space point: 0 at the object's front, 1 at its back
+    double reach =
+        0; ///< distance of the eye, or half the picture's height: smaller shows it larger
+
+    [[nodiscard]] glm::dvec3 toUnit(const Eigen::Vector3d& point) const
+    {
+        const Eigen::Vector3d unit = (point - centre) * scale;
+        return {unit.x(), unit.y(), unit.z()};
+    }
+};
+
+/// Looks at all the vertices from the camera's direction, from so far away that they just fill the
+/// region (at zoom 1). Throws Error usage for a camera that makes no sense.
+[[nodiscard]] Framing frame(std::span<const Eigen::Vector3d> vertices,
+                            const RenderSettings& settings, const PictureRegion& region);
+
+} // namespace frostfill

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <GL/glcorearb.h>
+
+namespace frostfill
+{
+
+class Context;
+
+/// Every function of OpenGL that we call, as X(member, type, name). Loaded by hand: the usual
+/// loaders fail on OSMesa contexts.
+#define FROSTFILL_GL_FUNCTIONS(X)                                                                  \
+    X(activeTexture, PFNGLACTIVETEXTUREPROC, "glActiveTexture")                                    \
+    X(attachShader, PFNGLATTACHSHADERPROC, "glAttachShader")                                       \
+    X(bindBuffer, PFNGLBINDBUFFERPROC, "glBindBuffer")                                             \
+    X(bindFramebuffer, PFNGLBINDFRAMEBUFFERPROC, "glBindFramebuffer")                              \
+    X(bindRenderbuffer, PFNGLBINDRENDERBUFFERPROC, "glBindRenderbuffer")                           \
+    X(bindVertexArray, PFNGLBINDVERTEXARRAYPROC, "glBindVertexArray")                              \
+    X(blendFuncSeparate, PFNGLBLENDFUNCSEPARATEPROC, "glBlendFuncSeparate")                        \
+    X(blitFramebuffer, PFNGLBLITFRAMEBUFFERPROC, "glBlitFramebuffer")                              \
+    X(bufferData, PFNGLBUFFERDATAPROC, "glBufferData")                                             \
+    X(bufferSubData, PFNGLBUFFERSUBDATAPROC, "glBufferSubData")                                    \
+    X(checkFramebufferStatus, PFNGLCHECKFRAMEBUFFERSTATUSPROC, "glCheckFramebufferStatus")         \
+    X(clear, PFNGLCLEARPROC, "glClear")                                                            \
+    X(clearColor, PFNGLCLEARCOLORPROC, "glClearColor")                                             \
+    X(compileShader, PFNGLCOMPILESHADERPROC, "glCompileShader")                                    \
+    X(createProgram, PFNGLCREATEPROGRAMPROC, "glCreateProgram")                                    \
+    X(createShader, PFNGLCREATESHADERPROC, "glCreateShader")                                       \
+    X(cullFace, PFNGLCULLFACEPROC, "glCullFace")                                                   \
+    X(deleteBuffers, PFNGLDELETEBUFFERSPROC, "glDeleteBuffers")                                    \
+    X(deleteFramebuffers, PFNGLDELETEFRAMEBUFFERSPROC, "glDeleteFramebuffers")                     \
+    X(deleteProgram, PFNGLDELETEPROGRAMPROC, "glDeleteProgram")                                    \
+    X(deleteRenderbuffers, PFNGLDELETERENDERBUFFERSPROC, "glDeleteRenderbuffers")                  \
+    X(deleteShader, PFNGLDELETESHADERPROC, "glDeleteShader")                                       \
+    X(deleteVertexArrays, PFNGLDELETEVERTEXARRAYSPROC, "glDeleteVertexArrays")                     \
+    X(depthMask, PFNGLDEPTHMASKPROC, "glDepthMask")                                                \
+    X(disable, PFNGLDISABLEPROC, "glDisable")                                                      \
+    X(drawArrays, PFNGLDRAWARRAYSPROC, "glDrawArrays")                                             \
+    X(drawArraysInstanced, PFNGLDRAWARRAYSINSTANCEDPROC, "glDrawArraysInstanced")                  \
+    X(enable, PFNGLENABLEPROC, "glEnable")                                                         \
+    X(enableVertexAttribArray, PFNGLENABLEVERTEXATTRIBARRAYPROC, "glEnableVertexAttribArray")      \
+    X(finish, PFNGLFINISHPROC, "glFinish")                                                         \
+    X(framebufferRenderbuffer, PFNGLFRAMEBUFFERRENDERBUFFERPROC, "glFramebufferRenderbuffer")      \
+    X(genBuffers, PFNGLGENBUFFERSPROC, "glGenBuffers")                                             \
+    X(genFramebuffers, PFNGLGENFRAMEBUFFERSPROC, "glGenFramebuffers")                              \
+    X(genRenderbuffers, PFNGLGENRENDERBUFFERSPROC, "glGenRenderbuffers")                           \
+    X(genVertexArrays, PFNGLGENVERTEXARRAYSPROC, "glGenVertexArrays")                              \
+    X(getError, PFNGLGETERRORPROC, "glGetError")                                                   \
+    X(getIntegerv, PFNGLGETINTEGERVPROC, "glGetIntegerv")                                          \
+    X(getMultisamplefv, PFNGLGETMULTISAMPLEFVPROC, "glGetMultisamplefv")                           \
+    X(getProgramInfoLog, PFNGLGETPROGRAMINFOLOGPROC, "glGetProgramInfoLog")                        \
+    X(getProgramiv, PFNGLGETPROGRAMIVPROC, "glGetProgramiv")                                       \
+    X(getShaderInfoLog, PFNGLGETSHADERINFOLOGPROC, "glGetShaderInfoLog")                           \
+    X(getShaderiv, PFNGLGETSHADERIVPROC, "glGetShaderiv")                                          \
+    X(getString, PFNGLGETSTRINGPROC, "glGetString")                                                \
+    X(getUniformLocation, PFNGLGETUNIFORMLOCATIONPROC, "glGetUniformLocation")                     \
+    X(linkProgram, PFNGLLINKPROGRAMPROC, "glLinkProgram")                                          \
+    X(pixelStorei, PFNGLPIXELSTOREIPROC, "glPixelStorei")                                          \
+    X(readPixels, PFNGLREADPIXELSPROC, "glReadPixels")                                             \
+    X(renderbufferStorageMultisample, PFNGLRENDERBUFFERSTORAGEMULTISAMPLEPROC,                     \
+      "glRenderbufferStorageMultisample")                                                          \
+    X(shaderSource, PFNGLSHADERSOURCEPROC, "glShaderSource")                                       \
+    X(uniform1f, PFNGLUNIFORM1FPROC, "glUniform1f")                                                \
+    X(uniform1i, PFNGLUNIFORM1IPROC, "glUniform1i")                                                \
+    X(uniform2fv, PFNGLUNIFORM2FVPROC, "glUniform2fv")                                             \
+    X(uniform3fv, PFNGLUNIFORM3FVPROC, "glUniform3fv")                                             \
+    X(uniform4fv, PFNGLUNIFORM4FVPROC, "glUniform4fv")                                             \
+    X(uniformMatrix4fv, PFNGLUNIFORMMATRIX4FVPROC, "glUniformMatrix4fv")                           \
+    X(useProgram, PFNGLUSEPROGRAMPROC, "glUseProgram")                                             \
+    X(vertexAttribDivisor, PFNGLVERTEXATTRIBDIVISORPROC, "glVertexAttribDivisor")                  \
+    X(vertexAttribIPointer, PFNGLVERTEXATTRIBIPOINTERPROC, "glVertexAttribIPointer")               \
+    X(vertexAttribPointer, PFNGLVERTEXATTRIBPOINTERPROC, "glVertexAttribPointer")                  \
+    X(viewport, PFNGLVIEWPORTPROC, "glViewport")
+
+/// The functions of one context, to be called while it is current.
+struct GlFunctions
+{
+#define FROSTFILL_GL_MEMBER(member, type, name) type member = nullptr;
+    FROSTFILL_GL_FUNCTIONS(FROSTFILL_GL_MEMBER)
+#undef FROSTFILL_GL_MEMBER
+};
+
+/// Throws Error noOpenGl, naming the first function that the context lacks.
+[[nodiscard]] GlFunctions loadGlFunctions(const Context& context);
+
+} // namespace frostfill

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include "legend.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace frostfill
+{
+namespace
+{
+
+// Lengths are in the font's size, so that the legend looks the same in a picture of any size.
+constexpr double kMargin = 0.9;
+constexpr double kLine = 1.45;
+constexpr double kGap = 0.55; ///< above a heading
+constexpr double kTitleSize = 1.2;
+constexpr double kLabelIndent = 1.5;
+constexpr double kSwatchRadius = 0.44;
+constexpr double kNumberGap = 0.9;
+
+/// Smaller type than this cannot be read [pixel].
+constexpr double kSmallestType = 9;
+
+/// Lines of type in a picture's height, and widths of a letter in its width.
+constexpr double kLinesInHeight = 40;
+constexpr double kLettersInWidth = 62;
+
+/// Largest share of the picture that the legend may take in both directions at once.
+constexpr double kLargestWidth = 0.45;
+constexpr double kLargestHeight = 0.96;
+
+/// As wide as any count is expected to be; a greater one grows to the right.
+constexpr std::string_view kWidestNumber = "000000";
+
+constexpr int kPolygonRow = 3;
+
+} // namespace
+
+Legend::Legend(const RenderSettings& settings, std::size_t triangles)
+    : size_(settings.size), palette_(settings.style.palette), triangles_(triangles)
+{
+    if (!settings.style.legend)
+    {
+        return;
+    }
+    const double size = std::round(std::max(
+        kSmallestType, std::min(size_.height / kLinesInHeight, size_.width / kLettersInWidth)));
+    font_.emplace(size);
+    titleFont_.emplace(std::round(kTitleSize * size));
+    title_ = titleFont_->shorten(settings.title, size_.width - 2 * kMargin * size);
+    layOut();
+    visible_ = width_ <= kLargestWidth * size_.width && height_ <= kLargestHeight * size_.height;
+    if (!visible_)
+    {
+        spheres_.clear();
+        polygons_.clear();
+    }
+}
+
+double Legend::titleHeight() const
+{
+    return visible_ && !title_.empty() ? (kMargin + kTitleSize * kLine) * font_->size() : 0;
+}
+
+void Legend::addRow(const std::string& label, int number)
+{
+    const double size = font_->size();
+    if (number < 0 && !rows_.empty())
+    {
+        height_ += kGap * size;
+    }
+    // Letters stand on a line that leaves a fifth of the type's size below it.
+    const double baseline = height_ + (0.5 * (kLine - 1) + 0.85) * size;
+    rows_.push_back({label, baseline, number});
+    if (number >= 0)
+    {
+        // Swatches are centred on the small letters. Halves of pixels keep them symmetrical.
+        const double y = std::round(baseline - 0.3 * size);
+        const double x = std::round((kMargin + 0.5) * size);
+        auto& swatches = number < kPolygonRow ? spheres_ : polygons_;
+        swatches.push_back(
+            {x, y, kSwatchRadius * size, number < kPolygonRow ? number : number - kPolygonRow});
+    }
+    height_ += kLine * size;
+}
+
+void Legend::layOut()
+{
+    const double size = font_->size();
+    height_ = kMargin * size + (title_.empty() ? 0 : (kTitleSize * kLine + kGap) * size);
+    addRow("Spheres", -1);
+    addRow("running", 0);
+    addRow("frozen", 1);
+    addRow("discarded", 2);
+    addRow("Polygons", -1);
+    addRow("active", 3);
+    addRow("discarded", 4);
+    // What is drawn here is known only with the snapshot.
+    addRow("", -1);
+    addRow("", -2);
+    height_ += (kMargin - kGap) * size;
+
+    double label = 0;
+    for (const Row& row : rows_)
+    {
+        label = std::max(label, font_->measure(row.label));
+    }
+    width_ =
+        (2 * kMargin + kLabelIndent + kNumberGap) * size + label + font_->measure(kWidestNumber);
+}
+
+void Legend::drawText(Image& image, const Snapshot& snapshot) const
+{
+    if (!visible_)
+    {
+        return;
+    }
+    const double size = font_->size();
+    const double left = kMargin * size;
+    const auto write = [&](double x, double baseline, const std::string& text)
+    { font_->draw(image, x, baseline, text, palette_.text, palette_.background); };
+
+    titleFont_->draw(image, left, (kMargin + kTitleSize * 0.9) * size, title_, palette_.text,
+                     palette_.background);
+    const std::array<std::size_t, 5> counts = {
+        snapshot.running, snapshot.frozen, snapshot.discarded,
+        triangles_ - std::min(triangles_, snapshot.discardedPolygons), snapshot.discardedPolygons};
+    for (const Row& row : rows_)
+    {
+        if (row.number < 0)
+        {
+            write(left, row.baseline, row.label);
+            continue;
+        }
+        write(left + kLabelIndent * size, row.baseline, row.label);
+        const std::string number = fmt::format("{}", counts[static_cast<std::size_t>(row.number)]);
+        const double right = width_ - kMargin * size;
+        const double room = font_->measure(kWidestNumber);
+        write(right - std::min(room, font_->measure(number)), row.baseline, number);
+    }
+    write(left, rows_[rows_.size() - 2].baseline,
+          fmt::format("set {}  step {}", snapshot.set, snapshot.step));
+    write(left, rows_.back().baseline, fmt::format("{:.3f} s", snapshot.time));
+}
+
+Framing frameBesideLegend(std::span<const Eigen::Vector3d> vertices, const RenderSettings& settings,
+                          const Legend& legend)
+{
+    const double width = settings.size.width;
+    const double height = settings.size.height;
+    if (!legend.visible())
+    {
+        return frame(vertices, settings, {0, 0, width, height});
+    }
+    // The title may be wider than the rest of the legend: nothing stands beside it.
+    const Framing beside =
+        frame(vertices, settings, {legend.width(), legend.titleHeight(), width, height});
+    const Framing below = frame(vertices, settings, {0, legend.height(), width, height});
+    return below.reach < beside.reach ? below : beside;
+}
+
+} // namespace frostfill

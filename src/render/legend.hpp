@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "framing.hpp"
+#include "text.hpp"
+
+#include <frostfill/renderer.hpp>
+#include <frostfill/snapshot.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace frostfill
+{
+
+/// The key to the picture and its numbers, in the upper left corner. Its swatches are drawn by the
+/// passes that draw the scene, so that they show the very same cues; its text is drawn into the
+/// finished picture.
+class Legend
+{
+public:
+    /// A swatch [pixel], from the upper left corner.
+    struct Swatch
+    {
+        double x, y; ///< centre
+        double halfSize;
+        int state; ///< number of the SphereState or PolygonState
+    };
+
+    /// `triangles` is their number in the mesh.
+    Legend(const RenderSettings& settings, std::size_t triangles);
+
+    /// Off, or left out of a picture that is too small for readable type.
+    [[nodiscard]] bool visible() const { return visible_; }
+    [[nodiscard]] double width() const { return width_; }   ///< [pixel] margins included
+    [[nodiscard]] double height() const { return height_; } ///< [pixel] margins included
+    [[nodiscard]] double titleHeight() const;               ///< [pixel] 0 without title
+
+    [[nodiscard]] const std::vector<Swatch>& spheres() const { return spheres_; }
+    [[nodiscard]] const std::vector<Swatch>& polygons() const { return polygons_; }
+
+    void drawText(Image& image, const Snapshot& snapshot) const;
+
+private:
+    /// A line of the table: what stands to the right of a swatch, or alone.
+    struct Row
+    {
+        std::string label;
+        double baseline = 0;
+        int number = -1; ///< index of the count to the right, or none
+    };
+
+    void addRow(const std::string& label, int number);
+    void layOut();
+
+    PictureSize size_;
+    Palette palette_;
+    std::size_t triangles_;
+    bool visible_ = false;
+    std::optional<Font> font_;
+    std::optional<Font> titleFont_;
+    std::string title_;
+    double width_ = 0;
+    double height_ = 0;
+    std::vector<Row> rows_;
+    std::vector<Swatch> spheres_;
+    std::vector<Swatch> polygons_;
+};
+
+/// Where the object goes so that the legend does not cover it: beside the legend, or below it,
+/// whichever shows the object larger.
+[[nodiscard]] Framing frameBesideLegend(std::span<const Eigen::Vector3d> vertices,
+                                        const RenderSettings& settings, const Legend& legend);
+
+} // namespace frostfill

@@ -1,0 +1,3 @@
+// SPDX-License-Identifier: MIT
+#define STB_TRUETYPE_IMPLEMENTATION
+#include <stb_truetype.h>

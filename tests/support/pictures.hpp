@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <frostfill/mesh.hpp>
+#include <frostfill/snapshot.hpp>
+
+#include <cmath>
+#include <numbers>
+
+namespace frostfill::testing_support
+{
+
+/// A box of the given half sizes about a centre, wound outwards.
+inline TriangleMesh boxMesh(const Eigen::Vector3d& half,
+                            const Eigen::Vector3d& centre = Eigen::Vector3d::Zero())
+{
+    TriangleMesh mesh;
+    for (int i = 0; i < 8; ++i)
+    {
+        const Eigen::Vector3d sign((i & 1) * 2 - 1, (i & 2) - 1, (i & 4) / 2 - 1);
+        mesh.vertices.push_back(centre + sign.cwiseProduct(half));
+    }
+    mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                      {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+    return mesh;
+}
+
+/// A torus that stands on its rim in the plane of x and y, wound outwards.
+inline TriangleMesh torusMesh(double ring, double tube, int around, int across)
+{
+    TriangleMesh mesh;
+    for (int i = 0; i < around; ++i)
+    {
+        const double u = 2 * std::numbers::pi * i / around;
+        for (int j = 0; j < across; ++j)
+        {
+            const double v = 2 * std::numbers::pi * j / across;
+            const double reach = ring + tube * std::cos(v);
+            mesh.vertices.emplace_back(reach * std::cos(u), reach * std::sin(u),
+                                       tube * std::sin(v));
+            const auto at = [&](int a, int b)
+            { return static_cast<std::uint32_t>((i + a) % around * across + (j + b) % across); };
+            mesh.triangles.push_back({at(0, 0), at(1, 0), at(1, 1)});
+            mesh.triangles.push_back({at(0, 0), at(1, 1), at(0, 1)});
+        }
+    }
+    return mesh;
+}
+
+/// Adds a sphere to a snapshot.
+inline void addSphere(Snapshot& snapshot, const Eigen::Vector3d& centre, double radius,
+                      SphereState state)
+{
+    snapshot.changed.push_back(static_cast<std::uint32_t>(snapshot.centres.size()));
+    snapshot.centres.push_back((centre - snapshot.origin).cast<float>());
+    snapshot.radii.push_back(static_cast<float>(radius));
+    snapshot.states.push_back(state);
+    snapshot.groups.push_back(0);
+    (state == SphereState::running  ? snapshot.running
+     : state == SphereState::frozen ? snapshot.frozen
+                                    : snapshot.discarded) += 1;
+}
+
+/// Numbers in 0..1 that are the same on every machine.
+class Numbers
+{
+public:
+    double next()
+    {
+        state_ = state_ * 6364136223846793005ULL + 1442695040888963407ULL;
+        return static_cast<double>(state_ >> 11) * 0x1p-53;
+    }
+
+private:
+    std::uint64_t state_ = 1;
+};
+
+} // namespace frostfill::testing_support
