@@ -47,7 +47,7 @@ struct QualityReport
                              ///< the energy of a fall through the object's height
     double meshVolume = 0;   ///< [unit^3]
     double sphereVolume = 0; ///< [unit^3] of all spheres
-    double volumeEstimate = 0;      ///< [unit^3] N v / phi + c r S, the wall-corrected estimate
+    double volumeEstimate = 0;      ///< [unit^3] N v / phi + c r S; NaN unless full
     double volumeEstimateError = 0; ///< [unit^3] standard uncertainty of the estimate
 };
 

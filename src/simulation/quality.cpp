@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace frostfill
@@ -125,6 +126,13 @@ private:
         const double unit = std::pow(world_.frame.length, 3);
         report_.meshVolume = world_.report.volume;
         report_.sphereVolume = 4.0 / 3.0 * std::numbers::pi * sumOfCubes_ * unit;
+        if (!world_.full)
+        {
+            // The fit is for objects into which no more spheres fit.
+            report_.volumeEstimate = std::numeric_limits<double>::quiet_NaN();
+            report_.volumeEstimateError = report_.volumeEstimate;
+            return;
+        }
         report_.volumeEstimate = report_.sphereVolume / kBulkFraction +
                                  kWallLayer * world_.frame.length * world_.report.area;
         report_.volumeEstimateError = kFitError * report_.volumeEstimate;
