@@ -96,7 +96,7 @@ struct DiscardSettings
 {
     DiscardRule rule = DiscardRule::paper;
     double epsilon = 4;   ///< [r] a group goes when it lies more than this below the last one
-    double closeness = 1; ///< [r] how close to its polygon a covering sphere lies
+    double closeness = 0.3; ///< [r] from a vertex along its normal to a covering sphere
 };
 
 struct SearchSettings

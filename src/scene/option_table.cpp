@@ -163,7 +163,7 @@ void addDiscards(TableBuilder& table)
         .range(0, kLargestNumber);
     table
         .add("discard.closeness", "--discard-closeness",
-             "How close to its polygon a covering sphere lies [r]",
+             "From a vertex along its normal to a covering sphere [r]",
              FROSTFILL_FIELD(discard.closeness))
         .range(0, kLargestNumber);
     table.add("search.spheres", "--sphere-search", "How colliding spheres are found",

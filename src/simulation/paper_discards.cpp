@@ -2,6 +2,7 @@
 #include <simulation/paper_discards.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace frostfill
@@ -46,30 +47,26 @@ std::size_t discardByHeight(World& world, std::size_t firstFrozen, std::size_t f
 namespace
 {
 
-/// Whether the ray from `vertex` along `direction` meets a sphere at rest that is close to the
-/// triangle. Such a sphere's centre is within radius + closeness of the polygon.
-bool isCovered(const World& world, const SurfaceTriangle& triangle, const Eigen::Vector3d& vertex,
-               const Eigen::Vector3d& direction, double closeness)
+/// Whether the ray from `vertex` along `direction` enters a sphere at rest within `closeness`.
+bool isCovered(const World& world, const Eigen::Vector3d& vertex, const Eigen::Vector3d& direction,
+               double closeness)
 {
     bool covered = false;
-    const double reach = 2 + closeness; // the largest radius is 1; the ray may meet its far side
+    // Centres of spheres that the ray enters that soon are within this of the ray's first half.
+    const double reach = 1 + closeness / 2;
     world.resting.forEachNear(
-        vertex + direction, reach,
+        vertex + direction * (closeness / 2), reach,
         [&](std::uint32_t id)
         {
-            if (covered)
-            {
-                return;
-            }
-            const Eigen::Vector3d centre = world.spheres.position(id);
+            const Eigen::Vector3d toCentre = world.spheres.position(id) - vertex;
             const double radius = world.spheres.radius[id];
-            const double along = (centre - vertex).dot(direction);
-            const double missSquared = (centre - vertex - along * direction).squaredNorm();
-            if (along < 0 || missSquared > radius * radius)
+            const double along = toCentre.dot(direction);
+            const double missSquared = (toCentre - along * direction).squaredNorm();
+            if (along >= 0 && missSquared <= radius * radius)
             {
-                return;
+                const double entry = along - std::sqrt(radius * radius - missSquared);
+                covered = covered || entry <= closeness;
             }
-            covered = std::abs(signedDistance(triangle, centre).value) <= radius + closeness;
         });
     return covered;
 }
@@ -91,7 +88,7 @@ std::size_t discardCoveredPolygons(World& world, double closeness)
         {
             const Eigen::Vector3d& normal =
                 world.surface.vertexNormal(world.surface.mesh().triangles[t][k]);
-            covered = isCovered(world, triangle, triangle.corner[k], normal, closeness);
+            covered = isCovered(world, triangle.corner[k], normal, closeness);
         }
         if (covered)
         {
