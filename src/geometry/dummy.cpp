@@ -1,0 +1,5 @@
+namespace frostfill
+{
+int dummyForNow();
+int dummyForNow() { return 0; }
+}
