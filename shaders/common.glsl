@@ -7,16 +7,15 @@ const uint kFrozen = 1u;
 const uint kDiscarded = 2u;
 const uint kDiscardedPolygon = 1u;
 
-// Three lights that stay with the camera: key from the upper left, fill from the right, and one
-// from behind that parts the upper rims from what lies behind them. Directions to the light.
+// Lights that stay with the camera: key from the upper left, fill from the right, and a sky whose
+// light grows evenly from below to above. Directions to the light.
 const vec3 kKeyLight = vec3(-0.424, 0.636, 0.645);
 const vec3 kFillLight = vec3(0.802, 0.134, 0.582);
-const vec3 kBackLight = vec3(0.256, 0.769, -0.586);
 
-float threeLights(vec3 normal)
+float lightOn(vec3 normal)
 {
-    return 0.43 + 0.50 * max(dot(normal, kKeyLight), 0.0) + 0.16 * max(dot(normal, kFillLight), 0.0)
-           + 0.20 * max(dot(normal, kBackLight), 0.0);
+    return 0.58 + 0.13 * normal.y + 0.50 * max(dot(normal, kKeyLight), 0.0)
+           + 0.14 * max(dot(normal, kFillLight), 0.0);
 }
 
 // Coverage of stripes with period 1 and the given share of dark, antialiased over `width` periods.

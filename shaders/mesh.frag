@@ -45,7 +45,7 @@ void main()
         density = base.a * mix(0.35, 1.35, stripes(phase, 0.4, 1.41 / hatchPeriod))
                   * (front ? 1.0 : 0.6);
     }
-    vec3 lit = base.rgb * (0.62 + 0.45 * threeLights(normal));
+    vec3 lit = base.rgb * (0.55 + 0.45 * lightOn(normal));
     float line = edgeCoverage() * (front ? 1.0 : 0.5);
     vec3 ink = 0.38 * base.rgb;
     colour = vec4(mix(lit, ink, line), max(min(density, 0.85), line));

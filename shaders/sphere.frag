@@ -17,23 +17,20 @@
 
 in vec2 corner;
 in vec3 onPlane;
-flat in vec3 centre;
-flat in float radius;
-flat in float steepness;
-flat in uint state;
+flat in vec4 centreAndCurvature;
+flat in vec4 tintAndSteepness;
+flat in vec4 hazeAndPixel;
+flat in vec3 marks;
 
 uniform float depthAtInfinity; // A0; perspective
 uniform float depthSlope; // window depth over distance; orthographic
-uniform vec4 stateColours[3];
-uniform vec4 background;
-uniform vec4 heightPlane; // height in the object, 0 at its foot and 1 at its top, of an eye-space point
-uniform vec4 distancePlane; // the same for the distance: 0 at the front, 1 at the back
-uniform float haze; // share of the background in the furthest spheres
 #ifdef SAMPLES
 uniform vec2 samplePositions[SAMPLES]; // from the pixel's centre [pixel]
 #endif
 
 out vec4 colour;
+
+const vec3 kHighlight = vec3(-0.234, 0.351, 0.907); // halfway between key light and viewer
 
 #ifdef SAMPLES
 // Which of the pixel's samples lie inside the outline. Depth and colour are those of the centre, so
@@ -52,41 +49,24 @@ int samplesInside()
 }
 #endif
 
-// Colour alone does not tell the states apart for everyone. Running spheres are glossy with a dark
-// ring, discarded ones are hatched, frozen ones are plain.
-vec3 markOfState(vec3 lit, float rho, vec3 normal, float pixel)
-{
-    if (state == kRunning)
-    {
-        float gloss = pow(max(dot(normal, normalize(kKeyLight + vec3(0.0, 0.0, 1.0))), 0.0), 36.0);
-        float ring = clamp((rho - 0.86) / max(pixel, 0.02) + 0.5, 0.0, 1.0);
-        return mix(lit + 0.65 * gloss, 0.25 * lit, 0.85 * ring);
-    }
-    if (state == kDiscarded)
-    {
-        float dark = stripes((corner.x + corner.y) * 1.3 + 0.25, 0.34, pixel * 1.84);
-        return lit * (1.0 - 0.42 * dark);
-    }
-    return lit;
-}
-
 void main()
 {
     float rhoSquared = dot(corner, corner);
     float w = sqrt(max(1.0 - rhoSquared, 0.0));
-    // Length of a pixel in the sphere's radius.
-    float pixel = length(vec2(dFdx(corner.x), dFdy(corner.x)));
+    float pixel = hazeAndPixel.a;
 
 #ifdef SAMPLES
     gl_SampleMask[0] = samplesInside();
 #endif
 
 #ifdef ORTHOGRAPHIC
-    vec3 hit = onPlane + vec3(0.0, 0.0, radius * w);
-    float depth = gl_FragCoord.z - depthSlope * radius * w;
+    float rise = tintAndSteepness.a * w;
+    vec3 hit = onPlane + vec3(0.0, 0.0, rise);
+    float depth = gl_FragCoord.z - depthSlope * rise;
 #else
-    vec3 hit = onPlane / (1.0 + steepness * w);
-    float depth = gl_FragCoord.z + (gl_FragCoord.z - depthAtInfinity) * steepness * w;
+    float rise = tintAndSteepness.a * w;
+    vec3 hit = onPlane / (1.0 + rise);
+    float depth = gl_FragCoord.z + (gl_FragCoord.z - depthAtInfinity) * rise;
 #endif
 #ifndef SAMPLES
     // Beyond the far plane is never drawn, and cheaper than `discard`.
@@ -94,12 +74,20 @@ void main()
 #endif
     gl_FragDepth = depth;
 
-    vec3 normal = normalize(hit - centre);
-    // Neighbours keep light from each other's rims, and from the foot of a pile more than its top.
-    float crevice = 0.62 + 0.38 * min(1.6 * w, 1.0);
-    float foot = 0.84 + 0.16 * clamp(dot(heightPlane, vec4(hit, 1.0)), 0.0, 1.0);
-    vec3 lit = stateColours[state].rgb * threeLights(normal) * crevice * foot;
-    lit = markOfState(lit, sqrt(rhoSquared), normal, pixel);
-    float far = clamp(dot(distancePlane, vec4(hit, 1.0)), 0.0, 1.0);
-    colour = vec4(mix(lit, background.rgb, haze * far), 1.0);
+    // Neighbours keep light from each other's rims.
+    vec3 normal = (hit - centreAndCurvature.xyz) * centreAndCurvature.w;
+    float light = lightOn(normal) * (0.64 + 0.36 * min(1.7 * w, 1.0));
+
+    // The marks of all states, without branches: a software renderer runs every branch anyway. The
+    // gloss is the 32nd power of the cosine to the highlight's middle.
+    float ring = clamp((rhoSquared - 0.76) / (2.0 * pixel + 0.02) + 0.5, 0.0, 1.0);
+    float hatch = stripes((corner.x + corner.y) * 1.3 + 0.25, 0.34, pixel * 1.84);
+    float gloss = max(dot(normal, kHighlight), 0.0);
+    gloss *= gloss;
+    gloss *= gloss;
+    gloss *= gloss;
+    gloss *= gloss;
+    gloss *= gloss;
+    light *= 1.0 - marks.y * ring - marks.z * hatch;
+    colour = vec4(tintAndSteepness.rgb * light + marks.x * gloss + hazeAndPixel.rgb, 1.0);
 }

@@ -16,26 +16,52 @@ layout(location = 1) in uint sphereState;
 uniform mat4 view;
 uniform mat4 projection;
 
+uniform float pixelScale; // pixels in a length of 1 at distance 1, or at any without perspective
+uniform vec4 stateColours[3];
+uniform vec4 background;
+uniform vec4 heightPlane; // with an eye-space point: 0 at the object's foot, 1 at its top
+uniform vec4 distancePlane; // with an eye-space point: 0 at the object's front, 1 at its back
+uniform float haze; // share of the background in the furthest spheres
+
 out vec2 corner; // position in the circle's plane, in its radius
 out vec3 onPlane; // Q, the point of the square [eye space]
-flat out vec3 centre; // C [eye space]
-flat out float radius;
-flat out float steepness; // e; not used without perspective
-flat out uint state;
+flat out vec4 centreAndCurvature; // C [eye space], 1 / r
+flat out vec4 tintAndSteepness; // the sphere's own colour, e (r without perspective)
+flat out vec4 hazeAndPixel; // what is added to the colour, a pixel's length in the sphere's radius
+flat out vec3 marks; // strength of gloss, of the ring and of the hatch
+
+// Colour alone does not tell the states apart for everyone. Running spheres are glossy with a dark
+// ring, discarded ones are hatched, frozen ones are plain.
+const vec3 kMarks[3] = vec3[3](vec3(0.65, 0.8, 0.0), vec3(0.0), vec3(0.0, 0.0, 0.42));
+
+// All that is the same over one sphere is worked out here, once a corner and not once a pixel.
+void setColours(vec3 centre)
+{
+    // The foot of a pile gets less light than its top, and what is far fades.
+    float foot = 0.86 + 0.14 * clamp(dot(heightPlane, vec4(centre, 1.0)), 0.0, 1.0);
+    float far = haze * clamp(dot(distancePlane, vec4(centre, 1.0)), 0.0, 1.0);
+    tintAndSteepness.rgb = stateColours[sphereState].rgb * foot * (1.0 - far);
+    hazeAndPixel.rgb = background.rgb * far;
+    marks = kMarks[sphereState];
+}
 
 void main()
 {
     corner = vec2((gl_VertexID & 1) * 2 - 1, (gl_VertexID & 2) - 1);
-    centre = (view * vec4(sphere.xyz, 1.0)).xyz;
-    radius = sphere.w;
-    state = sphereState;
+    vec3 centre = (view * vec4(sphere.xyz, 1.0)).xyz;
+    float radius = sphere.w;
+    centreAndCurvature = vec4(centre, 1.0 / radius);
+    setColours(centre);
 #ifdef ORTHOGRAPHIC
-    steepness = 0.0;
+    tintAndSteepness.a = radius;
+    hazeAndPixel.a = 1.0 / (pixelScale * radius);
     onPlane = centre + radius * vec3(corner, 0.0);
     gl_Position = projection * vec4(onPlane, 1.0);
 #else
     float distance = length(centre);
-    steepness = radius / distance;
+    float steepness = radius / distance;
+    tintAndSteepness.a = steepness;
+    hazeAndPixel.a = -centre.z / (pixelScale * radius);
     if (steepness >= 1.0 || centre.z >= 0.0)
     {
         // The eye is in the sphere or past it: there is no such circle.

@@ -35,7 +35,12 @@ constexpr double kLargestHeight = 0.96;
 /// As wide as any count is expected to be; a greater one grows to the right.
 constexpr std::string_view kWidestNumber = "000000";
 
+/// Rows with a number below this count spheres, the others polygons.
 constexpr int kPolygonRow = 3;
+
+/// In the place of a number: a row without one, with and without a gap above.
+constexpr int kHeading = -1;
+constexpr int kPlain = -2;
 
 } // namespace
 
@@ -68,7 +73,7 @@ double Legend::titleHeight() const
 void Legend::addRow(const std::string& label, int number)
 {
     const double size = font_->size();
-    if (number < 0 && !rows_.empty())
+    if (number == kHeading && !rows_.empty())
     {
         height_ += kGap * size;
     }
@@ -91,16 +96,16 @@ void Legend::layOut()
 {
     const double size = font_->size();
     height_ = kMargin * size + (title_.empty() ? 0 : (kTitleSize * kLine + kGap) * size);
-    addRow("Spheres", -1);
+    addRow("Spheres", kHeading);
     addRow("running", 0);
     addRow("frozen", 1);
     addRow("discarded", 2);
-    addRow("Polygons", -1);
+    addRow("Polygons", kHeading);
     addRow("active", 3);
     addRow("discarded", 4);
     // What is drawn here is known only with the snapshot.
-    addRow("", -1);
-    addRow("", -2);
+    addRow("", kHeading);
+    addRow("", kPlain);
     height_ += (kMargin - kGap) * size;
 
     double label = 0;

@@ -48,7 +48,7 @@ private:
     {
         std::string label;
         double baseline = 0;
-        int number = -1; ///< index of the count to the right, or none
+        int number = -1; ///< index of the count to the right; negative for none
     };
 
     void addRow(const std::string& label, int number);

@@ -11,8 +11,9 @@ namespace frostfill
 namespace
 {
 
-/// Edges that are bent by more than 30 degrees are drawn, and not smoothed over.
-constexpr float kCreaseCosine = 0.866F;
+/// Edges that are bent by more than 35 degrees are drawn, and not smoothed over. A round thing of
+/// twelve sides, which bends by 30, is meant to be smooth.
+constexpr float kCreaseCosine = 0.819F;
 
 constexpr std::uint8_t kStrong = 190;
 constexpr std::uint8_t kFaint = 26;

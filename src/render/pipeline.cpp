@@ -207,6 +207,8 @@ void Pipeline::draw(const Snapshot& snapshot)
     uniforms.projection = framing_.projection;
     uniforms.depthAtInfinity = static_cast<float>(framing_.depthAtInfinity);
     uniforms.depthSlope = static_cast<float>(framing_.depthSlope);
+    uniforms.pixelScale = 0.5F * static_cast<float>(framing_.projection[1][1]) *
+                          static_cast<float>(settings_.size.height);
     uniforms.heightPlane = framing_.heightPlane;
     uniforms.distancePlane = framing_.distancePlane;
     uniforms.haze = kHaze;

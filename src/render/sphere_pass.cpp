@@ -143,6 +143,7 @@ void SpherePass::draw(const SphereBuffer& spheres, const SphereUniforms& uniform
     program_.set("projection", uniforms.projection);
     program_.set("depthAtInfinity", uniforms.depthAtInfinity);
     program_.set("depthSlope", uniforms.depthSlope);
+    program_.set("pixelScale", uniforms.pixelScale);
     program_.set("heightPlane", std::span(&uniforms.heightPlane, 1));
     program_.set("distancePlane", std::span(&uniforms.distancePlane, 1));
     program_.set("haze", uniforms.haze);
