@@ -233,6 +233,11 @@ Framing frame(std::span<const Eigen::Vector3d> vertices, const RenderSettings& s
               const PictureRegion& region)
 {
     check(settings);
+    static const Eigen::Vector3d nothing = Eigen::Vector3d::Zero();
+    if (vertices.empty())
+    {
+        vertices = {&nothing, 1};
+    }
     const Camera& camera = settings.camera;
     Framing framing;
     framing.orthographic = camera.orthographic;

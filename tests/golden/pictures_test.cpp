@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// A small picture with everything in it, against one that a person has looked at.
+// FROSTFILL_UPDATE_GOLDEN=1 in the environment rewrites it; look at it again then.
+#include <frostfill/image.hpp>
+#include <frostfill/renderer.hpp>
+#include <support/shapes.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+namespace frostfill
+{
+namespace
+{
+
+using namespace testing_support;
+namespace fs = std::filesystem;
+
+/// Versions of Mesa round differently along edges; what a person would see is far beyond this.
+constexpr double kLargestRms = 2;
+
+void expectLikeGolden(const Image& actual, const std::string& name)
+{
+    const fs::path golden = fs::path(FROSTFILL_SOURCE_DIR) / "tests" / "golden" / (name + ".png");
+    if (std::getenv("FROSTFILL_UPDATE_GOLDEN") != nullptr)
+    {
+        savePng(actual, golden);
+        return;
+    }
+    const Image expected = loadPng(golden);
+    const ImageDifference difference = compareImages(actual, expected);
+    if (difference.sameShape && difference.rootMeanSquare <= kLargestRms)
+    {
+        return;
+    }
+    const fs::path output = FROSTFILL_TEST_OUTPUT;
+    savePng(actual, output / (name + "_actual.png"));
+    ADD_FAILURE() << "differs from " << golden << "\n  drawn: " << output / (name + "_actual.png")
+                  << "\n  root mean square " << difference.rootMeanSquare << " of 255, largest "
+                  << difference.largest << ", pixels apart " << difference.pixelsApart;
+    if (difference.sameShape)
+    {
+        savePng(differenceImage(actual, expected), output / (name + "_difference.png"));
+        ADD_FAILURE() << "difference: " << output / (name + "_difference.png");
+    }
+}
+
+/// Spheres of all states in layers on a ring, and polygons discarded at its foot.
+TEST(GoldenPictures, AllStatesInATorus)
+{
+    const TriangleMesh mesh = torusMesh(1, 0.4, 32, 12);
+    Snapshot snapshot;
+    for (int i = 0; i < 60; ++i)
+    {
+        // The golden angle along the ring, and a slow turn within the tube.
+        const double around = 2.39996323 * i;
+        const double ring = 1 + 0.2 * std::cos(0.7 * i);
+        const Eigen::Vector3d centre(ring * std::cos(around), ring * std::sin(around),
+                                     0.2 * std::sin(0.7 * i));
+        addSphere(snapshot, centre, 0.15,
+                  centre.y() > 0.55    ? SphereState::running
+                  : centre.y() > -0.45 ? SphereState::frozen
+                                       : SphereState::discarded);
+    }
+    for (const auto& triangle : mesh.triangles)
+    {
+        const double height = mesh.vertices[triangle[0]].y();
+        snapshot.polygons.push_back(height < -0.8 ? PolygonState::discarded : PolygonState::active);
+        snapshot.discardedPolygons += height < -0.8 ? 1 : 0;
+    }
+    snapshot.set = 3;
+    snapshot.step = 1234;
+    snapshot.time = 1.5;
+
+    RenderSettings settings;
+    settings.size = {320, 180};
+    settings.title = "torus";
+    Image image;
+    Renderer(mesh, settings).render(snapshot, image);
+    expectLikeGolden(image, "all_states");
+}
+
+} // namespace
+} // namespace frostfill
