@@ -19,7 +19,8 @@ struct Camera
     double fieldOfView = 35; ///< [degree] vertical
     double zoom = 1;         ///< [1] 1 fits the object into the picture, 2 shows it twice as large
     bool orthographic = false;
-    std::optional<Eigen::Vector3d> target; ///< mesh coordinates; the box's centre when not given
+    std::optional<Eigen::Vector3d> target; ///< mesh coordinates, shown in the middle; without one
+                                           ///< the object's outline is centred
 };
 
 /// Size of a picture in pixels.

@@ -11,7 +11,6 @@ class Context;
 /// Every function of OpenGL that we call, as X(member, type, name). Loaded by hand: the usual
 /// loaders fail on OSMesa contexts.
 #define FROSTFILL_GL_FUNCTIONS(X)                                                                  \
-    X(activeTexture, PFNGLACTIVETEXTUREPROC, "glActiveTexture")                                    \
     X(attachShader, PFNGLATTACHSHADERPROC, "glAttachShader")                                       \
     X(bindBuffer, PFNGLBINDBUFFERPROC, "glBindBuffer")                                             \
     X(bindFramebuffer, PFNGLBINDFRAMEBUFFERPROC, "glBindFramebuffer")                              \
@@ -46,7 +45,6 @@ class Context;
     X(genFramebuffers, PFNGLGENFRAMEBUFFERSPROC, "glGenFramebuffers")                              \
     X(genRenderbuffers, PFNGLGENRENDERBUFFERSPROC, "glGenRenderbuffers")                           \
     X(genVertexArrays, PFNGLGENVERTEXARRAYSPROC, "glGenVertexArrays")                              \
-    X(getError, PFNGLGETERRORPROC, "glGetError")                                                   \
     X(getIntegerv, PFNGLGETINTEGERVPROC, "glGetIntegerv")                                          \
     X(getMultisamplefv, PFNGLGETMULTISAMPLEFVPROC, "glGetMultisamplefv")                           \
     X(getProgramInfoLog, PFNGLGETPROGRAMINFOLOGPROC, "glGetProgramInfoLog")                        \

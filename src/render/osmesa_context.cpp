@@ -6,14 +6,14 @@
 
 #include <fmt/core.h>
 
-// The header declares glcorearb.h's types through gl.h; only its constants and handles are used.
+// For constants and types; the functions are looked up in the opened library.
 #include <GL/osmesa.h>
 
 #include <dlfcn.h>
 
 #include <array>
 #include <cstdlib>
-#include <mutex>
+#include <string>
 
 namespace frostfill
 {

@@ -4,11 +4,9 @@
 #include <frostfill/error.hpp>
 
 #include <fmt/core.h>
-#include <glm/mat3x3.hpp>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace frostfill
 {

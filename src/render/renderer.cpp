@@ -5,7 +5,6 @@
 
 #include <frostfill/error.hpp>
 
-#include <array>
 #include <chrono>
 
 namespace frostfill
