@@ -4,7 +4,7 @@
 int main()
 {
     using namespace frostfill;
-    Scene scene = presetScene(Preset::paper, "torus");
+    Scene scene = presetScene(Preset::fast, "torus");
     scene.spheres.count = 100;
 
     const LoadedMesh loaded = loadMesh(scene.object.mesh);
