@@ -74,7 +74,7 @@ struct SphereSettings
 /// How a sphere moves. Lengths in r and times in sqrt(r/g) make defaults independent of units.
 struct MotionSettings
 {
-    double gravity = 9.81; ///< [m/s^2], along the down axis
+    double gravity = 9.81;      ///< [m/s^2], along the down axis
     Motion mode = Motion::fall; ///< of the preset fast; the paper's spheres always fall
     Integrator integrator = Integrator::explicitEuler; ///< of the preset paper
     std::optional<double> dt; ///< [s]; chosen so that no fall moves more than r/2 a step
@@ -95,7 +95,7 @@ struct FreezingSettings
 struct DiscardSettings
 {
     DiscardRule rule = DiscardRule::paper;
-    double epsilon = 4;   ///< [r] a group goes when it lies more than this below the last one
+    double epsilon = 4;     ///< [r] a group goes when it lies more than this below the last one
     double closeness = 0.3; ///< [r] from a vertex along its normal to a covering sphere
 };
 
@@ -120,6 +120,7 @@ struct Scene
     std::string name = "torus";
     Preset preset = Preset::fast;
     std::uint64_t seed = 1;
+    std::int32_t threads = 0; ///< of the preset fast; 0: one a core. Changes no bit of the result
     ObjectSettings object;
     SphereSettings spheres;
     MotionSettings motion;

@@ -9,6 +9,7 @@ namespace
 // Whole numbers beyond this are not exact in every reader of JSON, so a run could not be repeated.
 constexpr double kLargestWhole = 9007199254740992;
 constexpr double kLargestGroup = 1e6;
+constexpr double kMostThreads = 1024;
 constexpr double kLargestNumber = std::numeric_limits<double>::max();
 
 /// Collects options; what is said last concerns the option that was added last.
@@ -154,6 +155,10 @@ void addFreezing(TableBuilder& table)
 
 void addDiscards(TableBuilder& table)
 {
+    table
+        .add("threads", "--threads", "Threads of the preset fast; 0: one a core",
+             FROSTFILL_FIELD(threads))
+        .range(0, kMostThreads);
     table.heading("Discarding and searches");
     table.add("discard.rule", "--discard", "Which frozen spheres and covered polygons are left out",
               FROSTFILL_FIELD(discard.rule));

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <simulation/algorithm1.hpp>
 
+#include <geometry/instruction_sets.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace frostfill
 {
@@ -23,6 +26,49 @@ Eigen::Vector3d directionApart(const Eigen::Vector3d& d, double distance)
 {
     // Two spheres in the same place leave each other along the vertical.
     return distance > 0 ? Eigen::Vector3d(d / distance) : Eigen::Vector3d(0, 1, 0);
+}
+
+using Four = double __attribute__((vector_size(32)));
+using FourFlags = std::int64_t __attribute__((vector_size(32)));
+
+// Written to an argument: what a vector is returned in would depend on the instruction set.
+inline void loadFour(Four& four, const double* values)
+{
+    std::memcpy(&four, values, sizeof four);
+}
+
+// Where the first whole block begins that has a sphere in contact with sphere i; past the last
+// whole block when none has. The sign of a difference is exact, so this finds the contacts that a
+// test one by one does.
+FROSTFILL_INSTRUCTION_SETS
+std::size_t firstBlockInContact(const Spheres& s, std::size_t i, std::size_t begin, std::size_t end)
+{
+    const double x = s.x[i];
+    const double y = s.y[i];
+    const double z = s.z[i];
+    const double r = s.radius[i];
+    for (; begin + kBlock <= end; begin += kBlock)
+    {
+        FourFlags any = {};
+        for (const std::size_t at : {begin, begin + 4})
+        {
+            Four dx, dy, dz, contact;
+            loadFour(dx, s.x.data() + at);
+            loadFour(dy, s.y.data() + at);
+            loadFour(dz, s.z.data() + at);
+            loadFour(contact, s.radius.data() + at);
+            dx -= x;
+            dy -= y;
+            dz -= z;
+            contact += r;
+            any |= dx * dx + dy * dy + dz * dz - contact * contact < 0;
+        }
+        if ((any[0] | any[1] | any[2] | any[3]) != 0)
+        {
+            return begin;
+        }
+    }
+    return begin;
 }
 
 } // namespace
@@ -85,12 +131,10 @@ void Algorithm1::runningFrozen(std::size_t frozenBegin, std::size_t runningBegin
     {
         std::uint64_t responses = 0;
         std::size_t j = frozenBegin;
-        for (; j + kBlock <= runningBegin; j += kBlock)
+        while ((j = firstBlockInContact(spheres_, i, j, runningBegin)) + kBlock <= runningBegin)
         {
-            if (anyContact(i, j))
-            {
-                responses += respondToFrozen(i, j, j + kBlock);
-            }
+            responses += respondToFrozen(i, j, j + kBlock);
+            j += kBlock;
         }
         responses += respondToFrozen(i, j, runningBegin);
         total += responses;
@@ -98,19 +142,6 @@ void Algorithm1::runningFrozen(std::size_t frozenBegin, std::size_t runningBegin
     }
     counts.runningFrozenTests += (spheres_.size() - runningBegin) * (runningBegin - frozenBegin);
     counts.runningFrozenResponses += total;
-}
-
-// Tests a whole block at once, in vector instructions. The sign of a difference is exact, so this
-// finds a contact where the test one by one does.
-bool Algorithm1::anyContact(std::size_t i, std::size_t first) const
-{
-    using Block = Eigen::Array<double, kBlock, 1>;
-    const Spheres& s = spheres_;
-    const auto block = [first](const std::vector<double>& values)
-    { return Eigen::Map<const Block>(values.data() + first); };
-    const Block gap = (block(s.x) - s.x[i]).square() + (block(s.y) - s.y[i]).square() +
-                      (block(s.z) - s.z[i]).square() - (block(s.radius) + s.radius[i]).square();
-    return gap.minCoeff() < 0;
 }
 
 std::uint64_t Algorithm1::respondToFrozen(std::size_t i, std::size_t begin, std::size_t end)

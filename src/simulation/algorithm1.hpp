@@ -47,7 +47,6 @@ private:
         Eigen::Vector3d direction; ///< unit vector, into the object
         double depth = 0;          ///< penetration depth [r]
     };
-    [[nodiscard]] bool anyContact(std::size_t i, std::size_t first) const;
     std::uint64_t respondToFrozen(std::size_t i, std::size_t begin, std::size_t end);
     void reflect(std::size_t i, const Eigen::Vector3d& normal);
     [[nodiscard]] bool wallPush(const SurfaceTriangle& triangle, const Eigen::Vector3d& p,

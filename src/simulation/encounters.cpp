@@ -52,8 +52,10 @@ Eigen::Vector3d pushOffResting(const Runner& runner)
 
 } // namespace
 
-Encounters::Encounters(const World& world, const Flight& flight, const Settings& settings)
-    : flight_(flight), settings_(settings), frame_(world.resting.frame()), head_(frame_.size(), 0)
+Encounters::Encounters(const World& world, const Flight& flight, Threads& threads,
+                       const Settings& settings)
+    : flight_(flight), threads_(threads), settings_(settings), frame_(world.resting.frame()),
+      head_(frame_.size(), 0)
 {
 }
 
@@ -84,77 +86,82 @@ void Encounters::findMeetings(std::span<Runner> runners)
         next_[i] = head_[cell];
         head_[cell] = static_cast<std::uint32_t>(i + 1);
     }
-    for (std::size_t i = 0; i < runners.size(); ++i)
-    {
-        Runner& runner = runners[i];
-        runner.meeting.clear();
-        const double reach = runner.radius + 1 + kMeetingMargin;
-        const auto low = frame_.coordinates(runner.position.array() - reach);
-        const auto high = frame_.coordinates(runner.position.array() + reach);
-        for (int z = low[2]; z <= high[2]; ++z)
-        {
-            for (int y = low[1]; y <= high[1]; ++y)
-            {
-                for (int x = low[0]; x <= high[0]; ++x)
-                {
-                    for (std::uint32_t k = head_[frame_.index(x, y, z)]; k != 0; k = next_[k - 1])
-                    {
-                        const double limit = runner.radius + runners[k - 1].radius + kMeetingMargin;
-                        if (k - 1 != i &&
-                            (runners[k - 1].position - runner.position).squaredNorm() <
-                                limit * limit)
-                        {
-                            runner.meeting.push_back(k - 1);
-                        }
-                    }
-                }
-            }
-        }
-        std::sort(runner.meeting.begin(), runner.meeting.end());
-    }
+    threads_.forEach(runners.size(), [&](std::size_t i) { findMeetingsOf(runners, runners[i]); });
     for (const Runner& runner : runners)
     {
         head_[frame_.index(runner.position)] = 0;
     }
 }
 
+void Encounters::findMeetingsOf(std::span<const Runner> runners, Runner& runner) const
+{
+    runner.meeting.clear();
+    const double reach = runner.radius + 1 + kMeetingMargin;
+    const auto low = frame_.coordinates(runner.position.array() - reach);
+    const auto high = frame_.coordinates(runner.position.array() + reach);
+    for (int z = low[2]; z <= high[2]; ++z)
+    {
+        for (int y = low[1]; y <= high[1]; ++y)
+        {
+            for (int x = low[0]; x <= high[0]; ++x)
+            {
+                for (std::uint32_t k = head_[frame_.index(x, y, z)]; k != 0; k = next_[k - 1])
+                {
+                    const Runner& other = runners[k - 1];
+                    const double limit = runner.radius + other.radius + kMeetingMargin;
+                    if (&other != &runner &&
+                        (other.position - runner.position).squaredNorm() < limit * limit)
+                    {
+                        runner.meeting.push_back(k - 1);
+                    }
+                }
+            }
+        }
+    }
+    std::sort(runner.meeting.begin(), runner.meeting.end());
+}
+
 // Returns the deepest penetration that it found.
 double Encounters::sweep(std::span<Runner> runners)
 {
+    threads_.forEach(runners.size(), [&](std::size_t i) { pushOff(runners, runners[i]); });
     double deepest = 0;
-    for (Runner& runner : runners)
+    for (const Runner& runner : runners)
     {
-        runner.push = pushOffResting(runner);
-        deepest = std::max(deepest, runner.push.norm());
-        for (const std::uint32_t k : runner.meeting)
-        {
-            const Runner& other = runners[k];
-            const Eigen::Vector3d d = runner.position - other.position;
-            const double contact = runner.radius + other.radius;
-            const double squared = d.squaredNorm();
-            if (squared >= contact * contact)
-            {
-                continue;
-            }
-            const double distance = std::sqrt(squared);
-            const double depth = contact - distance;
-            deepest = std::max(deepest, depth);
-            if (distance > 0)
-            {
-                runner.push += d * (shareOf(runner, other) * depth / distance);
-            }
-        }
-        const double length = runner.push.norm();
-        if (length > kLongestPush)
-        {
-            runner.push *= kLongestPush / length;
-        }
+        deepest = std::max(deepest, runner.depth);
     }
-    for (Runner& runner : runners)
-    {
-        flight_.shift(runner, runner.push);
-    }
+    threads_.forEach(runners.size(),
+                     [&](std::size_t i) { flight_.shift(runners[i], runners[i].push); });
     return deepest;
+}
+
+void Encounters::pushOff(std::span<const Runner> runners, Runner& runner) const
+{
+    runner.push = pushOffResting(runner);
+    runner.depth = runner.push.norm();
+    for (const std::uint32_t k : runner.meeting)
+    {
+        const Runner& other = runners[k];
+        const Eigen::Vector3d d = runner.position - other.position;
+        const double contact = runner.radius + other.radius;
+        const double squared = d.squaredNorm();
+        if (squared >= contact * contact)
+        {
+            continue;
+        }
+        const double distance = std::sqrt(squared);
+        const double depth = contact - distance;
+        runner.depth = std::max(runner.depth, depth);
+        if (distance > 0)
+        {
+            runner.push += d * (shareOf(runner, other) * depth / distance);
+        }
+    }
+    const double length = runner.push.norm();
+    if (length > kLongestPush)
+    {
+        runner.push *= kLongestPush / length;
+    }
 }
 
 // Velocity from the corrected displacement (position-based dynamics), except where a pair met fast
@@ -163,44 +170,45 @@ void Encounters::updateVelocities(std::span<Runner> runners, double dt)
 {
     for (Runner& runner : runners)
     {
-        const Eigen::Vector3d shift = runner.position - runner.flown;
-        runner.push = shift / dt;
+        // Being pushed may turn a sphere round but makes it no faster than it would have become.
+        const Eigen::Vector3d corrected =
+            runner.velocityBefore + (runner.position - runner.flown) / dt;
         const double speed = runner.velocityBefore.norm() + dt;
-        const Eigen::Vector3d corrected = runner.velocityBefore + runner.push;
         const double length = corrected.norm();
         runner.velocity =
             length > speed ? Eigen::Vector3d(corrected * (speed / length)) : corrected;
     }
-    if (settings_.restitution == 0)
+    if (settings_.restitution > 0)
     {
-        return;
+        threads_.forEach(runners.size(), [&](std::size_t i) { bounce(runners, runners[i]); });
     }
-    for (Runner& runner : runners)
+}
+
+// As if each pair met alone, with the velocities from before; of several, the mean.
+void Encounters::bounce(std::span<const Runner> runners, Runner& runner) const
+{
+    Eigen::Vector3d change = Eigen::Vector3d::Zero();
+    int contacts = 0;
+    for (const std::uint32_t k : runner.meeting)
     {
-        Eigen::Vector3d change = Eigen::Vector3d::Zero();
-        int contacts = 0;
-        for (const std::uint32_t k : runner.meeting)
+        const Runner& other = runners[k];
+        const Eigen::Vector3d d = runner.flown - other.flown;
+        const double distance = d.norm();
+        if (distance >= runner.radius + other.radius || distance == 0)
         {
-            const Runner& other = runners[k];
-            const Eigen::Vector3d d = runner.flown - other.flown;
-            const double distance = d.norm();
-            if (distance >= runner.radius + other.radius || distance == 0)
-            {
-                continue;
-            }
-            const Eigen::Vector3d normal = d / distance;
-            const double before = (runner.velocityBefore - other.velocityBefore).dot(normal);
-            if (before < -settings_.bounceSpeed)
-            {
-                // As if the pair met alone: its own velocities before, not the corrected ones.
-                change += normal * (-(1 + settings_.restitution) * before * shareOf(runner, other));
-                ++contacts;
-            }
+            continue;
         }
-        if (contacts > 0)
+        const Eigen::Vector3d normal = d / distance;
+        const double before = (runner.velocityBefore - other.velocityBefore).dot(normal);
+        if (before < -settings_.bounceSpeed)
         {
-            runner.velocity = runner.velocityBefore + change / contacts;
+            change += normal * (-(1 + settings_.restitution) * before * shareOf(runner, other));
+            ++contacts;
         }
+    }
+    if (contacts > 0)
+    {
+        runner.velocity = runner.velocityBefore + change / contacts;
     }
 }
 

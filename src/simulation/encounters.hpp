@@ -2,6 +2,7 @@
 #pragma once
 
 #include <simulation/flight.hpp>
+#include <simulation/parallel.hpp>
 #include <simulation/runner.hpp>
 #include <simulation/world.hpp>
 
@@ -24,17 +25,22 @@ public:
         double tolerance = 1e-3; ///< penetration depth at which the sweeps end early [r]
     };
 
-    Encounters(const World& world, const Flight& flight, const Settings& settings);
+    Encounters(const World& world, const Flight& flight, Threads& threads,
+               const Settings& settings);
 
     /// Separates the runners and makes their velocities agree with it.
     void resolve(std::span<Runner> runners, double dt);
 
 private:
     void findMeetings(std::span<Runner> runners);
+    void findMeetingsOf(std::span<const Runner> runners, Runner& runner) const;
     double sweep(std::span<Runner> runners);
+    void pushOff(std::span<const Runner> runners, Runner& runner) const;
     void updateVelocities(std::span<Runner> runners, double dt);
+    void bounce(std::span<const Runner> runners, Runner& runner) const;
 
     const Flight& flight_;
+    Threads& threads_;
     Settings settings_;
     GridFrame frame_;
     std::vector<std::uint32_t> head_; ///< first runner of each cell, as index + 1; 0 for none

@@ -45,7 +45,9 @@ std::size_t spheresInSet(const World& world)
 FastEngine::FastEngine(World& world)
     : world_(world), falls_(world.resting.frame(), world.triangles), release_(world),
       descent_(world, falls_), flight_(world, {world.scene.motion.restitution}),
-      encounters_(world, flight_, {world.scene.motion.restitution}), setSize_(spheresInSet(world)),
+      threads_(world.scene.threads),
+      encounters_(world, flight_, threads_, {world.scene.motion.restitution}),
+      setSize_(spheresInSet(world)),
       ageLimit_(world.scene.freezing.setTimeLimit + 4 * std::sqrt(2 * world.height))
 {
     if (!release_.any())
@@ -147,11 +149,12 @@ void FastEngine::advance()
     const std::span<Runner> runners(runners_.data(), running_);
     {
         const StageTimer timer(world_.times, Stage::motion);
-        for (Runner& runner : runners)
-        {
-            flight_.advance(runner, world_.dt);
-            runner.age += world_.dt;
-        }
+        threads_.forEach(runners.size(),
+                         [&](std::size_t i)
+                         {
+                             flight_.advance(runners[i], world_.dt);
+                             runners[i].age += world_.dt;
+                         });
     }
     {
         const StageTimer timer(world_.times, Stage::sphereSphere);

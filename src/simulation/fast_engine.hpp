@@ -6,6 +6,7 @@
 #include <simulation/exact_discard.hpp>
 #include <simulation/fall_index.hpp>
 #include <simulation/flight.hpp>
+#include <simulation/parallel.hpp>
 #include <simulation/release_sites.hpp>
 #include <simulation/runner.hpp>
 #include <simulation/set_clock.hpp>
@@ -41,6 +42,7 @@ private:
     ReleaseSites release_;
     Descent descent_;
     Flight flight_;
+    Threads threads_;
     Encounters encounters_;
     std::unique_ptr<ExactDiscard> discard_; ///< empty when nothing is to be discarded
     SetClock clock_;

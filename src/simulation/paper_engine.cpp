@@ -13,7 +13,7 @@ namespace
 
 /// A centre's polygon may be this far beyond the edge of its quarter: its radius, and what it may
 /// be pushed while it is tested. [r]
-constexpr double kQuarterReach = 1.25;
+constexpr double kQuarterReach = 1.1;
 /// Contacts between spheres move a centre at most this far in a step, so that walls can win. [r]
 constexpr double kLongestPush = 0.5;
 /// No fall moves a sphere farther than this in a step by default. [r]

@@ -24,8 +24,9 @@ public:
     template <class Suits>
     [[nodiscard]] std::optional<Eigen::Vector3d> find(Suits&& suits)
     {
-        for (std::size_t attempts = 0; attempts < 4 * ceilings_.size() && !ceilings_.empty();
-             ++attempts)
+        // Places that do not suit are taken for the moment only: so many misses mean that most are.
+        const std::size_t patience = 64 + ceilings_.size() / 2;
+        for (std::size_t misses = 0; misses < patience && !ceilings_.empty(); ++misses)
         {
             const auto place = drawAtCeiling();
             if (place && suits(*place))

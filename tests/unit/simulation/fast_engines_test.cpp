@@ -90,6 +90,24 @@ TEST_P(FastEngines, GiveTheSameBitsWithAndWithoutExactDiscards)
     EXPECT_EQ(without->sets().back().discarded, 0u);
 }
 
+TEST_P(FastEngines, GiveTheSameBitsWithAnyNumberOfThreads)
+{
+    const auto hash = [this](int threads)
+    {
+        Scene chosen = scene(3);
+        chosen.threads = threads;
+        chosen.spheres.groupSize = 50; // enough at once to be shared out
+        Simulation simulation(chosen, mesh());
+        while (simulation.step())
+        {
+        }
+        return simulation.stateHash();
+    };
+    const std::string one = hash(1);
+    EXPECT_EQ(hash(2), one);
+    EXPECT_EQ(hash(8), one);
+}
+
 TEST_P(FastEngines, StopAtTheCount)
 {
     Scene some = scene(1);
