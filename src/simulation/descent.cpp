@@ -16,13 +16,13 @@ constexpr double kTouch = 1e-7;         // gap below which a contact carries [r]
 constexpr double kSettled = 0.01;       // share of the weight that may remain uncarried
 constexpr double kLongestSlide = 0.3;   // straight part of a path that follows a curve [r]
 constexpr double kShortestSlide = 1e-4; // a path that advances by less is stuck [r]
+constexpr double kShortestLook = 0.1;   // a neighbourhood that reaches less far is renewed [r]
 constexpr double kRegain = 0.2;         // how far behind a straight part the contact may be [r]
 
 } // namespace
 
-bool Descent::settle(Eigen::Vector3d& p, double radius)
+bool Descent::settle(Eigen::Vector3d& p, double radius, Neighbourhood& around)
 {
-    around_.invalidate();
     longestSlide_ = kLongestSlide;
     // A path loses height with every step, so it ends; the bound is for wedges that Newton's method
     // enters ever more slowly.
@@ -30,8 +30,8 @@ bool Descent::settle(Eigen::Vector3d& p, double radius)
     for (std::uint64_t step = 0; step < bound; ++step)
     {
         ++steps_;
-        around_.ensure(world_, p, radius, kLongestSlide + kRegain);
-        contactNormals(world_.surface, around_, p, radius, kTouch, normals_);
+        around.ensure(world_, p, radius, kShortestLook);
+        contactNormals(world_.surface, around, p, radius, kTouch, normals_);
         const Eigen::Vector3d pull = projectToFree({0, -1, 0}, normals_);
         const double weight = pull.norm();
         if (weight < kSettled)
@@ -40,9 +40,9 @@ bool Descent::settle(Eigen::Vector3d& p, double radius)
         }
         if (normals_.empty())
         {
-            fall(p, radius);
+            fall(p, radius, around);
         }
-        else if (!slide(p, radius, pull))
+        else if (!slide(p, radius, around, pull))
         {
             return false;
         }
@@ -56,12 +56,12 @@ void Descent::drop(Eigen::Vector3d& p, double radius)
     for (double before = p.y() + 1; p.y() < before;)
     {
         before = p.y();
-        around_.ensure(world_, p, radius, kLongestSlide);
-        fall(p, radius);
+        around_.ensure(world_, p, radius, kShortestLook);
+        fall(p, radius, around_);
     }
 }
 
-void Descent::fall(Eigen::Vector3d& p, double radius)
+void Descent::fall(Eigen::Vector3d& p, double radius, const Neighbourhood& around) const
 {
     const double height = falls_.freeHeight(p);
     if (height < p.y())
@@ -70,27 +70,31 @@ void Descent::fall(Eigen::Vector3d& p, double radius)
         return;
     }
     const Eigen::Vector3d down(0, -1, 0);
-    p.y() -= freePath(world_.surface, around_, p, radius, down, kLongestSlide);
+    p.y() -= freePath(world_.surface, around, p, radius, down, around.room(p));
 }
 
 // A straight part along the pull, then back to the contact that curves away from it. Both lose
 // height: the second leads against the contacts' forces, whose sum points up.
-bool Descent::slide(Eigen::Vector3d& p, double radius, const Eigen::Vector3d& pull)
+bool Descent::slide(Eigen::Vector3d& p, double radius, Neighbourhood& around,
+                    const Eigen::Vector3d& pull)
 {
     const double weight = pull.norm();
     const Eigen::Vector3d along = pull / weight;
     // Near the bottom of a curve the pull fades with the distance to it.
-    const double length = std::min(longestSlide_, 1.5 * weight);
-    const double path = freePath(world_.surface, around_, p, radius, along, length);
+    const double length = std::min({longestSlide_, 1.5 * weight, around.room(p)});
+    const double path = freePath(world_.surface, around, p, radius, along, length);
     p += path * along;
 
     const Eigen::Vector3d forces = Eigen::Vector3d(0, 1, 0) + pull;
     const double force = forces.norm();
     if (force > kSettled)
     {
+        // A contact that curves away is behind by about the square of the part.
+        around.ensure(world_, p, radius, path * path);
         const Eigen::Vector3d back = -forces / force;
-        const double regained = freePath(world_.surface, around_, p, radius, back, kRegain);
-        if (regained < kRegain)
+        const double limit = std::min(kRegain, around.room(p));
+        const double regained = freePath(world_.surface, around, p, radius, back, limit);
+        if (regained < limit)
         {
             p += regained * back;
         }

@@ -22,7 +22,13 @@ public:
     /// `p` is a place that is clear of everything. Returns true when a place was found that carries
     /// the sphere: what gravity has left of its weight is below the tolerance. False when the
     /// sphere got stuck in a wedge on the way.
-    [[nodiscard]] bool settle(Eigen::Vector3d& p, double radius);
+    [[nodiscard]] bool settle(Eigen::Vector3d& p, double radius)
+    {
+        around_.invalidate();
+        return settle(p, radius, around_);
+    }
+    /// The same with a neighbourhood of the caller's, which is up to date or invalid.
+    [[nodiscard]] bool settle(Eigen::Vector3d& p, double radius, Neighbourhood& around);
 
     /// Takes p straight down to its first contact.
     void drop(Eigen::Vector3d& p, double radius);
@@ -31,8 +37,9 @@ public:
     [[nodiscard]] std::uint64_t steps() const { return steps_; }
 
 private:
-    void fall(Eigen::Vector3d& p, double radius);
-    bool slide(Eigen::Vector3d& p, double radius, const Eigen::Vector3d& pull);
+    void fall(Eigen::Vector3d& p, double radius, const Neighbourhood& around) const;
+    bool slide(Eigen::Vector3d& p, double radius, Neighbourhood& around,
+               const Eigen::Vector3d& pull);
 
     const World& world_;
     const FallIndex& falls_;

@@ -9,7 +9,7 @@ namespace frostfill
 namespace
 {
 
-constexpr double kMeetingMargin = 0.5; // gap up to which runners may meet within a step [r]
+constexpr double kMeetingMargin = 0.3; // gap up to which runners may meet within a step [r]
 constexpr double kLongestPush = 0.2;   // in one sweep [r]
 
 // How much of the penetration depth a gives way by. One that nothing at rest has carried for long

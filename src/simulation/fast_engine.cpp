@@ -214,7 +214,7 @@ bool FastEngine::tryFreeze(std::uint32_t index)
         return false;
     }
     Eigen::Vector3d place = runner.position;
-    if (!descent_.settle(place, runner.radius) && !tooOld)
+    if (!descent_.settle(place, runner.radius, runner.around) && !tooOld)
     {
         return false;
     }
@@ -236,7 +236,7 @@ bool FastEngine::tryFreeze(std::uint32_t index)
     }
     falls_.insert(place);
     release_.close(place, runner.radius);
-    wakeAround(place);
+    tellOthers(place, runner.radius);
     if (discard_)
     {
         discard_->addResting(runner.id);
@@ -329,15 +329,11 @@ bool FastEngine::clearOfRunners(const Eigen::Vector3d& place) const
     return true;
 }
 
-void FastEngine::wakeAround(const Eigen::Vector3d& place)
+void FastEngine::tellOthers(const Eigen::Vector3d& place, double radius)
 {
     for (std::size_t k = 0; k < running_; ++k)
     {
-        const double near = runners_[k].radius + 1 + 2 * Neighbourhood::kSkin;
-        if ((runners_[k].position - place).squaredNorm() < near * near)
-        {
-            runners_[k].around.invalidate();
-        }
+        runners_[k].around.add(place, radius);
     }
 }
 

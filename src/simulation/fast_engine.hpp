@@ -34,7 +34,7 @@ private:
     void evict(std::uint32_t index);
     [[nodiscard]] bool clearOfRunners(const Eigen::Vector3d& place) const;
     void freezeAt(Runner& runner, const Eigen::Vector3d& place);
-    void wakeAround(const Eigen::Vector3d& place);
+    void tellOthers(const Eigen::Vector3d& place, double radius);
     void forgetFrozen();
 
     World& world_;

@@ -45,7 +45,9 @@ void Flight::advance(Runner& runner, double dt) const
     const int mostParts = kMostParts + static_cast<int>(longest / (Neighbourhood::kSkin / 2));
     for (int part = 0; part < mostParts && left > 1e-12 * dt; ++part)
     {
-        runner.around.ensure(world_, runner.position, runner.radius, Neighbourhood::kSkin / 2);
+        const double ahead = left * (runner.velocity.norm() + left);
+        runner.around.ensure(world_, runner.position, runner.radius,
+                             std::min(ahead, Neighbourhood::kSkin / 2));
         contactNormals(world_.surface, runner.around, runner.position, runner.radius, kTouch,
                        runner.normals);
         collide(runner);
@@ -80,7 +82,7 @@ void Flight::advance(Runner& runner, double dt) const
         }
         left -= path < length ? share * time : time;
     }
-    runner.around.ensure(world_, runner.position, runner.radius, Neighbourhood::kSkin / 2);
+    runner.around.ensure(world_, runner.position, runner.radius, 0);
     contactNormals(world_.surface, runner.around, runner.position, runner.radius, kTouch,
                    runner.normals);
     collide(runner);

@@ -20,8 +20,11 @@ public:
     /// listed. `ahead` is at most the skin.
     void ensure(const World& world, const Eigen::Vector3d& p, double radius, double ahead);
 
-    /// To be called when spheres have come to rest since.
+    /// Forgets everything: the sphere is elsewhere now.
     void invalidate() { radius_ = -1; }
+
+    /// To be called when a sphere has come to rest since: lists it, too, if it is near enough.
+    void add(const Eigen::Vector3d& p, double radius);
 
     /// How far a sphere may go from p before ensure has to be called again.
     [[nodiscard]] double room(const Eigen::Vector3d& p) const
