@@ -67,8 +67,9 @@ struct SphereSettings
     std::optional<double> radius;       ///< [mesh unit]; derived from the count when not given
     std::optional<std::uint64_t> count; ///< stop at this many; until full when not given
     bool untilFull = false;             ///< go on after `count` until no sphere fits
-    std::uint32_t groupSize = 10;       ///< gamma: spheres in a group
-    std::uint32_t groupsPerSet = 2;     ///< k: groups that appear together
+    std::uint32_t groupSize = 0;    ///< gamma: spheres in a group; 0 (fast only): 10, or more in an
+                                    ///< object that is large against a sphere
+    std::uint32_t groupsPerSet = 2; ///< k: groups that appear together
 };
 
 /// How a sphere moves. Lengths in r and times in sqrt(r/g) make defaults independent of units.

@@ -97,9 +97,10 @@ void addSpheres(TableBuilder& table)
     table.add("spheres.until_full", "--until-full", "Go on after the count until no sphere fits",
               FROSTFILL_FIELD(spheres.untilFull));
     table
-        .add("spheres.group_size", "--group-size", "Spheres in a group",
+        .add("spheres.group_size", "--group-size",
+             "Spheres in a group; 0: 10 or more, by the object's size",
              FROSTFILL_FIELD(spheres.groupSize))
-        .range(1, kLargestGroup);
+        .range(0, kLargestGroup);
     table
         .add("spheres.groups_per_set", "--groups-per-set", "Groups that appear together",
              FROSTFILL_FIELD(spheres.groupsPerSet))

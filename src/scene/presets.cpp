@@ -60,8 +60,11 @@ Scene presetScene(Preset preset, const std::string& meshNameOrFile)
     scene.preset = preset;
     scene.object.mesh = meshNameOrFile;
     scene.spheres.count = object.count;
-    scene.spheres.groupSize = object.groupSize;
-    scene.spheres.groupsPerSet = object.groupsPerSet;
+    if (preset == Preset::paper)
+    {
+        scene.spheres.groupSize = object.groupSize;
+        scene.spheres.groupsPerSet = object.groupsPerSet;
+    }
     scene.freezing.everySets = object.freezeEvery;
     scene.discard.rule = preset == Preset::paper ? DiscardRule::paper : DiscardRule::exact;
     return scene;

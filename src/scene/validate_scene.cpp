@@ -32,6 +32,9 @@ void validateScene(const Scene& scene)
                         ? "the paper's discards are not exact: discard.rule (--discard) paper goes "
                           "with the preset paper only"
                         : "discard.rule (--discard) exact goes with the preset fast only");
+    if (scene.preset == Preset::paper && scene.spheres.groupSize == 0)
+        throw Error(ErrorCode::usage, "spheres.group_size (--group-size) is 0, but with the preset "
+                                      "paper it must be at least 1");
     if (!scene.spheres.radius && !scene.spheres.count)
         throw Error(ErrorCode::usage, "neither a radius nor a count of spheres is given; give "
                                       "--radius, --count or both");

@@ -16,7 +16,7 @@ constexpr double kTimeOfSet = 1; // [sqrt(r/g)]
 } // namespace
 
 DescentEngine::DescentEngine(World& world)
-    : world_(world), falls_(world.resting.frame(), world.triangles), release_(world),
+    : world_(world), falls_(world.resting.frame(), world.triangles), release_(world, world.height),
       descent_(world, falls_)
 {
     const SphereSettings& spheres = world.scene.spheres;
@@ -25,7 +25,7 @@ DescentEngine::DescentEngine(World& world)
         discard_ = std::make_unique<ExactDiscard>(world);
     }
     world.dt = kTimeOfSet;
-    setSize_ = std::max<std::size_t>(std::size_t{spheres.groupSize} * spheres.groupsPerSet,
+    setSize_ = std::max<std::size_t>(groupSize(world) * spheres.groupsPerSet,
                                      expectedCount(world) / kMostSets);
     if (!release_.any())
     {
@@ -76,7 +76,7 @@ bool DescentEngine::placeOne()
         if (descent_.settle(*place, 1))
         {
             const auto group =
-                static_cast<std::uint32_t>(world_.spheres.size() / world_.scene.spheres.groupSize);
+                static_cast<std::uint32_t>(world_.spheres.size() / groupSize(world_));
             world_.freeze(world_.spheres.add(*place, 1, group)); // never runs
             falls_.insert(*place);
             release_.close(*place, 1);

@@ -26,10 +26,12 @@ public:
     bool step() override;
 
 private:
+    void finish();
     bool releaseSet();
     void advance();
     void freezeCalm();
     [[nodiscard]] bool tryFreeze(std::uint32_t index);
+    [[nodiscard]] std::vector<std::uint32_t> overlappedBy(std::uint32_t index) const;
     [[nodiscard]] bool makeRoom(std::uint32_t index, double farthest);
     void evict(std::uint32_t index);
     [[nodiscard]] bool clearOfRunners(const Eigen::Vector3d& place) const;
@@ -48,10 +50,11 @@ private:
     SetClock clock_;
     std::vector<Runner> runners_; ///< the first running_ are in use; the others keep their memory
     std::size_t running_ = 0;
-    std::vector<bool> frozen_;                                     ///< by runner, in this step
-    std::vector<std::pair<std::uint32_t, Eigen::Vector3d>> moved_; ///< scratch of makeRoom
+    std::vector<bool> frozen_;           ///< by runner, in this step
+    std::vector<Eigen::Vector3d> moved_; ///< scratch of makeRoom
     std::uint32_t windowSteps_ = 1;
     std::uint32_t stepsInWindow_ = 0;
+    bool mayRelease_ = true;
     std::uint32_t nextGroup_ = 0;
     std::size_t setSize_ = 0;
     double ageLimit_ = 0;

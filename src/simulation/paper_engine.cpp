@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <simulation/paper_engine.hpp>
 
+#include <simulation/clear_place.hpp>
 #include <simulation/paper_discards.hpp>
 
 #include <algorithm>
@@ -22,6 +23,8 @@ constexpr double kLongestFall = 0.5;
 constexpr double kLongestStep = 0.1;
 /// Approaches slower than gravity makes in this many steps do not bounce.
 constexpr double kBounceSteps = 4;
+/// Spheres appear at most this far below the highest ceiling that has room. [r]
+constexpr double kTopBand = 4;
 /// A centre this far outside the box has leaked and will never rest. [r]
 constexpr double kLost = 4;
 
@@ -57,11 +60,12 @@ PaperEngine::PaperEngine(World& world)
       algorithm1_(world.spheres, world.surface, polygons_,
                   {world.scene.motion.restitution,
                    kBounceSteps * world.frame.gravity * chooseTimeStep(world)}),
-      release_(world), rest_((world.dt = chooseTimeStep(world), windowSteps(world)),
-                             world.scene.freezing.restSpeed * world.scene.freezing.restWindow),
+      release_(world, kTopBand),
+      rest_((world.dt = chooseTimeStep(world), windowSteps(world)),
+            world.scene.freezing.restSpeed * world.scene.freezing.restWindow),
       setTimeLimit_(world.scene.freezing.setTimeLimit + 2 * fallTime(world.height))
 {
-    if (release_.find(1).empty())
+    if (!release_.any())
     {
         refuseTooLarge(world);
     }
@@ -125,27 +129,45 @@ bool PaperEngine::releaseSet()
     {
         return false;
     }
-    std::vector<Eigen::Vector3d> places;
+    const std::size_t before = world_.spheres.size();
     {
         const StageTimer timer(world_.times, Stage::releasing);
-        places = release_.find(wanted);
+        const auto suits = [this](const Eigen::Vector3d& place) { return clearOfRunning(place); };
+        while (world_.spheres.size() - before < wanted)
+        {
+            const auto place = release_.find(suits);
+            if (!place)
+            {
+                break;
+            }
+            const std::size_t inSet = world_.spheres.size() - before;
+            world_.release(*place, 1,
+                           nextGroup_ + static_cast<std::uint32_t>(inSet / settings.groupSize));
+        }
     }
-    if (places.empty())
+    if (world_.spheres.size() == before)
     {
         return false;
     }
-
     clock_.close(world_);
-    clock_.open(world_, places.size());
-    for (std::size_t k = 0; k < places.size(); ++k)
-    {
-        const auto group = nextGroup_ + static_cast<std::uint32_t>(k / settings.groupSize);
-        world_.release(places[k], 1, group);
-    }
+    clock_.open(world_, world_.spheres.size() - before);
     nextGroup_ = world_.spheres.group.back() + 1;
     setIsOver_ = false;
     setTime_ = 0;
     rest_.restart(world_.spheres, world_.restingCount);
+    return true;
+}
+
+bool PaperEngine::clearOfRunning(const Eigen::Vector3d& place) const
+{
+    const double contact = 2 + kClearance;
+    for (std::size_t id = world_.restingCount; id < world_.spheres.size(); ++id)
+    {
+        if ((world_.spheres.position(id) - place).squaredNorm() < contact * contact)
+        {
+            return false;
+        }
+    }
     return true;
 }
 
@@ -155,7 +177,9 @@ void PaperEngine::freezeAndDiscard()
         const StageTimer timer(world_.times, Stage::freezing);
         while (world_.restingCount < world_.spheres.size())
         {
-            world_.freeze(static_cast<std::uint32_t>(world_.restingCount));
+            const auto id = static_cast<std::uint32_t>(world_.restingCount);
+            world_.freeze(id);
+            release_.close(world_.spheres.position(id), world_.spheres.radius[id]);
         }
         world_.forgetFrozen();
         setsAtRest_ = 0;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <simulation/algorithm1.hpp>
-#include <simulation/release_search.hpp>
+#include <simulation/release_sites.hpp>
 #include <simulation/rest_monitor.hpp>
 #include <simulation/set_clock.hpp>
 #include <simulation/world.hpp>
@@ -21,6 +21,7 @@ public:
 private:
     bool startNextSet();
     bool releaseSet();
+    [[nodiscard]] bool clearOfRunning(const Eigen::Vector3d& place) const;
     void freezeAndDiscard();
     void integrate();
     void collide();
@@ -32,7 +33,7 @@ private:
     World& world_;
     PolygonTests polygons_;
     Algorithm1 algorithm1_;
-    ReleaseSearch release_;
+    ReleaseSites release_;
     RestMonitor rest_;
     SetClock clock_;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <simulation/quality.hpp>
 
-#include <simulation/support.hpp>
+#include <simulation/contact_cone.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -66,7 +66,8 @@ private:
         normals_.clear();
         meetSpheres(id, p, resting);
         meetWalls(id, p);
-        if (resting && world_.frame.gravity > 0 && unsupportedWeight(normals_) > kUnsupported)
+        if (resting && world_.frame.gravity > 0 &&
+            projectToFree({0, -1, 0}, normals_).norm() > kUnsupported)
         {
             ++report_.unsupported;
         }

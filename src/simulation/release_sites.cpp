@@ -4,6 +4,9 @@
 #include <simulation/clear_place.hpp>
 #include <simulation/random.hpp>
 
+#include <algorithm>
+#include <utility>
+
 namespace frostfill
 {
 namespace
@@ -14,33 +17,55 @@ constexpr double kFarthest = 2 * OpenSites::kHalfDiagonal;
 
 } // namespace
 
-ReleaseSites::ReleaseSites(const World& world) : world_(world), sites_(world.surface, world.inside)
+ReleaseSites::ReleaseSites(const World& world, double band)
+    : world_(world), sites_(world.surface, world.inside)
 {
-    findCeilings();
+    findCeilings(band);
 }
 
-void ReleaseSites::findCeilings()
+void ReleaseSites::findCeilings(double band)
 {
     const GridFrame& lattice = sites_.lattice();
     const auto row = static_cast<std::size_t>(lattice.count[0]);
+    const auto rows = static_cast<std::size_t>(lattice.count[1]);
+    const auto height = [&](std::size_t site) { return site / row % rows; };
     for (std::size_t site = sites_.nextOpen(0); site < lattice.size();
          site = sites_.nextOpen(site + 1))
     {
-        const auto y = static_cast<int>(site / row % static_cast<std::size_t>(lattice.count[1]));
-        if (y + 1 == lattice.count[1] || !sites_.isOpen(site + row))
+        if (height(site) + 1 == rows || !sites_.isOpen(site + row))
         {
             ceilings_.push_back(static_cast<std::uint32_t>(site));
         }
     }
+    std::sort(ceilings_.begin(), ceilings_.end(),
+              [&](std::uint32_t a, std::uint32_t b)
+              { return std::pair(height(a), a) < std::pair(height(b), b); });
+    const double inBand = band / OpenSites::kCell;
+    const auto isLow = [&](std::uint32_t site)
+    {
+        return static_cast<double>(height(site)) + inBand <
+               static_cast<double>(height(ceilings_.back()));
+    };
+    const auto first = std::partition_point(ceilings_.begin(), ceilings_.end(), isLow);
+    window_ = static_cast<std::size_t>(ceilings_.end() - first);
 }
 
-// One attempt at a random ceiling. A ceiling from which nothing can be released any more is
-// forgotten; its site stays open for the sweep unless no place is left in it.
-std::optional<Eigen::Vector3d> ReleaseSites::drawAtCeiling()
+// The next lower one takes its place in the window.
+void ReleaseSites::dropCeiling(std::size_t index)
+{
+    ceilings_[index] = ceilings_.back();
+    ceilings_.pop_back();
+    window_ = std::min(window_, ceilings_.size());
+}
+
+// One attempt at a random one of the highest ceilings. A ceiling from which nothing can be released
+// any more is forgotten; its site stays open for the sweep unless no place is left in it.
+std::optional<Eigen::Vector3d> ReleaseSites::drawAtCeiling(std::size_t among)
 {
     const std::uint64_t seed = world_.scene.seed;
     const double choice = uniformRandom(seed, ++draws_, 0);
-    const auto index = static_cast<std::size_t>(choice * static_cast<double>(ceilings_.size()));
+    const auto index =
+        ceilings_.size() - 1 - static_cast<std::size_t>(choice * static_cast<double>(among));
     const std::uint32_t site = ceilings_[index];
     lastCeiling_ = index;
     if (sites_.isOpen(site))
@@ -59,8 +84,7 @@ std::optional<Eigen::Vector3d> ReleaseSites::drawAtCeiling()
         }
         sites_.closeSite(site);
     }
-    ceilings_[index] = ceilings_.back();
-    ceilings_.pop_back();
+    dropCeiling(index);
     return std::nullopt;
 }
 
@@ -88,8 +112,7 @@ void ReleaseSites::giveUp()
         sites_.closeSite(lastFree_);
         return;
     }
-    ceilings_[lastCeiling_] = ceilings_.back();
-    ceilings_.pop_back();
+    dropCeiling(lastCeiling_);
 }
 
 } // namespace frostfill

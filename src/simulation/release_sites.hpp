@@ -11,13 +11,14 @@ namespace frostfill
 {
 
 /// Finds one place after another at which a sphere can be released: first at random below the
-/// object's ceilings, then, once nothing fits there, everywhere else that is still free, so that
-/// "full" means that no place is left.
+/// object's ceilings, the highest first, then, once nothing fits there, everywhere else that is
+/// still free, so that "full" means that no place is left.
 class ReleaseSites
 {
 public:
-    /// `world` outlives this.
-    explicit ReleaseSites(const World& world);
+    /// `world` outlives this. `band`: how far below the highest ceiling [r] others are used
+    /// together with it; lower ones follow as those above fill up.
+    ReleaseSites(const World& world, double band);
 
     /// A place that is clear of walls and of spheres at rest, and for which `suits(place)` holds.
     /// Places that do not suit now are left for later. Empty when there is none.
@@ -25,13 +26,16 @@ public:
     [[nodiscard]] std::optional<Eigen::Vector3d> find(Suits&& suits)
     {
         // Places that do not suit are taken for the moment only: so many misses mean that most are.
-        const std::size_t patience = 64 + ceilings_.size() / 2;
-        for (std::size_t misses = 0; misses < patience && !ceilings_.empty(); ++misses)
+        for (const bool highOnly : {true, false})
         {
-            const auto place = drawAtCeiling();
-            if (place && suits(*place))
+            const std::size_t patience = 64 + 2 * (highOnly ? window_ : ceilings_.size());
+            for (std::size_t misses = 0; misses < patience && !ceilings_.empty(); ++misses)
             {
-                return place;
+                const auto place = drawAtCeiling(highOnly ? window_ : ceilings_.size());
+                if (place && suits(*place))
+                {
+                    return place;
+                }
             }
         }
         if (!ceilings_.empty())
@@ -64,16 +68,19 @@ public:
     void giveUp();
 
 private:
-    void findCeilings();
-    [[nodiscard]] std::optional<Eigen::Vector3d> drawAtCeiling();
+    void findCeilings(double band);
+    void dropCeiling(std::size_t index);
+    [[nodiscard]] std::optional<Eigen::Vector3d> drawAtCeiling(std::size_t among);
     [[nodiscard]] std::size_t nextFree(std::size_t site);
 
     const World& world_;
     OpenSites sites_;
-    std::vector<std::uint32_t> ceilings_; ///< open sites with none above
-    std::size_t lastCeiling_ = 0;         ///< index of the one drawn last
-    std::size_t sweep_ = 0;               ///< all sites before this one are closed
-    std::size_t lastFree_ = 0;            ///< the site found last in the sweep
+    /// Open sites with none above; the last window_ of them are in use, those before are lower.
+    std::vector<std::uint32_t> ceilings_;
+    std::size_t window_ = 0;
+    std::size_t lastCeiling_ = 0; ///< index of the one drawn last
+    std::size_t sweep_ = 0;       ///< all sites before this one are closed
+    std::size_t lastFree_ = 0;    ///< the site found last in the sweep
     Eigen::Vector3d place_ = Eigen::Vector3d::Zero();
     std::uint64_t draws_ = 0;
 };

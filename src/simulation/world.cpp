@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace frostfill
@@ -17,6 +18,8 @@ namespace
 constexpr double kTriangleCell = 1;
 constexpr double kTriangleReach = 1.5;
 constexpr double kSphereCell = 2;
+/// Share of the object's mean cross-section that a set covers when its size is not given.
+constexpr double kFootprint = 0.1;
 
 GridFrame gridOver(const Surface& surface, double cell)
 {
@@ -118,6 +121,18 @@ void World::discardPolygon(std::uint32_t polygon)
 {
     polygons[polygon] = PolygonState::discarded;
     ++discardedPolygons;
+}
+
+std::size_t groupSize(const World& world)
+{
+    const SphereSettings& spheres = world.scene.spheres;
+    if (spheres.groupSize > 0)
+    {
+        return spheres.groupSize;
+    }
+    const double volume = world.report.volume / std::pow(world.frame.length, 3);
+    const double inSet = kFootprint * volume / world.height / 4; // a sphere covers 2 r times 2 r
+    return std::max<std::size_t>(10, static_cast<std::size_t>(inSet) / spheres.groupsPerSet);
 }
 
 void refuseTooLarge(const World& world)

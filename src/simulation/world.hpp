@@ -76,6 +76,10 @@ struct World
 /// Spheres that the run aims at: the count, or the wall-corrected estimate of how many fit.
 [[nodiscard]] std::size_t expectedCount(const World& world);
 
+/// PAPER: gamma. Spheres in a group: the scene's, or, when that is 0, 10 or as many as make a set
+/// cover a tenth of the object's mean cross-section.
+[[nodiscard]] std::size_t groupSize(const World& world);
+
 /// Throws Error badData: not one sphere of the run's radius fits into the object.
 [[noreturn]] void refuseTooLarge(const World& world);
 

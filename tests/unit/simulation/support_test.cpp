@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <simulation/contact_cone.hpp>
 #include <simulation/random.hpp>
-#include <simulation/support.hpp>
 
 #include <gtest/gtest.h>
 
@@ -13,6 +13,12 @@ namespace
 {
 
 using Normals = std::vector<Eigen::Vector3d>;
+
+/// Share of its weight that contacts cannot carry: 0 when supported, 1 in free fall.
+double unsupportedWeight(const Normals& normals)
+{
+    return projectToFree({0, -1, 0}, normals).norm();
+}
 
 TEST(Support, SphereWithoutContactsCarriesNothing)
 {

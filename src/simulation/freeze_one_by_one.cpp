@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+// How FastEngine freezes: each sphere by itself, as soon as it is calm and carried by what is at
+// rest. At freezing it is taken to the nearest place below at which its contacts carry it, so it
+// neither overlaps anything nor hangs in the air.
+
+#include <simulation/fast_engine.hpp>
+
+#include <simulation/clear_place.hpp>
+#include <simulation/contact_cone.hpp>
+#include <simulation/free_path.hpp>
+
+#include <algorithm>
+
+namespace frostfill
+{
+namespace
+{
+
+constexpr double kCalm = 0.03;            // a calm sphere moves less than this in a window [r]
+constexpr double kContactGap = 0.01;      // below which a contact carries, for the first look [r]
+constexpr double kMostlyCarried = 0.5;    // weight that may be missing at that first look
+constexpr double kLongestSettling = 0.15; // a sphere that is frozen comes down by less [r]
+constexpr double kNearRoom = 0.1; // that a runner may be moved out of a freezing one's place [r]
+constexpr double kFarRoom = 1;    // the same for one that is overdue [r]
+constexpr std::uint32_t kPatience = 8; // calm windows after which a sphere stops giving way
+
+} // namespace
+
+// The lowest first, so that a pile freezes from below.
+void FastEngine::freezeCalm()
+{
+    std::vector<std::uint32_t> order;
+    for (std::uint32_t k = 0; k < running_; ++k)
+    {
+        Runner& runner = runners_[k];
+        const bool calm = (runner.position - runner.watched).squaredNorm() < kCalm * kCalm;
+        runner.watched = runner.position;
+        runner.calmWindows = calm ? runner.calmWindows + 1 : 0;
+        if (runner.calmWindows > 0 || runner.age > ageLimit_)
+        {
+            order.push_back(k);
+        }
+    }
+    std::sort(order.begin(), order.end(),
+              [this](std::uint32_t a, std::uint32_t b)
+              {
+                  const double ya = runners_[a].position.y();
+                  const double yb = runners_[b].position.y();
+                  return ya < yb || (ya == yb && a < b);
+              });
+    frozen_.assign(running_, false);
+    for (const std::uint32_t k : order)
+    {
+        if (!frozen_[k])
+        {
+            frozen_[k] = tryFreeze(k);
+        }
+    }
+    forgetFrozen();
+}
+
+bool FastEngine::tryFreeze(std::uint32_t index)
+{
+    Runner& runner = runners_[index];
+    const bool tooOld = runner.age > ageLimit_;
+    runner.yields = runner.yields && runner.calmWindows < kPatience && !tooOld;
+    runner.around.ensure(world_, runner.position, runner.radius, 0);
+    contactNormals(world_.surface, runner.around, runner.position, runner.radius, kContactGap,
+                   runner.normals);
+    const double missing = projectToFree({0, -1, 0}, runner.normals).norm();
+    if (missing > kMostlyCarried && !tooOld)
+    {
+        return false;
+    }
+    Eigen::Vector3d place = runner.position;
+    if (!descent_.settle(place, runner.radius, runner.around) && !tooOld)
+    {
+        return false;
+    }
+    const double way = (place - runner.position).squaredNorm();
+    if (way > kLongestSettling * kLongestSettling && !tooOld)
+    {
+        return false;
+    }
+    freezeAt(runner, place);
+    if (!makeRoom(index, tooOld ? kFarRoom : kNearRoom))
+    {
+        if (!tooOld)
+        {
+            world_.unfreezeLast();
+            world_.spheres.setPosition(runner.id, runner.position);
+            return false;
+        }
+        evict(index);
+    }
+    falls_.insert(place);
+    release_.close(place, runner.radius);
+    tellOthers(place, runner.radius);
+    if (discard_)
+    {
+        discard_->addResting(runner.id);
+    }
+    return true;
+}
+
+void FastEngine::freezeAt(Runner& runner, const Eigen::Vector3d& place)
+{
+    world_.spheres.setPosition(runner.id, place);
+    world_.freeze(runner.id);
+}
+
+std::vector<std::uint32_t> FastEngine::overlappedBy(std::uint32_t index) const
+{
+    const Eigen::Vector3d place = world_.spheres.position(runners_[index].id);
+    std::vector<std::uint32_t> overlapped;
+    for (std::uint32_t k = 0; k < running_; ++k)
+    {
+        const double contact = runners_[k].radius + runners_[index].radius;
+        if (k != index && !frozen_[k] &&
+            (runners_[k].position - place).squaredNorm() < contact * contact)
+        {
+            overlapped.push_back(k);
+        }
+    }
+    return overlapped;
+}
+
+// Moves every runner that the sphere just frozen overlaps to a clear place nearby. Returns false,
+// and moves none, when one of them cannot be moved.
+bool FastEngine::makeRoom(std::uint32_t index, double farthest)
+{
+    const std::vector<std::uint32_t> overlapped = overlappedBy(index);
+    moved_.clear();
+    for (const std::uint32_t k : overlapped)
+    {
+        moved_.push_back(runners_[k].position);
+        if (!moveClear(world_, moved_.back(), runners_[k].radius, farthest))
+        {
+            return false;
+        }
+    }
+    for (std::size_t i = 0; i < overlapped.size(); ++i)
+    {
+        runners_[overlapped[i]].position = moved_[i];
+    }
+    return true;
+}
+
+// The last resort, for a sphere that has been running for far too long and rests where others are:
+// these appear again elsewhere, or are withdrawn when the object is full.
+void FastEngine::evict(std::uint32_t index)
+{
+    const auto suits = [this](const Eigen::Vector3d& place) { return clearOfRunners(place); };
+    for (const std::uint32_t k : overlappedBy(index))
+    {
+        Runner& other = runners_[k];
+        Eigen::Vector3d clear = other.position;
+        if (moveClear(world_, clear, other.radius, kFarRoom))
+        {
+            other.position = clear;
+        }
+        else if (const auto elsewhere = release_.find(suits))
+        {
+            other.restart(other.id, *elsewhere);
+        }
+        else
+        {
+            frozen_[k] = true; // not to be looked at any more
+            const std::uint32_t renumbered = world_.withdraw(other.id);
+            const auto last = std::find_if(runners_.begin(), runners_.end(),
+                                           [&](const Runner& r) { return r.id == renumbered; });
+            if (last != runners_.end())
+            {
+                last->id = other.id;
+            }
+        }
+    }
+}
+
+void FastEngine::tellOthers(const Eigen::Vector3d& place, double radius)
+{
+    for (std::size_t k = 0; k < running_; ++k)
+    {
+        runners_[k].around.add(place, radius);
+    }
+}
+
+// Keeps the order of the others, and the memory of the frozen ones for spheres to come.
+void FastEngine::forgetFrozen()
+{
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < running_; ++k)
+    {
+        if (!frozen_[k])
+        {
+            std::swap(runners_[kept++], runners_[k]);
+        }
+    }
+    running_ = kept;
+    world_.forgetFrozen();
+}
+
+} // namespace frostfill
