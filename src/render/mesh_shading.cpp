@@ -16,7 +16,7 @@ namespace
 constexpr float kCreaseCosine = 0.819F;
 
 constexpr std::uint8_t kStrong = 190;
-constexpr std::uint8_t kFaint = 26;
+constexpr std::uint8_t kFaint = 60;
 
 glm::vec3 unitOrZero(const glm::vec3& v)
 {
