@@ -27,7 +27,7 @@ struct FreeFall : ::testing::TestWithParam<Integrator>
     Scene scene;
 };
 
-// [SCIENCE] N steps of dt, T = N dt: semi-implicit Euler falls g T dt / 2 too far, explicit Euler
+// Closed form: N steps of dt, T = N dt: semi-implicit Euler falls g T dt / 2 too far, explicit Euler
 // as much too little, to rounding.
 TEST_P(FreeFall, HasExactlyTheErrorOfItsIntegrator)
 {

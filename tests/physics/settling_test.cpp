@@ -56,7 +56,7 @@ TEST_F(Settling, RestsOnTheFloorAtItsRadius)
     EXPECT_EQ(p.z(), -0.4);
 }
 
-// [SCIENCE] 1.4: the centre is r + 2 r sqrt(2/3) = 2.63299 r above the floor of the three.
+// Closed form: the centre is r + 2 r sqrt(2/3) = 2.63299 r above the floor of the three.
 TEST_F(Settling, RestsOnThreeTouchingSpheres)
 {
     const auto world = smallWorld(shapes::box({-8, -8, -8}, {8, 8, 8}));
