@@ -15,7 +15,7 @@ namespace
 
 constexpr double kContactGap = 0.01;    // [r] below which a gap counts as a contact that carries
 constexpr double kUnsupported = 0.1;    // [g] of weight that may remain uncarried
-constexpr double kWindingBudget = 2e7;  // winding numbers: spheres times triangles worth computing
+constexpr double kWindingBudget = 2e6;  // winding numbers: spheres times triangles worth computing
 constexpr double kBulkFraction = 0.586; // phi of N v = phi (V - c r S), sets of about 20
 constexpr double kWallLayer = 0.38;     // c of the same fit
 constexpr double kFitError = 0.0093;    // largest error of the fit over shapes, r S / V <= 0.3
