@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <frostfill/error.hpp>
 #include <frostfill/scene.hpp>
+#include <scene/packing_estimate.hpp>
 
 #include <cmath>
 #include <filesystem>
@@ -10,10 +11,6 @@ namespace frostfill
 namespace
 {
 
-// Random packing of equal spheres far from walls takes this share of the room; a wall takes away a
-// layer of kWallLayer radii. Both are measured on dropped, frictionless fillings of the objects.
-constexpr double kPackingFraction = 0.586;
-constexpr double kWallLayer = 0.38;
 // What surely fits is this share of the estimate.
 constexpr double kSurely = 0.9;
 

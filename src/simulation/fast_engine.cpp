@@ -2,8 +2,6 @@
 #include <simulation/fast_engine.hpp>
 
 #include <simulation/clear_place.hpp>
-#include <simulation/contact_cone.hpp>
-#include <simulation/free_path.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <simulation/quality.hpp>
 
+#include <scene/packing_estimate.hpp>
 #include <simulation/contact_cone.hpp>
 
 #include <algorithm>
@@ -13,12 +14,10 @@ namespace frostfill
 namespace
 {
 
-constexpr double kContactGap = 0.01;    // [r] below which a gap counts as a contact that carries
-constexpr double kUnsupported = 0.1;    // [g] of weight that may remain uncarried
-constexpr double kWindingBudget = 2e6;  // winding numbers: spheres times triangles worth computing
-constexpr double kBulkFraction = 0.586; // phi of N v = phi (V - c r S), sets of about 20
-constexpr double kWallLayer = 0.38;     // c of the same fit
-constexpr double kFitError = 0.0093;    // largest error of the fit over shapes, r S / V <= 0.3
+constexpr double kContactGap = 0.01;   // [r] below which a gap counts as a contact that carries
+constexpr double kUnsupported = 0.1;   // [g] of weight that may remain uncarried
+constexpr double kWindingBudget = 2e6; // winding numbers: spheres times triangles worth computing
+constexpr double kFitError = 0.0093;   // largest error of the fit over shapes, r S / V <= 0.3
 
 class Examination
 {
@@ -134,7 +133,7 @@ private:
             report_.volumeEstimateError = report_.volumeEstimate;
             return;
         }
-        report_.volumeEstimate = report_.sphereVolume / kBulkFraction +
+        report_.volumeEstimate = report_.sphereVolume / kPackingFraction +
                                  kWallLayer * world_.frame.length * world_.report.area;
         report_.volumeEstimateError = kFitError * report_.volumeEstimate;
     }

@@ -2,6 +2,7 @@
 #include <simulation/world.hpp>
 
 #include <frostfill/error.hpp>
+#include <scene/packing_estimate.hpp>
 
 #include <fmt/format.h>
 
@@ -151,9 +152,9 @@ std::size_t expectedCount(const World& world)
     }
     // The estimate that sphereRadius uses, the other way round.
     const double r = world.frame.length;
-    const double room = std::max(0.0, world.report.volume - 0.38 * r * world.report.area);
+    const double room = std::max(0.0, world.report.volume - kWallLayer * r * world.report.area);
     const double one = 4.0 / 3.0 * std::numbers::pi * r * r * r;
-    return static_cast<std::size_t>(std::max(1.0, 0.586 * room / one));
+    return static_cast<std::size_t>(std::max(1.0, kPackingFraction * room / one));
 }
 
 } // namespace frostfill

@@ -3,6 +3,7 @@
 
 #include <frostfill/mesh.hpp>
 #include <frostfill/snapshot.hpp>
+#include <support/shapes.hpp>
 
 #include <cmath>
 #include <numbers>
@@ -28,23 +29,7 @@ inline TriangleMesh boxMesh(const Eigen::Vector3d& half,
 /// A torus that stands on its rim in the plane of x and y, wound outwards.
 inline TriangleMesh torusMesh(double ring, double tube, int around, int across)
 {
-    TriangleMesh mesh;
-    for (int i = 0; i < around; ++i)
-    {
-        const double u = 2 * std::numbers::pi * i / around;
-        for (int j = 0; j < across; ++j)
-        {
-            const double v = 2 * std::numbers::pi * j / across;
-            const double reach = ring + tube * std::cos(v);
-            mesh.vertices.emplace_back(reach * std::cos(u), reach * std::sin(u),
-                                       tube * std::sin(v));
-            const auto at = [&](int a, int b)
-            { return static_cast<std::uint32_t>((i + a) % around * across + (j + b) % across); };
-            mesh.triangles.push_back({at(0, 0), at(1, 0), at(1, 1)});
-            mesh.triangles.push_back({at(0, 0), at(1, 1), at(0, 1)});
-        }
-    }
-    return mesh;
+    return shapes::torus(ring, tube, around, across);
 }
 
 /// Adds a sphere to a snapshot.
