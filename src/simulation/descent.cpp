@@ -29,7 +29,6 @@ bool Descent::settle(Eigen::Vector3d& p, double radius, Neighbourhood& around)
     const auto bound = static_cast<std::uint64_t>(2000 + 200 * world_.height);
     for (std::uint64_t step = 0; step < bound; ++step)
     {
-        ++steps_;
         around.ensure(world_, p, radius, kShortestLook);
         contactNormals(world_.surface, around, p, radius, kTouch, normals_);
         const Eigen::Vector3d pull = projectToFree({0, -1, 0}, normals_);

@@ -33,9 +33,6 @@ public:
     /// Takes p straight down to its first contact.
     void drop(Eigen::Vector3d& p, double radius);
 
-    /// Path steps made so far, for statistics.
-    [[nodiscard]] std::uint64_t steps() const { return steps_; }
-
 private:
     void fall(Eigen::Vector3d& p, double radius, const Neighbourhood& around) const;
     bool slide(Eigen::Vector3d& p, double radius, Neighbourhood& around,
@@ -46,7 +43,6 @@ private:
     Neighbourhood around_;
     std::vector<Eigen::Vector3d> normals_;
     double longestSlide_ = 0;
-    std::uint64_t steps_ = 0;
 };
 
 } // namespace frostfill
