@@ -27,13 +27,15 @@ enum class Integrator : std::uint8_t
 };
 enum class SphereSearch : std::uint8_t
 {
-    allPairs
+    allPairs,
+    grid, ///< frozen spheres by the cells of a uniform grid: same bits as all pairs
 };
 enum class PolygonSearch : std::uint8_t
 {
     loop,
     list,
-    quadtree
+    quadtree,
+    grid, ///< by the cells of a uniform grid
 };
 enum class DiscardRule : std::uint8_t
 {

@@ -26,12 +26,12 @@ struct EnumNames<Integrator>
 template <>
 struct EnumNames<SphereSearch>
 {
-    static constexpr std::array<const char*, 1> kNames = {"all-pairs"};
+    static constexpr std::array<const char*, 2> kNames = {"all-pairs", "grid"};
 };
 template <>
 struct EnumNames<PolygonSearch>
 {
-    static constexpr std::array<const char*, 3> kNames = {"loop", "list", "quadtree"};
+    static constexpr std::array<const char*, 4> kNames = {"loop", "list", "quadtree", "grid"};
 };
 template <>
 struct EnumNames<DiscardRule>

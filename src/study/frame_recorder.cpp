@@ -5,8 +5,6 @@
 
 namespace frostfill
 {
-namespace
-{
 
 RenderSettings renderSettings(const Scene& scene)
 {
@@ -19,6 +17,9 @@ RenderSettings renderSettings(const Scene& scene)
     settings.title = scene.name;
     return settings;
 }
+
+namespace
+{
 
 bool allPixelsAlike(const Image& image)
 {

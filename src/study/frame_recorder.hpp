@@ -14,6 +14,9 @@
 namespace frostfill
 {
 
+/// How the scene's pictures are drawn.
+[[nodiscard]] RenderSettings renderSettings(const Scene& scene);
+
 /// What the renderer did while a set was the newest; one entry a frame. [ms]
 struct SetFrames
 {
