@@ -87,6 +87,7 @@ int run(int argumentCount, char** arguments)
     std::vector<std::pair<std::string, Command>> commands;
     commands.emplace_back("fill", addFillCommand(program));
     commands.emplace_back("fps", addFpsCommand(program));
+    commands.emplace_back("bench", addBenchCommand(program));
     commands.emplace_back("mesh", addMeshCommand(program));
     commands.emplace_back("doctor", addDoctorCommand(program));
     try
