@@ -88,6 +88,7 @@ int run(int argumentCount, char** arguments)
     commands.emplace_back("fill", addFillCommand(program));
     commands.emplace_back("fps", addFpsCommand(program));
     commands.emplace_back("bench", addBenchCommand(program));
+    commands.emplace_back("figures", addFiguresCommand(program));
     commands.emplace_back("mesh", addMeshCommand(program));
     commands.emplace_back("doctor", addDoctorCommand(program));
     try

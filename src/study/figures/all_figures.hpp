@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "study/figures/figure.hpp"
+
+namespace frostfill
+{
+
+[[nodiscard]] Figure claimFigure();      ///< cost of a frame against spheres present
+[[nodiscard]] Figure timesFigure();      ///< PAPER, Figure 3
+[[nodiscard]] Figure operationsFigure(); ///< the lemmas
+[[nodiscard]] Figure discardedFigure();  ///< share of what is discarded
+[[nodiscard]] Figure densityFigure();    ///< density against set size
+
+} // namespace frostfill
