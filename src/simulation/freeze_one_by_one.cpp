@@ -73,12 +73,8 @@ bool FastEngine::tryFreeze(std::uint32_t index)
         return false;
     }
     Eigen::Vector3d place = runner.position;
-    if (!descent_.settle(place, runner.radius, runner.around) && !tooOld)
-    {
-        return false;
-    }
-    const double way = (place - runner.position).squaredNorm();
-    if (way > kLongestSettling * kLongestSettling && !tooOld)
+    const double farthest = tooOld ? std::numeric_limits<double>::infinity() : kLongestSettling;
+    if (!descent_.settle(place, runner.radius, runner.around, farthest) && !tooOld)
     {
         return false;
     }
