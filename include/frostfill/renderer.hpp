@@ -14,13 +14,6 @@
 namespace frostfill
 {
 
-/// Which OpenGL to draw with.
-enum class Backend
-{
-    automatic, ///< the first that works
-    osmesa,
-};
-
 struct RenderSettings
 {
     PictureSize size;
@@ -28,6 +21,10 @@ struct RenderSettings
     Style style;
     Backend backend = Backend::automatic;
     int samples = 4;                ///< samples a pixel; 1 for none
+    int supersample = 1;            ///< draw so many times as wide and high, then average
+    ColourRange range;              ///< of the colours; a range of heights follows from the mesh
+    std::uint32_t groupsPerSet = 1; ///< for colours by set
+    double unitsPerMetre = 1;       ///< for speeds in metres a second
     Eigen::Vector3d up = {0, 1, 0}; ///< unit vector that points up in the picture
     std::string title;              ///< first line of the legend; may be empty
 };
@@ -60,7 +57,7 @@ private:
 /// One attempt at opening a context, for `frostfill doctor`.
 struct BackendAttempt
 {
-    std::string name; ///< "osmesa"
+    std::string name; ///< as `Backend` is named on the command line: "osmesa"
     bool works = false;
     std::string description; ///< renderer string, or what failed
     std::string remedy;      ///< the command that installs what is missing; empty when it works

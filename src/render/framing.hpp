@@ -31,6 +31,7 @@ struct Framing
     glm::dmat4 view{1};                               ///< unit space to eye space
     glm::dmat4 projection{1};                         ///< eye space to clip space
     glm::dvec3 eye{0}; ///< unit space: the eye, or without perspective the direction towards it
+    glm::dvec3 pivot{0}; ///< unit space: what a turntable turns about
     bool orthographic = false;
     double depthAtInfinity = 0; ///< window depth at infinity; perspective
     double depthSlope = 0;      ///< window depth over eye distance; orthographic
@@ -51,5 +52,13 @@ struct Framing
 /// region (at zoom 1). Throws Error usage for a camera that makes no sense.
 [[nodiscard]] Framing frame(std::span<const Eigen::Vector3d> vertices,
                             const RenderSettings& settings, const PictureRegion& region);
+
+/// The same picture after the camera has gone round the pivot by an angle about the up axis
+/// [degree].
+[[nodiscard]] Framing revolved(const Framing& framing, const Eigen::Vector3d& up, double degrees);
+
+/// The horizontal direction, in mesh or unit space, in which a camera at this azimuth [degree]
+/// stands.
+[[nodiscard]] glm::dvec3 horizontalDirection(const Eigen::Vector3d& up, double azimuth);
 
 } // namespace frostfill
