@@ -30,6 +30,7 @@ flat out vec4 centreAndCurvature; // C [eye space], 1 / r
 flat out vec4 tintAndSteepness; // the sphere's own colour, e (r without perspective)
 flat out vec4 hazeAndPixel; // what is added to the colour, a pixel's length in the sphere's radius
 flat out vec3 marks; // strength of gloss, of the ring and of the hatch
+flat out uint identity; // index of the sphere
 
 // Colour alone does not tell the states apart for everyone. Running spheres are glossy with a dark
 // ring, discarded ones are hatched, frozen ones are plain.
@@ -48,6 +49,7 @@ void setColours(vec3 centre)
 
 void main()
 {
+    identity = uint(gl_InstanceID);
     corner = vec2((gl_VertexID & 1) * 2 - 1, (gl_VertexID & 2) - 1);
     vec3 centre = (view * vec4(sphere.xyz, 1.0)).xyz;
     float radius = sphere.w;

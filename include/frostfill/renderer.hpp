@@ -7,6 +7,7 @@
 #include <frostfill/snapshot.hpp>
 #include <frostfill/view.hpp>
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -29,6 +30,17 @@ struct RenderSettings
     std::string title;              ///< first line of the legend; may be empty
 };
 
+/// What is seen in a picture beside colour, of the spheres alone. Same size and view; no legend.
+struct PassPictures
+{
+    Image depth; ///< 16 bit: 0..65534 from `nearest` to `furthest` along the view; 65535 where
+                 ///< there is no sphere
+    double nearest = 0;               ///< [mesh unit] from the eye's plane
+    double furthest = 0;
+    Image normal;   ///< RGB 0..255 for -1..1: to the right, up, to the viewer; 128 where nothing is
+    Image identity; ///< id + 1 as R + 256 G + 65536 B; 0 where there is no sphere
+};
+
 /// Draws snapshots of one mesh without a screen. One renderer belongs to one thread.
 class Renderer
 {
@@ -42,6 +54,17 @@ public:
 
     /// Draws one picture into `image`, whose memory is reused.
     void render(const Snapshot& snapshot, Image& image);
+
+    /// Goes round the object with the camera about the up axis, by an angle from where the settings
+    /// have it [degree]. Holds until the next call.
+    void turn(double degrees);
+
+    /// Draws what else is seen in the picture that `render` makes of the same snapshot.
+    void renderPasses(const Snapshot& snapshot, PassPictures& pictures);
+
+    /// Where the object is in the picture, as left, top, right, bottom [pixel]: all of it that the
+    /// legend does not take.
+    [[nodiscard]] std::array<int, 4> objectRegion() const;
 
     /// Vendor, renderer and version strings of the context, on one line.
     [[nodiscard]] const std::string& description() const;

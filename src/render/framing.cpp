@@ -292,6 +292,7 @@ Framing frame(std::span<const Eigen::Vector3d> vertices, const RenderSettings& s
     const Camera& camera = settings.camera;
     Framing framing;
     framing.orthographic = camera.orthographic;
+    framing.region = region;
     setUnitSpace(framing, vertices);
 
     Placement placement;

@@ -38,6 +38,7 @@ struct Framing
     glm::dvec4 heightPlane{0};  ///< with an eye-space point: 0 at the object's foot, 1 at its top
     glm::dvec4 distancePlane{
         0}; ///< with an eye-space point: 0 at the object's front, 1 at its back
+    PictureRegion region; ///< into which the object is fitted
     double reach =
         0; ///< distance of the eye, or half the picture's height: smaller shows it larger
 

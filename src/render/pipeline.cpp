@@ -279,6 +279,25 @@ void Pipeline::readColour(Image& image)
     framebuffer_.readColour(image, settings_.style.palette.background[3] < 255);
 }
 
+void Pipeline::drawSurfaces(const Snapshot& snapshot, const PictureSize& size, Surfaces& surfaces)
+{
+    context_->makeCurrent();
+    const auto found = std::find_if(surfacePasses_.begin(), surfacePasses_.end(),
+                                    [&](const std::unique_ptr<SurfacePass>& pass)
+                                    {
+                                        return pass->size().width == size.width &&
+                                               pass->size().height == size.height;
+                                    });
+    SurfacePass& pass =
+        found != surfacePasses_.end()
+            ? **found
+            : *surfacePasses_.emplace_back(
+                  std::make_unique<SurfacePass>(gl_, variantOf(settings_), size));
+    std::vector<SphereInstance> spheres;
+    placeSpheres(snapshot, framing_, colours_, spheres);
+    pass.draw(spheres, uniforms(), surfaces);
+}
+
 std::vector<float> Pipeline::readDepth()
 {
     context_->makeCurrent();

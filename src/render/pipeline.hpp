@@ -9,6 +9,7 @@
 #include "legend.hpp"
 #include "mesh_pass.hpp"
 #include "sphere_pass.hpp"
+#include "surface_pass.hpp"
 
 #include <frostfill/renderer.hpp>
 
@@ -38,6 +39,9 @@ public:
     void readColour(Image& image);
     /// Window depth in 0..1, top row first; for samples == 1.
     [[nodiscard]] std::vector<float> readDepth();
+
+    /// What is seen of the spheres, in a picture of any size with the same view.
+    void drawSurfaces(const Snapshot& snapshot, const PictureSize& size, Surfaces& surfaces);
 
     [[nodiscard]] const Framing& framing() const { return framing_; }
     [[nodiscard]] const SphereColours& colours() const { return colours_; }
@@ -77,6 +81,7 @@ private:
     ShadedMesh shaded_;
     std::unique_ptr<MeshBuffer> shell_;
     std::unique_ptr<Swatches> swatches_;
+    std::vector<std::unique_ptr<SurfacePass>> surfacePasses_; ///< one for each size
     std::vector<SphereInstance> instances_; ///< reused from frame to frame
 };
 

@@ -130,6 +130,10 @@ const std::vector<SetRecord>& Simulation::sets() const
 {
     return implementation_->world.sets;
 }
+std::size_t Simulation::groupSize() const
+{
+    return frostfill::groupSize(implementation_->world);
+}
 QualityReport Simulation::quality() const
 {
     return examine(implementation_->world);
