@@ -121,14 +121,18 @@ void main()
     }
     else
     {
-        // The cut is matt and paler than the outside, with a rim that parts neighbours.
-        float inner = dot(fromCentre, fromCentre);
-        float rim = clamp((1.0 - sqrt(inner)) / (1.5 * hazeAndPixel.a + 0.03), 0.0, 1.0);
-        vec3 tint = mix(tintAndSteepness.rgb, vec3(1.0), 0.28);
+        // The cut is matt and paler than the outside, with a rim that parts neighbours. Lengths are
+        // in the sphere's radius: of the point from the disc's middle, and the disc's own radius.
+        float height = dot(fromCentre, cap);
+        float discSquared = 1.0 - height * height;
+        float innerSquared = max(dot(fromCentre, fromCentre) - height * height, 0.0);
+        float inside = sqrt(discSquared) - sqrt(innerSquared);
+        float rim = clamp((inside - hazeAndPixel.a) / (hazeAndPixel.a + 0.02), 0.0, 1.0);
+        vec3 tint = mix(tintAndSteepness.rgb, vec3(1.0), 0.34);
         float hatch = stripes((at.x + at.y) * 1.3 + 0.25, 0.34, hazeAndPixel.a * 1.84);
         float light = (0.80 + 0.15 * lightOn(cap)) * (1.0 - marks.z * hatch);
-        light *= 1.0 - 0.55 * (1.0 - rim);
-        light *= 1.0 - marks.y * clamp((inner - 0.6) / 0.06, 0.0, 1.0) * rim;
+        light *= 1.0 - 0.7 * (1.0 - rim);
+        light *= 1.0 - marks.y * clamp((innerSquared / discSquared - 0.6) / 0.06, 0.0, 1.0) * rim;
         colour = vec4(tint * light + hazeAndPixel.rgb, 1.0);
     }
 }

@@ -26,8 +26,8 @@ constexpr int kTile = 4;
 constexpr float kBias = 0.06F;
 
 /// How dark the deepest shade is, and how much of the sky it takes to get there.
-constexpr float kDarkest = 0.28F;
-constexpr float kGain = 3.0F;
+constexpr float kDarkest = 0.22F;
+constexpr float kGain = 5.0F;
 
 /// Samples are spread over at most so many pixels; further away it is one shade.
 constexpr double kMostPixels = 160;

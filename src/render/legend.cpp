@@ -186,9 +186,13 @@ void Legend::drawScale(Image& image) const
     }
     const double baseline = scaleTop_ + (kScaleHeight + 0.5 * (kLine - 1) + 0.85) * size;
     const auto& [low, high] = colours_->range();
-    for (const double place : {0.0, 0.5, 1.0})
+    const double middle =
+        colours_->countsWhole() ? std::floor((low + high) / 2) : (low + high) / 2;
+    for (const double value : {low, middle, high})
     {
-        const std::string text = fmt::format("{:.3g}", low + place * (high - low));
+        const double place = high > low ? (value - low) / (high - low) : 0;
+        const std::string text = colours_->countsWhole() ? fmt::format("{:.0f}", value)
+                                                         : fmt::format("{:.3g}", value);
         const double x = left + place * (right - left - font_->measure(text));
         font_->draw(image, x, baseline, text, palette_.text, palette_.background);
     }

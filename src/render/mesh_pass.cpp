@@ -33,7 +33,7 @@ glm::vec3 inkFor(const Colour& surface, const Colour& background)
 {
     const glm::vec3 own(toVector(surface));
     const bool dark = background[3] > 127 && background[0] + background[1] + background[2] < 3 * 96;
-    return dark ? glm::mix(own, glm::vec3(1), 0.35F) : 0.38F * own;
+    return dark ? glm::mix(own, glm::vec3(1), 0.12F) : 0.38F * own;
 }
 
 const void* offset(std::size_t bytes)
