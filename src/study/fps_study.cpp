@@ -145,12 +145,11 @@ FpsObject measureObject(const Scene& scene, const FpsRequest& request, std::stri
     // Methods take turns, so that what disturbs the machine for a while disturbs all of them.
     std::vector<std::vector<FpsRun>> runs(request.methods.size());
     for (std::size_t repeat = 0; repeat < request.repeats; ++repeat)
+    {
+        say(fmt::format("{}: run {} of {}", scene.name, repeat + 1, request.repeats));
         for (std::size_t i = 0; i < request.methods.size(); ++i)
-        {
-            say(fmt::format("{}: {}, run {} of {}", scene.name, methodName(request.methods[i]),
-                            repeat + 1, request.repeats));
             runs[i].push_back(timeRun(sceneFor(scene, request.methods[i]), mesh.mesh));
-        }
+    }
     for (std::size_t i = 0; i < request.methods.size(); ++i)
         object.methods.push_back(
             summarise(request.methods[i], runs[i], request.warmUpSteps, scene));

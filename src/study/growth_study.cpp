@@ -82,7 +82,9 @@ std::vector<GrowthPoint> growthOfRun(const Scene& scene, const TriangleMesh& mes
     while (simulation.step())
     {
     }
-    const std::span<const SetRecord> sets = simulation.sets();
+    // The last set has none after it: its frames are those of a run that comes to its end.
+    const std::span<const SetRecord> all = simulation.sets();
+    const auto sets = all.first(all.size() - std::min<std::size_t>(all.size(), 1));
     const std::size_t perPoint = (sets.size() + points - 1) / points;
     std::vector<GrowthPoint> result;
     std::size_t present = 0;

@@ -21,7 +21,8 @@ struct GrowthPoint
     double ms = 0;           ///< a time step
 };
 
-/// Mean cost of a time step in neighbouring sets; at most so many points.
+/// Mean cost of a time step in neighbouring sets; at most so many points. The last set of the run
+/// is left out.
 [[nodiscard]] std::vector<GrowthPoint> growthOfRun(const Scene& scene, const TriangleMesh& mesh,
                                                    std::size_t points);
 

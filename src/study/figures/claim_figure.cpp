@@ -10,7 +10,7 @@ namespace frostfill
 namespace
 {
 
-constexpr std::size_t kPoints = 40;
+constexpr std::size_t kPoints = 50;
 constexpr std::uint64_t kSpheres = 10000;
 constexpr std::uint64_t kQuickSpheres = 400;
 
@@ -18,9 +18,10 @@ constexpr std::uint64_t kQuickSpheres = 400;
 Scene cubeScene(Preset preset, std::uint64_t spheres)
 {
     Scene scene = presetScene(preset, "cube");
-    scene.spheres.count = spheres;
     scene.spheres.groupsPerSet = 2;
     scene.spheres.groupSize = static_cast<std::uint32_t>(spheres / 200);
+    // One set more, which is not shown.
+    scene.spheres.count = spheres + 2 * scene.spheres.groupSize;
     scene.freezing.everySets = 1;
     scene.discard.rule = DiscardRule::none;
     scene.search = {SphereSearch::allPairs, PolygonSearch::loop};

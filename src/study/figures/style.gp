@@ -8,7 +8,7 @@ if (!exists("height")) height = 540
 if (format eq "svg") {
     set terminal svg size width,height font "DejaVu Sans,15" background "#ffffff"
 } else {
-    set terminal pngcairo size 1.5*width,1.5*height font "DejaVu Sans,15" fontscale 1.5 \
+    set terminal pngcairo size 1.5*width,1.5*height font "DejaVu Sans,15" fontscale 1.13 \
         linewidth 1.5 pointscale 1.5
 }
 set output name.".".format
