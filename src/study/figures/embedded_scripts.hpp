@@ -13,5 +13,9 @@ std::string_view figure_operations();
 std::string_view figure_times();
 std::string_view figure_discarded();
 std::string_view figure_density();
+std::string_view figure_volume();
+std::string_view figure_interaction();
+std::string_view figure_filling();
+std::string_view figure_cutaways();
 
 } // namespace frostfill::embedded

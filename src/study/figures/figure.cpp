@@ -18,7 +18,7 @@ namespace
 /// The palette of the pictures, as gnuplot variables, so that figures use the same colours.
 std::string paletteScript()
 {
-    const Palette palette;
+    const Palette palette = paletteOf(Look::paper);
     std::string text;
     const auto define = [&](const char* name, const Colour& colour)
     {

@@ -9,7 +9,9 @@ namespace frostfill
 std::span<const Figure> allFigures()
 {
     static const std::array kFigures = {
-        claimFigure(), timesFigure(), operationsFigure(), discardedFigure(), densityFigure(),
+        volumeFigure(),  interactionFigure(), timesFigure(),
+        claimFigure(),   operationsFigure(),  discardedFigure(),
+        densityFigure(), fillingFigure(),     cutawaysFigure(),
     };
     return kFigures;
 }
