@@ -13,7 +13,7 @@ set xrange [0.8:125]
 set xtics (1, 2, 5, 10, 20, 50, 100)
 set xlabel "spheres in a set"
 set ylabel "volume filled [%]"
-set key bottom left
+set key top left
 plot for [i=1:3] "density.csv" using "set_size":(at(word(methods, i), "packing_percent")):\
         "half_width_95" with yerrorlines pointtype int(word(marks, i)) pointsize 1.2 linewidth 1.8 \
         dashtype i linecolor rgb word(colours, i) title word(titles, i)

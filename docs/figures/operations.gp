@@ -7,13 +7,14 @@ data = "operations.csv"
 at(discards, x) = column("discards") == discards ? column(x) : NaN
 marked(discards, x) = int(column("beta")) % 8 == 0 ? at(discards, x) : NaN
 set xlabel "spheres present"
-set format x "%.0f"
-set multiplot layout 1,2 margins 0.095,0.975,0.36,0.93 spacing 0.125
+set xtics format "%.0f"
+set xtics 500
+set multiplot layout 1,2 margins 0.09,0.975,0.38,0.93 spacing 0.13
 set logscale y
 set format y "10^{%T}"
 set title "Sphere–sphere" font ",16"
 set ylabel "operations a step"
-set key at screen 0.29,0.01 center bottom maxcols 1
+set key at screen 0.3,0.01 center bottom maxcols 1
 plot data using "spheres":(at(0, "tests_without_freezing")) with lines dashtype 3 linewidth 2 \
         linecolor rgb black title "tests with nothing frozen, n(n-1)/2", \
     data using "spheres":(at(0, "sphere_tests_lemma")) with lines linewidth 2 \
@@ -30,7 +31,7 @@ unset logscale y
 set title "Sphere–polygon"
 set format y "%.1f"
 set ylabel "tests so far, one step a set [million]"
-set key at screen 0.77,0.13 center bottom maxcols 1
+set key at screen 0.78,0.09 center bottom maxcols 1
 plot data using "spheres":(at(0, "polygon_tests_so_far_lemma") / 1e6) with lines linewidth 2 \
         linecolor rgb vermillion title "no discards, Lemma 3: nm", \
     data using "spheres":(marked(0, "polygon_tests_so_far") / 1e6) with points pointtype 7 \

@@ -8,7 +8,7 @@ if (!exists("height")) height = 540
 if (format eq "svg") {
     set terminal svg size width,height font "DejaVu Sans,15" background "#ffffff"
 } else {
-    set terminal pngcairo size 1.5*width,1.5*height font "DejaVu Sans,15" fontscale 1.5 \
+    set terminal pngcairo size 1.5*width,1.5*height font "DejaVu Sans,15" fontscale 1.13 \
         linewidth 1.5 pointscale 1.5
 }
 set output name.".".format
@@ -29,6 +29,6 @@ set tics nomirror out textcolor rgb black
 set grid y linecolor rgb "#d8d8d8" linewidth 1
 set key reverse Left samplen 2.5 textcolor rgb black
 running_colour = "#e69f00"
-frozen_colour = "#0072b2"
-discarded_colour = "#bbbbbb"
+frozen_colour = "#408cc4"
+discarded_colour = "#dddddd"
 discarded_polygon_colour = "#cc79a7"
