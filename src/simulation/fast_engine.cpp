@@ -11,14 +11,15 @@ namespace frostfill
 namespace
 {
 
-constexpr double kStep = 0.165;       // default time step [sqrt(r/g)]
+constexpr double kStep = 0.165;       // default time step [sqrt(r/g) of the smallest sphere]
 constexpr double kWindow = 0.33;      // over which a sphere is watched [sqrt(r/g)]
 constexpr double kStillRunning = 0.2; // share of a set that may run when the next one appears
 constexpr double kTopBand = 4;        // below the highest ceiling, in which falls begin [r]
 
 double timeStep(const World& world)
 {
-    return world.scene.motion.dt ? *world.scene.motion.dt / world.frame.time : kStep;
+    return world.scene.motion.dt ? *world.scene.motion.dt / world.frame.time
+                                 : kStep * std::sqrt(world.radii.smallest());
 }
 
 } // namespace
@@ -102,29 +103,30 @@ bool FastEngine::releaseSet()
     // Free flight is analytic: with Motion::skip a sphere appears where it would touch first.
     const bool skip = world_.scene.motion.mode == Motion::skip;
     Eigen::Vector3d start;
-    const auto suits = [&](const Eigen::Vector3d& place)
+    const auto suits = [&](const Eigen::Vector3d& place, double radius)
     {
         start = place;
         if (skip)
         {
-            descent_.drop(start, 1);
+            descent_.drop(start, radius);
         }
-        return clearOfRunners(start);
+        return clearOfRunners(start, radius);
     };
     while (world_.spheres.size() - before < wanted)
     {
-        if (!release_.find(suits))
+        const auto found = release_.find(suits);
+        if (!found)
         {
             break;
         }
         const std::size_t inSet = world_.spheres.size() - before;
         const auto group = nextGroup_ + static_cast<std::uint32_t>(inSet / groupSize(world_));
-        const std::uint32_t id = world_.release(start, 1, group);
+        const std::uint32_t id = world_.release(start, found->radius, group);
         if (running_ == runners_.size())
         {
             runners_.emplace_back();
         }
-        runners_[running_++].restart(id, start);
+        runners_[running_++].restart(id, start, found->radius);
     }
     if (world_.spheres.size() == before)
     {
@@ -159,11 +161,11 @@ void FastEngine::advance()
     }
 }
 
-bool FastEngine::clearOfRunners(const Eigen::Vector3d& place) const
+bool FastEngine::clearOfRunners(const Eigen::Vector3d& place, double radius) const
 {
     for (std::size_t k = 0; k < running_; ++k)
     {
-        const double contact = runners_[k].radius + 1 + kClearance;
+        const double contact = runners_[k].radius + radius + kClearance;
         if ((runners_[k].position - place).squaredNorm() < contact * contact)
         {
             return false;
