@@ -40,9 +40,10 @@ void pushOffSpheres(const World& world, const Eigen::Vector3d& p, double radius,
     world.resting.forEachNear(p, radius + 1,
                               [&](std::uint32_t id)
                               {
-                                  const Eigen::Vector3d d = p - world.spheres.position(id);
+                                  const GridSphere& other = world.resting[id];
+                                  const Eigen::Vector3d d = p - other.position();
                                   const double distance = d.norm();
-                                  const double depth = radius + world.spheres.radius[id] - distance;
+                                  const double depth = radius + other.radius - distance;
                                   if (depth > push.depth && distance > 0)
                                   {
                                       push.depth = depth;

@@ -3,6 +3,7 @@
 
 #include <simulation/contact_cone.hpp>
 #include <simulation/free_path.hpp>
+#include <simulation/vertical_drop.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -22,8 +23,9 @@ constexpr double kRegain = 0.2;         // how far behind a straight part the co
 
 } // namespace
 
-bool Descent::settle(Eigen::Vector3d& p, double radius, Neighbourhood& around)
+bool Descent::settle(Eigen::Vector3d& p, double radius, Neighbourhood& around, double farthest)
 {
+    const Eigen::Vector3d start = p;
     longestSlide_ = kLongestSlide * radius;
     // A path loses height with every step, so it ends; the bound is for wedges that Newton's method
     // enters ever more slowly.
@@ -40,9 +42,13 @@ bool Descent::settle(Eigen::Vector3d& p, double radius, Neighbourhood& around)
         }
         if (normals_.empty())
         {
-            fall(p, radius, around);
+            drop(p, radius);
         }
         else if (!slide(p, radius, around, pull))
+        {
+            return false;
+        }
+        if ((p - start).squaredNorm() > farthest * farthest)
         {
             return false;
         }
@@ -50,27 +56,9 @@ bool Descent::settle(Eigen::Vector3d& p, double radius, Neighbourhood& around)
     return false;
 }
 
-void Descent::drop(Eigen::Vector3d& p, double radius)
+void Descent::drop(Eigen::Vector3d& p, double radius) const
 {
-    around_.invalidate();
-    for (double before = p.y() + 1; p.y() < before;)
-    {
-        before = p.y();
-        around_.ensure(world_, p, radius, kShortestLook);
-        fall(p, radius, around_);
-    }
-}
-
-void Descent::fall(Eigen::Vector3d& p, double radius, const Neighbourhood& around) const
-{
-    const double height = falls_.freeHeight(p);
-    if (height < p.y())
-    {
-        p.y() = height;
-        return;
-    }
-    const Eigen::Vector3d down(0, -1, 0);
-    p.y() -= freePath(world_.surface, around, p, radius, down, around.room(p));
+    p.y() = contactBelow(world_, falls_, p, radius);
 }
 
 // A straight part along the pull, then back to the contact that curves away from it. Both lose

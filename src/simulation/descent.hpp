@@ -5,6 +5,7 @@
 #include <simulation/neighbourhood.hpp>
 #include <simulation/world.hpp>
 
+#include <limits>
 #include <vector>
 
 namespace frostfill
@@ -27,14 +28,15 @@ public:
         around_.invalidate();
         return settle(p, radius, around_);
     }
-    /// The same with a neighbourhood of the caller's, which is up to date or invalid.
-    [[nodiscard]] bool settle(Eigen::Vector3d& p, double radius, Neighbourhood& around);
+    /// The same with a neighbourhood of the caller's, which is up to date or invalid. False also
+    /// when the place would be farther than `farthest` from p.
+    [[nodiscard]] bool settle(Eigen::Vector3d& p, double radius, Neighbourhood& around,
+                              double farthest = std::numeric_limits<double>::infinity());
 
     /// Takes p straight down to its first contact.
-    void drop(Eigen::Vector3d& p, double radius);
+    void drop(Eigen::Vector3d& p, double radius) const;
 
 private:
-    void fall(Eigen::Vector3d& p, double radius, const Neighbourhood& around) const;
     bool slide(Eigen::Vector3d& p, double radius, Neighbourhood& around,
                const Eigen::Vector3d& pull);
 

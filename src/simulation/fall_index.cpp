@@ -47,20 +47,17 @@ int FallIndex::highestBelow(int x, int z, int y, const std::vector<std::uint64_t
     return candidates == 0 ? -1 : index * 64 + 63 - std::countl_zero(candidates);
 }
 
-double FallIndex::freeHeight(const Eigen::Vector3d& p) const
+int FallIndex::highestSphere(int x, int z, int y) const
 {
-    const auto c = frame_.coordinates(p);
-    const int from = std::min(c[1] + 1, frame_.count[1] - 1);
-    int highest = highestBelow(c[0], c[2], from, walls_);
-    for (int z = std::max(0, c[2] - 1); z <= std::min(frame_.count[2] - 1, c[2] + 1); ++z)
+    int highest = -1;
+    for (int nz = std::max(0, z - 1); nz <= std::min(frame_.count[2] - 1, z + 1); ++nz)
     {
-        for (int x = std::max(0, c[0] - 1); x <= std::min(frame_.count[0] - 1, c[0] + 1); ++x)
+        for (int nx = std::max(0, x - 1); nx <= std::min(frame_.count[0] - 1, x + 1); ++nx)
         {
-            highest = std::max(highest, highestBelow(x, z, from, spheres_));
+            highest = std::max(highest, highestBelow(nx, nz, y, spheres_));
         }
     }
-    // Two cells above the obstacle's a centre is two radii away from all that is in it.
-    return std::min(p.y(), frame_.origin.y() + frame_.cell * (highest + 2));
+    return highest;
 }
 
 } // namespace frostfill

@@ -10,9 +10,9 @@
 namespace frostfill
 {
 
-/// Answers how far a sphere can fall before it is worth looking: a bit for each cell of two radii,
-/// set when a wall or the centre of a sphere at rest is in it, stored by columns so that the next
-/// one below is found in a few instructions.
+/// Answers where a falling sphere has to look: a bit for each cell of two radii, set when a wall
+/// or the centre of a sphere at rest is in it, stored by columns so that the next one below is
+/// found in a few instructions.
 class FallIndex
 {
 public:
@@ -20,9 +20,18 @@ public:
 
     void insert(const Eigen::Vector3d& centre);
 
-    /// The height down to which a sphere at p with a radius of at most 1 can fall without touching
-    /// anything; p's own height when something may be near.
-    [[nodiscard]] double freeHeight(const Eigen::Vector3d& p) const;
+    /// The highest layer of cells, at most y, with a sphere's centre in the column (x, z) or one of
+    /// the eight around it: nothing else can touch a sphere with its centre in the column that
+    /// comes down from layer y. -1 when there is none.
+    [[nodiscard]] int highestSphere(int x, int z, int y) const;
+
+    /// The highest layer, at most y, in which a wall may touch a sphere with its centre in the
+    /// column (x, z).
+    [[nodiscard]] int highestWall(int x, int z, int y) const
+    {
+        return highestBelow(x, z, y, walls_);
+    }
+    [[nodiscard]] const GridFrame& frame() const { return frame_; }
 
 private:
     [[nodiscard]] std::size_t column(int x, int z) const

@@ -42,6 +42,8 @@ double pathToSpheres(const Neighbourhood& around, const Eigen::Vector3d& p,
     return limit;
 }
 
+} // namespace
+
 // The distance to a triangle is a convex function of the way gone, so it never falls below its
 // tangent: Newton's steps approach the contact from in front and never pass it.
 double pathToTriangle(const SurfaceTriangle& triangle, const Eigen::Vector3d& p, double radius,
@@ -73,8 +75,6 @@ double pathToTriangle(const SurfaceTriangle& triangle, const Eigen::Vector3d& p,
     }
     return std::min(path, limit);
 }
-
-} // namespace
 
 double freePath(const Surface& surface, const Neighbourhood& around, const Eigen::Vector3d& p,
                 double radius, const Eigen::Vector3d& direction, double limit)

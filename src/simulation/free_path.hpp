@@ -16,6 +16,10 @@ namespace frostfill
                               const Eigen::Vector3d& p, double radius,
                               const Eigen::Vector3d& direction, double limit);
 
+/// The same for a single triangle, whose distance from p is at most a few radii.
+[[nodiscard]] double pathToTriangle(const SurfaceTriangle& triangle, const Eigen::Vector3d& p,
+                                    double radius, const Eigen::Vector3d& direction, double limit);
+
 /// Unit vectors to p from everything that a sphere there touches: gaps of at most `gap`.
 void contactNormals(const Surface& surface, const Neighbourhood& around, const Eigen::Vector3d& p,
                     double radius, double gap, std::vector<Eigen::Vector3d>& normals);

@@ -75,13 +75,9 @@ bool FastEngine::tryFreeze(std::uint32_t index)
         return false;
     }
     Eigen::Vector3d place = runner.position;
-    if (!descent_.settle(place, runner.radius, runner.around) && !tooOld)
-    {
-        return false;
-    }
-    const double way = (place - runner.position).squaredNorm();
-    const double longest = kLongestSettling * runner.radius;
-    if (way > longest * longest && !tooOld)
+    const double farthest =
+        tooOld ? std::numeric_limits<double>::infinity() : kLongestSettling * runner.radius;
+    if (!descent_.settle(place, runner.radius, runner.around, farthest) && !tooOld)
     {
         return false;
     }

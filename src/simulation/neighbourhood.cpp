@@ -17,18 +17,18 @@ void Neighbourhood::ensure(const World& world, const Eigen::Vector3d& p, double 
     y.clear();
     z.clear();
     reach.clear();
-    const Spheres& s = world.spheres;
     world.resting.forEachNear(p, radius + 1 + kSkin,
                               [&](std::uint32_t id)
                               {
-                                  const double contact = radius + s.radius[id];
+                                  const GridSphere& other = world.resting[id];
+                                  const double contact = radius + other.radius;
                                   const double limit = contact + kSkin;
-                                  if (s.state[id] != SphereState::discarded &&
-                                      (s.position(id) - p).squaredNorm() < limit * limit)
+                                  if (!other.discarded &&
+                                      (other.position() - p).squaredNorm() < limit * limit)
                                   {
-                                      x.push_back(s.x[id]);
-                                      y.push_back(s.y[id]);
-                                      z.push_back(s.z[id]);
+                                      x.push_back(other.x);
+                                      y.push_back(other.y);
+                                      z.push_back(other.z);
                                       reach.push_back(contact);
                                   }
                               });

@@ -29,7 +29,7 @@ public:
         {
             if (world.spheres.position(id).allFinite())
             {
-                all_.insert(id, world.spheres.position(id));
+                all_.insert(id, world.spheres.position(id), world.spheres.radius[id]);
             }
         }
         const double work =

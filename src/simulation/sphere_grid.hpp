@@ -2,56 +2,78 @@
 #pragma once
 
 #include <geometry/grid_frame.hpp>
-#include <simulation/spheres.hpp>
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
 namespace frostfill
 {
 
-/// Spheres by cell, as linked lists. Cells are at least as large as the largest distance asked for.
+/// A sphere of a grid, with all that a search needs in one place of memory.
+struct GridSphere
+{
+    double x = 0, y = 0, z = 0;
+    double radius = 0;
+    std::uint32_t next = 0;
+    bool discarded = false; ///< nothing can touch it any more
+
+    [[nodiscard]] Eigen::Vector3d position() const { return {x, y, z}; }
+};
+
+/// Spheres that do not move, by cell, as linked lists. Cells are at least as large as the largest
+/// distance asked for.
 class SphereGrid
 {
 public:
     explicit SphereGrid(const GridFrame& frame) : frame_(frame), head_(frame.size(), kEnd) {}
 
-    void insert(std::uint32_t id, const Eigen::Vector3d& p)
+    void insert(std::uint32_t id, const Eigen::Vector3d& p, double radius)
     {
-        if (next_.size() <= id)
+        if (spheres_.size() <= id)
         {
-            next_.resize(id + 1, kEnd);
+            spheres_.resize(id + 1);
         }
-        const std::size_t cell = frame_.index(p);
-        next_[id] = head_[cell];
-        head_[cell] = id;
+        std::uint32_t& head = head_[frame_.index(p)];
+        spheres_[id] = {p.x(), p.y(), p.z(), radius, head, false};
+        head = id;
     }
 
-    /// Takes out a sphere that was inserted at p.
-    void remove(std::uint32_t id, const Eigen::Vector3d& p)
+    /// Takes out a sphere that was inserted.
+    void remove(std::uint32_t id)
     {
-        std::uint32_t* link = &head_[frame_.index(p)];
+        std::uint32_t* link = &head_[frame_.index(spheres_[id].position())];
         while (*link != id)
         {
-            link = &next_[*link];
+            link = &spheres_[*link].next;
         }
-        *link = next_[id];
+        *link = spheres_[id].next;
     }
+
+    [[nodiscard]] const GridSphere& operator[](std::uint32_t id) const { return spheres_[id]; }
+    void setDiscarded(std::uint32_t id, bool discarded) { spheres_[id].discarded = discarded; }
 
     /// Calls visit(id) for each sphere in the cells that a cube of half-edge `reach` about p meets.
     template <class Visit>
     void forEachNear(const Eigen::Vector3d& p, double reach, Visit&& visit) const
     {
-        const auto low = frame_.coordinates(p.array() - reach);
-        const auto high = frame_.coordinates(p.array() + reach);
+        forEachIn(frame_.coordinates(p.array() - reach), frame_.coordinates(p.array() + reach),
+                  visit);
+    }
+
+    /// Calls visit(id) for each sphere in the cells from `low` to `high`, both included.
+    template <class Visit>
+    void forEachIn(const std::array<int, 3>& low, const std::array<int, 3>& high,
+                   Visit&& visit) const
+    {
         for (int z = low[2]; z <= high[2]; ++z)
         {
             for (int y = low[1]; y <= high[1]; ++y)
             {
+                const std::uint32_t* row = head_.data() + frame_.index(0, y, z);
                 for (int x = low[0]; x <= high[0]; ++x)
                 {
-                    for (std::uint32_t id = head_[frame_.index(x, y, z)]; id != kEnd;
-                         id = next_[id])
+                    for (std::uint32_t id = row[x]; id != kEnd; id = spheres_[id].next)
                     {
                         visit(id);
                     }
@@ -66,7 +88,7 @@ private:
     static constexpr std::uint32_t kEnd = 0xffffffff;
     GridFrame frame_;
     std::vector<std::uint32_t> head_; ///< [#cells]
-    std::vector<std::uint32_t> next_; ///< [#S]
+    std::vector<GridSphere> spheres_; ///< [#S] those inserted; the others' values mean nothing
 };
 
 } // namespace frostfill

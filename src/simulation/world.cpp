@@ -65,7 +65,7 @@ void World::freeze(std::uint32_t id)
 {
     spheres.state[id] = SphereState::frozen;
     spheres.setVelocity(id, Eigen::Vector3d::Zero());
-    resting.insert(id, spheres.position(id));
+    resting.insert(id, spheres.position(id), spheres.radius[id]);
     ++restingCount;
     stateChanges.push_back(id);
 }
@@ -75,7 +75,7 @@ void World::unfreezeLast()
     const std::uint32_t id = stateChanges.back();
     stateChanges.pop_back();
     spheres.state[id] = SphereState::running;
-    resting.remove(id, spheres.position(id));
+    resting.remove(id);
     --restingCount;
 }
 
@@ -92,8 +92,9 @@ std::uint32_t World::withdraw(std::uint32_t id)
         }
         else
         {
-            resting.remove(last, spheres.position(last));
-            resting.insert(id, spheres.position(last));
+            resting.remove(last);
+            resting.insert(id, spheres.position(last), spheres.radius[last]);
+            resting.setDiscarded(id, spheres.state[last] == SphereState::discarded);
         }
         spheres.moveTo(last, id);
         stateChanges.push_back(id);
@@ -105,6 +106,7 @@ std::uint32_t World::withdraw(std::uint32_t id)
 void World::discard(std::uint32_t id)
 {
     spheres.state[id] = SphereState::discarded;
+    resting.setDiscarded(id, true);
     ++discardedCount;
     stateChanges.push_back(id);
 }
@@ -116,6 +118,7 @@ void World::restoreDiscarded()
         if (spheres.state[id] == SphereState::discarded)
         {
             spheres.state[id] = SphereState::frozen;
+            resting.setDiscarded(id, false);
             stateChanges.push_back(id);
         }
     }
