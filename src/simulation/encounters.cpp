@@ -52,13 +52,6 @@ Eigen::Vector3d pushOffResting(const Runner& runner)
 
 } // namespace
 
-Encounters::Encounters(const World& world, const Flight& flight, Threads& threads,
-                       const Settings& settings)
-    : flight_(flight), threads_(threads), settings_(settings), frame_(world.resting.frame()),
-      head_(frame_.size(), 0)
-{
-}
-
 void Encounters::resolve(std::span<Runner> runners, double dt)
 {
     findMeetings(runners);
@@ -79,45 +72,24 @@ void Encounters::resolve(std::span<Runner> runners, double dt)
 
 void Encounters::findMeetings(std::span<Runner> runners)
 {
-    next_.resize(runners.size());
-    for (std::size_t i = 0; i < runners.size(); ++i)
-    {
-        const std::size_t cell = frame_.index(runners[i].position);
-        next_[i] = head_[cell];
-        head_[cell] = static_cast<std::uint32_t>(i + 1);
-    }
+    grid_.rebuild(runners);
     threads_.forEach(runners.size(), [&](std::size_t i) { findMeetingsOf(runners, runners[i]); });
-    for (const Runner& runner : runners)
-    {
-        head_[frame_.index(runner.position)] = 0;
-    }
 }
 
 void Encounters::findMeetingsOf(std::span<const Runner> runners, Runner& runner) const
 {
     runner.meeting.clear();
-    const double reach = runner.radius + 1 + kMeetingMargin;
-    const auto low = frame_.coordinates(runner.position.array() - reach);
-    const auto high = frame_.coordinates(runner.position.array() + reach);
-    for (int z = low[2]; z <= high[2]; ++z)
-    {
-        for (int y = low[1]; y <= high[1]; ++y)
-        {
-            for (int x = low[0]; x <= high[0]; ++x)
-            {
-                for (std::uint32_t k = head_[frame_.index(x, y, z)]; k != 0; k = next_[k - 1])
-                {
-                    const Runner& other = runners[k - 1];
-                    const double limit = runner.radius + other.radius + kMeetingMargin;
-                    if (&other != &runner &&
-                        (other.position - runner.position).squaredNorm() < limit * limit)
-                    {
-                        runner.meeting.push_back(k - 1);
-                    }
-                }
-            }
-        }
-    }
+    grid_.forEachNear(runner.position, runner.radius + 1 + kMeetingMargin,
+                      [&](std::uint32_t k)
+                      {
+                          const Runner& other = runners[k];
+                          const double limit = runner.radius + other.radius + kMeetingMargin;
+                          if (&other != &runner &&
+                              (other.position - runner.position).squaredNorm() < limit * limit)
+                          {
+                              runner.meeting.push_back(k);
+                          }
+                      });
     std::sort(runner.meeting.begin(), runner.meeting.end());
 }
 

@@ -3,11 +3,9 @@
 
 #include <simulation/flight.hpp>
 #include <simulation/parallel.hpp>
-#include <simulation/runner.hpp>
-#include <simulation/world.hpp>
+#include <simulation/runner_grid.hpp>
 
 #include <span>
-#include <vector>
 
 namespace frostfill
 {
@@ -25,8 +23,11 @@ public:
         double tolerance = 1e-3; ///< penetration depth at which the sweeps end early [r]
     };
 
-    Encounters(const World& world, const Flight& flight, Threads& threads,
-               const Settings& settings);
+    /// `grid` is rebuilt at each step.
+    Encounters(RunnerGrid& grid, const Flight& flight, Threads& threads, const Settings& settings)
+        : grid_(grid), flight_(flight), threads_(threads), settings_(settings)
+    {
+    }
 
     /// Separates the runners and makes their velocities agree with it.
     void resolve(std::span<Runner> runners, double dt);
@@ -39,12 +40,10 @@ private:
     void updateVelocities(std::span<Runner> runners, double dt);
     void bounce(std::span<const Runner> runners, Runner& runner) const;
 
+    RunnerGrid& grid_;
     const Flight& flight_;
     Threads& threads_;
     Settings settings_;
-    GridFrame frame_;
-    std::vector<std::uint32_t> head_; ///< first runner of each cell, as index + 1; 0 for none
-    std::vector<std::uint32_t> next_;
 };
 
 } // namespace frostfill

@@ -12,14 +12,19 @@ namespace
 {
 
 constexpr double kStep = 0.165;       // default time step [sqrt(r/g) of the smallest sphere]
+constexpr double kSkipStep = 0.33;    // the same with Motion::skip, where nothing falls from far
 constexpr double kWindow = 0.33;      // over which a sphere is watched [sqrt(r/g)]
 constexpr double kStillRunning = 0.2; // share of a set that may run when the next one appears
 constexpr double kTopBand = 4;        // below the highest ceiling, in which falls begin [r]
 
 double timeStep(const World& world)
 {
-    return world.scene.motion.dt ? *world.scene.motion.dt / world.frame.time
-                                 : kStep * std::sqrt(world.radii.smallest());
+    if (world.scene.motion.dt)
+    {
+        return *world.scene.motion.dt / world.frame.time;
+    }
+    const double step = world.scene.motion.mode == Motion::skip ? kSkipStep : kStep;
+    return step * std::sqrt(world.radii.smallest());
 }
 
 } // namespace
@@ -28,8 +33,8 @@ FastEngine::FastEngine(World& world)
     : world_(world), falls_(world.resting.frame(), world.triangles),
       release_(world, world.scene.motion.mode == Motion::fall ? kTopBand : world.height),
       descent_(world, falls_), flight_(world, {world.scene.motion.restitution}),
-      threads_(world.scene.threads),
-      encounters_(world, flight_, threads_, {world.scene.motion.restitution}),
+      threads_(world.scene.threads), grid_(world.resting.frame()),
+      encounters_(grid_, flight_, threads_, {world.scene.motion.restitution}),
       setSize_(groupSize(world) * world.scene.spheres.groupsPerSet),
       ageLimit_(world.scene.freezing.setTimeLimit + 4 * std::sqrt(2 * world.height))
 {
@@ -102,6 +107,7 @@ bool FastEngine::releaseSet()
     const std::size_t before = world_.spheres.size();
     // Free flight is analytic: with Motion::skip a sphere appears where it would touch first.
     const bool skip = world_.scene.motion.mode == Motion::skip;
+    grid_.rebuild({runners_.data(), running_});
     Eigen::Vector3d start;
     const auto suits = [&](const Eigen::Vector3d& place, double radius)
     {
@@ -127,6 +133,7 @@ bool FastEngine::releaseSet()
             runners_.emplace_back();
         }
         runners_[running_++].restart(id, start, found->radius);
+        grid_.add(start);
     }
     if (world_.spheres.size() == before)
     {
@@ -163,15 +170,15 @@ void FastEngine::advance()
 
 bool FastEngine::clearOfRunners(const Eigen::Vector3d& place, double radius) const
 {
-    for (std::size_t k = 0; k < running_; ++k)
-    {
-        const double contact = runners_[k].radius + radius + kClearance;
-        if ((runners_[k].position - place).squaredNorm() < contact * contact)
-        {
-            return false;
-        }
-    }
-    return true;
+    bool clear = true;
+    grid_.forEachNear(place, radius + 1 + kClearance,
+                      [&](std::uint32_t k)
+                      {
+                          const double contact = runners_[k].radius + radius + kClearance;
+                          clear = clear &&
+                                  (runners_[k].position - place).squaredNorm() >= contact * contact;
+                      });
+    return clear;
 }
 
 } // namespace frostfill

@@ -45,6 +45,7 @@ private:
     Descent descent_;
     Flight flight_;
     Threads threads_;
+    RunnerGrid grid_; ///< of the runners, as they lay at the last rebuild
     Encounters encounters_;
     std::unique_ptr<ExactDiscard> discard_; ///< empty when nothing is to be discarded
     SetClock clock_;

@@ -51,6 +51,7 @@ void FastEngine::freezeCalm()
                   return ya < yb || (ya == yb && a < b);
               });
     frozen_.assign(running_, false);
+    grid_.rebuild({runners_.data(), running_});
     for (const std::uint32_t k : order)
     {
         if (!frozen_[k])
@@ -112,15 +113,18 @@ std::vector<std::uint32_t> FastEngine::overlappedBy(std::uint32_t index) const
 {
     const Eigen::Vector3d place = world_.spheres.position(runners_[index].id);
     std::vector<std::uint32_t> overlapped;
-    for (std::uint32_t k = 0; k < running_; ++k)
-    {
-        const double contact = runners_[k].radius + runners_[index].radius;
-        if (k != index && !frozen_[k] &&
-            (runners_[k].position - place).squaredNorm() < contact * contact)
-        {
-            overlapped.push_back(k);
-        }
-    }
+    const double radius = runners_[index].radius;
+    grid_.forEachNear(place, radius + 1,
+                      [&](std::uint32_t k)
+                      {
+                          const double contact = runners_[k].radius + radius;
+                          if (k != index && !frozen_[k] &&
+                              (runners_[k].position - place).squaredNorm() < contact * contact)
+                          {
+                              overlapped.push_back(k);
+                          }
+                      });
+    std::sort(overlapped.begin(), overlapped.end());
     return overlapped;
 }
 
@@ -141,6 +145,7 @@ bool FastEngine::makeRoom(std::uint32_t index, double farthest)
     for (std::size_t i = 0; i < overlapped.size(); ++i)
     {
         runners_[overlapped[i]].position = moved_[i];
+        grid_.move(overlapped[i], moved_[i]);
     }
     return true;
 }
@@ -158,10 +163,12 @@ void FastEngine::evict(std::uint32_t index)
         if (moveClear(world_, clear, other.radius, kFarRoom * other.radius))
         {
             other.position = clear;
+            grid_.move(k, clear);
         }
         else if (const auto elsewhere = release_.find(other.radius, suits))
         {
             other.restart(other.id, *elsewhere, other.radius);
+            grid_.move(k, *elsewhere);
         }
         else
         {
@@ -179,10 +186,9 @@ void FastEngine::evict(std::uint32_t index)
 
 void FastEngine::tellOthers(const Eigen::Vector3d& place, double radius)
 {
-    for (std::size_t k = 0; k < running_; ++k)
-    {
-        runners_[k].around.add(place, radius);
-    }
+    // A neighbourhood was made within the skin of where its runner is now.
+    grid_.forEachNear(place, 1 + radius + 2 * Neighbourhood::kSkin,
+                      [&](std::uint32_t k) { runners_[k].around.add(place, radius); });
 }
 
 // Keeps the order of the others, and the memory of the frozen ones for spheres to come.

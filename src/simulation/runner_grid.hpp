@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <geometry/grid_frame.hpp>
+#include <simulation/runner.hpp>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace frostfill
+{
+
+/// Runners by cell, by their index. Filling and emptying cost what the runners cost, not the cells.
+class RunnerGrid
+{
+public:
+    explicit RunnerGrid(const GridFrame& frame) : frame_(frame), head_(frame.size(), kEnd) {}
+
+    /// Forgets all and takes in these, as they lie now.
+    void rebuild(std::span<const Runner> runners)
+    {
+        for (const std::uint32_t cell : cell_)
+        {
+            head_[cell] = kEnd;
+        }
+        cell_.clear();
+        next_.clear();
+        for (const Runner& runner : runners)
+        {
+            add(runner.position);
+        }
+    }
+
+    /// Takes in one more runner, with the next index.
+    void add(const Eigen::Vector3d& p)
+    {
+        cell_.push_back(0);
+        next_.push_back(kEnd);
+        link(static_cast<std::uint32_t>(cell_.size() - 1), p);
+    }
+
+    /// To be called when a runner has been put elsewhere.
+    void move(std::uint32_t index, const Eigen::Vector3d& p)
+    {
+        std::uint32_t* entry = &head_[cell_[index]];
+        while (*entry != index)
+        {
+            entry = &next_[*entry];
+        }
+        *entry = next_[index];
+        link(index, p);
+    }
+
+    /// Calls visit(index) for each runner in the cells that a cube of half-edge `reach` about p
+    /// meets, in no particular order.
+    template <class Visit>
+    void forEachNear(const Eigen::Vector3d& p, double reach, Visit&& visit) const
+    {
+        const auto low = frame_.coordinates(p.array() - reach);
+        const auto high = frame_.coordinates(p.array() + reach);
+        for (int z = low[2]; z <= high[2]; ++z)
+        {
+            for (int y = low[1]; y <= high[1]; ++y)
+            {
+                const std::uint32_t* row = head_.data() + frame_.index(0, y, z);
+                for (int x = low[0]; x <= high[0]; ++x)
+                {
+                    for (std::uint32_t index = row[x]; index != kEnd; index = next_[index])
+                    {
+                        visit(index);
+                    }
+                }
+            }
+        }
+    }
+
+private:
+    void link(std::uint32_t index, const Eigen::Vector3d& p)
+    {
+        const auto cell = static_cast<std::uint32_t>(frame_.index(p));
+        cell_[index] = cell;
+        next_[index] = head_[cell];
+        head_[cell] = index;
+    }
+
+    static constexpr std::uint32_t kEnd = 0xffffffff;
+    GridFrame frame_;
+    std::vector<std::uint32_t> head_; ///< [#cells]
+    std::vector<std::uint32_t> next_; ///< [#runners]
+    std::vector<std::uint32_t> cell_; ///< [#runners]
+};
+
+} // namespace frostfill
