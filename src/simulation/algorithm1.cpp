@@ -20,9 +20,9 @@ constexpr double kShallow = 0.1;
 constexpr std::size_t kBlock = 8;
 /// How far from a centre a polygon may be to be looked at again by that check. [r]
 constexpr double kNearby = 2;
-/// How far from a centre others' centres may be to be looked at by way of a grid: a contact, and
-/// what the spheres before it may have pushed. [r]
-constexpr double kGridReach = 3;
+/// How far from a sphere's surface others' centres may be to be looked at by way of a grid: the
+/// largest radius, and as much again for what the spheres before may have pushed.
+constexpr double kGridReach = 2;
 
 /// Direction from b to a and the penetration depth of two spheres whose centres are d apart.
 Eigen::Vector3d directionApart(const Eigen::Vector3d& d, double distance)
@@ -156,7 +156,7 @@ std::uint64_t Algorithm1::respondToAllFrozen(std::size_t i, std::size_t begin, s
 std::uint64_t Algorithm1::respondToFrozenNear(std::size_t i, std::size_t begin)
 {
     nearby_.clear();
-    frozen_->forEachNear(spheres_.position(i), kGridReach * spheres_.radius[i],
+    frozen_->forEachNear(spheres_.position(i), spheres_.radius[i] + kGridReach,
                          [&](std::uint32_t id)
                          {
                              if (id >= begin)

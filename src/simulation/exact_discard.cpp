@@ -23,10 +23,12 @@ ExactDiscard::ExactDiscard(World& world)
 void ExactDiscard::build()
 {
     ReachMap::Margins margins;
-    margins.overlap *= margin_;
-    margins.step *= margin_;
+    const double smallest = world_.radii.smallest();
+    margins.overlap *= margin_ * smallest;
+    margins.step *= margin_ * smallest;
     margins.query *= margin_;
-    map_ = std::make_unique<ReachMap>(world_.surface, world_.inside, ReachMap::Radii{}, margins);
+    map_ = std::make_unique<ReachMap>(world_.surface, world_.inside, ReachMap::Radii{smallest, 1},
+                                      margins);
     for (const Kept& kept : kept_)
     {
         map_->addResting(world_.spheres.position(kept.id), world_.spheres.radius[kept.id]);

@@ -10,7 +10,8 @@ namespace frostfill
 namespace
 {
 
-constexpr int kSide = 330;
+constexpr int kSide = 240; // pixels; cutaways.gp has both
+constexpr int kStrip = 26;
 
 Scene sceneOf(const std::string& object, bool quick)
 {
@@ -46,7 +47,7 @@ void makeData(const FigureFolder& folder)
     }
     byState.insert(byState.end(), bySet.begin(), bySet.end());
     folder.write("cutaways.csv", table);
-    folder.write("cutaways-panels.png", joinPanels(byState, bySet.size()));
+    folder.write("cutaways-panels.png", joinPanels(byState, bySet.size(), kStrip));
 }
 
 } // namespace

@@ -28,7 +28,7 @@ double packing(const Part& part, std::uint32_t setSize, std::uint64_t seed, std:
 {
     Scene scene = presetScene(part.preset, "cube");
     scene.spheres.count = spheres;
-    scene.spheres.radius = sphereRadius(scene, report);
+    scene.spheres.radius = Radii(sphereRadius(scene, report));
     scene.spheres.count.reset();
     scene.spheres.groupSize = setSize;
     scene.spheres.groupsPerSet = 1;

@@ -11,7 +11,8 @@ namespace
 {
 
 constexpr std::size_t kColumns = 5;
-constexpr int kSide = 270;
+constexpr int kSide = 190; // pixels; filling.gp has both
+constexpr int kStrip = 26;
 
 void makeData(const FigureFolder& folder)
 {
@@ -47,7 +48,7 @@ void makeData(const FigureFolder& folder)
         ++row;
     }
     folder.write("filling.csv", table);
-    folder.write("filling-panels.png", joinPanels(panels, kColumns));
+    folder.write("filling-panels.png", joinPanels(panels, kColumns, kStrip));
 }
 
 } // namespace

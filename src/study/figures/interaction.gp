@@ -38,6 +38,7 @@ set lmargin at screen 0.385
 set rmargin at screen 0.675
 set xrange [-3:3]
 set yrange [-1:4.6]
+set border 15 linecolor rgb "#c8c8c8"
 plot for [k=1:3] "interaction-covering.csv" using (of(word(states, k), column("x"))):"y":"radius" \
         with circles linecolor rgb word(fills, k), \
     "interaction-rays.csv" using "x":"y":"dx":"dy" with vectors head size 0.2,20 filled linewidth 2 \
@@ -52,7 +53,7 @@ set lmargin at screen 0.73
 set rmargin at screen 0.97
 set tmargin at screen 0.9
 set bmargin at screen 0.27
-set border 3
+set border 3 linecolor rgb "#606060"
 set tics nomirror out 1
 set xrange [0.4:9.6]
 set yrange [9.6:0.4]

@@ -102,6 +102,7 @@ void makeData(const FigureFolder& folder)
 
     // The paper's example: three groups a set, and the third set runs.
     Scene sets = scene;
+    sets.spheres.radius = Radii(sphereRadius(scene, inspectMesh(mesh)));
     sets.spheres.groupsPerSet = 3;
     sets.freezing.everySets = 1;
     sets.discard.rule = DiscardRule::none;

@@ -80,20 +80,21 @@ std::vector<Image> drawMoments(const Scene& scene, const TriangleMesh& mesh,
     return images;
 }
 
-Image joinPanels(std::span<const Image> panels, std::size_t columns)
+Image joinPanels(std::span<const Image> panels, std::size_t columns, int strip)
 {
     const Image& first = panels.front();
     const std::size_t rows = (panels.size() + columns - 1) / columns;
     Image joined;
     joined.width = first.width * static_cast<int>(columns);
-    joined.height = first.height * static_cast<int>(rows);
+    const auto rowHeight = static_cast<std::size_t>(first.height + strip);
+    joined.height = static_cast<int>(rowHeight * rows);
     joined.channels = first.channels;
     const auto bytes = static_cast<std::size_t>(first.width) * first.channels;
-    joined.pixels.assign(bytes * columns * first.height * rows, 255);
+    joined.pixels.assign(bytes * columns * rowHeight * rows, 255);
     for (std::size_t i = 0; i < panels.size(); ++i)
         for (int y = 0; y < first.height; ++y)
         {
-            const std::size_t row = i / columns * first.height + y;
+            const std::size_t row = i / columns * rowHeight + y;
             std::copy_n(panels[i].at(0, y), bytes,
                         joined.pixels.begin() +
                             static_cast<std::ptrdiff_t>((row * columns + i % columns) * bytes));

@@ -33,8 +33,9 @@ struct Moment
 [[nodiscard]] std::vector<Image> drawMoments(const Scene& scene, const TriangleMesh& mesh,
                                              std::span<const Moment> moments);
 
-/// Puts pictures of one size side by side, row by row.
-[[nodiscard]] Image joinPanels(std::span<const Image> panels, std::size_t columns);
+/// Puts pictures of one size side by side, row by row, each above a white strip so many pixels
+/// high, where a script may write something.
+[[nodiscard]] Image joinPanels(std::span<const Image> panels, std::size_t columns, int strip);
 
 /// A scene's pictures as figures have them: square, small, no legend, in the look for print.
 void makePanel(Scene& scene, int side);

@@ -40,8 +40,9 @@ set tmargin at screen 0.9
 set bmargin at screen 0.25
 set border 3
 set tics nomirror out
-set xrange [0:*]
-set yrange [*:0]
+stats "volume-pairs.csv" using "j" name "groups" nooutput
+set xrange [0.4:groups_max + 0.6]
+set yrange [groups_max + 0.6:0.4]
 set xtics 8
 set ytics 8
 set xlabel "group" offset 0,0.4

@@ -30,7 +30,7 @@ void makeData(const FigureFolder& folder)
     const std::vector<Moment> discarded = momentsOf(scene, mesh, spheres);
     const std::vector<Image> panels = {drawMoments(kept, mesh, frozen).front(),
                                        drawMoments(scene, mesh, discarded).front()};
-    folder.write("volume-panels.png", joinPanels(panels, 2));
+    folder.write("volume-panels.png", joinPanels(panels, 2, 0));
     folder.write("volume-pairs.csv", pairTable(discarded.front().snapshot));
 
     Table table;
