@@ -10,9 +10,9 @@ colours = "#202020 #d55e00 #e69f00 #56b4e9 #0072b2"
 marks = "1 7 5 9 13"
 at(method, x) = strcol("method") eq method ? column(x) : NaN
 set logscale y
-set format x "%.0f"
+set xtics 0,2500 format "%.0f"
 set xlabel "spheres present"
-set multiplot layout 1,2 margins 0.085,0.93,0.27,0.92 spacing 0.13
+set multiplot layout 1,2 margins 0.085,0.905,0.25,0.92 spacing 0.185
 set key at screen 0.5,0.015 center bottom maxrows 2 width 1
 set title "Time" font ",16"
 set ylabel "milliseconds a frame" offset 1

@@ -9,7 +9,7 @@ colours = "#d55e00 #0072b2 #009e73 #cc79a7"
 marks = "7 5 9 13"
 at(object, rule, x) = strcol("object") eq object && strcol("rule") eq rule ? column(x) : NaN
 rules = "exact paper"
-names = "'exact, by reachability' 'the paper''s rules'"
+names = "'exact: by reachability' 'paper: by height and covered vertices'"
 columns = "discarded_spheres_percent discarded_polygons_percent"
 labels = "'spheres discarded [% of those present]' 'polygons discarded [% of the mesh]'"
 set xrange [0:100]

@@ -4,6 +4,7 @@
 name = "interaction"
 width = 1000
 height = 440
+scale = 1.3
 load "style.gp"
 unset grid
 states = "discarded frozen running"
@@ -38,6 +39,7 @@ set lmargin at screen 0.385
 set rmargin at screen 0.675
 set xrange [-3:3]
 set yrange [-1:4.6]
+set border 15 linecolor rgb "#c8c8c8"
 plot for [k=1:3] "interaction-covering.csv" using (of(word(states, k), column("x"))):"y":"radius" \
         with circles linecolor rgb word(fills, k), \
     "interaction-rays.csv" using "x":"y":"dx":"dy" with vectors head size 0.2,20 filled linewidth 2 \
@@ -48,16 +50,18 @@ plot for [k=1:3] "interaction-covering.csv" using (of(word(states, k), column("x
 kinds = "running frozen none discarded"
 colours = running_colour." ".frozen_colour." #fbe8bf ".discarded_colour
 kind(name, x) = strcol("kind") eq name ? x : NaN
-set lmargin at screen 0.73
+set lmargin at screen 0.74
 set rmargin at screen 0.97
 set tmargin at screen 0.9
 set bmargin at screen 0.27
-set border 3
-set tics nomirror out 1
+set border 3 linecolor rgb "#606060"
+set tics out
+set xtics nomirror 1
+set ytics nomirror 1
 set xrange [0.4:9.6]
 set yrange [9.6:0.4]
 set xlabel "group" offset 0,0.4
-set ylabel "group" offset 1
+set ylabel "group" offset 0.4
 plot for [k=1:4] "interaction-pairs.csv" using (kind(word(kinds, k), column("j"))):"i":(0.46):(0.46) \
     with boxxyerror fillstyle solid noborder linecolor rgb word(colours, k)
 unset multiplot

@@ -5,11 +5,12 @@
 if (!exists("format")) format = "png"
 if (!exists("width")) width = 900
 if (!exists("height")) height = 540
+if (!exists("scale")) scale = 1.5
 if (format eq "svg") {
     set terminal svg size width,height font "DejaVu Sans,15" background "#ffffff"
 } else {
-    set terminal pngcairo size 1.5*width,1.5*height font "DejaVu Sans,15" fontscale 1.13 \
-        linewidth 1.5 pointscale 1.5
+    set terminal pngcairo size scale*width,scale*height font "DejaVu Sans,15" \
+        fontscale 0.75*scale linewidth scale pointscale scale
 }
 set output name.".".format
 set encoding utf8
@@ -26,6 +27,7 @@ black = "#202020"
 
 set border 3 linecolor rgb "#606060"
 set tics nomirror out textcolor rgb black
+set format "%g"
 set grid y linecolor rgb "#d8d8d8" linewidth 1
 set key reverse Left samplen 2.5 textcolor rgb black
 running_colour = "#e69f00"

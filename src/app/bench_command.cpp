@@ -42,7 +42,8 @@ std::vector<OperationsCase> operationsCases(bool quick)
                              .gamma = 10,
                              .k = k,
                              .discards = discards,
-                             .groups = quick ? kQuickGroups : kGroups});
+                             .groups = quick ? kQuickGroups : kGroups,
+                             .room = kGroups});
     return cases;
 }
 

@@ -13,11 +13,13 @@ namespace frostfill
 namespace
 {
 
-Scene sceneOf(const OperationsCase& what)
+Scene sceneOf(const OperationsCase& what, const MeshReport& mesh)
 {
     Scene scene = presetScene(Preset::paper, what.object);
     scene.spheres.groupSize = static_cast<std::uint32_t>(what.gamma);
     scene.spheres.groupsPerSet = static_cast<std::uint32_t>(what.k);
+    scene.spheres.count = what.gamma * std::max(what.groups, what.room);
+    scene.spheres.radius = Radii(sphereRadius(scene, mesh));
     scene.spheres.count = what.gamma * what.groups;
     scene.freezing.everySets = 1;
     scene.discard.rule = what.discards ? DiscardRule::paper : DiscardRule::none;
@@ -111,11 +113,12 @@ bool OperationsRow::agrees() const
 
 OperationsResult measureOperations(const OperationsCase& what)
 {
-    const TriangleMesh mesh = loadMesh(what.object).mesh;
+    const LoadedMesh loaded = loadMesh(what.object);
+    const TriangleMesh& mesh = loaded.mesh;
     OperationsResult result;
     result.what = what;
     result.polygons = mesh.triangles.size();
-    Simulation simulation(sceneOf(what), mesh);
+    Simulation simulation(sceneOf(what, loaded.report), mesh);
     OperationsWatch watch(what, result.polygons);
     while (simulation.step())
         watch.observe(simulation);

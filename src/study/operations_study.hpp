@@ -20,6 +20,9 @@ struct OperationsCase
     std::uint64_t k = 1;
     bool discards = false; ///< the paper's
     std::uint64_t groups = 200;
+    /// The radius is that at which so many groups fit; 0: as many as there are. Sets are whole only
+    /// while spheres are small enough for all of a set to find room at once.
+    std::uint64_t room = 0;
 };
 
 /// What was measured while one set ran, and what the lemmas say. A step.

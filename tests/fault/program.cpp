@@ -10,9 +10,11 @@
 namespace frostfill::test
 {
 
-Answer runProgram(const std::string& arguments, const std::string& folder)
+Answer runProgram(const std::string& arguments, const std::string& folder,
+                  const std::string& environment)
 {
-    const std::string command = "cd '" + folder + "' && { '" FROSTFILL_PROGRAM "' " + arguments +
+    const std::string command = "cd '" + folder + "' && { " + environment +
+                                " '" FROSTFILL_PROGRAM "' " + arguments +
                                 "; } >answer.out 2>answer.err";
     const int status = std::system(command.c_str());
     Answer answer;

@@ -15,6 +15,8 @@ struct Answer
 };
 
 /// Runs the frostfill program in `folder`; `arguments` is read by a shell and may redirect.
-[[nodiscard]] Answer runProgram(const std::string& arguments, const std::string& folder);
+/// `environment` is put before the program, such as "PATH=/nowhere".
+[[nodiscard]] Answer runProgram(const std::string& arguments, const std::string& folder,
+                                const std::string& environment = "");
 
 } // namespace frostfill::test

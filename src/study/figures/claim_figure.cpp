@@ -14,10 +14,9 @@ constexpr std::size_t kPoints = 50;
 constexpr std::uint64_t kSpheres = 10000;
 constexpr std::uint64_t kQuickSpheres = 400;
 
-/// A fill of the cube, whose cross-section is the same at every height.
-Scene cubeScene(Preset preset, std::uint64_t spheres)
+Scene torusScene(Preset preset, std::uint64_t spheres)
 {
-    Scene scene = presetScene(preset, "cube");
+    Scene scene = presetScene(preset, "torus");
     scene.spheres.groupsPerSet = 2;
     scene.spheres.groupSize = static_cast<std::uint32_t>(spheres / 200);
     // One set more, which is not shown.
@@ -48,13 +47,13 @@ void makeData(const FigureFolder& folder)
     if (folder.reuse("claim.csv") && folder.reuse("claim-growth.csv"))
         return;
     const std::uint64_t spheres = folder.quick() ? kQuickSpheres : kSpheres;
-    const TriangleMesh mesh = builtInMesh("cube");
-    Scene freezing = cubeScene(Preset::paper, spheres);
+    const TriangleMesh mesh = builtInMesh("torus");
+    Scene freezing = torusScene(Preset::paper, spheres);
     Scene discards = freezing;
     discards.discard.rule = DiscardRule::paper;
     Scene grid = freezing;
     grid.search = {SphereSearch::grid, PolygonSearch::grid};
-    const Scene fast = cubeScene(Preset::fast, spheres);
+    const Scene fast = torusScene(Preset::fast, spheres);
 
     Table points;
     points.headings = {"method", "spheres", "tests", "ms"};

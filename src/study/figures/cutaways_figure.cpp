@@ -10,7 +10,7 @@ namespace frostfill
 namespace
 {
 
-constexpr int kSide = 240; // pixels; cutaways.gp has both
+constexpr int kSide = 210; // pixels; cutaways.gp has both
 constexpr int kStrip = 26;
 
 Scene sceneOf(const std::string& object, bool quick)

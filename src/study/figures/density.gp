@@ -14,6 +14,9 @@ set xtics (1, 2, 5, 10, 20, 50, 100)
 set xlabel "spheres in a set"
 set ylabel "volume filled [%]"
 set key top left
-plot for [i=1:3] "density.csv" using "set_size":(at(word(methods, i), "packing_percent")):\
-        "half_width_95" with yerrorlines pointtype int(word(marks, i)) pointsize 1.2 linewidth 1.8 \
-        dashtype i linecolor rgb word(colours, i) title word(titles, i)
+at_side(i) = column("set_size") * 1.025**(i - 2)
+plot for [i=1:3] "density.csv" using (at_side(i)):(at(word(methods, i), "packing_percent")):\
+        "half_width_95" with yerrorbars pointtype int(word(marks, i)) pointsize 1.2 \
+        linewidth 1.8 linecolor rgb word(colours, i) title word(titles, i), \
+    for [i=1:3] "density.csv" using (at_side(i)):(at(word(methods, i), "packing_percent")) \
+        with lines linewidth 1.8 dashtype i linecolor rgb word(colours, i) notitle

@@ -74,7 +74,10 @@ void makeData(const FigureFolder& folder)
     {
         request.scenes.push_back(presetScene(Preset::paper, name));
         if (folder.quick())
+        {
             request.scenes.back().spheres.count = 40;
+            request.scenes.back().size = {320, 180};
+        }
     }
     request.repeats = folder.quick() ? 1 : request.repeats;
     const FpsResult result =

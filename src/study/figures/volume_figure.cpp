@@ -11,7 +11,7 @@ namespace frostfill
 namespace
 {
 
-constexpr int kSide = 420;
+constexpr int kSide = 340; // pixels; volume.gp has it too
 
 void makeData(const FigureFolder& folder)
 {

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+// Runs every command that the README and docs/ show, with few spheres and small pictures, in the
+// order in which they are shown; and follows every link between their files.
+
+#include "program.hpp"
+
+#include "support/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace frostfill
+{
+namespace
+{
+
+using test::Answer;
+using test::readFile;
+
+const std::filesystem::path kSource = FROSTFILL_SOURCE_DIR;
+
+std::vector<std::filesystem::path> pages()
+{
+    std::vector<std::filesystem::path> found = {kSource / "README.md"};
+    for (const auto& file : std::filesystem::directory_iterator(kSource / "docs"))
+        if (file.path().extension() == ".md")
+            found.push_back(file.path());
+    std::sort(found.begin() + 1, found.end());
+    return found;
+}
+
+/// Commands in code blocks, which are indented, and between backticks.
+std::vector<std::string> commandsOf(const std::string& text)
+{
+    static const std::regex kCommand(
+        "(?:^|\\n)    ((?:build/release/)?frostfill [^\\n]*)|`((?:build/release/)?frostfill "
+        "[^`\\n]*)`|(?:^|\\n)    (gnuplot [^\\n]*)");
+    std::vector<std::string> commands;
+    for (std::sregex_iterator it(text.begin(), text.end(), kCommand), end; it != end; ++it)
+        for (std::size_t group = 1; group <= 3; ++group)
+            if ((*it)[group].matched)
+                commands.push_back((*it)[group].str());
+    return commands;
+}
+
+/// The program's arguments, without what explains them, with real names for placeholders.
+std::string argumentsOf(std::string command)
+{
+    command = command.substr(command.find("frostfill ") + std::string("frostfill ").size());
+    command = command.substr(0, command.find("  "));
+    for (const auto& [from, to] :
+         std::vector<std::pair<std::string, std::string>>{{"\\bFILE\\.toml\\b", "scene.toml"},
+                                                          {"\\b(FILE|MESH)\\b", "part.stl"},
+                                                          {"\\bDIR\\b", "somewhere"},
+                                                          {"\\bOPTIONS\\.\\.\\.", ""}})
+        command = std::regex_replace(command, std::regex(from), to);
+    return command;
+}
+
+/// The same command with little to do.
+std::string madeSmall(std::string arguments)
+{
+    if (arguments.find("--help") != std::string::npos)
+        return arguments;
+    const std::string name = arguments.substr(0, arguments.find(' '));
+    const auto without = [&](const std::string& option)
+    { arguments = std::regex_replace(arguments, std::regex(" --" + option + "[ =][^ ]+"), ""); };
+    std::string small;
+    if (name == "fill")
+    {
+        for (const char* option : {"count", "radius", "size", "max-frames"})
+            without(option);
+        const bool draws = arguments.find("--frames none") == std::string::npos;
+        small = draws ? " --count 6 --size 64x48 --max-frames 2" : " --count 6";
+        if (arguments.find("--overwrite") == std::string::npos)
+            small += " --overwrite";
+    }
+    else if (name == "fps")
+    {
+        without("count");
+        without("repeats");
+        small = " --count 12 --repeats 1";
+        // The times of so few frames differ by anything.
+        if (arguments.find("--compare") != std::string::npos)
+            small += " --threshold 1000000";
+        without("threshold");
+    }
+    else if ((name == "bench" || name == "figures") &&
+             arguments.find("--quick") == std::string::npos &&
+             arguments.find("--list") == std::string::npos)
+        return arguments + " --quick";
+    return name + small + arguments.substr(name.size());
+}
+
+void prepare(const std::filesystem::path& folder)
+{
+    std::filesystem::copy_file(kSource / "meshes/torus.obj", folder / "bunny.obj");
+    ASSERT_EQ(test::runProgram("mesh cube --repair part.ply", folder).code, 0);
+    // An STL of its own: a tetrahedron.
+    test::writeFile(folder / "part.stl",
+                    "solid part\n"
+                    "facet normal 0 0 -1\nouter loop\nvertex 0 0 0\nvertex 0 9 0\nvertex 9 0 0\n"
+                    "endloop\nendfacet\n"
+                    "facet normal 0 -1 0\nouter loop\nvertex 0 0 0\nvertex 9 0 0\nvertex 0 0 9\n"
+                    "endloop\nendfacet\n"
+                    "facet normal -1 0 0\nouter loop\nvertex 0 0 0\nvertex 0 0 9\nvertex 0 9 0\n"
+                    "endloop\nendfacet\n"
+                    "facet normal 1 1 1\nouter loop\nvertex 9 0 0\nvertex 0 9 0\nvertex 0 0 9\n"
+                    "endloop\nendfacet\n"
+                    "endsolid part\n");
+    test::writeFile(folder / "scene.toml", "[object]\nmesh = \"cube\"\n[spheres]\ncount = 6\n");
+    // What scripts/run leaves behind.
+    ASSERT_EQ(test::runProgram("fill torus --count 6 --frames none --quiet", folder).code, 0);
+}
+
+TEST(Documentation, everyCommandThatIsShownWorks)
+{
+    const test::TemporaryFolder folder;
+    prepare(folder.path());
+    std::set<std::string> run;
+    std::set<std::string> names;
+    for (const auto& page : pages())
+        for (const std::string& command : commandsOf(readFile(page)))
+        {
+            if (command.rfind("gnuplot ", 0) == 0)
+            {
+                const auto inFigures = "cd '" + (folder / "docs/figures").string() + "' && ";
+                EXPECT_EQ(std::system((inFigures + command + " 2>&1").c_str()), 0) << command;
+                continue;
+            }
+            const std::string arguments = madeSmall(argumentsOf(command));
+            // What several pages show is run once.
+            if (!run.insert(arguments).second)
+                continue;
+            const Answer answer = test::runProgram(arguments, folder.path());
+            EXPECT_EQ(answer.code, 0)
+                << page.filename() << " shows: " << command << "\nrun as: " << arguments << "\n"
+                << answer.errors;
+            names.insert(arguments.substr(0, arguments.find(' ')));
+        }
+    for (const char* name : {"fill", "fps", "bench", "figures", "mesh", "doctor"})
+        EXPECT_EQ(names.count(name), 1u) << "no page shows frostfill " << name;
+}
+
+TEST(Documentation, everyLinkLeadsToAFile)
+{
+    static const std::regex kLink("\\]\\(([^)#]+)");
+    std::size_t links = 0;
+    for (const auto& page : pages())
+    {
+        const std::string text = readFile(page);
+        for (std::sregex_iterator it(text.begin(), text.end(), kLink), end; it != end; ++it)
+        {
+            const std::string target = (*it)[1].str();
+            if (target.find("://") != std::string::npos)
+                continue;
+            EXPECT_TRUE(std::filesystem::exists(page.parent_path() / target))
+                << page.filename() << " links to " << target;
+            ++links;
+        }
+    }
+    EXPECT_GT(links, 10u);
+}
+
+} // namespace
+} // namespace frostfill
