@@ -56,7 +56,7 @@ void makeData(const FigureFolder& folder)
                       "spheres",
                       "discarded_spheres_percent",
                       "discarded_polygons_percent"};
-    for (const std::string& object : {"torus", "sphere", "cube", "human"})
+    for (const std::string object : {"torus", "sphere", "cube", "human"})
         for (const Preset preset : {Preset::paper, Preset::fast})
             addRun(table, object, preset, folder.quick() ? kQuickSpheres : kSpheres);
     folder.write("discarded.csv", table);

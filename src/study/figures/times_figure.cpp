@@ -70,7 +70,7 @@ void makeData(const FigureFolder& folder)
     if (folder.reuse("times.csv") && folder.reuse("fps.csv") && folder.reuse("fps.md"))
         return;
     FpsRequest request;
-    for (const std::string& name : {"torus", "sphere", "cube", "human"})
+    for (const std::string name : {"torus", "sphere", "cube", "human"})
     {
         request.scenes.push_back(presetScene(Preset::paper, name));
         if (folder.quick())
