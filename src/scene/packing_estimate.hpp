@@ -35,12 +35,13 @@ struct PackingCalibration
     switch (scene.motion.mode)
     {
     case Motion::descend:
-        return {0.5829, 0.3850, 0.0110, 0.5812, 0.0065};
+        return {0.5816, 0.388, 0.0115, 0.5812, 0.0065};
     case Motion::skip:
+        return {0.5893, 0.3616, 0.0155, 0.5898, 0.0060};
     case Motion::fall:
         break;
     }
-    return {0.5930, 0.3850, 0.0150, 0.5930, 0.0100};
+    return {0.5872, 0.3235, 0.0150, 0.5898, 0.0080};
 }
 
 /// How far beyond the fitted r S / V an error grows, as the square that the formula leaves out.

@@ -43,11 +43,12 @@ void FastEngine::freezeCalm()
             order.push_back(k);
         }
     }
+    const Eigen::Vector3d down = world_.pull.direction(Eigen::Vector3d::Zero());
     std::sort(order.begin(), order.end(),
-              [this](std::uint32_t a, std::uint32_t b)
+              [&](std::uint32_t a, std::uint32_t b)
               {
-                  const double ya = runners_[a].position.y();
-                  const double yb = runners_[b].position.y();
+                  const double ya = -runners_[a].position.dot(down);
+                  const double yb = -runners_[b].position.dot(down);
                   return ya < yb || (ya == yb && a < b);
               });
     frozen_.assign(running_, false);
@@ -70,7 +71,8 @@ bool FastEngine::tryFreeze(std::uint32_t index)
     runner.around.ensure(world_, runner.position, runner.radius, 0);
     contactNormals(world_.surface, runner.around, runner.position, runner.radius,
                    kContactGap * runner.radius, runner.normals);
-    const double missing = projectToFree({0, -1, 0}, runner.normals).norm();
+    const double missing =
+        projectToFree(world_.pull.direction(runner.position), runner.normals).norm();
     if (missing > kMostlyCarried && !tooOld)
     {
         return false;

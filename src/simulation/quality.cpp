@@ -65,8 +65,7 @@ private:
         normals_.clear();
         meetSpheres(id, p, resting);
         meetWalls(id, p);
-        if (resting && world_.frame.gravity > 0 &&
-            projectToFree({0, -1, 0}, normals_).norm() > kUnsupported)
+        if (resting && projectToFree(world_.pull.direction(p), normals_).norm() > kUnsupported)
         {
             ++report_.unsupported;
         }
