@@ -75,11 +75,12 @@ const std::vector<std::uint32_t>& FastEngine::calmRunners()
             calm_.push_back(k);
         }
     }
+    const Eigen::Vector3d down = world_.pull.direction(Eigen::Vector3d::Zero());
     std::sort(calm_.begin(), calm_.end(),
-              [this](std::uint32_t a, std::uint32_t b)
+              [&](std::uint32_t a, std::uint32_t b)
               {
-                  const double ya = runners_[a].position.y();
-                  const double yb = runners_[b].position.y();
+                  const double ya = -runners_[a].position.dot(down);
+                  const double yb = -runners_[b].position.dot(down);
                   return ya < yb || (ya == yb && a < b);
               });
     return calm_;
@@ -95,7 +96,8 @@ void FastEngine::findPlace(Runner& runner) const
     runner.around.ensure(world_, runner.position, runner.radius, 0);
     contactNormals(world_.surface, runner.around, runner.position, runner.radius,
                    kContactGap * runner.radius, runner.normals);
-    const double missing = projectToFree({0, -1, 0}, runner.normals).norm();
+    const double missing =
+        projectToFree(world_.pull.direction(runner.position), runner.normals).norm();
     if (missing > kMostlyCarried && !tooOld)
     {
         return;
