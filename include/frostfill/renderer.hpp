@@ -7,7 +7,9 @@
 #include <frostfill/snapshot.hpp>
 #include <frostfill/view.hpp>
 
+#include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -30,6 +32,8 @@ struct RenderSettings
     int samples = 4;                ///< samples a pixel; 1 for none
     Eigen::Vector3d up = {0, 1, 0}; ///< unit vector that points up in the picture
     std::string title;              ///< first line of the legend; may be empty
+    bool staticLayer = true; ///< keep what is at rest from picture to picture; off gives the same
+                             ///< pictures, slower
 };
 
 /// Draws snapshots of one mesh without a screen. One renderer belongs to one thread.
@@ -43,8 +47,18 @@ public:
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;
 
+    /// Draws one picture. It stays as it is until the next call.
+    const Image& draw(const Snapshot& snapshot);
+    /// [height] which rows of the last picture may differ from the one before, from the top; not 0
+    /// for those.
+    [[nodiscard]] std::span<const std::uint8_t> changedRows() const;
+
     /// Draws one picture into `image`, whose memory is reused.
     void render(const Snapshot& snapshot, Image& image);
+
+    /// Looks from somewhere else from now on. The projection stays parallel or not as it was.
+    /// Throws Error usage for a camera that makes no sense.
+    void setCamera(const Camera& camera);
 
     /// Vendor, renderer and version strings of the context, on one line.
     [[nodiscard]] const std::string& description() const;

@@ -13,8 +13,8 @@ namespace frostfill
 namespace
 {
 
-/// Share of the background in the furthest spheres.
-constexpr float kHaze = 0.26F;
+/// Nearest first pays from so many spheres at rest: only then are many of them found hidden.
+constexpr std::size_t kSortFrom = 2000;
 
 /// More samples a pixel than this are not to be had from OSMesa.
 constexpr int kMostSamples = 4;
@@ -46,71 +46,22 @@ const RenderSettings& checked(const RenderSettings& settings)
     return settings;
 }
 
-/// Strokes grow with the picture, so that a large one looks like a small one, only sharper.
-MeshStrokes strokesFor(const PictureSize& size)
-{
-    const auto edge = static_cast<float>(std::min(size.width, size.height));
-    return {std::max(0.75F, edge / 720), std::max(6.0F, edge / 72)};
-}
-
-/// From pixels, y downwards, to clip space. Swatches lie at the very front of the depth range.
-glm::mat4 pixelProjection(const PictureSize& size)
-{
-    glm::mat4 projection(0);
-    projection[0][0] = 2.0F / static_cast<float>(size.width);
-    projection[1][1] = 2.0F / static_cast<float>(size.height);
-    projection[2][2] = -1e-5F;
-    projection[3] = {-1, -1, -0.99F, 1};
-    return projection;
-}
-
-/// A square a swatch, as two triangles that face the viewer, y upwards.
-TriangleMesh squares(const std::vector<Legend::Swatch>& swatches, double height)
-{
-    TriangleMesh mesh;
-    for (const Legend::Swatch& swatch : swatches)
-    {
-        const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-        for (const auto& [x, y] : {std::array{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})
-        {
-            mesh.vertices.emplace_back(swatch.x + x * swatch.halfSize,
-                                       height - swatch.y + y * swatch.halfSize, 0);
-        }
-        mesh.triangles.push_back({first, first + 1, first + 2});
-        mesh.triangles.push_back({first, first + 2, first + 3});
-    }
-    return mesh;
-}
-
-std::vector<glm::vec3> positionsOf(const TriangleMesh& mesh)
-{
-    std::vector<glm::vec3> positions;
-    for (const Eigen::Vector3d& vertex : mesh.vertices)
-    {
-        positions.emplace_back(vertex.x(), vertex.y(), vertex.z());
-    }
-    return positions;
-}
-
 } // namespace
 
 Pipeline::Pipeline(const TriangleMesh& mesh, const RenderSettings& settings)
-    : settings_(checked(settings)), legend_(settings, mesh.triangles.size()),
-      framing_(frameBesideLegend(mesh.vertices, settings, legend_)),
+    : settings_(checked(settings)), vertices_(mesh.vertices),
+      legend_(settings, mesh.triangles.size()),
+      framing_(frameBesideLegend(vertices_, settings, legend_)),
       context_(openContext(settings.backend)), gl_(loadGlFunctions(*context_)),
       description_(describe(*context_, gl_)),
       framebuffer_(gl_, settings.size.width, settings.size.height, settings.samples),
-      spherePass_(gl_, framing_.orthographic, samplePositions(), settings.style.palette),
-      meshPass_(gl_, framing_.orthographic, settings.style.palette, strokesFor(settings.size)),
-      spheres_(gl_)
+      painter_(gl_, mesh, settings, legend_, framing_, samplePositions()),
+      projector_(framing_, settings.size), dirty_(settings.size.width, settings.size.height),
+      covered_(dirty_)
 {
-    if (settings.style.shell)
+    if (settings.staticLayer)
     {
-        uploadMesh(mesh);
-    }
-    if (legend_.visible())
-    {
-        uploadSwatches();
+        layer_.emplace(gl_, settings.size, settings.samples);
     }
 }
 
@@ -139,101 +90,143 @@ std::vector<glm::vec2> Pipeline::samplePositions() const
     return positions;
 }
 
-void Pipeline::uploadMesh(const TriangleMesh& mesh)
+void Pipeline::lookFrom(const Camera& camera)
 {
-    std::vector<glm::vec3> positions;
-    for (const Eigen::Vector3d& vertex : mesh.vertices)
+    if (camera.orthographic != framing_.orthographic)
     {
-        positions.emplace_back(framing_.toUnit(vertex));
+        throw Error(ErrorCode::usage, "a renderer keeps its kind of projection");
     }
-    const ShadedMesh shaded = shadeMesh(mesh, positions);
-    shell_ = std::make_unique<MeshBuffer>(
-        gl_, shaded, edgeStrengths(shaded, glm::vec3(framing_.eye), framing_.orthographic));
+    settings_.camera = camera;
+    framing_ = frameBesideLegend(vertices_, settings_, legend_);
+    context_->makeCurrent();
+    painter_.lookFrom(framing_);
+    projector_ = SphereProjector(framing_, settings_.size);
+    stale_ = true;
 }
 
-void Pipeline::uploadSwatches()
-{
-    if (!framing_.orthographic)
-    {
-        flatSpherePass_.emplace(gl_, true, samplePositions(), settings_.style.palette);
-    }
-    const double height = settings_.size.height;
-    const TriangleMesh mesh = squares(legend_.polygons(), height);
-    const ShadedMesh shaded = shadeMesh(mesh, positionsOf(mesh));
-    auto strengths = edgeStrengths(shaded, {0, 0, 1}, true);
-    strengths[0][1] = strengths[1][2] = strengths[2][1] = strengths[3][2] = 0; // the diagonals
-    swatches_.reset(new Swatches{SphereBuffer(gl_), MeshBuffer(gl_, shaded, strengths)});
-
-    std::vector<SphereInstance> spheres;
-    for (const Legend::Swatch& swatch : legend_.spheres())
-    {
-        spheres.push_back({static_cast<float>(swatch.x), static_cast<float>(height - swatch.y), 0,
-                           static_cast<float>(swatch.halfSize),
-                           static_cast<std::uint32_t>(swatch.state)});
-    }
-    swatches_->spheres.update(spheres);
-    std::vector<PolygonState> states;
-    for (const Legend::Swatch& swatch : legend_.polygons())
-    {
-        states.insert(states.end(), 2, static_cast<PolygonState>(swatch.state));
-    }
-    swatches_->polygons.update(states);
-}
-
-void Pipeline::drawSwatches() const
-{
-    SphereUniforms uniforms;
-    uniforms.projection = pixelProjection(settings_.size);
-    uniforms.depthSlope = -0.5F * uniforms.projection[2][2];
-    (flatSpherePass_ ? *flatSpherePass_ : spherePass_).draw(swatches_->spheres, uniforms);
-    meshPass_.draw(swatches_->polygons, uniforms.view, uniforms.projection);
-}
-
-void Pipeline::draw(const Snapshot& snapshot)
+const std::vector<PixelRectangle>& Pipeline::draw(const Snapshot& snapshot)
 {
     context_->makeCurrent();
-    placeSpheres(snapshot, framing_, instances_);
-    spheres_.update(instances_);
-
-    const glm::vec4 background = toVector(settings_.style.palette.background);
-    framebuffer_.bind();
-    gl_.clearColor(background.r, background.g, background.b, 1);
-    gl_.clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-
-    SphereUniforms uniforms;
-    uniforms.view = framing_.view;
-    uniforms.projection = framing_.projection;
-    uniforms.depthAtInfinity = static_cast<float>(framing_.depthAtInfinity);
-    uniforms.depthSlope = static_cast<float>(framing_.depthSlope);
-    uniforms.pixelScale = 0.5F * static_cast<float>(framing_.projection[1][1]) *
-                          static_cast<float>(settings_.size.height);
-    uniforms.heightPlane = framing_.heightPlane;
-    uniforms.distancePlane = framing_.distancePlane;
-    uniforms.haze = kHaze;
-    spherePass_.draw(spheres_, uniforms);
-    if (shell_)
+    renewMarks();
+    const SphereLedger::Changes& changes = ledger_.update(snapshot, framing_);
+    const auto polygonParts = painter_.setPolygons(snapshot.polygons);
+    const bool startAgain = stale_ || changes.everything;
+    if (startAgain && ledger_.resting().size() >= kSortFrom)
     {
-        shell_->update(snapshot.polygons);
-        meshPass_.draw(*shell_, uniforms.view, uniforms.projection);
+        ledger_.sortFrontToBack(framing_);
     }
-    if (swatches_)
+    stale_ = false;
+    dirty_.clear();
+    if (layer_)
     {
-        drawSwatches();
+        updateLayer(changes, polygonParts, startAgain);
+        drawOverLayer();
     }
-    framebuffer_.resolve();
+    else
+    {
+        drawEverything();
+    }
+    const std::vector<PixelRectangle>& parts = dirty_.joined();
+    framebuffer_.resolve(parts);
     gl_.finish();
+    return parts;
+}
+
+void Pipeline::drawEverything()
+{
+    framebuffer_.bind();
+    painter_.clear();
+    painter_.paintSpheres(ledger_.resting());
+    painter_.paintSpheres(ledger_.running());
+    painter_.paintShell();
+    painter_.paintLegend();
+    dirty_.addAll();
+}
+
+void Pipeline::updateLayer(const SphereLedger::Changes& changes,
+                           std::span<const PixelRectangle> polygonParts, bool startAgain)
+{
+    if (startAgain)
+    {
+        layer_->rebuild(painter_, projector_, ledger_.resting());
+        dirty_.addAll();
+        return;
+    }
+    covered_.clear();
+    covered_.add(polygonParts);
+    for (const std::size_t index : changes.recoloured)
+    {
+        covered_.add(layer_->whereSeen(index));
+    }
+    dirty_.add(running_);
+    if (!covered_.empty())
+    {
+        layer_->repaint(painter_, ledger_.resting().first(changes.firstArrival), covered_.joined(),
+                        framebuffer_, dirty_);
+    }
+    if (changes.firstArrival < ledger_.resting().size())
+    {
+        layer_->add(painter_, projector_, ledger_.resting(), changes.firstArrival, dirty_);
+    }
+}
+
+void Pipeline::drawOverLayer()
+{
+    framebuffer_.restore(layer_->framebuffer(), dirty_.joined());
+    running_.clear();
+    spheres_.clear();
+    for (const SphereInstance& sphere : ledger_.running())
+    {
+        const ProjectedSphere seen = projector_.project(sphere);
+        if (!layer_->hides(seen))
+        {
+            running_.push_back(seen.pixels);
+            spheres_.push_back(sphere);
+        }
+    }
+    framebuffer_.bind();
+    painter_.addSpheres(spheres_, running_);
+    dirty_.add(running_);
+}
+
+void Pipeline::renewMarks()
+{
+    if (!layer_ || !painter_.outOfMarks())
+    {
+        return;
+    }
+    layer_->framebuffer().bind();
+    painter_.clearMarks();
+    framebuffer_.bind();
+    painter_.clearMarks();
+    painter_.startMarks();
+}
+
+void Pipeline::readColour(Image& image, std::span<const PixelRectangle> parts)
+{
+    context_->makeCurrent();
+    framebuffer_.readColour(image, parts);
 }
 
 void Pipeline::readColour(Image& image)
 {
-    context_->makeCurrent();
-    framebuffer_.readColour(image);
+    const PixelRectangle whole = framebuffer_.whole();
+    readColour(image, {&whole, 1});
 }
 
 std::vector<float> Pipeline::readDepth()
 {
     context_->makeCurrent();
-    return framebuffer_.readDepth();
+    std::vector<float> bottomUp;
+    framebuffer_.readDepth(bottomUp);
+    std::vector<float> depth;
+    depth.reserve(bottomUp.size());
+    for (auto row = bottomUp.end(); row != bottomUp.begin();)
+    {
+        row -= settings_.size.width;
+        depth.insert(depth.end(), row, row + settings_.size.width);
+    }
+    return depth;
 }
 
 } // namespace frostfill

@@ -2,6 +2,7 @@
 #include <frostfill/renderer.hpp>
 
 #include "pipeline.hpp"
+#include "shown_picture.hpp"
 
 #include <frostfill/error.hpp>
 
@@ -44,6 +45,7 @@ struct Renderer::Implementation
     }
 
     Pipeline pipeline;
+    ShownPicture picture;
     StageTimes times;
 };
 
@@ -56,20 +58,36 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
-void Renderer::render(const Snapshot& snapshot, Image& image)
+const Image& Renderer::draw(const Snapshot& snapshot)
 {
-    auto& [pipeline, times] = *implementation_;
+    auto& [pipeline, picture, times] = *implementation_;
     const auto drawing = Clock::now();
-    pipeline.draw(snapshot);
+    const auto& parts = pipeline.draw(snapshot);
     times[Stage::rendering] += secondsSince(drawing);
 
     const auto reading = Clock::now();
-    pipeline.readColour(image);
+    pipeline.readColour(picture.pixels(), parts);
     times[Stage::readback] += secondsSince(reading);
 
     const auto writing = Clock::now();
-    pipeline.legend().drawText(image, snapshot);
+    picture.finish(parts, pipeline.legend(), snapshot);
     times[Stage::rendering] += secondsSince(writing);
+    return picture.image();
+}
+
+std::span<const std::uint8_t> Renderer::changedRows() const
+{
+    return implementation_->picture.changedRows();
+}
+
+void Renderer::render(const Snapshot& snapshot, Image& image)
+{
+    image = draw(snapshot);
+}
+
+void Renderer::setCamera(const Camera& camera)
+{
+    implementation_->pipeline.lookFrom(camera);
 }
 
 const std::string& Renderer::description() const
