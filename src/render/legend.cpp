@@ -53,8 +53,11 @@ Legend::Legend(const RenderSettings& settings, std::size_t triangles, const Sphe
     {
         return;
     }
-    const double size = std::round(std::max(
-        kSmallestType, std::min(size_.height / kLinesInHeight, size_.width / kLettersInWidth)));
+    // Of a supersampled picture the small one is to be read.
+    const double factor = settings.supersample;
+    const double size =
+        factor * std::round(std::max(kSmallestType, std::min(size_.height / factor / kLinesInHeight,
+                                                             size_.width / factor / kLettersInWidth)));
     font_.emplace(size);
     titleFont_.emplace(std::round(kTitleSize * size));
     if (colours.hasScale())

@@ -18,10 +18,11 @@ constexpr float kHaze = 0.26F;
 constexpr float kOccluderShrink = 1.25F;
 
 /// Strokes grow with the picture, so that a large one looks like a small one, only sharper.
-MeshStrokes strokesFor(const PictureSize& size)
+MeshStrokes strokesFor(const RenderSettings& settings)
 {
-    const auto edge = static_cast<float>(std::min(size.width, size.height));
-    return {std::max(0.75F, edge / 720), std::max(6.0F, edge / 72)};
+    const auto edge = static_cast<float>(std::min(settings.size.width, settings.size.height));
+    const auto pixel = static_cast<float>(settings.supersample); // of the picture made small
+    return {std::max(0.75F * pixel, edge / 720), std::max(6.0F * pixel, edge / 72)};
 }
 
 /// From pixels, y downwards, to clip space. Swatches lie at the very front of the depth range.
@@ -91,8 +92,8 @@ ScenePainter::ScenePainter(const GlFunctions& gl, const TriangleMesh& mesh,
                            std::span<const glm::vec2> samplePositions)
     : gl_(gl), legend_(legend), colours_(colours), size_(settings.size), style_(settings.style),
       variant_(variantOf(settings)),
-      spherePass_(gl, variant_, samplePositions, style_, strokesFor(size_).lineWidth),
-      meshPass_(gl, variant_, style_.palette, strokesFor(size_)), spheres_(gl)
+      spherePass_(gl, variant_, samplePositions, style_, strokesFor(settings).lineWidth),
+      meshPass_(gl, variant_, style_.palette, strokesFor(settings)), spheres_(gl)
 {
     if (variant_.cutaway)
     {
@@ -109,18 +110,18 @@ ScenePainter::ScenePainter(const GlFunctions& gl, const TriangleMesh& mesh,
         if (!variant_.orthographic || variant_.cutaway)
         {
             flatSpherePass_.emplace(gl_, flat, samplePositions, style_,
-                                    strokesFor(size_).lineWidth);
+                                    strokesFor(settings).lineWidth);
         }
         if (variant_.cutaway)
         {
-            wholeMeshPass_.emplace(gl_, flat, style_.palette, strokesFor(size_));
+            wholeMeshPass_.emplace(gl_, flat, style_.palette, strokesFor(settings));
         }
         uploadSwatches();
     }
     if (samplePositions.size() > 1)
     {
         plainSpherePass_.emplace(gl_, variant_, std::span<const glm::vec2>(), style_,
-                                 strokesFor(size_).lineWidth);
+                                 strokesFor(settings).lineWidth);
     }
 }
 
