@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstring>
 
 namespace frostfill
 {
@@ -137,12 +138,13 @@ void Framebuffer::readColour(Image& image, std::span<const PixelRectangle> recta
             const auto row = height - 1 - static_cast<std::size_t>(y);
             std::uint8_t* to =
                 image.pixels.data() + (row * width + static_cast<std::size_t>(part.left)) * 3;
-            for (int x = part.left; x < part.right; ++x, from += 4, to += 3)
+            // Four bytes at once; the next pixel overwrites the fourth, so the last takes three.
+            for (int x = part.left + 1; x < part.right; ++x, from += 4, to += 3)
             {
-                to[0] = from[0];
-                to[1] = from[1];
-                to[2] = from[2];
+                std::memcpy(to, from, 4);
             }
+            std::memcpy(to, from, 3);
+            from += 4;
         }
     }
 }
