@@ -39,7 +39,7 @@ void putBigEndian(std::uint8_t* to, std::uint32_t value)
 
 void beginChunk(std::vector<std::uint8_t>& bytes, std::string_view type)
 {
-    bytes.insert(bytes.end(), 4, 0);
+    bytes.resize(bytes.size() + 4);
     bytes.insert(bytes.end(), type.begin(), type.end());
 }
 
@@ -50,7 +50,7 @@ void endChunk(std::vector<std::uint8_t>& bytes, std::size_t start)
     const std::size_t size = bytes.size() - start - kChunkHead;
     putBigEndian(bytes.data() + start, static_cast<std::uint32_t>(size));
     const std::uint32_t sum = libdeflate_crc32(0, bytes.data() + start + 4, size + 4);
-    bytes.insert(bytes.end(), kChunkTail, 0);
+    bytes.resize(bytes.size() + kChunkTail);
     putBigEndian(bytes.data() + bytes.size() - kChunkTail, sum);
 }
 
@@ -124,7 +124,7 @@ void addHeader(const Image& image, std::vector<std::uint8_t>& file)
     file.assign(kSignature.begin(), kSignature.end());
     const std::size_t start = file.size();
     beginChunk(file, "IHDR");
-    file.insert(file.end(), 8, 0);
+    file.resize(file.size() + 8);
     putBigEndian(file.data() + file.size() - 8, static_cast<std::uint32_t>(image.width));
     putBigEndian(file.data() + file.size() - 4, static_cast<std::uint32_t>(image.height));
     // 8 bits; RGB or RGBA; the only compression, the only set of filters, no interlacing.

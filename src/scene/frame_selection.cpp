@@ -59,7 +59,7 @@ std::optional<FrameSelection> FrameSelection::parse(std::string_view text)
             return std::nullopt;
         const auto start = wholeNumber(takePart(part, ':'));
         // "100:" goes on to the end.
-        const auto end = parts == 1   ? std::optional(kEndless)
+        const auto end = parts == 1     ? std::optional(kEndless)
                          : part.empty() ? std::optional(kEndless)
                                         : wholeNumber(takePart(part, ':'));
         const auto step = parts == 3 ? wholeNumber(part) : std::optional<std::size_t>(1);

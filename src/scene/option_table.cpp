@@ -225,9 +225,19 @@ void addPicture(TableBuilder& table)
               FROSTFILL_FIELD(style.legend));
     table.add("picture.shell", "--shell", "The mesh as a translucent shell",
               FROSTFILL_FIELD(style.shell));
-    table.add("picture.static_layer", "--static-layer",
-              "Draw what is at rest once; off gives the same pictures, slower",
-              FROSTFILL_FIELD(staticLayer));
+    table.add(Option{.key = "picture.static_layer",
+                     .flag = "--static-layer",
+                     .group = table.group(),
+                     .help = "Draw what is at rest only once; off gives the same pictures, slower",
+                     .choices = {"on", "off"},
+                     .get = [](const Scene& scene)
+                     { return std::string(scene.staticLayer ? "on" : "off"); },
+                     .set =
+                         [](Scene& scene, const OptionValue& value)
+                     {
+                         scene.staticLayer = std::get<std::string>(value) == "on";
+                         return true;
+                     }});
     table.add("picture.background", "--background", "Colour as #rrggbb, or #rrggbbaa with alpha",
               FROSTFILL_FIELD(style.palette.background));
 }

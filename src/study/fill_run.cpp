@@ -4,6 +4,7 @@
 #include "study/frame_recorder.hpp"
 #include "study/run_directory.hpp"
 #include "study/run_files.hpp"
+#include "study/run_hash.hpp"
 
 #include <fmt/format.h>
 
@@ -75,7 +76,8 @@ FillResult runFill(const FillRequest& request, const FillObserver& observer)
     std::unique_ptr<FrameRecorder> recorder;
     if (request.scene.frames.enabled)
         recorder = std::make_unique<FrameRecorder>(mesh.mesh, request.scene, timing.interval,
-                                                   request.directory / "frames");
+                                                   request.directory / "frames",
+                                                   runHash(request.scene, mesh.mesh));
     if (observer.planned)
         observer.planned(makePlan(request.scene, mesh, simulation, timing));
 

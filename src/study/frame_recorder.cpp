@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "study/frame_recorder.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace frostfill
@@ -17,6 +19,7 @@ RenderSettings renderSettings(const Scene& scene)
     settings.samples = scene.samples;
     settings.up = upVector(scene.object.up);
     settings.title = scene.name;
+    settings.staticLayer = scene.staticLayer;
     return settings;
 }
 
@@ -29,90 +32,128 @@ bool allPixelsAlike(const Image& image)
 } // namespace
 
 FrameRecorder::FrameRecorder(const TriangleMesh& mesh, const Scene& scene, double interval,
-                             const std::filesystem::path& directory)
+                             const std::filesystem::path& directory, const std::string& run)
     : mesh_(mesh), settings_(renderSettings(scene)),
-      renderer_(std::make_unique<Renderer>(mesh, settings_)),
-      sequence_(directory, scene.frames.limit, {{"Software", "Frostfill"}, {"Title", scene.name}}),
-      description_(renderer_->description()), interval_(interval)
+      selection_(FrameSelection::parse(scene.frames.selection).value()),
+      thinning_(scene.frames.limit), interval_(interval),
+      writer_(directory, scene.frames.limit,
+              {{"Software", "Frostfill"}, {"Title", scene.name}, {"Run", run}})
 {
+    // A context belongs to the thread that draws with it.
+    drawing_.push([this] { renderer_ = std::make_unique<Renderer>(mesh_, settings_); });
+    drawing_.finish();
+    description_ = renderer_->description();
+}
+
+FrameRecorder::~FrameRecorder()
+{
+    try
+    {
+        closeRenderer();
+    }
+    catch (...)
+    {
+        // Whoever finishes hears of it; here is nobody left to tell.
+    }
+}
+
+void FrameRecorder::closeRenderer()
+{
+    drawing_.push([this] { renderer_.reset(); });
+    drawing_.finish();
 }
 
 void FrameRecorder::record(const Simulation& simulation)
 {
     // A step may be longer than the time between frames: then several frames show it.
-    while (simulation.time() >= static_cast<double>(next_) * interval_)
-    {
-        if (sequence_.wants(next_))
+    for (; simulation.time() >= static_cast<double>(next_) * interval_; ++next_)
+        if (selection_.has(next_))
         {
-            draw(simulation);
-            put(next_);
+            if (thinning_.wants(selected_))
+                take(simulation, selected_);
+            ++selected_;
         }
-        ++next_;
+}
+
+void FrameRecorder::take(const Simulation& simulation, std::size_t number)
+{
+    const bool isNew = takenStep_ != simulation.steps();
+    if (isNew)
+    {
+        // With one job at most waiting and one being done, the third snapshot is free.
+        newest_ = (newest_ + 1) % snapshots_.size();
+        simulation.capture(snapshots_[newest_]);
+        takenStep_ = simulation.steps();
     }
+    thinning_.take(number);
+    const Snapshot& snapshot = snapshots_[newest_];
+    drawing_.push([this, &snapshot, isNew, number, frame = next_]
+                  { draw(snapshot, isNew, number, frame); });
+}
+
+void FrameRecorder::draw(const Snapshot& snapshot, bool isNew, std::size_t number,
+                         std::size_t frame)
+{
+    if (isNew)
+    {
+        const StageTimes before = renderer_->times();
+        image_ = &renderer_->draw(snapshot);
+        const StageTimes& after = renderer_->times();
+        if (sets_.size() <= snapshot.set)
+            sets_.resize(snapshot.set + 1);
+        const auto spent = [&](Stage stage) { return 1000 * (after[stage] - before[stage]); };
+        sets_[snapshot.set].renderMs.push_back(spent(Stage::rendering));
+        sets_[snapshot.set].readbackMs.push_back(spent(Stage::readback));
+        blank_ = blank_ || (!snapshot.centres.empty() && allPixelsAlike(*image_));
+    }
+    noRows_.assign(static_cast<std::size_t>(image_->height), 0);
+    writer_.put(
+        number, *image_, isNew ? renderer_->changedRows() : noRows_, snapshot.set,
+        {{"Frame", fmt::format("{}", frame)}, {"Time", fmt::format("{:.9g} s", snapshot.time)}});
 }
 
 void FrameRecorder::finish(const Simulation& simulation)
 {
-    if (drawnStep_ != simulation.steps())
+    if (selection_.hasLast() && takenStep_ != simulation.steps())
     {
-        draw(simulation);
         // Thinning may double the stride under our hands; the last state has to survive it.
         do
         {
-            const std::size_t stride = sequence_.stride();
-            next_ = (next_ + stride - 1) / stride * stride;
-            put(next_);
-        } while (!sequence_.wants(next_));
+            const std::size_t stride = thinning_.stride();
+            selected_ = (selected_ + stride - 1) / stride * stride;
+            take(simulation, selected_);
+        } while (!thinning_.wants(selected_));
     }
+    const Snapshot& last = snapshots_[newest_];
+    drawing_.push(
+        [this, &last]
+        {
+            times_ = renderer_->times();
+            renderer_.reset();
+            if (!last.centres.empty())
+                lookForSpheres(last);
+        });
+    drawing_.finish();
+    writer_.finish();
+    times_ += writer_.times();
+    const auto& encoding = writer_.milliseconds();
+    sets_.resize(std::max(sets_.size(), encoding.size()));
+    for (std::size_t set = 0; set < encoding.size(); ++set)
+        sets_[set].encodeMs = encoding[set];
+}
+
+void FrameRecorder::lookForSpheres(const Snapshot& snapshot)
+{
     // With a legend no picture is blank, so the look is at a small one without. The first context
     // is closed before: there is never more than one.
-    if (snapshot_.centres.empty())
-        return;
-    renderTimes_ = renderer_->times();
-    renderer_.reset();
     RenderSettings small = settings_;
     small.style.legend = false;
     small.samples = 1;
     small.size.height = std::max(1, small.size.height * 160 / std::max(160, small.size.width));
     small.size.width = std::min(160, small.size.width);
-    Renderer(mesh_, small).render(snapshot_, image_);
-    blank_ = blank_ || allPixelsAlike(image_);
-}
-
-StageTimes FrameRecorder::times() const
-{
-    StageTimes times = renderer_ ? renderer_->times() : renderTimes_;
-    times += sequence_.times();
-    return times;
-}
-
-void FrameRecorder::draw(const Simulation& simulation)
-{
-    if (drawnStep_ == simulation.steps())
-        return;
-    simulation.capture(snapshot_);
-    drawnStep_ = simulation.steps();
-
-    const StageTimes before = renderer_->times();
-    renderer_->render(snapshot_, image_);
-    const StageTimes& after = renderer_->times();
-
-    if (sets_.size() <= snapshot_.set)
-        sets_.resize(snapshot_.set + 1);
-    SetFrames& set = sets_[snapshot_.set];
-    const auto spent = [&](Stage stage) { return 1000 * (after[stage] - before[stage]); };
-    set.renderMs.push_back(spent(Stage::rendering));
-    set.readbackMs.push_back(spent(Stage::readback));
-    blank_ = blank_ || (!snapshot_.centres.empty() && allPixelsAlike(image_));
-}
-
-void FrameRecorder::put(std::size_t number)
-{
-    const StageTimes before = sequence_.times();
-    sequence_.put(number, image_);
-    const StageTimes& after = sequence_.times();
-    sets_[snapshot_.set].encodeMs.push_back(1000 *
-                                            (after[Stage::encoding] - before[Stage::encoding]));
+    Image image;
+    Renderer(mesh_, small).render(snapshot, image);
+    blank_ = blank_ || allPixelsAlike(image);
 }
 
 } // namespace frostfill
