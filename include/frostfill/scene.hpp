@@ -119,7 +119,8 @@ struct Passes
 /// Which moments become pictures. Has no influence on what is simulated.
 struct FrameSettings
 {
-    bool enabled = true;
+    bool enabled = true;              ///< off: none, whatever is selected
+    std::string selection = "all";    ///< "last", "0:100:10", "5,7,90:100", ...
     double fps = 30;                  ///< frames a second of video
     std::optional<double> slowMotion; ///< video time over simulated time; automatic when not given
     std::size_t limit = 1000;         ///< at most so many: every n-th is kept; 0 for no limit
@@ -147,6 +148,7 @@ struct Scene
     int samples = 4;
     int supersample = 1;
     Backend backend = Backend::automatic;
+    bool staticLayer = true; ///< off: every picture is drawn from nothing; the same pictures
 };
 
 /// The paper's parameters for one of its four objects, or general ones for any other mesh.

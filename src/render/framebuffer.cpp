@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstring>
 
 namespace frostfill
 {
@@ -160,12 +161,13 @@ void Framebuffer::readColour(Image& image, std::span<const PixelRectangle> recta
                 from += 4 * static_cast<std::ptrdiff_t>(part.width());
                 continue;
             }
-            for (int x = part.left; x < part.right; ++x, from += 4, to += 3)
+            // Four bytes at once; the next pixel overwrites the fourth, so the last takes three.
+            for (int x = part.left + 1; x < part.right; ++x, from += 4, to += 3)
             {
-                to[0] = from[0];
-                to[1] = from[1];
-                to[2] = from[2];
+                std::memcpy(to, from, 4);
             }
+            std::memcpy(to, from, 3);
+            from += 4;
         }
     }
 }

@@ -120,30 +120,38 @@ std::span<const std::uint32_t> MeshBuffer::update(std::span<const PolygonState> 
     return changed_;
 }
 
-void MeshBuffer::choose(std::span<const std::uint32_t> triangles)
+void MeshBuffer::choose(std::span<const std::uint32_t> backs, std::span<const std::uint32_t> fronts)
 {
     indices_.clear();
-    for (const std::uint32_t t : triangles)
+    for (const auto& triangles : {backs, fronts})
     {
-        indices_.insert(indices_.end(), {3 * t, 3 * t + 1, 3 * t + 2});
+        for (const std::uint32_t t : triangles)
+        {
+            indices_.insert(indices_.end(), {3 * t, 3 * t + 1, 3 * t + 2});
+        }
     }
-    chosen_ = triangles.size();
+    chosen_ = {backs.size(), fronts.size()};
     gl_.bindVertexArray(array_);
     gl_.bufferData(GL_ELEMENT_ARRAY_BUFFER,
                    static_cast<GLsizeiptr>(indices_.size() * sizeof(std::uint32_t)),
                    indices_.data(), GL_STREAM_DRAW);
 }
 
-void MeshBuffer::draw(Triangles which) const
+void MeshBuffer::draw() const
 {
     gl_.bindVertexArray(array_);
-    if (which == Triangles::all)
+    gl_.drawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(triangles_ * 3));
+}
+
+void MeshBuffer::drawChosen(bool fronts) const
+{
+    const std::size_t first = fronts ? chosen_[0] * 3 : 0;
+    const std::size_t count = chosen_[fronts ? 1 : 0] * 3;
+    if (count > 0)
     {
-        gl_.drawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(triangles_ * 3));
-    }
-    else
-    {
-        gl_.drawElements(GL_TRIANGLES, static_cast<GLsizei>(chosen_ * 3), GL_UNSIGNED_INT, nullptr);
+        gl_.bindVertexArray(array_);
+        gl_.drawElements(GL_TRIANGLES, static_cast<GLsizei>(count), GL_UNSIGNED_INT,
+                         offset(first * sizeof(std::uint32_t)));
     }
 }
 
@@ -169,7 +177,7 @@ void MeshPass::setCutPlanes(const std::array<glm::vec4, 2>& planes) const
 }
 
 void MeshPass::draw(const MeshBuffer& mesh, const glm::mat4& view, const glm::mat4& projection,
-                    MeshBuffer::Triangles which) const
+                    Triangles which) const
 {
     program_.use();
     program_.set("view", view);
@@ -179,10 +187,17 @@ void MeshPass::draw(const MeshBuffer& mesh, const glm::mat4& view, const glm::ma
     gl_.enable(GL_BLEND);
     gl_.blendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     gl_.enable(GL_CULL_FACE);
-    for (const GLenum hidden : {GL_FRONT, GL_BACK})
+    for (const bool fronts : {false, true})
     {
-        gl_.cullFace(hidden);
-        mesh.draw(which);
+        gl_.cullFace(fronts ? GL_BACK : GL_FRONT);
+        if (which == Triangles::all)
+        {
+            mesh.draw();
+        }
+        else
+        {
+            mesh.drawChosen(fronts);
+        }
     }
     gl_.disable(GL_CULL_FACE);
     gl_.depthMask(GL_TRUE);

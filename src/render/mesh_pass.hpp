@@ -30,20 +30,16 @@ public:
     /// Takes the states of the triangles; those beyond the span's end are active. Returns which
     /// triangles have changed, until the next call.
     std::span<const std::uint32_t> update(std::span<const PolygonState> states);
-    /// The triangles that draw(Triangles::chosen) draws.
-    void choose(std::span<const std::uint32_t> triangles);
-
-    enum class Triangles
-    {
-        all,
-        chosen,
-    };
-    void draw(Triangles which) const;
+    /// The triangles that drawChosen draws: those that may turn their backs to the viewer and those
+    /// that may face the viewer.
+    void choose(std::span<const std::uint32_t> backs, std::span<const std::uint32_t> fronts);
+    void draw() const;
+    void drawChosen(bool fronts) const;
 
 private:
     const GlFunctions& gl_;
     std::size_t triangles_;
-    std::size_t chosen_ = 0;
+    std::array<std::size_t, 2> chosen_{}; ///< backs, fronts
     GLuint array_ = 0;
     std::array<GLuint, 4> buffers_{};  ///< shape; states; edges; indices of the chosen
     std::vector<PolygonState> held_;   ///< [#T] what OpenGL has
@@ -69,10 +65,15 @@ public:
     /// Planes in eye space; see CutPlanes.
     void setCutPlanes(const std::array<glm::vec4, 2>& planes) const;
 
+    enum class Triangles
+    {
+        all,
+        chosen,
+    };
     /// Blends back faces, then front faces, over what is there; depth is tested and not written, so
     /// the spheres stay in charge.
     void draw(const MeshBuffer& mesh, const glm::mat4& view, const glm::mat4& projection,
-              MeshBuffer::Triangles which = MeshBuffer::Triangles::all) const;
+              Triangles which = Triangles::all) const;
 
 private:
     const GlFunctions& gl_;

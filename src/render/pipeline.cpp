@@ -191,17 +191,19 @@ void Pipeline::drawOverLayer()
     framebuffer_.restore(layer_->framebuffer(), dirty_.joined());
     running_.clear();
     spheres_.clear();
+    parts_.clear();
     for (const SphereInstance& sphere : ledger_.running())
     {
         const ProjectedSphere seen = projector_.project(sphere);
         if (!layer_->hides(seen))
         {
             running_.push_back(seen.pixels);
+            parts_.push_back({seen.pixels, seen.furthestDepth});
             spheres_.push_back(sphere);
         }
     }
     framebuffer_.bind();
-    painter_.addSpheres(spheres_, running_);
+    painter_.addSpheres(spheres_, parts_);
     dirty_.add(running_);
 }
 

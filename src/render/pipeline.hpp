@@ -84,8 +84,9 @@ private:
     DirtyRectangles dirty_;               ///< parts of the picture that differ from the one before
     DirtyRectangles covered_;             ///< parts of the layer that are drawn anew
     std::vector<PixelRectangle> running_; ///< where spheres that run were drawn over the layer
-    std::vector<SphereInstance> spheres_;
     std::vector<std::unique_ptr<SurfacePass>> surfacePasses_; ///< one for each size
+    std::vector<SphereInstance> spheres_; ///< that run and can be seen
+    std::vector<TriangleTiles::Part> parts_; ///< [spheres_] where
 };
 
 } // namespace frostfill

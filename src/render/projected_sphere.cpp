@@ -76,8 +76,10 @@ ProjectedSphere SphereProjector::perspective(const glm::vec3& centre, float radi
     result.pixels = pixels(
         projection_[0][0] * x[0] - projection_[2][0], projection_[0][0] * x[1] - projection_[2][0],
         projection_[1][1] * y[0] - projection_[2][1], projection_[1][1] * y[1] - projection_[2][1]);
-    const float clip = (projection_[3][2] - projection_[2][2] * nearest) / nearest;
-    result.nearestDepth = 0.5F * clip + 0.5F - depthSlack_;
+    const auto depth = [&](float distance)
+    { return 0.5F * (projection_[3][2] - projection_[2][2] * distance) / distance + 0.5F; };
+    result.nearestDepth = depth(nearest) - depthSlack_;
+    result.furthestDepth = depth(ahead + radius) + depthSlack_;
     return result;
 }
 
@@ -89,8 +91,10 @@ ProjectedSphere SphereProjector::orthographic(const glm::vec3& centre, float rad
     const float width = projection_[0][0] * radius;
     const float height = projection_[1][1] * radius;
     result.pixels = pixels(x - width, x + width, y - height, y + height);
-    const float clip = projection_[2][2] * (centre.z + radius) + projection_[3][2];
-    result.nearestDepth = 0.5F * clip + 0.5F - depthSlack_;
+    const auto depth = [&](float z)
+    { return 0.5F * (projection_[2][2] * z + projection_[3][2]) + 0.5F; };
+    result.nearestDepth = depth(centre.z + radius) - depthSlack_;
+    result.furthestDepth = depth(centre.z) + depthSlack_;
     return result;
 }
 

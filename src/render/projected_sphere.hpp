@@ -11,9 +11,10 @@ namespace frostfill
 /// Where a sphere can be seen at most, and no nearer than where.
 struct ProjectedSphere
 {
-    PixelRectangle pixels;  ///< clipped to the picture; empty when the sphere is out of view
-    float nearestDepth = 0; ///< window depth; no visible point of the sphere has a smaller one
-    float ahead = 0;        ///< of the centre from the plane of the eye [unit]; perspective
+    PixelRectangle pixels;   ///< clipped to the picture; empty when the sphere is out of view
+    float furthestDepth = 2; ///< window depth; no visible point of the sphere has a larger one
+    float nearestDepth = 0;  ///< window depth; no visible point of the sphere has a smaller one
+    float ahead = 0;         ///< of the centre from the plane of the eye [unit]; perspective
 };
 
 /// Projects spheres with the numbers that are the same for all of them worked out beforehand.

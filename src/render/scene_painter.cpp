@@ -266,18 +266,13 @@ void ScenePainter::paintShell()
     }
 }
 
-void ScenePainter::paintShell(std::span<const PixelRectangle> parts)
+void ScenePainter::paintShell(std::span<const TriangleTiles::Part> parts)
 {
-    if (!shell_)
+    if (shell_)
     {
-        return;
-    }
-    const auto triangles = tiles_->in(parts);
-    if (!triangles.empty())
-    {
-        shell_->choose(triangles);
-        meshPass_.draw(*shell_, uniforms_.view, uniforms_.projection,
-                       MeshBuffer::Triangles::chosen);
+        tiles_->find(parts);
+        shell_->choose(tiles_->backs(), tiles_->fronts());
+        meshPass_.draw(*shell_, uniforms_.view, uniforms_.projection, MeshPass::Triangles::chosen);
     }
 }
 
@@ -297,7 +292,7 @@ void ScenePainter::paintSwatchPolygons()
 }
 
 void ScenePainter::addSpheres(std::span<const SphereInstance> spheres,
-                              std::span<const PixelRectangle> parts)
+                              std::span<const TriangleTiles::Part> parts)
 {
     if (spheres.empty())
     {
@@ -314,8 +309,9 @@ void ScenePainter::addSpheres(std::span<const SphereInstance> spheres,
     paintShell(parts);
     const PixelRectangle legend = {0, size_.height - static_cast<int>(legend_.height()) - 1,
                                    static_cast<int>(legend_.width()) + 1, size_.height};
-    if (swatches_ && std::any_of(parts.begin(), parts.end(),
-                                 [&](const PixelRectangle& part) { return part.overlaps(legend); }))
+    if (swatches_ &&
+        std::any_of(parts.begin(), parts.end(),
+                    [&](const TriangleTiles::Part& part) { return part.pixels.overlaps(legend); }))
     {
         paintSwatchPolygons();
     }

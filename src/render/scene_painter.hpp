@@ -46,7 +46,7 @@ public:
     /// framebuffer without multisampling. What is behind these depths is hidden at every sample.
     void paintOccluders(std::span<const SphereInstance> spheres, const SphereProjector& projector);
     void paintShell();
-    void paintShell(std::span<const PixelRectangle> parts);
+    void paintShell(std::span<const TriangleTiles::Part> parts);
     void paintLegend();
 
     [[nodiscard]] const SphereUniforms& uniforms() const { return uniforms_; }
@@ -54,7 +54,8 @@ public:
 
     /// Adds spheres to a finished picture as if they had been painted before the shell. `parts` are
     /// where they may be seen.
-    void addSpheres(std::span<const SphereInstance> spheres, std::span<const PixelRectangle> parts);
+    void addSpheres(std::span<const SphereInstance> spheres,
+                    std::span<const TriangleTiles::Part> parts);
     /// addSpheres marks what it has painted with a new number each time. When there is none left
     /// clearMarks has to be called on every framebuffer that it was used on, then startMarks.
     [[nodiscard]] bool outOfMarks() const { return mark_ == 255; }

@@ -34,12 +34,14 @@ void StaticLayer::look(const SphereProjector& projector, std::span<const SphereI
                        std::size_t first, std::size_t end)
 {
     spheres_.clear();
+    parts_.clear();
     for (std::size_t i = first; i < end; ++i)
     {
         const ProjectedSphere sphere = projector.project(resting[i]);
         if (!hides(sphere))
         {
             seen_.push_back({static_cast<std::uint32_t>(i), sphere.pixels});
+            parts_.push_back({sphere.pixels, sphere.furthestDepth});
             spheres_.push_back(resting[i]);
         }
     }
@@ -94,16 +96,13 @@ void StaticLayer::add(ScenePainter& painter, const SphereProjector& projector,
                       std::span<const SphereInstance> resting, std::size_t first,
                       DirtyRectangles& dirty)
 {
-    const std::size_t known = seen_.size();
     look(projector, resting, first, resting.size());
-    std::vector<PixelRectangle> parts;
-    for (std::size_t i = known; i < seen_.size(); ++i)
-    {
-        parts.push_back(seen_[i].pixels);
-    }
     framebuffer_.bind();
-    painter.addSpheres(spheres_, parts);
-    dirty.add(parts);
+    painter.addSpheres(spheres_, parts_);
+    for (const TriangleTiles::Part& part : parts_)
+    {
+        dirty.add(part.pixels);
+    }
 }
 
 void StaticLayer::repaint(ScenePainter& painter, std::span<const SphereInstance> resting,
@@ -126,7 +125,8 @@ void StaticLayer::repaint(ScenePainter& painter, std::span<const SphereInstance>
         painter.confine(part);
         painter.clear();
         painter.paintSpheres(spheres_);
-        painter.paintShell({&part, 1});
+        const TriangleTiles::Part all{part};
+        painter.paintShell({&all, 1});
         painter.paintLegend();
         painter.confineNoMore();
         framebuffer_.restore(scratch, {&wanted, 1});

@@ -60,8 +60,9 @@ private:
     Framebuffer framebuffer_;              ///< of the layer
     std::optional<Framebuffer> occluders_; ///< depths without multisampling
     OcclusionMap occlusion_;
-    std::vector<Seen> seen_;              ///< ascending
-    std::vector<SphereInstance> spheres_; ///< that are being drawn
+    std::vector<Seen> seen_;                 ///< ascending
+    std::vector<SphereInstance> spheres_;    ///< that are being drawn
+    std::vector<TriangleTiles::Part> parts_; ///< [spheres_] where
     std::vector<float> depth_;
 };
 

@@ -104,7 +104,7 @@ class StaticLayer : public testing::TestWithParam<Case>
 protected:
     StaticLayer()
     {
-        settings.size = {400, 260};
+        settings.size = {300, 200};
         settings.samples = GetParam().samples;
         settings.camera.orthographic = GetParam().orthographic;
         settings.style.shell = GetParam().shell;
@@ -142,7 +142,7 @@ TEST_P(StaticLayer, GivesTheBytesOfDrawingEverything)
     expectSame(run.snapshot, "all run");
     run.advance(1, 0, 0);
     expectSame(run.snapshot, "all froze at once");
-    for (int frame = 0; frame < 6; ++frame)
+    for (int frame = 0; frame < 4; ++frame)
     {
         run.release(8);
         run.advance(0.2, 0, 0);
@@ -213,8 +213,8 @@ INSTANTIATE_TEST_SUITE_P(Renderer, StaticLayer,
                                          Case{"Parallel", 1, true, true, 60, 0.1},
                                          Case{"ParallelFourSamples", 4, true, true, 60, 0.1},
                                          Case{"WithoutShell", 1, false, false, 60, 0.1},
-                                         Case{"ManySmall", 1, false, true, 6000, 0.02},
-                                         Case{"ManySmallFourSamples", 4, false, true, 6000, 0.02}),
+                                         Case{"ManySmall", 1, false, true, 4000, 0.02},
+                                         Case{"ManySmallFourSamples", 4, false, true, 4000, 0.02}),
                          [](const auto& testCase) { return std::string(testCase.param.name); });
 
 } // namespace
