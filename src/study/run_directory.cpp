@@ -16,7 +16,7 @@ namespace
 {
 
 constexpr const char* kFiles[] = {"spheres.csv", "polygons.csv", "sets.csv", "summary.json",
-                                  "mesh.ply"};
+                                  "mesh.ply", "contact_sheet.png"};
 
 constexpr const char* kFrameFolders[] = {"frames", "depth", "normal", "identity"};
 
