@@ -28,6 +28,21 @@ int sizeLimit(const GlFunctions& gl)
     return std::min({renderbuffer, viewport[0], viewport[1]});
 }
 
+/// Divides the colours of a row by their alpha.
+void copyWithStraightAlpha(const std::uint8_t* from, int count, std::uint8_t* to)
+{
+    for (int x = 0; x < count; ++x, from += 4, to += 4)
+    {
+        const int alpha = from[3];
+        for (std::size_t c = 0; c < 3; ++c)
+        {
+            const int straight = alpha == 0 ? 0 : (from[c] * 255 + alpha / 2) / alpha;
+            to[c] = static_cast<std::uint8_t>(std::min(straight, 255));
+        }
+        to[3] = from[3];
+    }
+}
+
 } // namespace
 
 Framebuffer::Framebuffer(const GlFunctions& gl, int width, int height, int samples)
@@ -114,14 +129,16 @@ void Framebuffer::resolve(std::span<const PixelRectangle> rectangles) const
     }
 }
 
-void Framebuffer::readColour(Image& image, std::span<const PixelRectangle> rectangles)
+void Framebuffer::readColour(Image& image, std::span<const PixelRectangle> rectangles,
+                             bool withAlpha)
 {
     const auto width = static_cast<std::size_t>(width_);
     const auto height = static_cast<std::size_t>(height_);
     image.width = width_;
     image.height = height_;
-    image.channels = 3;
-    image.pixels.resize(width * height * 3);
+    image.channels = withAlpha ? 4 : 3;
+    const auto channels = static_cast<std::size_t>(image.channels);
+    image.pixels.resize(width * height * channels);
 
     // Reading RGBA, which is how the pixels lie, and dropping alpha ourselves is faster than
     // having OpenGL read RGB.
@@ -136,8 +153,14 @@ void Framebuffer::readColour(Image& image, std::span<const PixelRectangle> recta
         for (int y = part.bottom; y < part.top; ++y)
         {
             const auto row = height - 1 - static_cast<std::size_t>(y);
-            std::uint8_t* to =
-                image.pixels.data() + (row * width + static_cast<std::size_t>(part.left)) * 3;
+            std::uint8_t* to = image.pixels.data() +
+                               (row * width + static_cast<std::size_t>(part.left)) * channels;
+            if (withAlpha)
+            {
+                copyWithStraightAlpha(from, part.width(), to);
+                from += 4 * static_cast<std::ptrdiff_t>(part.width());
+                continue;
+            }
             // Four bytes at once; the next pixel overwrites the fourth, so the last takes three.
             for (int x = part.left + 1; x < part.right; ++x, from += 4, to += 3)
             {

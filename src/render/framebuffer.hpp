@@ -33,8 +33,9 @@ public:
     void restore(const Framebuffer& from, std::span<const PixelRectangle> rectangles) const;
     /// Averages the samples, after which these parts of the picture can be read.
     void resolve(std::span<const PixelRectangle> rectangles) const;
-    /// RGB, top row first. Leaves the rest of the picture as it is if it has the right shape.
-    void readColour(Image& image, std::span<const PixelRectangle> rectangles);
+    /// RGB, or of premultiplied colours RGBA with straight alpha, top row first. Leaves the rest of
+    /// the picture as it is if it has the right shape.
+    void readColour(Image& image, std::span<const PixelRectangle> rectangles, bool withAlpha);
     /// Window depth in 0..1, bottom row first. Only without multisampling.
     void readDepth(std::vector<float>& depth) const;
 

@@ -38,6 +38,7 @@ class Context;
     X(disable, PFNGLDISABLEPROC, "glDisable")                                                      \
     X(drawArrays, PFNGLDRAWARRAYSPROC, "glDrawArrays")                                             \
     X(drawArraysInstanced, PFNGLDRAWARRAYSINSTANCEDPROC, "glDrawArraysInstanced")                  \
+    X(drawBuffers, PFNGLDRAWBUFFERSPROC, "glDrawBuffers")                                          \
     X(drawElements, PFNGLDRAWELEMENTSPROC, "glDrawElements")                                       \
     X(enable, PFNGLENABLEPROC, "glEnable")                                                         \
     X(enableVertexAttribArray, PFNGLENABLEVERTEXATTRIBARRAYPROC, "glEnableVertexAttribArray")      \
@@ -57,6 +58,7 @@ class Context;
     X(getUniformLocation, PFNGLGETUNIFORMLOCATIONPROC, "glGetUniformLocation")                     \
     X(linkProgram, PFNGLLINKPROGRAMPROC, "glLinkProgram")                                          \
     X(pixelStorei, PFNGLPIXELSTOREIPROC, "glPixelStorei")                                          \
+    X(readBuffer, PFNGLREADBUFFERPROC, "glReadBuffer")                                             \
     X(readPixels, PFNGLREADPIXELSPROC, "glReadPixels")                                             \
     X(renderbufferStorageMultisample, PFNGLRENDERBUFFERSTORAGEMULTISAMPLEPROC,                     \
       "glRenderbufferStorageMultisample")                                                          \

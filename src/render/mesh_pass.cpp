@@ -2,7 +2,8 @@
 #include "mesh_pass.hpp"
 
 #include "embedded.hpp"
-#include "sphere_pass.hpp"
+
+#include <glm/common.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -30,6 +31,14 @@ std::vector<Vertex> verticesOf(const ShadedMesh& mesh)
         }
     }
     return vertices;
+}
+
+/// Darker than the surface on a light ground, lighter on a dark one.
+glm::vec3 inkFor(const Colour& surface, const Colour& background)
+{
+    const glm::vec3 own(toVector(surface));
+    const bool dark = background[3] > 127 && background[0] + background[1] + background[2] < 3 * 96;
+    return dark ? glm::mix(own, glm::vec3(1), 0.12F) : 0.38F * own;
 }
 
 const void* offset(std::size_t bytes)
@@ -146,18 +155,26 @@ void MeshBuffer::drawChosen(bool fronts) const
     }
 }
 
-MeshPass::MeshPass(const GlFunctions& gl, bool orthographic, const Palette& palette,
+MeshPass::MeshPass(const GlFunctions& gl, const ShaderVariant& variant, const Palette& palette,
                    const MeshStrokes& strokes)
-    : gl_(gl), program_(gl, orthographic ? "#define ORTHOGRAPHIC\n" : "",
-                        embedded::shader_mesh_vert(), embedded::shader_mesh_frag())
+    : gl_(gl), program_(gl, variant.definitions(), embedded::shader_mesh_vert(),
+                        embedded::shader_mesh_frag())
 {
     program_.use();
     const std::array active = {toVector(palette.activePolygon)};
     const std::array discarded = {toVector(palette.discardedPolygon)};
+    program_.set("activeInk", inkFor(palette.activePolygon, palette.background));
+    program_.set("discardedInk", inkFor(palette.discardedPolygon, palette.background));
     program_.set("activeColour", active);
     program_.set("discardedColour", discarded);
     program_.set("lineWidth", strokes.lineWidth);
     program_.set("hatchPeriod", strokes.hatchPeriod);
+}
+
+void MeshPass::setCutPlanes(const std::array<glm::vec4, 2>& planes) const
+{
+    program_.use();
+    program_.set("cutPlanes", planes);
 }
 
 void MeshPass::draw(const MeshBuffer& mesh, const glm::mat4& view, const glm::mat4& projection,

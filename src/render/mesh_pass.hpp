@@ -5,6 +5,7 @@
 #include "gl.hpp"
 #include "mesh_shading.hpp"
 #include "shader.hpp"
+#include "sphere_pass.hpp"
 
 #include <frostfill/snapshot.hpp>
 
@@ -58,8 +59,11 @@ struct MeshStrokes
 class MeshPass
 {
 public:
-    MeshPass(const GlFunctions& gl, bool orthographic, const Palette& palette,
+    MeshPass(const GlFunctions& gl, const ShaderVariant& variant, const Palette& palette,
              const MeshStrokes& strokes);
+
+    /// Planes in eye space; see CutPlanes.
+    void setCutPlanes(const std::array<glm::vec4, 2>& planes) const;
 
     enum class Triangles
     {

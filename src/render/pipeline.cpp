@@ -49,13 +49,13 @@ const RenderSettings& checked(const RenderSettings& settings)
 } // namespace
 
 Pipeline::Pipeline(const TriangleMesh& mesh, const RenderSettings& settings)
-    : settings_(checked(settings)), vertices_(mesh.vertices),
-      legend_(settings, mesh.triangles.size()),
-      framing_(frameBesideLegend(vertices_, settings, legend_)),
+    : settings_(checked(settings)), vertices_(mesh.vertices), colours_(settings, vertices_),
+      legend_(settings, mesh.triangles.size(), colours_),
+      still_(frameBesideLegend(vertices_, settings, legend_)), framing_(still_),
       context_(openContext(settings.backend)), gl_(loadGlFunctions(*context_)),
       description_(describe(*context_, gl_)),
       framebuffer_(gl_, settings.size.width, settings.size.height, settings.samples),
-      painter_(gl_, mesh, settings, legend_, framing_, samplePositions()),
+      painter_(gl_, mesh, settings, legend_, colours_, framing_, samplePositions()),
       projector_(framing_, settings.size), dirty_(settings.size.width, settings.size.height),
       covered_(dirty_)
 {
@@ -97,7 +97,23 @@ void Pipeline::lookFrom(const Camera& camera)
         throw Error(ErrorCode::usage, "a renderer keeps its kind of projection");
     }
     settings_.camera = camera;
-    framing_ = frameBesideLegend(vertices_, settings_, legend_);
+    still_ = frameBesideLegend(vertices_, settings_, legend_);
+    turned_ = 0;
+    useFraming(still_);
+}
+
+void Pipeline::turn(double degrees)
+{
+    if (degrees != turned_)
+    {
+        turned_ = degrees;
+        useFraming(revolved(still_, settings_.up, degrees));
+    }
+}
+
+void Pipeline::useFraming(const Framing& framing)
+{
+    framing_ = framing;
     context_->makeCurrent();
     painter_.lookFrom(framing_);
     projector_ = SphereProjector(framing_, settings_.size);
@@ -108,7 +124,7 @@ const std::vector<PixelRectangle>& Pipeline::draw(const Snapshot& snapshot)
 {
     context_->makeCurrent();
     renewMarks();
-    const SphereLedger::Changes& changes = ledger_.update(snapshot, framing_);
+    const SphereLedger::Changes& changes = ledger_.update(snapshot, framing_, colours_);
     const auto polygonParts = painter_.setPolygons(snapshot.polygons);
     const bool startAgain = stale_ || changes.everything;
     if (startAgain && ledger_.resting().size() >= kSortFrom)
@@ -207,13 +223,28 @@ void Pipeline::renewMarks()
 void Pipeline::readColour(Image& image, std::span<const PixelRectangle> parts)
 {
     context_->makeCurrent();
-    framebuffer_.readColour(image, parts);
+    framebuffer_.readColour(image, parts, settings_.style.palette.background[3] < 255);
 }
 
 void Pipeline::readColour(Image& image)
 {
     const PixelRectangle whole = framebuffer_.whole();
     readColour(image, {&whole, 1});
+}
+
+void Pipeline::drawSurfaces(const Snapshot& snapshot, const PictureSize& size, Surfaces& surfaces)
+{
+    context_->makeCurrent();
+    const auto found = std::find_if(surfacePasses_.begin(), surfacePasses_.end(),
+                                    [&](const std::unique_ptr<SurfacePass>& pass) {
+                                        return pass->size().width == size.width &&
+                                               pass->size().height == size.height;
+                                    });
+    SurfacePass& pass = found != surfacePasses_.end()
+                            ? **found
+                            : *surfacePasses_.emplace_back(
+                                  std::make_unique<SurfacePass>(gl_, painter_.variant(), size));
+    pass.draw(placeSpheres(snapshot, framing_), painter_.uniforms(), surfaces);
 }
 
 std::vector<float> Pipeline::readDepth()

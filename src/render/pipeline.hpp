@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "colour_scale.hpp"
 #include "context.hpp"
 #include "dirty_rectangles.hpp"
 #include "framebuffer.hpp"
@@ -10,6 +11,7 @@
 #include "scene_painter.hpp"
 #include "sphere_ledger.hpp"
 #include "static_layer.hpp"
+#include "surface_pass.hpp"
 
 #include <frostfill/renderer.hpp>
 
@@ -34,11 +36,16 @@ public:
     /// Looks from somewhere else from now on. Whether there is perspective cannot change. Throws
     /// Error usage for a camera that makes no sense.
     void lookFrom(const Camera& camera);
+    /// Turns the camera about the up axis, from where lookFrom or the settings have it [degree].
+    void turn(double degrees);
 
     /// Draws and waits until it is done. Returns the parts of the picture that may differ from the
     /// one before, until the next call.
     const std::vector<PixelRectangle>& draw(const Snapshot& snapshot);
-    /// RGB, top row first. What lies outside of `parts` is left alone in a picture of this shape.
+    /// What is seen of the spheres, in a picture of any size with the same view.
+    void drawSurfaces(const Snapshot& snapshot, const PictureSize& size, Surfaces& surfaces);
+    /// RGB or, where the background is not opaque, RGBA; top row first. What lies outside of
+    /// `parts` is left alone in a picture of this shape.
     void readColour(Image& image, std::span<const PixelRectangle> parts);
     void readColour(Image& image);
     /// Window depth in 0..1, top row first; for samples == 1.
@@ -52,6 +59,7 @@ public:
 
 private:
     [[nodiscard]] std::vector<glm::vec2> samplePositions() const;
+    void useFraming(const Framing& framing);
     void drawEverything();
     void updateLayer(const SphereLedger::Changes& changes,
                      std::span<const PixelRectangle> polygonParts, bool startAgain);
@@ -60,8 +68,11 @@ private:
 
     RenderSettings settings_;
     std::vector<Eigen::Vector3d> vertices_; ///< of the mesh, for framing
+    SphereColours colours_;
     Legend legend_;
-    Framing framing_;
+    Framing still_;     ///< as the camera has it
+    Framing framing_;   ///< turned
+    double turned_ = 0; ///< [degree]
     std::unique_ptr<Context> context_;
     GlFunctions gl_;
     std::string description_;
@@ -75,7 +86,8 @@ private:
     DirtyRectangles covered_;             ///< parts of the layer that are drawn anew
     std::vector<PixelRectangle> running_; ///< where spheres that run were drawn over the layer
     std::vector<SphereInstance> spheres_; ///< that run and can be seen
-    std::vector<TriangleTiles::Part> parts_; ///< [spheres_] where
+    std::vector<TriangleTiles::Part> parts_;                  ///< [spheres_] where
+    std::vector<std::unique_ptr<SurfacePass>> surfacePasses_; ///< one for each size
 };
 
 } // namespace frostfill

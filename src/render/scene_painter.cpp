@@ -18,10 +18,11 @@ constexpr float kHaze = 0.26F;
 constexpr float kOccluderShrink = 1.25F;
 
 /// Strokes grow with the picture, so that a large one looks like a small one, only sharper.
-MeshStrokes strokesFor(const PictureSize& size)
+MeshStrokes strokesFor(const RenderSettings& settings)
 {
-    const auto edge = static_cast<float>(std::min(size.width, size.height));
-    return {std::max(0.75F, edge / 720), std::max(6.0F, edge / 72)};
+    const auto edge = static_cast<float>(std::min(settings.size.width, settings.size.height));
+    const auto pixel = static_cast<float>(settings.supersample); // of the picture made small
+    return {std::max(0.75F * pixel, edge / 720), std::max(6.0F * pixel, edge / 72)};
 }
 
 /// From pixels, y downwards, to clip space. Swatches lie at the very front of the depth range.
@@ -74,37 +75,53 @@ SphereUniforms uniformsOf(const Framing& framing, const PictureSize& size)
         0.5F * static_cast<float>(framing.projection[1][1]) * static_cast<float>(size.height);
     uniforms.heightPlane = framing.heightPlane;
     uniforms.distancePlane = framing.distancePlane;
-    uniforms.haze = kHaze;
     return uniforms;
+}
+
+ShaderVariant variantOf(const RenderSettings& settings)
+{
+    return {settings.camera.orthographic, settings.style.cutaway.kind != Cutaway::Kind::none,
+            settings.style.look == Look::paper};
 }
 
 } // namespace
 
 ScenePainter::ScenePainter(const GlFunctions& gl, const TriangleMesh& mesh,
                            const RenderSettings& settings, const Legend& legend,
-                           const Framing& framing, std::span<const glm::vec2> samplePositions)
-    : gl_(gl), legend_(legend), size_(settings.size),
-      background_(settings.style.palette.background), framing_(framing),
-      uniforms_(uniformsOf(framing, size_)),
-      spherePass_(gl, framing.orthographic, samplePositions, settings.style.palette),
-      meshPass_(gl, framing.orthographic, settings.style.palette, strokesFor(size_)), spheres_(gl)
+                           const SphereColours& colours, const Framing& framing,
+                           std::span<const glm::vec2> samplePositions)
+    : gl_(gl), legend_(legend), colours_(colours), size_(settings.size), style_(settings.style),
+      variant_(variantOf(settings)),
+      spherePass_(gl, variant_, samplePositions, style_, strokesFor(settings).lineWidth),
+      meshPass_(gl, variant_, style_.palette, strokesFor(settings)), spheres_(gl)
 {
+    if (variant_.cutaway)
+    {
+        cutPlanes_ = cutPlanes(style_.cutaway, framing, settings.up);
+    }
+    setView(framing);
     if (settings.style.shell)
     {
         uploadMesh(mesh);
     }
     if (legend_.visible())
     {
-        if (!framing_.orthographic)
+        const ShaderVariant flat{true, false, variant_.outlines};
+        if (!variant_.orthographic || variant_.cutaway)
         {
-            flatSpherePass_.emplace(gl_, true, samplePositions, settings.style.palette);
+            flatSpherePass_.emplace(gl_, flat, samplePositions, style_,
+                                    strokesFor(settings).lineWidth);
+        }
+        if (variant_.cutaway)
+        {
+            wholeMeshPass_.emplace(gl_, flat, style_.palette, strokesFor(settings));
         }
         uploadSwatches();
     }
     if (samplePositions.size() > 1)
     {
-        plainSpherePass_.emplace(gl_, framing_.orthographic, std::span<const glm::vec2>(),
-                                 settings.style.palette);
+        plainSpherePass_.emplace(gl_, variant_, std::span<const glm::vec2>(), style_,
+                                 strokesFor(settings).lineWidth);
     }
 }
 
@@ -136,7 +153,8 @@ void ScenePainter::uploadSwatches()
     {
         spheres.push_back({static_cast<float>(swatch.x), static_cast<float>(height - swatch.y), 0,
                            static_cast<float>(swatch.halfSize),
-                           static_cast<std::uint32_t>(swatch.state)});
+                           static_cast<std::uint32_t>(swatch.state),
+                           colours_.ofSwatch(static_cast<SphereState>(swatch.state))});
     }
     swatches_->spheres.update(spheres);
     std::vector<PolygonState> states;
@@ -149,10 +167,21 @@ void ScenePainter::uploadSwatches()
     flatUniforms_.depthSlope = -0.5F * flatUniforms_.projection[2][2];
 }
 
-void ScenePainter::lookFrom(const Framing& framing)
+void ScenePainter::setView(const Framing& framing)
 {
     framing_ = framing;
     uniforms_ = uniformsOf(framing, size_);
+    uniforms_.haze = style_.look == Look::paper ? 0 : kHaze;
+    if (cutPlanes_)
+    {
+        uniforms_.cutPlanes = toEyeSpace(*cutPlanes_, framing);
+        meshPass_.setCutPlanes(uniforms_.cutPlanes);
+    }
+}
+
+void ScenePainter::lookFrom(const Framing& framing)
+{
+    setView(framing);
     if (shell_)
     {
         shell_->setEdges(edgeStrengths(shaded_, glm::vec3(framing_.eye), framing_.orthographic));
@@ -175,8 +204,10 @@ std::span<const PixelRectangle> ScenePainter::setPolygons(std::span<const Polygo
 
 void ScenePainter::clear()
 {
-    const glm::vec4 background = toVector(background_);
-    gl_.clearColor(background.r, background.g, background.b, 1);
+    const glm::vec4 background = toVector(style_.palette.background);
+    // Colours are premultiplied by alpha until they are read.
+    gl_.clearColor(background.r * background.a, background.g * background.a,
+                   background.b * background.a, background.a);
     gl_.clearStencil(0);
     gl_.clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
 }
@@ -211,6 +242,10 @@ void ScenePainter::paintOccluders(std::span<const SphereInstance> spheres,
                                   const SphereProjector& projector)
 {
     shrunk_.clear();
+    if (variant_.cutaway)
+    {
+        return; // what a cut leaves of a small sphere may be nearer than what it leaves of the full
+    }
     for (SphereInstance sphere : spheres)
     {
         const float ahead = framing_.orthographic ? 1 : projector.project(sphere).ahead;
@@ -256,7 +291,8 @@ void ScenePainter::paintLegend()
 
 void ScenePainter::paintSwatchPolygons()
 {
-    meshPass_.draw(swatches_->polygons, flatUniforms_.view, flatUniforms_.projection);
+    (wholeMeshPass_ ? *wholeMeshPass_ : meshPass_)
+        .draw(swatches_->polygons, flatUniforms_.view, flatUniforms_.projection);
 }
 
 void ScenePainter::addSpheres(std::span<const SphereInstance> spheres,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "colour_scale.hpp"
+#include "cutaway_planes.hpp"
 #include "framing.hpp"
 #include "legend.hpp"
 #include "mesh_pass.hpp"
@@ -27,7 +29,7 @@ public:
     /// `samplePositions` are those of the framebuffers that are painted [pixel]; one for no
     /// multisampling.
     ScenePainter(const GlFunctions& gl, const TriangleMesh& mesh, const RenderSettings& settings,
-                 const Legend& legend, const Framing& framing,
+                 const Legend& legend, const SphereColours& colours, const Framing& framing,
                  std::span<const glm::vec2> samplePositions);
 
     void lookFrom(const Framing& framing);
@@ -46,6 +48,9 @@ public:
     void paintShell();
     void paintShell(std::span<const TriangleTiles::Part> parts);
     void paintLegend();
+
+    [[nodiscard]] const SphereUniforms& uniforms() const { return uniforms_; }
+    [[nodiscard]] const ShaderVariant& variant() const { return variant_; }
 
     /// Adds spheres to a finished picture as if they had been painted before the shell. `parts` are
     /// where they may be seen.
@@ -68,18 +73,23 @@ private:
     void uploadMesh(const TriangleMesh& mesh);
     void uploadSwatches();
     void paintSwatchPolygons();
+    void setView(const Framing& framing);
 
     const GlFunctions& gl_;
     const Legend& legend_;
+    const SphereColours& colours_;
     PictureSize size_;
-    Colour background_;
+    Style style_;
+    ShaderVariant variant_;
+    std::optional<CutPlanes> cutPlanes_;
     Framing framing_;
     SphereUniforms uniforms_;
     SphereUniforms flatUniforms_; ///< of the swatches
     SpherePass spherePass_;
-    std::optional<SpherePass> flatSpherePass_;  ///< without perspective, for the swatches
+    std::optional<SpherePass> flatSpherePass_;  ///< not in perspective, not cut, for the swatches
     std::optional<SpherePass> plainSpherePass_; ///< without multisampling, for occluders
     MeshPass meshPass_;
+    std::optional<MeshPass> wholeMeshPass_; ///< not cut, for the swatches
     SphereBuffer spheres_;
     ShadedMesh shaded_;
     std::unique_ptr<MeshBuffer> shell_;

@@ -27,11 +27,12 @@ std::array<PixelRectangle, 2> textParts(const Legend& legend, int width, int hei
 void ShownPicture::copy(const PixelRectangle& part)
 {
     const auto width = static_cast<std::size_t>(pixels_.width);
-    const auto bytes = static_cast<std::size_t>(part.width()) * 3;
+    const auto channels = static_cast<std::size_t>(pixels_.channels);
+    const auto bytes = static_cast<std::size_t>(part.width()) * channels;
     for (int y = part.bottom; y < part.top; ++y)
     {
         const auto row = static_cast<std::size_t>(pixels_.height - 1 - y);
-        const std::size_t at = (row * width + static_cast<std::size_t>(part.left)) * 3;
+        const std::size_t at = (row * width + static_cast<std::size_t>(part.left)) * channels;
         std::memcpy(shown_.pixels.data() + at, pixels_.pixels.data() + at, bytes);
     }
 }

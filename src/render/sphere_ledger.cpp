@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace frostfill
 {
@@ -59,7 +60,7 @@ SphereInstance SphereLedger::instance(const Snapshot& snapshot, std::uint32_t id
 {
     const Eigen::Vector3f centre = snapshot.centres[id] * scale_ + offset_;
     return {centre.x(), centre.y(), centre.z(), snapshot.radii[id] * scale_,
-            static_cast<std::uint32_t>(snapshot.states[id])};
+            static_cast<std::uint32_t>(snapshot.states[id]), colours_->of(snapshot, id)};
 }
 
 void SphereLedger::lookAt(const Snapshot& snapshot, std::uint32_t id)
@@ -78,14 +79,12 @@ void SphereLedger::lookAt(const Snapshot& snapshot, std::uint32_t id)
         {
             return;
         }
-        const std::uint32_t before = held.state;
-        held.state = now.state;
+        const SphereInstance before = std::exchange(held, now);
         // At rest for good, or else the whole order is void.
-        changes_.everything = changes_.everything || runs || held != now;
-        if (before != now.state)
-        {
-            changes_.recoloured.push_back(places_[id]);
-        }
+        const bool moved = before.x != now.x || before.y != now.y || before.z != now.z ||
+                           before.radius != now.radius;
+        changes_.everything = changes_.everything || runs || moved;
+        changes_.recoloured.push_back(places_[id]);
         return;
     }
     if (runs)
@@ -115,8 +114,10 @@ void SphereLedger::startAgain(const Snapshot& snapshot)
     changes_.everything = true;
 }
 
-const SphereLedger::Changes& SphereLedger::update(const Snapshot& snapshot, const Framing& framing)
+const SphereLedger::Changes& SphereLedger::update(const Snapshot& snapshot, const Framing& framing,
+                                                  const SphereColours& colours)
 {
+    colours_ = &colours;
     const Eigen::Vector3f offset =
         ((snapshot.origin - framing.centre) * framing.scale).cast<float>();
     const auto scale = static_cast<float>(framing.scale);

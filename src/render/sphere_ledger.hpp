@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "colour_scale.hpp"
 #include "framing.hpp"
 #include "sphere_pass.hpp"
 
@@ -25,12 +26,13 @@ public:
     {
         bool everything = false;             ///< spheres at rest have moved or gone: start again
         std::size_t firstArrival = 0;        ///< resting() from here on came to rest just now
-        std::vector<std::size_t> recoloured; ///< others of resting() whose state has changed
+        std::vector<std::size_t> recoloured; ///< others of resting() that look different
     };
 
     /// Takes a snapshot. Looks only at the spheres in its list of changes where that list is known
     /// to be complete, otherwise at all.
-    const Changes& update(const Snapshot& snapshot, const Framing& framing);
+    const Changes& update(const Snapshot& snapshot, const Framing& framing,
+                          const SphereColours& colours);
 
     /// Orders the spheres at rest by their distance from the viewer, the nearest first.
     void sortFrontToBack(const Framing& framing);
@@ -47,6 +49,7 @@ private:
     void lookAt(const Snapshot& snapshot, std::uint32_t id);
     void startAgain(const Snapshot& snapshot);
 
+    const SphereColours* colours_ = nullptr; ///< during update()
     Eigen::Vector3f offset_ = Eigen::Vector3f::Zero();
     float scale_ = 1;
     std::uint64_t source_ = 0; ///< of the last snapshot

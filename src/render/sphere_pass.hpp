@@ -7,8 +7,10 @@
 
 #include <frostfill/view.hpp>
 
+#include <array>
 #include <cstdint>
 #include <span>
+#include <string>
 
 namespace frostfill
 {
@@ -18,6 +20,7 @@ struct SphereInstance
 {
     float x, y, z, radius;
     std::uint32_t state;
+    Colour colour{};
     friend bool operator==(const SphereInstance&, const SphereInstance&) = default;
 };
 
@@ -52,14 +55,25 @@ struct SphereUniforms
     glm::vec4 heightPlane{0, 0, 0, 1};
     glm::vec4 distancePlane{0};
     float haze = 0;
+    std::array<glm::vec4, 2> cutPlanes{}; ///< in eye space; see CutPlanes
+};
+
+/// What decides how the programs of spheres and mesh are compiled.
+struct ShaderVariant
+{
+    bool orthographic = false;
+    bool cutaway = false;
+    bool outlines = false; ///< around every sphere
+    /// Lines for the front of both stages.
+    [[nodiscard]] std::string definitions() const;
 };
 
 /// The program that draws spheres exactly, as one square each; sphere.frag has the mathematics.
 class SpherePass
 {
 public:
-    SpherePass(const GlFunctions& gl, bool orthographic, std::span<const glm::vec2> samplePositions,
-               const Palette& palette);
+    SpherePass(const GlFunctions& gl, const ShaderVariant& variant,
+               std::span<const glm::vec2> samplePositions, const Style& style, float lineWidth);
 
     /// Draws with depth test and writing.
     void draw(const SphereBuffer& spheres, const SphereUniforms& uniforms) const;

@@ -4,19 +4,25 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace frostfill
 {
 namespace
 {
 
-RenderSettings renderSettings(const Scene& scene)
+RenderSettings renderSettings(const Scene& scene, const ColourRange& range)
 {
     RenderSettings settings;
     settings.size = scene.size;
     settings.camera = scene.camera;
     settings.style = scene.style;
     settings.samples = scene.samples;
+    settings.supersample = scene.supersample;
+    settings.backend = scene.backend;
+    settings.range = range;
+    settings.groupsPerSet = scene.spheres.groupsPerSet;
+    settings.unitsPerMetre = scene.object.unitsPerMetre;
     settings.up = upVector(scene.object.up);
     settings.title = scene.name;
     settings.staticLayer = scene.staticLayer;
@@ -32,17 +38,20 @@ bool allPixelsAlike(const Image& image)
 } // namespace
 
 FrameRecorder::FrameRecorder(const TriangleMesh& mesh, const Scene& scene, double interval,
-                             const std::filesystem::path& directory, const std::string& run)
-    : mesh_(mesh), settings_(renderSettings(scene)),
+                             const ColourRange& range, const std::filesystem::path& directory,
+                             const std::string& run, const std::filesystem::path& video)
+    : mesh_(mesh), settings_(renderSettings(scene, range)),
       selection_(FrameSelection::parse(scene.frames.selection).value()),
-      thinning_(scene.frames.limit), interval_(interval),
-      writer_(directory, scene.frames.limit,
-              {{"Software", "Frostfill"}, {"Title", scene.name}, {"Run", run}})
+      thinning_(scene.frames.limit), frames_(scene.frames), interval_(interval),
+      writer_(directory / "frames", scene.frames.limit,
+              {{"Software", "Frostfill"}, {"Title", scene.name}, {"Run", run}}),
+      sideOutputs_(scene, directory, video)
 {
     // A context belongs to the thread that draws with it.
     drawing_.push([this] { renderer_ = std::make_unique<Renderer>(mesh_, settings_); });
     drawing_.finish();
     description_ = renderer_->description();
+    objectRegion_ = renderer_->objectRegion();
 }
 
 FrameRecorder::~FrameRecorder()
@@ -63,39 +72,61 @@ void FrameRecorder::closeRenderer()
     drawing_.finish();
 }
 
+bool FrameRecorder::wants(std::size_t number) const
+{
+    return thinning_.wants(number) || sideOutputs_.wantEveryFrame();
+}
+
+double FrameRecorder::angleAt(std::size_t frame) const
+{
+    const auto& turn = settings_.camera.turntable;
+    return turn ? 360 * std::fmod(static_cast<double>(frame) / (frames_.fps * *turn), 1.0) : 0;
+}
+
+void FrameRecorder::takeNext(const Simulation& simulation)
+{
+    if (selection_.has(next_))
+    {
+        if (wants(selected_))
+            take(simulation, selected_);
+        ++selected_;
+    }
+    ++next_;
+}
+
 void FrameRecorder::record(const Simulation& simulation)
 {
     // A step may be longer than the time between frames: then several frames show it.
-    for (; simulation.time() >= static_cast<double>(next_) * interval_; ++next_)
-        if (selection_.has(next_))
-        {
-            if (thinning_.wants(selected_))
-                take(simulation, selected_);
-            ++selected_;
-        }
+    while (simulation.time() >= static_cast<double>(next_) * interval_)
+        takeNext(simulation);
 }
 
 void FrameRecorder::take(const Simulation& simulation, std::size_t number)
 {
-    const bool isNew = takenStep_ != simulation.steps();
-    if (isNew)
+    Order order;
+    order.angle = angleAt(next_);
+    order.isNew = takenStep_ != simulation.steps() || takenAngle_ != order.angle;
+    if (takenStep_ != simulation.steps())
     {
         // With one job at most waiting and one being done, the third snapshot is free.
         newest_ = (newest_ + 1) % snapshots_.size();
         simulation.capture(snapshots_[newest_]);
-        takenStep_ = simulation.steps();
     }
-    thinning_.take(number);
-    const Snapshot& snapshot = snapshots_[newest_];
-    drawing_.push([this, &snapshot, isNew, number, frame = next_]
-                  { draw(snapshot, isNew, number, frame); });
+    takenStep_ = simulation.steps();
+    takenAngle_ = order.angle;
+    order.snapshot = &snapshots_[newest_];
+    order.number = number;
+    order.frame = next_;
+    order.keep = thinning_.take(number).keep;
+    drawing_.push([this, order] { draw(order); });
 }
 
-void FrameRecorder::draw(const Snapshot& snapshot, bool isNew, std::size_t number,
-                         std::size_t frame)
+void FrameRecorder::draw(const Order& order)
 {
-    if (isNew)
+    const Snapshot& snapshot = *order.snapshot;
+    if (order.isNew)
     {
+        renderer_->turn(order.angle);
         const StageTimes before = renderer_->times();
         image_ = &renderer_->draw(snapshot);
         const StageTimes& after = renderer_->times();
@@ -107,13 +138,18 @@ void FrameRecorder::draw(const Snapshot& snapshot, bool isNew, std::size_t numbe
         blank_ = blank_ || (!snapshot.centres.empty() && allPixelsAlike(*image_));
     }
     noRows_.assign(static_cast<std::size_t>(image_->height), 0);
-    writer_.put(
-        number, *image_, isNew ? renderer_->changedRows() : noRows_, snapshot.set,
-        {{"Frame", fmt::format("{}", frame)}, {"Time", fmt::format("{:.9g} s", snapshot.time)}});
+    writer_.put(order.number, *image_, order.isNew ? renderer_->changedRows() : noRows_,
+                snapshot.set,
+                {{"Frame", fmt::format("{}", order.frame)},
+                 {"Time", fmt::format("{:.9g} s", snapshot.time)}});
+    sideOutputs_.put(order.number, order.keep, *renderer_, snapshot, *image_);
 }
 
 void FrameRecorder::finish(const Simulation& simulation)
 {
+    const auto end = next_ + static_cast<std::size_t>(std::llround(frames_.hold * frames_.fps));
+    while (next_ < end)
+        takeNext(simulation);
     if (selection_.hasLast() && takenStep_ != simulation.steps())
     {
         // Thinning may double the stride under our hands; the last state has to survive it.
@@ -128,6 +164,7 @@ void FrameRecorder::finish(const Simulation& simulation)
     drawing_.push(
         [this, &last]
         {
+            videoFailure_ = sideOutputs_.finish();
             times_ = renderer_->times();
             renderer_.reset();
             if (!last.centres.empty())
@@ -148,7 +185,9 @@ void FrameRecorder::lookForSpheres(const Snapshot& snapshot)
     // is closed before: there is never more than one.
     RenderSettings small = settings_;
     small.style.legend = false;
+    small.style.ambientOcclusion = false;
     small.samples = 1;
+    small.supersample = 1;
     small.size.height = std::max(1, small.size.height * 160 / std::max(160, small.size.width));
     small.size.width = std::min(160, small.size.width);
     Image image;
