@@ -120,12 +120,12 @@ struct Passes
 struct FrameSettings
 {
     bool enabled = true;              ///< off: none, whatever is selected
-    std::string selection = "all";    ///< "last", "0:100:10", "5,7,90:100", ...
     double fps = 30;                  ///< frames a second of video
     std::optional<double> slowMotion; ///< video time over simulated time; automatic when not given
     std::size_t limit = 1000;         ///< at most so many: every n-th is kept; 0 for no limit
     double hold = 0;                  ///< [s] of video for which the last state is shown
     Passes passes;
+    std::string selection = "all"; ///< "last", "0:100:10", "5,7,90:100", ...
 };
 
 /// Everything that describes a run; a plain value. Two equal scenes give equal results.

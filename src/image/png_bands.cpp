@@ -140,6 +140,7 @@ std::vector<std::uint8_t> pngTextChunk(std::string_view keyword, std::string_vie
 {
     assert(!keyword.empty() && keyword.size() < 80);
     std::vector<std::uint8_t> chunk;
+    chunk.reserve(kChunkHead + keyword.size() + 1 + text.size() + kChunkTail);
     beginChunk(chunk, "tEXt");
     chunk.insert(chunk.end(), keyword.begin(), keyword.end());
     chunk.push_back(0);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "dirty_rectangles.hpp"
 
-#include <algorithm>
 #include <cstddef>
 
 namespace frostfill
@@ -81,22 +80,6 @@ const std::vector<PixelRectangle>& DirtyRectangles::joined()
     {
     }
     return rectangles_;
-}
-
-bool DirtyRectangles::meets(const PixelRectangle& rectangle) const
-{
-    return std::any_of(rectangles_.begin(), rectangles_.end(),
-                       [&](const PixelRectangle& own) { return own.overlaps(rectangle); });
-}
-
-std::int64_t DirtyRectangles::area() const
-{
-    std::int64_t sum = 0;
-    for (const PixelRectangle& rectangle : rectangles_)
-    {
-        sum += rectangle.area();
-    }
-    return sum;
 }
 
 } // namespace frostfill

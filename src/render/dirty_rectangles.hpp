@@ -25,11 +25,7 @@ public:
 
     /// Joins until the rectangles are disjoint and few, and returns them.
     [[nodiscard]] const std::vector<PixelRectangle>& joined();
-    /// Any of those that were added meets it.
-    [[nodiscard]] bool meets(const PixelRectangle& rectangle) const;
     [[nodiscard]] bool empty() const { return rectangles_.empty(); }
-    /// Of all rectangles; call joined() first. [pixel]
-    [[nodiscard]] std::int64_t area() const;
 
 private:
     PixelRectangle picture_;

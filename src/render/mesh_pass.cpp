@@ -157,7 +157,8 @@ void MeshBuffer::drawChosen(bool fronts) const
 
 MeshPass::MeshPass(const GlFunctions& gl, const ShaderVariant& variant, const Palette& palette,
                    const MeshStrokes& strokes)
-    : gl_(gl), program_(gl, variant.definitions(), embedded::shader_mesh_vert(), embedded::shader_mesh_frag())
+    : gl_(gl), program_(gl, variant.definitions(), embedded::shader_mesh_vert(),
+                        embedded::shader_mesh_frag())
 {
     program_.use();
     const std::array active = {toVector(palette.activePolygon)};

@@ -49,8 +49,8 @@ const RenderSettings& checked(const RenderSettings& settings)
 } // namespace
 
 Pipeline::Pipeline(const TriangleMesh& mesh, const RenderSettings& settings)
-    : settings_(checked(settings)), vertices_(mesh.vertices),
-      colours_(settings, vertices_), legend_(settings, mesh.triangles.size(), colours_),
+    : settings_(checked(settings)), vertices_(mesh.vertices), colours_(settings, vertices_),
+      legend_(settings, mesh.triangles.size(), colours_),
       still_(frameBesideLegend(vertices_, settings, legend_)), framing_(still_),
       context_(openContext(settings.backend)), gl_(loadGlFunctions(*context_)),
       description_(describe(*context_, gl_)),
@@ -236,16 +236,14 @@ void Pipeline::drawSurfaces(const Snapshot& snapshot, const PictureSize& size, S
 {
     context_->makeCurrent();
     const auto found = std::find_if(surfacePasses_.begin(), surfacePasses_.end(),
-                                    [&](const std::unique_ptr<SurfacePass>& pass)
-                                    {
+                                    [&](const std::unique_ptr<SurfacePass>& pass) {
                                         return pass->size().width == size.width &&
                                                pass->size().height == size.height;
                                     });
-    SurfacePass& pass =
-        found != surfacePasses_.end()
-            ? **found
-            : *surfacePasses_.emplace_back(
-                  std::make_unique<SurfacePass>(gl_, painter_.variant(), size));
+    SurfacePass& pass = found != surfacePasses_.end()
+                            ? **found
+                            : *surfacePasses_.emplace_back(
+                                  std::make_unique<SurfacePass>(gl_, painter_.variant(), size));
     pass.draw(placeSpheres(snapshot, framing_), painter_.uniforms(), surfaces);
 }
 

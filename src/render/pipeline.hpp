@@ -44,7 +44,8 @@ public:
     const std::vector<PixelRectangle>& draw(const Snapshot& snapshot);
     /// What is seen of the spheres, in a picture of any size with the same view.
     void drawSurfaces(const Snapshot& snapshot, const PictureSize& size, Surfaces& surfaces);
-    /// RGB or, where the background is not opaque, RGBA; top row first. What lies outside of `parts` is left alone in a picture of this shape.
+    /// RGB or, where the background is not opaque, RGBA; top row first. What lies outside of
+    /// `parts` is left alone in a picture of this shape.
     void readColour(Image& image, std::span<const PixelRectangle> parts);
     void readColour(Image& image);
     /// Window depth in 0..1, top row first; for samples == 1.
@@ -69,8 +70,8 @@ private:
     std::vector<Eigen::Vector3d> vertices_; ///< of the mesh, for framing
     SphereColours colours_;
     Legend legend_;
-    Framing still_;   ///< as the camera has it
-    Framing framing_; ///< turned
+    Framing still_;     ///< as the camera has it
+    Framing framing_;   ///< turned
     double turned_ = 0; ///< [degree]
     std::unique_ptr<Context> context_;
     GlFunctions gl_;
@@ -84,9 +85,9 @@ private:
     DirtyRectangles dirty_;               ///< parts of the picture that differ from the one before
     DirtyRectangles covered_;             ///< parts of the layer that are drawn anew
     std::vector<PixelRectangle> running_; ///< where spheres that run were drawn over the layer
-    std::vector<std::unique_ptr<SurfacePass>> surfacePasses_; ///< one for each size
     std::vector<SphereInstance> spheres_; ///< that run and can be seen
-    std::vector<TriangleTiles::Part> parts_; ///< [spheres_] where
+    std::vector<TriangleTiles::Part> parts_;                  ///< [spheres_] where
+    std::vector<std::unique_ptr<SurfacePass>> surfacePasses_; ///< one for each size
 };
 
 } // namespace frostfill

@@ -94,7 +94,8 @@ ProjectedSphere SphereProjector::orthographic(const glm::vec3& centre, float rad
     const auto depth = [&](float z)
     { return 0.5F * (projection_[2][2] * z + projection_[3][2]) + 0.5F; };
     result.nearestDepth = depth(centre.z + radius) - depthSlack_;
-    result.furthestDepth = depth(centre.z) + depthSlack_;
+    // A cut may show what lies behind the centre.
+    result.furthestDepth = depth(centre.z - radius) + depthSlack_;
     return result;
 }
 

@@ -242,6 +242,10 @@ void ScenePainter::paintOccluders(std::span<const SphereInstance> spheres,
                                   const SphereProjector& projector)
 {
     shrunk_.clear();
+    if (variant_.cutaway)
+    {
+        return; // what a cut leaves of a small sphere may be nearer than what it leaves of the full
+    }
     for (SphereInstance sphere : spheres)
     {
         const float ahead = framing_.orthographic ? 1 : projector.project(sphere).ahead;

@@ -257,7 +257,8 @@ void addPicture(TableBuilder& table)
               "wedge of azimuths [degree]",
               FROSTFILL_FIELD(style.cutaway));
     table.add("picture.ambient_occlusion", "--ambient-occlusion",
-              "Darken what neighbours shade; doubles the time", FROSTFILL_FIELD(style.ambientOcclusion));
+              "Darken what neighbours shade; doubles the time",
+              FROSTFILL_FIELD(style.ambientOcclusion));
     table.add("picture.legend", "--legend", "Counts and colours in the picture",
               FROSTFILL_FIELD(style.legend));
     table.add("picture.shell", "--shell", "The mesh as a translucent shell",

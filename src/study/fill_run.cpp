@@ -74,9 +74,8 @@ namespace
 /// meaning. Sets and groups are counted from 0. [1], for speeds [m/s]
 ColourRange colourRange(const Scene& scene, const LoadedMesh& mesh, const Simulation& simulation)
 {
-    const auto groups =
-        std::max(1.0, std::ceil(static_cast<double>(simulation.expectedSpheres()) /
-                                static_cast<double>(simulation.groupSize())));
+    const auto groups = std::max(1.0, std::ceil(static_cast<double>(simulation.expectedSpheres()) /
+                                                static_cast<double>(simulation.groupSize())));
     switch (scene.style.colourBy)
     {
     case ColourBy::set:
@@ -124,10 +123,9 @@ FillResult runFill(const FillRequest& request, const FillObserver& observer)
     const FrameTiming timing = frameTiming(request.scene, mesh.report);
     std::unique_ptr<FrameRecorder> recorder;
     if (request.scene.frames.enabled)
-        recorder = std::make_unique<FrameRecorder>(mesh.mesh, request.scene, timing.interval,
-                                                   colourRange(request.scene, mesh, simulation),
-                                                   request.directory, request.video,
-                                                   runHash(request.scene, mesh.mesh));
+        recorder = std::make_unique<FrameRecorder>(
+            mesh.mesh, request.scene, timing.interval, colourRange(request.scene, mesh, simulation),
+            request.directory, runHash(request.scene, mesh.mesh), request.video);
     if (observer.planned)
         observer.planned(makePlan(request.scene, mesh, simulation, timing));
 

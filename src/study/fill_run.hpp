@@ -21,7 +21,7 @@ struct FillRequest
 {
     Scene scene;
     std::filesystem::path directory;
-    bool overwrite = false; ///< replace the run that the directory holds
+    bool overwrite = false;      ///< replace the run that the directory holds
     std::filesystem::path video; ///< .mp4, .webm or .gif; empty for none
     bool contactSheet = false;   ///< contact_sheet.png in the directory
 };

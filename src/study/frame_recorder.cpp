@@ -39,7 +39,7 @@ bool allPixelsAlike(const Image& image)
 
 FrameRecorder::FrameRecorder(const TriangleMesh& mesh, const Scene& scene, double interval,
                              const ColourRange& range, const std::filesystem::path& directory,
-                             const std::filesystem::path& video, const std::string& run)
+                             const std::string& run, const std::filesystem::path& video)
     : mesh_(mesh), settings_(renderSettings(scene, range)),
       selection_(FrameSelection::parse(scene.frames.selection).value()),
       thinning_(scene.frames.limit), frames_(scene.frames), interval_(interval),
@@ -72,52 +72,63 @@ void FrameRecorder::closeRenderer()
     drawing_.finish();
 }
 
+bool FrameRecorder::wants(std::size_t number) const
+{
+    return thinning_.wants(number) || sideOutputs_.wantEveryFrame();
+}
+
 double FrameRecorder::angleAt(std::size_t frame) const
 {
     const auto& turn = settings_.camera.turntable;
     return turn ? 360 * std::fmod(static_cast<double>(frame) / (frames_.fps * *turn), 1.0) : 0;
 }
 
-void FrameRecorder::consider(const Simulation& simulation)
+void FrameRecorder::takeNext(const Simulation& simulation)
 {
-    if (!selection_.has(next_))
-        return;
-    if (thinning_.wants(selected_) || sideOutputs_.wantEveryFrame())
-        take(simulation, selected_);
-    ++selected_;
+    if (selection_.has(next_))
+    {
+        if (wants(selected_))
+            take(simulation, selected_);
+        ++selected_;
+    }
+    ++next_;
 }
 
 void FrameRecorder::record(const Simulation& simulation)
 {
     // A step may be longer than the time between frames: then several frames show it.
-    for (; simulation.time() >= static_cast<double>(next_) * interval_; ++next_)
-        consider(simulation);
+    while (simulation.time() >= static_cast<double>(next_) * interval_)
+        takeNext(simulation);
 }
 
 void FrameRecorder::take(const Simulation& simulation, std::size_t number)
 {
-    const bool isNew = takenStep_ != simulation.steps();
-    if (isNew)
+    Order order;
+    order.angle = angleAt(next_);
+    order.isNew = takenStep_ != simulation.steps() || takenAngle_ != order.angle;
+    if (takenStep_ != simulation.steps())
     {
         // With one job at most waiting and one being done, the third snapshot is free.
         newest_ = (newest_ + 1) % snapshots_.size();
         simulation.capture(snapshots_[newest_]);
-        takenStep_ = simulation.steps();
     }
-    const Job job{isNew, thinning_.wants(number), number, next_};
+    takenStep_ = simulation.steps();
+    takenAngle_ = order.angle;
+    order.snapshot = &snapshots_[newest_];
+    order.number = number;
+    order.frame = next_;
+    // A picture at which thinning begins may fall to it itself: the passes have to hear of it.
+    order.keep = thinning_.wants(number);
     thinning_.take(number);
-    const Snapshot& snapshot = snapshots_[newest_];
-    drawing_.push([this, &snapshot, job] { draw(snapshot, job); });
+    drawing_.push([this, order] { draw(order); });
 }
 
-void FrameRecorder::draw(const Snapshot& snapshot, const Job& job)
+void FrameRecorder::draw(const Order& order)
 {
-    const double angle = angleAt(job.frame);
-    const bool drawn = job.isNew || angle != drawnAngle_;
-    if (drawn)
+    const Snapshot& snapshot = *order.snapshot;
+    if (order.isNew)
     {
-        drawnAngle_ = angle;
-        renderer_->turn(angle);
+        renderer_->turn(order.angle);
         const StageTimes before = renderer_->times();
         image_ = &renderer_->draw(snapshot);
         const StageTimes& after = renderer_->times();
@@ -128,18 +139,19 @@ void FrameRecorder::draw(const Snapshot& snapshot, const Job& job)
         sets_[snapshot.set].readbackMs.push_back(spent(Stage::readback));
         blank_ = blank_ || (!snapshot.centres.empty() && allPixelsAlike(*image_));
     }
-    sideOutputs_.put(job.number, job.kept, *renderer_, snapshot, *image_);
     noRows_.assign(static_cast<std::size_t>(image_->height), 0);
-    writer_.put(
-        job.number, *image_, drawn ? renderer_->changedRows() : noRows_, snapshot.set,
-        {{"Frame", fmt::format("{}", job.frame)}, {"Time", fmt::format("{:.9g} s", snapshot.time)}});
+    writer_.put(order.number, *image_, order.isNew ? renderer_->changedRows() : noRows_,
+                snapshot.set,
+                {{"Frame", fmt::format("{}", order.frame)},
+                 {"Time", fmt::format("{:.9g} s", snapshot.time)}});
+    sideOutputs_.put(order.number, order.keep, *renderer_, snapshot, *image_);
 }
 
 void FrameRecorder::finish(const Simulation& simulation)
 {
-    const auto hold = static_cast<std::size_t>(std::llround(frames_.hold * frames_.fps));
-    for (const std::size_t end = next_ + hold; next_ < end; ++next_)
-        consider(simulation);
+    const auto end = next_ + static_cast<std::size_t>(std::llround(frames_.hold * frames_.fps));
+    while (next_ < end)
+        takeNext(simulation);
     if (selection_.hasLast() && takenStep_ != simulation.steps())
     {
         // Thinning may double the stride under our hands; the last state has to survive it.
@@ -154,6 +166,7 @@ void FrameRecorder::finish(const Simulation& simulation)
     drawing_.push(
         [this, &last]
         {
+            videoFailure_ = sideOutputs_.finish();
             times_ = renderer_->times();
             renderer_.reset();
             if (!last.centres.empty())
@@ -161,7 +174,6 @@ void FrameRecorder::finish(const Simulation& simulation)
         });
     drawing_.finish();
     writer_.finish();
-    videoFailure_ = sideOutputs_.finish();
     times_ += writer_.times();
     const auto& encoding = writer_.milliseconds();
     sets_.resize(std::max(sets_.size(), encoding.size()));

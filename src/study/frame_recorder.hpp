@@ -36,11 +36,11 @@ class FrameRecorder
 {
 public:
     /// Opens the renderer. `interval` is the simulated time between frames [s], `range` that of the
-    /// colours, `directory` the run's, `video` a file or empty; `run` identifies the run in the
+    /// colours, `directory` the run's, `video` a file's or empty; `run` identifies the run in the
     /// pictures.
     FrameRecorder(const TriangleMesh& mesh, const Scene& scene, double interval,
                   const ColourRange& range, const std::filesystem::path& directory,
-                  const std::filesystem::path& video, const std::string& run);
+                  const std::string& run, const std::filesystem::path& video = {});
     ~FrameRecorder();
 
     /// Takes the frames that are due. Throws what has gone wrong with an earlier one.
@@ -56,7 +56,7 @@ public:
     /// Where the object is in the pictures; see Renderer::objectRegion.
     [[nodiscard]] const std::array<int, 4>& objectRegion() const { return objectRegion_; }
     // What follows is known after finish().
-    /// What went wrong with the video, in a sentence; the pictures are all there.
+    /// What went wrong with the video.
     [[nodiscard]] const std::optional<std::string>& videoFailure() const { return videoFailure_; }
     [[nodiscard]] const std::vector<SetFrames>& sets() const { return sets_; }
     [[nodiscard]] const StageTimes& times() const { return times_; }
@@ -64,19 +64,23 @@ public:
     [[nodiscard]] bool blank() const { return blank_; }
 
 private:
-    /// Takes frame `next_` if it is wanted.
-    void consider(const Simulation& simulation);
-    void take(const Simulation& simulation, std::size_t number);
+    /// A picture on its way to the thread that draws.
+    struct Order
+    {
+        const Snapshot* snapshot = nullptr;
+        bool isNew = false;     ///< differs from the picture before
+        double angle = 0;       ///< that the camera has gone round [degree]
+        std::size_t number = 0; ///< among the frames that are selected
+        std::size_t frame = 0;  ///< among all frames
+        bool keep = false;      ///< as a picture
+    };
+
+    [[nodiscard]] bool wants(std::size_t number) const;
     /// How far the camera has gone round at a frame. [degree]
     [[nodiscard]] double angleAt(std::size_t frame) const;
-    struct Job
-    {
-        bool isNew;         ///< the snapshot is another than that of the job before
-        bool kept;          ///< as a picture; a video has them all
-        std::size_t number; ///< among those that were selected
-        std::size_t frame;
-    };
-    void draw(const Snapshot& snapshot, const Job& job);
+    void takeNext(const Simulation& simulation);
+    void take(const Simulation& simulation, std::size_t number);
+    void draw(const Order& order);
     void lookForSpheres(const Snapshot& snapshot);
     void closeRenderer();
 
@@ -85,13 +89,14 @@ private:
     RenderSettings settings_;
     FrameSelection selection_;
     FrameThinning thinning_;
+    FrameSettings frames_;
     std::string description_;
     std::array<int, 4> objectRegion_{};
-    FrameSettings frames_;
     double interval_;
     std::size_t next_ = 0;              ///< number of the frame that is due next
     std::size_t selected_ = 0;          ///< frames that were selected so far
     std::uint64_t takenStep_ = ~0ULL;   ///< the step that the newest snapshot shows
+    double takenAngle_ = 0;             ///< and from where it is drawn [degree]
     std::array<Snapshot, 3> snapshots_; ///< one is filled, one waits, one is being drawn
     std::size_t newest_ = 0;            ///< in snapshots_
 
@@ -99,7 +104,6 @@ private:
     FrameWriter writer_;
     SideOutputs sideOutputs_;
     std::optional<std::string> videoFailure_;
-    double drawnAngle_ = 0; ///< of image_
     std::unique_ptr<Renderer> renderer_;
     const Image* image_ = nullptr; ///< the newest picture
     std::vector<std::uint8_t> noRows_;

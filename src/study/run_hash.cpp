@@ -42,6 +42,7 @@ std::string runHash(const Scene& scene, const TriangleMesh& mesh)
     Scene same = scene;
     same.threads = 0;
     same.staticLayer = true;
+    same.backend = Backend::automatic;
     Hash hash;
     hash.add(
         sceneToJson(same).dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));

@@ -4,16 +4,21 @@
 // machine. Run it by hand on an idle machine:
 // build/release/tests/benchmark/benchmark_render [--samples 4] [--quick]
 
+#include "naive_pipeline.hpp"
 #include "render_scene.hpp"
+#include "study/frame_writer.hpp"
 
 #include <frostfill/renderer.hpp>
 
 #include <fmt/format.h>
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cstring>
 #include <ctime>
+#include <filesystem>
 #include <vector>
 
 namespace frostfill::benchmark
@@ -76,6 +81,11 @@ RenderSettings settingsFor(const Options& options)
     return settings;
 }
 
+std::vector<std::uint8_t> rowsOf(const Renderer& renderer)
+{
+    return {renderer.changedRows().begin(), renderer.changedRows().end()};
+}
+
 Timing frameToMemory(const Options& options, std::size_t frozen, std::size_t running, int quads,
                      bool legend = false)
 {
@@ -107,6 +117,58 @@ Timing everythingRedrawn(const Options& options, std::size_t frozen, bool layer)
                  });
 }
 
+/// Frames a second from snapshots to files: what a run does, without the simulation.
+double framesPerSecond(const Options& options, const std::filesystem::path& folder, int frames)
+{
+    RenderScene scene(10000, 20);
+    Renderer renderer(unitCube(1), settingsFor(options));
+    FrameWriter writer(folder, 0, {{"Software", "Frostfill"}});
+    static_cast<void>(renderer.draw(scene.snapshot));
+    scene.advance();
+    const auto start = Clock::now();
+    for (int i = 0; i < frames; ++i)
+    {
+        const Image& image = renderer.draw(scene.snapshot);
+        writer.put(static_cast<std::size_t>(i), image,
+                   i == 0 ? std::vector<std::uint8_t>(720, 1) : rowsOf(renderer), 0, {});
+        scene.advance();
+    }
+    writer.finish();
+    const double seconds = millisecondsSince(start) / 1000;
+    fmt::print("{:46} {:10.3f} {:10.3f}\n", "  of that encoding and writing, ms a frame",
+               1000 * writer.times()[Stage::encoding] / frames,
+               1000 * writer.times()[Stage::writing] / frames);
+    return frames / seconds;
+}
+
+double naiveFramesPerSecond(const Options& options, const std::filesystem::path& folder, int frames)
+{
+    RenderScene scene(10000, 20);
+    NaivePipeline pipeline({}, options.samples);
+    Image image;
+    pipeline.draw(scene.snapshot, image);
+    const auto start = Clock::now();
+    for (int i = 0; i < frames; ++i)
+    {
+        pipeline.draw(scene.snapshot, image);
+        NaivePipeline::save(image, folder / fmt::format("naive_{}.png", i));
+        scene.advance();
+    }
+    return frames / (millisecondsSince(start) / 1000);
+}
+
+void compareFiles(const Options& options)
+{
+    const auto folder =
+        std::filesystem::temp_directory_path() / fmt::format("frostfill_benchmark_{}", ::getpid());
+    std::filesystem::create_directories(folder);
+    const double ours = framesPerSecond(options, folder, options.quick ? 100 : 600);
+    const double naive = naiveFramesPerSecond(options, folder, options.quick ? 3 : 10);
+    std::filesystem::remove_all(folder);
+    fmt::print("10k + 20 to PNG files: {:.1f} frames/s; naive pipeline {:.2f}; {:.1f} times\n",
+               ours, naive, ours / naive);
+}
+
 void run(const Options& options)
 {
     fmt::print("1280x720, {} sample(s) a pixel\n{:46} {:>10} {:>10} {:>10}\n", options.samples, "",
@@ -116,6 +178,7 @@ void run(const Options& options)
     print("10k frozen + 200 running", frameToMemory(options, 10000, 200, 0));
     print("100k frozen + 20 running", frameToMemory(options, 100000, 20, 0));
     print("10k + 20 and a shell of 5,292 triangles", frameToMemory(options, 10000, 20, 21));
+    compareFiles(options);
     print("10k, camera moves", everythingRedrawn(options, 10000, true));
     print("10k, camera moves, layer off", everythingRedrawn(options, 10000, false));
     print("100k, camera moves", everythingRedrawn(options, 100000, true));

@@ -143,7 +143,8 @@ TEST_F(FillCommand, makesPassesSheetAndTurntableOfTheSameFrames)
     const auto frames = [&](const char* folder)
     {
         std::size_t count = 0;
-        for (const auto& entry : std::filesystem::directory_iterator(folder_ / "output/cube" / folder))
+        for (const auto& entry :
+             std::filesystem::directory_iterator(folder_ / "output/cube" / folder))
             count += entry.path().extension() == ".png" ? 1 : 0;
         return count;
     };

@@ -153,8 +153,7 @@ TEST(PictureOptions, AStyleBringsItsColoursAndGivenOnesComeAfterIt)
 TEST(PictureOptions, TransparentIsAColourOfTheBackground)
 {
     Scene scene;
-    ASSERT_TRUE(
-        setOption(*findOption("picture.background"), scene, std::string("transparent")));
+    ASSERT_TRUE(setOption(*findOption("picture.background"), scene, std::string("transparent")));
     EXPECT_EQ(scene.style.palette.background[3], 0);
 }
 
