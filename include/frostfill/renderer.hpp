@@ -8,7 +8,9 @@
 #include <frostfill/view.hpp>
 
 #include <array>
+#include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,6 +30,8 @@ struct RenderSettings
     double unitsPerMetre = 1;       ///< for speeds in metres a second
     Eigen::Vector3d up = {0, 1, 0}; ///< unit vector that points up in the picture
     std::string title;              ///< first line of the legend; may be empty
+    bool staticLayer = true; ///< keep what is at rest from picture to picture; off gives the same
+                             ///< pictures, slower
 };
 
 /// What is seen in a picture beside colour, of the spheres alone. Same size and view; no legend.
@@ -35,7 +39,7 @@ struct PassPictures
 {
     Image depth; ///< 16 bit: 0..65534 from `nearest` to `furthest` along the view; 65535 where
                  ///< there is no sphere
-    double nearest = 0;               ///< [mesh unit] from the eye's plane
+    double nearest = 0; ///< [mesh unit] from the eye's plane
     double furthest = 0;
     Image normal;   ///< RGB 0..255 for -1..1: to the right, up, to the viewer; 128 where nothing is
     Image identity; ///< id + 1 as R + 256 G + 65536 B; 0 where there is no sphere
@@ -52,6 +56,12 @@ public:
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;
 
+    /// Draws one picture. It stays as it is until the next call.
+    const Image& draw(const Snapshot& snapshot);
+    /// [height] which rows of the last picture may differ from the one before, from the top; not 0
+    /// for those.
+    [[nodiscard]] std::span<const std::uint8_t> changedRows() const;
+
     /// Draws one picture into `image`, whose memory is reused.
     void render(const Snapshot& snapshot, Image& image);
 
@@ -65,6 +75,10 @@ public:
     /// Where the object is in the picture, as left, top, right, bottom [pixel]: all of it that the
     /// legend does not take.
     [[nodiscard]] std::array<int, 4> objectRegion() const;
+
+    /// Looks from somewhere else from now on. The projection stays parallel or not as it was.
+    /// Takes back turn(). Throws Error usage for a camera that makes no sense.
+    void setCamera(const Camera& camera);
 
     /// Vendor, renderer and version strings of the context, on one line.
     [[nodiscard]] const std::string& description() const;

@@ -54,6 +54,9 @@ struct Snapshot
     std::vector<std::uint32_t> changed;
     bool polygonsChanged = false;     ///< some polygon changed its state in the last capture
     std::size_t stateChangesSeen = 0; ///< where the next capture goes on; not for the reader
+    std::uint64_t source = 0; ///< which simulation filled it; 0 when it was made by hand, and then
+                              ///< `changed` is not relied upon
+    std::uint64_t changedSince = 0; ///< `changed` has all that happened after this step
 
     double time = 0;         ///< [s] simulated
     std::uint64_t step = 0;  ///< steps made since the start

@@ -7,22 +7,27 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <utility>
 
 namespace frostfill
 {
 namespace
 {
 
-std::vector<MeshVertex> verticesOf(const ShadedMesh& mesh)
+struct Vertex
 {
-    std::vector<MeshVertex> vertices;
+    glm::vec3 position;
+    glm::vec3 normal;
+};
+
+std::vector<Vertex> verticesOf(const ShadedMesh& mesh)
+{
+    std::vector<Vertex> vertices;
     vertices.reserve(mesh.corners.size() * 3);
     for (std::size_t t = 0; t < mesh.corners.size(); ++t)
     {
         for (std::size_t corner = 0; corner < 3; ++corner)
         {
-            vertices.push_back({mesh.corners[t][corner], mesh.normals[t][corner], {}});
+            vertices.push_back({mesh.corners[t][corner], mesh.normals[t][corner]});
         }
     }
     return vertices;
@@ -45,65 +50,91 @@ const void* offset(std::size_t bytes)
 
 MeshBuffer::MeshBuffer(const GlFunctions& gl, const ShadedMesh& mesh,
                        const std::vector<std::array<std::uint8_t, 3>>& edgeStrengths)
-    : gl_(gl), vertices_(verticesOf(mesh)), triangles_(mesh.corners.size())
+    : gl_(gl), triangles_(mesh.corners.size()), held_(triangles_, PolygonState::active)
 {
+    const std::vector<Vertex> vertices = verticesOf(mesh);
     gl.genVertexArrays(1, &array_);
-    gl.genBuffers(2, buffers_.data());
+    gl.genBuffers(4, buffers_.data());
     gl.bindVertexArray(array_);
     gl.bindBuffer(GL_ARRAY_BUFFER, buffers_[0]);
-    setEdges(edgeStrengths);
-    gl.vertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(MeshVertex), nullptr);
-    gl.vertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(MeshVertex),
-                           offset(offsetof(MeshVertex, normal)));
-    gl.vertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(MeshVertex),
-                           offset(offsetof(MeshVertex, edges)));
+    gl.bufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(Vertex)),
+                  vertices.data(), GL_STATIC_DRAW);
+    gl.vertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex), nullptr);
+    gl.vertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex),
+                           offset(offsetof(Vertex, normal)));
+    gl.bindBuffer(GL_ARRAY_BUFFER, buffers_[2]);
+    gl.vertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, 4, nullptr);
     gl.bindBuffer(GL_ARRAY_BUFFER, buffers_[1]);
-    gl.bufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(triangles_ * 3), nullptr,
+    staged_.assign(triangles_ * 3, static_cast<std::uint8_t>(PolygonState::active));
+    gl.bufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(staged_.size()), staged_.data(),
                   GL_DYNAMIC_DRAW);
     gl.vertexAttribIPointer(3, 1, GL_UNSIGNED_BYTE, 1, nullptr);
     for (GLuint attribute = 0; attribute < 4; ++attribute)
     {
         gl.enableVertexAttribArray(attribute);
     }
+    gl.bindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers_[3]);
+    setEdges(edgeStrengths);
 }
 
 MeshBuffer::~MeshBuffer()
 {
-    gl_.deleteBuffers(2, buffers_.data());
+    gl_.deleteBuffers(4, buffers_.data());
     gl_.deleteVertexArrays(1, &array_);
 }
 
 void MeshBuffer::setEdges(const std::vector<std::array<std::uint8_t, 3>>& edgeStrengths)
 {
-    for (std::size_t t = 0; t < triangles_; ++t)
+    std::vector<std::array<std::uint8_t, 4>> corners;
+    corners.reserve(triangles_ * 3);
+    for (const auto& [a, b, c] : edgeStrengths)
     {
-        const auto& [a, b, c] = edgeStrengths[t];
-        for (std::size_t corner = 0; corner < 3; ++corner)
-        {
-            vertices_[3 * t + corner].edges = {a, b, c, 0};
-        }
+        corners.insert(corners.end(), 3, {a, b, c, 0});
     }
-    gl_.bindBuffer(GL_ARRAY_BUFFER, buffers_[0]);
-    gl_.bufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices_.size() * sizeof(MeshVertex)),
-                   vertices_.data(), GL_STATIC_DRAW);
+    gl_.bindBuffer(GL_ARRAY_BUFFER, buffers_[2]);
+    gl_.bufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners.size() * 4), corners.data(),
+                   GL_DYNAMIC_DRAW);
 }
 
-void MeshBuffer::update(std::span<const PolygonState> states)
+std::span<const std::uint32_t> MeshBuffer::update(std::span<const PolygonState> states)
 {
-    std::vector<PolygonState> wanted(triangles_, PolygonState::active);
-    std::copy_n(states.begin(), std::min(states.size(), triangles_), wanted.begin());
-    if (wanted == held_)
+    changed_.clear();
+    const std::size_t given = std::min(states.size(), triangles_);
+    for (std::size_t t = 0; t < triangles_; ++t)
     {
-        return;
+        const PolygonState state = t < given ? states[t] : PolygonState::active;
+        if (state != held_[t])
+        {
+            held_[t] = state;
+            std::fill_n(staged_.begin() + static_cast<std::ptrdiff_t>(3 * t), 3,
+                        static_cast<std::uint8_t>(state));
+            changed_.push_back(static_cast<std::uint32_t>(t));
+        }
     }
-    held_ = std::move(wanted);
-    staged_.clear();
-    for (const PolygonState state : held_)
+    if (!changed_.empty())
     {
-        staged_.insert(staged_.end(), 3, static_cast<std::uint8_t>(state));
+        gl_.bindBuffer(GL_ARRAY_BUFFER, buffers_[1]);
+        gl_.bufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(staged_.size()),
+                          staged_.data());
     }
-    gl_.bindBuffer(GL_ARRAY_BUFFER, buffers_[1]);
-    gl_.bufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(staged_.size()), staged_.data());
+    return changed_;
+}
+
+void MeshBuffer::choose(std::span<const std::uint32_t> backs, std::span<const std::uint32_t> fronts)
+{
+    indices_.clear();
+    for (const auto& triangles : {backs, fronts})
+    {
+        for (const std::uint32_t t : triangles)
+        {
+            indices_.insert(indices_.end(), {3 * t, 3 * t + 1, 3 * t + 2});
+        }
+    }
+    chosen_ = {backs.size(), fronts.size()};
+    gl_.bindVertexArray(array_);
+    gl_.bufferData(GL_ELEMENT_ARRAY_BUFFER,
+                   static_cast<GLsizeiptr>(indices_.size() * sizeof(std::uint32_t)),
+                   indices_.data(), GL_STREAM_DRAW);
 }
 
 void MeshBuffer::draw() const
@@ -112,9 +143,22 @@ void MeshBuffer::draw() const
     gl_.drawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(triangles_ * 3));
 }
 
+void MeshBuffer::drawChosen(bool fronts) const
+{
+    const std::size_t first = fronts ? chosen_[0] * 3 : 0;
+    const std::size_t count = chosen_[fronts ? 1 : 0] * 3;
+    if (count > 0)
+    {
+        gl_.bindVertexArray(array_);
+        gl_.drawElements(GL_TRIANGLES, static_cast<GLsizei>(count), GL_UNSIGNED_INT,
+                         offset(first * sizeof(std::uint32_t)));
+    }
+}
+
 MeshPass::MeshPass(const GlFunctions& gl, const ShaderVariant& variant, const Palette& palette,
                    const MeshStrokes& strokes)
-    : gl_(gl), program_(gl, variant.definitions(), embedded::shader_mesh_vert(), embedded::shader_mesh_frag())
+    : gl_(gl), program_(gl, variant.definitions(), embedded::shader_mesh_vert(),
+                        embedded::shader_mesh_frag())
 {
     program_.use();
     const std::array active = {toVector(palette.activePolygon)};
@@ -133,8 +177,8 @@ void MeshPass::setCutPlanes(const std::array<glm::vec4, 2>& planes) const
     program_.set("cutPlanes", planes);
 }
 
-void MeshPass::draw(const MeshBuffer& mesh, const glm::mat4& view,
-                    const glm::mat4& projection) const
+void MeshPass::draw(const MeshBuffer& mesh, const glm::mat4& view, const glm::mat4& projection,
+                    Triangles which) const
 {
     program_.use();
     program_.set("view", view);
@@ -144,10 +188,17 @@ void MeshPass::draw(const MeshBuffer& mesh, const glm::mat4& view,
     gl_.enable(GL_BLEND);
     gl_.blendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     gl_.enable(GL_CULL_FACE);
-    for (const GLenum hidden : {GL_FRONT, GL_BACK})
+    for (const bool fronts : {false, true})
     {
-        gl_.cullFace(hidden);
-        mesh.draw();
+        gl_.cullFace(fronts ? GL_BACK : GL_FRONT);
+        if (which == Triangles::all)
+        {
+            mesh.draw();
+        }
+        else
+        {
+            mesh.drawChosen(fronts);
+        }
     }
     gl_.disable(GL_CULL_FACE);
     gl_.depthMask(GL_TRUE);

@@ -15,14 +15,6 @@
 namespace frostfill
 {
 
-/// A corner of a triangle as the vertex shader gets it.
-struct MeshVertex
-{
-    glm::vec3 position;
-    glm::vec3 normal;
-    std::array<std::uint8_t, 4> edges;
-};
-
 /// The shell in the memory of OpenGL. Owns what it creates.
 class MeshBuffer
 {
@@ -33,20 +25,27 @@ public:
     MeshBuffer(const MeshBuffer&) = delete;
     MeshBuffer& operator=(const MeshBuffer&) = delete;
 
-    /// Takes other strengths of the edges, for another view.
+    /// How strongly edges are drawn, which depends on where they are looked at from.
     void setEdges(const std::vector<std::array<std::uint8_t, 3>>& edgeStrengths);
-    /// Takes the states of the triangles; those beyond the span's end are active.
-    void update(std::span<const PolygonState> states);
+    /// Takes the states of the triangles; those beyond the span's end are active. Returns which
+    /// triangles have changed, until the next call.
+    std::span<const std::uint32_t> update(std::span<const PolygonState> states);
+    /// The triangles that drawChosen draws: those that may turn their backs to the viewer and those
+    /// that may face the viewer.
+    void choose(std::span<const std::uint32_t> backs, std::span<const std::uint32_t> fronts);
     void draw() const;
+    void drawChosen(bool fronts) const;
 
 private:
     const GlFunctions& gl_;
-    std::vector<MeshVertex> vertices_; ///< [#T x 3]
     std::size_t triangles_;
+    std::array<std::size_t, 2> chosen_{}; ///< backs, fronts
     GLuint array_ = 0;
-    std::array<GLuint, 2> buffers_{};  ///< shape; states
+    std::array<GLuint, 4> buffers_{};  ///< shape; states; edges; indices of the chosen
     std::vector<PolygonState> held_;   ///< [#T] what OpenGL has
     std::vector<std::uint8_t> staged_; ///< [#T x 3]
+    std::vector<std::uint32_t> changed_;
+    std::vector<std::uint32_t> indices_;
 };
 
 /// Lengths in the picture [pixel].
@@ -66,9 +65,15 @@ public:
     /// Planes in eye space; see CutPlanes.
     void setCutPlanes(const std::array<glm::vec4, 2>& planes) const;
 
+    enum class Triangles
+    {
+        all,
+        chosen,
+    };
     /// Blends back faces, then front faces, over what is there; depth is tested and not written, so
     /// the spheres stay in charge.
-    void draw(const MeshBuffer& mesh, const glm::mat4& view, const glm::mat4& projection) const;
+    void draw(const MeshBuffer& mesh, const glm::mat4& view, const glm::mat4& projection,
+              Triangles which = Triangles::all) const;
 
 private:
     const GlFunctions& gl_;

@@ -4,6 +4,7 @@
 #include "ambient_occlusion.hpp"
 #include "pass_pictures.hpp"
 #include "pipeline.hpp"
+#include "shown_picture.hpp"
 #include "shrink.hpp"
 
 #include <frostfill/error.hpp>
@@ -35,6 +36,18 @@ double meanRadius(const Snapshot& snapshot)
     return snapshot.radii.empty() ? 0 : sum / static_cast<double>(snapshot.radii.size());
 }
 
+/// Everything in the picture grows with it, so a larger one made small shows the same.
+RenderSettings enlarged(RenderSettings settings)
+{
+    if (settings.supersample < 1)
+    {
+        throw Error(ErrorCode::usage, "supersampling must be at least 1");
+    }
+    settings.size.width *= settings.supersample;
+    settings.size.height *= settings.supersample;
+    return settings;
+}
+
 /// A sphere in an empty picture; true when it is there and its surroundings are background.
 bool drawsASphere(Pipeline& pipeline)
 {
@@ -59,29 +72,35 @@ struct Renderer::Implementation
     {
     }
 
-    /// Everything in the picture grows with it, so a larger one made small shows the same.
-    static RenderSettings enlarged(RenderSettings settings)
+    /// What is done to a picture as a whole.
+    [[nodiscard]] bool finishesWhole() const
     {
-        if (settings.supersample < 1)
-        {
-            throw Error(ErrorCode::usage, "supersampling must be at least 1");
-        }
-        settings.size.width *= settings.supersample;
-        settings.size.height *= settings.supersample;
-        return settings;
+        return settings.style.ambientOcclusion || settings.supersample > 1;
     }
-
-    void occlude(const Snapshot& snapshot, Image& image)
+    void finishWhole(const Snapshot& snapshot)
     {
-        const double reach = kOcclusionReach * meanRadius(snapshot) * pipeline.framing().scale;
-        pipeline.drawSurfaces(snapshot, {image.width, image.height}, surfaces);
-        applyAmbientLight(ambientLight(surfaces, pipeline.framing(), reach), image);
+        whole = picture.pixels();
+        if (settings.style.ambientOcclusion && !snapshot.centres.empty())
+        {
+            const double reach = kOcclusionReach * meanRadius(snapshot) * pipeline.framing().scale;
+            pipeline.drawSurfaces(snapshot, {whole.width, whole.height}, surfaces);
+            applyAmbientLight(ambientLight(surfaces, pipeline.framing(), reach), whole);
+        }
+        pipeline.legend().drawText(whole, snapshot);
+        if (settings.supersample > 1)
+        {
+            whole = shrunk(whole, settings.supersample);
+        }
+        wholeRows.assign(static_cast<std::size_t>(whole.height), 1);
     }
 
     RenderSettings settings;
     Pipeline pipeline;
-    Surfaces surfaces; ///< reused from frame to frame
+    ShownPicture picture;
     StageTimes times;
+    Image whole; ///< if the picture is finished as a whole
+    std::vector<std::uint8_t> wholeRows;
+    Surfaces surfaces; ///< reused from frame to frame
 };
 
 Renderer::Renderer(const TriangleMesh& mesh, const RenderSettings& settings)
@@ -93,28 +112,47 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
-void Renderer::render(const Snapshot& snapshot, Image& image)
+const Image& Renderer::draw(const Snapshot& snapshot)
 {
-    auto& [settings, pipeline, surfaces, times] = *implementation_;
+    auto& pipeline = implementation_->pipeline;
+    auto& picture = implementation_->picture;
+    auto& times = implementation_->times;
     const auto drawing = Clock::now();
-    pipeline.draw(snapshot);
+    const auto& parts = pipeline.draw(snapshot);
     times[Stage::rendering] += secondsSince(drawing);
 
     const auto reading = Clock::now();
-    pipeline.readColour(image);
+    pipeline.readColour(picture.pixels(), parts);
     times[Stage::readback] += secondsSince(reading);
 
     const auto writing = Clock::now();
-    if (settings.style.ambientOcclusion && !snapshot.centres.empty())
+    if (implementation_->finishesWhole())
     {
-        implementation_->occlude(snapshot, image);
+        implementation_->finishWhole(snapshot);
     }
-    pipeline.legend().drawText(image, snapshot);
-    if (settings.supersample > 1)
+    else
     {
-        image = shrunk(image, settings.supersample);
+        picture.finish(parts, pipeline.legend(), snapshot);
     }
     times[Stage::rendering] += secondsSince(writing);
+    return implementation_->finishesWhole() ? implementation_->whole : picture.image();
+}
+
+std::span<const std::uint8_t> Renderer::changedRows() const
+{
+    return implementation_->finishesWhole()
+               ? std::span<const std::uint8_t>(implementation_->wholeRows)
+               : implementation_->picture.changedRows();
+}
+
+void Renderer::render(const Snapshot& snapshot, Image& image)
+{
+    image = draw(snapshot);
+}
+
+void Renderer::setCamera(const Camera& camera)
+{
+    implementation_->pipeline.lookFrom(camera);
 }
 
 void Renderer::turn(double degrees)
@@ -124,11 +162,11 @@ void Renderer::turn(double degrees)
 
 void Renderer::renderPasses(const Snapshot& snapshot, PassPictures& pictures)
 {
-    auto& [settings, pipeline, surfaces, times] = *implementation_;
+    auto& own = *implementation_;
     const auto drawing = Clock::now();
-    pipeline.drawSurfaces(snapshot, settings.size, surfaces);
-    makePassPictures(surfaces, pipeline.framing(), pictures);
-    times[Stage::rendering] += secondsSince(drawing);
+    own.pipeline.drawSurfaces(snapshot, own.settings.size, own.surfaces);
+    makePassPictures(own.surfaces, own.pipeline.framing(), pictures);
+    own.times[Stage::rendering] += secondsSince(drawing);
 }
 
 std::array<int, 4> Renderer::objectRegion() const

@@ -5,19 +5,13 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
-#include <iterator>
 
 namespace frostfill
 {
 namespace
 {
-
-/// Differing spheres that are closer than this in the order of ids are uploaded in one go, with
-/// what lies between them: a call costs as much as this many spheres.
-constexpr std::size_t kMergeGap = 64;
 
 std::string sampleDefinitions(std::size_t samples)
 {
@@ -68,61 +62,19 @@ SphereBuffer::~SphereBuffer()
     gl_.deleteVertexArrays(1, &array_);
 }
 
-void SphereBuffer::grow(std::span<const SphereInstance> spheres)
-{
-    capacity_ = std::max(spheres.size(), 2 * capacity_);
-    gl_.bufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(capacity_ * sizeof(SphereInstance)),
-                   nullptr, GL_DYNAMIC_DRAW);
-    held_.clear();
-}
-
 void SphereBuffer::update(std::span<const SphereInstance> spheres)
 {
+    // A new store each time: OpenGL may still be drawing from the old one.
     gl_.bindBuffer(GL_ARRAY_BUFFER, buffer_);
-    if (spheres.size() > capacity_)
-    {
-        grow(spheres);
-    }
-    const std::size_t common = std::min(held_.size(), spheres.size());
-    const auto differs = [&](std::size_t i) { return i >= common || held_[i] != spheres[i]; };
-    for (std::size_t first = 0; first < spheres.size(); ++first)
-    {
-        if (!differs(first))
-        {
-            continue;
-        }
-        std::size_t end = first + 1;
-        for (std::size_t i = end; i < std::min(end + kMergeGap, spheres.size()); ++i)
-        {
-            end = differs(i) ? i + 1 : end;
-        }
-        gl_.bufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(first * sizeof(SphereInstance)),
-                          static_cast<GLsizeiptr>((end - first) * sizeof(SphereInstance)),
-                          spheres.data() + first);
-        first = end;
-    }
-    held_.assign(spheres.begin(), spheres.end());
+    gl_.bufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(spheres.size_bytes()), spheres.data(),
+                   GL_STREAM_DRAW);
+    count_ = spheres.size();
 }
 
 void SphereBuffer::draw() const
 {
     gl_.bindVertexArray(array_);
-    gl_.drawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(held_.size()));
-}
-
-void placeSpheres(const Snapshot& snapshot, const Framing& framing, const SphereColours& colours,
-                  std::vector<SphereInstance>& instances)
-{
-    const Eigen::Vector3f offset =
-        ((snapshot.origin - framing.centre) * framing.scale).cast<float>();
-    const auto scale = static_cast<float>(framing.scale);
-    instances.resize(snapshot.centres.size());
-    for (std::size_t i = 0; i < instances.size(); ++i)
-    {
-        const Eigen::Vector3f centre = snapshot.centres[i] * scale + offset;
-        instances[i] = {centre.x(), centre.y(), centre.z(), snapshot.radii[i] * scale,
-                        static_cast<std::uint32_t>(snapshot.states[i]), colours.of(snapshot, i)};
-    }
+    gl_.drawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(count_));
 }
 
 SpherePass::SpherePass(const GlFunctions& gl, const ShaderVariant& variant,

@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "colour_scale.hpp"
 #include "framing.hpp"
 #include "gl.hpp"
 #include "shader.hpp"
 
-#include <frostfill/snapshot.hpp>
 #include <frostfill/view.hpp>
 
 #include <array>
 #include <cstdint>
 #include <span>
 #include <string>
-#include <vector>
 
 namespace frostfill
 {
@@ -36,23 +33,16 @@ public:
     SphereBuffer(const SphereBuffer&) = delete;
     SphereBuffer& operator=(const SphereBuffer&) = delete;
 
-    /// Makes the buffer hold these spheres; uploads only what differs from what it holds.
+    /// Makes the buffer hold these spheres.
     void update(std::span<const SphereInstance> spheres);
     void draw() const;
 
 private:
-    void grow(std::span<const SphereInstance> spheres);
-
     const GlFunctions& gl_;
     GLuint array_ = 0;
     GLuint buffer_ = 0;
-    std::size_t capacity_ = 0;
-    std::vector<SphereInstance> held_; ///< what OpenGL has
+    std::size_t count_ = 0;
 };
-
-/// The spheres of a snapshot in unit space. `instances` is reused.
-void placeSpheres(const Snapshot& snapshot, const Framing& framing, const SphereColours& colours,
-                  std::vector<SphereInstance>& instances);
 
 /// What the sphere shaders need beside the spheres.
 struct SphereUniforms

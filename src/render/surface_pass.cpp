@@ -10,6 +10,26 @@
 namespace frostfill
 {
 
+std::vector<SphereInstance> placeSpheres(const Snapshot& snapshot, const Framing& framing)
+{
+    const Eigen::Vector3f offset =
+        ((snapshot.origin - framing.centre) * framing.scale).cast<float>();
+    const auto scale = static_cast<float>(framing.scale);
+    std::vector<SphereInstance> spheres;
+    spheres.reserve(snapshot.centres.size());
+    for (std::size_t i = 0; i < snapshot.centres.size(); ++i)
+    {
+        const Eigen::Vector3f centre = snapshot.centres[i] * scale + offset;
+        spheres.push_back({centre.x(),
+                           centre.y(),
+                           centre.z(),
+                           snapshot.radii[i] * scale,
+                           static_cast<std::uint32_t>(snapshot.states[i]),
+                           {}});
+    }
+    return spheres;
+}
+
 SurfacePass::SurfacePass(const GlFunctions& gl, const ShaderVariant& variant,
                          const PictureSize& size)
     : gl_(gl), size_(size), orthographic_(variant.orthographic),
@@ -120,10 +140,8 @@ void SurfacePass::read(const SphereUniforms& uniforms, Surfaces& surfaces)
         [&](std::size_t from, std::size_t to)
         {
             const double depth = double{depth_[from]};
-            const double distance =
-                orthographic_ ? (depth - 0.5 - b) / slope : b / (depth - a);
-            surfaces.distance[to] =
-                depth < 1 ? static_cast<float>(distance) : Surfaces::kNothing;
+            const double distance = orthographic_ ? (depth - 0.5 - b) / slope : b / (depth - a);
+            surfaces.distance[to] = depth < 1 ? static_cast<float>(distance) : Surfaces::kNothing;
         });
 }
 

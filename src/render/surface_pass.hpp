@@ -3,7 +3,10 @@
 
 #include "sphere_pass.hpp"
 
+#include <frostfill/snapshot.hpp>
+
 #include <limits>
+#include <vector>
 
 namespace frostfill
 {
@@ -19,6 +22,10 @@ struct Surfaces
     std::vector<std::array<std::uint8_t, 3>> normal; ///< 0..255 for -1..1, in eye space
     std::vector<std::uint32_t> identity;             ///< index of the sphere + 1; or 0
 };
+
+/// The spheres of a snapshot in unit space, by id, without colours.
+[[nodiscard]] std::vector<SphereInstance> placeSpheres(const Snapshot& snapshot,
+                                                       const Framing& framing);
 
 /// Draws the spheres once more, one sample a pixel, for what they are and not how they look. Needs
 /// nothing of the picture, so it does not matter how that was drawn.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "scene/frame_selection.hpp"
 #include "scene/option_fields.hpp"
 
 namespace frostfill
@@ -212,14 +213,20 @@ void addFrames(TableBuilder& table)
     table.add(Option{.key = "frames.which",
                      .flag = "--frames",
                      .group = table.group(),
-                     .help = "Which frames are drawn; changes nothing that is simulated",
-                     .choices = {"none", "all"},
+                     .help = "all, none, last, or numbers and ranges such as 0:100:10,250; changes "
+                             "nothing that is simulated",
+                     .placeholder = "WHICH",
+                     .form = "all, none, or a list such as 0:100:10,250,last",
                      .get = [](const Scene& scene)
-                     { return std::string(scene.frames.enabled ? "all" : "none"); },
+                     { return scene.frames.enabled ? scene.frames.selection : "none"; },
                      .set =
                          [](Scene& scene, const OptionValue& value)
                      {
-                         scene.frames.enabled = std::get<std::string>(value) == "all";
+                         const auto& text = std::get<std::string>(value);
+                         if (!FrameSelection::parse(text))
+                             return false;
+                         scene.frames.enabled = text != "none";
+                         scene.frames.selection = scene.frames.enabled ? text : "all";
                          return true;
                      }});
     table.add("frames.fps", "--fps", "Frames a second of video", FROSTFILL_FIELD(frames.fps))
@@ -278,11 +285,25 @@ void addPicture(TableBuilder& table)
               "wedge of azimuths [degree]",
               FROSTFILL_FIELD(style.cutaway));
     table.add("picture.ambient_occlusion", "--ambient-occlusion",
-              "Darken what neighbours shade; doubles the time", FROSTFILL_FIELD(style.ambientOcclusion));
+              "Darken what neighbours shade; doubles the time",
+              FROSTFILL_FIELD(style.ambientOcclusion));
     table.add("picture.legend", "--legend", "Counts and colours in the picture",
               FROSTFILL_FIELD(style.legend));
     table.add("picture.shell", "--shell", "The mesh as a translucent shell",
               FROSTFILL_FIELD(style.shell));
+    table.add(Option{.key = "picture.static_layer",
+                     .flag = "--static-layer",
+                     .group = table.group(),
+                     .help = "Draw what is at rest only once; off gives the same pictures, slower",
+                     .choices = {"on", "off"},
+                     .get = [](const Scene& scene)
+                     { return std::string(scene.staticLayer ? "on" : "off"); },
+                     .set =
+                         [](Scene& scene, const OptionValue& value)
+                     {
+                         scene.staticLayer = std::get<std::string>(value) == "on";
+                         return true;
+                     }});
     table.add("picture.background", "--background",
               "Colour as #rrggbb, #rrggbbaa with alpha, or transparent",
               FROSTFILL_FIELD(style.palette.background));

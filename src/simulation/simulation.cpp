@@ -10,6 +10,7 @@
 #include <simulation/world.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <numbers>
 
@@ -18,6 +19,13 @@ namespace frostfill
 
 namespace
 {
+
+/// A number for each simulation of this process, from 1.
+std::uint64_t nextSource()
+{
+    static std::atomic<std::uint64_t> last = 0;
+    return ++last;
+}
 
 std::unique_ptr<Engine> makeEngine(World& world)
 {
@@ -43,6 +51,7 @@ struct Simulation::Implementation
 
     World world;
     std::unique_ptr<Engine> engine;
+    std::uint64_t source = nextSource();
 };
 
 namespace
@@ -151,6 +160,12 @@ void Simulation::capture(Snapshot& snapshot) const
 {
     const World& world = implementation_->world;
     const std::size_t count = world.spheres.size();
+    if (snapshot.source != implementation_->source)
+    {
+        snapshot = {};
+        snapshot.source = implementation_->source;
+    }
+    snapshot.changedSince = snapshot.step;
     const std::size_t known = std::min(snapshot.centres.size(), count);
 
     // What may differ from the last capture: new spheres, those that ran then, those that changed

@@ -5,6 +5,7 @@
 #include "study/frame_recorder.hpp"
 #include "study/run_directory.hpp"
 #include "study/run_files.hpp"
+#include "study/run_hash.hpp"
 
 #include <fmt/format.h>
 
@@ -92,13 +93,14 @@ ColourRange colourRange(const Scene& scene, const LoadedMesh& mesh, const Simula
 }
 
 void writeContactSheet(const FillRequest& request, const FrameRecorder& recorder,
-                       const FrameTiming& timing)
+                       const FrameTiming& timing, double end)
 {
     const auto& [left, top, right, bottom] = recorder.objectRegion();
     ContactSheetRequest sheet;
     sheet.frames = request.directory / "frames";
     sheet.count = recorder.count();
     sheet.interval = timing.interval * static_cast<double>(recorder.stride());
+    sheet.end = end;
     sheet.title = request.scene.name;
     sheet.palette = request.scene.style.palette;
     sheet.crop = {left, top, right, bottom};
@@ -122,9 +124,9 @@ FillResult runFill(const FillRequest& request, const FillObserver& observer)
     const FrameTiming timing = frameTiming(request.scene, mesh.report);
     std::unique_ptr<FrameRecorder> recorder;
     if (request.scene.frames.enabled)
-        recorder = std::make_unique<FrameRecorder>(mesh.mesh, request.scene, timing.interval,
-                                                   colourRange(request.scene, mesh, simulation),
-                                                   request.directory, request.video);
+        recorder = std::make_unique<FrameRecorder>(
+            mesh.mesh, request.scene, timing.interval, colourRange(request.scene, mesh, simulation),
+            request.directory, runHash(request.scene, mesh.mesh), request.video);
     if (observer.planned)
         observer.planned(makePlan(request.scene, mesh, simulation, timing));
 
@@ -138,7 +140,7 @@ FillResult runFill(const FillRequest& request, const FillObserver& observer)
         result.frames = recorder->count();
         result.videoFailure = recorder->videoFailure();
         if (request.contactSheet)
-            writeContactSheet(request, *recorder, timing);
+            writeContactSheet(request, *recorder, timing, simulation.time());
         result.setFrames = recorder->sets();
         result.renderer = recorder->description();
         times += recorder->times();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "study/frame_recorder.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -21,6 +23,7 @@ RenderSettings renderSettings(const Scene& scene, const ColourRange& range)
     settings.unitsPerMetre = scene.object.unitsPerMetre;
     settings.up = upVector(scene.object.up);
     settings.title = scene.name;
+    settings.staticLayer = scene.staticLayer;
     return settings;
 }
 
@@ -37,75 +40,152 @@ bool allPixelsAlike(const Image& image)
 
 FrameRecorder::FrameRecorder(const TriangleMesh& mesh, const Scene& scene, double interval,
                              const ColourRange& range, const std::filesystem::path& directory,
-                             const std::filesystem::path& video)
+                             const std::string& run, const std::filesystem::path& video)
     : mesh_(mesh), settings_(renderSettings(scene, range)),
-      renderer_(std::make_unique<Renderer>(mesh, settings_)),
-      sequence_(directory / "frames", scene.frames.limit,
-                {{"Software", "Frostfill"}, {"Title", scene.name}}),
-      sideOutputs_(scene, directory, video), objectRegion_(renderer_->objectRegion()),
-      description_(renderer_->description()), interval_(interval), frames_(scene.frames)
+      selection_(FrameSelection::parse(scene.frames.selection).value()),
+      thinning_(scene.frames.limit), frames_(scene.frames), interval_(interval),
+      writer_(directory / "frames", scene.frames.limit,
+              {{"Software", "Frostfill"}, {"Title", scene.name}, {"Run", run}}),
+      sideOutputs_(scene, directory, video)
 {
+    // A context belongs to the thread that draws with it.
+    drawing_.push([this] { renderer_ = std::make_unique<Renderer>(mesh_, settings_); });
+    drawing_.finish();
+    description_ = renderer_->description();
+    objectRegion_ = renderer_->objectRegion();
+}
+
+FrameRecorder::~FrameRecorder()
+{
+    try
+    {
+        closeRenderer();
+    }
+    catch (...)
+    {
+        // Whoever finishes hears of it; here is nobody left to tell.
+    }
+}
+
+void FrameRecorder::closeRenderer()
+{
+    drawing_.push([this] { renderer_.reset(); });
+    drawing_.finish();
 }
 
 bool FrameRecorder::wants(std::size_t number) const
 {
-    return sequence_.wants(number) || sideOutputs_.wantEveryFrame();
+    return thinning_.wants(number) || sideOutputs_.wantEveryFrame();
 }
 
-double FrameRecorder::angleAt(std::size_t number) const
+double FrameRecorder::angleAt(std::size_t frame) const
 {
     const auto& turn = settings_.camera.turntable;
-    return turn ? 360 * std::fmod(static_cast<double>(number) / (frames_.fps * *turn), 1.0) : 0;
+    return turn ? 360 * std::fmod(static_cast<double>(frame) / (frames_.fps * *turn), 1.0) : 0;
+}
+
+void FrameRecorder::takeNext(const Simulation& simulation)
+{
+    if (selection_.has(next_))
+    {
+        if (wants(selected_))
+            take(simulation, selected_);
+        ++selected_;
+    }
+    ++next_;
 }
 
 void FrameRecorder::record(const Simulation& simulation)
 {
     // A step may be longer than the time between frames: then several frames show it.
     while (simulation.time() >= static_cast<double>(next_) * interval_)
-    {
-        if (wants(next_))
-        {
-            draw(simulation);
-            put(next_);
-        }
-        ++next_;
-    }
+        takeNext(simulation);
 }
 
-void FrameRecorder::hold(const Simulation& simulation)
+void FrameRecorder::take(const Simulation& simulation, std::size_t number)
 {
-    const auto end = next_ + static_cast<std::size_t>(std::llround(frames_.hold * frames_.fps));
-    for (; next_ < end; ++next_)
+    Order order;
+    order.angle = angleAt(next_);
+    order.isNew = takenStep_ != simulation.steps() || takenAngle_ != order.angle;
+    if (takenStep_ != simulation.steps())
     {
-        if (wants(next_))
-        {
-            draw(simulation);
-            put(next_);
-        }
+        // With one job at most waiting and one being done, the third snapshot is free.
+        newest_ = (newest_ + 1) % snapshots_.size();
+        simulation.capture(snapshots_[newest_]);
     }
+    takenStep_ = simulation.steps();
+    takenAngle_ = order.angle;
+    order.snapshot = &snapshots_[newest_];
+    order.number = number;
+    order.frame = next_;
+    // A picture at which thinning begins may fall to it itself: the passes have to hear of it.
+    order.keep = thinning_.wants(number);
+    thinning_.take(number);
+    drawing_.push([this, order] { draw(order); });
+}
+
+void FrameRecorder::draw(const Order& order)
+{
+    const Snapshot& snapshot = *order.snapshot;
+    if (order.isNew)
+    {
+        renderer_->turn(order.angle);
+        const StageTimes before = renderer_->times();
+        image_ = &renderer_->draw(snapshot);
+        const StageTimes& after = renderer_->times();
+        if (sets_.size() <= snapshot.set)
+            sets_.resize(snapshot.set + 1);
+        const auto spent = [&](Stage stage) { return 1000 * (after[stage] - before[stage]); };
+        sets_[snapshot.set].renderMs.push_back(spent(Stage::rendering));
+        sets_[snapshot.set].readbackMs.push_back(spent(Stage::readback));
+        blank_ = blank_ || (!snapshot.centres.empty() && allPixelsAlike(*image_));
+    }
+    noRows_.assign(static_cast<std::size_t>(image_->height), 0);
+    writer_.put(order.number, *image_, order.isNew ? renderer_->changedRows() : noRows_,
+                snapshot.set,
+                {{"Frame", fmt::format("{}", order.frame)},
+                 {"Time", fmt::format("{:.9g} s", snapshot.time)}});
+    sideOutputs_.put(order.number, order.keep, *renderer_, snapshot, *image_);
 }
 
 void FrameRecorder::finish(const Simulation& simulation)
 {
-    hold(simulation);
-    if (drawnStep_ != simulation.steps())
+    const auto end = next_ + static_cast<std::size_t>(std::llround(frames_.hold * frames_.fps));
+    while (next_ < end)
+        takeNext(simulation);
+    if (selection_.hasLast() && takenStep_ != simulation.steps())
     {
         // Thinning may double the stride under our hands; the last state has to survive it.
         do
         {
-            const std::size_t stride = sequence_.stride();
-            next_ = (next_ + stride - 1) / stride * stride;
-            draw(simulation);
-            put(next_);
-        } while (!sequence_.wants(next_));
+            const std::size_t stride = thinning_.stride();
+            selected_ = (selected_ + stride - 1) / stride * stride;
+            take(simulation, selected_);
+        } while (!thinning_.wants(selected_));
     }
-    videoFailure_ = sideOutputs_.finish();
+    const Snapshot& last = snapshots_[newest_];
+    drawing_.push(
+        [this, &last]
+        {
+            videoFailure_ = sideOutputs_.finish();
+            times_ = renderer_->times();
+            renderer_.reset();
+            if (!last.centres.empty())
+                lookForSpheres(last);
+        });
+    drawing_.finish();
+    writer_.finish();
+    times_ += writer_.times();
+    const auto& encoding = writer_.milliseconds();
+    sets_.resize(std::max(sets_.size(), encoding.size()));
+    for (std::size_t set = 0; set < encoding.size(); ++set)
+        sets_[set].encodeMs = encoding[set];
+}
+
+void FrameRecorder::lookForSpheres(const Snapshot& snapshot)
+{
     // With a legend no picture is blank, so the look is at a small one without. The first context
     // is closed before: there is never more than one.
-    if (snapshot_.centres.empty())
-        return;
-    renderTimes_ = renderer_->times();
-    renderer_.reset();
     RenderSettings small = settings_;
     small.style.legend = false;
     small.style.ambientOcclusion = false;
@@ -113,48 +193,9 @@ void FrameRecorder::finish(const Simulation& simulation)
     small.supersample = 1;
     small.size.height = std::max(1, small.size.height * 160 / std::max(160, small.size.width));
     small.size.width = std::min(160, small.size.width);
-    Renderer(mesh_, small).render(snapshot_, image_);
-    blank_ = blank_ || allPixelsAlike(image_);
-}
-
-StageTimes FrameRecorder::times() const
-{
-    StageTimes times = renderer_ ? renderer_->times() : renderTimes_;
-    times += sequence_.times();
-    return times;
-}
-
-void FrameRecorder::draw(const Simulation& simulation)
-{
-    const double angle = angleAt(next_);
-    if (drawnStep_ == simulation.steps() && drawnAngle_ == angle)
-        return;
-    simulation.capture(snapshot_);
-    drawnStep_ = simulation.steps();
-    drawnAngle_ = angle;
-    renderer_->turn(angle);
-
-    const StageTimes before = renderer_->times();
-    renderer_->render(snapshot_, image_);
-    const StageTimes& after = renderer_->times();
-
-    if (sets_.size() <= snapshot_.set)
-        sets_.resize(snapshot_.set + 1);
-    SetFrames& set = sets_[snapshot_.set];
-    const auto spent = [&](Stage stage) { return 1000 * (after[stage] - before[stage]); };
-    set.renderMs.push_back(spent(Stage::rendering));
-    set.readbackMs.push_back(spent(Stage::readback));
-    blank_ = blank_ || (!snapshot_.centres.empty() && allPixelsAlike(image_));
-}
-
-void FrameRecorder::put(std::size_t number)
-{
-    sideOutputs_.put(number, sequence_.wants(number), *renderer_, snapshot_, image_);
-    const StageTimes before = sequence_.times();
-    sequence_.put(number, image_);
-    const StageTimes& after = sequence_.times();
-    sets_[snapshot_.set].encodeMs.push_back(1000 *
-                                            (after[Stage::encoding] - before[Stage::encoding]));
+    Image image;
+    Renderer(mesh_, small).render(snapshot, image);
+    blank_ = blank_ || allPixelsAlike(image);
 }
 
 } // namespace frostfill

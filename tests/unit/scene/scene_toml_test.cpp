@@ -31,13 +31,25 @@ Scene unusualScene()
     scene.freezing = {0, 0.30000000000000004, 5e-324, 1e308};
     scene.discard = {DiscardRule::none, 0, 2};
     scene.search = {SphereSearch::allPairs, PolygonSearch::list};
-    scene.frames = {false, 23.976023976023978, 1e10, 0};
+    scene.frames.enabled = false;
+    scene.frames.fps = 23.976023976023978;
+    scene.frames.slowMotion = 1e10;
+    scene.frames.limit = 0;
+    scene.frames.hold = 0.1;
+    scene.frames.passes = {true, false, true};
     scene.size = {1, 16384};
-    scene.camera = {-90, 90, 1.5, 0.01, true, Eigen::Vector3d(-0.0, 1e-17, 100)};
+    scene.camera = {-90, 90, 1.5, 0.01, true, Eigen::Vector3d(-0.0, 1e-17, 100), 0.3, 1e-9};
+    scene.style.look = Look::paper;
+    scene.style.colourBy = ColourBy::speed;
+    scene.style.cutaway = {Cutaway::Kind::plane, {0.1, -1.0 / 3.0, 1e-7}, -0.7, 0, 90};
+    scene.style.ambientOcclusion = true;
+    scene.supersample = 3;
+    scene.backend = Backend::eglSoftware;
     scene.style.palette.background = {0, 1, 2, 3};
     scene.style.palette.text = {255, 254, 253, 255};
     scene.style.legend = scene.style.shell = false;
     scene.samples = 1;
+    scene.staticLayer = false;
     return scene;
 }
 
