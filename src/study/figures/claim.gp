@@ -1,6 +1,6 @@
 # The paper's claim: the number of spheres grows, the number of operations holds. A fill of the
-# torus in sets of two groups of fifty. claim.csv has the points, claim-growth.csv by how much a frame costs more
-# in the last tenth of the sets than in the first.
+# torus in sets of two groups of fifty. claim.csv has the points, claim-growth.csv by how much a
+# frame costs more in the last tenth of the sets than in the first.
 name = "claim"
 height = 560
 load "style.gp"
@@ -24,14 +24,14 @@ plot for [i=1:5] "claim.csv" using "spheres":(at(word(methods, i), "ms")) with p
         pointtype int(word(marks, i)) pointsize 0.7 linecolor rgb word(colours, i) \
         title word(titles, i), \
     for [i=1:5] "claim-growth.csv" using "spheres":(at(word(methods, i), "ms")): \
-        (sprintf("%+.0f %%", column("ms_growth_percent"))) with labels left offset 0.6,real(word(above, i)) \
-        font ",13" textcolor rgb word(colours, i) notitle
+        (sprintf("%+.0f %%", column("ms_growth_percent"))) with labels left \
+        offset 0.6,real(word(above, i)) font ",13" textcolor rgb word(colours, i) notitle
 unset key
 set title "Tests"
 set ylabel "pairs tested a frame"
 plot for [i=1:5] "claim.csv" using "spheres":(at(word(methods, i), "tests")) with points \
         pointtype int(word(marks, i)) pointsize 0.7 linecolor rgb word(colours, i) notitle, \
     for [i=1:5] "claim-growth.csv" using "spheres":(at(word(methods, i), "tests")): \
-        (sprintf("%+.0f %%", column("tests_growth_percent"))) with labels left offset 0.6,real(word(above, i)) \
-        font ",13" textcolor rgb word(colours, i) notitle
+        (sprintf("%+.0f %%", column("tests_growth_percent"))) with labels left \
+        offset 0.6,real(word(above, i)) font ",13" textcolor rgb word(colours, i) notitle
 unset multiplot
