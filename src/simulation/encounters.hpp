@@ -44,6 +44,7 @@ private:
     const Flight& flight_;
     Threads& threads_;
     Settings settings_;
+    Eigen::Vector3d down_ = {0, -1, 0}; ///< the pull's direction in this step
 };
 
 } // namespace frostfill

@@ -96,7 +96,7 @@ bool FastEngine::tryFreeze(std::uint32_t index)
         evict(index);
     }
     falls_.insert(place);
-    release_.close(place, runner.radius);
+    release_->close(place, runner.radius);
     tellOthers(place, runner.radius);
     if (discard_)
     {
@@ -167,7 +167,7 @@ void FastEngine::evict(std::uint32_t index)
             other.position = clear;
             grid_.move(k, clear);
         }
-        else if (const auto elsewhere = release_.find(other.radius, suits))
+        else if (const auto elsewhere = release_->find(other.radius, suits))
         {
             other.restart(other.id, *elsewhere, other.radius);
             grid_.move(k, *elsewhere);
