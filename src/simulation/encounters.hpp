@@ -6,12 +6,13 @@
 #include <simulation/runner_grid.hpp>
 
 #include <span>
+#include <vector>
 
 namespace frostfill
 {
 
-/// Collisions of runners with each other, and with spheres that came to rest on top of them. All
-/// runners are read before any is written (Jacobi), so the result does not depend on their order.
+/// Collisions of runners with each other. All are read before any is written (Jacobi), so the
+/// result does not depend on their order.
 class Encounters
 {
 public:
@@ -45,6 +46,7 @@ private:
     Threads& threads_;
     Settings settings_;
     Eigen::Vector3d down_ = {0, -1, 0}; ///< the pull's direction in this step
+    std::vector<std::uint32_t> crowd_;  ///< runners that meet others, by index, ascending
 };
 
 } // namespace frostfill

@@ -32,6 +32,8 @@ private:
     bool releaseSet();
     void advance();
     void freezeCalm();
+    const std::vector<std::uint32_t>& calmRunners();
+    void findPlace(Runner& runner) const;
     bool followObject();
     void renewSites();
     void letGoWhenDue();
@@ -42,6 +44,7 @@ private:
     [[nodiscard]] bool tryFreeze(std::uint32_t index);
     [[nodiscard]] std::vector<std::uint32_t> overlappedBy(std::uint32_t index) const;
     [[nodiscard]] bool makeRoom(std::uint32_t index, double farthest);
+    void put(std::uint32_t index, const Eigen::Vector3d& place);
     void evict(std::uint32_t index);
     [[nodiscard]] bool clearOfRunners(const Eigen::Vector3d& place, double radius) const;
     void freezeAt(Runner& runner, const Eigen::Vector3d& place);
@@ -60,6 +63,7 @@ private:
     SetClock clock_;
     std::vector<Runner> runners_; ///< the first running_ are in use; the others keep their memory
     std::size_t running_ = 0;
+    std::vector<std::uint32_t> calm_;    ///< runners to be frozen, the lowest first
     std::vector<bool> frozen_;           ///< by runner, in this step
     std::vector<Eigen::Vector3d> moved_; ///< scratch of makeRoom
     std::uint32_t windowSteps_ = 1;

@@ -36,6 +36,8 @@ void Runner::restart(std::uint32_t newId, const Eigen::Vector3d& p, double newRa
     age = 0;
     calmWindows = 0;
     yields = true;
+    stale = false;
+    carriedAt.reset();
 }
 
 void Flight::advance(Runner& runner, double dt) const

@@ -18,7 +18,6 @@ TEST(VolumeEstimate, IsWithinOnePercentOfTheMeshAndOfItsUncertainty)
     {
         Scene scene = presetScene(Preset::fast, mesh);
         scene.motion.mode = Motion::descend;
-        scene.spheres.count.reset();
         const VolumeEstimate estimate = estimateVolume(scene);
         const double error = std::abs(estimate.volume - estimate.meshVolume);
         EXPECT_LT(error, 0.01 * estimate.meshVolume) << mesh;
