@@ -29,6 +29,7 @@ struct RenderSettings
     Backend backend = Backend::automatic;
     int samples = 4;                ///< samples a pixel; 1 for none
     Eigen::Vector3d up = {0, 1, 0}; ///< unit vector that points up in the picture
+    std::vector<Pose> poses;        ///< that have to fit into the picture; none: as the mesh is
     std::string title;              ///< first line of the legend; may be empty
 };
 

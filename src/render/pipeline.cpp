@@ -92,11 +92,55 @@ std::vector<glm::vec3> positionsOf(const TriangleMesh& mesh)
     return positions;
 }
 
+/// The mesh's vertices in all poses that have to fit.
+std::vector<Eigen::Vector3d> verticesInPoses(const TriangleMesh& mesh,
+                                             const std::vector<Pose>& poses)
+{
+    if (poses.empty())
+    {
+        return mesh.vertices;
+    }
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& vertex : mesh.vertices)
+    {
+        box.extend(vertex);
+    }
+    const Eigen::Vector3d origin = box.center();
+    std::vector<Eigen::Vector3d> vertices;
+    for (const Pose& pose : poses)
+    {
+        for (const Eigen::Vector3d& vertex : mesh.vertices)
+        {
+            vertices.emplace_back(origin + pose.offset + pose.rotation * (vertex - origin));
+        }
+    }
+    return vertices;
+}
+
+/// The snapshot's pose as a matrix of unit space.
+glm::dmat4 poseInUnitSpace(const Snapshot& snapshot, const Framing& framing)
+{
+    const Pose& pose = snapshot.pose;
+    const Eigen::Vector3d fromCentre = snapshot.origin - framing.centre;
+    const Eigen::Vector3d shift =
+        framing.scale * (fromCentre + pose.offset - pose.rotation * fromCentre);
+    glm::dmat4 matrix(1);
+    for (int column = 0; column < 3; ++column)
+    {
+        for (int row = 0; row < 3; ++row)
+        {
+            matrix[column][row] = pose.rotation(row, column);
+        }
+        matrix[3][column] = shift[column];
+    }
+    return matrix;
+}
+
 } // namespace
 
 Pipeline::Pipeline(const TriangleMesh& mesh, const RenderSettings& settings)
     : settings_(checked(settings)), legend_(settings, mesh.triangles.size()),
-      framing_(frameBesideLegend(mesh.vertices, settings, legend_)),
+      framing_(frameBesideLegend(verticesInPoses(mesh, settings.poses), settings, legend_)),
       context_(openContext(settings.backend)), gl_(loadGlFunctions(*context_)),
       description_(describe(*context_, gl_)),
       framebuffer_(gl_, settings.size.width, settings.size.height, settings.samples),
@@ -201,7 +245,7 @@ void Pipeline::draw(const Snapshot& snapshot)
     gl_.clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 
     SphereUniforms uniforms;
-    uniforms.view = framing_.view;
+    uniforms.view = framing_.view * poseInUnitSpace(snapshot, framing_);
     uniforms.projection = framing_.projection;
     uniforms.depthAtInfinity = static_cast<float>(framing_.depthAtInfinity);
     uniforms.depthSlope = static_cast<float>(framing_.depthSlope);

@@ -51,7 +51,7 @@ World::World(const Scene& sceneOfRun, const TriangleMesh& mesh)
       frame(scene, report.box, radii.largest()), surface(frame.toRun(mesh)),
       triangles(surface, gridOver(surface, kTriangleCell), kTriangleReach),
       inside(surface, triangles), height(surface.box().sizes().y()),
-      motion(scene.move, frame, height), pull(motion.pullAt(0)),
+      motion(scene.move, frame, height), pull{.uniform = {0, -frame.gravity, 0}},
       resting(gridOver(surface, kSphereCell)), polygons(mesh.triangles.size(), PolygonState::active)
 {
     radii = radii.inLargest();

@@ -75,8 +75,9 @@ FillResult runFill(const FillRequest& request, const FillObserver& observer)
     const FrameTiming timing = frameTiming(request.scene, mesh.report);
     std::unique_ptr<FrameRecorder> recorder;
     if (request.scene.frames.enabled)
-        recorder = std::make_unique<FrameRecorder>(mesh.mesh, request.scene, timing.interval,
-                                                   request.directory / "frames");
+        recorder =
+            std::make_unique<FrameRecorder>(mesh.mesh, request.scene, timing.interval,
+                                            request.directory / "frames", simulation.poses());
     if (observer.planned)
         observer.planned(makePlan(request.scene, mesh, simulation, timing));
 

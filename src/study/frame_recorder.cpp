@@ -2,15 +2,17 @@
 #include "study/frame_recorder.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace frostfill
 {
 namespace
 {
 
-RenderSettings renderSettings(const Scene& scene)
+RenderSettings renderSettings(const Scene& scene, std::vector<Pose> poses)
 {
     RenderSettings settings;
+    settings.poses = std::move(poses);
     settings.size = scene.size;
     settings.camera = scene.camera;
     settings.style = scene.style;
@@ -29,8 +31,8 @@ bool allPixelsAlike(const Image& image)
 } // namespace
 
 FrameRecorder::FrameRecorder(const TriangleMesh& mesh, const Scene& scene, double interval,
-                             const std::filesystem::path& directory)
-    : mesh_(mesh), settings_(renderSettings(scene)),
+                             const std::filesystem::path& directory, std::vector<Pose> poses)
+    : mesh_(mesh), settings_(renderSettings(scene, std::move(poses))),
       renderer_(std::make_unique<Renderer>(mesh, settings_)),
       sequence_(directory, scene.frames.limit, {{"Software", "Frostfill"}, {"Title", scene.name}}),
       description_(renderer_->description()), interval_(interval)

@@ -28,7 +28,7 @@ class FrameRecorder
 public:
     /// Opens the renderer. `interval` is the simulated time between frames. [s]
     FrameRecorder(const TriangleMesh& mesh, const Scene& scene, double interval,
-                  const std::filesystem::path& directory);
+                  const std::filesystem::path& directory, std::vector<Pose> poses = {});
 
     /// Draws the frames that are due.
     void record(const Simulation& simulation);
