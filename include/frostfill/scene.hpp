@@ -144,13 +144,26 @@ struct SearchSettings
     PolygonSearch polygons = PolygonSearch::quadtree;
 };
 
+/// Pictures of other things than colour, beside every frame.
+struct Passes
+{
+    bool depth = false;    ///< distance along the view
+    bool normal = false;   ///< where surfaces face
+    bool identity = false; ///< which sphere is seen
+
+    [[nodiscard]] bool any() const { return depth || normal || identity; }
+};
+
 /// Which moments become pictures. Has no influence on what is simulated.
 struct FrameSettings
 {
-    bool enabled = true;
+    bool enabled = true;              ///< off: none, whatever is selected
     double fps = 30;                  ///< frames a second of video
     std::optional<double> slowMotion; ///< video time over simulated time; automatic when not given
     std::size_t limit = 1000;         ///< at most so many: every n-th is kept; 0 for no limit
+    double hold = 0;                  ///< [s] of video for which the last state is shown
+    Passes passes;
+    std::string selection = "all"; ///< "last", "0:100:10", "5,7,90:100", ...
 };
 
 /// Everything that describes a run; a plain value. Two equal scenes give equal results.
@@ -172,6 +185,9 @@ struct Scene
     Camera camera;
     Style style;
     int samples = 4;
+    int supersample = 1;
+    Backend backend = Backend::automatic;
+    bool staticLayer = true; ///< off: every picture is drawn from nothing; the same pictures
 };
 
 /// The paper's parameters for one of its four objects, or general ones for any other mesh.

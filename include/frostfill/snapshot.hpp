@@ -49,6 +49,7 @@ struct Snapshot
     std::vector<float> radii;             ///< [#S] mesh unit
     std::vector<SphereState> states;      ///< [#S]
     std::vector<std::uint32_t> groups;    ///< [#S]
+    std::vector<float> speeds;            ///< [#S] mesh unit a second; 0 at rest
     std::vector<PolygonState> polygons;   ///< [#T] of the mesh that is simulated
     Eigen::Vector3d origin = Eigen::Vector3d::Zero(); ///< mesh coordinates; the box's centre
 
@@ -58,6 +59,9 @@ struct Snapshot
     std::vector<std::uint32_t> changed;
     bool polygonsChanged = false;     ///< some polygon changed its state in the last capture
     std::size_t stateChangesSeen = 0; ///< where the next capture goes on; not for the reader
+    std::uint64_t source = 0; ///< which simulation filled it; 0 when it was made by hand, and then
+                              ///< `changed` is not relied upon
+    std::uint64_t changedSince = 0; ///< `changed` has all that happened after this step
 
     double time = 0;         ///< [s] simulated
     std::uint64_t step = 0;  ///< steps made since the start

@@ -7,11 +7,16 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstring>
 
 namespace frostfill
 {
 namespace
 {
+
+/// Between eye and far plane the depths of a perspective lie mostly above 1/2, where 24 bits are as
+/// fine as a 32-bit float.
+constexpr GLenum kDepthFormat = GL_DEPTH24_STENCIL8;
 
 /// Largest edge of a picture. OSMesa takes more than it can draw, without an error, so we ask.
 int sizeLimit(const GlFunctions& gl)
@@ -21,6 +26,21 @@ int sizeLimit(const GlFunctions& gl)
     gl.getIntegerv(GL_MAX_RENDERBUFFER_SIZE, &renderbuffer);
     gl.getIntegerv(GL_MAX_VIEWPORT_DIMS, viewport.data());
     return std::min({renderbuffer, viewport[0], viewport[1]});
+}
+
+/// Divides the colours of a row by their alpha.
+void copyWithStraightAlpha(const std::uint8_t* from, int count, std::uint8_t* to)
+{
+    for (int x = 0; x < count; ++x, from += 4, to += 4)
+    {
+        const int alpha = from[3];
+        for (std::size_t c = 0; c < 3; ++c)
+        {
+            const int straight = alpha == 0 ? 0 : (from[c] * 255 + alpha / 2) / alpha;
+            to[c] = static_cast<std::uint8_t>(std::min(straight, 255));
+        }
+        to[3] = from[3];
+    }
 }
 
 } // namespace
@@ -43,7 +63,7 @@ Framebuffer::Framebuffer(const GlFunctions& gl, int width, int height, int sampl
     gl.genFramebuffers(2, framebuffers_.data());
     gl.genRenderbuffers(3, renderbuffers_.data());
     attach(framebuffers_[0], GL_COLOR_ATTACHMENT0, renderbuffers_[0], GL_RGBA8, asked);
-    attach(framebuffers_[0], GL_DEPTH_ATTACHMENT, renderbuffers_[1], GL_DEPTH_COMPONENT32F, asked);
+    attach(framebuffers_[0], GL_DEPTH_STENCIL_ATTACHMENT, renderbuffers_[1], kDepthFormat, asked);
     attach(framebuffers_[1], GL_COLOR_ATTACHMENT0, renderbuffers_[2], GL_RGBA8, 0);
     for (const GLuint framebuffer : framebuffers_)
     {
@@ -82,7 +102,19 @@ void Framebuffer::bind() const
     gl_.viewport(0, 0, width_, height_);
 }
 
-void Framebuffer::resolve() const
+void Framebuffer::restore(const Framebuffer& from, std::span<const PixelRectangle> rectangles) const
+{
+    gl_.bindFramebuffer(GL_READ_FRAMEBUFFER, from.framebuffers_[0]);
+    gl_.bindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffers_[0]);
+    for (const auto& [left, bottom, right, top] : rectangles)
+    {
+        gl_.blitFramebuffer(left, bottom, right, top, left, bottom, right, top,
+                            GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT,
+                            GL_NEAREST);
+    }
+}
+
+void Framebuffer::resolve(std::span<const PixelRectangle> rectangles) const
 {
     if (samples_ == 1)
     {
@@ -90,56 +122,63 @@ void Framebuffer::resolve() const
     }
     gl_.bindFramebuffer(GL_READ_FRAMEBUFFER, framebuffers_[0]);
     gl_.bindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffers_[1]);
-    gl_.blitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT,
-                        GL_NEAREST);
+    for (const auto& [left, bottom, right, top] : rectangles)
+    {
+        gl_.blitFramebuffer(left, bottom, right, top, left, bottom, right, top, GL_COLOR_BUFFER_BIT,
+                            GL_NEAREST);
+    }
 }
 
-void Framebuffer::readColour(Image& image)
+void Framebuffer::readColour(Image& image, std::span<const PixelRectangle> rectangles,
+                             bool withAlpha)
 {
     const auto width = static_cast<std::size_t>(width_);
     const auto height = static_cast<std::size_t>(height_);
-    rgba_.resize(width * height * 4);
     image.width = width_;
     image.height = height_;
-    image.channels = 3;
-    image.pixels.resize(width * height * 3);
+    image.channels = withAlpha ? 4 : 3;
+    const auto channels = static_cast<std::size_t>(image.channels);
+    image.pixels.resize(width * height * channels);
 
     // Reading RGBA, which is how the pixels lie, and dropping alpha ourselves is faster than
     // having OpenGL read RGB.
     gl_.bindFramebuffer(GL_READ_FRAMEBUFFER, framebuffers_[samples_ > 1 ? 1 : 0]);
     gl_.pixelStorei(GL_PACK_ALIGNMENT, 1);
-    gl_.readPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, rgba_.data());
-    for (std::size_t y = 0; y < height; ++y)
+    for (const PixelRectangle& part : rectangles)
     {
-        const std::uint8_t* from = rgba_.data() + (height - 1 - y) * width * 4;
-        std::uint8_t* to = image.pixels.data() + y * width * 3;
-        for (std::size_t x = 0; x < width; ++x)
+        rgba_.resize(static_cast<std::size_t>(part.area()) * 4);
+        gl_.readPixels(part.left, part.bottom, part.width(), part.height(), GL_RGBA,
+                       GL_UNSIGNED_BYTE, rgba_.data());
+        const std::uint8_t* from = rgba_.data();
+        for (int y = part.bottom; y < part.top; ++y)
         {
-            to[3 * x] = from[4 * x];
-            to[3 * x + 1] = from[4 * x + 1];
-            to[3 * x + 2] = from[4 * x + 2];
+            const auto row = height - 1 - static_cast<std::size_t>(y);
+            std::uint8_t* to = image.pixels.data() +
+                               (row * width + static_cast<std::size_t>(part.left)) * channels;
+            if (withAlpha)
+            {
+                copyWithStraightAlpha(from, part.width(), to);
+                from += 4 * static_cast<std::ptrdiff_t>(part.width());
+                continue;
+            }
+            // Four bytes at once; the next pixel overwrites the fourth, so the last takes three.
+            for (int x = part.left + 1; x < part.right; ++x, from += 4, to += 3)
+            {
+                std::memcpy(to, from, 4);
+            }
+            std::memcpy(to, from, 3);
+            from += 4;
         }
     }
 }
 
-std::vector<float> Framebuffer::readDepth() const
+void Framebuffer::readDepth(std::vector<float>& depth) const
 {
     assert(samples_ == 1);
-    const auto width = static_cast<std::size_t>(width_);
-    const auto height = static_cast<std::size_t>(height_);
-    std::vector<float> bottomUp(width * height);
+    depth.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
     gl_.bindFramebuffer(GL_READ_FRAMEBUFFER, framebuffers_[0]);
     gl_.pixelStorei(GL_PACK_ALIGNMENT, 1);
-    gl_.readPixels(0, 0, width_, height_, GL_DEPTH_COMPONENT, GL_FLOAT, bottomUp.data());
-
-    std::vector<float> depth;
-    depth.reserve(bottomUp.size());
-    for (std::size_t y = height; y-- > 0;)
-    {
-        const auto row = bottomUp.begin() + static_cast<std::ptrdiff_t>(y * width);
-        depth.insert(depth.end(), row, row + width_);
-    }
-    return depth;
+    gl_.readPixels(0, 0, width_, height_, GL_DEPTH_COMPONENT, GL_FLOAT, depth.data());
 }
 
 } // namespace frostfill

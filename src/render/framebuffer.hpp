@@ -2,17 +2,19 @@
 #pragma once
 
 #include "gl.hpp"
+#include "pixel_rectangle.hpp"
 
 #include <frostfill/image.hpp>
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace frostfill
 {
 
-/// The picture while it is drawn: RGBA8 and 32-bit float depth, several samples a pixel.
+/// The picture while it is drawn: RGBA8, 24-bit depth and 8-bit stencil, several samples a pixel.
 class Framebuffer
 {
 public:
@@ -27,12 +29,17 @@ public:
     /// Samples a pixel that the context really gave; 1 when there is no multisampling.
     [[nodiscard]] int samples() const { return samples_; }
 
-    /// Averages the samples, after which the picture can be read.
-    void resolve() const;
-    /// RGB, top row first.
-    void readColour(Image& image);
-    /// Window depth in 0..1, top row first. Only without multisampling.
-    [[nodiscard]] std::vector<float> readDepth() const;
+    /// Copies colour, depth and stencil from a framebuffer of the same shape.
+    void restore(const Framebuffer& from, std::span<const PixelRectangle> rectangles) const;
+    /// Averages the samples, after which these parts of the picture can be read.
+    void resolve(std::span<const PixelRectangle> rectangles) const;
+    /// RGB, or of premultiplied colours RGBA with straight alpha, top row first. Leaves the rest of
+    /// the picture as it is if it has the right shape.
+    void readColour(Image& image, std::span<const PixelRectangle> rectangles, bool withAlpha);
+    /// Window depth in 0..1, bottom row first. Only without multisampling.
+    void readDepth(std::vector<float>& depth) const;
+
+    [[nodiscard]] PixelRectangle whole() const { return {0, 0, width_, height_}; }
 
 private:
     void attach(GLuint framebuffer, GLenum attachment, GLuint renderbuffer, GLenum format,

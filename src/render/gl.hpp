@@ -23,6 +23,7 @@ class Context;
     X(checkFramebufferStatus, PFNGLCHECKFRAMEBUFFERSTATUSPROC, "glCheckFramebufferStatus")         \
     X(clear, PFNGLCLEARPROC, "glClear")                                                            \
     X(clearColor, PFNGLCLEARCOLORPROC, "glClearColor")                                             \
+    X(clearStencil, PFNGLCLEARSTENCILPROC, "glClearStencil")                                       \
     X(compileShader, PFNGLCOMPILESHADERPROC, "glCompileShader")                                    \
     X(createProgram, PFNGLCREATEPROGRAMPROC, "glCreateProgram")                                    \
     X(createShader, PFNGLCREATESHADERPROC, "glCreateShader")                                       \
@@ -37,6 +38,8 @@ class Context;
     X(disable, PFNGLDISABLEPROC, "glDisable")                                                      \
     X(drawArrays, PFNGLDRAWARRAYSPROC, "glDrawArrays")                                             \
     X(drawArraysInstanced, PFNGLDRAWARRAYSINSTANCEDPROC, "glDrawArraysInstanced")                  \
+    X(drawBuffers, PFNGLDRAWBUFFERSPROC, "glDrawBuffers")                                          \
+    X(drawElements, PFNGLDRAWELEMENTSPROC, "glDrawElements")                                       \
     X(enable, PFNGLENABLEPROC, "glEnable")                                                         \
     X(enableVertexAttribArray, PFNGLENABLEVERTEXATTRIBARRAYPROC, "glEnableVertexAttribArray")      \
     X(finish, PFNGLFINISHPROC, "glFinish")                                                         \
@@ -55,10 +58,14 @@ class Context;
     X(getUniformLocation, PFNGLGETUNIFORMLOCATIONPROC, "glGetUniformLocation")                     \
     X(linkProgram, PFNGLLINKPROGRAMPROC, "glLinkProgram")                                          \
     X(pixelStorei, PFNGLPIXELSTOREIPROC, "glPixelStorei")                                          \
+    X(readBuffer, PFNGLREADBUFFERPROC, "glReadBuffer")                                             \
     X(readPixels, PFNGLREADPIXELSPROC, "glReadPixels")                                             \
     X(renderbufferStorageMultisample, PFNGLRENDERBUFFERSTORAGEMULTISAMPLEPROC,                     \
       "glRenderbufferStorageMultisample")                                                          \
+    X(scissor, PFNGLSCISSORPROC, "glScissor")                                                      \
     X(shaderSource, PFNGLSHADERSOURCEPROC, "glShaderSource")                                       \
+    X(stencilFunc, PFNGLSTENCILFUNCPROC, "glStencilFunc")                                          \
+    X(stencilOp, PFNGLSTENCILOPPROC, "glStencilOp")                                                \
     X(uniform1f, PFNGLUNIFORM1FPROC, "glUniform1f")                                                \
     X(uniform1i, PFNGLUNIFORM1IPROC, "glUniform1i")                                                \
     X(uniform2fv, PFNGLUNIFORM2FVPROC, "glUniform2fv")                                             \

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline.hpp"
 
+#include "pose_framing.hpp"
+
 #include <frostfill/error.hpp>
 
 #include <fmt/core.h>
@@ -13,8 +15,8 @@ namespace frostfill
 namespace
 {
 
-/// Share of the background in the furthest spheres.
-constexpr float kHaze = 0.26F;
+/// Nearest first pays from so many spheres at rest: only then are many of them found hidden.
+constexpr std::size_t kSortFrom = 2000;
 
 /// More samples a pixel than this are not to be had from OSMesa.
 constexpr int kMostSamples = 4;
@@ -46,115 +48,22 @@ const RenderSettings& checked(const RenderSettings& settings)
     return settings;
 }
 
-/// Strokes grow with the picture, so that a large one looks like a small one, only sharper.
-MeshStrokes strokesFor(const PictureSize& size)
-{
-    const auto edge = static_cast<float>(std::min(size.width, size.height));
-    return {std::max(0.75F, edge / 720), std::max(6.0F, edge / 72)};
-}
-
-/// From pixels, y downwards, to clip space. Swatches lie at the very front of the depth range.
-glm::mat4 pixelProjection(const PictureSize& size)
-{
-    glm::mat4 projection(0);
-    projection[0][0] = 2.0F / static_cast<float>(size.width);
-    projection[1][1] = 2.0F / static_cast<float>(size.height);
-    projection[2][2] = -1e-5F;
-    projection[3] = {-1, -1, -0.99F, 1};
-    return projection;
-}
-
-/// A square a swatch, as two triangles that face the viewer, y upwards.
-TriangleMesh squares(const std::vector<Legend::Swatch>& swatches, double height)
-{
-    TriangleMesh mesh;
-    for (const Legend::Swatch& swatch : swatches)
-    {
-        const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-        for (const auto& [x, y] : {std::array{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})
-        {
-            mesh.vertices.emplace_back(swatch.x + x * swatch.halfSize,
-                                       height - swatch.y + y * swatch.halfSize, 0);
-        }
-        mesh.triangles.push_back({first, first + 1, first + 2});
-        mesh.triangles.push_back({first, first + 2, first + 3});
-    }
-    return mesh;
-}
-
-std::vector<glm::vec3> positionsOf(const TriangleMesh& mesh)
-{
-    std::vector<glm::vec3> positions;
-    for (const Eigen::Vector3d& vertex : mesh.vertices)
-    {
-        positions.emplace_back(vertex.x(), vertex.y(), vertex.z());
-    }
-    return positions;
-}
-
-/// The mesh's vertices in all poses that have to fit.
-std::vector<Eigen::Vector3d> verticesInPoses(const TriangleMesh& mesh,
-                                             const std::vector<Pose>& poses)
-{
-    if (poses.empty())
-    {
-        return mesh.vertices;
-    }
-    Eigen::AlignedBox3d box;
-    for (const Eigen::Vector3d& vertex : mesh.vertices)
-    {
-        box.extend(vertex);
-    }
-    const Eigen::Vector3d origin = box.center();
-    std::vector<Eigen::Vector3d> vertices;
-    for (const Pose& pose : poses)
-    {
-        for (const Eigen::Vector3d& vertex : mesh.vertices)
-        {
-            vertices.emplace_back(origin + pose.offset + pose.rotation * (vertex - origin));
-        }
-    }
-    return vertices;
-}
-
-/// The snapshot's pose as a matrix of unit space.
-glm::dmat4 poseInUnitSpace(const Snapshot& snapshot, const Framing& framing)
-{
-    const Pose& pose = snapshot.pose;
-    const Eigen::Vector3d fromCentre = snapshot.origin - framing.centre;
-    const Eigen::Vector3d shift =
-        framing.scale * (fromCentre + pose.offset - pose.rotation * fromCentre);
-    glm::dmat4 matrix(1);
-    for (int column = 0; column < 3; ++column)
-    {
-        for (int row = 0; row < 3; ++row)
-        {
-            matrix[column][row] = pose.rotation(row, column);
-        }
-        matrix[3][column] = shift[column];
-    }
-    return matrix;
-}
-
 } // namespace
 
 Pipeline::Pipeline(const TriangleMesh& mesh, const RenderSettings& settings)
-    : settings_(checked(settings)), legend_(settings, mesh.triangles.size()),
-      framing_(frameBesideLegend(verticesInPoses(mesh, settings.poses), settings, legend_)),
+    : settings_(checked(settings)), vertices_(verticesInPoses(mesh.vertices, settings.poses)),
+      colours_(settings, vertices_), legend_(settings, mesh.triangles.size(), colours_),
+      still_(frameBesideLegend(vertices_, settings, legend_)), framing_(still_),
       context_(openContext(settings.backend)), gl_(loadGlFunctions(*context_)),
       description_(describe(*context_, gl_)),
       framebuffer_(gl_, settings.size.width, settings.size.height, settings.samples),
-      spherePass_(gl_, framing_.orthographic, samplePositions(), settings.style.palette),
-      meshPass_(gl_, framing_.orthographic, settings.style.palette, strokesFor(settings.size)),
-      spheres_(gl_)
+      painter_(gl_, mesh, settings, legend_, colours_, framing_, samplePositions()),
+      projector_(framing_, settings.size), dirty_(settings.size.width, settings.size.height),
+      covered_(dirty_)
 {
-    if (settings.style.shell)
+    if (settings.staticLayer)
     {
-        uploadMesh(mesh);
-    }
-    if (legend_.visible())
-    {
-        uploadSwatches();
+        layer_.emplace(gl_, settings.size, settings.samples);
     }
 }
 
@@ -183,101 +92,193 @@ std::vector<glm::vec2> Pipeline::samplePositions() const
     return positions;
 }
 
-void Pipeline::uploadMesh(const TriangleMesh& mesh)
+void Pipeline::lookFrom(const Camera& camera)
 {
-    std::vector<glm::vec3> positions;
-    for (const Eigen::Vector3d& vertex : mesh.vertices)
+    if (camera.orthographic != framing_.orthographic)
     {
-        positions.emplace_back(framing_.toUnit(vertex));
+        throw Error(ErrorCode::usage, "a renderer keeps its kind of projection");
     }
-    const ShadedMesh shaded = shadeMesh(mesh, positions);
-    shell_ = std::make_unique<MeshBuffer>(
-        gl_, shaded, edgeStrengths(shaded, glm::vec3(framing_.eye), framing_.orthographic));
+    settings_.camera = camera;
+    still_ = frameBesideLegend(vertices_, settings_, legend_);
+    turned_ = 0;
+    useFraming();
 }
 
-void Pipeline::uploadSwatches()
+void Pipeline::turn(double degrees)
 {
-    if (!framing_.orthographic)
+    if (degrees != turned_)
     {
-        flatSpherePass_.emplace(gl_, true, samplePositions(), settings_.style.palette);
+        turned_ = degrees;
+        useFraming();
     }
-    const double height = settings_.size.height;
-    const TriangleMesh mesh = squares(legend_.polygons(), height);
-    const ShadedMesh shaded = shadeMesh(mesh, positionsOf(mesh));
-    auto strengths = edgeStrengths(shaded, {0, 0, 1}, true);
-    strengths[0][1] = strengths[1][2] = strengths[2][1] = strengths[3][2] = 0; // the diagonals
-    swatches_.reset(new Swatches{SphereBuffer(gl_), MeshBuffer(gl_, shaded, strengths)});
-
-    std::vector<SphereInstance> spheres;
-    for (const Legend::Swatch& swatch : legend_.spheres())
-    {
-        spheres.push_back({static_cast<float>(swatch.x), static_cast<float>(height - swatch.y), 0,
-                           static_cast<float>(swatch.halfSize),
-                           static_cast<std::uint32_t>(swatch.state)});
-    }
-    swatches_->spheres.update(spheres);
-    std::vector<PolygonState> states;
-    for (const Legend::Swatch& swatch : legend_.polygons())
-    {
-        states.insert(states.end(), 2, static_cast<PolygonState>(swatch.state));
-    }
-    swatches_->polygons.update(states);
 }
 
-void Pipeline::drawSwatches() const
+void Pipeline::follow(const Snapshot& snapshot)
 {
-    SphereUniforms uniforms;
-    uniforms.projection = pixelProjection(settings_.size);
-    uniforms.depthSlope = -0.5F * uniforms.projection[2][2];
-    (flatSpherePass_ ? *flatSpherePass_ : spherePass_).draw(swatches_->spheres, uniforms);
-    meshPass_.draw(swatches_->polygons, uniforms.view, uniforms.projection);
+    if (snapshot.pose.rotation != pose_.rotation || snapshot.pose.offset != pose_.offset)
+    {
+        pose_ = snapshot.pose;
+        origin_ = snapshot.origin;
+        moved_ = true;
+        useFraming();
+    }
 }
 
-void Pipeline::draw(const Snapshot& snapshot)
+void Pipeline::useFraming()
+{
+    framing_ = turned_ != 0 ? revolved(still_, settings_.up, turned_) : still_;
+    if (moved_)
+    {
+        framing_ = posed(framing_, pose_, origin_);
+    }
+    context_->makeCurrent();
+    painter_.lookFrom(framing_);
+    projector_ = SphereProjector(framing_, settings_.size);
+    stale_ = true;
+}
+
+const std::vector<PixelRectangle>& Pipeline::draw(const Snapshot& snapshot)
 {
     context_->makeCurrent();
-    placeSpheres(snapshot, framing_, instances_);
-    spheres_.update(instances_);
-
-    const glm::vec4 background = toVector(settings_.style.palette.background);
-    framebuffer_.bind();
-    gl_.clearColor(background.r, background.g, background.b, 1);
-    gl_.clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-
-    SphereUniforms uniforms;
-    uniforms.view = framing_.view * poseInUnitSpace(snapshot, framing_);
-    uniforms.projection = framing_.projection;
-    uniforms.depthAtInfinity = static_cast<float>(framing_.depthAtInfinity);
-    uniforms.depthSlope = static_cast<float>(framing_.depthSlope);
-    uniforms.pixelScale = 0.5F * static_cast<float>(framing_.projection[1][1]) *
-                          static_cast<float>(settings_.size.height);
-    uniforms.heightPlane = framing_.heightPlane;
-    uniforms.distancePlane = framing_.distancePlane;
-    uniforms.haze = kHaze;
-    spherePass_.draw(spheres_, uniforms);
-    if (shell_)
+    follow(snapshot);
+    renewMarks();
+    const SphereLedger::Changes& changes = ledger_.update(snapshot, framing_, colours_);
+    const auto polygonParts = painter_.setPolygons(snapshot.polygons);
+    const bool startAgain = stale_ || changes.everything;
+    if (startAgain && ledger_.resting().size() >= kSortFrom)
     {
-        shell_->update(snapshot.polygons);
-        meshPass_.draw(*shell_, uniforms.view, uniforms.projection);
+        ledger_.sortFrontToBack(framing_);
     }
-    if (swatches_)
+    stale_ = false;
+    dirty_.clear();
+    if (layer_)
     {
-        drawSwatches();
+        updateLayer(changes, polygonParts, startAgain);
+        drawOverLayer();
     }
-    framebuffer_.resolve();
+    else
+    {
+        drawEverything();
+    }
+    const std::vector<PixelRectangle>& parts = dirty_.joined();
+    framebuffer_.resolve(parts);
     gl_.finish();
+    return parts;
+}
+
+void Pipeline::drawEverything()
+{
+    framebuffer_.bind();
+    painter_.clear();
+    painter_.paintSpheres(ledger_.resting());
+    painter_.paintSpheres(ledger_.running());
+    painter_.paintShell();
+    painter_.paintLegend();
+    dirty_.addAll();
+}
+
+void Pipeline::updateLayer(const SphereLedger::Changes& changes,
+                           std::span<const PixelRectangle> polygonParts, bool startAgain)
+{
+    if (startAgain)
+    {
+        layer_->rebuild(painter_, projector_, ledger_.resting());
+        dirty_.addAll();
+        return;
+    }
+    covered_.clear();
+    covered_.add(polygonParts);
+    for (const std::size_t index : changes.recoloured)
+    {
+        covered_.add(layer_->whereSeen(index));
+    }
+    dirty_.add(running_);
+    if (!covered_.empty())
+    {
+        layer_->repaint(painter_, ledger_.resting().first(changes.firstArrival), covered_.joined(),
+                        framebuffer_, dirty_);
+    }
+    if (changes.firstArrival < ledger_.resting().size())
+    {
+        layer_->add(painter_, projector_, ledger_.resting(), changes.firstArrival, dirty_);
+    }
+}
+
+void Pipeline::drawOverLayer()
+{
+    framebuffer_.restore(layer_->framebuffer(), dirty_.joined());
+    running_.clear();
+    spheres_.clear();
+    parts_.clear();
+    for (const SphereInstance& sphere : ledger_.running())
+    {
+        const ProjectedSphere seen = projector_.project(sphere);
+        if (!layer_->hides(seen))
+        {
+            running_.push_back(seen.pixels);
+            parts_.push_back({seen.pixels, seen.furthestDepth});
+            spheres_.push_back(sphere);
+        }
+    }
+    framebuffer_.bind();
+    painter_.addSpheres(spheres_, parts_);
+    dirty_.add(running_);
+}
+
+void Pipeline::renewMarks()
+{
+    if (!layer_ || !painter_.outOfMarks())
+    {
+        return;
+    }
+    layer_->framebuffer().bind();
+    painter_.clearMarks();
+    framebuffer_.bind();
+    painter_.clearMarks();
+    painter_.startMarks();
+}
+
+void Pipeline::readColour(Image& image, std::span<const PixelRectangle> parts)
+{
+    context_->makeCurrent();
+    framebuffer_.readColour(image, parts, settings_.style.palette.background[3] < 255);
 }
 
 void Pipeline::readColour(Image& image)
 {
+    const PixelRectangle whole = framebuffer_.whole();
+    readColour(image, {&whole, 1});
+}
+
+void Pipeline::drawSurfaces(const Snapshot& snapshot, const PictureSize& size, Surfaces& surfaces)
+{
     context_->makeCurrent();
-    framebuffer_.readColour(image);
+    follow(snapshot);
+    const auto found = std::find_if(surfacePasses_.begin(), surfacePasses_.end(),
+                                    [&](const std::unique_ptr<SurfacePass>& pass) {
+                                        return pass->size().width == size.width &&
+                                               pass->size().height == size.height;
+                                    });
+    SurfacePass& pass = found != surfacePasses_.end()
+                            ? **found
+                            : *surfacePasses_.emplace_back(
+                                  std::make_unique<SurfacePass>(gl_, painter_.variant(), size));
+    pass.draw(placeSpheres(snapshot, framing_), painter_.uniforms(), surfaces);
 }
 
 std::vector<float> Pipeline::readDepth()
 {
     context_->makeCurrent();
-    return framebuffer_.readDepth();
+    std::vector<float> bottomUp;
+    framebuffer_.readDepth(bottomUp);
+    std::vector<float> depth;
+    depth.reserve(bottomUp.size());
+    for (auto row = bottomUp.end(); row != bottomUp.begin();)
+    {
+        row -= settings_.size.width;
+        depth.insert(depth.end(), row, row + settings_.size.width);
+    }
+    return depth;
 }
 
 } // namespace frostfill

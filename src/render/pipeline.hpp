@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "colour_scale.hpp"
 #include "context.hpp"
+#include "dirty_rectangles.hpp"
 #include "framebuffer.hpp"
 #include "framing.hpp"
 #include "legend.hpp"
-#include "mesh_pass.hpp"
-#include "sphere_pass.hpp"
+#include "projected_sphere.hpp"
+#include "scene_painter.hpp"
+#include "sphere_ledger.hpp"
+#include "static_layer.hpp"
+#include "surface_pass.hpp"
 
 #include <frostfill/renderer.hpp>
 
@@ -18,8 +23,8 @@
 namespace frostfill
 {
 
-/// Everything that draws on OpenGL's side: the context, what is uploaded to it, and the passes in
-/// their order. The public Renderer adds the text and the clock.
+/// Everything that draws on OpenGL's side: the context, what is uploaded to it, and what is kept
+/// from picture to picture. The public Renderer adds the text and the clock.
 class Pipeline
 {
 public:
@@ -28,9 +33,20 @@ public:
     Pipeline(const Pipeline&) = delete;
     Pipeline& operator=(const Pipeline&) = delete;
 
-    /// Draws and waits until it is done.
-    void draw(const Snapshot& snapshot);
-    /// RGB, top row first.
+    /// Looks from somewhere else from now on. Whether there is perspective cannot change. Throws
+    /// Error usage for a camera that makes no sense.
+    void lookFrom(const Camera& camera);
+    /// Turns the camera about the up axis, from where lookFrom or the settings have it [degree].
+    void turn(double degrees);
+
+    /// Draws and waits until it is done. Returns the parts of the picture that may differ from the
+    /// one before, until the next call.
+    const std::vector<PixelRectangle>& draw(const Snapshot& snapshot);
+    /// What is seen of the spheres, in a picture of any size with the same view.
+    void drawSurfaces(const Snapshot& snapshot, const PictureSize& size, Surfaces& surfaces);
+    /// RGB or, where the background is not opaque, RGBA; top row first. What lies outside of
+    /// `parts` is left alone in a picture of this shape.
+    void readColour(Image& image, std::span<const PixelRectangle> parts);
     void readColour(Image& image);
     /// Window depth in 0..1, top row first; for samples == 1.
     [[nodiscard]] std::vector<float> readDepth();
@@ -38,34 +54,44 @@ public:
     [[nodiscard]] const Framing& framing() const { return framing_; }
     [[nodiscard]] const Legend& legend() const { return legend_; }
     [[nodiscard]] const std::string& description() const { return description_; }
+    /// Of the last picture, in the order in which they were drawn.
+    [[nodiscard]] const SphereLedger& spheres() const { return ledger_; }
 
 private:
-    /// The legend's swatches, drawn by the same programs as the scene.
-    struct Swatches
-    {
-        SphereBuffer spheres;
-        MeshBuffer polygons;
-    };
-
-    void uploadMesh(const TriangleMesh& mesh);
-    void uploadSwatches();
-    void drawSwatches() const;
     [[nodiscard]] std::vector<glm::vec2> samplePositions() const;
+    void useFraming();
+    /// Looks at the object where it is in the snapshot.
+    void follow(const Snapshot& snapshot);
+    void drawEverything();
+    void updateLayer(const SphereLedger::Changes& changes,
+                     std::span<const PixelRectangle> polygonParts, bool startAgain);
+    void drawOverLayer();
+    void renewMarks();
 
     RenderSettings settings_;
+    std::vector<Eigen::Vector3d> vertices_; ///< of the mesh, for framing
+    SphereColours colours_;
     Legend legend_;
-    Framing framing_;
+    Framing still_;                                    ///< as the camera has it
+    Framing framing_;                                  ///< turned, and with the object moved
+    double turned_ = 0;                                ///< [degree]
+    Pose pose_;                                        ///< of the object
+    Eigen::Vector3d origin_ = Eigen::Vector3d::Zero(); ///< about which it is
     std::unique_ptr<Context> context_;
     GlFunctions gl_;
     std::string description_;
     Framebuffer framebuffer_;
-    SpherePass spherePass_;
-    std::optional<SpherePass> flatSpherePass_; ///< without perspective, for the swatches
-    MeshPass meshPass_;
-    SphereBuffer spheres_;
-    std::unique_ptr<MeshBuffer> shell_;
-    std::unique_ptr<Swatches> swatches_;
-    std::vector<SphereInstance> instances_; ///< reused from frame to frame
+    ScenePainter painter_;
+    std::optional<StaticLayer> layer_;
+    SphereProjector projector_;
+    SphereLedger ledger_;
+    bool stale_ = true;                   ///< nothing of the picture before can be kept
+    DirtyRectangles dirty_;               ///< parts of the picture that differ from the one before
+    DirtyRectangles covered_;             ///< parts of the layer that are drawn anew
+    std::vector<PixelRectangle> running_; ///< where spheres that run were drawn over the layer
+    std::vector<SphereInstance> spheres_; ///< that run and can be seen
+    std::vector<TriangleTiles::Part> parts_;                  ///< [spheres_] where
+    std::vector<std::unique_ptr<SurfacePass>> surfacePasses_; ///< one for each size
 };
 
 } // namespace frostfill

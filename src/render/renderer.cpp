@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <frostfill/renderer.hpp>
 
+#include "ambient_occlusion.hpp"
+#include "pass_pictures.hpp"
 #include "pipeline.hpp"
+#include "shown_picture.hpp"
+#include "shrink.hpp"
 
 #include <frostfill/error.hpp>
 
@@ -17,6 +21,31 @@ using Clock = std::chrono::steady_clock;
 double secondsSince(Clock::time_point start)
 {
     return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// How far a sphere's shade reaches, in mean radii.
+constexpr double kOcclusionReach = 2;
+
+double meanRadius(const Snapshot& snapshot)
+{
+    double sum = 0;
+    for (const float radius : snapshot.radii)
+    {
+        sum += double{radius};
+    }
+    return snapshot.radii.empty() ? 0 : sum / static_cast<double>(snapshot.radii.size());
+}
+
+/// Everything in the picture grows with it, so a larger one made small shows the same.
+RenderSettings enlarged(RenderSettings settings)
+{
+    if (settings.supersample < 1)
+    {
+        throw Error(ErrorCode::usage, "supersampling must be at least 1");
+    }
+    settings.size.width *= settings.supersample;
+    settings.size.height *= settings.supersample;
+    return settings;
 }
 
 /// A sphere in an empty picture; true when it is there and its surroundings are background.
@@ -38,13 +67,40 @@ bool drawsASphere(Pipeline& pipeline)
 
 struct Renderer::Implementation
 {
-    Implementation(const TriangleMesh& mesh, const RenderSettings& settings)
-        : pipeline(mesh, settings)
+    Implementation(const TriangleMesh& mesh, const RenderSettings& wanted)
+        : settings(wanted), pipeline(mesh, enlarged(wanted))
     {
     }
 
+    /// What is done to a picture as a whole.
+    [[nodiscard]] bool finishesWhole() const
+    {
+        return settings.style.ambientOcclusion || settings.supersample > 1;
+    }
+    void finishWhole(const Snapshot& snapshot)
+    {
+        whole = picture.pixels();
+        if (settings.style.ambientOcclusion && !snapshot.centres.empty())
+        {
+            const double reach = kOcclusionReach * meanRadius(snapshot) * pipeline.framing().scale;
+            pipeline.drawSurfaces(snapshot, {whole.width, whole.height}, surfaces);
+            applyAmbientLight(ambientLight(surfaces, pipeline.framing(), reach), whole);
+        }
+        pipeline.legend().drawText(whole, snapshot);
+        if (settings.supersample > 1)
+        {
+            whole = shrunk(whole, settings.supersample);
+        }
+        wholeRows.assign(static_cast<std::size_t>(whole.height), 1);
+    }
+
+    RenderSettings settings;
     Pipeline pipeline;
+    ShownPicture picture;
     StageTimes times;
+    Image whole; ///< if the picture is finished as a whole
+    std::vector<std::uint8_t> wholeRows;
+    Surfaces surfaces; ///< reused from frame to frame
 };
 
 Renderer::Renderer(const TriangleMesh& mesh, const RenderSettings& settings)
@@ -56,20 +112,68 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
-void Renderer::render(const Snapshot& snapshot, Image& image)
+const Image& Renderer::draw(const Snapshot& snapshot)
 {
-    auto& [pipeline, times] = *implementation_;
+    auto& pipeline = implementation_->pipeline;
+    auto& picture = implementation_->picture;
+    auto& times = implementation_->times;
     const auto drawing = Clock::now();
-    pipeline.draw(snapshot);
+    const auto& parts = pipeline.draw(snapshot);
     times[Stage::rendering] += secondsSince(drawing);
 
     const auto reading = Clock::now();
-    pipeline.readColour(image);
+    pipeline.readColour(picture.pixels(), parts);
     times[Stage::readback] += secondsSince(reading);
 
     const auto writing = Clock::now();
-    pipeline.legend().drawText(image, snapshot);
+    if (implementation_->finishesWhole())
+    {
+        implementation_->finishWhole(snapshot);
+    }
+    else
+    {
+        picture.finish(parts, pipeline.legend(), snapshot);
+    }
     times[Stage::rendering] += secondsSince(writing);
+    return implementation_->finishesWhole() ? implementation_->whole : picture.image();
+}
+
+std::span<const std::uint8_t> Renderer::changedRows() const
+{
+    return implementation_->finishesWhole() ? std::span<const std::uint8_t>(implementation_->wholeRows)
+                                            : implementation_->picture.changedRows();
+}
+
+void Renderer::render(const Snapshot& snapshot, Image& image)
+{
+    image = draw(snapshot);
+}
+
+void Renderer::setCamera(const Camera& camera)
+{
+    implementation_->pipeline.lookFrom(camera);
+}
+
+void Renderer::turn(double degrees)
+{
+    implementation_->pipeline.turn(degrees);
+}
+
+void Renderer::renderPasses(const Snapshot& snapshot, PassPictures& pictures)
+{
+    auto& own = *implementation_;
+    const auto drawing = Clock::now();
+    own.pipeline.drawSurfaces(snapshot, own.settings.size, own.surfaces);
+    makePassPictures(own.surfaces, own.pipeline.framing(), pictures);
+    own.times[Stage::rendering] += secondsSince(drawing);
+}
+
+std::array<int, 4> Renderer::objectRegion() const
+{
+    const auto& [left, top, right, bottom] = implementation_->pipeline.framing().region;
+    const auto inPicture = [&](double edge)
+    { return static_cast<int>(edge / implementation_->settings.supersample); };
+    return {inPicture(left), inPicture(top), inPicture(right), inPicture(bottom)};
 }
 
 const std::string& Renderer::description() const

@@ -5,11 +5,12 @@
 #include "gl.hpp"
 #include "shader.hpp"
 
-#include <frostfill/snapshot.hpp>
+#include <frostfill/view.hpp>
 
+#include <array>
 #include <cstdint>
 #include <span>
-#include <vector>
+#include <string>
 
 namespace frostfill
 {
@@ -19,6 +20,7 @@ struct SphereInstance
 {
     float x, y, z, radius;
     std::uint32_t state;
+    Colour colour{};
     friend bool operator==(const SphereInstance&, const SphereInstance&) = default;
 };
 
@@ -31,23 +33,16 @@ public:
     SphereBuffer(const SphereBuffer&) = delete;
     SphereBuffer& operator=(const SphereBuffer&) = delete;
 
-    /// Makes the buffer hold these spheres; uploads only what differs from what it holds.
+    /// Makes the buffer hold these spheres.
     void update(std::span<const SphereInstance> spheres);
     void draw() const;
 
 private:
-    void grow(std::span<const SphereInstance> spheres);
-
     const GlFunctions& gl_;
     GLuint array_ = 0;
     GLuint buffer_ = 0;
-    std::size_t capacity_ = 0;
-    std::vector<SphereInstance> held_; ///< what OpenGL has
+    std::size_t count_ = 0;
 };
-
-/// The spheres of a snapshot in unit space. `instances` is reused.
-void placeSpheres(const Snapshot& snapshot, const Framing& framing,
-                  std::vector<SphereInstance>& instances);
 
 /// What the sphere shaders need beside the spheres.
 struct SphereUniforms
@@ -60,14 +55,25 @@ struct SphereUniforms
     glm::vec4 heightPlane{0, 0, 0, 1};
     glm::vec4 distancePlane{0};
     float haze = 0;
+    std::array<glm::vec4, 2> cutPlanes{}; ///< in eye space; see CutPlanes
+};
+
+/// What decides how the programs of spheres and mesh are compiled.
+struct ShaderVariant
+{
+    bool orthographic = false;
+    bool cutaway = false;
+    bool outlines = false; ///< around every sphere
+    /// Lines for the front of both stages.
+    [[nodiscard]] std::string definitions() const;
 };
 
 /// The program that draws spheres exactly, as one square each; sphere.frag has the mathematics.
 class SpherePass
 {
 public:
-    SpherePass(const GlFunctions& gl, bool orthographic, std::span<const glm::vec2> samplePositions,
-               const Palette& palette);
+    SpherePass(const GlFunctions& gl, const ShaderVariant& variant,
+               std::span<const glm::vec2> samplePositions, const Style& style, float lineWidth);
 
     /// Draws with depth test and writing.
     void draw(const SphereBuffer& spheres, const SphereUniforms& uniforms) const;

@@ -10,6 +10,7 @@
 #include <simulation/world.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <numbers>
 
@@ -18,6 +19,13 @@ namespace frostfill
 
 namespace
 {
+
+/// A number for each simulation of this process, from 1.
+std::uint64_t nextSource()
+{
+    static std::atomic<std::uint64_t> last = 0;
+    return ++last;
+}
 
 std::unique_ptr<Engine> makeEngine(World& world)
 {
@@ -43,6 +51,7 @@ struct Simulation::Implementation
 
     World world;
     std::unique_ptr<Engine> engine;
+    std::uint64_t source = nextSource();
 };
 
 namespace
@@ -142,6 +151,10 @@ const std::vector<SetRecord>& Simulation::sets() const
 {
     return implementation_->world.sets;
 }
+std::size_t Simulation::groupSize() const
+{
+    return frostfill::groupSize(implementation_->world);
+}
 QualityReport Simulation::quality() const
 {
     return examine(implementation_->world);
@@ -167,6 +180,12 @@ void Simulation::capture(Snapshot& snapshot) const
 {
     const World& world = implementation_->world;
     const std::size_t count = world.spheres.size();
+    if (snapshot.source != implementation_->source)
+    {
+        snapshot = {};
+        snapshot.source = implementation_->source;
+    }
+    snapshot.changedSince = snapshot.step;
     const std::size_t known = std::min(snapshot.centres.size(), count);
 
     // What may differ from the last capture: new spheres, those that ran then, those that changed
@@ -195,12 +214,17 @@ void Simulation::capture(Snapshot& snapshot) const
     snapshot.radii.resize(count);
     snapshot.states.resize(count);
     snapshot.groups.resize(count);
+    snapshot.speeds.resize(count);
     for (const std::uint32_t id : changed)
     {
         snapshot.centres[id] = world.frame.toMeshOffset(world.spheres.position(id)).cast<float>();
         snapshot.radii[id] = static_cast<float>(world.spheres.radius[id] * world.frame.length);
         snapshot.states[id] = world.spheres.state[id];
         snapshot.groups[id] = world.spheres.group[id];
+        snapshot.speeds[id] = world.spheres.state[id] == SphereState::running
+                                  ? static_cast<float>(world.spheres.velocity(id).norm() *
+                                                       world.frame.length / world.frame.time)
+                                  : 0.0F;
     }
 
     snapshot.polygonsChanged = snapshot.polygons.size() != world.polygons.size() ||

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "study/frame_timing.hpp"
 
+#include "scene/frame_selection.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -53,6 +55,8 @@ FrameEstimate estimateFrames(const Scene& scene, const MeshReport& mesh, std::si
         kept /= 2;
     estimate.frames = static_cast<std::size_t>(
         scene.frames.limit == 1 ? 1.0 : std::min(kept, 9e15)); // 9e15: exact and in range
+    if (const auto selection = FrameSelection::parse(scene.frames.selection))
+        estimate.frames = selection->countOf(estimate.frames);
     estimate.bytes = static_cast<double>(estimate.frames) * kBytesPerPixel * scene.size.width *
                      scene.size.height;
     return estimate;

@@ -4,6 +4,7 @@
 #include "output/atomic_file.hpp"
 #include "output/scene_json.hpp"
 #include "study/library_versions.hpp"
+#include "study/run_hash.hpp"
 
 #include <frostfill/output.hpp>
 
@@ -136,6 +137,7 @@ std::string summaryText(const RunRecord& run)
     json["error"] = errorJson(run.result.quality);
     json["time"] = timeJson(run);
     json["operations"] = operationsJson(run.simulation.operations());
+    json["run_hash"] = runHash(run.request.scene, run.mesh.mesh);
     json["state_hash"] = run.result.stateHash;
     json["frames"] = run.result.frames;
     json["frame_interval"] = run.timing.interval * static_cast<double>(run.frameStride);

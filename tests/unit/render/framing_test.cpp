@@ -4,6 +4,7 @@
 #include <frostfill/error.hpp>
 #include <support/pictures.hpp>
 
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -191,6 +192,68 @@ TEST(Framing, CamerasThatMakeNoSenseAreRefused)
     EXPECT_TRUE(refused([](RenderSettings& s) { s.camera.zoom = 0; }));
     EXPECT_TRUE(refused([](RenderSettings& s) { s.camera.azimuth = std::nan(""); }));
     EXPECT_TRUE(refused([](RenderSettings& s) { s.up.setZero(); }));
+}
+
+TEST(Framing, OnATurntableEverythingFitsAtEveryAngleFromTheSameDistance)
+{
+    const TriangleMesh mesh = boxMesh({1, 2, 0.3}, {4, 5, 6});
+    for (const bool orthographic : {false, true})
+    {
+        RenderSettings settings;
+        settings.size = {640, 360};
+        settings.camera.turntable = 5;
+        settings.camera.orthographic = orthographic;
+        const Framing still = frame(mesh.vertices, settings, {0, 0, 640, 360});
+        double widest = 0;
+        for (int degrees = 0; degrees < 360; degrees += 10)
+        {
+            const Framing framing = revolved(still, settings.up, degrees);
+            const Bounds bounds = boundsOf(framing, settings.size, mesh);
+            ASSERT_GE(bounds.low.x, 0) << degrees;
+            ASSERT_GE(bounds.low.y, 0) << degrees;
+            ASSERT_LE(bounds.high.x, 640) << degrees;
+            ASSERT_LE(bounds.high.y, 360) << degrees;
+            ASSERT_GT(bounds.low.z, 0) << degrees;
+            ASSERT_LT(bounds.high.z, 1) << degrees;
+            widest = std::max(widest, (bounds.high.y - bounds.low.y) / 360);
+        }
+        EXPECT_GT(widest, 0.85);
+    }
+}
+
+TEST(Framing, TurningIsLookingFromAnotherAzimuth)
+{
+    const TriangleMesh mesh = boxMesh({1, 2, 0.3}, {4, 5, 6});
+    RenderSettings settings;
+    settings.size = {640, 360};
+    settings.camera.target = Eigen::Vector3d(4.4, 5.1, 6);
+    settings.camera.turntable = 5;
+    const Framing turned =
+        revolved(frame(mesh.vertices, settings, {0, 0, 640, 360}), settings.up, 70);
+    settings.camera.azimuth += 70;
+    const Framing there = frame(mesh.vertices, settings, {0, 0, 640, 360});
+    for (const Eigen::Vector3d& vertex : mesh.vertices)
+    {
+        const glm::dvec3 a = project(turned, settings.size, vertex);
+        const glm::dvec3 b = project(there, settings.size, vertex);
+        EXPECT_NEAR(a.x, b.x, 1e-6);
+        EXPECT_NEAR(a.y, b.y, 1e-6);
+    }
+    EXPECT_NEAR(turned.eye.x, there.eye.x, 1e-9);
+    EXPECT_NEAR(turned.eye.z, there.eye.z, 1e-9);
+}
+
+TEST(Framing, DistanceIsThatOfTheEyeFromTheTarget)
+{
+    const TriangleMesh mesh = boxMesh({1, 1, 1}, {10, 0, 0});
+    RenderSettings settings;
+    settings.camera.target = Eigen::Vector3d(10, 0.5, 0);
+    settings.camera.distance = 7;
+    const Framing framing = frame(mesh.vertices, settings, {0, 0, 1280, 720});
+    EXPECT_NEAR(glm::length(framing.eye - framing.toUnit(*settings.camera.target)) / framing.scale,
+                7, 1e-9);
+    settings.camera.distance = 0;
+    EXPECT_THROW((void)frame(mesh.vertices, settings, {0, 0, 1280, 720}), Error);
 }
 
 } // namespace

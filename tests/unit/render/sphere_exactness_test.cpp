@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace frostfill
 {
@@ -58,7 +59,7 @@ public:
         return glm::dvec3(point) / point.w;
     }
 
-    [[nodiscard]] Hit cast(const Ray& ray, const std::vector<SphereInstance>& spheres) const
+    [[nodiscard]] Hit cast(const Ray& ray, std::span<const SphereInstance> spheres) const
     {
         Hit hit;
         for (const SphereInstance& sphere : spheres)
@@ -106,8 +107,7 @@ void compare(RenderSettings settings)
     Pipeline pipeline(mesh, settings);
     pipeline.draw(snapshot);
     const std::vector<float> depth = pipeline.readDepth();
-    std::vector<SphereInstance> spheres;
-    placeSpheres(snapshot, pipeline.framing(), spheres);
+    const auto spheres = pipeline.spheres().resting();
 
     const RayCaster caster(pipeline.framing(), settings.size);
     std::size_t covered = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Can everyone tell the states apart? Measured on spheres as they are drawn.
 #include <frostfill/renderer.hpp>
+#include <support/colour_vision.hpp>
 #include <support/pictures.hpp>
 
 #include <gtest/gtest.h>
@@ -19,15 +20,13 @@ using Eigen::Vector3d;
 
 constexpr std::array kStates = {SphereState::running, SphereState::frozen, SphereState::discarded};
 
-double linear(double value)
-{
-    return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
-}
-
 /// Mean of linear RGB over the drawn sphere, rings, highlights, hatches and all.
-Vector3d meanColour(SphereState state)
+Vector3d meanColour(SphereState state, Look look)
 {
     RenderSettings settings;
+    settings.style.look = look;
+    settings.style.palette = paletteOf(look);
+    const Colour& ground = settings.style.palette.background;
     settings.size = {100, 100};
     settings.style.legend = false;
     settings.style.shell = false;
@@ -43,7 +42,7 @@ Vector3d meanColour(SphereState state)
         for (int x = 0; x < 100; ++x)
         {
             const auto* pixel = image.at(x, y);
-            if (pixel[0] < 255 || pixel[1] < 255 || pixel[2] < 255)
+            if (pixel[0] != ground[0] || pixel[1] != ground[1] || pixel[2] != ground[2])
             {
                 sum += Vector3d(linear(pixel[0] / 255.0), linear(pixel[1] / 255.0),
                                 linear(pixel[2] / 255.0));
@@ -55,46 +54,25 @@ Vector3d meanColour(SphereState state)
     return sum / count;
 }
 
-/// CIELAB, D65.
-Vector3d lab(const Vector3d& rgb)
-{
-    Matrix3d toXyz;
-    toXyz << 0.4124, 0.3576, 0.1805, 0.2126, 0.7152, 0.0722, 0.0193, 0.1192, 0.9505;
-    const Vector3d xyz = (toXyz * rgb.cwiseMax(0)).cwiseQuotient(Vector3d(0.95047, 1, 1.08883));
-    const Vector3d f = xyz.unaryExpr(
-        [](double t) { return t > 0.008856 ? std::cbrt(t) : 7.787 * t + 16.0 / 116; });
-    return {116 * f.y() - 16, 500 * (f.x() - f.y()), 200 * (f.y() - f.z())};
-}
-
-/// Complete colour blindness of each kind [Machado, Oliveira & Fernandes 2009, severity 1].
-std::array<Matrix3d, 4> visions()
-{
-    std::array<Matrix3d, 4> result;
-    result[0].setIdentity();
-    result[1] << 0.152286, 1.052583, -0.204868, 0.114503, 0.786281, 0.099216, -0.003882, -0.048116,
-        1.051998;
-    result[2] << 0.367322, 0.860646, -0.227968, 0.280085, 0.672501, 0.047413, -0.011820, 0.042940,
-        0.968881;
-    result[3] << 1.255528, -0.076749, -0.178779, -0.078411, 0.930809, 0.147602, 0.004733, 0.691367,
-        0.303900;
-    return result;
-}
-
 TEST(StateCues, ColoursDifferForEveryKindOfColourVision)
 {
-    std::array<Vector3d, 3> colours;
-    for (std::size_t i = 0; i < kStates.size(); ++i)
+    for (const Look look : {Look::clean, Look::paper, Look::dark})
     {
-        colours[i] = meanColour(kStates[i]);
-    }
-    for (const Matrix3d& vision : visions())
-    {
-        for (std::size_t i = 0; i < 3; ++i)
+        std::array<Vector3d, 3> colours;
+        for (std::size_t i = 0; i < kStates.size(); ++i)
         {
-            const Vector3d difference =
-                lab(vision * colours[i]) - lab(vision * colours[(i + 1) % 3]);
-            EXPECT_GT(difference.norm(), 20) << "vision\n"
-                                             << vision << "\nstates " << i << ' ' << (i + 1) % 3;
+            colours[i] = meanColour(kStates[i], look);
+        }
+        for (const Matrix3d& vision : visions())
+        {
+            for (std::size_t i = 0; i < 3; ++i)
+            {
+                const Vector3d difference =
+                    lab(vision * colours[i]) - lab(vision * colours[(i + 1) % 3]);
+                EXPECT_GT(difference.norm(), 20)
+                    << "look " << static_cast<int>(look) << " vision\n"
+                    << vision << "\nstates " << i << ' ' << (i + 1) % 3;
+            }
         }
     }
 }

@@ -38,6 +38,7 @@ Scene unusualScene()
     scene.style.palette.text = {255, 254, 253, 255};
     scene.style.legend = scene.style.shell = false;
     scene.samples = 1;
+    scene.staticLayer = false;
     return scene;
 }
 

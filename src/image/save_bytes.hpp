@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+
+namespace frostfill
+{
+
+/// Writes under a temporary name beside `file` and renames, so that no half file is ever seen.
+/// Throws Error cannotCreate or writeFailed.
+void saveBytes(std::span<const std::uint8_t> bytes, const std::filesystem::path& file);
+
+} // namespace frostfill

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+// What a frame takes: to memory with the static layer, with everything redrawn, with the shell; and
+// to PNG files, beside a naive pipeline. Milliseconds and frames a second of one run on this
+// machine. Run it by hand on an idle machine:
+// build/release/tests/benchmark/benchmark_render [--samples 4] [--quick]
+
+#include "naive_pipeline.hpp"
+#include "render_scene.hpp"
+#include "study/frame_writer.hpp"
+
+#include <frostfill/renderer.hpp>
+
+#include <fmt/format.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstring>
+#include <ctime>
+#include <filesystem>
+#include <vector>
+
+namespace frostfill::benchmark
+{
+namespace
+{
+
+using Clock = std::chrono::steady_clock;
+
+double millisecondsSince(Clock::time_point start)
+{
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+struct Timing
+{
+    double best = 1e30;   ///< [ms]
+    double median = 1e30; ///< [ms]
+    double processor = 0; ///< [ms] mean over all threads, which other programs disturb less
+};
+
+/// `work` is called `count` times; the first two are not counted.
+template <class Work>
+Timing timed(int count, Work work)
+{
+    std::vector<double> times;
+    std::clock_t processor = 0;
+    for (int i = 0; i < count + 2; ++i)
+    {
+        processor = i == 2 ? std::clock() : processor;
+        const auto start = Clock::now();
+        work();
+        times.push_back(millisecondsSince(start));
+    }
+    times.erase(times.begin(), times.begin() + 2);
+    std::sort(times.begin(), times.end());
+    const double processorMs = 1e3 * static_cast<double>(std::clock() - processor) /
+                               (static_cast<double>(CLOCKS_PER_SEC) * count);
+    return {times.front(), times[times.size() / 2], processorMs};
+}
+
+void print(const std::string& what, const Timing& timing)
+{
+    fmt::print("{:46} {:10.3f} {:10.3f} {:10.3f}\n", what, timing.best, timing.median,
+               timing.processor);
+}
+
+struct Options
+{
+    int samples = 1;
+    bool quick = false;
+};
+
+RenderSettings settingsFor(const Options& options)
+{
+    RenderSettings settings;
+    settings.samples = options.samples;
+    settings.style.legend = false;
+    settings.style.shell = false;
+    return settings;
+}
+
+std::vector<std::uint8_t> rowsOf(const Renderer& renderer)
+{
+    return {renderer.changedRows().begin(), renderer.changedRows().end()};
+}
+
+Timing frameToMemory(const Options& options, std::size_t frozen, std::size_t running, int quads,
+                     bool legend = false)
+{
+    RenderSettings settings = settingsFor(options);
+    settings.style.shell = quads > 0;
+    settings.style.legend = legend;
+    RenderScene scene(frozen, running);
+    Renderer renderer(unitCube(std::max(quads, 1)), settings);
+    return timed(options.quick ? 50 : 400,
+                 [&]
+                 {
+                     static_cast<void>(renderer.draw(scene.snapshot));
+                     scene.advance();
+                 });
+}
+
+Timing everythingRedrawn(const Options& options, std::size_t frozen, bool layer)
+{
+    RenderSettings settings = settingsFor(options);
+    settings.staticLayer = layer;
+    const RenderScene scene(frozen, 20);
+    Renderer renderer(unitCube(1), settings);
+    return timed(options.quick ? 3 : 20,
+                 [&]
+                 {
+                     settings.camera.azimuth += 7;
+                     renderer.setCamera(settings.camera);
+                     static_cast<void>(renderer.draw(scene.snapshot));
+                 });
+}
+
+/// Frames a second from snapshots to files: what a run does, without the simulation.
+double framesPerSecond(const Options& options, const std::filesystem::path& folder, int frames)
+{
+    RenderScene scene(10000, 20);
+    Renderer renderer(unitCube(1), settingsFor(options));
+    FrameWriter writer(folder, 0, {{"Software", "Frostfill"}});
+    static_cast<void>(renderer.draw(scene.snapshot));
+    scene.advance();
+    const auto start = Clock::now();
+    for (int i = 0; i < frames; ++i)
+    {
+        const Image& image = renderer.draw(scene.snapshot);
+        writer.put(static_cast<std::size_t>(i), image,
+                   i == 0 ? std::vector<std::uint8_t>(720, 1) : rowsOf(renderer), 0, {});
+        scene.advance();
+    }
+    writer.finish();
+    const double seconds = millisecondsSince(start) / 1000;
+    fmt::print("{:46} {:10.3f} {:10.3f}\n", "  of that encoding and writing, ms a frame",
+               1000 * writer.times()[Stage::encoding] / frames,
+               1000 * writer.times()[Stage::writing] / frames);
+    return frames / seconds;
+}
+
+double naiveFramesPerSecond(const Options& options, const std::filesystem::path& folder, int frames)
+{
+    RenderScene scene(10000, 20);
+    NaivePipeline pipeline({}, options.samples);
+    Image image;
+    pipeline.draw(scene.snapshot, image);
+    const auto start = Clock::now();
+    for (int i = 0; i < frames; ++i)
+    {
+        pipeline.draw(scene.snapshot, image);
+        NaivePipeline::save(image, folder / fmt::format("naive_{}.png", i));
+        scene.advance();
+    }
+    return frames / (millisecondsSince(start) / 1000);
+}
+
+void compareFiles(const Options& options)
+{
+    const auto folder =
+        std::filesystem::temp_directory_path() / fmt::format("frostfill_benchmark_{}", ::getpid());
+    std::filesystem::create_directories(folder);
+    const double ours = framesPerSecond(options, folder, options.quick ? 100 : 600);
+    const double naive = naiveFramesPerSecond(options, folder, options.quick ? 3 : 10);
+    std::filesystem::remove_all(folder);
+    fmt::print("10k + 20 to PNG files: {:.1f} frames/s; naive pipeline {:.2f}; {:.1f} times\n",
+               ours, naive, ours / naive);
+}
+
+void run(const Options& options)
+{
+    fmt::print("1280x720, {} sample(s) a pixel\n{:46} {:>10} {:>10} {:>10}\n", options.samples, "",
+               "best ms", "median ms", "all cores");
+    print("10k frozen + 20 running, to memory", frameToMemory(options, 10000, 20, 0));
+    print("the same with a legend", frameToMemory(options, 10000, 20, 0, true));
+    print("10k frozen + 200 running", frameToMemory(options, 10000, 200, 0));
+    print("100k frozen + 20 running", frameToMemory(options, 100000, 20, 0));
+    print("10k + 20 and a shell of 5,292 triangles", frameToMemory(options, 10000, 20, 21));
+    compareFiles(options);
+    print("10k, camera moves", everythingRedrawn(options, 10000, true));
+    print("10k, camera moves, layer off", everythingRedrawn(options, 10000, false));
+    print("100k, camera moves", everythingRedrawn(options, 100000, true));
+    print("100k, camera moves, layer off", everythingRedrawn(options, 100000, false));
+    if (!options.quick)
+    {
+        print("1M frozen + 20 running", frameToMemory(options, 1000000, 20, 0));
+        print("1M, camera moves", everythingRedrawn(options, 1000000, true));
+    }
+}
+
+} // namespace
+} // namespace frostfill::benchmark
+
+int main(int argc, char** argv)
+{
+    frostfill::benchmark::Options options;
+    for (int i = 1; i < argc; ++i)
+    {
+        options.quick = options.quick || std::strcmp(argv[i], "--quick") == 0;
+        if (std::strcmp(argv[i], "--samples") == 0 && i + 1 < argc)
+        {
+            options.samples = std::atoi(argv[++i]);
+        }
+    }
+    frostfill::benchmark::run(options);
+}

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: MIT
+// The static layer against drawing everything for every picture, which has to give the same bytes.
+#include <frostfill/renderer.hpp>
+#include <support/pictures.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <tuple>
+
+namespace frostfill
+{
+namespace
+{
+
+using namespace testing_support;
+
+/// A made-up run in a torus: spheres drop along its ring, freeze, are discarded, and cover
+/// polygons.
+class MadeUpRun
+{
+public:
+    explicit MadeUpRun(const TriangleMesh& mesh, double radius) : mesh_(mesh), radius_(radius)
+    {
+        snapshot.polygons.assign(mesh.triangles.size(), PolygonState::active);
+    }
+
+    void release(int count)
+    {
+        for (int i = 0; i < count; ++i)
+        {
+            const double angle = 6.283 * numbers_.next();
+            const double ring = 0.8 + 0.4 * numbers_.next();
+            addSphere(snapshot,
+                      {ring * std::cos(angle), ring * std::sin(angle), 0.4 * numbers_.next() - 0.2},
+                      radius_, SphereState::running);
+        }
+    }
+
+    /// Moves what runs, freezes some of it and discards some of what is frozen.
+    void advance(double freeze, double discard, double cover)
+    {
+        for (std::size_t i = 0; i < snapshot.centres.size(); ++i)
+        {
+            SphereState& state = snapshot.states[i];
+            if (state == SphereState::running)
+            {
+                snapshot.centres[i] += Eigen::Vector3f(0.01F, -0.03F, 0.005F);
+                state = numbers_.next() < freeze ? SphereState::frozen : state;
+            }
+            else if (state == SphereState::frozen && numbers_.next() < discard)
+            {
+                state = SphereState::discarded;
+            }
+        }
+        for (PolygonState& state : snapshot.polygons)
+        {
+            state = numbers_.next() < cover ? PolygonState::discarded : state;
+        }
+        count();
+        ++snapshot.step;
+        snapshot.time += 1.0 / 30;
+    }
+
+    Snapshot snapshot;
+
+private:
+    void count()
+    {
+        const auto in = [&](SphereState state)
+        {
+            return static_cast<std::size_t>(
+                std::count(snapshot.states.begin(), snapshot.states.end(), state));
+        };
+        snapshot.running = in(SphereState::running);
+        snapshot.frozen = in(SphereState::frozen);
+        snapshot.discarded = in(SphereState::discarded);
+        snapshot.discardedPolygons = static_cast<std::size_t>(std::count(
+            snapshot.polygons.begin(), snapshot.polygons.end(), PolygonState::discarded));
+    }
+
+    const TriangleMesh& mesh_;
+    double radius_;
+    Numbers numbers_;
+};
+
+struct Case
+{
+    const char* name;
+    int samples;
+    bool orthographic;
+    bool shell;
+    int spheres;
+    double radius;
+};
+
+std::ostream& operator<<(std::ostream& out, const Case& value)
+{
+    return out << value.name;
+}
+
+class StaticLayer : public testing::TestWithParam<Case>
+{
+protected:
+    StaticLayer()
+    {
+        settings.size = {300, 200};
+        settings.samples = GetParam().samples;
+        settings.camera.orthographic = GetParam().orthographic;
+        settings.style.shell = GetParam().shell;
+        settings.title = "a title that is a good deal wider than the table below it";
+    }
+
+    void expectSame(const Snapshot& snapshot, const char* when)
+    {
+        const Image& fast = on->draw(snapshot);
+        const Image& slow = off->draw(snapshot);
+        const ImageDifference difference = compareImages(fast, slow);
+        EXPECT_EQ(difference.largest, 0)
+            << when << ": " << difference.pixelsApart << " pixels, step " << snapshot.step;
+    }
+
+    void open()
+    {
+        on = std::make_unique<Renderer>(mesh, settings);
+        settings.staticLayer = false;
+        off = std::make_unique<Renderer>(mesh, settings);
+    }
+
+    TriangleMesh mesh = torusMesh(1, 0.4, 48, 16);
+    RenderSettings settings;
+    std::unique_ptr<Renderer> on;
+    std::unique_ptr<Renderer> off;
+};
+
+TEST_P(StaticLayer, GivesTheBytesOfDrawingEverything)
+{
+    MadeUpRun run(mesh, GetParam().radius);
+    open();
+    expectSame(run.snapshot, "nothing");
+    run.release(GetParam().spheres);
+    expectSame(run.snapshot, "all run");
+    run.advance(1, 0, 0);
+    expectSame(run.snapshot, "all froze at once");
+    for (int frame = 0; frame < 4; ++frame)
+    {
+        run.release(8);
+        run.advance(0.2, 0, 0);
+        expectSame(run.snapshot, "some freeze");
+        run.advance(0.1, 0.01, 0.01);
+        expectSame(run.snapshot, "some are discarded");
+        run.advance(0, 0, 0);
+        expectSame(run.snapshot, "some run");
+    }
+    run.advance(0.5, 0.6, 0.7);
+    expectSame(run.snapshot, "many are discarded");
+}
+
+TEST_P(StaticLayer, IsDrawnAnewForAnotherCamera)
+{
+    MadeUpRun run(mesh, GetParam().radius);
+    open();
+    run.release(GetParam().spheres);
+    run.advance(0.95, 0.3, 0.2);
+    Camera camera = settings.camera;
+    for (const double zoom : {1.0, 2.5, 9.0})
+    {
+        camera.azimuth += 47;
+        camera.zoom = zoom;
+        on->setCamera(camera);
+        off->setCamera(camera);
+        expectSame(run.snapshot, "another camera");
+        run.advance(0.1, 0.02, 0.02);
+        expectSame(run.snapshot, "and a frame from there");
+    }
+}
+
+TEST_P(StaticLayer, StartsAgainWhenWhatIsAtRestMovesOrGoes)
+{
+    MadeUpRun run(mesh, GetParam().radius);
+    open();
+    run.release(GetParam().spheres);
+    run.advance(0.9, 0.3, 0.2);
+    expectSame(run.snapshot, "before");
+    run.snapshot.centres[3] += Eigen::Vector3f(0.1F, 0.1F, 0);
+    expectSame(run.snapshot, "one moved");
+    run.snapshot.radii[2] *= 2;
+    expectSame(run.snapshot, "one grew");
+    std::fill_n(run.snapshot.states.begin(), 10, SphereState::running);
+    expectSame(run.snapshot, "some run again");
+    MadeUpRun other(mesh, GetParam().radius);
+    other.release(5);
+    expectSame(other.snapshot, "another run");
+}
+
+TEST_P(StaticLayer, OutlastsItsMarks)
+{
+    MadeUpRun run(mesh, GetParam().radius);
+    open();
+    run.release(30);
+    run.advance(0.5, 0, 0);
+    for (int frame = 0; frame < 300; ++frame)
+    {
+        run.snapshot.centres[static_cast<std::size_t>(frame % 30)].y() += 0.001F;
+        std::ignore = on->draw(run.snapshot);
+    }
+    expectSame(run.snapshot, "after 300 frames");
+}
+
+INSTANTIATE_TEST_SUITE_P(Renderer, StaticLayer,
+                         testing::Values(Case{"OneSample", 1, false, true, 60, 0.1},
+                                         Case{"FourSamples", 4, false, true, 60, 0.1},
+                                         Case{"Parallel", 1, true, true, 60, 0.1},
+                                         Case{"ParallelFourSamples", 4, true, true, 60, 0.1},
+                                         Case{"WithoutShell", 1, false, false, 60, 0.1},
+                                         Case{"ManySmall", 1, false, true, 4000, 0.02},
+                                         Case{"ManySmallFourSamples", 4, false, true, 4000, 0.02}),
+                         [](const auto& testCase) { return std::string(testCase.param.name); });
+
+} // namespace
+} // namespace frostfill
