@@ -40,7 +40,7 @@ struct PassPictures
 {
     Image depth; ///< 16 bit: 0..65534 from `nearest` to `furthest` along the view; 65535 where
                  ///< there is no sphere
-    double nearest = 0;               ///< [mesh unit] from the eye's plane
+    double nearest = 0; ///< [mesh unit] from the eye's plane
     double furthest = 0;
     Image normal;   ///< RGB 0..255 for -1..1: to the right, up, to the viewer; 128 where nothing is
     Image identity; ///< id + 1 as R + 256 G + 65536 B; 0 where there is no sphere

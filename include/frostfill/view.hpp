@@ -24,7 +24,7 @@ struct Camera
     std::optional<double> distance;        ///< [mesh unit] of the eye from the target's plane; with
                                            ///< perspective only. Without one the object fits
     std::optional<double> turntable;       ///< [s] of video for one turn about the up axis; the
-                                     ///< object fits at every angle. Still without one
+                                           ///< object fits at every angle. Still without one
 };
 
 /// Which OpenGL to draw with.
@@ -109,7 +109,7 @@ struct Style
     ColourBy colourBy = ColourBy::state;
     Cutaway cutaway;
     bool legend = true;
-    bool shell = true; ///< draw the mesh as a translucent shell with its edges
+    bool shell = true;             ///< draw the mesh as a translucent shell with its edges
     bool ambientOcclusion = false; ///< darken what others shade; costs a second drawing
 };
 

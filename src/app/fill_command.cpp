@@ -213,8 +213,9 @@ int fill(const FillArguments& arguments)
             ErrorCode::postcondition,
             fmt::format("{}; the files are in {}", *result.failure, result.directory.string()));
     if (result.videoFailure)
-        throw Error(ErrorCode::writeFailed, fmt::format("{}; the frames are in {}", *result.videoFailure,
-                                                        result.directory.string()));
+        throw Error(ErrorCode::writeFailed,
+                    fmt::format("{}; the frames are in {}", *result.videoFailure,
+                                result.directory.string()));
     return result.stopped ? static_cast<int>(ErrorCode::stoppedEarly) : 0;
 }
 

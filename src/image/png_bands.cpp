@@ -128,8 +128,9 @@ void addHeader(const Image& image, std::vector<std::uint8_t>& file)
     putBigEndian(file.data() + file.size() - 8, static_cast<std::uint32_t>(image.width));
     putBigEndian(file.data() + file.size() - 4, static_cast<std::uint32_t>(image.height));
     // 8 bits; RGB or RGBA; the only compression, the only set of filters, no interlacing.
-    const std::uint8_t colours = image.channels == 4 ? 6 : 2;
-    file.insert(file.end(), {8, colours, 0, 0, 0});
+    const std::uint8_t bits = image.channels == 2 ? 16 : 8;
+    const std::uint8_t colours = image.channels == 2 ? 0 : image.channels == 4 ? 6 : 2;
+    file.insert(file.end(), {bits, colours, 0, 0, 0});
     endChunk(file, start);
 }
 
@@ -170,7 +171,7 @@ void PngBands::compress(const Image& image, std::size_t index, Band& band)
 const std::vector<std::uint8_t>& PngBands::encode(const Image& image, const PngText& text,
                                                   std::span<const std::uint8_t> changedRows)
 {
-    assert(image.channels == 3 || image.channels == 4);
+    assert(image.channels >= 2 && image.channels <= 4);
     const auto height = static_cast<std::size_t>(image.height);
     const std::size_t count = (height + kBandRows - 1) / kBandRows;
     const bool sameShape =

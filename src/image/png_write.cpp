@@ -2,7 +2,6 @@
 // Writing PNG: stb_image_write makes the file, libdeflate does the work (six times as fast).
 #include "deflate.hpp"
 #include "png_bands.hpp"
-#include "png_grey16.hpp"
 #include "save_bytes.hpp"
 
 #include <frostfill/error.hpp>
@@ -68,11 +67,13 @@ unsigned int crc32ForStb(unsigned char* bytes, int count)
     return libdeflate_crc32(0, bytes, static_cast<std::size_t>(count));
 }
 
-namespace
+std::vector<std::uint8_t> encodePng(const Image& image, const PngText& text)
 {
-
-std::vector<std::uint8_t> encodeWithStb(const Image& image)
-{
+    if (image.channels == 2) // which stb_image_write has not
+    {
+        const std::vector<std::uint8_t> allRows(static_cast<std::size_t>(image.height), 1);
+        return PngBands().encode(image, text, allRows);
+    }
     assert(image.channels == 3 || image.channels == 4);
     assert(image.pixels.size() == static_cast<std::size_t>(image.width) *
                                       static_cast<std::size_t>(image.height) *
@@ -89,15 +90,6 @@ std::vector<std::uint8_t> encodeWithStb(const Image& image)
                     fmt::format("no memory to encode a picture of {}x{} pixels", image.width,
                                 image.height));
     }
-    return png;
-}
-
-} // namespace
-
-std::vector<std::uint8_t> encodePng(const Image& image, const PngText& text)
-{
-    std::vector<std::uint8_t> png =
-        image.channels == 2 ? encodeGrey16(image) : encodeWithStb(image);
     std::vector<std::uint8_t> chunks;
     for (const auto& [keyword, value] : text)
     {

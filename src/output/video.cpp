@@ -35,14 +35,19 @@ std::vector<std::string> encoderArguments(const std::string& ending, bool withAl
     if (ending == ".mp4")
     {
         // Players want 4:2:0, which needs even sides.
-        return {"-c:v",   "libx264", "-preset",   "medium",     "-crf",
-                "18",     "-vf",     "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white", "-pix_fmt", "yuv420p",
-                "-movflags", "+faststart"};
+        return {"-c:v",     "libx264", "-preset",   "medium",
+                "-crf",     "18",      "-vf",       "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white",
+                "-pix_fmt", "yuv420p", "-movflags", "+faststart"};
     }
     if (ending == ".webm")
     {
-        return {"-c:v", "libvpx-vp9", "-crf",     "24", "-b:v", "0", "-row-mt", "1", "-deadline", "good",
-                "-cpu-used", "4", "-pix_fmt", withAlpha ? "yuva420p" : "yuv420p"};
+        return {"-c:v",      "libvpx-vp9",
+                "-crf",      "24",
+                "-b:v",      "0",
+                "-row-mt",   "1",
+                "-deadline", "good",
+                "-cpu-used", "4",
+                "-pix_fmt",  withAlpha ? "yuva420p" : "yuv420p"};
     }
     // A palette for each frame: one for all would have ffmpeg keep every frame in memory.
     return {"-filter_complex",
@@ -123,10 +128,21 @@ void Video::start(const Image& image)
         return;
     }
     const bool withAlpha = image.channels == 4;
-    std::vector<std::string> words = {"ffmpeg", "-hide_banner", "-loglevel", "error", "-y",
-                                      "-f", "rawvideo", "-pix_fmt", withAlpha ? "rgba" : "rgb24",
-                                      "-s", fmt::format("{}x{}", image.width, image.height),
-                                      "-r", fmt::format("{}", framesPerSecond_), "-i", "-"};
+    std::vector<std::string> words = {"ffmpeg",
+                                      "-hide_banner",
+                                      "-loglevel",
+                                      "error",
+                                      "-y",
+                                      "-f",
+                                      "rawvideo",
+                                      "-pix_fmt",
+                                      withAlpha ? "rgba" : "rgb24",
+                                      "-s",
+                                      fmt::format("{}x{}", image.width, image.height),
+                                      "-r",
+                                      fmt::format("{}", framesPerSecond_),
+                                      "-i",
+                                      "-"};
     for (std::string& word : encoderArguments(file_.extension().string(), withAlpha))
     {
         words.push_back(std::move(word));
@@ -144,7 +160,8 @@ void Video::start(const Image& image)
     ::posix_spawn_file_actions_init(&actions);
     ::posix_spawn_file_actions_adddup2(&actions, ends[1], STDIN_FILENO);
     ::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-    ::posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, log_.c_str(), O_WRONLY | O_TRUNC, 0);
+    ::posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, log_.c_str(), O_WRONLY | O_TRUNC,
+                                       0);
     const int problem =
         ::posix_spawnp(&process_, "ffmpeg", &actions, nullptr, arguments.data(), environ);
     ::posix_spawn_file_actions_destroy(&actions);
@@ -230,9 +247,8 @@ void Video::finish()
     }
     if (!worked || problem)
     {
-        throw Error(ErrorCode::writeFailed,
-                    fmt::format("there is no video {}: {}", file_.string(),
-                                worked ? problem.message() : complaint()));
+        throw Error(ErrorCode::writeFailed, fmt::format("there is no video {}: {}", file_.string(),
+                                                        worked ? problem.message() : complaint()));
     }
 }
 

@@ -145,30 +145,29 @@ std::vector<float> ambientLight(const Surfaces& surfaces, const Framing& framing
     // The mean over a tile's worth of neighbours on the same surface.
     std::vector<float> light(rough.size());
     const auto step = static_cast<float>(reach / 2);
-    forEachRow(surfaces.height,
-               [&](int y)
-               {
-                   for (int x = 0; x < surfaces.width; ++x)
-                   {
-                       const std::size_t own = occlusion.index(x, y);
-                       const float distance = surfaces.distance[own];
-                       float sum = 0;
-                       float count = 0;
-                       for (int v = std::max(0, y - 2); v < std::min(surfaces.height, y + 2); ++v)
-                       {
-                           for (int u = std::max(0, x - 2); u < std::min(surfaces.width, x + 2);
-                                ++u)
-                           {
-                               const std::size_t other = occlusion.index(u, v);
-                               const bool near =
-                                   std::abs(surfaces.distance[other] - distance) < step;
-                               sum += near ? rough[other] : 0;
-                               count += near ? 1.0F : 0.0F;
-                           }
-                       }
-                       light[own] = count > 0 ? sum / count : 1;
-                   }
-               });
+    forEachRow(
+        surfaces.height,
+        [&](int y)
+        {
+            for (int x = 0; x < surfaces.width; ++x)
+            {
+                const std::size_t own = occlusion.index(x, y);
+                const float distance = surfaces.distance[own];
+                float sum = 0;
+                float count = 0;
+                for (int v = std::max(0, y - 2); v < std::min(surfaces.height, y + 2); ++v)
+                {
+                    for (int u = std::max(0, x - 2); u < std::min(surfaces.width, x + 2); ++u)
+                    {
+                        const std::size_t other = occlusion.index(u, v);
+                        const bool near = std::abs(surfaces.distance[other] - distance) < step;
+                        sum += near ? rough[other] : 0;
+                        count += near ? 1.0F : 0.0F;
+                    }
+                }
+                light[own] = count > 0 ? sum / count : 1;
+            }
+        });
     return light;
 }
 
@@ -180,7 +179,8 @@ void applyAmbientLight(const std::vector<float>& light, Image& image)
         std::uint8_t* pixel = image.pixels.data() + i * channels;
         for (std::size_t c = 0; light[i] < 1 && c < 3; ++c)
         {
-            pixel[c] = static_cast<std::uint8_t>(std::lround(static_cast<float>(pixel[c]) * light[i]));
+            pixel[c] =
+                static_cast<std::uint8_t>(std::lround(static_cast<float>(pixel[c]) * light[i]));
         }
     }
 }

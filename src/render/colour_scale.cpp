@@ -44,7 +44,8 @@ const char* titleOf(ColourBy by)
 
 Colour scaleColour(double value)
 {
-    const double place = std::clamp(std::isnan(value) ? 0.0 : value, 0.0, 1.0) * (kScale.size() - 1);
+    const double place =
+        std::clamp(std::isnan(value) ? 0.0 : value, 0.0, 1.0) * (kScale.size() - 1);
     const auto below = std::min(static_cast<std::size_t>(place), kScale.size() - 2);
     const double share = place - static_cast<double>(below);
     Colour colour = {0, 0, 0, 255};

@@ -27,7 +27,10 @@ public:
 
     [[nodiscard]] bool hasScale() const { return by_ != ColourBy::state; }
     [[nodiscard]] const ColourRange& range() const { return range_; }
-    [[nodiscard]] bool countsWhole() const { return by_ == ColourBy::set || by_ == ColourBy::group; }
+    [[nodiscard]] bool countsWhole() const
+    {
+        return by_ == ColourBy::set || by_ == ColourBy::group;
+    }
     [[nodiscard]] const std::string& title() const { return title_; } ///< with the unit
 
 private:

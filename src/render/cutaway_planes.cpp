@@ -11,8 +11,7 @@ CutPlanes cutPlanes(const Cutaway& cutaway, const Framing& framing, const Eigen:
     if (cutaway.kind == Cutaway::Kind::plane)
     {
         const Eigen::Vector3d normal = cutaway.normal.normalized();
-        const glm::dvec4 plane(normal.x(), normal.y(), normal.z(),
-                               -cutaway.offset * framing.scale);
+        const glm::dvec4 plane(normal.x(), normal.y(), normal.z(), -cutaway.offset * framing.scale);
         return {plane, plane};
     }
     // Away from either face of the wedge, into it. The faces meet in the axis through the origin.

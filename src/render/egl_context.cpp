@@ -191,8 +191,8 @@ private:
             }
             catch (const Error& error)
             {
-                failures += fmt::format("{}device {}: {}", failures.empty() ? "" : "; ", i,
-                                        error.what());
+                failures +=
+                    fmt::format("{}device {}: {}", failures.empty() ? "" : "; ", i, error.what());
             }
         }
         throw failure(failures.empty()
@@ -213,10 +213,10 @@ private:
         Int configs = 0;
         egl_.chooseConfig(display, kConfig.data(), &config, 1, &configs);
         // Without a configuration we try all the same: we draw to framebuffer objects only.
-        constexpr std::array kContext = {
-            kMajorVersion, 3, kMinorVersion, 3, kProfileMask, kCoreProfileBit, kNone};
-        Handle context = egl_.createContext(display, configs > 0 ? config : nullptr, nullptr,
-                                            kContext.data());
+        constexpr std::array kContext = {kMajorVersion,   3,    kMinorVersion, 3, kProfileMask,
+                                         kCoreProfileBit, kNone};
+        Handle context =
+            egl_.createContext(display, configs > 0 ? config : nullptr, nullptr, kContext.data());
         if (context == nullptr)
         {
             throw failure(

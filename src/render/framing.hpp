@@ -30,14 +30,14 @@ struct Framing
     double scale = 1;                                 ///< unit length over mesh length
     glm::dmat4 view{1};                               ///< unit space to eye space
     glm::dmat4 projection{1};                         ///< eye space to clip space
-    glm::dvec3 eye{0}; ///< unit space: the eye, or without perspective the direction towards it
+    glm::dvec3 eye{0};   ///< unit space: the eye, or without perspective the direction towards it
     glm::dvec3 pivot{0}; ///< unit space: what a turntable turns about
     bool orthographic = false;
     double depthAtInfinity = 0; ///< window depth at infinity; perspective
     double depthSlope = 0;      ///< window depth over eye distance; orthographic
     glm::dvec4 heightPlane{0};  ///< with an eye-space point: 0 at the object's foot, 1 at its top
     glm::dvec4 distancePlane{
-        0}; ///< with an eye-space point: 0 at the object's front, 1 at its back
+        0};               ///< with an eye-space point: 0 at the object's front, 1 at its back
     PictureRegion region; ///< into which the object is fitted
     double reach =
         0; ///< distance of the eye, or half the picture's height: smaller shows it larger

@@ -56,8 +56,9 @@ Legend::Legend(const RenderSettings& settings, std::size_t triangles, const Sphe
     // Of a supersampled picture the small one is to be read.
     const double factor = settings.supersample;
     const double size =
-        factor * std::round(std::max(kSmallestType, std::min(size_.height / factor / kLinesInHeight,
-                                                             size_.width / factor / kLettersInWidth)));
+        factor *
+        std::round(std::max(kSmallestType, std::min(size_.height / factor / kLinesInHeight,
+                                                    size_.width / factor / kLettersInWidth)));
     font_.emplace(size);
     titleFont_.emplace(std::round(kTitleSize * size));
     if (colours.hasScale())
@@ -189,13 +190,12 @@ void Legend::drawScale(Image& image) const
     }
     const double baseline = scaleTop_ + (kScaleHeight + 0.5 * (kLine - 1) + 0.85) * size;
     const auto& [low, high] = colours_->range();
-    const double middle =
-        colours_->countsWhole() ? std::floor((low + high) / 2) : (low + high) / 2;
+    const double middle = colours_->countsWhole() ? std::floor((low + high) / 2) : (low + high) / 2;
     for (const double value : {low, middle, high})
     {
         const double place = high > low ? (value - low) / (high - low) : 0;
-        const std::string text = colours_->countsWhole() ? fmt::format("{:.0f}", value)
-                                                         : fmt::format("{:.3g}", value);
+        const std::string text =
+            colours_->countsWhole() ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value);
         const double x = left + place * (right - left - font_->measure(text));
         font_->draw(image, x, baseline, text, palette_.text, palette_.background);
     }

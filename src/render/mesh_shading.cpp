@@ -29,7 +29,8 @@ std::uint8_t creaseStrength(const glm::vec3& a, const glm::vec3& b)
     {
         return 0;
     }
-    const float sharpness = std::min((kCreaseCosine - cosine) / (kCreaseCosine - kSharpCosine), 1.0F);
+    const float sharpness =
+        std::min((kCreaseCosine - cosine) / (kCreaseCosine - kSharpCosine), 1.0F);
     return static_cast<std::uint8_t>(std::lround(kFaint + sharpness * (kStrong - kFaint)));
 }
 

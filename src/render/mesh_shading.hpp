@@ -21,7 +21,8 @@ struct ShadedMesh
         static constexpr std::uint32_t kNone = 0xffffffffU;
         std::array<std::uint32_t, 2> triangles{kNone, kNone};
         std::array<std::uint8_t, 2> corners{}; ///< the corner opposite the edge in each triangle
-        std::uint8_t crease = 0; ///< how strongly it is drawn whatever the view; 0 where it is smooth
+        std::uint8_t crease =
+            0; ///< how strongly it is drawn whatever the view; 0 where it is smooth
     };
 
     std::vector<std::array<glm::vec3, 3>> corners; ///< [#T x 3] positions

@@ -28,8 +28,8 @@ void makePassPictures(const Surfaces& surfaces, const Framing& framing, PassPict
     for (std::size_t i = 0; i < count; ++i)
     {
         const bool seen = surfaces.distance[i] != Surfaces::kNothing;
-        const double share = (double{surfaces.distance[i]} - limits.nearest) /
-                             (limits.furthest - limits.nearest);
+        const double share =
+            (double{surfaces.distance[i]} - limits.nearest) / (limits.furthest - limits.nearest);
         const long depth = seen ? std::lround(kFurthest * std::clamp(share, 0.0, 1.0)) : 65535;
         pictures.depth.pixels[2 * i] = static_cast<std::uint8_t>(depth >> 8);
         pictures.depth.pixels[2 * i + 1] = static_cast<std::uint8_t>(depth & 255);

@@ -75,6 +75,7 @@ private:
     Framing still_;                                    ///< as the camera has it
     Framing framing_;                                  ///< turned, and with the object moved
     double turned_ = 0;                                ///< [degree]
+    bool moved_ = false;                               ///< the object has been in a pose of its own
     Pose pose_;                                        ///< of the object
     Eigen::Vector3d origin_ = Eigen::Vector3d::Zero(); ///< about which it is
     std::unique_ptr<Context> context_;

@@ -140,8 +140,9 @@ const Image& Renderer::draw(const Snapshot& snapshot)
 
 std::span<const std::uint8_t> Renderer::changedRows() const
 {
-    return implementation_->finishesWhole() ? std::span<const std::uint8_t>(implementation_->wholeRows)
-                                            : implementation_->picture.changedRows();
+    return implementation_->finishesWhole()
+               ? std::span<const std::uint8_t>(implementation_->wholeRows)
+               : implementation_->picture.changedRows();
 }
 
 void Renderer::render(const Snapshot& snapshot, Image& image)

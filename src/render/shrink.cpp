@@ -38,8 +38,7 @@ Image shrunk(const Image& image, int factor)
             }
             for (std::size_t c = 0; c < 3; ++c)
             {
-                to[c] = static_cast<std::uint8_t>(
-                    weight == 0 ? 0 : (sum[c] + weight / 2) / weight);
+                to[c] = static_cast<std::uint8_t>(weight == 0 ? 0 : (sum[c] + weight / 2) / weight);
             }
             if (image.channels == 4)
             {

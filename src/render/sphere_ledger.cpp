@@ -59,8 +59,12 @@ bool SphereLedger::knowsWhatChanged(const Snapshot& snapshot) const
 SphereInstance SphereLedger::instance(const Snapshot& snapshot, std::uint32_t id) const
 {
     const Eigen::Vector3f centre = snapshot.centres[id] * scale_ + offset_;
-    return {centre.x(), centre.y(), centre.z(), snapshot.radii[id] * scale_,
-            static_cast<std::uint32_t>(snapshot.states[id]), colours_->of(snapshot, id)};
+    return {centre.x(),
+            centre.y(),
+            centre.z(),
+            snapshot.radii[id] * scale_,
+            static_cast<std::uint32_t>(snapshot.states[id]),
+            colours_->of(snapshot, id)};
 }
 
 void SphereLedger::lookAt(const Snapshot& snapshot, std::uint32_t id)

@@ -20,8 +20,12 @@ std::vector<SphereInstance> placeSpheres(const Snapshot& snapshot, const Framing
     for (std::size_t i = 0; i < snapshot.centres.size(); ++i)
     {
         const Eigen::Vector3f centre = snapshot.centres[i] * scale + offset;
-        spheres.push_back({centre.x(), centre.y(), centre.z(), snapshot.radii[i] * scale,
-                           static_cast<std::uint32_t>(snapshot.states[i]), {}});
+        spheres.push_back({centre.x(),
+                           centre.y(),
+                           centre.z(),
+                           snapshot.radii[i] * scale,
+                           static_cast<std::uint32_t>(snapshot.states[i]),
+                           {}});
     }
     return spheres;
 }
@@ -136,10 +140,8 @@ void SurfacePass::read(const SphereUniforms& uniforms, Surfaces& surfaces)
         [&](std::size_t from, std::size_t to)
         {
             const double depth = double{depth_[from]};
-            const double distance =
-                orthographic_ ? (depth - 0.5 - b) / slope : b / (depth - a);
-            surfaces.distance[to] =
-                depth < 1 ? static_cast<float>(distance) : Surfaces::kNothing;
+            const double distance = orthographic_ ? (depth - 0.5 - b) / slope : b / (depth - a);
+            surfaces.distance[to] = depth < 1 ? static_cast<float>(distance) : Surfaces::kNothing;
         });
 }
 

@@ -41,7 +41,8 @@ void drawSmaller(const Image& from, const Crop& crop, Image& sheet, const Crop& 
     for (int y = place.top; y < place.bottom; ++y)
         for (int x = place.left; x < place.right; ++x)
         {
-            const auto first = [&](int at, int start) { return static_cast<int>((at - start) * step); };
+            const auto first = [&](int at, int start)
+            { return static_cast<int>((at - start) * step); };
             const int u0 = crop.left + first(x, place.left);
             const int v0 = crop.top + first(y, place.top);
             const int u1 = std::max(u0 + 1, crop.left + first(x + 1, place.left));
@@ -85,9 +86,9 @@ Image makeContactSheet(const ContactSheetRequest& request)
     const int rows = (tiles + columns - 1) / columns;
     const Crop& crop = request.crop;
     const int width = std::clamp(crop.right - crop.left, 1, kTileWidth);
-    const int height = std::max(
-        1, static_cast<int>(std::lround(static_cast<double>(crop.bottom - crop.top) * width /
-                                        std::max(1, crop.right - crop.left))));
+    const int height =
+        std::max(1, static_cast<int>(std::lround(static_cast<double>(crop.bottom - crop.top) *
+                                                 width / std::max(1, crop.right - crop.left))));
     const int caption = static_cast<int>(1.6 * kCaptionType);
     const int header = kMargin + static_cast<int>(1.4 * kTitleType);
     Image sheet = emptySheet(columns * (width + kMargin) + kMargin,
@@ -100,9 +101,10 @@ Image makeContactSheet(const ContactSheetRequest& request)
                    titleFont.shorten(request.title, sheet.width - 2 * kMargin), ink, ground);
     for (int tile = 0; tile < tiles; ++tile)
     {
-        const std::size_t index =
-            tiles == 1 ? 0 : static_cast<std::size_t>(tile) * (request.count - 1) /
-                                 static_cast<std::size_t>(tiles - 1);
+        const std::size_t index = tiles == 1
+                                      ? 0
+                                      : static_cast<std::size_t>(tile) * (request.count - 1) /
+                                            static_cast<std::size_t>(tiles - 1);
         const Image frame = loadPng(request.frames / fmt::format("frame_{:05}.png", index));
         Crop place;
         place.left = kMargin + tile % columns * (width + kMargin);
@@ -110,8 +112,8 @@ Image makeContactSheet(const ContactSheetRequest& request)
         place.right = place.left + width;
         place.bottom = place.top + height;
         drawSmaller(frame, crop, sheet, place, ground);
-        const std::string text =
-            fmt::format("{:.3f} s", static_cast<double>(index) * request.interval);
+        const std::string text = fmt::format(
+            "{:.3f} s", std::min(static_cast<double>(index) * request.interval, request.end));
         font.draw(sheet, place.left + (width - font.measure(text)) / 2,
                   place.bottom + 1.1 * kCaptionType, text, ink, ground);
     }

@@ -21,6 +21,7 @@ struct ContactSheetRequest
     std::filesystem::path frames; ///< directory with frame_00000.png, ...
     std::size_t count = 0;        ///< of frames in it
     double interval = 0;          ///< [s] simulated, from one to the next
+    double end = 0;               ///< [s] simulated; frames after it show the last state
     std::string title;
     Palette palette;
     Crop crop; ///< what is shown of each

@@ -93,13 +93,14 @@ ColourRange colourRange(const Scene& scene, const LoadedMesh& mesh, const Simula
 }
 
 void writeContactSheet(const FillRequest& request, const FrameRecorder& recorder,
-                       const FrameTiming& timing)
+                       const FrameTiming& timing, double end)
 {
     const auto& [left, top, right, bottom] = recorder.objectRegion();
     ContactSheetRequest sheet;
     sheet.frames = request.directory / "frames";
     sheet.count = recorder.count();
     sheet.interval = timing.interval * static_cast<double>(recorder.stride());
+    sheet.end = end;
     sheet.title = request.scene.name;
     sheet.palette = request.scene.style.palette;
     sheet.crop = {left, top, right, bottom};
@@ -140,7 +141,7 @@ FillResult runFill(const FillRequest& request, const FillObserver& observer)
         result.frames = recorder->count();
         result.videoFailure = recorder->videoFailure();
         if (request.contactSheet)
-            writeContactSheet(request, *recorder, timing);
+            writeContactSheet(request, *recorder, timing, simulation.time());
         result.setFrames = recorder->sets();
         result.renderer = recorder->description();
         times += recorder->times();

@@ -120,7 +120,9 @@ void FrameRecorder::take(const Simulation& simulation, std::size_t number)
     order.snapshot = &snapshots_[newest_];
     order.number = number;
     order.frame = next_;
-    order.keep = thinning_.take(number).keep;
+    // A picture at which thinning begins may fall to it itself: the passes have to hear of it.
+    order.keep = thinning_.wants(number);
+    thinning_.take(number);
     drawing_.push([this, order] { draw(order); });
 }
 

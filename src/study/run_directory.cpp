@@ -15,8 +15,8 @@ namespace frostfill
 namespace
 {
 
-constexpr const char* kFiles[] = {"spheres.csv", "polygons.csv", "sets.csv", "summary.json",
-                                  "mesh.ply"};
+constexpr const char* kFiles[] = {"spheres.csv",  "polygons.csv", "sets.csv",
+                                  "summary.json", "mesh.ply",     "contact_sheet.png"};
 
 constexpr const char* kFrameFolders[] = {"frames", "depth", "normal", "identity"};
 

@@ -34,8 +34,8 @@ void SideOutputs::putPasses(std::size_t number, Renderer& renderer, const Snapsh
     const PngText range = {{"Software", "Frostfill"},
                            {"Nearest", fmt::format("{}", pictures_.nearest)},
                            {"Furthest", fmt::format("{}", pictures_.furthest)}};
-    const auto keep = [&](bool wanted, std::optional<PngSequence>& sequence, const char* name,
-                          const Image& image)
+    const auto keep =
+        [&](bool wanted, std::optional<PngSequence>& sequence, const char* name, const Image& image)
     {
         if (wanted && !sequence)
             sequence.emplace(directory_ / name, limit_, range);

@@ -133,5 +133,49 @@ TEST_F(FillCommand, stopsWith75WhenAskedToAndWritesEverything)
     EXPECT_TRUE(std::filesystem::exists(folder_ / "a/spheres.csv"));
 }
 
+TEST_F(FillCommand, makesPassesSheetAndTurntableOfTheSameFrames)
+{
+    const Answer answer = run(kSmall + "--size 64x48 --max-frames 3 --hold 0.2 --turntable 1 "
+                                       "--passes all --contact-sheet --background transparent "
+                                       "--style dark --color-by speed --cutaway wedge:0,90 "
+                                       "--ambient-occlusion --supersample 2 --backend osmesa");
+    ASSERT_EQ(answer.code, 0) << answer.errors;
+    const auto frames = [&](const char* folder)
+    {
+        std::size_t count = 0;
+        for (const auto& entry :
+             std::filesystem::directory_iterator(folder_ / "output/cube" / folder))
+            count += entry.path().extension() == ".png" ? 1 : 0;
+        return count;
+    };
+    EXPECT_GT(frames("frames"), 1U);
+    for (const char* folder : {"depth", "normal", "identity"})
+        EXPECT_EQ(frames(folder), frames("frames")) << folder;
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "output/cube/contact_sheet.png"));
+    EXPECT_EQ(run(kSmall + "--size 64x48 --max-frames 2 --overwrite").code, 0);
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "output/cube/depth"));
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "output/cube/contact_sheet.png"));
+}
+
+TEST_F(FillCommand, losesNoFrameWhenTheVideoFails)
+{
+    std::filesystem::create_directory(folder_ / "bin");
+    writeFile(folder_ / "bin/ffmpeg", "#!/bin/sh\necho broken >&2\nexit 1\n");
+    std::filesystem::permissions(folder_ / "bin/ffmpeg", std::filesystem::perms::owner_all);
+    const std::string path = std::getenv("PATH");
+    ::setenv("PATH", ((folder_ / "bin").string() + ":" + path).c_str(), 1);
+    const Answer broken = run(kSmall + "--size 64x48 --max-frames 4 --video film.mp4");
+    ::setenv("PATH", path.c_str(), 1);
+    EXPECT_EQ(broken.code, 74) << broken.errors;
+    EXPECT_NE(broken.errors.find("broken"), std::string::npos) << broken.errors;
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "film.mp4"));
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "output/cube/frames/frame_00001.png"));
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "output/cube/summary.json"));
+
+    EXPECT_EQ(run(kSmall + "--frames none --video film.mp4 --overwrite").code, 64);
+    EXPECT_EQ(run(kSmall + "--video film.avi --overwrite").code, 64);
+    EXPECT_EQ(run(kSmall + "--backend vulkan --overwrite").code, 64);
+}
+
 } // namespace
 } // namespace frostfill

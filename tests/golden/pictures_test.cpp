@@ -48,9 +48,8 @@ void expectLikeGolden(const Image& actual, const std::string& name)
 }
 
 /// Spheres of all states in layers on a ring, and polygons discarded at its foot.
-TEST(GoldenPictures, AllStatesInATorus)
+Snapshot allStates(const TriangleMesh& mesh)
 {
-    const TriangleMesh mesh = torusMesh(1, 0.4, 32, 12);
     Snapshot snapshot;
     for (int i = 0; i < 60; ++i)
     {
@@ -74,12 +73,57 @@ TEST(GoldenPictures, AllStatesInATorus)
     snapshot.step = 1234;
     snapshot.time = 1.5;
 
+    return snapshot;
+}
+
+class GoldenPictures : public testing::Test
+{
+protected:
+    GoldenPictures()
+    {
+        settings.size = {320, 180};
+        settings.title = "torus";
+    }
+    [[nodiscard]] Image draw() const
+    {
+        Image image;
+        Renderer(mesh, settings).render(snapshot, image);
+        return image;
+    }
+
+    TriangleMesh mesh = torusMesh(1, 0.4, 32, 12);
+    Snapshot snapshot = allStates(mesh);
     RenderSettings settings;
-    settings.size = {320, 180};
-    settings.title = "torus";
-    Image image;
-    Renderer(mesh, settings).render(snapshot, image);
-    expectLikeGolden(image, "all_states");
+};
+
+TEST_F(GoldenPictures, AllStatesInATorus)
+{
+    expectLikeGolden(draw(), "all_states");
+}
+
+TEST_F(GoldenPictures, CutOpenOnPaperWithShades)
+{
+    settings.style.look = Look::paper;
+    settings.style.palette = paletteOf(Look::paper);
+    settings.style.cutaway = {Cutaway::Kind::plane, {0, 0, 1}, 0.05, 0, 90};
+    settings.style.ambientOcclusion = true;
+    settings.supersample = 2;
+    expectLikeGolden(draw(), "cut_paper");
+}
+
+TEST_F(GoldenPictures, HeightsInTheDark)
+{
+    settings.style.look = Look::dark;
+    settings.style.palette = paletteOf(Look::dark);
+    settings.style.colourBy = ColourBy::height;
+    settings.size = {480, 270}; // room for the scale
+    expectLikeGolden(draw(), "heights_dark");
+}
+
+TEST_F(GoldenPictures, NothingBehind)
+{
+    settings.style.palette.background[3] = 0;
+    expectLikeGolden(draw(), "transparent");
 }
 
 } // namespace

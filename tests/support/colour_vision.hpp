@@ -20,7 +20,8 @@ inline Eigen::Vector3d lab(const Eigen::Vector3d& rgb)
 {
     Eigen::Matrix3d toXyz;
     toXyz << 0.4124, 0.3576, 0.1805, 0.2126, 0.7152, 0.0722, 0.0193, 0.1192, 0.9505;
-    const Eigen::Vector3d xyz = (toXyz * rgb.cwiseMax(0)).cwiseQuotient(Eigen::Vector3d(0.95047, 1, 1.08883));
+    const Eigen::Vector3d xyz =
+        (toXyz * rgb.cwiseMax(0)).cwiseQuotient(Eigen::Vector3d(0.95047, 1, 1.08883));
     const Eigen::Vector3d f = xyz.unaryExpr(
         [](double t) { return t > 0.008856 ? std::cbrt(t) : 7.787 * t + 16.0 / 116; });
     return {116 * f.y() - 16, 500 * (f.x() - f.y()), 200 * (f.y() - f.z())};

@@ -27,7 +27,8 @@ TEST(ColourScale, GetsLighterForEveryKindOfColourVision)
     for (const Eigen::Matrix3d& vision : visions())
         for (int i = 0; i < kSteps; ++i)
             EXPECT_GT(seen(vision, (i + 1.0) / kSteps)[0], seen(vision, double{1} * i / kSteps)[0])
-                << "vision\n" << vision << "\nstep " << i;
+                << "vision\n"
+                << vision << "\nstep " << i;
 }
 
 TEST(ColourScale, EqualStepsAreSeenForEveryKindOfColourVision)

@@ -143,36 +143,36 @@ const Cutaway kWedge{Cutaway::Kind::wedge, {0, 0, 1}, 0, -20, 80};
 
 INSTANTIATE_TEST_SUITE_P(
     Renderer, EveryLook,
-    testing::Values(
-        Look_{"Paper",
-              [](RenderSettings& s)
-              {
-                  s.style.look = Look::paper;
-                  s.style.palette = paletteOf(Look::paper);
-              }},
-        Look_{"Dark",
-              [](RenderSettings& s)
-              {
-                  s.style.look = Look::dark;
-                  s.style.palette = paletteOf(Look::dark);
-              }},
-        Look_{"Transparent", [](RenderSettings& s) { s.style.palette.background[3] = 0; }},
-        Look_{"Plane",
-              [](RenderSettings& s) {
-                  s.style.cutaway = {Cutaway::Kind::plane, {0.3, 0.1, 1}, 0.1, 0, 90};
-              }},
-        Look_{"Wedge", [](RenderSettings& s) { s.style.cutaway = kWedge; }},
-        Look_{"WedgeParallel",
-              [](RenderSettings& s)
-              {
-                  s.style.cutaway = kWedge;
-                  s.camera.orthographic = true;
-              }},
-        Look_{"Speed", [](RenderSettings& s) { s.style.colourBy = ColourBy::speed; }},
-        Look_{"Group", [](RenderSettings& s) { s.style.colourBy = ColourBy::group; }},
-        Look_{"Occlusion", [](RenderSettings& s) { s.style.ambientOcclusion = true; }},
-        Look_{"Supersampled", [](RenderSettings& s) { s.supersample = 2; }},
-        Look_{"Turntable", [](RenderSettings& s) { s.camera.turntable = 4; }}),
+    testing::Values(Look_{"Paper",
+                          [](RenderSettings& s)
+                          {
+                              s.style.look = Look::paper;
+                              s.style.palette = paletteOf(Look::paper);
+                          }},
+                    Look_{"Dark",
+                          [](RenderSettings& s)
+                          {
+                              s.style.look = Look::dark;
+                              s.style.palette = paletteOf(Look::dark);
+                          }},
+                    Look_{"Transparent",
+                          [](RenderSettings& s) { s.style.palette.background[3] = 0; }},
+                    Look_{"Plane",
+                          [](RenderSettings& s) {
+                              s.style.cutaway = {Cutaway::Kind::plane, {0.3, 0.1, 1}, 0.1, 0, 90};
+                          }},
+                    Look_{"Wedge", [](RenderSettings& s) { s.style.cutaway = kWedge; }},
+                    Look_{"WedgeParallel",
+                          [](RenderSettings& s)
+                          {
+                              s.style.cutaway = kWedge;
+                              s.camera.orthographic = true;
+                          }},
+                    Look_{"Speed", [](RenderSettings& s) { s.style.colourBy = ColourBy::speed; }},
+                    Look_{"Group", [](RenderSettings& s) { s.style.colourBy = ColourBy::group; }},
+                    Look_{"Occlusion", [](RenderSettings& s) { s.style.ambientOcclusion = true; }},
+                    Look_{"Supersampled", [](RenderSettings& s) { s.supersample = 2; }},
+                    Look_{"Turntable", [](RenderSettings& s) { s.camera.turntable = 4; }}),
     [](const auto& look) { return std::string(look.param.name); });
 
 TEST(Looks, TransparentBackgroundIsRightOverWhiteAndOverBlack)
@@ -242,9 +242,8 @@ TEST(Looks, PassesShowTheNearestSphereItsDistanceAndItsNormal)
                 const double v = (1 - 2 * (y + 0.5) / 200) * half;
                 const Eigen::Vector3d origin =
                     orthographic ? Eigen::Vector3d(u, v, 5) : Eigen::Vector3d(0, 0, 5);
-                const Eigen::Vector3d way = orthographic
-                                                ? Eigen::Vector3d(0, 0, -1)
-                                                : Eigen::Vector3d(u, v, -1).normalized();
+                const Eigen::Vector3d way = orthographic ? Eigen::Vector3d(0, 0, -1)
+                                                         : Eigen::Vector3d(u, v, -1).normalized();
                 double nearest = 1e9;
                 std::size_t id = 0;
                 bool edge = false;
@@ -279,7 +278,8 @@ TEST(Looks, PassesShowTheNearestSphereItsDistanceAndItsNormal)
                 for (int c = 0; c < 3; ++c)
                     EXPECT_NEAR(passes.normal.at(x, y)[c], 127.5 + 127.5 * normal[c], 1.5);
                 if (!orthographic) // without perspective distances are from a plane of our choice
-                    EXPECT_NEAR(passes.nearest + value / 65534.0 * (passes.furthest - passes.nearest),
+                    EXPECT_NEAR(passes.nearest +
+                                    value / 65534.0 * (passes.furthest - passes.nearest),
                                 5 - hit.z(), 0.001);
             }
         EXPECT_GT(checked, 100) << "the scene proves little";
@@ -368,7 +368,7 @@ TEST(Looks, HeightsRunOverTheWholeScale)
     const Image image = draw(mesh, settings, snapshot);
     const auto* low = image.at(100, 177);
     const auto* high = image.at(100, 23);
-    EXPECT_GT(low[2], low[1]);      // violet
+    EXPECT_GT(low[2], low[1]);           // violet
     EXPECT_GT(high[0], 3 * high[2] / 2); // yellow-green
     EXPECT_GT(high[1], 3 * high[2] / 2);
 }

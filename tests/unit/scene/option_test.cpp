@@ -110,5 +110,52 @@ TEST(ValidateScene, asksForARadiusOrACount)
         ErrorCode::usage, [&] { validateScene(scene); }, "--radius", "--count");
 }
 
+TEST(PictureOptions, CutawaysAreReadAndWrittenAlike)
+{
+    const Option& option = *findOption("picture.cutaway");
+    Scene scene;
+    for (const char* text : {"none", "plane:0,0,1,0", "plane:0.5,-1,2,0.25", "wedge:-30,60"})
+    {
+        ASSERT_TRUE(setOption(option, scene, std::string(text))) << text;
+        EXPECT_EQ(std::get<std::string>(option.get(scene)), text);
+    }
+    ASSERT_TRUE(setOption(option, scene, std::string("plane:1,0,0")));
+    EXPECT_EQ(scene.style.cutaway.offset, 0);
+    for (const char* text : {"", "plane", "plane:1,0", "plane:0,0,0", "plane:1,0,0,1,1", "wedge:0",
+                             "wedge:90,0", "wedge:0,181", "wedge:0,nan", "plane:1,,0", "ball:1"})
+        EXPECT_FALSE(setOption(option, scene, std::string(text))) << text;
+}
+
+TEST(PictureOptions, PassesAreReadAndWrittenAlike)
+{
+    const Option& option = *findOption("frames.passes");
+    Scene scene;
+    for (const char* text : {"none", "depth", "normal,identity", "depth,normal,identity"})
+        if (setOption(option, scene, std::string(text)))
+            EXPECT_EQ(std::get<std::string>(option.get(scene)), text);
+        else
+            ADD_FAILURE() << text;
+    EXPECT_TRUE(setOption(option, scene, std::string("all")) && scene.frames.passes.identity);
+    for (const char* text : {"", "colour", "depth,", "depth normal"})
+        EXPECT_FALSE(setOption(option, scene, std::string(text))) << text;
+}
+
+TEST(PictureOptions, AStyleBringsItsColoursAndGivenOnesComeAfterIt)
+{
+    const Scene scene = parseScene("[picture]\nbackground = '#123456'\nstyle = 'dark'\n", "test");
+    EXPECT_EQ(scene.style.palette.background, (Colour{0x12, 0x34, 0x56, 255}));
+    EXPECT_EQ(scene.style.palette.text, paletteOf(Look::dark).text);
+    const Scene again = parseScene(sceneToToml(scene), "again");
+    EXPECT_EQ(again.style.palette.background, scene.style.palette.background);
+    EXPECT_EQ(again.style.palette.frozen, scene.style.palette.frozen);
+}
+
+TEST(PictureOptions, TransparentIsAColourOfTheBackground)
+{
+    Scene scene;
+    ASSERT_TRUE(setOption(*findOption("picture.background"), scene, std::string("transparent")));
+    EXPECT_EQ(scene.style.palette.background[3], 0);
+}
+
 } // namespace
 } // namespace frostfill
