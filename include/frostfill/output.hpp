@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -82,6 +83,9 @@ private:
 /// `id,group,x,y,z,radius,state`, a row a sphere; the id is the index. Numbers have 17 significant
 /// digits. Written under a temporary name and renamed. Throws Error cannotCreate or writeFailed.
 void writeSpheresCsv(std::span<const SphereRecord> spheres, const std::filesystem::path& file);
+/// The same from `sphere(id)` for each id below `count`, so that no copy of all is needed.
+void writeSpheresCsv(std::size_t count, const std::function<SphereRecord(std::size_t)>& sphere,
+                     const std::filesystem::path& file);
 
 /// `id,state`, a row a polygon; the id is the index. Otherwise like writeSpheresCsv.
 void writePolygonsCsv(std::span<const PolygonState> polygons, const std::filesystem::path& file);

@@ -29,6 +29,7 @@ struct RenderSettings
     std::uint32_t groupsPerSet = 1; ///< for colours by set
     double unitsPerMetre = 1;       ///< for speeds in metres a second
     Eigen::Vector3d up = {0, 1, 0}; ///< unit vector that points up in the picture
+    std::vector<Pose> poses;        ///< that have to fit into the picture; none: as the mesh is
     std::string title;              ///< first line of the legend; may be empty
     bool staticLayer = true; ///< keep what is at rest from picture to picture; off gives the same
                              ///< pictures, slower

@@ -83,6 +83,9 @@ public:
     /// Spheres that the run aims at: the count, or an estimate when it fills until full.
     [[nodiscard]] std::size_t expectedSpheres() const;
 
+    /// How an object that moves will stand, from the first to the last; none when it does not.
+    [[nodiscard]] std::vector<Pose> poses() const;
+
     [[nodiscard]] SphereRecord sphere(std::size_t id) const;
     [[nodiscard]] std::vector<PolygonState> polygonStates() const;
     [[nodiscard]] const OperationCounts& operations() const;

@@ -32,6 +32,14 @@ struct SphereRecord
     SphereState state = SphereState::running;
 };
 
+/// How the object stands in the room: a point p of the mesh is at
+/// origin + offset + rotation (p - origin), where origin is the middle of the mesh's box.
+struct Pose
+{
+    Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+    Eigen::Vector3d offset = Eigen::Vector3d::Zero(); ///< [mesh unit]
+};
+
 /// All that one picture needs, and nothing of how it came about. Indexed by sphere id, which is the
 /// order of appearance. A snapshot is filled by Simulation::capture, which touches only what has
 /// changed since it filled the same snapshot last: keep one and reuse it.
@@ -45,10 +53,7 @@ struct Snapshot
     std::vector<PolygonState> polygons;   ///< [#T] of the mesh that is simulated
     Eigen::Vector3d origin = Eigen::Vector3d::Zero(); ///< mesh coordinates; the box's centre
 
-    /// How the object stands in the room: a point p of the mesh is seen at
-    /// origin + offset + rotation (p - origin).
-    Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
-    Eigen::Vector3d offset = Eigen::Vector3d::Zero(); ///< [mesh unit]
+    Pose pose; ///< of an object that moves, with all that is in it
 
     /// Ids that were added, moved or changed state in the last capture, ascending.
     std::vector<std::uint32_t> changed;

@@ -30,11 +30,18 @@ const char* stateName(SphereState state)
 
 void writeSpheresCsv(std::span<const SphereRecord> spheres, const std::filesystem::path& file)
 {
+    writeSpheresCsv(
+        spheres.size(), [&](std::size_t id) { return spheres[id]; }, file);
+}
+
+void writeSpheresCsv(std::size_t count, const std::function<SphereRecord(std::size_t)>& sphereOf,
+                     const std::filesystem::path& file)
+{
     AtomicFile out(file);
     out.write("id,group,x,y,z,radius,state\n");
-    for (std::size_t id = 0; id < spheres.size(); ++id)
+    for (std::size_t id = 0; id < count; ++id)
     {
-        const SphereRecord& sphere = spheres[id];
+        const SphereRecord sphere = sphereOf(id);
         fmt::memory_buffer row;
         fmt::format_to(std::back_inserter(row), "{},{},{:.17g},{:.17g},{:.17g},{:.17g},{}\n", id,
                        sphere.group, sphere.centre.x(), sphere.centre.y(), sphere.centre.z(),

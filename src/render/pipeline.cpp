@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline.hpp"
 
+#include "pose_framing.hpp"
+
 #include <frostfill/error.hpp>
 
 #include <fmt/core.h>
@@ -49,8 +51,8 @@ const RenderSettings& checked(const RenderSettings& settings)
 } // namespace
 
 Pipeline::Pipeline(const TriangleMesh& mesh, const RenderSettings& settings)
-    : settings_(checked(settings)), vertices_(mesh.vertices), colours_(settings, vertices_),
-      legend_(settings, mesh.triangles.size(), colours_),
+    : settings_(checked(settings)), vertices_(verticesInPoses(mesh.vertices, settings.poses)),
+      colours_(settings, vertices_), legend_(settings, mesh.triangles.size(), colours_),
       still_(frameBesideLegend(vertices_, settings, legend_)), framing_(still_),
       context_(openContext(settings.backend)), gl_(loadGlFunctions(*context_)),
       description_(describe(*context_, gl_)),
@@ -99,7 +101,7 @@ void Pipeline::lookFrom(const Camera& camera)
     settings_.camera = camera;
     still_ = frameBesideLegend(vertices_, settings_, legend_);
     turned_ = 0;
-    useFraming(still_);
+    useFraming();
 }
 
 void Pipeline::turn(double degrees)
@@ -107,13 +109,28 @@ void Pipeline::turn(double degrees)
     if (degrees != turned_)
     {
         turned_ = degrees;
-        useFraming(revolved(still_, settings_.up, degrees));
+        useFraming();
     }
 }
 
-void Pipeline::useFraming(const Framing& framing)
+void Pipeline::follow(const Snapshot& snapshot)
 {
-    framing_ = framing;
+    if (snapshot.pose.rotation != pose_.rotation || snapshot.pose.offset != pose_.offset)
+    {
+        pose_ = snapshot.pose;
+        origin_ = snapshot.origin;
+        moved_ = true;
+        useFraming();
+    }
+}
+
+void Pipeline::useFraming()
+{
+    framing_ = turned_ != 0 ? revolved(still_, settings_.up, turned_) : still_;
+    if (moved_)
+    {
+        framing_ = posed(framing_, pose_, origin_);
+    }
     context_->makeCurrent();
     painter_.lookFrom(framing_);
     projector_ = SphereProjector(framing_, settings_.size);
@@ -123,6 +140,7 @@ void Pipeline::useFraming(const Framing& framing)
 const std::vector<PixelRectangle>& Pipeline::draw(const Snapshot& snapshot)
 {
     context_->makeCurrent();
+    follow(snapshot);
     renewMarks();
     const SphereLedger::Changes& changes = ledger_.update(snapshot, framing_, colours_);
     const auto polygonParts = painter_.setPolygons(snapshot.polygons);
@@ -235,6 +253,7 @@ void Pipeline::readColour(Image& image)
 void Pipeline::drawSurfaces(const Snapshot& snapshot, const PictureSize& size, Surfaces& surfaces)
 {
     context_->makeCurrent();
+    follow(snapshot);
     const auto found = std::find_if(surfacePasses_.begin(), surfacePasses_.end(),
                                     [&](const std::unique_ptr<SurfacePass>& pass) {
                                         return pass->size().width == size.width &&

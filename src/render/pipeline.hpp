@@ -59,7 +59,9 @@ public:
 
 private:
     [[nodiscard]] std::vector<glm::vec2> samplePositions() const;
-    void useFraming(const Framing& framing);
+    void useFraming();
+    /// Looks at the object where it is in the snapshot.
+    void follow(const Snapshot& snapshot);
     void drawEverything();
     void updateLayer(const SphereLedger::Changes& changes,
                      std::span<const PixelRectangle> polygonParts, bool startAgain);
@@ -70,9 +72,12 @@ private:
     std::vector<Eigen::Vector3d> vertices_; ///< of the mesh, for framing
     SphereColours colours_;
     Legend legend_;
-    Framing still_;     ///< as the camera has it
-    Framing framing_;   ///< turned
-    double turned_ = 0; ///< [degree]
+    Framing still_;                                    ///< as the camera has it
+    Framing framing_;                                  ///< turned, and with the object moved
+    double turned_ = 0;                                ///< [degree]
+    bool moved_ = false;                               ///< the object has been in a pose of its own
+    Pose pose_;                                        ///< of the object
+    Eigen::Vector3d origin_ = Eigen::Vector3d::Zero(); ///< about which it is
     std::unique_ptr<Context> context_;
     GlFunctions gl_;
     std::string description_;

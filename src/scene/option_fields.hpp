@@ -106,6 +106,10 @@ inline OptionValue toValue(const PictureSize& field)
 {
     return std::to_string(field.width) + "x" + std::to_string(field.height);
 }
+inline OptionValue toValue(const Radii& field)
+{
+    return field.equal() ? OptionValue(field.largest) : OptionValue(radiiText(field));
+}
 inline OptionValue toValue(const Cutaway& field)
 {
     return cutawayText(field);
@@ -113,10 +117,6 @@ inline OptionValue toValue(const Cutaway& field)
 inline OptionValue toValue(const Passes& field)
 {
     return passesText(field);
-}
-inline OptionValue toValue(const Radii& field)
-{
-    return field.equal() ? OptionValue(field.largest) : OptionValue(radiiText(field));
 }
 template <std::integral Field>
 OptionValue toValue(Field field)
@@ -152,16 +152,16 @@ bool fromValue(Field& field, const OptionValue& value)
         return readColour(std::get<std::string>(value), field);
     else if constexpr (std::is_same_v<Field, PictureSize>)
         return readPictureSize(std::get<std::string>(value), field);
-    else if constexpr (std::is_same_v<Field, Cutaway>)
-        return readCutaway(std::get<std::string>(value), field);
-    else if constexpr (std::is_same_v<Field, Passes>)
-        return readPasses(std::get<std::string>(value), field);
     else if constexpr (std::is_same_v<Field, Radii>)
     {
         if (const auto* text = std::get_if<std::string>(&value))
             return readRadii(*text, field);
         field = Radii(std::get<double>(value));
     }
+    else if constexpr (std::is_same_v<Field, Cutaway>)
+        return readCutaway(std::get<std::string>(value), field);
+    else if constexpr (std::is_same_v<Field, Passes>)
+        return readPasses(std::get<std::string>(value), field);
     else if constexpr (std::integral<Field> && !std::is_same_v<Field, bool>)
         field = static_cast<Field>(std::get<std::int64_t>(value));
     else

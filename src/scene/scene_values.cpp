@@ -83,6 +83,35 @@ bool readPictureSize(std::string_view text, PictureSize& size)
     return true;
 }
 
+std::string radiiText(const Radii& radii)
+{
+    return radii.file.empty() ? fmt::format("{}..{}", radii.smallest, radii.largest) : radii.file;
+}
+
+bool readRadii(std::string_view text, Radii& radii)
+{
+    if (text.empty())
+        return false;
+    const bool likeNumber = text.find_first_of("0123456789+-") == 0 ||
+                            (text.size() > 1 && text[0] == '.' && std::isdigit(text[1]) != 0);
+    if (!likeNumber)
+    {
+        if (text.find_first_of("./") == std::string_view::npos)
+            return false;
+        radii = Radii::fromFile(std::string(text));
+        return true;
+    }
+    const std::size_t dots = text.find("..");
+    Radii read;
+    if (dots == std::string_view::npos || !readWhole(text.substr(0, dots), read.smallest) ||
+        !readWhole(text.substr(dots + 2), read.largest))
+        return false;
+    if (!(read.smallest > 0 && read.largest >= read.smallest && std::isfinite(read.largest)))
+        return false;
+    radii = read;
+    return true;
+}
+
 std::string cutawayText(const Cutaway& cutaway)
 {
     switch (cutaway.kind)
@@ -157,35 +186,6 @@ bool readPasses(std::string_view text, Passes& passes)
             text.remove_prefix(item.size() + 1);
         }
     passes = read;
-    return true;
-}
-
-std::string radiiText(const Radii& radii)
-{
-    return radii.file.empty() ? fmt::format("{}..{}", radii.smallest, radii.largest) : radii.file;
-}
-
-bool readRadii(std::string_view text, Radii& radii)
-{
-    if (text.empty())
-        return false;
-    const bool likeNumber = text.find_first_of("0123456789+-") == 0 ||
-                            (text.size() > 1 && text[0] == '.' && std::isdigit(text[1]) != 0);
-    if (!likeNumber)
-    {
-        if (text.find_first_of("./") == std::string_view::npos)
-            return false;
-        radii = Radii::fromFile(std::string(text));
-        return true;
-    }
-    const std::size_t dots = text.find("..");
-    Radii read;
-    if (dots == std::string_view::npos || !readWhole(text.substr(0, dots), read.smallest) ||
-        !readWhole(text.substr(dots + 2), read.largest))
-        return false;
-    if (!(read.smallest > 0 && read.largest >= read.smallest && std::isfinite(read.largest)))
-        return false;
-    radii = read;
     return true;
 }
 

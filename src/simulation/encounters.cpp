@@ -14,7 +14,7 @@ constexpr double kLongestPush = 0.2;   // in one sweep, of the own radius
 
 // How much of the penetration depth a gives way by. One that nothing at rest has carried for long
 // stops giving way, so that it comes down to something that does; of two such, the lower.
-double shareOf(const Runner& a, const Runner& b)
+double shareOf(const Runner& a, const Runner& b, const Eigen::Vector3d& down)
 {
     if (a.yields != b.yields)
     {
@@ -22,9 +22,9 @@ double shareOf(const Runner& a, const Runner& b)
     }
     if (!a.yields)
     {
-        const bool lower =
-            a.position.y() < b.position.y() || (a.position.y() == b.position.y() && a.id < b.id);
-        return lower ? 0 : 1;
+        const double ya = -a.position.dot(down);
+        const double yb = -b.position.dot(down);
+        return ya < yb || (ya == yb && a.id < b.id) ? 0 : 1;
     }
     const double ma = a.radius * a.radius * a.radius;
     const double mb = b.radius * b.radius * b.radius;
@@ -35,6 +35,7 @@ double shareOf(const Runner& a, const Runner& b)
 
 void Encounters::resolve(std::span<Runner> runners, double dt)
 {
+    down_ = flight_.down();
     findMeetings(runners);
     for (int k = 0; k < settings_.sweeps; ++k)
     {
@@ -118,7 +119,7 @@ void Encounters::pushOff(std::span<const Runner> runners, Runner& runner) const
         runner.depth = std::max(runner.depth, depth);
         if (distance > 0)
         {
-            runner.push += d * (shareOf(runner, other) * depth / distance);
+            runner.push += d * (shareOf(runner, other, down_) * depth / distance);
         }
     }
     const double length = runner.push.norm();
@@ -169,7 +170,8 @@ void Encounters::bounce(std::span<const Runner> runners, Runner& runner) const
         const double before = (runner.velocityBefore - other.velocityBefore).dot(normal);
         if (before < -settings_.bounceSpeed)
         {
-            change += normal * (-(1 + settings_.restitution) * before * shareOf(runner, other));
+            change +=
+                normal * (-(1 + settings_.restitution) * before * shareOf(runner, other, down_));
             ++contacts;
         }
     }

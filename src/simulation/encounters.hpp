@@ -45,7 +45,8 @@ private:
     const Flight& flight_;
     Threads& threads_;
     Settings settings_;
-    std::vector<std::uint32_t> crowd_; ///< runners that meet others, by index, ascending
+    Eigen::Vector3d down_ = {0, -1, 0}; ///< the pull's direction in this step
+    std::vector<std::uint32_t> crowd_;  ///< runners that meet others, by index, ascending
 };
 
 } // namespace frostfill

@@ -33,7 +33,8 @@ double timeStep(const World& world)
 
 FastEngine::FastEngine(World& world)
     : world_(world), falls_(world.resting.frame(), world.triangles),
-      release_(world, world.scene.motion.mode == Motion::fall ? kTopBand : world.height),
+      release_(std::in_place, world,
+               world.scene.motion.mode == Motion::fall ? kTopBand : world.height),
       descent_(world, falls_), flight_(world, {world.scene.motion.restitution}),
       threads_(world.scene.threads), grid_(world.resting.frame()),
       encounters_(grid_, flight_, threads_,
@@ -42,7 +43,7 @@ FastEngine::FastEngine(World& world)
       setSize_(groupSize(world) * world.scene.spheres.groupsPerSet),
       ageLimit_(world.scene.freezing.setTimeLimit + 4 * std::sqrt(2 * world.height))
 {
-    if (!release_.any())
+    if (!release_->any())
     {
         refuseTooLarge(world);
     }
@@ -137,7 +138,7 @@ bool FastEngine::releaseSet()
     };
     while (world_.spheres.size() - before < wanted)
     {
-        const auto found = release_.find(suits);
+        const auto found = release_->find(suits);
         if (!found)
         {
             break;

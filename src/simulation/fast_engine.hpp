@@ -13,6 +13,7 @@
 #include <simulation/world.hpp>
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace frostfill
@@ -34,8 +35,10 @@ private:
     const std::vector<std::uint32_t>& calmRunners();
     void findPlace(Runner& runner) const;
     bool followObject();
+    void renewSites();
     void letGoWhenDue();
     void letGo();
+    [[nodiscard]] std::array<Eigen::Vector3d, 8> directionsAtCorners() const;
     [[nodiscard]] bool isCarried(std::uint32_t id);
     void unfreeze(std::uint32_t id);
     [[nodiscard]] bool tryFreeze(std::uint32_t index);
@@ -50,7 +53,7 @@ private:
 
     World& world_;
     FallIndex falls_;
-    Releases release_;
+    std::optional<Releases> release_;
     Descent descent_;
     Flight flight_;
     Threads threads_;
@@ -69,7 +72,8 @@ private:
     std::uint32_t nextGroup_ = 0;
     std::size_t setSize_ = 0;
     double ageLimit_ = 0;
-    bool moving_ = false; ///< the object moves, or what that let go still runs
+    bool moving_ = false;      ///< the object moves, or what that let go still runs
+    bool sitesAreNew_ = false; ///< since the object stands still again
     bool motionIsOver_ = false;
     std::array<Eigen::Vector3d, 8> lookedAt_; ///< the pull's direction at the box's corners when
                                               ///< all at rest were last looked at

@@ -21,6 +21,12 @@ public:
 
     Flight(const World& world, const Settings& settings) : world_(world), settings_(settings) {}
 
+    /// Unit vector along what pulls in the middle of the object; zero when nothing does.
+    [[nodiscard]] Eigen::Vector3d down() const
+    {
+        return world_.pull.direction(Eigen::Vector3d::Zero());
+    }
+
     /// Moves by one step of exact ballistic flight, with sliding and bounces.
     void advance(Runner& runner, double dt) const;
 

@@ -129,7 +129,7 @@ bool FastEngine::tryFreeze(std::uint32_t index)
         evict(index);
     }
     falls_.insert(place);
-    release_.close(place, runner.radius);
+    release_->close(place, runner.radius);
     tellOthers(place, runner.radius);
     if (discard_)
     {
@@ -205,7 +205,7 @@ void FastEngine::evict(std::uint32_t index)
         {
             put(k, clear);
         }
-        else if (const auto elsewhere = release_.find(other.radius, suits))
+        else if (const auto elsewhere = release_->find(other.radius, suits))
         {
             other.restart(other.id, *elsewhere, other.radius);
             grid_.move(k, *elsewhere);

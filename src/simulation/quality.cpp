@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 namespace frostfill
 {
@@ -22,14 +23,11 @@ constexpr double kWindingBudget = 2e6; // winding numbers: spheres times triangl
 class Examination
 {
 public:
-    explicit Examination(const World& world) : world_(world), all_(world.resting.frame())
+    explicit Examination(const World& world) : world_(world), all_(&world.resting)
     {
-        for (std::uint32_t id = 0; id < world.spheres.size(); ++id)
+        if (world.running() > 0)
         {
-            if (world.spheres.position(id).allFinite())
-            {
-                all_.insert(id, world.spheres.position(id), world.spheres.radius[id]);
-            }
+            gatherAll();
         }
         const double work =
             static_cast<double>(world.spheres.size()) * static_cast<double>(world.surface.size());
@@ -49,6 +47,19 @@ public:
     }
 
 private:
+    void gatherAll()
+    {
+        gathered_.emplace(world_.resting.frame());
+        for (std::uint32_t id = 0; id < world_.spheres.size(); ++id)
+        {
+            if (world_.spheres.position(id).allFinite())
+            {
+                gathered_->insert(id, world_.spheres.position(id), world_.spheres.radius[id]);
+            }
+        }
+        all_ = &*gathered_;
+    }
+
     void examineSphere(std::uint32_t id)
     {
         const Eigen::Vector3d p = world_.spheres.position(id);
@@ -77,30 +88,30 @@ private:
         const Spheres& s = world_.spheres;
         const double gap = kContactGap * s.radius[id];
         const double reach = s.radius[id] + 1 + gap;
-        all_.forEachNear(p, reach,
-                         [&](std::uint32_t other)
-                         {
-                             if (other == id)
-                             {
-                                 return;
-                             }
-                             const Eigen::Vector3d d = p - s.position(other);
-                             const double distance = d.norm();
-                             const double depth = s.radius[id] + s.radius[other] - distance;
-                             if (depth >= 0 && other > id)
-                             {
-                                 const double share =
-                                     depth / std::min(s.radius[id], s.radius[other]);
-                                 report_.maxOverlap = std::max(report_.maxOverlap, share);
-                                 overlapSum_ += share;
-                                 ++pairs_;
-                             }
-                             if (depth > -gap && distance > 0 && resting &&
-                                 s.state[other] != SphereState::running)
-                             {
-                                 normals_.push_back(d / distance);
-                             }
-                         });
+        all_->forEachNear(p, reach,
+                          [&](std::uint32_t other)
+                          {
+                              if (other == id)
+                              {
+                                  return;
+                              }
+                              const Eigen::Vector3d d = p - s.position(other);
+                              const double distance = d.norm();
+                              const double depth = s.radius[id] + s.radius[other] - distance;
+                              if (depth >= 0 && other > id)
+                              {
+                                  const double share =
+                                      depth / std::min(s.radius[id], s.radius[other]);
+                                  report_.maxOverlap = std::max(report_.maxOverlap, share);
+                                  overlapSum_ += share;
+                                  ++pairs_;
+                              }
+                              if (depth > -gap && distance > 0 && resting &&
+                                  s.state[other] != SphereState::running)
+                              {
+                                  normals_.push_back(d / distance);
+                              }
+                          });
     }
 
     void meetWalls(std::uint32_t id, const Eigen::Vector3d& p)
@@ -147,7 +158,8 @@ private:
     }
 
     const World& world_;
-    SphereGrid all_;
+    std::optional<SphereGrid> gathered_; ///< of all spheres, unless all are at rest
+    const SphereGrid* all_;
     bool exactWinding_ = true;
     QualityReport report_;
     std::vector<Eigen::Vector3d> normals_;

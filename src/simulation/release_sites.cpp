@@ -13,7 +13,10 @@ namespace frostfill
 ReleaseSites::ReleaseSites(const World& world, double radius, double band)
     : world_(world), radius_(radius), sites_(world.surface, world.inside, radius)
 {
-    findCeilings(band);
+    if (band >= 0)
+    {
+        findCeilings(band);
+    }
 }
 
 void ReleaseSites::findCeilings(double band)

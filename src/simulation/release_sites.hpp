@@ -17,7 +17,8 @@ class ReleaseSites
 {
 public:
     /// `world` outlives this. `radius`: at most 1. `band`: how far below the highest ceiling [r]
-    /// others are used together with it; lower ones follow as those above fill up.
+    /// others are used together with it; lower ones follow as those above fill up. Negative: every
+    /// free place is as good as a ceiling, in the order of the lattice.
     ReleaseSites(const World& world, double radius, double band);
 
     /// A place that is clear of walls and of spheres at rest, and for which `suits(place)` holds.

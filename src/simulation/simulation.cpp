@@ -57,6 +57,14 @@ struct Simulation::Implementation
 namespace
 {
 
+/// `time` after the object's motion has begun.
+Pose poseOf(const World& world, double time)
+{
+    const Eigen::Isometry3d pose = world.motion.poseAt(time);
+    return {world.frame.toMeshRotation(pose.linear()),
+            world.frame.toMeshOffset(pose.translation())};
+}
+
 const Scene& validated(const Scene& scene)
 {
     validateScene(scene);
@@ -156,6 +164,18 @@ std::string Simulation::stateHash() const
     return hashState(implementation_->world.spheres);
 }
 
+std::vector<Pose> Simulation::poses() const
+{
+    constexpr int kPoses = 48;
+    const World& world = implementation_->world;
+    std::vector<Pose> poses;
+    for (int k = 0; world.motion.duration() > 0 && k <= kPoses; ++k)
+    {
+        poses.push_back(poseOf(world, world.motion.duration() * k / kPoses));
+    }
+    return poses;
+}
+
 void Simulation::capture(Snapshot& snapshot) const
 {
     const World& world = implementation_->world;
@@ -214,9 +234,7 @@ void Simulation::capture(Snapshot& snapshot) const
         snapshot.polygons = world.polygons;
     }
     snapshot.origin = world.frame.origin;
-    const Eigen::Isometry3d pose = world.pose();
-    snapshot.rotation = world.frame.toMeshRotation(pose.linear());
-    snapshot.offset = world.frame.toMeshOffset(pose.translation());
+    snapshot.pose = poseOf(world, std::max(0.0, world.time - world.motionStart));
     snapshot.stateChangesSeen = world.stateChanges.size();
     snapshot.time = time();
     snapshot.step = world.steps;

@@ -41,6 +41,9 @@ public:
         head = id;
     }
 
+    /// Room for so many spheres without moving any in memory.
+    void reserve(std::size_t count) { spheres_.reserve(count); }
+
     /// Takes out a sphere that was inserted.
     void remove(std::uint32_t id)
     {

@@ -23,6 +23,16 @@ void Spheres::removeLast()
     state.pop_back();
 }
 
+void Spheres::reserve(std::size_t count)
+{
+    for (auto* values : {&x, &y, &z, &vx, &vy, &vz, &radius})
+    {
+        values->reserve(count);
+    }
+    group.reserve(count);
+    state.reserve(count);
+}
+
 std::uint32_t Spheres::add(const Eigen::Vector3d& p, double r, std::uint32_t groupOfSphere)
 {
     x.push_back(p.x());

@@ -39,6 +39,7 @@ struct Spheres
     /// Gives sphere `to` all that sphere `from` has but its group.
     void moveTo(std::size_t from, std::size_t to);
     void removeLast();
+    void reserve(std::size_t count);
     std::uint32_t add(const Eigen::Vector3d& p, double r, std::uint32_t groupOfSphere);
 };
 

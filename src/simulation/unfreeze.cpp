@@ -36,6 +36,7 @@ bool FastEngine::followObject()
         }
         // What was out of reach need not stay so.
         moving_ = true;
+        lookedAt_ = directionsAtCorners();
         world_.motionStart = world_.time;
         discard_.reset();
         world_.restoreDiscarded();
@@ -55,18 +56,47 @@ bool FastEngine::followObject()
     return true;
 }
 
+// The sites of releases are closed for good where something has been at rest; now they are looked
+// for anew, for spheres that find no room where they are.
+void FastEngine::renewSites()
+{
+    release_.emplace(world_, -1);
+    for (std::uint32_t id = 0; id < world_.spheres.size(); ++id)
+    {
+        if (world_.spheres.state[id] != SphereState::running)
+        {
+            release_->close(world_.spheres.position(id), world_.spheres.radius[id]);
+        }
+    }
+    sitesAreNew_ = true;
+}
+
+std::array<Eigen::Vector3d, 8> FastEngine::directionsAtCorners() const
+{
+    std::array<Eigen::Vector3d, 8> directions;
+    for (std::size_t corner = 0; corner < directions.size(); ++corner)
+    {
+        const auto which = static_cast<Eigen::AlignedBox3d::CornerType>(corner);
+        directions[corner] = world_.pull.direction(world_.surface.box().corner(which));
+    }
+    return directions;
+}
+
 void FastEngine::letGoWhenDue()
 {
     if (!moving_)
     {
         return;
     }
-    double change = 0;
-    for (int corner = 0; corner < 8; ++corner)
+    if (!sitesAreNew_ && world_.time - world_.motionStart >= world_.motion.duration())
     {
-        const auto which = static_cast<Eigen::AlignedBox3d::CornerType>(corner);
-        const Eigen::Vector3d now = world_.pull.direction(world_.surface.box().corner(which));
-        change = std::max(change, (now - lookedAt_[static_cast<std::size_t>(corner)]).norm());
+        renewSites();
+    }
+    const std::array<Eigen::Vector3d, 8> now = directionsAtCorners();
+    double change = 0;
+    for (std::size_t corner = 0; corner < now.size(); ++corner)
+    {
+        change = std::max(change, (now[corner] - lookedAt_[corner]).norm());
     }
     if (change > kSameDirection)
     {
@@ -77,12 +107,7 @@ void FastEngine::letGoWhenDue()
 // Looks at all spheres at rest, then again at those that one let go may have carried.
 void FastEngine::letGo()
 {
-    for (int corner = 0; corner < 8; ++corner)
-    {
-        const auto which = static_cast<Eigen::AlignedBox3d::CornerType>(corner);
-        lookedAt_[static_cast<std::size_t>(corner)] =
-            world_.pull.direction(world_.surface.box().corner(which));
-    }
+    lookedAt_ = directionsAtCorners();
     std::vector<std::uint32_t> toLookAt;
     for (std::uint32_t id = 0; id < world_.spheres.size(); ++id)
     {
@@ -124,6 +149,7 @@ void FastEngine::letGo()
     for (std::size_t k = 0; any && k < running_; ++k)
     {
         runners_[k].around.invalidate(); // it may list what is not at rest any more
+        runners_[k].yields = true;
     }
 }
 

@@ -24,12 +24,24 @@ RadiusDistribution radiiOf(const Scene& scene, const MeshReport& mesh)
 constexpr double kTriangleCell = 1;
 constexpr double kTriangleReach = 1.5;
 constexpr double kSphereCell = 2;
+/// Memory is set aside for so many times the spheres that fit by the estimate.
+constexpr double kRoomForSpheres = 1.1;
 /// Share of the object's mean cross-section that a set covers when its size is not given.
 constexpr double kFootprint = 0.1;
 
 GridFrame gridOver(const Surface& surface, double cell)
 {
     return GridFrame::cover(surface.box(), cell, 2);
+}
+
+/// By the estimate that sphereRadius uses, the other way round.
+std::size_t countThatFits(const World& world)
+{
+    const double r = world.frame.length;
+    const double layer = kWallLayer * r * world.radii.meanPower(1);
+    const double room = std::max(0.0, world.report.volume - layer * world.report.area);
+    const double one = 4.0 / 3.0 * std::numbers::pi * r * r * r * world.radii.meanPower(3);
+    return static_cast<std::size_t>(std::max(1.0, kPackingFraction * room / one));
 }
 
 } // namespace
@@ -39,7 +51,7 @@ World::World(const Scene& sceneOfRun, const TriangleMesh& mesh)
       frame(scene, report.box, radii.largest()), surface(frame.toRun(mesh)),
       triangles(surface, gridOver(surface, kTriangleCell), kTriangleReach),
       inside(surface, triangles), height(surface.box().sizes().y()),
-      motion(scene.move, frame, height), pull(motion.pullAt(0)),
+      motion(scene.move, frame, height), pull{.uniform = {0, -frame.gravity, 0}},
       resting(gridOver(surface, kSphereCell)), polygons(mesh.triangles.size(), PolygonState::active)
 {
     radii = radii.inLargest();
@@ -47,6 +59,13 @@ World::World(const Scene& sceneOfRun, const TriangleMesh& mesh)
     {
         targetCount = *scene.spheres.count;
     }
+    // A little more than will appear, so that the arrays of a large run are never copied.
+    const auto room =
+        static_cast<std::size_t>(kRoomForSpheres * static_cast<double>(countThatFits(*this)));
+    const std::size_t most = targetCount > 0 ? std::min(targetCount, room) : room;
+    spheres.reserve(most);
+    resting.reserve(most);
+    stateChanges.reserve(most);
 }
 
 std::uint32_t World::release(const Eigen::Vector3d& place, double radius, std::uint32_t group)
@@ -171,12 +190,7 @@ std::size_t expectedCount(const World& world)
     {
         return world.targetCount;
     }
-    // The estimate that sphereRadius uses, the other way round.
-    const double r = world.frame.length;
-    const double layer = kWallLayer * r * world.radii.meanPower(1);
-    const double room = std::max(0.0, world.report.volume - layer * world.report.area);
-    const double one = 4.0 / 3.0 * std::numbers::pi * r * r * r * world.radii.meanPower(3);
-    return static_cast<std::size_t>(std::max(1.0, kPackingFraction * room / one));
+    return countThatFits(world);
 }
 
 } // namespace frostfill

@@ -10,7 +10,6 @@
 #include <simulation/sphere_grid.hpp>
 #include <simulation/spheres.hpp>
 
-#include <algorithm>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -72,11 +71,6 @@ struct World
     void forgetFrozen();
     /// Lets a sphere at rest run again.
     void unfreeze(std::uint32_t id);
-    /// How the object stands at this time; see ObjectMotion.
-    [[nodiscard]] Eigen::Isometry3d pose() const
-    {
-        return motion.poseAt(std::max(0.0, time - motionStart));
-    }
     /// Takes back the freezing of the sphere that was frozen last, at the same place.
     void unfreezeLast();
     /// Takes out a running sphere for which there is no room. The sphere with the highest id takes

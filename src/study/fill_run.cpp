@@ -126,7 +126,8 @@ FillResult runFill(const FillRequest& request, const FillObserver& observer)
     if (request.scene.frames.enabled)
         recorder = std::make_unique<FrameRecorder>(
             mesh.mesh, request.scene, timing.interval, colourRange(request.scene, mesh, simulation),
-            request.directory, runHash(request.scene, mesh.mesh), request.video);
+            request.directory, runHash(request.scene, mesh.mesh), request.video,
+            simulation.poses());
     if (observer.planned)
         observer.planned(makePlan(request.scene, mesh, simulation, timing));
 

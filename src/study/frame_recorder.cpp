@@ -5,13 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace frostfill
 {
 
-RenderSettings renderSettings(const Scene& scene, const ColourRange& range)
+RenderSettings renderSettings(const Scene& scene, const ColourRange& range, std::vector<Pose> poses)
 {
     RenderSettings settings;
+    settings.poses = std::move(poses);
     settings.size = scene.size;
     settings.camera = scene.camera;
     settings.style = scene.style;
@@ -40,8 +42,9 @@ bool allPixelsAlike(const Image& image)
 
 FrameRecorder::FrameRecorder(const TriangleMesh& mesh, const Scene& scene, double interval,
                              const ColourRange& range, const std::filesystem::path& directory,
-                             const std::string& run, const std::filesystem::path& video)
-    : mesh_(mesh), settings_(renderSettings(scene, range)),
+                             const std::string& run, const std::filesystem::path& video,
+                             std::vector<Pose> poses)
+    : mesh_(mesh), settings_(renderSettings(scene, range, std::move(poses))),
       selection_(FrameSelection::parse(scene.frames.selection).value()),
       thinning_(scene.frames.limit), frames_(scene.frames), interval_(interval),
       writer_(directory / "frames", scene.frames.limit,

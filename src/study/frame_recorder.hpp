@@ -40,10 +40,11 @@ class FrameRecorder
 public:
     /// Opens the renderer. `interval` is the simulated time between frames [s], `range` that of the
     /// colours, `directory` the run's, `video` a file's or empty; `run` identifies the run in the
-    /// pictures.
+    /// pictures, `poses` is what of a moving object has to fit.
     FrameRecorder(const TriangleMesh& mesh, const Scene& scene, double interval,
                   const ColourRange& range, const std::filesystem::path& directory,
-                  const std::string& run, const std::filesystem::path& video = {});
+                  const std::string& run, const std::filesystem::path& video = {},
+                  std::vector<Pose> poses = {});
     ~FrameRecorder();
 
     /// Takes the frames that are due. Throws what has gone wrong with an earlier one.

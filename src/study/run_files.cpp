@@ -132,13 +132,10 @@ std::string summaryText(const RunRecord& run)
 void writeRunFiles(const RunRecord& run)
 {
     const std::filesystem::path& directory = run.request.directory;
-    std::vector<SphereRecord> spheres;
-    spheres.reserve(run.simulation.sphereCount());
-    for (std::size_t id = 0; id < run.simulation.sphereCount(); ++id)
-        spheres.push_back(run.simulation.sphere(id));
-
     savePly(run.mesh.mesh, directory / "mesh.ply");
-    writeSpheresCsv(spheres, directory / "spheres.csv");
+    writeSpheresCsv(
+        run.simulation.sphereCount(), [&](std::size_t id) { return run.simulation.sphere(id); },
+        directory / "spheres.csv");
     writePolygonsCsv(run.simulation.polygonStates(), directory / "polygons.csv");
     writeSetsCsv(run.result.sets, run.result.setFrames, directory / "sets.csv");
     AtomicFile summary(directory / "summary.json");

@@ -145,7 +145,7 @@ void NaivePipeline::draw(const Snapshot& snapshot, Image& image)
                             static_cast<GLsizei>(snapshot.centres.size()));
     const PixelRectangle whole = framebuffer_.whole();
     framebuffer_.resolve({&whole, 1});
-    framebuffer_.readColour(image, {&whole, 1});
+    framebuffer_.readColour(image, {&whole, 1}, false);
 }
 
 void NaivePipeline::save(const Image& image, const std::filesystem::path& file)
