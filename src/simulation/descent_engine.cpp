@@ -60,7 +60,7 @@ bool DescentEngine::step()
     if (discard_)
     {
         const StageTimer timer(world_.times, Stage::discarding);
-        world_.finished ? discard_->update({}) : discard_->updateWhenDue({});
+        world_.finished ? discard_->finish(world_.full) : discard_->afterStep({});
     }
     world_.time += world_.dt;
     clock_.close(world_);

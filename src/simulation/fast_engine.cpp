@@ -79,7 +79,7 @@ bool FastEngine::step()
     if (discard_)
     {
         const StageTimer timer(world_.times, Stage::discarding);
-        discard_->updateWhenDue({runners_.data(), running_});
+        discard_->afterStep({runners_.data(), running_});
     }
     return true;
 }
@@ -90,7 +90,7 @@ void FastEngine::finish()
     world_.finished = true;
     if (discard_)
     {
-        discard_->update({});
+        discard_->finish(world_.full);
     }
     clock_.close(world_);
 }
