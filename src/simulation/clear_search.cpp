@@ -14,6 +14,14 @@ constexpr double kRounding = 1e-9; // [r], above the rounding of any coordinate,
 
 void ClearSearch::gather(const Eigen::Vector3d& middle, double edge)
 {
+    walls_.clear();
+    for (const std::uint32_t id : triangles_.near(middle))
+    {
+        if (surface_.bound(id).mayBeWithin(probe_ + kHalfDiagonal * edge, middle))
+        {
+            walls_.push_back(id);
+        }
+    }
     balls_.clear();
     const double reach = kHalfDiagonal * edge;
     resting_.forEachNear(middle, 1 + probe_ + edge / 2,
@@ -52,19 +60,29 @@ bool ClearSearch::select(const Eigen::Vector3d& middle, double half, const Obsta
     return false;
 }
 
-bool ClearSearch::walled(const Eigen::Vector3d& middle, double edge, bool& walls,
-                         bool& clear) const
+bool ClearSearch::walled(const Eigen::Vector3d& middle, double edge, bool& clear) const
 {
-    if (!walls)
+    const double exclusion = probe_ - overlap_ - kRounding;
+    const double whole = std::max(0.0, exclusion - kHalfDiagonal * edge);
+    for (const std::uint32_t id : walls_)
     {
-        return false;
+        // What is farther from the triangle's plane is farther from the triangle.
+        const SurfaceTriangle& triangle = surface_[id];
+        const double decisive = clear ? exclusion : whole;
+        if (std::abs(triangle.normal.dot(middle) - triangle.offset) >= decisive)
+        {
+            continue;
+        }
+        const auto& [a, b, c] = triangle.corner;
+        const double square =
+            (closestPointOnTriangle(middle, a, b, c).point - middle).squaredNorm();
+        if (square < whole * whole)
+        {
+            return true;
+        }
+        clear = clear && square >= exclusion * exclusion;
     }
-    // The distance from the surface changes no faster than the place.
-    const double distance = inside_.distance(middle) - (probe_ - overlap_ - kRounding);
-    const double reach = kHalfDiagonal * edge;
-    walls = distance < reach;
-    clear = clear && distance >= 0;
-    return distance < -reach;
+    return false;
 }
 
 } // namespace frostfill

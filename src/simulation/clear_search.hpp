@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <mesh/inside_test.hpp>
+#include <mesh/triangle_grid.hpp>
 #include <simulation/sphere_grid.hpp>
 
 #include <cmath>
@@ -26,8 +26,10 @@ public:
 
     /// The searches live as long as this. `probe`: radius of the smallest sphere that runs or will
     /// run; `overlap`: by which a running sphere may overlap what is at rest [r].
-    ClearSearch(const SphereGrid& resting, const InsideTest& inside, double probe, double overlap)
-        : resting_(resting), inside_(inside), probe_(probe), overlap_(overlap)
+    ClearSearch(const SphereGrid& resting, const Surface& surface, const TriangleGrid& triangles,
+                double probe, double overlap)
+        : resting_(resting), surface_(surface), triangles_(triangles), probe_(probe),
+          overlap_(overlap)
     {
     }
 
@@ -40,7 +42,7 @@ public:
     {
         gather(middle, edge);
         left_ = false;
-        if (search(middle, edge, kHalvings, {0, balls_.size(), true}, matters))
+        if (search(middle, edge, kHalvings, {0, balls_.size()}, matters))
         {
             return Answer::clear;
         }
@@ -48,7 +50,7 @@ public:
     }
 
 private:
-    static constexpr int kHalvings = 3;
+    static constexpr int kHalvings = 2;
     static constexpr double kHalfDiagonal = 0.8660254037844387; // of a unit cube
 
     struct Exclusion
@@ -57,12 +59,11 @@ private:
         double square; ///< of the radius
         double radius;
     };
-    /// What may exclude a part: balls_[begin, end), and the walls.
+    /// What may exclude a part besides the walls: balls_[begin, end).
     struct Obstacles
     {
         std::size_t begin;
         std::size_t end;
-        bool walls;
     };
 
     void gather(const Eigen::Vector3d& middle, double edge);
@@ -79,9 +80,9 @@ private:
             return false;
         }
         bool clear = true;
-        Obstacles here{balls_.size(), 0, from.walls};
+        Obstacles here{balls_.size(), 0};
         bool found = false;
-        if (!select(middle, edge / 2, from, clear) && !walled(middle, edge, here.walls, clear))
+        if (!select(middle, edge / 2, from, clear) && !walled(middle, edge, clear))
         {
             here.end = balls_.size();
             found = halvings == 0 || (clear && matters(middle, 0));
@@ -97,16 +98,18 @@ private:
         return found;
     }
 
-    /// The same for walls; `walls` becomes false when they are too far to exclude any of the part.
-    bool walled(const Eigen::Vector3d& middle, double edge, bool& walls, bool& clear) const;
+    /// The same for walls.
+    bool walled(const Eigen::Vector3d& middle, double edge, bool& clear) const;
 
     const SphereGrid& resting_;
-    const InsideTest& inside_;
+    const Surface& surface_;
+    const TriangleGrid& triangles_;
     double probe_;
     double overlap_;
     std::uint32_t ignored_ = 0xffffffff;
-    std::vector<Exclusion> balls_; ///< of the cube, then of the part of it in hand, and so on
-    bool left_ = false;            ///< some part did not matter
+    std::vector<Exclusion> balls_;     ///< of the cube, then of the part of it in hand, and so on
+    std::vector<std::uint32_t> walls_; ///< triangles near the cube
+    bool left_ = false;                ///< some part did not matter
 };
 
 } // namespace frostfill

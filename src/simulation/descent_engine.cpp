@@ -22,6 +22,7 @@ DescentEngine::DescentEngine(World& world)
     const SphereSettings& spheres = world.scene.spheres;
     if (world.scene.discard.rule == DiscardRule::exact)
     {
+        const StageTimer timer(world.times, Stage::discarding);
         discard_ = std::make_unique<ExactDiscard>(world);
     }
     world.dt = kTimeOfSet;

@@ -20,8 +20,9 @@ constexpr std::array<ReachMap::Margins, 2> kMargins = {
 // An update looks at all that is kept, so its price for a sphere that comes to rest is bounded when
 // it waits for a share of that.
 constexpr std::size_t kSmallestBatch = 20;
-constexpr std::size_t kKeptInBatch = 1;     // spheres kept that a new one pays for
-constexpr std::size_t kPolygonsInBatch = 2; // polygons
+constexpr double kBatch = 0.75;           // spheres that come to rest for each that is kept
+constexpr double kPolygonBatch = 2;       // for each polygon that is kept, and
+constexpr std::size_t kPolygonRounds = 3; // polygons are looked at about so often in a run
 
 } // namespace
 
@@ -39,8 +40,8 @@ void ExactDiscard::build()
         map_ = std::make_unique<ReachMap>(world_.surface, world_.inside, radii_, margins);
         // The margin is widest for the smallest contact.
         const double overlap = radii_.smallest - map_->exclusion(radii_.smallest);
-        clear_ = std::make_unique<ClearSearch>(world_.resting, world_.inside, radii_.smallest,
-                                               overlap);
+        clear_ = std::make_unique<ClearSearch>(world_.resting, world_.surface, world_.triangles,
+                                               radii_.smallest, overlap);
         for (const Kept& kept : kept_)
         {
             map_->addResting(world_.spheres.position(kept.id), world_.spheres.radius[kept.id]);
@@ -76,7 +77,9 @@ void ExactDiscard::afterStep(std::span<Runner> runners)
     }
     const auto astray = [this](const Runner& runner) { return !map_->contains(runner.position); };
     const bool trip = std::any_of(runners.begin(), runners.end(), astray);
-    if (!trip && (pending_.size() < kSmallestBatch || pending_.size() * kKeptInBatch < kept_.size()))
+    const auto batch = std::max(
+        kSmallestBatch, static_cast<std::size_t>(kBatch * static_cast<double>(kept_.size())));
+    if (!trip && pending_.size() < batch)
     {
         return;
     }
@@ -120,8 +123,9 @@ void ExactDiscard::finish(bool full)
         clear_->ignore(last);
         map_->withdrawSeeds();
     }
-    restedSincePolygons_ = world_.polygons.size();
     update(centres_);
+    dropSpheres(kept_.size());
+    dropPolygons();
 }
 
 void ExactDiscard::update(std::span<const Eigen::Vector3d> running)
@@ -131,6 +135,7 @@ void ExactDiscard::update(std::span<const Eigen::Vector3d> running)
         map_->closeCube(x, y, z);
     }
     closed_.clear();
+    const std::size_t before = kept_.size();
     for (const std::uint32_t id : pending_)
     {
         map_->addResting(world_.spheres.position(id), world_.spheres.radius[id]);
@@ -143,30 +148,41 @@ void ExactDiscard::update(std::span<const Eigen::Vector3d> running)
         restoreAll();
         return;
     }
-    dropSpheres();
-    if (restedSincePolygons_ * kPolygonsInBatch >= world_.polygons.size() - world_.discardedPolygons)
+    // Spheres that have only just come to rest are mostly at the surface of the pile.
+    dropSpheres(before);
+    const std::size_t active = world_.polygons.size() - world_.discardedPolygons;
+    if (restedSincePolygons_ >=
+        std::max(expectedCount(world_) / kPolygonRounds,
+                 static_cast<std::size_t>(kPolygonBatch * static_cast<double>(active))))
     {
-        restedSincePolygons_ = 0;
         dropPolygons();
     }
 }
 
-void ExactDiscard::dropSpheres()
+// Looks at the oldest ones of those that are kept.
+void ExactDiscard::dropSpheres(std::size_t count)
 {
-    std::erase_if(kept_,
-                  [this](Kept& kept)
-                  {
-                      const bool droppable = sphereDroppable(kept);
-                      if (droppable)
-                      {
-                          world_.discard(kept.id);
-                      }
-                      return droppable;
-                  });
+    const auto end = kept_.begin() + static_cast<std::ptrdiff_t>(count);
+    const auto dropped = std::remove_if(kept_.begin(), end,
+                                        [this](Kept& kept)
+                                        {
+                                            const bool droppable = sphereDroppable(kept);
+                                            if (droppable)
+                                            {
+                                                world_.discard(kept.id);
+                                            }
+                                            return droppable;
+                                        });
+    kept_.erase(dropped, end);
 }
 
 void ExactDiscard::dropPolygons()
 {
+    restedSincePolygons_ = 0;
+    if (!map_)
+    {
+        return;
+    }
     for (std::uint32_t t = 0; t < world_.polygons.size(); ++t)
     {
         if (world_.polygons[t] == PolygonState::active && polygonDroppable(t))
@@ -196,21 +212,24 @@ bool ExactDiscard::sphereDroppable(Kept& kept)
     const double reach = map_->sphereReach(radius);
     const auto matters = [&](const Eigen::Vector3d& p, double around)
     { return (p - centre).squaredNorm() <= (reach + around) * (reach + around); };
-    return map_->sphereDroppable(centre, radius, kept.cursor, [&](int x, int y, int z)
-                                 { return confirm(x, y, z, matters); });
+    return map_->sphereDroppable(centre, radius, kept.cursor,
+                                 [&](int x, int y, int z) { return confirm(x, y, z, matters); });
 }
 
 bool ExactDiscard::polygonDroppable(std::uint32_t triangle)
 {
     const auto& [a, b, c] = world_.surface[triangle].corner;
     const double reach = map_->polygonReach();
+    const double exclusion = map_->exclusion(radii_.smallest);
+    // The triangle itself excludes what is nearer.
     const auto matters = [&](const Eigen::Vector3d& p, double around)
     {
-        return (closestPointOnTriangle(p, a, b, c).point - p).squaredNorm() <=
-               (reach + around) * (reach + around);
+        const double square = (closestPointOnTriangle(p, a, b, c).point - p).squaredNorm();
+        const double least = std::max(0.0, exclusion - around);
+        return square <= (reach + around) * (reach + around) && square >= least * least;
     };
-    return map_->polygonDroppable(triangle, [&](int x, int y, int z)
-                                  { return confirm(x, y, z, matters); });
+    return map_->polygonDroppable(triangle,
+                                  [&](int x, int y, int z) { return confirm(x, y, z, matters); });
 }
 
 // A guard has tripped: some centre is where the map says that none can be. Everything comes back,

@@ -53,7 +53,7 @@ private:
 
     void build();
     void update(std::span<const Eigen::Vector3d> running);
-    void dropSpheres();
+    void dropSpheres(std::size_t count);
     void dropPolygons();
     [[nodiscard]] bool sphereDroppable(Kept& kept);
     [[nodiscard]] bool polygonDroppable(std::uint32_t triangle);

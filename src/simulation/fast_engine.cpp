@@ -43,6 +43,7 @@ FastEngine::FastEngine(World& world)
     }
     if (world.scene.discard.rule == DiscardRule::exact)
     {
+        const StageTimer timer(world.times, Stage::discarding);
         discard_ = std::make_unique<ExactDiscard>(world);
     }
     world.dt = timeStep(world);
@@ -90,6 +91,7 @@ void FastEngine::finish()
     world_.finished = true;
     if (discard_)
     {
+        const StageTimer timer(world_.times, Stage::discarding);
         discard_->finish(world_.full);
     }
     clock_.close(world_);

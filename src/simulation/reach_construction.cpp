@@ -11,8 +11,8 @@ namespace frostfill
 namespace
 {
 
-constexpr double kLargestVoxel = 0.7;                // of R'; beyond it a surface may leak
-constexpr int kSetsOfCubes = 4;    // kept here and in the flood
+constexpr double kLargestVoxel = 0.7; // of R'; beyond it a surface may leak
+constexpr int kSetsOfCubes = 4;       // kept here and in the flood
 
 GridFrame frameAbout(const Surface& surface, double margin, double voxel)
 {

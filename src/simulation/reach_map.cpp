@@ -149,8 +149,7 @@ bool ReachMap::reaches(const Eigen::Vector3d& p, double distance) const
         return true;
     }
     Cursor fromTheTop = 0;
-    return findNearSphere(p, distance + kRounding, fromTheTop,
-                          [](int, int, int) { return true; });
+    return findNearSphere(p, distance + kRounding, fromTheTop, [](int, int, int) { return true; });
 }
 
 } // namespace frostfill

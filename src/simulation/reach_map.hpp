@@ -257,13 +257,15 @@ bool ReachMap::findNearTriangle(std::uint32_t triangle, Confirm&& confirm)
 {
     const double distance = polygonReach() + kHalfDiagonal * layout_.frame.cell;
     const TriangleRows rows(layout_.frame, surface_[triangle], distance);
-    return rows.window().find(
-        triangleCursor_[triangle],
-        [&](int y, int z)
-        {
-            return findInRow(y, z, rows.run(y, z), [&](int cx, int cy, int cz)
-                             { return rows.near(cx, cy, cz) && confirm(cx, cy, cz); });
-        });
+    return rows.window().find(triangleCursor_[triangle],
+                              [&](int y, int z)
+                              {
+                                  return findInRow(y, z, rows.run(y, z),
+                                                   [&](int cx, int cy, int cz) {
+                                                       return rows.near(cx, cy, cz) &&
+                                                              confirm(cx, cy, cz);
+                                                   });
+                              });
 }
 
 } // namespace frostfill

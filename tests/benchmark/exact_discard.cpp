@@ -109,8 +109,8 @@ int compareAll(std::uint64_t spheres, std::uint64_t seeds, const std::string& fo
         {
             for (const bool untilFull : {false, true})
             {
-                allEqual = (!mesh || compare(name, *mesh, motion, untilFull, spheres, seeds)) &&
-                           allEqual;
+                allEqual =
+                    (!mesh || compare(name, *mesh, motion, untilFull, spheres, seeds)) && allEqual;
             }
         }
     }

@@ -16,8 +16,8 @@ namespace frostfill
 
 inline std::vector<std::string> discardObjectNames()
 {
-    return {"torus", "sphere",  "cube",  "human",      "partitioned_box", "bent_tube",
-            "spot",  "fandisk", "bunny"};
+    return {"torus",     "sphere", "cube",    "human", "partitioned_box",
+            "bent_tube", "spot",   "fandisk", "bunny"};
 }
 
 /// Nothing for a real mesh whose file is not in the folder.

@@ -95,8 +95,8 @@ inline TriangleMesh torus(double ring = 1, double tube = 0.4, int segments = 48,
 }
 
 /// The surface of a union of cells of a grid with planes at the given coordinates, ascending. Cell
-/// (i, j, k) lies between planes i and i + 1, ...; `filled` says which there are. No two of them may
-/// touch in an edge or a corner alone.
+/// (i, j, k) lies between planes i and i + 1, ...; `filled` says which there are. No two of them
+/// may touch in an edge or a corner alone.
 template <class Filled>
 TriangleMesh gridCells(const std::array<std::vector<double>, 3>& planes, Filled&& filled)
 {
@@ -169,10 +169,9 @@ TriangleMesh gridCells(const std::array<std::vector<double>, 3>& planes, Filled&
 inline TriangleMesh partitionedBox()
 {
     const std::vector<double> even = {-1, -0.8, -0.6, -0.4, -0.2, 0, 0.2, 0.4, 0.6, 0.8, 1};
-    const std::vector<double> across = {-1,   -0.75, -0.5, -0.25, -0.05,
-                                        0.05, 0.25,  0.5,  0.75,  1};
-    return gridCells({across, even, even}, [](const std::array<int, 3>& cell)
-                     { return cell[0] != 4 || cell[1] >= 7; });
+    const std::vector<double> across = {-1, -0.75, -0.5, -0.25, -0.05, 0.05, 0.25, 0.5, 0.75, 1};
+    return gridCells({across, even, even},
+                     [](const std::array<int, 3>& cell) { return cell[0] != 4 || cell[1] >= 7; });
 }
 
 /// A tube of radius 0.25 along a swan's neck in the x-y plane: down, round, up, over and down
