@@ -20,7 +20,7 @@ constexpr std::array<ReachMap::Margins, 2> kMargins = {
 // An update looks at all that is kept, so its price for a sphere that comes to rest is bounded when
 // it waits for a share of that.
 constexpr std::size_t kSmallestBatch = 20;
-constexpr double kBatch = 0.75;           // spheres that come to rest for each that is kept
+constexpr double kBatch = 1;              // spheres that come to rest for each that is kept
 constexpr double kPolygonBatch = 2;       // for each polygon that is kept, and
 constexpr std::size_t kPolygonRounds = 3; // polygons are looked at about so often in a run
 
@@ -37,7 +37,8 @@ void ExactDiscard::build()
     for (; violations_ < kMargins.size(); ++violations_)
     {
         const ReachMap::Margins& margins = kMargins[violations_];
-        map_ = std::make_unique<ReachMap>(world_.surface, world_.inside, radii_, margins);
+        map_ = std::make_unique<ReachMap>(world_.surface, world_.inside, radii_, margins,
+                                          ReachMap::Resolution{0.66});
         // The margin is widest for the smallest contact.
         const double overlap = radii_.smallest - map_->exclusion(radii_.smallest);
         clear_ = std::make_unique<ClearSearch>(world_.resting, world_.surface, world_.triangles,
@@ -130,11 +131,6 @@ void ExactDiscard::finish(bool full)
 
 void ExactDiscard::update(std::span<const Eigen::Vector3d> running)
 {
-    for (const auto& [x, y, z] : closed_)
-    {
-        map_->closeCube(x, y, z);
-    }
-    closed_.clear();
     const std::size_t before = kept_.size();
     for (const std::uint32_t id : pending_)
     {
@@ -200,7 +196,7 @@ bool ExactDiscard::confirm(int x, int y, int z, Matters&& matters)
     const auto answer = clear_->look(frame.centre(x, y, z), frame.cell, matters);
     if (answer == ClearSearch::Answer::none)
     {
-        closed_.push_back({x, y, z});
+        map_->closeCube(x, y, z);
     }
     return answer == ClearSearch::Answer::clear;
 }
@@ -238,7 +234,6 @@ void ExactDiscard::restoreAll()
 {
     world_.restoreDiscarded();
     kept_.clear();
-    closed_.clear();
     pending_.clear();
     for (std::uint32_t id = 0; id < world_.spheres.size(); ++id)
     {

@@ -70,7 +70,6 @@ private:
     std::size_t restedSincePolygons_ = 0;
     std::vector<Kept> kept_; ///< spheres at rest in the map that are not dropped
     std::vector<Eigen::Vector3d> centres_;
-    std::vector<std::array<int, 3>> closed_; ///< cubes found to have no free place
 };
 
 } // namespace frostfill
