@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace frostfill
@@ -61,10 +62,34 @@ struct ObjectSettings
     double unitsPerMetre = 1;   ///< mesh units in a metre: 1000 for a CAD file in millimetres
 };
 
+/// The radii that spheres are given: one, any between two with equal likelihood, or those of a
+/// file.
+struct Radii
+{
+    double smallest = 0; ///< [mesh unit]
+    double largest = 0;  ///< [mesh unit]
+    /// With a radius [mesh unit] a line; each sphere gets one of them with equal likelihood. The
+    /// two numbers do not count then.
+    std::string file = {};
+
+    Radii() = default;
+    Radii(double radius) : smallest(radius), largest(radius) {} // NOLINT: a number is one radius
+    Radii(double low, double high) : smallest(low), largest(high) {}
+    [[nodiscard]] static Radii fromFile(std::string path)
+    {
+        Radii radii;
+        radii.file = std::move(path);
+        return radii;
+    }
+    /// All spheres are alike.
+    [[nodiscard]] bool equal() const { return file.empty() && smallest == largest; }
+    friend bool operator==(const Radii&, const Radii&) = default;
+};
+
 /// How many spheres, how large, and how they appear (PAPER: gamma, k).
 struct SphereSettings
 {
-    std::optional<double> radius;       ///< [mesh unit]; derived from the count when not given
+    std::optional<Radii> radius;        ///< [mesh unit]; derived from the count when not given
     std::optional<std::uint64_t> count; ///< stop at this many; until full when not given
     bool untilFull = false;             ///< go on after `count` until no sphere fits
     std::uint32_t groupSize = 0;    ///< gamma: spheres in a group; 0 (fast only): 10, or more in an
@@ -155,9 +180,10 @@ void validateScene(const Scene& scene);
 /// Gravity in mesh units a square second.
 [[nodiscard]] double gravityInMeshUnits(const Scene& scene);
 
-/// The radius of the run: the scene's own, or the one at which `count` spheres take 90 % of the
-/// wall-corrected estimate phi (V - c r S), phi = 0.586, c = 0.38.
-/// Throws Error usage when neither radius nor count is given.
+/// The largest radius of the run: the scene's own, or the one at which `count` spheres take 90 % of
+/// the wall-corrected estimate phi (V - c r S), phi = 0.586, c = 0.38. Throws Error usage when
+/// neither radius nor count is given, and what reading a file of radii throws: inputMissing, or
+/// badData with the line.
 [[nodiscard]] double sphereRadius(const Scene& scene, const MeshReport& mesh);
 
 } // namespace frostfill

@@ -34,7 +34,7 @@ struct SetRecord
     OperationCounts operations;
 };
 
-/// How good the state is. Overlaps are penetration depths over the radius.
+/// How good the state is. Overlaps are penetration depths over the radius, of two the smaller.
 struct QualityReport
 {
     double maxOverlap = 0;          ///< [r] between two spheres
@@ -73,7 +73,8 @@ public:
     [[nodiscard]] bool full() const;       ///< the run is over because no sphere fits any more
     [[nodiscard]] double time() const;     ///< [s] simulated
     [[nodiscard]] double timeStep() const; ///< [s]
-    [[nodiscard]] double radius() const;   ///< [mesh unit]
+    [[nodiscard]] double radius() const;   ///< [mesh unit] the largest that the scene asks for
+    [[nodiscard]] double smallestRadius() const; ///< [mesh unit] that the scene asks for
     [[nodiscard]] std::uint64_t steps() const;
     [[nodiscard]] std::size_t sphereCount() const;
     [[nodiscard]] std::size_t restingCount() const; ///< frozen and discarded

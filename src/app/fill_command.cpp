@@ -26,6 +26,7 @@ constexpr const char* kExamples = R"(Examples:
   frostfill fill human --frames none             tables only
   frostfill fill part.stl --up z --units mm --count 500
   frostfill fill bunny.obj --radius 0.02 --out output/fine
+  frostfill fill cube --radius 0.04..0.12        radii between two
   frostfill fill --scene output/torus/summary.json --out output/again
 )";
 
@@ -111,12 +112,20 @@ std::string bytesText(double bytes)
                                       : fmt::format("{:.1f} GB", bytes / 1e9));
 }
 
+/// "radius 0.05", or "radii from 0.02 to 0.05".
+std::string radiiText(double smallest, double largest)
+{
+    return smallest == largest ? fmt::format("radius {:.5g}", largest)
+                               : fmt::format("radii from {:.5g} to {:.5g}", smallest, largest);
+}
+
 void printPlan(const FillRequest& request, const FillPlan& plan)
 {
     for (const std::string& repair : plan.repairs)
         say(fmt::format("repaired: {}\n", repair));
-    say(fmt::format("{}: {} triangles, about {} spheres of radius {:.5g}, steps of {:.3g} s\n",
-                    request.scene.name, plan.triangles, plan.spheres, plan.radius, plan.timeStep));
+    say(fmt::format("{}: {} triangles, about {} spheres of {}, steps of {:.3g} s\n",
+                    request.scene.name, plan.triangles, plan.spheres,
+                    radiiText(plan.smallestRadius, plan.largestRadius), plan.timeStep));
     if (request.scene.frames.enabled)
         say(fmt::format("expecting about {} frames of {}x{}, {}, {:.3g} times slowed down\n",
                         plan.estimate.frames, request.scene.size.width, request.scene.size.height,
@@ -131,9 +140,9 @@ void printResult(const FillResult& result)
         fmt::print("stopped early, with {} of {} spheres\n", result.spheres, result.wanted);
     else if (result.full)
         fmt::print("full: no sphere fits any more after {}\n", result.spheres);
-    fmt::print("{} spheres of radius {:.5g} take {:.1f} % of the volume; {} frames; {:.1f} s; in "
+    fmt::print("{} spheres of {} take {:.1f} % of the volume; {} frames; {:.1f} s; in "
                "{}\n",
-               result.spheres, result.radius,
+               result.spheres, radiiText(result.smallestRadius, result.largestRadius),
                100 * result.quality.sphereVolume / result.quality.meshVolume, result.frames,
                result.wallSeconds, result.directory.string());
 }

@@ -31,6 +31,9 @@ std::string placeholder(const Option& option)
     case OptionType::vector:
         what = "X,Y,Z";
         break;
+    case OptionType::radii:
+        what = "X|X..Y|FILE";
+        break;
     case OptionType::text:
         what = option.choices.empty() ? option.placeholder
                                       : fmt::format("{}", fmt::join(option.choices, "|"));

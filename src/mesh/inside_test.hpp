@@ -23,6 +23,8 @@ public:
     /// Distance to the surface, positive inside, clamped to +- the grid's reach.
     [[nodiscard]] double distance(const Eigen::Vector3d& p) const;
 
+    [[nodiscard]] double reach() const { return grid_->reach(); }
+
 private:
     [[nodiscard]] bool isInsideFarFromSurface(const Eigen::Vector3d& p) const;
     void classifyFrom(std::size_t seed, std::vector<std::uint32_t>& stack);

@@ -72,7 +72,7 @@ OptionValue converted(const Option& option, OptionValue value)
                 return number;
     }
     if (const auto* whole = std::get_if<std::int64_t>(&value);
-        whole && option.type == OptionType::number)
+        whole && (option.type == OptionType::number || option.type == OptionType::radii))
         return static_cast<double>(*whole);
     return value;
 }
@@ -94,6 +94,10 @@ bool allowed(const Option& option, const OptionValue& value)
     case OptionType::vector:
         return std::holds_alternative<Eigen::Vector3d>(value) &&
                std::get<Eigen::Vector3d>(value).allFinite();
+    case OptionType::radii:
+        return std::holds_alternative<std::string>(value) ||
+               (std::holds_alternative<double>(value) &&
+                inRange(option.range, std::get<double>(value)));
     case OptionType::text:
         break;
     }
@@ -129,6 +133,10 @@ std::string describeAllowed(const Option& option)
         break;
     case OptionType::vector:
         what = "three numbers x,y,z";
+        break;
+    case OptionType::radii:
+        what = "a number" + describeRange(option.range) +
+               ", a range such as 0.02..0.05, a file with a radius a line";
         break;
     case OptionType::text:
         what = option.choices.empty() ? option.form
@@ -167,6 +175,10 @@ std::optional<OptionValue> readOptionText(const Option& option, std::string_view
         return wrap(readNumber<double>(text));
     case OptionType::vector:
         return wrap(readVector(text));
+    case OptionType::radii:
+        if (const auto number = readNumber<double>(text))
+            return *number;
+        break;
     case OptionType::text:
         break;
     }

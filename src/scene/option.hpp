@@ -26,7 +26,8 @@ enum class OptionType : std::uint8_t
     integer,
     number,
     text,
-    vector
+    vector,
+    radii ///< a number, or a text that tells several
 };
 
 /// The values that a number may have.

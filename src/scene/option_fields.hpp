@@ -52,6 +52,9 @@ struct EnumNames<Motion>
 [[nodiscard]] std::string colourText(const Colour& colour);
 [[nodiscard]] bool readColour(std::string_view text, Colour& colour);
 [[nodiscard]] bool readPictureSize(std::string_view text, PictureSize& size);
+/// "0.02..0.05", or a file's name, which has a dot or a slash and begins like no number.
+[[nodiscard]] std::string radiiText(const Radii& radii);
+[[nodiscard]] bool readRadii(std::string_view text, Radii& radii);
 
 /// How a field's type is kept in an OptionValue and got back. One overload for each type.
 inline OptionValue toValue(bool field)
@@ -77,6 +80,10 @@ inline OptionValue toValue(const Colour& field)
 inline OptionValue toValue(const PictureSize& field)
 {
     return std::to_string(field.width) + "x" + std::to_string(field.height);
+}
+inline OptionValue toValue(const Radii& field)
+{
+    return field.equal() ? OptionValue(field.largest) : OptionValue(radiiText(field));
 }
 template <std::integral Field>
 OptionValue toValue(Field field)
@@ -112,6 +119,12 @@ bool fromValue(Field& field, const OptionValue& value)
         return readColour(std::get<std::string>(value), field);
     else if constexpr (std::is_same_v<Field, PictureSize>)
         return readPictureSize(std::get<std::string>(value), field);
+    else if constexpr (std::is_same_v<Field, Radii>)
+    {
+        if (const auto* text = std::get_if<std::string>(&value))
+            return readRadii(*text, field);
+        field = Radii(std::get<double>(value));
+    }
     else if constexpr (std::integral<Field> && !std::is_same_v<Field, bool>)
         field = static_cast<Field>(std::get<std::int64_t>(value));
     else
@@ -141,7 +154,8 @@ struct OptionTypeOf
                                         : std::floating_point<Field> ? OptionType::number
                                         : std::is_same_v<Field, Eigen::Vector3d>
                                             ? OptionType::vector
-                                            : OptionType::text;
+                                        : std::is_same_v<Field, Radii> ? OptionType::radii
+                                                                       : OptionType::text;
 };
 template <typename Field>
 struct OptionTypeOf<std::optional<Field>> : OptionTypeOf<Field>

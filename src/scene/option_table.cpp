@@ -84,7 +84,7 @@ void addSpheres(TableBuilder& table)
     table.heading("Spheres");
     table
         .add("spheres.radius", "--radius",
-             "Radius [mesh unit]; given alone: fill until no sphere fits",
+             "Radius [mesh unit], a range or a file of radii; given alone: fill until none fits",
              FROSTFILL_FIELD(spheres.radius))
         .orNothing("auto")
         .above(0);

@@ -2,6 +2,7 @@
 #include <frostfill/error.hpp>
 #include <frostfill/scene.hpp>
 #include <scene/packing_estimate.hpp>
+#include <scene/radius_distribution.hpp>
 
 #include <cmath>
 #include <filesystem>
@@ -80,7 +81,7 @@ double gravityInMeshUnits(const Scene& scene)
 double sphereRadius(const Scene& scene, const MeshReport& mesh)
 {
     if (scene.spheres.radius)
-        return *scene.spheres.radius;
+        return RadiusDistribution(*scene.spheres.radius).largest();
     if (!scene.spheres.count)
         throw Error(ErrorCode::usage, "neither a radius nor a count of spheres is given; give "
                                       "--radius, --count or both");

@@ -169,6 +169,9 @@ Scene loadScene(const std::filesystem::path& file)
     Scene scene = parseScene(text, file.string());
     if (!isBuiltInMesh(scene.object.mesh) && std::filesystem::path(scene.object.mesh).is_relative())
         scene.object.mesh = (file.parent_path() / scene.object.mesh).string();
+    if (scene.spheres.radius && !scene.spheres.radius->file.empty() &&
+        std::filesystem::path(scene.spheres.radius->file).is_relative())
+        scene.spheres.radius->file = (file.parent_path() / scene.spheres.radius->file).string();
     return scene;
 }
 

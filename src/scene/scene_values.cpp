@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
 #include <charconv>
+#include <cmath>
 
 namespace frostfill
 {
@@ -12,10 +14,11 @@ namespace
 
 constexpr int kLargestPictureSide = 16384;
 
-template <typename T>
-bool readWhole(std::string_view text, T& value, int base)
+template <typename T, typename... Base>
+bool readWhole(std::string_view text, T& value, Base... base)
 {
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, base);
+    const auto [end, error] =
+        std::from_chars(text.data(), text.data() + text.size(), value, base...);
     return error == std::errc{} && end == text.data() + text.size();
 }
 
@@ -50,6 +53,35 @@ bool readPictureSize(std::string_view text, PictureSize& size)
     if (!fits(read.width) || !fits(read.height))
         return false;
     size = read;
+    return true;
+}
+
+std::string radiiText(const Radii& radii)
+{
+    return radii.file.empty() ? fmt::format("{}..{}", radii.smallest, radii.largest) : radii.file;
+}
+
+bool readRadii(std::string_view text, Radii& radii)
+{
+    if (text.empty())
+        return false;
+    const bool likeNumber = text.find_first_of("0123456789+-") == 0 ||
+                            (text.size() > 1 && text[0] == '.' && std::isdigit(text[1]) != 0);
+    if (!likeNumber)
+    {
+        if (text.find_first_of("./") == std::string_view::npos)
+            return false;
+        radii = Radii::fromFile(std::string(text));
+        return true;
+    }
+    const std::size_t dots = text.find("..");
+    Radii read;
+    if (dots == std::string_view::npos || !readWhole(text.substr(0, dots), read.smallest) ||
+        !readWhole(text.substr(dots + 2), read.largest))
+        return false;
+    if (!(read.smallest > 0 && read.largest >= read.smallest && std::isfinite(read.largest)))
+        return false;
+    radii = read;
     return true;
 }
 

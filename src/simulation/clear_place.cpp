@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <simulation/clear_place.hpp>
 
+#include <cmath>
+#include <vector>
+
 namespace frostfill
 {
 namespace
@@ -35,27 +38,57 @@ bool pushOffWalls(const World& world, const Eigen::Vector3d& p, double radius, P
     return true;
 }
 
-void pushOffSpheres(const World& world, const Eigen::Vector3d& p, double radius, Push& push)
+/// Spheres at rest, listed once for all the moves from one place.
+class Obstacles
 {
-    world.resting.forEachNear(p, radius + 1,
-                              [&](std::uint32_t id)
-                              {
-                                  const GridSphere& other = world.resting[id];
-                                  const Eigen::Vector3d d = p - other.position();
-                                  const double distance = d.norm();
-                                  const double depth = radius + other.radius - distance;
-                                  if (depth > push.depth && distance > 0)
+public:
+    void list(const World& world, const Eigen::Vector3d& p, double radius, double farthest)
+    {
+        spheres_.clear();
+        world.resting.forEachNear(p, radius + 1 + farthest,
+                                  [&](std::uint32_t id)
                                   {
-                                      push.depth = depth;
-                                      push.out = d / distance * (depth + kClearance);
-                                  }
-                              });
-}
+                                      const GridSphere& other = world.resting[id];
+                                      const double limit = radius + other.radius + farthest;
+                                      const Eigen::Vector3d centre = other.position();
+                                      if ((centre - p).squaredNorm() < limit * limit)
+                                      {
+                                          spheres_.push_back({centre, radius + other.radius});
+                                      }
+                                  });
+    }
+
+    void pushOff(const Eigen::Vector3d& p, Push& push) const
+    {
+        for (const auto& [centre, reach] : spheres_)
+        {
+            const Eigen::Vector3d d = p - centre;
+            const double limit = reach - push.depth;
+            const double squared = d.squaredNorm();
+            if (squared < limit * limit && squared > 0)
+            {
+                const double distance = std::sqrt(squared);
+                push.depth = reach - distance;
+                push.out = d / distance * (push.depth + kClearance);
+            }
+        }
+    }
+
+private:
+    struct Obstacle
+    {
+        Eigen::Vector3d centre;
+        double reach = 0; ///< sum of the two radii
+    };
+    std::vector<Obstacle> spheres_;
+};
 
 } // namespace
 
 bool moveClear(const World& world, Eigen::Vector3d& p, double radius, double farthest)
 {
+    thread_local Obstacles obstacles; // keeps its memory
+    obstacles.list(world, p, radius, farthest);
     const Eigen::Vector3d start = p;
     for (int move = 0; move < kMoves; ++move)
     {
@@ -64,7 +97,7 @@ bool moveClear(const World& world, Eigen::Vector3d& p, double radius, double far
         {
             return false;
         }
-        pushOffSpheres(world, p, radius, push);
+        obstacles.pushOff(p, push);
         if (push.out.isZero(0))
         {
             return true;

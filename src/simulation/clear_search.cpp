@@ -24,7 +24,7 @@ void ClearSearch::gather(const Eigen::Vector3d& middle, double edge)
     }
     balls_.clear();
     const double reach = kHalfDiagonal * edge;
-    resting_.forEachNear(middle, 1 + probe_ + edge / 2,
+    resting_.forEachNear(middle, 1 + probe_ + reach,
                          [&](std::uint32_t id)
                          {
                              const GridSphere& s = resting_[id];

@@ -56,20 +56,21 @@ Eigen::Vector3d projectToFree(const Eigen::Vector3d& vector,
     {
         for (std::size_t j = i + 1; j < normals.size(); ++j)
         {
-            Eigen::Vector3d line = normals[i].cross(normals[j]);
-            const double length = line.norm();
-            if (length < kParallel)
-            {
-                continue;
-            }
-            line /= length;
             const double cosine = normals[i].dot(normals[j]);
             const double intoFirst = -normals[i].dot(vector);
             const double intoSecond = -normals[j].dot(vector);
-            const bool bothPush =
-                intoFirst - cosine * intoSecond >= 0 && intoSecond - cosine * intoFirst >= 0;
-            const Eigen::Vector3d along = line.dot(vector) * line;
-            if (bothPush && leadsIntoNone(normals, along, tolerance))
+            if (intoFirst - cosine * intoSecond < 0 || intoSecond - cosine * intoFirst < 0)
+            {
+                continue; // one of the two would have to pull
+            }
+            const Eigen::Vector3d line = normals[i].cross(normals[j]);
+            const double squared = line.squaredNorm();
+            if (squared < kParallel * kParallel)
+            {
+                continue;
+            }
+            const Eigen::Vector3d along = line * (line.dot(vector) / squared);
+            if (leadsIntoNone(normals, along, tolerance))
             {
                 return along;
             }

@@ -13,11 +13,12 @@ namespace frostfill
 namespace
 {
 
-constexpr double kTouch = 1e-7;         // gap below which a contact carries [r]
-constexpr double kSettled = 0.01;       // share of the weight that may remain uncarried
+constexpr double kTouch = 1e-7;   // gap below which a contact carries [r]
+constexpr double kSettled = 0.01; // share of the weight that may remain uncarried
+// Here r is the radius of the sphere that slides.
 constexpr double kLongestSlide = 0.3;   // straight part of a path that follows a curve [r]
 constexpr double kShortestSlide = 1e-4; // a path that advances by less is stuck [r]
-constexpr double kShortestLook = 0.1;   // a neighbourhood that reaches less far is renewed [r]
+constexpr double kShortestLook = 0.1;   // a neighbourhood that reaches less far is renewed
 constexpr double kRegain = 0.2;         // how far behind a straight part the contact may be [r]
 
 } // namespace
@@ -25,10 +26,10 @@ constexpr double kRegain = 0.2;         // how far behind a straight part the co
 bool Descent::settle(Eigen::Vector3d& p, double radius, Neighbourhood& around, double farthest)
 {
     const Eigen::Vector3d start = p;
-    longestSlide_ = kLongestSlide;
+    longestSlide_ = kLongestSlide * radius;
     // A path loses height with every step, so it ends; the bound is for wedges that Newton's method
     // enters ever more slowly.
-    const auto bound = static_cast<std::uint64_t>(2000 + 200 * world_.height);
+    const auto bound = static_cast<std::uint64_t>(2000 + 200 * world_.height / radius);
     for (std::uint64_t step = 0; step < bound; ++step)
     {
         around.ensure(world_, p, radius, kShortestLook);
@@ -68,7 +69,7 @@ bool Descent::slide(Eigen::Vector3d& p, double radius, Neighbourhood& around,
     const double weight = pull.norm();
     const Eigen::Vector3d along = pull / weight;
     // Near the bottom of a curve the pull fades with the distance to it.
-    const double length = std::min({longestSlide_, 1.5 * weight, around.room(p)});
+    const double length = std::min({longestSlide_, 1.5 * weight * radius, around.room(p)});
     const double path = freePath(world_.surface, around, p, radius, along, length);
     p += path * along;
 
@@ -77,21 +78,21 @@ bool Descent::slide(Eigen::Vector3d& p, double radius, Neighbourhood& around,
     if (force > kSettled)
     {
         // A contact that curves away is behind by about the square of the part.
-        around.ensure(world_, p, radius, path * path);
+        around.ensure(world_, p, radius, path * path / radius);
         const Eigen::Vector3d back = -forces / force;
-        const double limit = std::min(kRegain, around.room(p));
+        const double limit = std::min(kRegain * radius, around.room(p));
         const double regained = freePath(world_.surface, around, p, radius, back, limit);
         if (regained < limit)
         {
             p += regained * back;
         }
     }
-    if (path < kShortestSlide * weight)
+    if (path < kShortestSlide * weight * radius)
     {
         longestSlide_ /= 2;
-        return longestSlide_ > kShortestSlide;
+        return longestSlide_ > kShortestSlide * radius;
     }
-    longestSlide_ = kLongestSlide;
+    longestSlide_ = kLongestSlide * radius;
     return true;
 }
 

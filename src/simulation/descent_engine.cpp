@@ -71,16 +71,17 @@ bool DescentEngine::step()
 // Returns false when no place is left.
 bool DescentEngine::placeOne()
 {
-    const auto anywhere = [](const Eigen::Vector3d&) { return true; };
-    while (auto place = release_.find(anywhere))
+    const auto anywhere = [](const Eigen::Vector3d&, double) { return true; };
+    while (auto found = release_.find(anywhere))
     {
-        if (descent_.settle(*place, 1))
+        Eigen::Vector3d& place = found->place;
+        if (descent_.settle(place, found->radius))
         {
             const auto group =
                 static_cast<std::uint32_t>(world_.spheres.size() / groupSize(world_));
-            world_.freeze(world_.spheres.add(*place, 1, group)); // never runs
-            falls_.insert(*place);
-            release_.close(*place, 1);
+            world_.freeze(world_.spheres.add(place, found->radius, group)); // never runs
+            falls_.insert(place);
+            release_.close(place, found->radius);
             if (discard_)
             {
                 discard_->addResting(static_cast<std::uint32_t>(world_.spheres.size() - 1));

@@ -4,7 +4,7 @@
 #include <simulation/descent.hpp>
 #include <simulation/exact_discard.hpp>
 #include <simulation/fall_index.hpp>
-#include <simulation/release_sites.hpp>
+#include <simulation/releases.hpp>
 #include <simulation/set_clock.hpp>
 #include <simulation/world.hpp>
 
@@ -25,7 +25,7 @@ private:
 
     World& world_;
     FallIndex falls_;
-    ReleaseSites release_;
+    Releases release_;
     Descent descent_;
     std::unique_ptr<ExactDiscard> discard_; ///< empty when nothing is to be discarded
     SetClock clock_;

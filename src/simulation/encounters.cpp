@@ -10,7 +10,7 @@ namespace
 {
 
 constexpr double kMeetingMargin = 0.3; // gap up to which runners may meet within a step [r]
-constexpr double kLongestPush = 0.2;   // in one sweep [r]
+constexpr double kLongestPush = 0.2;   // in one sweep, of the own radius
 
 // How much of the penetration depth a gives way by. One that nothing at rest has carried for long
 // stops giving way, so that it comes down to something that does; of two such, the lower.
@@ -130,9 +130,10 @@ void Encounters::pushOff(std::span<const Runner> runners, Runner& runner) const
         }
     }
     const double length = runner.push.norm();
-    if (length > kLongestPush)
+    const double longest = kLongestPush * runner.radius;
+    if (length > longest)
     {
-        runner.push *= kLongestPush / length;
+        runner.push *= longest / length;
     }
 }
 

@@ -13,9 +13,13 @@ namespace
 /// dropped any more. The engine never moves a sphere but along swept paths, and its overlaps with
 /// what is at rest are rounding: the first are a thousand times what it needs.
 constexpr std::array<ReachMap::Margins, 2> kMargins = {
-    ReachMap::Margins{1e-3, 0, 0.02},
+    ReachMap::Margins{1e-3, 0, 0.02}, // overlap and step in smallest radii
     ReachMap::Margins{0.05, 0.5, 0.3},
 };
+
+/// Edge of the map's cubes in smallest radii. A surface leaks from 0.7 on; smaller cubes cost more
+/// and, as parts of cubes are looked at where they decide, hardly drop more.
+constexpr double kVoxel = 0.66;
 
 // An update looks at all that is kept, so its price for a sphere that comes to rest is bounded when
 // it waits for a share of that.
@@ -26,23 +30,25 @@ constexpr std::size_t kPolygonRounds = 3; // polygons are looked at about so oft
 
 } // namespace
 
-ExactDiscard::ExactDiscard(World& world, const ReachMap::Radii& radii)
-    : world_(world), radii_(radii)
+ExactDiscard::ExactDiscard(World& world) : world_(world)
 {
     build();
 }
 
 void ExactDiscard::build()
 {
+    const ReachMap::Radii radii = {world_.radii.smallest(), world_.radii.largest()};
     for (; violations_ < kMargins.size(); ++violations_)
     {
-        const ReachMap::Margins& margins = kMargins[violations_];
-        map_ = std::make_unique<ReachMap>(world_.surface, world_.inside, radii_, margins,
-                                          ReachMap::Resolution{0.66});
+        ReachMap::Margins margins = kMargins[violations_];
+        margins.overlap *= radii.smallest;
+        margins.step *= radii.smallest;
+        map_ = std::make_unique<ReachMap>(world_.surface, world_.inside, radii, margins,
+                                          ReachMap::Resolution{kVoxel});
         // The margin is widest for the smallest contact.
-        const double overlap = radii_.smallest - map_->exclusion(radii_.smallest);
+        const double overlap = radii.smallest - map_->exclusion(radii.smallest);
         clear_ = std::make_unique<ClearSearch>(world_.resting, world_.surface, world_.triangles,
-                                               radii_.smallest, overlap);
+                                               radii.smallest, overlap);
         for (const Kept& kept : kept_)
         {
             map_->addResting(world_.spheres.position(kept.id), world_.spheres.radius[kept.id]);
@@ -216,7 +222,7 @@ bool ExactDiscard::polygonDroppable(std::uint32_t triangle)
 {
     const auto& [a, b, c] = world_.surface[triangle].corner;
     const double reach = map_->polygonReach();
-    const double exclusion = map_->exclusion(radii_.smallest);
+    const double exclusion = map_->exclusion(world_.radii.smallest());
     // The triangle itself excludes what is nearer.
     const auto matters = [&](const Eigen::Vector3d& p, double around)
     {

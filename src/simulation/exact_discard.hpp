@@ -24,8 +24,7 @@ namespace frostfill
 class ExactDiscard
 {
 public:
-    /// `radii` are those of the spheres that will be released [r].
-    explicit ExactDiscard(World& world, const ReachMap::Radii& radii = {});
+    explicit ExactDiscard(World& world);
 
     /// To be called for each sphere that has come to rest.
     void addResting(std::uint32_t id);
@@ -62,7 +61,6 @@ private:
     void restoreAll();
 
     World& world_;
-    ReachMap::Radii radii_;
     std::unique_ptr<ReachMap> map_;
     std::unique_ptr<ClearSearch> clear_;
     std::size_t violations_ = 0;

@@ -11,7 +11,7 @@ namespace frostfill
 namespace
 {
 
-constexpr double kStep = 0.165;       // default time step [sqrt(r/g)]
+constexpr double kStep = 0.165;       // default time step [sqrt(r/g) of the smallest sphere]
 constexpr double kSkipStep = 0.33;    // the same with Motion::skip, where nothing falls from far
 constexpr double kWindow = 0.33;      // over which a sphere is watched [sqrt(r/g)]
 constexpr double kStillRunning = 0.2; // share of a set that may run when the next one appears
@@ -23,7 +23,8 @@ double timeStep(const World& world)
     {
         return *world.scene.motion.dt / world.frame.time;
     }
-    return world.scene.motion.mode == Motion::skip ? kSkipStep : kStep;
+    const double step = world.scene.motion.mode == Motion::skip ? kSkipStep : kStep;
+    return step * std::sqrt(world.radii.smallest());
 }
 
 } // namespace
@@ -110,29 +111,30 @@ bool FastEngine::releaseSet()
     const bool skip = world_.scene.motion.mode == Motion::skip;
     grid_.rebuild({runners_.data(), running_});
     Eigen::Vector3d start;
-    const auto suits = [&](const Eigen::Vector3d& place)
+    const auto suits = [&](const Eigen::Vector3d& place, double radius)
     {
         start = place;
         if (skip)
         {
-            descent_.drop(start, 1);
+            descent_.drop(start, radius);
         }
-        return clearOfRunners(start);
+        return clearOfRunners(start, radius);
     };
     while (world_.spheres.size() - before < wanted)
     {
-        if (!release_.find(suits))
+        const auto found = release_.find(suits);
+        if (!found)
         {
             break;
         }
         const std::size_t inSet = world_.spheres.size() - before;
         const auto group = nextGroup_ + static_cast<std::uint32_t>(inSet / groupSize(world_));
-        const std::uint32_t id = world_.release(start, 1, group);
+        const std::uint32_t id = world_.release(start, found->radius, group);
         if (running_ == runners_.size())
         {
             runners_.emplace_back();
         }
-        runners_[running_++].restart(id, start);
+        runners_[running_++].restart(id, start, found->radius);
         grid_.add(start);
     }
     if (world_.spheres.size() == before)
@@ -168,13 +170,13 @@ void FastEngine::advance()
     }
 }
 
-bool FastEngine::clearOfRunners(const Eigen::Vector3d& place) const
+bool FastEngine::clearOfRunners(const Eigen::Vector3d& place, double radius) const
 {
     bool clear = true;
-    grid_.forEachNear(place, 2 + kClearance,
+    grid_.forEachNear(place, radius + 1 + kClearance,
                       [&](std::uint32_t k)
                       {
-                          const double contact = runners_[k].radius + 1 + kClearance;
+                          const double contact = runners_[k].radius + radius + kClearance;
                           clear = clear &&
                                   (runners_[k].position - place).squaredNorm() >= contact * contact;
                       });

@@ -7,7 +7,7 @@
 #include <simulation/fall_index.hpp>
 #include <simulation/flight.hpp>
 #include <simulation/parallel.hpp>
-#include <simulation/release_sites.hpp>
+#include <simulation/releases.hpp>
 #include <simulation/runner.hpp>
 #include <simulation/set_clock.hpp>
 #include <simulation/world.hpp>
@@ -34,14 +34,14 @@ private:
     [[nodiscard]] std::vector<std::uint32_t> overlappedBy(std::uint32_t index) const;
     [[nodiscard]] bool makeRoom(std::uint32_t index, double farthest);
     void evict(std::uint32_t index);
-    [[nodiscard]] bool clearOfRunners(const Eigen::Vector3d& place) const;
+    [[nodiscard]] bool clearOfRunners(const Eigen::Vector3d& place, double radius) const;
     void freezeAt(Runner& runner, const Eigen::Vector3d& place);
     void tellOthers(const Eigen::Vector3d& place, double radius);
     void forgetFrozen();
 
     World& world_;
     FallIndex falls_;
-    ReleaseSites release_;
+    Releases release_;
     Descent descent_;
     Flight flight_;
     Threads threads_;

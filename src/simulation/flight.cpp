@@ -25,9 +25,10 @@ Eigen::Vector3d freeWay(const Runner& runner, double time, const Eigen::Vector3d
 
 } // namespace
 
-void Runner::restart(std::uint32_t newId, const Eigen::Vector3d& p)
+void Runner::restart(std::uint32_t newId, const Eigen::Vector3d& p, double newRadius)
 {
     id = newId;
+    radius = newRadius;
     position = p;
     watched = p;
     velocity.setZero();

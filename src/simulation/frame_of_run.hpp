@@ -8,8 +8,8 @@ namespace frostfill
 {
 
 /// The simulation's own coordinates: the box's centre is the origin, y is up, lengths are counted
-/// in sphere radii and times in sqrt(radius / gravity). Every tolerance is then a pure number.
-/// Axes are permuted, never rotated, so that no bit is lost.
+/// in the largest sphere's radius and times in sqrt(radius / gravity). Every tolerance is then a
+/// pure number. Axes are permuted, never rotated, so that no bit is lost.
 struct FrameOfRun
 {
     Eigen::Vector3d origin = Eigen::Vector3d::Zero(); ///< mesh coordinates

@@ -16,6 +16,7 @@ namespace frostfill
 namespace
 {
 
+// Here r is the radius of the sphere that the sentence is about.
 constexpr double kCalm = 0.03;            // a calm sphere moves less than this in a window [r]
 constexpr double kContactGap = 0.01;      // below which a contact carries, for the first look [r]
 constexpr double kMostlyCarried = 0.5;    // weight that may be missing at that first look
@@ -33,7 +34,8 @@ void FastEngine::freezeCalm()
     for (std::uint32_t k = 0; k < running_; ++k)
     {
         Runner& runner = runners_[k];
-        const bool calm = (runner.position - runner.watched).squaredNorm() < kCalm * kCalm;
+        const double still = kCalm * runner.radius;
+        const bool calm = (runner.position - runner.watched).squaredNorm() < still * still;
         runner.watched = runner.position;
         runner.calmWindows = calm ? runner.calmWindows + 1 : 0;
         if (runner.calmWindows > 0 || runner.age > ageLimit_)
@@ -66,15 +68,16 @@ bool FastEngine::tryFreeze(std::uint32_t index)
     const bool tooOld = runner.age > ageLimit_;
     runner.yields = runner.yields && runner.calmWindows < kPatience && !tooOld;
     runner.around.ensure(world_, runner.position, runner.radius, 0);
-    contactNormals(world_.surface, runner.around, runner.position, runner.radius, kContactGap,
-                   runner.normals);
+    contactNormals(world_.surface, runner.around, runner.position, runner.radius,
+                   kContactGap * runner.radius, runner.normals);
     const double missing = projectToFree({0, -1, 0}, runner.normals).norm();
     if (missing > kMostlyCarried && !tooOld)
     {
         return false;
     }
     Eigen::Vector3d place = runner.position;
-    const double farthest = tooOld ? std::numeric_limits<double>::infinity() : kLongestSettling;
+    const double farthest =
+        tooOld ? std::numeric_limits<double>::infinity() : kLongestSettling * runner.radius;
     if (!descent_.settle(place, runner.radius, runner.around, farthest) && !tooOld)
     {
         return false;
@@ -134,7 +137,7 @@ bool FastEngine::makeRoom(std::uint32_t index, double farthest)
     for (const std::uint32_t k : overlapped)
     {
         moved_.push_back(runners_[k].position);
-        if (!moveClear(world_, moved_.back(), runners_[k].radius, farthest))
+        if (!moveClear(world_, moved_.back(), runners_[k].radius, farthest * runners_[k].radius))
         {
             return false;
         }
@@ -151,19 +154,20 @@ bool FastEngine::makeRoom(std::uint32_t index, double farthest)
 // these appear again elsewhere, or are withdrawn when the object is full.
 void FastEngine::evict(std::uint32_t index)
 {
-    const auto suits = [this](const Eigen::Vector3d& place) { return clearOfRunners(place); };
+    const auto suits = [this](const Eigen::Vector3d& place, double radius)
+    { return clearOfRunners(place, radius); };
     for (const std::uint32_t k : overlappedBy(index))
     {
         Runner& other = runners_[k];
         Eigen::Vector3d clear = other.position;
-        if (moveClear(world_, clear, other.radius, kFarRoom))
+        if (moveClear(world_, clear, other.radius, kFarRoom * other.radius))
         {
             other.position = clear;
             grid_.move(k, clear);
         }
-        else if (const auto elsewhere = release_.find(suits))
+        else if (const auto elsewhere = release_.find(other.radius, suits))
         {
-            other.restart(other.id, *elsewhere);
+            other.restart(other.id, *elsewhere, other.radius);
             grid_.move(k, *elsewhere);
         }
         else

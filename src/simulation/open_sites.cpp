@@ -4,21 +4,54 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 namespace frostfill
 {
 
-OpenSites::OpenSites(const Surface& surface, const InsideTest& inside)
-    : lattice_(GridFrame::cover(surface.box(), kCell, 0)), bits_((lattice_.size() + 63) / 64, 0)
+namespace
 {
+
+constexpr double kCell = 0.5;      // of the radius
+constexpr double kMostSites = 4e9; // whose numbers fit 32 bits; beyond it cells are larger
+
+double cellFor(const Eigen::Vector3d& size, double radius)
+{
+    double cell = kCell * radius;
+    while ((size.array() / cell + 1).prod() > kMostSites)
+    {
+        cell *= 1.02;
+    }
+    return cell;
+}
+
+} // namespace
+
+OpenSites::OpenSites(const Surface& surface, const InsideTest& inside, double radius)
+    : radius_(radius),
+      lattice_(GridFrame::cover(surface.box(), cellFor(surface.box().sizes(), radius), 0)),
+      bits_((lattice_.size() + 63) / 64, 0)
+{
+    const double least = radius_ - halfDiagonal();
+    const double known = lattice_.cell + 1e-9; // from one site to the next a distance changes less
     std::size_t site = 0;
     for (int z = 0; z < lattice_.count[2]; ++z)
     {
         for (int y = 0; y < lattice_.count[1]; ++y)
         {
-            for (int x = 0; x < lattice_.count[0]; ++x, ++site)
+            double low = -std::numeric_limits<double>::infinity(); // bounds of the distance
+            double high = std::numeric_limits<double>::infinity();
+            for (int x = 0; x < lattice_.count[0]; ++x, ++site, low -= known, high += known)
             {
-                if (inside.distance(lattice_.centre(x, y, z)) >= 1 - kHalfDiagonal)
+                if (low < least && high >= least)
+                {
+                    const double distance = inside.distance(lattice_.centre(x, y, z));
+                    // What is beyond the reach of the test is only known to be beyond it.
+                    const bool far = std::abs(distance) >= inside.reach();
+                    low = far && distance < 0 ? -std::numeric_limits<double>::infinity() : distance;
+                    high = far && distance > 0 ? std::numeric_limits<double>::infinity() : distance;
+                }
+                if (low >= least)
                 {
                     bits_[site / 64] |= std::uint64_t{1} << (site % 64);
                 }
@@ -30,7 +63,11 @@ OpenSites::OpenSites(const Surface& surface, const InsideTest& inside)
 void OpenSites::close(const Eigen::Vector3d& centre, double radius)
 {
     // Sites whose own centre is nearer than this have all their points within the two radii.
-    const double limit = radius + 1 - kHalfDiagonal;
+    const double limit = radius + radius_ - halfDiagonal();
+    if (limit <= 0)
+    {
+        return;
+    }
     const auto low = lattice_.coordinates(centre.array() - limit);
     const auto high = lattice_.coordinates(centre.array() + limit);
     for (int z = low[2]; z <= high[2]; ++z)
@@ -46,8 +83,8 @@ void OpenSites::close(const Eigen::Vector3d& centre, double radius)
             }
             // Cells of the row whose centre is within the half chord.
             const double half = std::sqrt(left);
-            const double first = (centre.x() - half - lattice_.origin.x()) / kCell - 0.5;
-            const double last = (centre.x() + half - lattice_.origin.x()) / kCell - 0.5;
+            const double first = (centre.x() - half - lattice_.origin.x()) / lattice_.cell - 0.5;
+            const double last = (centre.x() + half - lattice_.origin.x()) / lattice_.cell - 0.5;
             const int begin = std::max(0, static_cast<int>(std::ceil(first)));
             const int end = std::min(lattice_.count[0] - 1, static_cast<int>(std::floor(last)));
             const std::size_t row = lattice_.index(0, y, z);

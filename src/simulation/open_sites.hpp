@@ -11,12 +11,13 @@ namespace frostfill
 {
 
 /// A lattice of half a radius over the object, a bit a cell: whether the cell may still hold the
-/// centre of a sphere of the largest radius, 1. Spheres at rest close the cells that lie wholly
-/// within two radii; a cell that is closed stays closed.
+/// centre of a sphere of that radius. Spheres at rest close the cells that lie wholly within the
+/// two radii; a cell that is closed stays closed.
 class OpenSites
 {
 public:
-    OpenSites(const Surface& surface, const InsideTest& inside);
+    /// `radius` is at most 1.
+    OpenSites(const Surface& surface, const InsideTest& inside, double radius);
 
     /// Closes all cells that a sphere at rest leaves no place in.
     void close(const Eigen::Vector3d& centre, double radius);
@@ -31,10 +32,11 @@ public:
     /// The next open site from `site` on, or lattice().size(). Ascending in z, y, x.
     [[nodiscard]] std::size_t nextOpen(std::size_t site) const;
 
-    static constexpr double kCell = 0.5;
-    static constexpr double kHalfDiagonal = 0.8660254037844387 * kCell;
+    [[nodiscard]] double cell() const { return lattice_.cell; }
+    [[nodiscard]] double halfDiagonal() const { return 0.8660254037844387 * lattice_.cell; }
 
 private:
+    double radius_;
     GridFrame lattice_;
     std::vector<std::uint64_t> bits_;
 };

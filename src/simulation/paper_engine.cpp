@@ -15,11 +15,13 @@ namespace
 /// A centre's polygon may be this far beyond the edge of its quarter: its radius, and what it may
 /// be pushed while it is tested. [r]
 constexpr double kQuarterReach = 1.1;
-/// Contacts between spheres move a centre at most this far in a step, so that walls can win. [r]
+/// Contacts between spheres move a centre at most this far in a step, so that walls can win. [own
+/// radius]
 constexpr double kLongestPush = 0.5;
-/// No fall moves a sphere farther than this in a step by default. [r]
+/// No fall moves a sphere farther than this in a step by default. [smallest radius]
 constexpr double kLongestFall = 0.5;
-/// Largest default step, which matters for objects not much higher than a sphere. [sqrt(r/g)]
+/// Largest default step, which matters for objects not much higher than a sphere. [sqrt(r/g) of the
+/// smallest]
 constexpr double kLongestStep = 0.1;
 /// Approaches slower than gravity makes in this many steps do not bounce.
 constexpr double kBounceSteps = 4;
@@ -43,7 +45,9 @@ double chooseTimeStep(const World& world)
     {
         return *world.scene.motion.dt / world.frame.time;
     }
-    return std::min(kLongestStep, kLongestFall / fallSpeed(world.height));
+    const double smallest = world.radii.smallest();
+    return std::min(kLongestStep * std::sqrt(smallest),
+                    kLongestFall * smallest / fallSpeed(world.height));
 }
 
 std::uint32_t windowSteps(const World& world)
@@ -132,16 +136,17 @@ bool PaperEngine::releaseSet()
     const std::size_t before = world_.spheres.size();
     {
         const StageTimer timer(world_.times, Stage::releasing);
-        const auto suits = [this](const Eigen::Vector3d& place) { return clearOfRunning(place); };
+        const auto suits = [this](const Eigen::Vector3d& place, double radius)
+        { return clearOfRunning(place, radius); };
         while (world_.spheres.size() - before < wanted)
         {
-            const auto place = release_.find(suits);
-            if (!place)
+            const auto found = release_.find(suits);
+            if (!found)
             {
                 break;
             }
             const std::size_t inSet = world_.spheres.size() - before;
-            world_.release(*place, 1,
+            world_.release(found->place, found->radius,
                            nextGroup_ + static_cast<std::uint32_t>(inSet / settings.groupSize));
         }
     }
@@ -158,11 +163,11 @@ bool PaperEngine::releaseSet()
     return true;
 }
 
-bool PaperEngine::clearOfRunning(const Eigen::Vector3d& place) const
+bool PaperEngine::clearOfRunning(const Eigen::Vector3d& place, double radius) const
 {
-    const double contact = 2 + kClearance;
     for (std::size_t id = world_.restingCount; id < world_.spheres.size(); ++id)
     {
+        const double contact = world_.spheres.radius[id] + radius + kClearance;
         if ((world_.spheres.position(id) - place).squaredNorm() < contact * contact)
         {
             return false;
@@ -252,9 +257,10 @@ void PaperEngine::limitPushes()
         const std::size_t id = world_.restingCount + k;
         const Eigen::Vector3d push = world_.spheres.position(id) - predicted_[k];
         const double length = push.norm();
-        if (length > kLongestPush)
+        const double longest = kLongestPush * world_.spheres.radius[id];
+        if (length > longest)
         {
-            world_.spheres.setPosition(id, predicted_[k] + push * (kLongestPush / length));
+            world_.spheres.setPosition(id, predicted_[k] + push * (longest / length));
         }
     }
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <simulation/algorithm1.hpp>
-#include <simulation/release_sites.hpp>
+#include <simulation/releases.hpp>
 #include <simulation/rest_monitor.hpp>
 #include <simulation/set_clock.hpp>
 #include <simulation/world.hpp>
@@ -21,7 +21,7 @@ public:
 private:
     bool startNextSet();
     bool releaseSet();
-    [[nodiscard]] bool clearOfRunning(const Eigen::Vector3d& place) const;
+    [[nodiscard]] bool clearOfRunning(const Eigen::Vector3d& place, double radius) const;
     void freezeAndDiscard();
     void integrate();
     void collide();
@@ -33,7 +33,7 @@ private:
     World& world_;
     PolygonTests polygons_;
     Algorithm1 algorithm1_;
-    ReleaseSites release_;
+    Releases release_;
     RestMonitor rest_;
     SetClock clock_;
 

@@ -14,7 +14,8 @@ namespace frostfill
 namespace
 {
 
-constexpr double kContactGap = 0.01;   // [r] below which a gap counts as a contact that carries
+constexpr double kContactGap =
+    0.01; // [own radius] below which a gap counts as a contact that carries
 constexpr double kUnsupported = 0.1;   // [g] of weight that may remain uncarried
 constexpr double kWindingBudget = 2e6; // winding numbers: spheres times triangles worth computing
 constexpr double kFitError = 0.0093;   // largest error of the fit over shapes, r S / V <= 0.3
@@ -76,7 +77,8 @@ private:
     void meetSpheres(std::uint32_t id, const Eigen::Vector3d& p, bool resting)
     {
         const Spheres& s = world_.spheres;
-        const double reach = s.radius[id] + 1 + kContactGap;
+        const double gap = kContactGap * s.radius[id];
+        const double reach = s.radius[id] + 1 + gap;
         all_.forEachNear(p, reach,
                          [&](std::uint32_t other)
                          {
@@ -89,11 +91,13 @@ private:
                              const double depth = s.radius[id] + s.radius[other] - distance;
                              if (depth >= 0 && other > id)
                              {
-                                 report_.maxOverlap = std::max(report_.maxOverlap, depth);
-                                 overlapSum_ += depth;
+                                 const double share =
+                                     depth / std::min(s.radius[id], s.radius[other]);
+                                 report_.maxOverlap = std::max(report_.maxOverlap, share);
+                                 overlapSum_ += share;
                                  ++pairs_;
                              }
-                             if (depth > -kContactGap && distance > 0 && resting &&
+                             if (depth > -gap && distance > 0 && resting &&
                                  s.state[other] != SphereState::running)
                              {
                                  normals_.push_back(d / distance);
@@ -107,11 +111,12 @@ private:
         for (const std::uint32_t t : world_.triangles.near(p))
         {
             const SignedDistance wall = signedDistance(world_.surface[t], p);
-            if (wall.value < 0 || wall.value > radius + kContactGap || wall.value == 0)
+            if (wall.value < 0 || wall.value > radius + kContactGap * radius || wall.value == 0)
             {
                 continue;
             }
-            report_.maxWallOverlap = std::max(report_.maxWallOverlap, radius - wall.value);
+            report_.maxWallOverlap =
+                std::max(report_.maxWallOverlap, (radius - wall.value) / radius);
             const Eigen::Vector3d normal = (p - wall.closest) / wall.value;
             const auto same = [&](const Eigen::Vector3d& n) { return n.dot(normal) > 1 - 1e-12; };
             if (std::none_of(normals_.begin(), normals_.end(), same))

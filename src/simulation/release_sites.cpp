@@ -9,16 +9,9 @@
 
 namespace frostfill
 {
-namespace
-{
 
-/// How far from its site a place may be that stands for it. [r]
-constexpr double kFarthest = 2 * OpenSites::kHalfDiagonal;
-
-} // namespace
-
-ReleaseSites::ReleaseSites(const World& world, double band)
-    : world_(world), sites_(world.surface, world.inside)
+ReleaseSites::ReleaseSites(const World& world, double radius, double band)
+    : world_(world), radius_(radius), sites_(world.surface, world.inside, radius)
 {
     findCeilings(band);
 }
@@ -40,7 +33,7 @@ void ReleaseSites::findCeilings(double band)
     std::sort(ceilings_.begin(), ceilings_.end(),
               [&](std::uint32_t a, std::uint32_t b)
               { return std::pair(height(a), a) < std::pair(height(b), b); });
-    const double inBand = band / OpenSites::kCell;
+    const double inBand = band / sites_.cell();
     const auto isLow = [&](std::uint32_t site)
     {
         return static_cast<double>(height(site)) + inBand <
@@ -71,14 +64,14 @@ std::optional<Eigen::Vector3d> ReleaseSites::drawAtCeiling(std::size_t among)
     if (sites_.isOpen(site))
     {
         Eigen::Vector3d p = sites_.centre(site);
-        p.x() += OpenSites::kCell * (uniformRandom(seed, draws_, 1) - 0.5);
-        p.z() += OpenSites::kCell * (uniformRandom(seed, draws_, 2) - 0.5);
-        if (moveClear(world_, p, 1, 1))
+        p.x() += sites_.cell() * (uniformRandom(seed, draws_, 1) - 0.5);
+        p.z() += sites_.cell() * (uniformRandom(seed, draws_, 2) - 0.5);
+        if (moveClear(world_, p, radius_, radius_))
         {
             return p;
         }
         p = sites_.centre(site);
-        if (moveClear(world_, p, 1, kFarthest))
+        if (moveClear(world_, p, radius_, farthest()))
         {
             return p;
         }
@@ -96,7 +89,7 @@ std::size_t ReleaseSites::nextFree(std::size_t site)
          site = sites_.nextOpen(site + 1))
     {
         place_ = sites_.centre(site);
-        if (moveClear(world_, place_, 1, kFarthest))
+        if (moveClear(world_, place_, radius_, farthest()))
         {
             return site;
         }

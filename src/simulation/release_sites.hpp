@@ -10,15 +10,15 @@
 namespace frostfill
 {
 
-/// Finds one place after another at which a sphere can be released: first at random below the
-/// object's ceilings, the highest first, then, once nothing fits there, everywhere else that is
-/// still free, so that "full" means that no place is left.
+/// Finds one place after another at which a sphere of one radius can be released: first at random
+/// below the object's ceilings, the highest first, then, once nothing fits there, everywhere else
+/// that is still free, so that "full" means that no place is left.
 class ReleaseSites
 {
 public:
-    /// `world` outlives this. `band`: how far below the highest ceiling [r] others are used
-    /// together with it; lower ones follow as those above fill up.
-    ReleaseSites(const World& world, double band);
+    /// `world` outlives this. `radius`: at most 1. `band`: how far below the highest ceiling [r]
+    /// others are used together with it; lower ones follow as those above fill up.
+    ReleaseSites(const World& world, double radius, double band);
 
     /// A place that is clear of walls and of spheres at rest, and for which `suits(place)` holds.
     /// Places that do not suit now are left for later. Empty when there is none.
@@ -68,12 +68,15 @@ public:
     void giveUp();
 
 private:
+    /// How far from its site a place may be that stands for it.
+    [[nodiscard]] double farthest() const { return 2 * sites_.halfDiagonal(); }
     void findCeilings(double band);
     void dropCeiling(std::size_t index);
     [[nodiscard]] std::optional<Eigen::Vector3d> drawAtCeiling(std::size_t among);
     [[nodiscard]] std::size_t nextFree(std::size_t site);
 
     const World& world_;
+    double radius_;
     OpenSites sites_;
     /// Open sites with none above; the last window_ of them are in use, those before are lower.
     std::vector<std::uint32_t> ceilings_;

@@ -30,7 +30,7 @@ struct Runner
     std::uint32_t calmWindows = 0; ///< in a row in which it hardly moved
     bool yields = true; ///< gives way to other runners; one that nothing carries for long does not
 
-    void restart(std::uint32_t newId, const Eigen::Vector3d& p);
+    void restart(std::uint32_t newId, const Eigen::Vector3d& p, double newRadius);
 };
 
 } // namespace frostfill

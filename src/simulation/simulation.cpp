@@ -88,6 +88,10 @@ double Simulation::radius() const
 {
     return implementation_->world.frame.length;
 }
+double Simulation::smallestRadius() const
+{
+    return implementation_->world.frame.length * implementation_->world.radii.smallest();
+}
 std::uint64_t Simulation::steps() const
 {
     return implementation_->world.steps;

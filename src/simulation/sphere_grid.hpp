@@ -3,7 +3,9 @@
 
 #include <geometry/grid_frame.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -53,12 +55,25 @@ public:
     [[nodiscard]] const GridSphere& operator[](std::uint32_t id) const { return spheres_[id]; }
     void setDiscarded(std::uint32_t id, bool discarded) { spheres_[id].discarded = discarded; }
 
-    /// Calls visit(id) for each sphere in the cells that a cube of half-edge `reach` about p meets.
+    /// Calls visit(id) for each sphere in the cells that a ball of radius `reach` about p meets,
+    /// and maybe for a few more.
     template <class Visit>
     void forEachNear(const Eigen::Vector3d& p, double reach, Visit&& visit) const
     {
-        forEachIn(frame_.coordinates(p.array() - reach), frame_.coordinates(p.array() + reach),
-                  visit);
+        const auto low = frame_.coordinates(p.array() - reach);
+        const auto high = frame_.coordinates(p.array() + reach);
+        for (int z = low[2]; z <= high[2]; ++z)
+        {
+            const double dz = distanceToLayer(p, 2, z);
+            for (int y = low[1]; y <= high[1]; ++y)
+            {
+                const double dy = distanceToLayer(p, 1, y);
+                if (dz * dz + dy * dy <= reach * reach)
+                {
+                    forEachIn({low[0], y, z}, {high[0], y, z}, visit);
+                }
+            }
+        }
     }
 
     /// Calls visit(id) for each sphere in the cells from `low` to `high`, both included.
@@ -85,6 +100,15 @@ public:
     [[nodiscard]] const GridFrame& frame() const { return frame_; }
 
 private:
+    /// From p to the nearest point of a layer of cells. Layers at the border reach to infinity.
+    [[nodiscard]] double distanceToLayer(const Eigen::Vector3d& p, int axis, int layer) const
+    {
+        const double low = frame_.origin[axis] + frame_.cell * layer;
+        const double below = layer > 0 ? low - p[axis] : 0;
+        const double above = layer + 1 < frame_.count[axis] ? p[axis] - (low + frame_.cell) : 0;
+        return std::max({0.0, below, above});
+    }
+
     static constexpr std::uint32_t kEnd = 0xffffffff;
     GridFrame frame_;
     std::vector<std::uint32_t> head_; ///< [#cells]

@@ -15,6 +15,11 @@ namespace frostfill
 namespace
 {
 
+RadiusDistribution radiiOf(const Scene& scene, const MeshReport& mesh)
+{
+    return RadiusDistribution(scene.spheres.radius.value_or(sphereRadius(scene, mesh)));
+}
+
 /// Cells a radius wide: the lists of triangles stay short, and 27 of them hold every sphere near.
 constexpr double kTriangleCell = 1;
 constexpr double kTriangleReach = 1.5;
@@ -30,12 +35,13 @@ GridFrame gridOver(const Surface& surface, double cell)
 } // namespace
 
 World::World(const Scene& sceneOfRun, const TriangleMesh& mesh)
-    : scene(sceneOfRun), report(inspectMesh(mesh)),
-      frame(scene, report.box, sphereRadius(scene, report)), surface(frame.toRun(mesh)),
+    : scene(sceneOfRun), report(inspectMesh(mesh)), radii(radiiOf(scene, report)),
+      frame(scene, report.box, radii.largest()), surface(frame.toRun(mesh)),
       triangles(surface, gridOver(surface, kTriangleCell), kTriangleReach),
       inside(surface, triangles), height(surface.box().sizes().y()),
       resting(gridOver(surface, kSphereCell)), polygons(mesh.triangles.size(), PolygonState::active)
 {
+    radii = radii.inLargest();
     if (scene.spheres.count && !scene.spheres.untilFull)
     {
         targetCount = *scene.spheres.count;
@@ -135,7 +141,8 @@ std::size_t groupSize(const World& world)
         return spheres.groupSize;
     }
     const double volume = world.report.volume / std::pow(world.frame.length, 3);
-    const double inSet = kFootprint * volume / world.height / 4; // a sphere covers 2 r times 2 r
+    // A sphere covers 2 r times 2 r.
+    const double inSet = kFootprint * volume / world.height / (4 * world.radii.meanPower(2));
     return std::max<std::size_t>(10, static_cast<std::size_t>(inSet) / spheres.groupsPerSet);
 }
 
@@ -144,7 +151,7 @@ void refuseTooLarge(const World& world)
     throw Error(ErrorCode::badData,
                 fmt::format("not one sphere of radius {:g} fits into {}: choose a smaller --radius "
                             "or a larger --count",
-                            world.frame.length, world.scene.object.mesh));
+                            world.frame.length * world.radii.smallest(), world.scene.object.mesh));
 }
 
 std::size_t expectedCount(const World& world)
@@ -155,8 +162,9 @@ std::size_t expectedCount(const World& world)
     }
     // The estimate that sphereRadius uses, the other way round.
     const double r = world.frame.length;
-    const double room = std::max(0.0, world.report.volume - kWallLayer * r * world.report.area);
-    const double one = 4.0 / 3.0 * std::numbers::pi * r * r * r;
+    const double layer = kWallLayer * r * world.radii.meanPower(1);
+    const double room = std::max(0.0, world.report.volume - layer * world.report.area);
+    const double one = 4.0 / 3.0 * std::numbers::pi * r * r * r * world.radii.meanPower(3);
     return static_cast<std::size_t>(std::max(1.0, kPackingFraction * room / one));
 }
 

@@ -4,6 +4,7 @@
 #include <frostfill/simulation.hpp>
 #include <mesh/inside_test.hpp>
 #include <mesh/triangle_grid.hpp>
+#include <scene/radius_distribution.hpp>
 #include <simulation/frame_of_run.hpp>
 #include <simulation/sphere_grid.hpp>
 #include <simulation/spheres.hpp>
@@ -24,7 +25,8 @@ struct World
 
     // The object.
     Scene scene;
-    MeshReport report; ///< of the mesh as given
+    MeshReport report;        ///< of the mesh as given
+    RadiusDistribution radii; ///< in the largest radius, which is the run's unit of length
     FrameOfRun frame;
     Surface surface;
     TriangleGrid triangles; ///< within reach 1.5 of each cell
@@ -80,7 +82,7 @@ struct World
 /// cover a tenth of the object's mean cross-section.
 [[nodiscard]] std::size_t groupSize(const World& world);
 
-/// Throws Error badData: not one sphere of the run's radius fits into the object.
+/// Throws Error badData: not one sphere of the run's smallest radius fits into the object.
 [[noreturn]] void refuseTooLarge(const World& world);
 
 /// Moves a world. One time step of the paper's method, or of ours.

@@ -21,10 +21,11 @@ FillPlan makePlan(const Scene& scene, const LoadedMesh& mesh, const Simulation& 
     plan.repairs = mesh.repairs;
     plan.triangles = mesh.report.triangles;
     plan.spheres = simulation.expectedSpheres();
-    plan.radius = simulation.radius();
+    plan.smallestRadius = simulation.smallestRadius();
+    plan.largestRadius = simulation.radius();
     plan.timeStep = simulation.timeStep();
     plan.timing = timing;
-    plan.estimate = estimateFrames(scene, mesh.report, plan.spheres, plan.radius);
+    plan.estimate = estimateFrames(scene, mesh.report, plan.spheres, plan.largestRadius);
     return plan;
 }
 
@@ -94,7 +95,8 @@ FillResult runFill(const FillRequest& request, const FillObserver& observer)
     result.sets = simulation.sets();
     result.spheres = simulation.sphereCount();
     result.wanted = simulation.expectedSpheres();
-    result.radius = simulation.radius();
+    result.smallestRadius = simulation.smallestRadius();
+    result.largestRadius = simulation.radius();
     result.full = simulation.full();
     result.stateHash = simulation.stateHash();
     result.quality = simulation.quality();

@@ -30,8 +30,9 @@ struct FillPlan
     std::vector<std::string> repairs; ///< of the mesh
     std::size_t triangles = 0;
     std::size_t spheres = 0;
-    double radius = 0;   ///< [mesh unit]
-    double timeStep = 0; ///< [s]
+    double smallestRadius = 0; ///< [mesh unit]
+    double largestRadius = 0;  ///< [mesh unit]
+    double timeStep = 0;       ///< [s]
     FrameTiming timing;
     FrameEstimate estimate;
 };
@@ -60,8 +61,9 @@ struct FillResult
     std::vector<SetFrames> setFrames;
     std::size_t frames = 0;
     std::size_t spheres = 0;
-    std::size_t wanted = 0; ///< spheres that the run aimed at
-    double radius = 0;      ///< [mesh unit]
+    std::size_t wanted = 0;    ///< spheres that the run aimed at
+    double smallestRadius = 0; ///< [mesh unit]
+    double largestRadius = 0;  ///< [mesh unit]
     bool full = false;
     bool stopped = false;   ///< by stopRequested
     double wallSeconds = 0; ///< of the whole run

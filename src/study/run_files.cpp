@@ -42,13 +42,24 @@ Json meshJson(const LoadedMesh& mesh)
 Json spheresJson(const Simulation& simulation)
 {
     std::size_t counts[3] = {};
+    double smallest = simulation.radius();
+    double sum = 0;
     for (std::size_t id = 0; id < simulation.sphereCount(); ++id)
-        ++counts[static_cast<std::size_t>(simulation.sphere(id).state)];
+    {
+        const SphereRecord sphere = simulation.sphere(id);
+        ++counts[static_cast<std::size_t>(sphere.state)];
+        smallest = std::min(smallest, sphere.radius);
+        sum += sphere.radius;
+    }
+    const bool equal = simulation.smallestRadius() == simulation.radius();
+    const auto total = static_cast<double>(std::max<std::size_t>(1, simulation.sphereCount()));
     return {{"running", counts[0]},
             {"frozen", counts[1]},
             {"discarded", counts[2]},
             {"total", simulation.sphereCount()},
-            {"radius", simulation.radius()}};
+            {"radius", simulation.radius()},
+            {"smallest_radius", smallest},
+            {"mean_radius", equal ? simulation.radius() : sum / total}};
 }
 
 Json polygonsJson(const std::vector<PolygonState>& polygons)

@@ -168,7 +168,7 @@ TEST(Simulation, PolygonSearchesAgreeToTheBit)
 TEST(Simulation, ScaleByAPowerOfTwoChangesNoBit)
 {
     Scene scaled = smallTorus();
-    scaled.spheres.radius = 8 * *scaled.spheres.radius;
+    scaled.spheres.radius = 8 * scaled.spheres.radius->largest;
     scaled.object.unitsPerMetre = 8;
     Simulation large(scaled, shapes::torus(8, 3.2));
     runToEnd(large);
