@@ -2,7 +2,8 @@
 // Exact discards on against off: whether the results are equal bit for bit, how much is dropped,
 // and what it costs, on every object and with many seeds. Prints CSV; exits with 2 when a pair of
 // runs differs. Run it by hand:
-// build/release/tests/benchmark/benchmark_exact_discard [SPHERES [SEEDS [FOLDER OF MESHES]]]
+// build/release/tests/benchmark/benchmark_exact_discard [SPHERES [SEEDS [FOLDER [OBJECT]]]]
+// where FOLDER has the real meshes
 
 #include <frostfill/simulation.hpp>
 #include <support/discard_objects.hpp>
@@ -96,7 +97,8 @@ bool compare(const std::string& name, const TriangleMesh& mesh, Motion motion, b
     return equal == seeds && equalThreads == seeds;
 }
 
-int compareAll(std::uint64_t spheres, std::uint64_t seeds, const std::string& folder)
+int compareAll(std::uint64_t spheres, std::uint64_t seeds, const std::string& folder,
+               const std::string& only)
 {
     fmt::print("object,polygons,motion,until,seeds,equal_on_off,equal_threads,spheres,"
                "spheres_dropped,spheres_dropped_mean,polygons_dropped,discard_share_of_time,"
@@ -104,6 +106,10 @@ int compareAll(std::uint64_t spheres, std::uint64_t seeds, const std::string& fo
     bool allEqual = true;
     for (const std::string& name : discardObjectNames())
     {
+        if (!only.empty() && name != only)
+        {
+            continue;
+        }
         const auto mesh = discardObject(name, folder);
         for (const Motion motion : {Motion::fall, Motion::skip})
         {
@@ -124,5 +130,6 @@ int main(int count, char** arguments)
 {
     const auto number = [&](int index, std::uint64_t otherwise)
     { return count > index ? std::strtoull(arguments[index], nullptr, 10) : otherwise; };
-    return frostfill::compareAll(number(1, 500), number(2, 1), count > 3 ? arguments[3] : "");
+    return frostfill::compareAll(number(1, 500), number(2, 1), count > 3 ? arguments[3] : "",
+                                 count > 4 ? arguments[4] : "");
 }
