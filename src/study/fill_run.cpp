@@ -14,8 +14,12 @@ namespace frostfill
 namespace
 {
 
+/// Memory for looking at what the spheres can reach: enough for some 500,000 spheres. Beyond that
+/// it would take longer than a run should.
+constexpr std::size_t kReachBytes = std::size_t{8} << 20;
+
 FillPlan makePlan(const Scene& scene, const LoadedMesh& mesh, const Simulation& simulation,
-                  const FrameTiming& timing)
+                  const FrameTiming& timing, const ReachInspection& reach)
 {
     FillPlan plan;
     plan.repairs = mesh.repairs;
@@ -25,6 +29,8 @@ FillPlan makePlan(const Scene& scene, const LoadedMesh& mesh, const Simulation& 
     plan.largestRadius = simulation.radius();
     plan.timeStep = simulation.timeStep();
     plan.timing = timing;
+    plan.volume = mesh.report.volume;
+    plan.reach = reach;
     plan.estimate = estimateFrames(scene, mesh.report, plan.spheres, plan.largestRadius);
     return plan;
 }
@@ -77,10 +83,11 @@ FillResult runFill(const FillRequest& request, const FillObserver& observer)
     if (request.scene.frames.enabled)
         recorder = std::make_unique<FrameRecorder>(mesh.mesh, request.scene, timing.interval,
                                                    request.directory / "frames");
-    if (observer.planned)
-        observer.planned(makePlan(request.scene, mesh, simulation, timing));
-
     FillResult result;
+    result.reach = inspectReach(mesh.mesh, simulation.smallestRadius(), kReachBytes);
+    if (observer.planned)
+        observer.planned(makePlan(request.scene, mesh, simulation, timing, result.reach));
+
     result.directory = request.directory;
     result.stopped = simulate(simulation, recorder.get(), observer);
     StageTimes times = simulation.times();

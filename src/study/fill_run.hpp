@@ -35,6 +35,8 @@ struct FillPlan
     double timeStep = 0;       ///< [s]
     FrameTiming timing;
     FrameEstimate estimate;
+    double volume = 0;     ///< [unit^3] of the object
+    ReachInspection reach; ///< of the smallest radius
 };
 
 struct FillProgress
@@ -71,6 +73,7 @@ struct FillResult
     std::string stateHash;
     std::string summary; ///< the text of summary.json
     QualityReport quality;
+    ReachInspection reach; ///< of the smallest radius, in the empty object
     /// A postcondition that failed, in a sentence; the files are written all the same.
     std::optional<std::string> failure;
 };
