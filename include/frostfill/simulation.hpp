@@ -115,6 +115,8 @@ public:
     [[nodiscard]] const StageTimes& times() const;
     [[nodiscard]] const std::vector<SetRecord>& sets() const;
     [[nodiscard]] QualityReport quality() const;
+    /// Of the empty object, for the smallest radius; see frostfill::inspectReach.
+    [[nodiscard]] ReachInspection inspectReach(std::size_t bytes) const;
 
     /// Hash of all positions, bit for bit, and of which spheres are at rest, as 16 hex digits.
     [[nodiscard]] std::string stateHash() const;

@@ -84,7 +84,7 @@ FillResult runFill(const FillRequest& request, const FillObserver& observer)
         recorder = std::make_unique<FrameRecorder>(mesh.mesh, request.scene, timing.interval,
                                                    request.directory / "frames");
     FillResult result;
-    result.reach = inspectReach(mesh.mesh, simulation.smallestRadius(), kReachBytes);
+    result.reach = simulation.inspectReach(kReachBytes);
     if (observer.planned)
         observer.planned(makePlan(request.scene, mesh, simulation, timing, result.reach));
 
