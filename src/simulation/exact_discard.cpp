@@ -24,9 +24,9 @@ constexpr double kVoxel = 0.66;
 // An update looks at all that is kept, so its price for a sphere that comes to rest is bounded when
 // it waits for a share of that.
 constexpr std::size_t kSmallestBatch = 20;
-constexpr double kBatch = 1;              // spheres that come to rest for each that is kept
+constexpr double kBatch = 2;              // spheres that come to rest for each that is kept
 constexpr double kPolygonBatch = 2;       // for each polygon that is kept, and
-constexpr std::size_t kPolygonRounds = 3; // polygons are looked at about so often in a run
+constexpr std::size_t kPolygonRounds = 2; // polygons are looked at about so often in a run
 
 } // namespace
 
