@@ -48,8 +48,9 @@ struct QualityReport
                              ///< the energy of a fall through the object's height
     double meshVolume = 0;   ///< [unit^3]
     double sphereVolume = 0; ///< [unit^3] of all spheres
-    double volumeEstimate = 0;      ///< [unit^3] N v / phi + c r S; NaN unless full
-    double volumeEstimateError = 0; ///< [unit^3] standard uncertainty of the estimate
+    double volumeEstimate = 0; ///< [unit^3] N v / phi + c r S; NaN unless full of equal spheres
+    /// [unit^3] uncertainty: largest error over the calibration's shapes, and scatter of packings
+    double volumeEstimateError = 0;
 };
 
 /// A connected part of an object that no sphere of a radius covers any of.

@@ -23,28 +23,31 @@ constexpr double kRegain = 0.2;         // how far behind a straight part the co
 
 } // namespace
 
-bool Descent::settle(Eigen::Vector3d& p, double radius, Neighbourhood& around, double farthest)
+bool Descent::settle(Eigen::Vector3d& p, double radius, Neighbourhood& around,
+                     double farthest) const
 {
     const Eigen::Vector3d start = p;
-    longestSlide_ = kLongestSlide * radius;
+    double longest = kLongestSlide * radius;
+    thread_local std::vector<Eigen::Vector3d> normals; // keeps its memory
     // A path loses height with every step, so it ends; the bound is for wedges that Newton's method
     // enters ever more slowly.
     const auto bound = static_cast<std::uint64_t>(2000 + 200 * world_.height / radius);
     for (std::uint64_t step = 0; step < bound; ++step)
     {
         around.ensure(world_, p, radius, kShortestLook);
-        contactNormals(world_.surface, around, p, radius, kTouch, normals_);
-        const Eigen::Vector3d pull = projectToFree({0, -1, 0}, normals_);
+        contactNormals(world_.surface, around, p, radius, kTouch, normals);
+        const Eigen::Vector3d down = world_.pull.direction(p);
+        const Eigen::Vector3d pull = projectToFree(down, normals);
         const double weight = pull.norm();
         if (weight < kSettled)
         {
             return true;
         }
-        if (normals_.empty())
+        if (normals.empty())
         {
-            drop(p, radius);
+            fall(p, radius, around, down);
         }
-        else if (!slide(p, radius, around, pull))
+        else if (!slide(p, radius, around, down, pull, longest))
         {
             return false;
         }
@@ -56,6 +59,17 @@ bool Descent::settle(Eigen::Vector3d& p, double radius, Neighbourhood& around, d
     return false;
 }
 
+void Descent::fall(Eigen::Vector3d& p, double radius, const Neighbourhood& around,
+                   const Eigen::Vector3d& down) const
+{
+    if (down.y() == -1)
+    {
+        drop(p, radius);
+        return;
+    }
+    p += freePath(world_.surface, around, p, radius, down, around.room(p)) * down;
+}
+
 void Descent::drop(Eigen::Vector3d& p, double radius) const
 {
     p.y() = contactBelow(world_, falls_, p, radius);
@@ -64,16 +78,16 @@ void Descent::drop(Eigen::Vector3d& p, double radius) const
 // A straight part along the pull, then back to the contact that curves away from it. Both lose
 // height: the second leads against the contacts' forces, whose sum points up.
 bool Descent::slide(Eigen::Vector3d& p, double radius, Neighbourhood& around,
-                    const Eigen::Vector3d& pull)
+                    const Eigen::Vector3d& down, const Eigen::Vector3d& pull, double& longest) const
 {
     const double weight = pull.norm();
     const Eigen::Vector3d along = pull / weight;
     // Near the bottom of a curve the pull fades with the distance to it.
-    const double length = std::min({longestSlide_, 1.5 * weight * radius, around.room(p)});
+    const double length = std::min({longest, 1.5 * weight * radius, around.room(p)});
     const double path = freePath(world_.surface, around, p, radius, along, length);
     p += path * along;
 
-    const Eigen::Vector3d forces = Eigen::Vector3d(0, 1, 0) + pull;
+    const Eigen::Vector3d forces = pull - down;
     const double force = forces.norm();
     if (force > kSettled)
     {
@@ -89,10 +103,10 @@ bool Descent::slide(Eigen::Vector3d& p, double radius, Neighbourhood& around,
     }
     if (path < kShortestSlide * weight * radius)
     {
-        longestSlide_ /= 2;
-        return longestSlide_ > kShortestSlide * radius;
+        longest /= 2;
+        return longest > kShortestSlide * radius;
     }
-    longestSlide_ = kLongestSlide * radius;
+    longest = kLongestSlide * radius;
     return true;
 }
 

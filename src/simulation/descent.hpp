@@ -29,22 +29,23 @@ public:
         return settle(p, radius, around_);
     }
     /// The same with a neighbourhood of the caller's, which is up to date or invalid. False also
-    /// when the place would be farther than `farthest` from p.
+    /// when the place would be farther than `farthest` from p. Several threads may settle spheres
+    /// at once, each with a neighbourhood of its own.
     [[nodiscard]] bool settle(Eigen::Vector3d& p, double radius, Neighbourhood& around,
-                              double farthest = std::numeric_limits<double>::infinity());
+                              double farthest = std::numeric_limits<double>::infinity()) const;
 
     /// Takes p straight down to its first contact.
     void drop(Eigen::Vector3d& p, double radius) const;
 
 private:
+    void fall(Eigen::Vector3d& p, double radius, const Neighbourhood& around,
+              const Eigen::Vector3d& down) const;
     bool slide(Eigen::Vector3d& p, double radius, Neighbourhood& around,
-               const Eigen::Vector3d& pull);
+               const Eigen::Vector3d& down, const Eigen::Vector3d& pull, double& longest) const;
 
     const World& world_;
     const FallIndex& falls_;
     Neighbourhood around_;
-    std::vector<Eigen::Vector3d> normals_;
-    double longestSlide_ = 0;
 };
 
 } // namespace frostfill

@@ -31,35 +31,11 @@ double shareOf(const Runner& a, const Runner& b)
     return mb / (ma + mb);
 }
 
-Eigen::Vector3d pushOffResting(const Runner& runner)
-{
-    Eigen::Vector3d push = Eigen::Vector3d::Zero();
-    const Neighbourhood& around = runner.around;
-    for (std::size_t k = 0; k < around.spheres(); ++k)
-    {
-        const Eigen::Vector3d d =
-            runner.position - Eigen::Vector3d(around.x[k], around.y[k], around.z[k]);
-        const double squared = d.squaredNorm();
-        const double reach = around.reach[k] - 1e-9;
-        if (squared < reach * reach && squared > 0)
-        {
-            const double distance = std::sqrt(squared);
-            push += d * ((around.reach[k] - distance) / distance);
-        }
-    }
-    return push;
-}
-
 } // namespace
 
 void Encounters::resolve(std::span<Runner> runners, double dt)
 {
     findMeetings(runners);
-    for (Runner& runner : runners)
-    {
-        runner.flown = runner.position;
-        runner.velocityBefore = runner.velocity;
-    }
     for (int k = 0; k < settings_.sweeps; ++k)
     {
         if (sweep(runners) < settings_.tolerance)
@@ -70,10 +46,20 @@ void Encounters::resolve(std::span<Runner> runners, double dt)
     updateVelocities(runners, dt);
 }
 
+// All that follows concerns only the runners that meet others; what is at rest none of them
+// overlaps.
 void Encounters::findMeetings(std::span<Runner> runners)
 {
     grid_.rebuild(runners);
     threads_.forEach(runners.size(), [&](std::size_t i) { findMeetingsOf(runners, runners[i]); });
+    crowd_.clear();
+    for (std::size_t i = 0; i < runners.size(); ++i)
+    {
+        if (!runners[i].meeting.empty())
+        {
+            crowd_.push_back(static_cast<std::uint32_t>(i));
+        }
+    }
 }
 
 void Encounters::findMeetingsOf(std::span<const Runner> runners, Runner& runner) const
@@ -91,26 +77,32 @@ void Encounters::findMeetingsOf(std::span<const Runner> runners, Runner& runner)
                           }
                       });
     std::sort(runner.meeting.begin(), runner.meeting.end());
+    runner.flown = runner.position;
+    runner.velocityBefore = runner.velocity;
 }
 
 // Returns the deepest penetration that it found.
 double Encounters::sweep(std::span<Runner> runners)
 {
-    threads_.forEach(runners.size(), [&](std::size_t i) { pushOff(runners, runners[i]); });
+    threads_.forEach(crowd_.size(), [&](std::size_t i) { pushOff(runners, runners[crowd_[i]]); });
     double deepest = 0;
-    for (const Runner& runner : runners)
+    for (const std::uint32_t k : crowd_)
     {
-        deepest = std::max(deepest, runner.depth);
+        deepest = std::max(deepest, runners[k].depth);
     }
-    threads_.forEach(runners.size(),
-                     [&](std::size_t i) { flight_.shift(runners[i], runners[i].push); });
+    threads_.forEach(crowd_.size(),
+                     [&](std::size_t i)
+                     {
+                         Runner& runner = runners[crowd_[i]];
+                         flight_.shift(runner, runner.push);
+                     });
     return deepest;
 }
 
 void Encounters::pushOff(std::span<const Runner> runners, Runner& runner) const
 {
-    runner.push = pushOffResting(runner);
-    runner.depth = runner.push.norm();
+    runner.push.setZero();
+    runner.depth = 0;
     for (const std::uint32_t k : runner.meeting)
     {
         const Runner& other = runners[k];
@@ -141,8 +133,9 @@ void Encounters::pushOff(std::span<const Runner> runners, Runner& runner) const
 // enough to bounce: there the relative speed along the normal becomes -e times what it was.
 void Encounters::updateVelocities(std::span<Runner> runners, double dt)
 {
-    for (Runner& runner : runners)
+    for (const std::uint32_t k : crowd_)
     {
+        Runner& runner = runners[k];
         // Being pushed may turn a sphere round but makes it no faster than it would have become.
         const Eigen::Vector3d corrected =
             runner.velocityBefore + (runner.position - runner.flown) / dt;
@@ -153,7 +146,8 @@ void Encounters::updateVelocities(std::span<Runner> runners, double dt)
     }
     if (settings_.restitution > 0)
     {
-        threads_.forEach(runners.size(), [&](std::size_t i) { bounce(runners, runners[i]); });
+        threads_.forEach(crowd_.size(),
+                         [&](std::size_t i) { bounce(runners, runners[crowd_[i]]); });
     }
 }
 

@@ -6,12 +6,13 @@
 #include <simulation/runner_grid.hpp>
 
 #include <span>
+#include <vector>
 
 namespace frostfill
 {
 
-/// Collisions of runners with each other, and with spheres that came to rest on top of them. All
-/// runners are read before any is written (Jacobi), so the result does not depend on their order.
+/// Collisions of runners with each other. All are read before any is written (Jacobi), so the
+/// result does not depend on their order.
 class Encounters
 {
 public:
@@ -44,6 +45,7 @@ private:
     const Flight& flight_;
     Threads& threads_;
     Settings settings_;
+    std::vector<std::uint32_t> crowd_; ///< runners that meet others, by index, ascending
 };
 
 } // namespace frostfill

@@ -27,10 +27,42 @@ constexpr std::uint32_t kPatience = 8; // calm windows after which a sphere stop
 
 } // namespace
 
-// The lowest first, so that a pile freezes from below.
+// The lowest first, so that a pile freezes from below. Places are looked for on all threads at once
+// among what was at rest before; where a sphere has come to rest since, again.
 void FastEngine::freezeCalm()
 {
-    std::vector<std::uint32_t> order;
+    const std::vector<std::uint32_t>& order = calmRunners();
+    frozen_.assign(running_, false);
+    grid_.rebuild({runners_.data(), running_});
+    threads_.forEach(order.size(),
+                     [&](std::size_t i)
+                     {
+                         Runner& runner = runners_[order[i]];
+                         // One that is overdue may go far, where it would not be told of others.
+                         runner.stale = runner.age > ageLimit_;
+                         if (!runner.stale)
+                         {
+                             findPlace(runner);
+                         }
+                     });
+    for (const std::uint32_t k : order)
+    {
+        if (frozen_[k])
+        {
+            continue;
+        }
+        if (runners_[k].stale)
+        {
+            findPlace(runners_[k]);
+        }
+        frozen_[k] = runners_[k].carriedAt && tryFreeze(k);
+    }
+    forgetFrozen();
+}
+
+const std::vector<std::uint32_t>& FastEngine::calmRunners()
+{
+    calm_.clear();
     for (std::uint32_t k = 0; k < running_; ++k)
     {
         Runner& runner = runners_[k];
@@ -40,48 +72,51 @@ void FastEngine::freezeCalm()
         runner.calmWindows = calm ? runner.calmWindows + 1 : 0;
         if (runner.calmWindows > 0 || runner.age > ageLimit_)
         {
-            order.push_back(k);
+            calm_.push_back(k);
         }
     }
-    std::sort(order.begin(), order.end(),
-              [this](std::uint32_t a, std::uint32_t b)
+    const Eigen::Vector3d down = world_.pull.direction(Eigen::Vector3d::Zero());
+    std::sort(calm_.begin(), calm_.end(),
+              [&](std::uint32_t a, std::uint32_t b)
               {
-                  const double ya = runners_[a].position.y();
-                  const double yb = runners_[b].position.y();
+                  const double ya = -runners_[a].position.dot(down);
+                  const double yb = -runners_[b].position.dot(down);
                   return ya < yb || (ya == yb && a < b);
               });
-    frozen_.assign(running_, false);
-    grid_.rebuild({runners_.data(), running_});
-    for (const std::uint32_t k : order)
-    {
-        if (!frozen_[k])
-        {
-            frozen_[k] = tryFreeze(k);
-        }
-    }
-    forgetFrozen();
+    return calm_;
 }
 
-bool FastEngine::tryFreeze(std::uint32_t index)
+// Where the runner would be frozen. One that is overdue is frozen wherever it gets.
+void FastEngine::findPlace(Runner& runner) const
 {
-    Runner& runner = runners_[index];
     const bool tooOld = runner.age > ageLimit_;
     runner.yields = runner.yields && runner.calmWindows < kPatience && !tooOld;
+    runner.stale = false;
+    runner.carriedAt.reset();
     runner.around.ensure(world_, runner.position, runner.radius, 0);
     contactNormals(world_.surface, runner.around, runner.position, runner.radius,
                    kContactGap * runner.radius, runner.normals);
-    const double missing = projectToFree({0, -1, 0}, runner.normals).norm();
+    const double missing =
+        projectToFree(world_.pull.direction(runner.position), runner.normals).norm();
     if (missing > kMostlyCarried && !tooOld)
     {
-        return false;
+        return;
     }
     Eigen::Vector3d place = runner.position;
     const double farthest =
         tooOld ? std::numeric_limits<double>::infinity() : kLongestSettling * runner.radius;
-    if (!descent_.settle(place, runner.radius, runner.around, farthest) && !tooOld)
+    if (descent_.settle(place, runner.radius, runner.around, farthest) || tooOld)
     {
-        return false;
+        runner.carriedAt = place;
     }
+}
+
+// Returns false, and leaves the runner running, when others are in the way.
+bool FastEngine::tryFreeze(std::uint32_t index)
+{
+    Runner& runner = runners_[index];
+    const Eigen::Vector3d place = *runner.carriedAt;
+    const bool tooOld = runner.age > ageLimit_;
     freezeAt(runner, place);
     if (!makeRoom(index, tooOld ? kFarRoom : kNearRoom))
     {
@@ -144,10 +179,16 @@ bool FastEngine::makeRoom(std::uint32_t index, double farthest)
     }
     for (std::size_t i = 0; i < overlapped.size(); ++i)
     {
-        runners_[overlapped[i]].position = moved_[i];
-        grid_.move(overlapped[i], moved_[i]);
+        put(overlapped[i], moved_[i]);
     }
     return true;
+}
+
+void FastEngine::put(std::uint32_t index, const Eigen::Vector3d& place)
+{
+    runners_[index].position = place;
+    runners_[index].stale = true;
+    grid_.move(index, place);
 }
 
 // The last resort, for a sphere that has been running for far too long and rests where others are:
@@ -162,8 +203,7 @@ void FastEngine::evict(std::uint32_t index)
         Eigen::Vector3d clear = other.position;
         if (moveClear(world_, clear, other.radius, kFarRoom * other.radius))
         {
-            other.position = clear;
-            grid_.move(k, clear);
+            put(k, clear);
         }
         else if (const auto elsewhere = release_.find(other.radius, suits))
         {
@@ -192,7 +232,13 @@ void FastEngine::tellOthers(const Eigen::Vector3d& place, double radius)
 {
     // A neighbourhood was made within the skin of where its runner is now.
     grid_.forEachNear(place, 1 + radius + 2 * Neighbourhood::kSkin,
-                      [&](std::uint32_t k) { runners_[k].around.add(place, radius); });
+                      [&](std::uint32_t k)
+                      {
+                          if (runners_[k].around.add(place, radius))
+                          {
+                              runners_[k].stale = true;
+                          }
+                      });
 }
 
 // Keeps the order of the others, and the memory of the frozen ones for spheres to come.

@@ -43,17 +43,19 @@ void Neighbourhood::ensure(const World& world, const Eigen::Vector3d& p, double 
     }
 }
 
-void Neighbourhood::add(const Eigen::Vector3d& p, double radius)
+bool Neighbourhood::add(const Eigen::Vector3d& p, double radius)
 {
     const double contact = radius_ + radius;
     const double limit = contact + kSkin;
-    if (radius_ > 0 && (p - centre_).squaredNorm() < limit * limit)
+    if (radius_ < 0 || (p - centre_).squaredNorm() >= limit * limit)
     {
-        x.push_back(p.x());
-        y.push_back(p.y());
-        z.push_back(p.z());
-        reach.push_back(contact);
+        return false;
     }
+    x.push_back(p.x());
+    y.push_back(p.y());
+    z.push_back(p.z());
+    reach.push_back(contact);
+    return true;
 }
 
 } // namespace frostfill

@@ -24,7 +24,8 @@ public:
     void invalidate() { radius_ = -1; }
 
     /// To be called when a sphere has come to rest since: lists it, too, if it is near enough.
-    void add(const Eigen::Vector3d& p, double radius);
+    /// Returns whether it is.
+    bool add(const Eigen::Vector3d& p, double radius);
 
     /// How far a sphere may go from p before ensure has to be called again.
     [[nodiscard]] double room(const Eigen::Vector3d& p) const

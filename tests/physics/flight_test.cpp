@@ -25,7 +25,7 @@ TEST_F(FlightTest, BallisticMotionIsExact)
     for (const double dt : {0.01, 0.1, 0.5})
     {
         Runner runner;
-        runner.restart(0, {0, 0, 0});
+        runner.restart(0, {0, 0, 0}, 1);
         runner.velocity = {1.5, 2, -0.5};
         const int steps = static_cast<int>(std::lround(5 / dt));
         for (int step = 1; step <= steps; ++step)
@@ -45,7 +45,7 @@ TEST_F(FlightTest, BounceReturnsTheSquareOfTheRestitution)
     settings.damping = 0;
     const Flight flight(*world, settings);
     Runner runner;
-    runner.restart(0, {0.3, -29, 0.2});
+    runner.restart(0, {0.3, -29, 0.2}, 1);
     double apex = -39;
     bool bounced = false;
     for (int step = 0; step < 20000 && runner.position.y() < -28; ++step)
@@ -72,7 +72,7 @@ TEST_F(FlightTest, EnergyNeverGrows)
             settings.restitution = restitution;
             const Flight flight(*world, settings);
             Runner runner;
-            runner.restart(0, {-10, 10, 3});
+            runner.restart(0, {-10, 10, 3}, 1);
             runner.velocity = {4, 1, 2.5};
             double energy = runner.velocity.squaredNorm() / 2 + runner.position.y();
             for (int step = 0; step < 2000; ++step)
@@ -96,7 +96,7 @@ TEST_F(FlightTest, SlidesAlikeOverFewAndManyTriangles)
         settings.damping = 0;
         const Flight flight(*room, settings);
         Runner runner;
-        runner.restart(0, {-15, -19, -7});
+        runner.restart(0, {-15, -19, -7}, 1);
         runner.velocity = {2, 0, 1.1};
         for (int step = 0; step < 100; ++step)
         {
