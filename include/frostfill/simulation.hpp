@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,33 @@ struct QualityReport
     double volumeEstimateError = 0;
 };
 
+/// A connected part of an object that no sphere of a radius covers any of.
+struct UnreachableVolume
+{
+    double volume = 0;      ///< [unit^3]
+    Eigen::Vector3d centre; ///< of mass; may lie outside a bent part
+    Eigen::AlignedBox3d box;
+};
+
+/// Where spheres of a radius can be in a mesh, before any is there. A sphere may be released
+/// wherever it fits, so a part counts as out of reach only when it is too narrow itself.
+struct ReachInspection
+{
+    /// False when the mesh is too large against the radius to be looked at within the memory.
+    bool known = false;
+    /// A point in a hole through which such a sphere gets out; the rest says nothing then.
+    std::optional<Eigen::Vector3d> leak;
+    bool fits = false;      ///< at least one sphere does
+    double unreachable = 0; ///< [unit^3] that no sphere covers, narrow edges included; at least
+    double resolution = 0;  ///< [unit] to which that is known
+    /// Those larger than one sphere, largest first.
+    std::vector<UnreachableVolume> parts;
+};
+
+/// `mesh` may have holes. `bytes`: memory that may be used.
+[[nodiscard]] ReachInspection inspectReach(const TriangleMesh& mesh, double radius,
+                                           std::size_t bytes = std::size_t{256} << 20);
+
 /// Fills one mesh according to one scene. PAPER: Algorithm 1 and the schedule of sets around it.
 class Simulation
 {
@@ -92,6 +120,8 @@ public:
     [[nodiscard]] const StageTimes& times() const;
     [[nodiscard]] const std::vector<SetRecord>& sets() const;
     [[nodiscard]] QualityReport quality() const;
+    /// Of the empty object, for the smallest radius; see frostfill::inspectReach.
+    [[nodiscard]] ReachInspection inspectReach(std::size_t bytes) const;
 
     /// Hash of all positions, bit for bit, and of which spheres are at rest, as 16 hex digits.
     [[nodiscard]] std::string stateHash() const;

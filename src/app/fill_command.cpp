@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands.hpp"
 #include "app/progress.hpp"
+#include "app/reach_text.hpp"
 #include "app/say.hpp"
 #include "app/scene_options.hpp"
 
@@ -130,6 +131,7 @@ void printPlan(const FillRequest& request, const FillPlan& plan)
     say(fmt::format("{}: {} triangles, about {} spheres of {}, steps of {:.3g} s\n",
                     request.scene.name, plan.triangles, plan.spheres,
                     radiiText(plan.smallestRadius, plan.largestRadius), plan.timeStep));
+    say(reachText(plan.reach, plan.smallestRadius, plan.volume));
     if (request.scene.frames.enabled)
         say(fmt::format("expecting about {} frames of {}x{}, {}, {:.3g} times slowed down\n",
                         plan.estimate.frames, request.scene.size.width, request.scene.size.height,

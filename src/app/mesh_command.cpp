@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands.hpp"
+#include "app/reach_text.hpp"
 
 #include <frostfill/error.hpp>
 #include <frostfill/mesh.hpp>
@@ -18,6 +19,7 @@ namespace
 
 constexpr const char* kExamples = R"(Examples:
   frostfill mesh torus
+  frostfill mesh human --radius 0.05           which parts such spheres cannot reach
   frostfill mesh bunny.obj --repair bunny.ply
 )";
 
@@ -25,6 +27,7 @@ struct MeshArguments
 {
     std::string mesh;
     std::string repaired;
+    double radius = 0; ///< of spheres whose reach is asked for; 0 for none
 };
 
 void printReport(const std::string& name, const MeshReport& report)
@@ -60,7 +63,11 @@ int inspect(const MeshArguments& arguments)
 {
     TriangleMesh mesh =
         isBuiltInMesh(arguments.mesh) ? builtInMesh(arguments.mesh) : readMesh(arguments.mesh);
-    printReport(arguments.mesh, inspectMesh(mesh));
+    const MeshReport asRead = inspectMesh(mesh);
+    printReport(arguments.mesh, asRead);
+    if (arguments.radius > 0 && !asRead.closed() && asRead.triangles > 0)
+        fmt::print("as it is, {}", reachText(inspectReach(mesh, arguments.radius), arguments.radius,
+                                             asRead.volume));
     // Throws with the reason when the mesh cannot be filled.
     const LoadedMesh loaded = repairMesh(std::move(mesh), arguments.mesh);
     for (const std::string& repair : loaded.repairs)
@@ -68,6 +75,9 @@ int inspect(const MeshArguments& arguments)
     if (!loaded.repairs.empty())
         printReport("after repair", loaded.report);
     fmt::print("can be filled\n");
+    if (arguments.radius > 0)
+        fmt::print("{}", reachText(inspectReach(loaded.mesh, arguments.radius), arguments.radius,
+                                   loaded.report.volume));
     if (!arguments.repaired.empty())
     {
         savePly(loaded.mesh, arguments.repaired);
@@ -86,6 +96,11 @@ Command addMeshCommand(CLI::App& program)
     command->footer(kExamples);
     command->add_option("FILE", arguments->mesh, "A mesh file, or torus, sphere, cube, human")
         ->required();
+    command
+        ->add_option("--radius", arguments->radius,
+                     "Which parts spheres of this radius cannot reach, and whether they get out")
+        ->check(CLI::PositiveNumber)
+        ->type_name("R");
     command->add_option("--repair", arguments->repaired, "Write the repaired mesh here (PLY)")
         ->type_name("OUT");
     return [arguments] { return inspect(*arguments); };

@@ -34,9 +34,10 @@ struct GridFrame
 
     [[nodiscard]] int coordinate(double position, int axis) const
     {
-        const double index = std::floor((position - origin[axis]) / cell);
+        // Clamped first, so that cutting off the fraction rounds down.
+        const double index = (position - origin[axis]) / cell;
         const double last = count[axis] - 1;
-        return static_cast<int>(index < 0 ? 0.0 : (index > last ? last : index));
+        return static_cast<int>(index > 0 ? (index < last ? index : last) : 0.0);
     }
     [[nodiscard]] std::array<int, 3> coordinates(const Eigen::Vector3d& p) const
     {

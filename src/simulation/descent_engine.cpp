@@ -22,6 +22,7 @@ DescentEngine::DescentEngine(World& world)
     const SphereSettings& spheres = world.scene.spheres;
     if (world.scene.discard.rule == DiscardRule::exact)
     {
+        const StageTimer timer(world.times, Stage::discarding);
         discard_ = std::make_unique<ExactDiscard>(world);
     }
     world.dt = kTimeOfSet;
@@ -60,7 +61,7 @@ bool DescentEngine::step()
     if (discard_)
     {
         const StageTimer timer(world_.times, Stage::discarding);
-        world_.finished ? discard_->update({}) : discard_->updateWhenDue({});
+        world_.finished ? discard_->finish(world_.full) : discard_->afterStep({});
     }
     world_.time += world_.dt;
     clock_.close(world_);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <simulation/clear_search.hpp>
 #include <simulation/reach_map.hpp>
 #include <simulation/runner.hpp>
 #include <simulation/world.hpp>
@@ -12,9 +13,14 @@
 namespace frostfill
 {
 
-/// Discards what no running sphere can touch any more, and nothing else: the result is the same bit
-/// for bit as without. See ReachMap for the rule and its proof. Every open cube inside the object
-/// is taken for a place where a sphere may yet be released, so releases need no check of their own.
+/// Discards what no sphere can touch any more, and nothing else: the result is the same bit for bit
+/// as without. See ReachMap for the rule and its proof. A sphere may yet be released wherever one
+/// fits, in a hole of the pile as well as above it, so releases need no check of their own.
+///
+/// What was discarded at the end of a run is what a further sphere could not touch: nowhere that
+/// one still fits, whether or not the run would have released it. When the object is full, so that
+/// none fits anywhere, it is what the last sphere could not touch any more just before it came to
+/// rest.
 class ExactDiscard
 {
 public:
@@ -22,34 +28,45 @@ public:
 
     /// To be called for each sphere that has come to rest.
     void addResting(std::uint32_t id);
+    /// To be called when a sphere has got another id.
+    void renumber(std::uint32_t from, std::uint32_t to);
 
-    /// Updates the reached set and drops what is out of it, once enough spheres have come to rest
-    /// since the last time; that is decided from counts, never from the clock.
-    void updateWhenDue(std::span<const Runner> runners)
-    {
-        if (pending_ >= batch_)
-        {
-            update(runners);
-        }
-    }
-    void update(std::span<const Runner> runners);
+    /// To be called after each step. Checks that every runner is within the reached set; when one
+    /// is not, everything discarded comes back and the runners forget what they know of it. Drops
+    /// what is out of reach, once enough spheres have come to rest since the last time; that is
+    /// decided from counts, never from the clock.
+    void afterStep(std::span<Runner> runners);
+
+    /// To be called when nothing runs any more. `full`: no further sphere fits.
+    void finish(bool full);
+
+    /// How often a guard has tripped.
+    [[nodiscard]] std::size_t violations() const { return violations_; }
 
 private:
-    void build();
-    void drop();
-    void restoreAll();
-
-    World& world_;
-    std::unique_ptr<ReachMap> map_;
-    double margin_ = 1; ///< factor on the margins, doubled each time a guard trips
-    std::size_t pending_ = 0;
-    std::size_t batch_ = 1;
     struct Kept
     {
         std::uint32_t id;
         ReachMap::Cursor cursor;
     };
-    std::vector<Kept> kept_; ///< spheres at rest that are not dropped
+
+    void build();
+    void update(std::span<const Eigen::Vector3d> running);
+    void dropSpheres(std::size_t count);
+    void dropPolygons();
+    [[nodiscard]] bool sphereDroppable(Kept& kept);
+    [[nodiscard]] bool polygonDroppable(std::uint32_t triangle);
+    template <class Matters>
+    [[nodiscard]] bool confirm(int x, int y, int z, Matters&& matters);
+    void restoreAll();
+
+    World& world_;
+    std::unique_ptr<ReachMap> map_;
+    std::unique_ptr<ClearSearch> clear_;
+    std::size_t violations_ = 0;
+    std::vector<std::uint32_t> pending_; ///< at rest, but not yet in the map
+    std::size_t restedSincePolygons_ = 0;
+    std::vector<Kept> kept_; ///< spheres at rest in the map that are not dropped
     std::vector<Eigen::Vector3d> centres_;
 };
 

@@ -49,6 +49,7 @@ FastEngine::FastEngine(World& world)
     }
     if (world.scene.discard.rule == DiscardRule::exact)
     {
+        const StageTimer timer(world.times, Stage::discarding);
         discard_ = std::make_unique<ExactDiscard>(world);
     }
     world.dt = timeStep(world);
@@ -90,7 +91,7 @@ bool FastEngine::step()
     if (discard_)
     {
         const StageTimer timer(world_.times, Stage::discarding);
-        discard_->updateWhenDue({runners_.data(), running_});
+        discard_->afterStep({runners_.data(), running_});
     }
     return true;
 }
@@ -109,7 +110,8 @@ void FastEngine::finish()
     }
     if (discard_)
     {
-        discard_->update({});
+        const StageTimer timer(world_.times, Stage::discarding);
+        discard_->finish(world_.full);
     }
     clock_.close(world_);
 }

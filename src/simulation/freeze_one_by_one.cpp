@@ -214,6 +214,10 @@ void FastEngine::evict(std::uint32_t index)
         {
             frozen_[k] = true; // not to be looked at any more
             const std::uint32_t renumbered = world_.withdraw(other.id);
+            if (discard_)
+            {
+                discard_->renumber(renumbered, other.id);
+            }
             const auto last = std::find_if(runners_.begin(), runners_.end(),
                                            [&](const Runner& r) { return r.id == renumbered; });
             if (last != runners_.end())

@@ -11,10 +11,8 @@ namespace frostfill
 namespace
 {
 
-constexpr double kHalfDiagonal = 0.8660254037844387; // of a unit cube
-constexpr double kLargestVoxel = 0.7;                // of R'; beyond it a surface may leak
-constexpr double kRounding = 1e-9; // [r], above the rounding of any coordinate, on the safe side
-constexpr int kSetsOfCubes = 4;    // kept here and in the flood
+constexpr double kLargestVoxel = 0.7; // of R'; beyond it a surface may leak
+constexpr int kSetsOfCubes = 4;       // kept here and in the flood
 
 GridFrame frameAbout(const Surface& surface, double margin, double voxel)
 {
@@ -81,7 +79,6 @@ ReachMap::ReachMap(const Surface& surface, const InsideTest& inside, const Radii
     seedEverywhere();
 }
 
-// R' of the jump lemma; 0 when the margins leave nothing.
 double ReachMap::exclusion(double contact) const
 {
     const double least = contact - margins_.overlap;

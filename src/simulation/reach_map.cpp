@@ -8,14 +8,6 @@
 
 namespace frostfill
 {
-namespace
-{
-
-constexpr double kHalfDiagonal = 0.8660254037844387; // of a unit cube
-constexpr double kRounding = 1e-9; // [r], above the rounding of any coordinate, on the safe side
-
-} // namespace
-
 void ReachMap::replaceSeeds(VoxelBits seeds)
 {
     if (flooded_)
@@ -77,6 +69,14 @@ void ReachMap::setSeeds(std::span<const Eigen::Vector3d> points, double distance
             });
     }
     replaceSeeds(std::move(seeds));
+}
+
+void ReachMap::withdrawSeeds()
+{
+    if (active_)
+    {
+        replaceSeeds(VoxelBits(layout_.words, 0));
+    }
 }
 
 void ReachMap::withdrawSeed(const Eigen::Vector3d& p)
@@ -149,62 +149,7 @@ bool ReachMap::reaches(const Eigen::Vector3d& p, double distance) const
         return true;
     }
     Cursor fromTheTop = 0;
-    return findReached(p, distance + kRounding, fromTheTop);
-}
-
-bool ReachMap::sphereDroppable(const Eigen::Vector3d& centre, double radius, Cursor& cursor) const
-{
-    const double distance = radius + radii_.largest + margins_.query + kRounding;
-    return active_ && !findReached(centre, distance, cursor);
-}
-
-// From row `cursor` on.
-bool ReachMap::findReached(const Eigen::Vector3d& p, double distance, Cursor& cursor) const
-{
-    const BallRows rows(layout_.frame, p, distance, kMeetsBall);
-    const VoxelRun widest = rows.widest();
-    if (widest.first > widest.last)
-    {
-        return false;
-    }
-    return rows.window().find(cursor,
-                              [&](int y, int z)
-                              {
-                                  if (!layout_.any(open_, y, z, widest.first, widest.last))
-                                  {
-                                      return false;
-                                  }
-                                  const VoxelRun run = rows.run(y, z);
-                                  return run.first <= run.last &&
-                                         layout_.any(open_, y, z, run.first, run.last);
-                              });
-}
-
-bool ReachMap::polygonDroppable(std::uint32_t triangle)
-{
-    if (!active_)
-    {
-        return false;
-    }
-    const double distance =
-        radii_.largest + margins_.query + kHalfDiagonal * layout_.frame.cell + kRounding;
-    const TriangleRows rows(layout_.frame, surface_[triangle], distance);
-    return !rows.window().find(
-        triangleCursor_[triangle],
-        [&](int y, int z)
-        {
-            const VoxelRun run = rows.run(y, z);
-            bool found = false;
-            if (run.first <= run.last && layout_.any(open_, y, z, run.first, run.last))
-            {
-                for (int x = run.first; x <= run.last && !found; ++x)
-                {
-                    const VoxelWord cube = layout_.at(x, y, z);
-                    found = (open_[cube.word] & cube.bits) != 0 && rows.near(x, y, z);
-                }
-            }
-            return found;
-        });
+    return findNearSphere(p, distance + kRounding, fromTheTop, [](int, int, int) { return true; });
 }
 
 } // namespace frostfill

@@ -3,6 +3,7 @@
 
 #include <mesh/inside_test.hpp>
 #include <simulation/voxel_flood.hpp>
+#include <simulation/voxel_rows.hpp>
 
 #include <optional>
 #include <span>
@@ -16,40 +17,34 @@ namespace frostfill
 /// good without changing one bit of the arithmetic.
 ///
 /// Why it is right. An obstacle is a set of points p with a contact distance R: the centre of a
-/// sphere at rest with the sum of the radii, or every point of a triangle with the radius.
-///  1. Jump lemma. Both ends of a step are at least R - tau from p, and the step is no longer than
-///     D. The point of the chord nearest to p is at least sqrt((R - tau)^2 - (D/2)^2) = R' away,
-///     for it is nearest when it halves the chord. So the jumps of a simulation are continuous
-///     paths in what the balls of radius R' leave free.
-///  2. A cube is blocked only when all of it lies in one such ball. A path leaves a cube through
-///     a face, an edge or a corner; the point where it does is free, so all cubes that touch there
-///     are open, and the path can be followed from face to face: six neighbours suffice.
+/// sphere at rest with the sum of the radii, or every point of a triangle with the radius. Overlaps
+/// of up to tau are allowed for.
+///  1. The centre of a running sphere is always at least R - tau from every p: it moves along paths
+///     that are swept against the obstacles kept, and appears only where it is clear of all, the
+///     dropped ones included. A simulation in jumps, with both ends of each that far away and no
+///     more than D apart, does so with R' for R - tau: the point of a chord nearest to p halves it,
+///     so it is at least R' = sqrt((R - tau)^2 - (D/2)^2) away.
+///  2. A cube is blocked only when no point of it is R' away from all p: when all of it lies in the
+///     ball of one obstacle, or, by ClearSearch, in the balls of several. So a centre is always in
+///     an open cube. A path leaves a cube through a face, an edge or a corner; the point where it
+///     does is free, so all cubes that touch there are open, and the path can be followed from face
+///     to face: six neighbours suffice.
 ///  3. A surface of triangles does not leak: two neighbouring open cubes on both sides of it would
 ///     have their middles, h apart, at least R' - h sqrt(3)/2 from the point in between, which is
 ///     more than h/2 for h < 0.7 R'. A larger h makes the map inactive: it then drops nothing.
-///  4. Contact queries use positions at most Q from an end of a step, which lies in a reached cube.
-///     An obstacle whose distance from every reached cube exceeds R + Q is in none of them.
-///  5. Freezing adds obstacles, so the set only shrinks, and what was dropped stays dropped.
+///  4. Contact queries look no farther than R + Q from where a centre is. An obstacle whose
+///     distance from all that a reached cube leaves free exceeds R + Q is in none of them.
+///  5. A dropped obstacle stops no path, and need not: whatever blocks a cube beside a reached one
+///     is within R' of that and so is kept, and the sweep ends there.
+///  6. Freezing adds obstacles, so the set only shrinks, and what was dropped stays dropped.
 ///
-/// What the engine checks, always:
-///  - contains() for the centre of every running sphere at the end of each step, and where a sphere
-///    is released; and what flood() and update() return;
-///  - no position used in a contact query is farther than Q from the last end of a step. Q also
-///    covers skins of neighbour lists, polish at freezing and gaps of support tests.
-/// These alone make dropping exact, by 4 and 5. When one fails, the engine takes back all that it
+/// What the engine checks, always: contains() for the centre of every running sphere at the end of
+/// each step, and what flood() and update() return. When one fails, it takes back all that it
 /// dropped before it goes on, builds a new map with wider margins, adds the spheres at rest and
-/// floods. What it keeps so that none ever fails, by 1 to 3:
-///  - at the end of each step, where a sphere is released and where it is frozen, its centre is
-///    inside and no nearer than R - tau to an obstacle or to another running sphere (which will be
-///    one);
-///  - no centre moves farther than D in a step. A jump over free flight may be longer when the
-///    whole of its way is swept against the obstacles that are kept: to leave the reached cubes it
-///    would have to cross a blocked one beside them, which no kept obstacle lets it, and no dropped
-///    one is that near.
+/// floods.
 ///
-/// Seeds decide what counts as free to be released in, not whether the map is right: a place
-/// without a seed is merely lost to releases once it is cut off. For results that are equal
-/// with and without dropping, the engine keeps to contains() in both.
+/// Seeds are where a sphere may yet appear: everywhere unless withdrawn, for a place is searched
+/// for everywhere before the object counts as full.
 ///
 /// One thread at a time may change a map.
 class ReachMap
@@ -57,9 +52,9 @@ class ReachMap
 public:
     struct Margins
     {
-        double overlap = 0.05; ///< tau, by which spheres may overlap at the end of a step [r]
-        double step = 0.5;     ///< D, the longest move of a centre between two checks [r]
-        double query = 0.3;    ///< Q, between an end of a step and a position queried [r]
+        double overlap = 0.05; ///< tau, by which a running sphere may overlap what is at rest [r]
+        double step = 0.5;     ///< D, the longest move of a centre that is not swept [r]
+        double query = 0.3;    ///< Q, from a contact within which obstacles are looked for [r]
     };
     /// Of the spheres that run or will run [r].
     struct Radii
@@ -95,6 +90,8 @@ public:
     void seedAbove(double height); ///< cubes that reach above y = height
     /// Cubes that come within `distance` of one of the points.
     void setSeeds(std::span<const Eigen::Vector3d> points, double distance);
+    /// No sphere will be released anywhere any more.
+    void withdrawSeeds();
     /// No sphere will be released in the cube of p any more.
     void withdrawSeed(const Eigen::Vector3d& p);
 
@@ -119,14 +116,45 @@ public:
     /// Where the search for a reached cube near an obstacle has got to. As the set only shrinks, a
     /// search goes on where the last one ended: all tests of an obstacle together cost one search.
     using Cursor = std::uint32_t;
-    [[nodiscard]] bool sphereDroppable(const Eigen::Vector3d& centre, double radius,
-                                       Cursor& cursor) const;
+    /// No reached cube for which confirm(x, y, z) holds comes within contact and Q of a sphere at
+    /// rest. What is not confirmed once is not asked for again.
+    template <class Confirm>
+    [[nodiscard]] bool sphereDroppable(const Eigen::Vector3d& centre, double radius, Cursor& cursor,
+                                       Confirm&& confirm) const
+    {
+        return active_ && !findNearSphere(centre, sphereReach(radius), cursor, confirm);
+    }
     [[nodiscard]] bool sphereDroppable(const Eigen::Vector3d& centre, double radius) const
     {
-        return active_ && !reaches(centre, radius + radii_.largest + margins_.query);
+        Cursor fromTheTop = 0;
+        return sphereDroppable(centre, radius, fromTheTop, [](int, int, int) { return true; });
     }
-    /// The map keeps the cursors of triangles.
-    [[nodiscard]] bool polygonDroppable(std::uint32_t triangle);
+    /// The same for a triangle. The map keeps the cursors of triangles.
+    template <class Confirm>
+    [[nodiscard]] bool polygonDroppable(std::uint32_t triangle, Confirm&& confirm)
+    {
+        return active_ && !findNearTriangle(triangle, confirm);
+    }
+    [[nodiscard]] bool polygonDroppable(std::uint32_t triangle)
+    {
+        return polygonDroppable(triangle, [](int, int, int) { return true; });
+    }
+    /// How far from an obstacle a free place counts, distances in contact included [r].
+    [[nodiscard]] double sphereReach(double radius) const
+    {
+        return radius + radii_.largest + margins_.query + kRounding;
+    }
+    [[nodiscard]] double polygonReach() const
+    {
+        return radii_.largest + margins_.query + kRounding;
+    }
+
+    /// R': how near a centre may come to an obstacle with a contact distance; 0 when the margins
+    /// leave nothing [r].
+    [[nodiscard]] double exclusion(double contact) const;
+
+    /// Nothing in the cube is free; takes effect like addResting.
+    void closeCube(int x, int y, int z) { block(layout_.at(x, y, z)); }
 
     /// Cubes that the last flood or update took out of the set, blocked or cut off: visit(middle).
     /// Only obstacles near one of them can have become droppable.
@@ -151,6 +179,9 @@ public:
     [[nodiscard]] const Margins& margins() const { return margins_; }
 
 private:
+    static constexpr double kHalfDiagonal = 0.8660254037844387; // of a unit cube
+    static constexpr double kRounding = 1e-9; // [r], above the rounding of any coordinate
+
     void keepInside(const InsideTest& inside);
     void replaceSeeds(VoxelBits seeds);
     void block(VoxelWord cubes);
@@ -158,8 +189,13 @@ private:
     bool anchorRunning(std::span<const Eigen::Vector3d> running);
     void settle(VoxelWord suspects);
     void mark(VoxelWord cubes);
-    [[nodiscard]] bool findReached(const Eigen::Vector3d& p, double distance, Cursor& cursor) const;
-    [[nodiscard]] double exclusion(double contact) const;
+    template <class Confirm>
+    bool findInRow(int y, int z, VoxelRun run, Confirm&& confirm) const;
+    template <class Confirm>
+    bool findNearSphere(const Eigen::Vector3d& p, double distance, Cursor& cursor,
+                        Confirm&& confirm) const;
+    template <class Confirm>
+    bool findNearTriangle(std::uint32_t triangle, Confirm&& confirm);
 
     const Surface& surface_;
     Radii radii_;
@@ -181,5 +217,55 @@ private:
     std::vector<VoxelWord> lost_;
     std::vector<Cursor> triangleCursor_; ///< [#T]
 };
+
+template <class Confirm>
+bool ReachMap::findInRow(int y, int z, VoxelRun run, Confirm&& confirm) const
+{
+    if (run.first > run.last || !layout_.any(open_, y, z, run.first, run.last))
+    {
+        return false;
+    }
+    for (int x = run.first; x <= run.last; ++x)
+    {
+        const VoxelWord cube = layout_.at(x, y, z);
+        if ((open_[cube.word] & cube.bits) != 0 && confirm(x, y, z))
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+// From row `cursor` on.
+template <class Confirm>
+bool ReachMap::findNearSphere(const Eigen::Vector3d& p, double distance, Cursor& cursor,
+                              Confirm&& confirm) const
+{
+    const BallRows rows(layout_.frame, p, distance, kMeetsBall);
+    const VoxelRun widest = rows.widest();
+    return widest.first <= widest.last &&
+           rows.window().find(cursor,
+                              [&](int y, int z)
+                              {
+                                  return layout_.any(open_, y, z, widest.first, widest.last) &&
+                                         findInRow(y, z, rows.run(y, z), confirm);
+                              });
+}
+
+template <class Confirm>
+bool ReachMap::findNearTriangle(std::uint32_t triangle, Confirm&& confirm)
+{
+    const double distance = polygonReach() + kHalfDiagonal * layout_.frame.cell;
+    const TriangleRows rows(layout_.frame, surface_[triangle], distance);
+    return rows.window().find(triangleCursor_[triangle],
+                              [&](int y, int z)
+                              {
+                                  return findInRow(y, z, rows.run(y, z),
+                                                   [&](int cx, int cy, int cz) {
+                                                       return rows.near(cx, cy, cz) &&
+                                                              confirm(cx, cy, cz);
+                                                   });
+                              });
+}
 
 } // namespace frostfill

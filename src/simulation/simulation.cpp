@@ -6,6 +6,7 @@
 #include <simulation/fast_engine.hpp>
 #include <simulation/paper_engine.hpp>
 #include <simulation/quality.hpp>
+#include <simulation/reach_inspection.hpp>
 #include <simulation/state_hash.hpp>
 #include <simulation/world.hpp>
 
@@ -158,6 +159,10 @@ std::size_t Simulation::groupSize() const
 QualityReport Simulation::quality() const
 {
     return examine(implementation_->world);
+}
+ReachInspection Simulation::inspectReach(std::size_t bytes) const
+{
+    return frostfill::inspectReach(implementation_->world, bytes);
 }
 std::string Simulation::stateHash() const
 {

@@ -18,8 +18,12 @@ namespace frostfill
 namespace
 {
 
+/// Memory for looking at what the spheres can reach: enough for some 500,000 spheres. Beyond that
+/// it would take longer than a run should.
+constexpr std::size_t kReachBytes = std::size_t{8} << 20;
+
 FillPlan makePlan(const Scene& scene, const LoadedMesh& mesh, const Simulation& simulation,
-                  const FrameTiming& timing)
+                  const FrameTiming& timing, const ReachInspection& reach)
 {
     FillPlan plan;
     plan.repairs = mesh.repairs;
@@ -29,6 +33,8 @@ FillPlan makePlan(const Scene& scene, const LoadedMesh& mesh, const Simulation& 
     plan.largestRadius = simulation.radius();
     plan.timeStep = simulation.timeStep();
     plan.timing = timing;
+    plan.volume = mesh.report.volume;
+    plan.reach = reach;
     plan.estimate = estimateFrames(scene, mesh.report, plan.spheres, plan.largestRadius);
     return plan;
 }
@@ -128,10 +134,11 @@ FillResult runFill(const FillRequest& request, const FillObserver& observer)
             mesh.mesh, request.scene, timing.interval, colourRange(request.scene, mesh, simulation),
             request.directory, runHash(request.scene, mesh.mesh), request.video,
             simulation.poses());
-    if (observer.planned)
-        observer.planned(makePlan(request.scene, mesh, simulation, timing));
-
     FillResult result;
+    result.reach = simulation.inspectReach(kReachBytes);
+    if (observer.planned)
+        observer.planned(makePlan(request.scene, mesh, simulation, timing, result.reach));
+
     result.directory = request.directory;
     result.stopped = simulate(simulation, recorder.get(), observer);
     StageTimes times = simulation.times();

@@ -37,6 +37,8 @@ struct FillPlan
     double timeStep = 0;       ///< [s]
     FrameTiming timing;
     FrameEstimate estimate;
+    double volume = 0;     ///< [unit^3] of the object
+    ReachInspection reach; ///< of the smallest radius
 };
 
 struct FillProgress
@@ -75,6 +77,7 @@ struct FillResult
     QualityReport quality;
     /// What went wrong with the video, in a sentence; all other files are there.
     std::optional<std::string> videoFailure;
+    ReachInspection reach; ///< of the smallest radius, in the empty object
     /// A postcondition that failed, in a sentence; the files are written all the same.
     std::optional<std::string> failure;
 };

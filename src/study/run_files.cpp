@@ -96,6 +96,28 @@ Json operationsJson(const OperationCounts& counts)
               {"sphere_polygon", counts.spherePolygonResponses}}}};
 }
 
+Json pointJson(const Eigen::Vector3d& p)
+{
+    return {p.x(), p.y(), p.z()};
+}
+
+/// null where nothing is known.
+Json reachJson(const ReachInspection& reach)
+{
+    if (!reach.known)
+        return nullptr;
+    Json json = {{"leak", reach.leak ? pointJson(*reach.leak) : Json()},
+                 {"volume_unreachable", reach.unreachable},
+                 {"resolution", reach.resolution},
+                 {"parts", Json::array()}};
+    for (const UnreachableVolume& part : reach.parts)
+        json["parts"].push_back({{"volume", part.volume},
+                                 {"centre", pointJson(part.centre)},
+                                 {"low", pointJson(part.box.min())},
+                                 {"high", pointJson(part.box.max())}});
+    return json;
+}
+
 const char* outcome(const FillResult& result)
 {
     if (result.failure)
@@ -118,6 +140,7 @@ std::string summaryText(const RunRecord& run)
     json["mesh"] = meshJson(run.mesh);
     json["spheres"] = spheresJson(run.simulation);
     json["polygons"] = polygonsJson(run.simulation.polygonStates());
+    json["reach"] = reachJson(run.result.reach);
     json["error"] = errorJson(run.result.quality);
     json["time"] = timeJson(run);
     json["operations"] = operationsJson(run.simulation.operations());

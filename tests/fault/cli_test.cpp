@@ -145,6 +145,17 @@ TEST_F(CommandLine, meshThatCannotBeFilledIsRefusedWith65)
     EXPECT_EQ(run("mesh flat.obj").code, 65);
 }
 
+TEST_F(CommandLine, meshTellsWhatARadiusCannotReach)
+{
+    const Answer hands = run("mesh human --radius 0.05");
+    EXPECT_EQ(hands.code, 0);
+    EXPECT_NE(hands.output.find("no leak"), std::string::npos) << hands.output;
+    EXPECT_NE(hands.output.find("out of reach: volume"), std::string::npos) << hands.output;
+    EXPECT_NE(run("mesh sphere --radius 0.999").output.find("no leak"), std::string::npos);
+    EXPECT_NE(run("mesh sphere --radius 1.1").output.find("no sphere"), std::string::npos);
+    EXPECT_EQ(run("mesh sphere --radius 0").code, 64);
+}
+
 TEST_F(CommandLine, meshTellsWhatItFoundAndWritesTheRepair)
 {
     const Answer answer = run("mesh torus --repair out.ply");

@@ -249,7 +249,9 @@ TEST(ReachMap, DroppableEqualsBruteForceOverAllReachedCubes)
                              [&](const Eigen::Vector3d& middle)
                              { return nearestCorner(middle, h, balls[i].centre) <= limit; });
             EXPECT_EQ(map.sphereDroppable(balls[i].centre, balls[i].radius), droppable);
-            EXPECT_EQ(map.sphereDroppable(balls[i].centre, balls[i].radius, cursors[i]), droppable);
+            EXPECT_EQ(map.sphereDroppable(balls[i].centre, balls[i].radius, cursors[i],
+                                          [](int, int, int) { return true; }),
+                      droppable);
             droppedSpheres += droppable ? 1 : 0;
         }
         for (std::uint32_t t = 0; t < object.surface.size(); ++t)

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <mesh/triangle_grid.hpp>
+#include <simulation/sphere_grid.hpp>
+
+#include <cmath>
+#include <vector>
+
+namespace frostfill
+{
+
+/// Tells whether a cube holds a place for the centre of a sphere, one that is clear of the walls
+/// and of all spheres at rest together: ReachMap alone blocks a cube only when a single obstacle
+/// excludes all of it. The cube is halved again and again until each part lies in one exclusion, or
+/// a clear point is found, or the parts are so small that they count as clear.
+class ClearSearch
+{
+public:
+    enum class Answer : std::uint8_t
+    {
+        clear,      ///< some part that matters may hold a place
+        noneNearby, ///< no part that matters does
+        none,       ///< none of the cube does
+    };
+
+    /// The searches live as long as this. `probe`: radius of the smallest sphere that runs or will
+    /// run; `overlap`: by which a running sphere may overlap what is at rest [r].
+    ClearSearch(const SphereGrid& resting, const Surface& surface, const TriangleGrid& triangles,
+                double probe, double overlap)
+        : resting_(resting), surface_(surface), triangles_(triangles), probe_(probe),
+          overlap_(overlap)
+    {
+    }
+
+    /// Looks as if this sphere were not at rest.
+    void ignore(std::uint32_t id) { ignored_ = id; }
+
+    /// `matters(middle, halfDiagonal)` is false only when no point of that part matters.
+    template <class Matters>
+    [[nodiscard]] Answer look(const Eigen::Vector3d& middle, double edge, Matters&& matters)
+    {
+        gather(middle, edge);
+        left_ = false;
+        if (search(middle, edge, kHalvings, {0, balls_.size()}, matters))
+        {
+            return Answer::clear;
+        }
+        return left_ ? Answer::noneNearby : Answer::none;
+    }
+
+private:
+    static constexpr int kHalvings = 2;
+    static constexpr double kHalfDiagonal = 0.8660254037844387; // of a unit cube
+
+    struct Exclusion
+    {
+        Eigen::Vector3d centre;
+        double square; ///< of the radius
+        double radius;
+    };
+    /// What may exclude a part besides the walls: balls_[begin, end).
+    struct Obstacles
+    {
+        std::size_t begin;
+        std::size_t end;
+    };
+
+    void gather(const Eigen::Vector3d& middle, double edge);
+    /// What of `from` is near the part goes to the end of balls_. True when one excludes it all.
+    bool select(const Eigen::Vector3d& middle, double half, const Obstacles& from, bool& clear);
+
+    template <class Matters>
+    bool search(const Eigen::Vector3d& middle, double edge, int halvings, const Obstacles& from,
+                Matters&& matters)
+    {
+        if (!matters(middle, kHalfDiagonal * edge))
+        {
+            left_ = true;
+            return false;
+        }
+        bool clear = true;
+        Obstacles here{balls_.size(), 0};
+        bool found = false;
+        if (!select(middle, edge / 2, from, clear) && !walled(middle, edge, clear))
+        {
+            here.end = balls_.size();
+            found = halvings == 0 || (clear && matters(middle, 0));
+            for (int part = 0; part < 8 && !found; ++part)
+            {
+                // The upper parts first: what is free is free above.
+                const Eigen::Vector3d shift((part & 1) - 0.5, 0.5 - (part >> 2 & 1),
+                                            (part >> 1 & 1) - 0.5);
+                found = search(middle + edge / 2 * shift, edge / 2, halvings - 1, here, matters);
+            }
+        }
+        balls_.resize(here.begin);
+        return found;
+    }
+
+    /// The same for walls.
+    bool walled(const Eigen::Vector3d& middle, double edge, bool& clear) const;
+
+    const SphereGrid& resting_;
+    const Surface& surface_;
+    const TriangleGrid& triangles_;
+    double probe_;
+    double overlap_;
+    std::uint32_t ignored_ = 0xffffffff;
+    std::vector<Exclusion> balls_;     ///< of the cube, then of the part of it in hand, and so on
+    std::vector<std::uint32_t> walls_; ///< triangles near the cube
+    bool left_ = false;                ///< some part did not matter
+};
+
+} // namespace frostfill
