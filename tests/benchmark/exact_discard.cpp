@@ -12,6 +12,7 @@
 
 #include <cstdlib>
 #include <ctime>
+#include <numeric>
 #include <string>
 
 namespace frostfill
@@ -26,7 +27,7 @@ struct Result
     double droppedSpheres = 0;  ///< share of the spheres, at the end
     double meanDropped = 0;     ///< the same, mean over the sets
     double droppedPolygons = 0; ///< share of the polygons, at the end
-    double discarding = 0;      ///< [s]
+    double discarding = 0;      ///< share of the time of all stages
     double processor = 0;       ///< [s] of the whole run
 };
 
@@ -53,7 +54,9 @@ Result run(Scene scene, const TriangleMesh& mesh, DiscardRule rule, int threads)
     result.meanDropped /= static_cast<double>(sets.size());
     result.droppedPolygons = static_cast<double>(sets.back().discardedPolygons) /
                              static_cast<double>(mesh.triangles.size());
-    result.discarding = simulation.times()[Stage::discarding];
+    const StageTimes& times = simulation.times();
+    result.discarding = times[Stage::discarding] /
+                        std::accumulate(times.seconds.begin(), times.seconds.end(), 1e-12);
     return result;
 }
 
@@ -91,8 +94,8 @@ bool compare(const std::string& name, const TriangleMesh& mesh, Motion motion, b
     fmt::print("{},{},{},{},{},{},{},{:.0f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f}\n", name,
                mesh.triangles.size(), motion == Motion::fall ? "fall" : "skip",
                untilFull ? "full" : "count", seeds, equal, equalThreads, mean.spheres,
-               mean.droppedSpheres, mean.meanDropped, mean.droppedPolygons,
-               mean.discarding / mean.processor, mean.processor, without);
+               mean.droppedSpheres, mean.meanDropped, mean.droppedPolygons, mean.discarding,
+               mean.processor, without);
     std::fflush(stdout);
     return equal == seeds && equalThreads == seeds;
 }
