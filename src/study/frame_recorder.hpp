@@ -21,8 +21,10 @@
 namespace frostfill
 {
 
-/// How the scene's pictures are drawn; `range` is that of the colours.
-[[nodiscard]] RenderSettings renderSettings(const Scene& scene, const ColourRange& range = {});
+/// How the scene's pictures are drawn; `range` is that of the colours, `poses` are those in which
+/// the object will be seen.
+[[nodiscard]] RenderSettings renderSettings(const Scene& scene, const ColourRange& range = {},
+                                            std::vector<Pose> poses = {});
 
 /// What the renderer did while a set was the newest; one entry a frame. [ms]
 struct SetFrames
