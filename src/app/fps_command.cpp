@@ -79,7 +79,11 @@ nlohmann::ordered_json readOlder(const std::string& file)
     std::ifstream in(file);
     if (!in)
         throw Error(ErrorCode::inputMissing, fmt::format("cannot read {}", file));
-    return nlohmann::ordered_json::parse(in, nullptr, false);
+    auto older = nlohmann::ordered_json::parse(in, nullptr, false);
+    if (!older.is_object())
+        throw Error(ErrorCode::badData,
+                    fmt::format("{} was not written by frostfill fps --json", file));
+    return older;
 }
 
 void print(const FpsArguments& arguments, const FpsResult& result,
