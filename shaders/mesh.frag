@@ -10,6 +10,8 @@ flat in uint state;
 
 uniform vec4 activeColour;
 uniform vec4 discardedColour;
+uniform vec3 activeInk; // of edges
+uniform vec3 discardedInk;
 uniform float lineWidth; // [pixel]
 uniform float hatchPeriod; // [pixel]
 
@@ -47,6 +49,13 @@ void main()
     }
     vec3 lit = base.rgb * (0.55 + 0.45 * lightOn(normal));
     float line = edgeCoverage() * (front ? 1.0 : 0.5);
-    vec3 ink = 0.38 * base.rgb;
-    colour = vec4(mix(lit, ink, line), max(min(density, 0.85), line));
+    float left = 1.0;
+#ifdef CUTAWAY
+    // What is left ends in a line of its own.
+    float pixels = cutDepth(eyePosition) / max(fwidth(cutDepth(eyePosition)), 1e-6);
+    left = clamp(0.5 - pixels, 0.0, 1.0);
+    line = max(line, 0.85 * clamp(1.5 * lineWidth + pixels + 0.5, 0.0, 1.0));
+#endif
+    vec3 ink = discarded ? discardedInk : activeInk;
+    colour = vec4(mix(lit, ink, line), left * max(min(density, 0.85), line));
 }

@@ -32,7 +32,7 @@ out vec4 colour;
 
 const vec3 kHighlight = vec3(-0.234, 0.351, 0.907); // halfway between key light and viewer
 
-#ifdef SAMPLES
+#if defined(SAMPLES) && !defined(CUTAWAY)
 // Which of the pixel's samples lie inside the outline. Depth and colour are those of the centre, so
 // smooth outlines cost no more shading than jagged ones.
 int samplesInside()
@@ -49,34 +49,16 @@ int samplesInside()
 }
 #endif
 
-void main()
+#ifdef OUTLINES
+uniform float outlineWidth; // [pixel]
+#endif
+
+// Colour at a place of the sphere: `rhoSquared` is 0 in the middle of the disc that is seen, 1 at its
+// rim; `shade` is what keeps light from it.
+vec3 shaded(vec3 normal, float rhoSquared, float shade)
 {
-    float rhoSquared = dot(corner, corner);
-    float w = sqrt(max(1.0 - rhoSquared, 0.0));
     float pixel = hazeAndPixel.a;
-
-#ifdef SAMPLES
-    gl_SampleMask[0] = samplesInside();
-#endif
-
-#ifdef ORTHOGRAPHIC
-    float rise = tintAndSteepness.a * w;
-    vec3 hit = onPlane + vec3(0.0, 0.0, rise);
-    float depth = gl_FragCoord.z - depthSlope * rise;
-#else
-    float rise = tintAndSteepness.a * w;
-    vec3 hit = onPlane / (1.0 + rise);
-    float depth = gl_FragCoord.z + (gl_FragCoord.z - depthAtInfinity) * rise;
-#endif
-#ifndef SAMPLES
-    // Beyond the far plane is never drawn, and cheaper than `discard`.
-    depth = rhoSquared < 1.0 ? depth : 2.0;
-#endif
-    gl_FragDepth = depth;
-
-    // Neighbours keep light from each other's rims.
-    vec3 normal = (hit - centreAndCurvature.xyz) * centreAndCurvature.w;
-    float light = lightOn(normal) * (0.64 + 0.36 * min(1.7 * w, 1.0));
+    float light = lightOn(normal) * shade;
 
     // The marks of all states, without branches: a software renderer runs every branch anyway. The
     // gloss is the 32nd power of the cosine to the highlight's middle.
@@ -89,5 +71,97 @@ void main()
     gloss *= gloss;
     gloss *= gloss;
     light *= 1.0 - marks.y * ring - marks.z * hatch;
-    colour = vec4(tintAndSteepness.rgb * light + marks.x * gloss + hazeAndPixel.rgb, 1.0);
+#ifdef OUTLINES
+    light *= 1.0 - 0.8 * clamp(outlineWidth - (1.0 - sqrt(rhoSquared)) / pixel + 0.5, 0.0, 1.0);
+#endif
+    return tintAndSteepness.rgb * light + marks.x * gloss + hazeAndPixel.rgb;
 }
+
+#ifdef CUTAWAY
+uniform mat4 projection;
+
+// Every sample for itself: a cut runs through the middle of pixels.
+void main()
+{
+#ifdef SAMPLES
+    vec2 offset = gl_SamplePosition - 0.5;
+#else
+    vec2 offset = vec2(0.0);
+#endif
+    vec2 at = corner + offset.x * dFdx(corner) + offset.y * dFdy(corner);
+    vec3 q = onPlane + offset.x * dFdx(onPlane) + offset.y * dFdy(onPlane);
+    float rhoSquared = dot(at, at);
+    float w = sqrt(max(1.0 - rhoSquared, 0.0));
+    float rise = tintAndSteepness.a * w;
+#ifdef ORTHOGRAPHIC
+    vec3 origin = q;
+    vec3 direction = vec3(0.0, 0.0, -1.0);
+    float enter = -rise;
+    float leave = rise;
+#else
+    vec3 origin = vec3(0.0);
+    vec3 direction = q;
+    float enter = 1.0 / (1.0 + rise);
+    float leave = 1.0 / (1.0 - rise);
+#endif
+    vec3 cap;
+    bool seen = enterCutSphere(origin, direction, enter, leave, cap) && rhoSquared < 1.0;
+    vec3 hit = origin + enter * direction;
+#ifdef ORTHOGRAPHIC
+    float depth = 0.5 * (projection[2][2] * hit.z + projection[3][2]) + 0.5;
+#else
+    float depth = depthAtInfinity - 0.5 * projection[3][2] / hit.z;
+#endif
+    gl_FragDepth = seen ? depth : 2.0;
+
+    vec3 fromCentre = (hit - centreAndCurvature.xyz) * centreAndCurvature.w;
+    if (cap == vec3(0.0))
+    {
+        colour = vec4(shaded(fromCentre, rhoSquared, 0.64 + 0.36 * min(1.7 * w, 1.0)), 1.0);
+    }
+    else
+    {
+        // The cut is matt and paler than the outside, with a rim that parts neighbours. Lengths are
+        // in the sphere's radius: of the point from the disc's middle, and the disc's own radius.
+        float height = dot(fromCentre, cap);
+        float discSquared = 1.0 - height * height;
+        float innerSquared = max(dot(fromCentre, fromCentre) - height * height, 0.0);
+        float inside = sqrt(discSquared) - sqrt(innerSquared);
+        float rim = clamp((inside - hazeAndPixel.a) / (hazeAndPixel.a + 0.02), 0.0, 1.0);
+        vec3 tint = mix(tintAndSteepness.rgb, vec3(1.0), 0.34);
+        float hatch = stripes((at.x + at.y) * 1.3 + 0.25, 0.34, hazeAndPixel.a * 1.84);
+        float light = (0.80 + 0.15 * lightOn(cap)) * (1.0 - marks.z * hatch);
+        light *= 1.0 - 0.7 * (1.0 - rim);
+        light *= 1.0 - marks.y * clamp((innerSquared / discSquared - 0.6) / 0.06, 0.0, 1.0) * rim;
+        colour = vec4(tint * light + hazeAndPixel.rgb, 1.0);
+    }
+}
+#else
+void main()
+{
+    float rhoSquared = dot(corner, corner);
+    float w = sqrt(max(1.0 - rhoSquared, 0.0));
+
+#ifdef SAMPLES
+    gl_SampleMask[0] = samplesInside();
+#endif
+
+    float rise = tintAndSteepness.a * w;
+#ifdef ORTHOGRAPHIC
+    vec3 hit = onPlane + vec3(0.0, 0.0, rise);
+    float depth = gl_FragCoord.z - depthSlope * rise;
+#else
+    vec3 hit = onPlane / (1.0 + rise);
+    float depth = gl_FragCoord.z + (gl_FragCoord.z - depthAtInfinity) * rise;
+#endif
+#ifndef SAMPLES
+    // Beyond the far plane is never drawn, and cheaper than `discard`.
+    depth = rhoSquared < 1.0 ? depth : 2.0;
+#endif
+    gl_FragDepth = depth;
+
+    // Neighbours keep light from each other's rims.
+    vec3 normal = (hit - centreAndCurvature.xyz) * centreAndCurvature.w;
+    colour = vec4(shaded(normal, rhoSquared, 0.64 + 0.36 * min(1.7 * w, 1.0)), 1.0);
+}
+#endif

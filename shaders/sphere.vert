@@ -12,16 +12,17 @@
 
 layout(location = 0) in vec4 sphere; // centre and radius
 layout(location = 1) in uint sphereState;
+layout(location = 2) in vec4 sphereColour;
 
 uniform mat4 view;
 uniform mat4 projection;
 
 uniform float pixelScale; // pixels in a length of 1 at distance 1, or at any without perspective
-uniform vec4 stateColours[3];
-uniform vec4 background;
+uniform vec4 background; // what is far fades to black where it is clear
 uniform vec4 heightPlane; // with an eye-space point: 0 at the object's foot, 1 at its top
 uniform vec4 distancePlane; // with an eye-space point: 0 at the object's front, 1 at its back
 uniform float haze; // share of the background in the furthest spheres
+uniform float gloss; // 1, or 0 where it is not wanted
 
 out vec2 corner; // position in the circle's plane, in its radius
 out vec3 onPlane; // Q, the point of the square [eye space]
@@ -29,6 +30,7 @@ flat out vec4 centreAndCurvature; // C [eye space], 1 / r
 flat out vec4 tintAndSteepness; // the sphere's own colour, e (r without perspective)
 flat out vec4 hazeAndPixel; // what is added to the colour, a pixel's length in the sphere's radius
 flat out vec3 marks; // strength of gloss, of the ring and of the hatch
+flat out uint identity; // index of the sphere
 
 // Colour alone does not tell the states apart for everyone. Running spheres are glossy with a dark
 // ring, discarded ones are hatched, frozen ones are plain.
@@ -40,13 +42,14 @@ void setColours(vec3 centre)
     // The foot of a pile gets less light than its top, and what is far fades.
     float foot = 0.86 + 0.14 * clamp(dot(heightPlane, vec4(centre, 1.0)), 0.0, 1.0);
     float far = haze * clamp(dot(distancePlane, vec4(centre, 1.0)), 0.0, 1.0);
-    tintAndSteepness.rgb = stateColours[sphereState].rgb * foot * (1.0 - far);
-    hazeAndPixel.rgb = background.rgb * far;
-    marks = kMarks[sphereState];
+    tintAndSteepness.rgb = sphereColour.rgb * foot * (1.0 - far);
+    hazeAndPixel.rgb = background.rgb * background.a * far;
+    marks = kMarks[sphereState] * vec3(gloss, 1.0, 1.0);
 }
 
 void main()
 {
+    identity = uint(gl_InstanceID);
     corner = vec2((gl_VertexID & 1) * 2 - 1, (gl_VertexID & 2) - 1);
     vec3 centre = (view * vec4(sphere.xyz, 1.0)).xyz;
     float radius = sphere.w;

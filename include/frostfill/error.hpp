@@ -15,6 +15,7 @@ enum class ErrorCode : int
     badData = 65,        ///< a mesh or scene that cannot be used
     inputMissing = 66,   ///< an input file does not exist or cannot be read
     noOpenGl = 69,       ///< no OpenGL context is to be had
+    missingProgram = 69, ///< a program that is needed, such as gnuplot, is not installed
     postcondition = 70,  ///< NaN, a centre outside the mesh, a blank frame
     outOfMemory = 71,
     cannotCreate = 73, ///< an output file or directory cannot be created

@@ -15,7 +15,8 @@ struct Image
 {
     int width = 0;
     int height = 0;
-    int channels = 3;                 ///< 3 (RGB) or 4 (RGBA, straight alpha)
+    int channels = 3;                 ///< 3 (RGB), 4 (RGBA, straight alpha), or 2: one 16-bit
+                                      ///< value, high byte first
     std::vector<std::uint8_t> pixels; ///< [height x width x channels]
 
     [[nodiscard]] const std::uint8_t* at(int x, int y) const

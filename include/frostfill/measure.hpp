@@ -9,6 +9,8 @@ namespace frostfill
 {
 
 /// Pairs examined (tests) and spheres corrected (responses), by kind of pair. PAPER: Algorithm 1.
+/// The preset fast looks at a pair several times a step, which counts as one test, and corrects
+/// paths, not pairs: its responses are not counted, and with Motion::descend nothing is.
 struct OperationCounts
 {
     std::uint64_t runningRunningTests = 0;

@@ -28,13 +28,15 @@ enum class Integrator : std::uint8_t
 };
 enum class SphereSearch : std::uint8_t
 {
-    allPairs
+    allPairs,
+    grid, ///< frozen spheres by the cells of a uniform grid: same bits as all pairs
 };
 enum class PolygonSearch : std::uint8_t
 {
     loop,
     list,
-    quadtree
+    quadtree,
+    grid, ///< by the cells of a uniform grid
 };
 enum class DiscardRule : std::uint8_t
 {
@@ -131,6 +133,16 @@ struct SearchSettings
     PolygonSearch polygons = PolygonSearch::quadtree;
 };
 
+/// Pictures of other things than colour, beside every frame.
+struct Passes
+{
+    bool depth = false;    ///< distance along the view
+    bool normal = false;   ///< where surfaces face
+    bool identity = false; ///< which sphere is seen
+
+    [[nodiscard]] bool any() const { return depth || normal || identity; }
+};
+
 /// Which moments become pictures. Has no influence on what is simulated.
 struct FrameSettings
 {
@@ -138,6 +150,8 @@ struct FrameSettings
     double fps = 30;                  ///< frames a second of video
     std::optional<double> slowMotion; ///< video time over simulated time; automatic when not given
     std::size_t limit = 1000;         ///< at most so many: every n-th is kept; 0 for no limit
+    double hold = 0;                  ///< [s] of video for which the last state is shown
+    Passes passes;
 };
 
 /// Everything that describes a run; a plain value. Two equal scenes give equal results.
@@ -158,6 +172,8 @@ struct Scene
     Camera camera;
     Style style;
     int samples = 4;
+    int supersample = 1;
+    Backend backend = Backend::automatic;
 };
 
 /// The paper's parameters for one of its four objects, or general ones for any other mesh.

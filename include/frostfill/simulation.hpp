@@ -78,6 +78,7 @@ public:
     [[nodiscard]] std::uint64_t steps() const;
     [[nodiscard]] std::size_t sphereCount() const;
     [[nodiscard]] std::size_t restingCount() const; ///< frozen and discarded
+    [[nodiscard]] std::size_t groupSize() const;    ///< spheres that form a group
     /// Spheres that the run aims at: the count, or an estimate when it fills until full.
     [[nodiscard]] std::size_t expectedSpheres() const;
 

@@ -41,6 +41,7 @@ struct Snapshot
     std::vector<float> radii;             ///< [#S] mesh unit
     std::vector<SphereState> states;      ///< [#S]
     std::vector<std::uint32_t> groups;    ///< [#S]
+    std::vector<float> speeds;            ///< [#S] mesh unit a second; 0 at rest
     std::vector<PolygonState> polygons;   ///< [#T] of the mesh that is simulated
     Eigen::Vector3d origin = Eigen::Vector3d::Zero(); ///< mesh coordinates; the box's centre
 

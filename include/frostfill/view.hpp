@@ -21,6 +21,21 @@ struct Camera
     bool orthographic = false;
     std::optional<Eigen::Vector3d> target; ///< mesh coordinates, shown in the middle; without one
                                            ///< the object's outline is centred
+    std::optional<double> distance;        ///< [mesh unit] of the eye from the target's plane; with
+                                           ///< perspective only. Without one the object fits
+    std::optional<double> turntable;       ///< [s] of video for one turn about the up axis; the
+                                     ///< object fits at every angle. Still without one
+};
+
+/// Which OpenGL to draw with.
+enum class Backend : std::uint8_t
+{
+    automatic, ///< the first that works
+    osmesa,
+    egl,            ///< the first of the following that works
+    eglHardware,    ///< a graphics card
+    eglSoftware,    ///< Mesa's software device
+    eglSurfaceless, ///< Mesa without a device
 };
 
 /// Size of a picture in pixels.
@@ -46,11 +61,59 @@ struct Palette
     Colour text = {32, 32, 32, 255};
 };
 
+/// What the colours of the spheres mean.
+enum class ColourBy : std::uint8_t
+{
+    state,
+    set,
+    group,
+    speed,
+    height,
+};
+
+/// Where a number lies on the scale of colours.
+struct ColourRange
+{
+    double low = 0;
+    double high = 1;
+};
+
+/// What is taken away so that the inside can be seen; spheres are cut through.
+struct Cutaway
+{
+    enum class Kind : std::uint8_t
+    {
+        none,
+        plane, ///< all that lies beyond a plane
+        wedge, ///< a slice about the up axis through the middle of the object's box
+    };
+    Kind kind = Kind::none;
+    Eigen::Vector3d normal = {0, 0, 1}; ///< of the plane, towards what is taken away
+    double offset = 0; ///< [mesh unit] of the plane from the middle of the box, along its normal
+    double from = 0;   ///< [degree] of the wedge, counted like the camera's azimuth
+    double to = 90;    ///< [degree] more than `from`, by up to 180
+};
+
+/// A set of colours and strokes that go together.
+enum class Look : std::uint8_t
+{
+    clean, ///< for a bright screen
+    paper, ///< for print: outlines around all spheres, no haze, no gloss
+    dark,  ///< for slides and a dark screen
+};
+
 struct Style
 {
-    Palette palette;
+    Look look = Look::clean;
+    Palette palette; ///< the look's own, unless colours are given
+    ColourBy colourBy = ColourBy::state;
+    Cutaway cutaway;
     bool legend = true;
     bool shell = true; ///< draw the mesh as a translucent shell with its edges
+    bool ambientOcclusion = false; ///< darken what others shade; costs a second drawing
 };
+
+/// The colours of a look.
+[[nodiscard]] Palette paletteOf(Look look);
 
 } // namespace frostfill

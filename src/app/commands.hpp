@@ -12,7 +12,10 @@ namespace frostfill
 using Command = std::function<int()>;
 
 /// Each adds its command to the program and returns what to run when it was asked for.
+Command addBenchCommand(CLI::App& program);
+Command addFiguresCommand(CLI::App& program);
 Command addFillCommand(CLI::App& program);
+Command addFpsCommand(CLI::App& program);
 Command addMeshCommand(CLI::App& program);
 Command addDoctorCommand(CLI::App& program);
 

@@ -52,6 +52,8 @@ struct FillArguments
     std::string mesh;
     std::string sceneFile;
     std::string directory;
+    std::string video;
+    bool contactSheet = false;
     bool overwrite = false;
     bool quiet = false;
     bool json = false;
@@ -155,6 +157,8 @@ int fill(const FillArguments& arguments)
                             ? std::filesystem::path("output") / request.scene.name
                             : std::filesystem::path(arguments.directory);
     request.overwrite = arguments.overwrite;
+    request.video = arguments.video;
+    request.contactSheet = arguments.contactSheet;
 
     ProgressBar bar;
     FillObserver observer;
@@ -176,6 +180,9 @@ int fill(const FillArguments& arguments)
         throw Error(
             ErrorCode::postcondition,
             fmt::format("{}; the files are in {}", *result.failure, result.directory.string()));
+    if (result.videoFailure)
+        throw Error(ErrorCode::writeFailed, fmt::format("{}; the frames are in {}", *result.videoFailure,
+                                                        result.directory.string()));
     return result.stopped ? static_cast<int>(ErrorCode::stoppedEarly) : 0;
 }
 
@@ -196,6 +203,13 @@ Command addFillCommand(CLI::App& program)
     const char* output = "Output";
     command->add_option("--out", arguments->directory, "Directory of the run (output/NAME)")
         ->type_name("DIR")
+        ->group(output);
+    command->add_option("--video", arguments->video, "Make a video of every frame, with ffmpeg")
+        ->type_name("FILE.mp4|.webm|.gif")
+        ->group(output);
+    command
+        ->add_flag("--contact-sheet", arguments->contactSheet,
+                   "Twelve frames of the run on one picture, contact_sheet.png")
         ->group(output);
     command->add_flag("--overwrite", arguments->overwrite, "Replace the run that is there")
         ->group(output);

@@ -24,6 +24,7 @@ using namespace frostfill;
 constexpr const char* kUsage = R"(Examples:
   frostfill fill torus                    the paper's torus: frames and tables in output/torus
   frostfill fill bunny.stl --radius 0.02  any closed mesh, until no sphere fits
+  frostfill fps                           frames a second, the paper's and ours
   frostfill mesh bunny.stl                what is wrong with a mesh
   frostfill COMMAND --help                all options of a command
 )";
@@ -85,6 +86,9 @@ int run(int argumentCount, char** arguments)
 
     std::vector<std::pair<std::string, Command>> commands;
     commands.emplace_back("fill", addFillCommand(program));
+    commands.emplace_back("fps", addFpsCommand(program));
+    commands.emplace_back("bench", addBenchCommand(program));
+    commands.emplace_back("figures", addFiguresCommand(program));
     commands.emplace_back("mesh", addMeshCommand(program));
     commands.emplace_back("doctor", addDoctorCommand(program));
     try

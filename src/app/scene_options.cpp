@@ -78,9 +78,13 @@ void addSceneOptions(CLI::App& command, GivenOptions& given)
 
 void applyGivenOptions(const GivenOptions& given, Scene& scene)
 {
-    for (const auto& [key, text] : given)
+    // In the table's order, not the command line's: a style comes before the colours that differ.
+    for (const Option& option : sceneOptions())
     {
-        const Option& option = *findOption(key);
+        const auto found = given.find(option.key);
+        if (found == given.end())
+            continue;
+        const std::string& text = found->second;
         const auto value = readOptionText(option, text);
         if (!value || !setOption(option, scene, *value))
             throw Error(ErrorCode::usage, fmt::format("{} is '{}', but it must be {}", option.flag,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Writing PNG: stb_image_write makes the file, libdeflate does the work (six times as fast).
 #include "deflate.hpp"
+#include "png_grey16.hpp"
 
 #include <frostfill/error.hpp>
 #include <frostfill/image.hpp>
@@ -105,7 +106,10 @@ unsigned int crc32ForStb(unsigned char* bytes, int count)
     return libdeflate_crc32(0, bytes, static_cast<std::size_t>(count));
 }
 
-std::vector<std::uint8_t> encodePng(const Image& image, const PngText& text)
+namespace
+{
+
+std::vector<std::uint8_t> encodeWithStb(const Image& image)
 {
     assert(image.channels == 3 || image.channels == 4);
     assert(image.pixels.size() == static_cast<std::size_t>(image.width) *
@@ -123,6 +127,15 @@ std::vector<std::uint8_t> encodePng(const Image& image, const PngText& text)
                     fmt::format("no memory to encode a picture of {}x{} pixels", image.width,
                                 image.height));
     }
+    return png;
+}
+
+} // namespace
+
+std::vector<std::uint8_t> encodePng(const Image& image, const PngText& text)
+{
+    std::vector<std::uint8_t> png =
+        image.channels == 2 ? encodeGrey16(image) : encodeWithStb(image);
     std::vector<std::uint8_t> chunks;
     for (const auto& [keyword, value] : text)
     {

@@ -8,10 +8,52 @@
 namespace frostfill
 {
 
+namespace
+{
+
+bool answersTo(Backend choice, Backend asked)
+{
+    return asked == Backend::automatic || asked == choice ||
+           (asked == Backend::egl && choice != Backend::osmesa);
+}
+
+} // namespace
+
+thread_local Context* Context::current = nullptr;
+
+void Context::makeCurrent()
+{
+    if (current == this)
+    {
+        return;
+    }
+    if (current != nullptr)
+    {
+        current->letGo();
+    }
+    bind();
+    current = this;
+}
+
+void Context::letGo()
+{
+    if (current == this)
+    {
+        unbind();
+        current = nullptr;
+    }
+}
+
 const std::vector<BackendChoice>& backendChoices()
 {
     static const std::vector<BackendChoice> choices = {
         {Backend::osmesa, "osmesa", &openOsmesa, "apt install libosmesa6"},
+        {Backend::eglHardware, "egl-hardware", &openEglHardware,
+         "the graphics card's driver, with its part for EGL"},
+        {Backend::eglSoftware, "egl-software", &openEglSoftware,
+         "apt install libegl1 libegl-mesa0 libgl1-mesa-dri"},
+        {Backend::eglSurfaceless, "egl-surfaceless", &openEglSurfaceless,
+         "apt install libegl1 libegl-mesa0 libgl1-mesa-dri"},
     };
     return choices;
 }
@@ -21,7 +63,7 @@ std::unique_ptr<Context> openContext(Backend backend)
     std::string attempts;
     for (const BackendChoice& choice : backendChoices())
     {
-        if (backend != Backend::automatic && backend != choice.backend)
+        if (!answersTo(choice.backend, backend))
         {
             continue;
         }

@@ -11,6 +11,7 @@ std::string_view fontDejaVuSans();
 std::string_view shader_common_glsl();
 std::string_view shader_sphere_vert();
 std::string_view shader_sphere_frag();
+std::string_view shader_surface_frag();
 std::string_view shader_mesh_vert();
 std::string_view shader_mesh_frag();
 

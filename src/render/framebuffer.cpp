@@ -23,6 +23,27 @@ int sizeLimit(const GlFunctions& gl)
     return std::min({renderbuffer, viewport[0], viewport[1]});
 }
 
+/// Turns rows about and divides colours by alpha.
+void copyWithStraightAlpha(const std::vector<std::uint8_t>& bottomUp, std::size_t width,
+                           std::size_t height, std::vector<std::uint8_t>& pixels)
+{
+    for (std::size_t y = 0; y < height; ++y)
+    {
+        const std::uint8_t* from = bottomUp.data() + (height - 1 - y) * width * 4;
+        std::uint8_t* to = pixels.data() + y * width * 4;
+        for (std::size_t x = 0; x < width; ++x, from += 4, to += 4)
+        {
+            const int alpha = from[3];
+            for (std::size_t c = 0; c < 3; ++c)
+            {
+                const int straight = alpha == 0 ? 0 : (from[c] * 255 + alpha / 2) / alpha;
+                to[c] = static_cast<std::uint8_t>(std::min(straight, 255));
+            }
+            to[3] = from[3];
+        }
+    }
+}
+
 } // namespace
 
 Framebuffer::Framebuffer(const GlFunctions& gl, int width, int height, int samples)
@@ -94,21 +115,26 @@ void Framebuffer::resolve() const
                         GL_NEAREST);
 }
 
-void Framebuffer::readColour(Image& image)
+void Framebuffer::readColour(Image& image, bool withAlpha)
 {
     const auto width = static_cast<std::size_t>(width_);
     const auto height = static_cast<std::size_t>(height_);
     rgba_.resize(width * height * 4);
     image.width = width_;
     image.height = height_;
-    image.channels = 3;
-    image.pixels.resize(width * height * 3);
+    image.channels = withAlpha ? 4 : 3;
+    image.pixels.resize(width * height * static_cast<std::size_t>(image.channels));
 
     // Reading RGBA, which is how the pixels lie, and dropping alpha ourselves is faster than
     // having OpenGL read RGB.
     gl_.bindFramebuffer(GL_READ_FRAMEBUFFER, framebuffers_[samples_ > 1 ? 1 : 0]);
     gl_.pixelStorei(GL_PACK_ALIGNMENT, 1);
     gl_.readPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, rgba_.data());
+    if (withAlpha)
+    {
+        copyWithStraightAlpha(rgba_, width, height, image.pixels);
+        return;
+    }
     for (std::size_t y = 0; y < height; ++y)
     {
         const std::uint8_t* from = rgba_.data() + (height - 1 - y) * width * 4;

@@ -29,8 +29,8 @@ public:
 
     /// Averages the samples, after which the picture can be read.
     void resolve() const;
-    /// RGB, top row first.
-    void readColour(Image& image);
+    /// RGB, or RGBA with straight alpha, top row first. Premultiplied colours are drawn.
+    void readColour(Image& image, bool withAlpha = false);
     /// Window depth in 0..1, top row first. Only without multisampling.
     [[nodiscard]] std::vector<float> readDepth() const;
 

@@ -4,12 +4,14 @@
 #include <frostfill/error.hpp>
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace frostfill
 {
@@ -53,27 +55,75 @@ void check(const RenderSettings& settings)
         throw Error(ErrorCode::usage,
                     "the camera's field of view must be between 1 and 150 degrees");
     }
+    if (camera.distance && !(*camera.distance > 0 && std::isfinite(*camera.distance)))
+    {
+        throw Error(ErrorCode::usage, "the camera's distance must be positive");
+    }
     if (!(camera.zoom > 0))
     {
         throw Error(ErrorCode::usage, "the camera's zoom must be positive");
     }
 }
 
+glm::dvec3 unitVector(const Eigen::Vector3d& v)
+{
+    const Eigen::Vector3d unit = v.normalized();
+    return {unit.x(), unit.y(), unit.z()};
+}
+
 Axes axesOf(const Camera& camera, const Eigen::Vector3d& upwards)
 {
-    const Eigen::Vector3d unit = upwards.normalized();
-    const glm::dvec3 up(unit.x(), unit.y(), unit.z());
-    // At azimuth 0 the x axis points to the right; where x is up, the y axis does.
-    const glm::dvec3 side = std::abs(up.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-    const glm::dvec3 right = glm::normalize(side - glm::dot(side, up) * up);
-    const glm::dvec3 back = glm::cross(right, up);
-
-    const double azimuth = glm::radians(camera.azimuth);
+    const glm::dvec3 up = unitVector(upwards);
     const double elevation = glm::radians(camera.elevation);
-    const glm::dvec3 around = std::cos(azimuth) * back + std::sin(azimuth) * right;
-    return {std::cos(azimuth) * right - std::sin(azimuth) * back,
+    const glm::dvec3 around = horizontalDirection(upwards, camera.azimuth);
+    return {horizontalDirection(upwards, camera.azimuth + 90),
             std::cos(elevation) * up - std::sin(elevation) * around,
             std::cos(elevation) * around + std::sin(elevation) * up};
+}
+
+/// In how many directions a vertex is looked at when the camera goes round. The body that a corner
+/// of this polygon leaves out is 0.1 % of its radius: far less than the margin.
+constexpr int kTurnSteps = 72;
+
+/// All vertices, turned about the up axis through the pivot: what a turntable shows.
+std::vector<Eigen::Vector3d> bodyOfRevolution(std::span<const Eigen::Vector3d> vertices,
+                                              const Framing& framing, const Eigen::Vector3d& up)
+{
+    // Rings that lie in others add nothing: the widest of each height is kept.
+    constexpr std::size_t kHeights = 512;
+    const Eigen::Vector3d axis = up.normalized();
+    const Eigen::Vector3d pivot =
+        framing.centre +
+        Eigen::Vector3d(framing.pivot.x, framing.pivot.y, framing.pivot.z) / framing.scale;
+    struct Ring
+    {
+        double low = kInfinity, high = -kInfinity, radius = 0;
+    };
+    std::vector<Ring> rings(kHeights);
+    for (const Eigen::Vector3d& vertex : vertices)
+    {
+        const Eigen::Vector3d p = vertex - pivot;
+        const double height = axis.dot(p);
+        const double inBox = axis.dot(vertex - framing.centre) * framing.scale; // -1..1
+        const double place = (inBox + 1) / 2 * (kHeights - 1);
+        Ring& ring = rings[std::min(static_cast<std::size_t>(std::max(place, 0.0)), kHeights - 1)];
+        ring.low = std::min(ring.low, height);
+        ring.high = std::max(ring.high, height);
+        ring.radius = std::max(ring.radius, (p - height * axis).norm());
+    }
+    std::vector<Eigen::Vector3d> body;
+    for (const Ring& ring : rings)
+    {
+        for (int step = 0; ring.low <= ring.high && step < kTurnSteps; ++step)
+        {
+            const glm::dvec3 out = horizontalDirection(up, 360.0 * step / kTurnSteps);
+            const Eigen::Vector3d around =
+                pivot + ring.radius * Eigen::Vector3d(out.x, out.y, out.z);
+            body.emplace_back(around + ring.low * axis);
+            body.emplace_back(around + ring.high * axis);
+        }
+    }
+    return body;
 }
 
 /// The region in normalised device coordinates: centre and half width, margin taken off.
@@ -167,7 +217,8 @@ void measure(Placement& placement, const Framing& framing,
     }
 }
 
-void placeEye(Placement& placement, Framing& framing)
+/// `distance` of the eye in unit space, if it is given.
+void placeEye(Placement& placement, Framing& framing, std::optional<double> distance)
 {
     const Window& window = placement.window;
     const bool centred = placement.centred;
@@ -185,7 +236,7 @@ void placeEye(Placement& placement, Framing& framing)
     const double tangentY = placement.tangent * window.halfHeight;
     const AxisFit x = fitPerspective(placement.right, placement.left, tangentX, centred);
     const AxisFit y = fitPerspective(placement.top, placement.bottom, tangentY, centred);
-    framing.reach = std::max({x.distance, y.distance, placement.high.z + 1e-3});
+    framing.reach = distance.value_or(std::max({x.distance, y.distance, placement.high.z + 1e-3}));
     placement.eye = {x.offset, y.offset, framing.reach};
 }
 
@@ -241,6 +292,7 @@ Framing frame(std::span<const Eigen::Vector3d> vertices, const RenderSettings& s
     const Camera& camera = settings.camera;
     Framing framing;
     framing.orthographic = camera.orthographic;
+    framing.region = region;
     setUnitSpace(framing, vertices);
 
     Placement placement;
@@ -255,11 +307,44 @@ Framing frame(std::span<const Eigen::Vector3d> vertices, const RenderSettings& s
     const Eigen::Vector3d up = settings.up.normalized();
     placement.upward = placement.rotation * glm::dvec3(up.x(), up.y(), up.z());
 
-    measure(placement, framing, vertices);
-    placeEye(placement, framing);
+    framing.pivot = placement.target;
+    if (camera.turntable)
+    {
+        // It looks the same from every azimuth, so the camera's own will do.
+        measure(placement, framing, bodyOfRevolution(vertices, framing, settings.up));
+    }
+    else
+    {
+        measure(placement, framing, vertices);
+    }
+    placeEye(placement, framing,
+             camera.distance ? std::optional(*camera.distance * framing.scale) : std::nullopt);
     setView(placement, framing);
     setProjection(placement, camera.zoom, framing);
     return framing;
+}
+
+Framing revolved(const Framing& framing, const Eigen::Vector3d& up, double degrees)
+{
+    const glm::dvec3 axis = unitVector(up);
+    const glm::dmat4 turn = glm::rotate(glm::dmat4(1), glm::radians(degrees), axis);
+    const glm::dvec3 about = framing.orthographic ? glm::dvec3(0) : framing.pivot;
+    Framing turned = framing;
+    turned.view = glm::translate(framing.view, framing.pivot) * glm::transpose(turn) *
+                  glm::translate(glm::dmat4(1), -framing.pivot);
+    turned.eye = glm::dvec3(turn * glm::dvec4(framing.eye - about, 1)) + about;
+    return turned;
+}
+
+glm::dvec3 horizontalDirection(const Eigen::Vector3d& up, double azimuth)
+{
+    const glm::dvec3 upward = unitVector(up);
+    // At azimuth 0 the x axis points to the right; where x is up, the y axis does.
+    const glm::dvec3 side = std::abs(upward.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+    const glm::dvec3 right = glm::normalize(side - glm::dot(side, upward) * upward);
+    const glm::dvec3 back = glm::cross(right, upward);
+    const double angle = glm::radians(azimuth);
+    return std::cos(angle) * back + std::sin(angle) * right;
 }
 
 } // namespace frostfill

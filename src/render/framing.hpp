@@ -31,12 +31,14 @@ struct Framing
     glm::dmat4 view{1};                               ///< unit space to eye space
     glm::dmat4 projection{1};                         ///< eye space to clip space
     glm::dvec3 eye{0}; ///< unit space: the eye, or without perspective the direction towards it
+    glm::dvec3 pivot{0}; ///< unit space: what a turntable turns about
     bool orthographic = false;
     double depthAtInfinity = 0; ///< window depth at infinity; perspective
     double depthSlope = 0;      ///< window depth over eye distance; orthographic
     glm::dvec4 heightPlane{0};  ///< with an eye-space point: 0 at the object's foot, 1 at its top
     glm::dvec4 distancePlane{
         0}; ///< with an eye-space point: 0 at the object's front, 1 at its back
+    PictureRegion region; ///< into which the object is fitted
     double reach =
         0; ///< distance of the eye, or half the picture's height: smaller shows it larger
 
@@ -51,5 +53,13 @@ struct Framing
 /// region (at zoom 1). Throws Error usage for a camera that makes no sense.
 [[nodiscard]] Framing frame(std::span<const Eigen::Vector3d> vertices,
                             const RenderSettings& settings, const PictureRegion& region);
+
+/// The same picture after the camera has gone round the pivot by an angle about the up axis
+/// [degree].
+[[nodiscard]] Framing revolved(const Framing& framing, const Eigen::Vector3d& up, double degrees);
+
+/// The horizontal direction, in mesh or unit space, in which a camera at this azimuth [degree]
+/// stands.
+[[nodiscard]] glm::dvec3 horizontalDirection(const Eigen::Vector3d& up, double azimuth);
 
 } // namespace frostfill

@@ -37,6 +37,7 @@ class Context;
     X(disable, PFNGLDISABLEPROC, "glDisable")                                                      \
     X(drawArrays, PFNGLDRAWARRAYSPROC, "glDrawArrays")                                             \
     X(drawArraysInstanced, PFNGLDRAWARRAYSINSTANCEDPROC, "glDrawArraysInstanced")                  \
+    X(drawBuffers, PFNGLDRAWBUFFERSPROC, "glDrawBuffers")                                          \
     X(enable, PFNGLENABLEPROC, "glEnable")                                                         \
     X(enableVertexAttribArray, PFNGLENABLEVERTEXATTRIBARRAYPROC, "glEnableVertexAttribArray")      \
     X(finish, PFNGLFINISHPROC, "glFinish")                                                         \
@@ -55,6 +56,7 @@ class Context;
     X(getUniformLocation, PFNGLGETUNIFORMLOCATIONPROC, "glGetUniformLocation")                     \
     X(linkProgram, PFNGLLINKPROGRAMPROC, "glLinkProgram")                                          \
     X(pixelStorei, PFNGLPIXELSTOREIPROC, "glPixelStorei")                                          \
+    X(readBuffer, PFNGLREADBUFFERPROC, "glReadBuffer")                                             \
     X(readPixels, PFNGLREADPIXELSPROC, "glReadPixels")                                             \
     X(renderbufferStorageMultisample, PFNGLRENDERBUFFERSTORAGEMULTISAMPLEPROC,                     \
       "glRenderbufferStorageMultisample")                                                          \

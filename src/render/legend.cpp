@@ -21,6 +21,8 @@ constexpr double kLabelIndent = 1.5;
 constexpr double kSwatchRadius = 0.44;
 constexpr double kNumberGap = 0.9;
 
+constexpr double kScaleHeight = 0.8;
+
 /// Smaller type than this cannot be read [pixel].
 constexpr double kSmallestType = 9;
 
@@ -44,7 +46,7 @@ constexpr int kPlain = -2;
 
 } // namespace
 
-Legend::Legend(const RenderSettings& settings, std::size_t triangles)
+Legend::Legend(const RenderSettings& settings, std::size_t triangles, const SphereColours& colours)
     : size_(settings.size), palette_(settings.style.palette), triangles_(triangles)
 {
     if (!settings.style.legend)
@@ -55,6 +57,10 @@ Legend::Legend(const RenderSettings& settings, std::size_t triangles)
         kSmallestType, std::min(size_.height / kLinesInHeight, size_.width / kLettersInWidth)));
     font_.emplace(size);
     titleFont_.emplace(std::round(kTitleSize * size));
+    if (colours.hasScale())
+    {
+        colours_ = colours;
+    }
     title_ = titleFont_->shorten(settings.title, size_.width - 2 * kMargin * size);
     layOut();
     visible_ = width_ <= kLargestWidth * size_.width && height_ <= kLargestHeight * size_.height;
@@ -104,8 +110,15 @@ void Legend::layOut()
     addRow("active", 3);
     addRow("discarded", 4);
     // What is drawn here is known only with the snapshot.
+    firstOfMoment_ = rows_.size();
     addRow("", kHeading);
     addRow("", kPlain);
+    if (colours_)
+    {
+        addRow(colours_->title(), kHeading);
+        scaleTop_ = height_;
+        height_ += (kScaleHeight + kLine) * size;
+    }
     height_ += (kMargin - kGap) * size;
 
     double label = 0;
@@ -146,9 +159,43 @@ void Legend::drawText(Image& image, const Snapshot& snapshot) const
         const double room = font_->measure(kWidestNumber);
         write(right - std::min(room, font_->measure(number)), row.baseline, number);
     }
-    write(left, rows_[rows_.size() - 2].baseline,
+    write(left, rows_[firstOfMoment_].baseline,
           fmt::format("set {}  step {}", snapshot.set, snapshot.step));
-    write(left, rows_.back().baseline, fmt::format("{:.3f} s", snapshot.time));
+    write(left, rows_[firstOfMoment_ + 1].baseline, fmt::format("{:.3f} s", snapshot.time));
+    if (colours_)
+    {
+        drawScale(image);
+    }
+}
+
+void Legend::drawScale(Image& image) const
+{
+    const double size = font_->size();
+    const int left = static_cast<int>(std::lround(kMargin * size));
+    const int right = static_cast<int>(std::lround(width_ - kMargin * size));
+    const int top = static_cast<int>(std::lround(scaleTop_));
+    const int bottom = static_cast<int>(std::lround(scaleTop_ + kScaleHeight * size));
+    for (int y = std::max(0, top); y < std::min(bottom, image.height); ++y)
+    {
+        for (int x = std::max(0, left); x < std::min(right, image.width); ++x)
+        {
+            const Colour colour = scaleColour((x - left) / std::max(1.0, right - left - 1.0));
+            std::copy_n(colour.begin(), image.channels,
+                        image.pixels.data() + (image.at(x, y) - image.at(0, 0)));
+        }
+    }
+    const double baseline = scaleTop_ + (kScaleHeight + 0.5 * (kLine - 1) + 0.85) * size;
+    const auto& [low, high] = colours_->range();
+    const double middle =
+        colours_->countsWhole() ? std::floor((low + high) / 2) : (low + high) / 2;
+    for (const double value : {low, middle, high})
+    {
+        const double place = high > low ? (value - low) / (high - low) : 0;
+        const std::string text = colours_->countsWhole() ? fmt::format("{:.0f}", value)
+                                                         : fmt::format("{:.3g}", value);
+        const double x = left + place * (right - left - font_->measure(text));
+        font_->draw(image, x, baseline, text, palette_.text, palette_.background);
+    }
 }
 
 Framing frameBesideLegend(std::span<const Eigen::Vector3d> vertices, const RenderSettings& settings,

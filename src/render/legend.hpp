@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "colour_scale.hpp"
 #include "framing.hpp"
 #include "text.hpp"
 
@@ -29,7 +30,7 @@ public:
     };
 
     /// `triangles` is their number in the mesh.
-    Legend(const RenderSettings& settings, std::size_t triangles);
+    Legend(const RenderSettings& settings, std::size_t triangles, const SphereColours& colours);
 
     /// Off, or left out of a picture that is too small for readable type.
     [[nodiscard]] bool visible() const { return visible_; }
@@ -53,10 +54,13 @@ private:
 
     void addRow(const std::string& label, int number);
     void layOut();
+    void drawScale(Image& image) const;
 
     PictureSize size_;
     Palette palette_;
     std::size_t triangles_;
+    std::optional<SphereColours> colours_; ///< when there is a scale to show
+    double scaleTop_ = 0;                  ///< [pixel]
     bool visible_ = false;
     std::optional<Font> font_;
     std::optional<Font> titleFont_;
@@ -64,6 +68,7 @@ private:
     double width_ = 0;
     double height_ = 0;
     std::vector<Row> rows_;
+    std::size_t firstOfMoment_ = 0; ///< the row of set and step; that of the time follows
     std::vector<Swatch> spheres_;
     std::vector<Swatch> polygons_;
 };

@@ -18,6 +18,21 @@ constexpr float kCreaseCosine = 0.819F;
 constexpr std::uint8_t kStrong = 190;
 constexpr std::uint8_t kFaint = 60;
 
+/// A crease is drawn in full from a bend of 65 degrees on.
+constexpr float kSharpCosine = 0.423F;
+
+/// How strongly a crease between two faces is drawn; 0 when they go smoothly into each other.
+std::uint8_t creaseStrength(const glm::vec3& a, const glm::vec3& b)
+{
+    const float cosine = glm::dot(a, b);
+    if (cosine >= kCreaseCosine)
+    {
+        return 0;
+    }
+    const float sharpness = std::min((kCreaseCosine - cosine) / (kCreaseCosine - kSharpCosine), 1.0F);
+    return static_cast<std::uint8_t>(std::lround(kFaint + sharpness * (kStrong - kFaint)));
+}
+
 glm::vec3 unitOrZero(const glm::vec3& v)
 {
     const float length = glm::length(v);
@@ -107,13 +122,13 @@ void findEdges(const TriangleMesh& mesh, ShadedMesh& shaded)
         ShadedMesh::Edge edge;
         edge.triangles[0] = sides[i].triangle;
         edge.corners[0] = sides[i].corner;
-        edge.crease = !paired;
+        edge.crease = paired ? 0 : kStrong;
         if (paired)
         {
             edge.triangles[1] = sides[i + 1].triangle;
             edge.corners[1] = sides[i + 1].corner;
-            edge.crease = glm::dot(shaded.faceNormals[edge.triangles[0]],
-                                   shaded.faceNormals[edge.triangles[1]]) < kCreaseCosine;
+            edge.crease = creaseStrength(shaded.faceNormals[edge.triangles[0]],
+                                         shaded.faceNormals[edge.triangles[1]]);
         }
         shaded.edges.push_back(edge);
         i += paired ? 2 : 1;
@@ -152,7 +167,7 @@ std::vector<std::array<std::uint8_t, 3>> edgeStrengths(const ShadedMesh& mesh, c
         const bool paired = edge.triangles[1] != ShadedMesh::Edge::kNone;
         const bool outline =
             paired && facesViewer(edge.triangles[0]) != facesViewer(edge.triangles[1]);
-        const std::uint8_t strength = edge.crease || outline ? kStrong : kFaint;
+        const std::uint8_t strength = outline ? kStrong : std::max(edge.crease, kFaint);
         for (std::size_t side = 0; side < (paired ? 2U : 1U); ++side)
         {
             strengths[edge.triangles[side]][edge.corners[side]] = strength;

@@ -21,7 +21,7 @@ struct ShadedMesh
         static constexpr std::uint32_t kNone = 0xffffffffU;
         std::array<std::uint32_t, 2> triangles{kNone, kNone};
         std::array<std::uint8_t, 2> corners{}; ///< the corner opposite the edge in each triangle
-        bool crease = false;                   ///< drawn whatever the view
+        std::uint8_t crease = 0; ///< how strongly it is drawn whatever the view; 0 where it is smooth
     };
 
     std::vector<std::array<glm::vec3, 3>> corners; ///< [#T x 3] positions
@@ -35,7 +35,8 @@ struct ShadedMesh
                                    const std::vector<glm::vec3>& positions);
 
 /// How strongly each edge of each triangle is drawn, 0..255, in the order of the opposite corners:
-/// creases, rims and the outline seen from `eye` in full, all others faintly.
+/// rims and the outline seen from `eye` in full, creases the more the sharper they are, all others
+/// faintly.
 /// Without perspective `eye` is the direction towards the viewer.
 [[nodiscard]] std::vector<std::array<std::uint8_t, 3>>
 edgeStrengths(const ShadedMesh& mesh, const glm::vec3& eye, bool orthographic);

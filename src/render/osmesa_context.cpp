@@ -107,11 +107,7 @@ public:
 
     ~OsmesaContext() override
     {
-        if (current == this)
-        {
-            library_.makeCurrent(nullptr, nullptr, 0, 0, 0);
-            current = nullptr;
-        }
+        letGo();
         if (context_ != nullptr)
         {
             library_.destroy(context_);
@@ -120,34 +116,27 @@ public:
 
     [[nodiscard]] const char* name() const override { return "osmesa"; }
 
-    void makeCurrent() override
-    {
-        if (current == this)
-        {
-            return;
-        }
-        if (library_.makeCurrent(context_, buffer_.data(), GL_UNSIGNED_BYTE, kOwnBufferSize,
-                                 kOwnBufferSize) == GL_FALSE)
-        {
-            throw Error(ErrorCode::noOpenGl, "osmesa: the context cannot be made current");
-        }
-        current = this;
-    }
-
     [[nodiscard]] GlProcedure procedure(const char* name) const override
     {
         return library_.procedure(name);
     }
 
 private:
-    static thread_local const OsmesaContext* current;
+    void bind() override
+    {
+        if (library_.makeCurrent(context_, buffer_.data(), GL_UNSIGNED_BYTE, kOwnBufferSize,
+                                 kOwnBufferSize) == GL_FALSE)
+        {
+            throw Error(ErrorCode::noOpenGl, "osmesa: the context cannot be made current");
+        }
+    }
+
+    void unbind() override { library_.makeCurrent(nullptr, nullptr, 0, 0, 0); }
 
     const OsmesaLibrary& library_;
     OSMesaContext context_ = nullptr;
     std::array<unsigned char, std::size_t{kOwnBufferSize} * kOwnBufferSize * 4> buffer_{};
 };
-
-thread_local const OsmesaContext* OsmesaContext::current = nullptr;
 
 } // namespace
 

@@ -30,6 +30,12 @@ std::string describe(const Context& context, const GlFunctions& gl)
                        text(GL_VERSION));
 }
 
+ShaderVariant variantOf(const RenderSettings& settings)
+{
+    return {settings.camera.orthographic, settings.style.cutaway.kind != Cutaway::Kind::none,
+            settings.style.look == Look::paper};
+}
+
 const RenderSettings& checked(const RenderSettings& settings)
 {
     if (settings.samples < 1 || settings.samples > kMostSamples)
@@ -95,15 +101,21 @@ std::vector<glm::vec3> positionsOf(const TriangleMesh& mesh)
 } // namespace
 
 Pipeline::Pipeline(const TriangleMesh& mesh, const RenderSettings& settings)
-    : settings_(checked(settings)), legend_(settings, mesh.triangles.size()),
-      framing_(frameBesideLegend(mesh.vertices, settings, legend_)),
+    : settings_(checked(settings)), colours_(settings, mesh.vertices),
+      legend_(settings, mesh.triangles.size(), colours_),
+      still_(frameBesideLegend(mesh.vertices, settings, legend_)), framing_(still_),
       context_(openContext(settings.backend)), gl_(loadGlFunctions(*context_)),
       description_(describe(*context_, gl_)),
       framebuffer_(gl_, settings.size.width, settings.size.height, settings.samples),
-      spherePass_(gl_, framing_.orthographic, samplePositions(), settings.style.palette),
-      meshPass_(gl_, framing_.orthographic, settings.style.palette, strokesFor(settings.size)),
+      spherePass_(gl_, variantOf(settings), samplePositions(), settings.style,
+                  strokesFor(settings.size).lineWidth),
+      meshPass_(gl_, variantOf(settings), settings.style.palette, strokesFor(settings.size)),
       spheres_(gl_)
 {
+    if (settings.style.cutaway.kind != Cutaway::Kind::none)
+    {
+        cutPlanes_ = cutPlanes(settings.style.cutaway, still_, settings.up);
+    }
     if (settings.style.shell)
     {
         uploadMesh(mesh);
@@ -146,16 +158,22 @@ void Pipeline::uploadMesh(const TriangleMesh& mesh)
     {
         positions.emplace_back(framing_.toUnit(vertex));
     }
-    const ShadedMesh shaded = shadeMesh(mesh, positions);
+    shaded_ = shadeMesh(mesh, positions);
     shell_ = std::make_unique<MeshBuffer>(
-        gl_, shaded, edgeStrengths(shaded, glm::vec3(framing_.eye), framing_.orthographic));
+        gl_, shaded_, edgeStrengths(shaded_, glm::vec3(framing_.eye), framing_.orthographic));
 }
 
 void Pipeline::uploadSwatches()
 {
-    if (!framing_.orthographic)
+    const ShaderVariant flat{true, false, settings_.style.look == Look::paper};
+    if (!framing_.orthographic || cutPlanes_)
     {
-        flatSpherePass_.emplace(gl_, true, samplePositions(), settings_.style.palette);
+        flatSpherePass_.emplace(gl_, flat, samplePositions(), settings_.style,
+                                strokesFor(settings_.size).lineWidth);
+    }
+    if (cutPlanes_)
+    {
+        wholeMeshPass_.emplace(gl_, flat, settings_.style.palette, strokesFor(settings_.size));
     }
     const double height = settings_.size.height;
     const TriangleMesh mesh = squares(legend_.polygons(), height);
@@ -169,7 +187,8 @@ void Pipeline::uploadSwatches()
     {
         spheres.push_back({static_cast<float>(swatch.x), static_cast<float>(height - swatch.y), 0,
                            static_cast<float>(swatch.halfSize),
-                           static_cast<std::uint32_t>(swatch.state)});
+                           static_cast<std::uint32_t>(swatch.state),
+                           colours_.ofSwatch(static_cast<SphereState>(swatch.state))});
     }
     swatches_->spheres.update(spheres);
     std::vector<PolygonState> states;
@@ -186,20 +205,28 @@ void Pipeline::drawSwatches() const
     uniforms.projection = pixelProjection(settings_.size);
     uniforms.depthSlope = -0.5F * uniforms.projection[2][2];
     (flatSpherePass_ ? *flatSpherePass_ : spherePass_).draw(swatches_->spheres, uniforms);
-    meshPass_.draw(swatches_->polygons, uniforms.view, uniforms.projection);
+    (wholeMeshPass_ ? *wholeMeshPass_ : meshPass_)
+        .draw(swatches_->polygons, uniforms.view, uniforms.projection);
 }
 
-void Pipeline::draw(const Snapshot& snapshot)
+void Pipeline::turn(double degrees)
 {
-    context_->makeCurrent();
-    placeSpheres(snapshot, framing_, instances_);
-    spheres_.update(instances_);
+    if (degrees == turned_)
+    {
+        return;
+    }
+    turned_ = degrees;
+    framing_ = revolved(still_, settings_.up, degrees);
+    if (shell_)
+    {
+        context_->makeCurrent();
+        shell_->setEdges(
+            edgeStrengths(shaded_, glm::vec3(framing_.eye), framing_.orthographic));
+    }
+}
 
-    const glm::vec4 background = toVector(settings_.style.palette.background);
-    framebuffer_.bind();
-    gl_.clearColor(background.r, background.g, background.b, 1);
-    gl_.clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-
+SphereUniforms Pipeline::uniforms() const
+{
     SphereUniforms uniforms;
     uniforms.view = framing_.view;
     uniforms.projection = framing_.projection;
@@ -209,11 +236,33 @@ void Pipeline::draw(const Snapshot& snapshot)
                           static_cast<float>(settings_.size.height);
     uniforms.heightPlane = framing_.heightPlane;
     uniforms.distancePlane = framing_.distancePlane;
-    uniforms.haze = kHaze;
+    uniforms.haze = settings_.style.look == Look::paper ? 0 : kHaze;
+    if (cutPlanes_)
+    {
+        uniforms.cutPlanes = toEyeSpace(*cutPlanes_, framing_);
+    }
+    return uniforms;
+}
+
+void Pipeline::draw(const Snapshot& snapshot)
+{
+    context_->makeCurrent();
+    placeSpheres(snapshot, framing_, colours_, instances_);
+    spheres_.update(instances_);
+
+    const glm::vec4 background = toVector(settings_.style.palette.background);
+    framebuffer_.bind();
+    // Colours are premultiplied by alpha until they are read.
+    gl_.clearColor(background.r * background.a, background.g * background.a,
+                   background.b * background.a, background.a);
+    gl_.clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+
+    const SphereUniforms uniforms = this->uniforms();
     spherePass_.draw(spheres_, uniforms);
     if (shell_)
     {
         shell_->update(snapshot.polygons);
+        meshPass_.setCutPlanes(uniforms.cutPlanes);
         meshPass_.draw(*shell_, uniforms.view, uniforms.projection);
     }
     if (swatches_)
@@ -227,7 +276,26 @@ void Pipeline::draw(const Snapshot& snapshot)
 void Pipeline::readColour(Image& image)
 {
     context_->makeCurrent();
-    framebuffer_.readColour(image);
+    framebuffer_.readColour(image, settings_.style.palette.background[3] < 255);
+}
+
+void Pipeline::drawSurfaces(const Snapshot& snapshot, const PictureSize& size, Surfaces& surfaces)
+{
+    context_->makeCurrent();
+    const auto found = std::find_if(surfacePasses_.begin(), surfacePasses_.end(),
+                                    [&](const std::unique_ptr<SurfacePass>& pass)
+                                    {
+                                        return pass->size().width == size.width &&
+                                               pass->size().height == size.height;
+                                    });
+    SurfacePass& pass =
+        found != surfacePasses_.end()
+            ? **found
+            : *surfacePasses_.emplace_back(
+                  std::make_unique<SurfacePass>(gl_, variantOf(settings_), size));
+    std::vector<SphereInstance> spheres;
+    placeSpheres(snapshot, framing_, colours_, spheres);
+    pass.draw(spheres, uniforms(), surfaces);
 }
 
 std::vector<float> Pipeline::readDepth()

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <frostfill/renderer.hpp>
 
+#include "ambient_occlusion.hpp"
+#include "pass_pictures.hpp"
 #include "pipeline.hpp"
+#include "shrink.hpp"
 
 #include <frostfill/error.hpp>
 
@@ -17,6 +20,19 @@ using Clock = std::chrono::steady_clock;
 double secondsSince(Clock::time_point start)
 {
     return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// How far a sphere's shade reaches, in mean radii.
+constexpr double kOcclusionReach = 2;
+
+double meanRadius(const Snapshot& snapshot)
+{
+    double sum = 0;
+    for (const float radius : snapshot.radii)
+    {
+        sum += double{radius};
+    }
+    return snapshot.radii.empty() ? 0 : sum / static_cast<double>(snapshot.radii.size());
 }
 
 /// A sphere in an empty picture; true when it is there and its surroundings are background.
@@ -38,12 +54,33 @@ bool drawsASphere(Pipeline& pipeline)
 
 struct Renderer::Implementation
 {
-    Implementation(const TriangleMesh& mesh, const RenderSettings& settings)
-        : pipeline(mesh, settings)
+    Implementation(const TriangleMesh& mesh, const RenderSettings& wanted)
+        : settings(wanted), pipeline(mesh, enlarged(wanted))
     {
     }
 
+    /// Everything in the picture grows with it, so a larger one made small shows the same.
+    static RenderSettings enlarged(RenderSettings settings)
+    {
+        if (settings.supersample < 1)
+        {
+            throw Error(ErrorCode::usage, "supersampling must be at least 1");
+        }
+        settings.size.width *= settings.supersample;
+        settings.size.height *= settings.supersample;
+        return settings;
+    }
+
+    void occlude(const Snapshot& snapshot, Image& image)
+    {
+        const double reach = kOcclusionReach * meanRadius(snapshot) * pipeline.framing().scale;
+        pipeline.drawSurfaces(snapshot, {image.width, image.height}, surfaces);
+        applyAmbientLight(ambientLight(surfaces, pipeline.framing(), reach), image);
+    }
+
+    RenderSettings settings;
     Pipeline pipeline;
+    Surfaces surfaces; ///< reused from frame to frame
     StageTimes times;
 };
 
@@ -58,7 +95,7 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 void Renderer::render(const Snapshot& snapshot, Image& image)
 {
-    auto& [pipeline, times] = *implementation_;
+    auto& [settings, pipeline, surfaces, times] = *implementation_;
     const auto drawing = Clock::now();
     pipeline.draw(snapshot);
     times[Stage::rendering] += secondsSince(drawing);
@@ -68,8 +105,38 @@ void Renderer::render(const Snapshot& snapshot, Image& image)
     times[Stage::readback] += secondsSince(reading);
 
     const auto writing = Clock::now();
+    if (settings.style.ambientOcclusion && !snapshot.centres.empty())
+    {
+        implementation_->occlude(snapshot, image);
+    }
     pipeline.legend().drawText(image, snapshot);
+    if (settings.supersample > 1)
+    {
+        image = shrunk(image, settings.supersample);
+    }
     times[Stage::rendering] += secondsSince(writing);
+}
+
+void Renderer::turn(double degrees)
+{
+    implementation_->pipeline.turn(degrees);
+}
+
+void Renderer::renderPasses(const Snapshot& snapshot, PassPictures& pictures)
+{
+    auto& [settings, pipeline, surfaces, times] = *implementation_;
+    const auto drawing = Clock::now();
+    pipeline.drawSurfaces(snapshot, settings.size, surfaces);
+    makePassPictures(surfaces, pipeline.framing(), pictures);
+    times[Stage::rendering] += secondsSince(drawing);
+}
+
+std::array<int, 4> Renderer::objectRegion() const
+{
+    const auto& [left, top, right, bottom] = implementation_->pipeline.framing().region;
+    const auto inPicture = [&](double edge)
+    { return static_cast<int>(edge / implementation_->settings.supersample); };
+    return {inPicture(left), inPicture(top), inPicture(right), inPicture(bottom)};
 }
 
 const std::string& Renderer::description() const

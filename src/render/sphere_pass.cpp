@@ -19,22 +19,24 @@ namespace
 /// what lies between them: a call costs as much as this many spheres.
 constexpr std::size_t kMergeGap = 64;
 
-std::string definitions(bool orthographic, std::size_t samples)
+std::string sampleDefinitions(std::size_t samples)
 {
-    std::string lines;
-    if (orthographic)
-    {
-        lines += "#define ORTHOGRAPHIC\n";
-    }
-    if (samples > 1)
-    {
-        lines += fmt::format("#extension GL_ARB_sample_shading : require\n#define SAMPLES {}\n",
-                             samples);
-    }
-    return lines;
+    return samples > 1 ? fmt::format("#extension GL_ARB_sample_shading : require\n"
+                                     "#define SAMPLES {}\n",
+                                     samples)
+                       : "";
 }
 
 } // namespace
+
+std::string ShaderVariant::definitions() const
+{
+    std::string lines;
+    lines += orthographic ? "#define ORTHOGRAPHIC\n" : "";
+    lines += cutaway ? "#define CUTAWAY\n" : "";
+    lines += outlines ? "#define OUTLINES\n" : "";
+    return lines;
+}
 
 glm::vec4 toVector(const Colour& colour)
 {
@@ -54,6 +56,10 @@ SphereBuffer::SphereBuffer(const GlFunctions& gl) : gl_(gl)
     gl.vertexAttribIPointer(1, 1, GL_UNSIGNED_INT, sizeof(SphereInstance),
                             reinterpret_cast<const void*>(offsetof(SphereInstance, state)));
     gl.vertexAttribDivisor(1, 1);
+    gl.enableVertexAttribArray(2);
+    gl.vertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(SphereInstance),
+                           reinterpret_cast<const void*>(offsetof(SphereInstance, colour)));
+    gl.vertexAttribDivisor(2, 1);
 }
 
 SphereBuffer::~SphereBuffer()
@@ -104,7 +110,7 @@ void SphereBuffer::draw() const
     gl_.drawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(held_.size()));
 }
 
-void placeSpheres(const Snapshot& snapshot, const Framing& framing,
+void placeSpheres(const Snapshot& snapshot, const Framing& framing, const SphereColours& colours,
                   std::vector<SphereInstance>& instances)
 {
     const Eigen::Vector3f offset =
@@ -115,21 +121,21 @@ void placeSpheres(const Snapshot& snapshot, const Framing& framing,
     {
         const Eigen::Vector3f centre = snapshot.centres[i] * scale + offset;
         instances[i] = {centre.x(), centre.y(), centre.z(), snapshot.radii[i] * scale,
-                        static_cast<std::uint32_t>(snapshot.states[i])};
+                        static_cast<std::uint32_t>(snapshot.states[i]), colours.of(snapshot, i)};
     }
 }
 
-SpherePass::SpherePass(const GlFunctions& gl, bool orthographic,
-                       std::span<const glm::vec2> samplePositions, const Palette& palette)
-    : gl_(gl), program_(gl, definitions(orthographic, samplePositions.size()),
+SpherePass::SpherePass(const GlFunctions& gl, const ShaderVariant& variant,
+                       std::span<const glm::vec2> samplePositions, const Style& style,
+                       float lineWidth)
+    : gl_(gl), program_(gl, sampleDefinitions(samplePositions.size()) + variant.definitions(),
                         embedded::shader_sphere_vert(), embedded::shader_sphere_frag())
 {
     program_.use();
-    const std::array colours = {toVector(palette.running), toVector(palette.frozen),
-                                toVector(palette.discarded)};
-    const std::array background = {toVector(palette.background)};
-    program_.set("stateColours", colours);
+    const std::array background = {toVector(style.palette.background)};
     program_.set("background", background);
+    program_.set("outlineWidth", lineWidth);
+    program_.set("gloss", style.look == Look::paper ? 0.0F : 1.0F);
     if (samplePositions.size() > 1)
     {
         program_.set("samplePositions", samplePositions);
@@ -147,6 +153,7 @@ void SpherePass::draw(const SphereBuffer& spheres, const SphereUniforms& uniform
     program_.set("heightPlane", std::span(&uniforms.heightPlane, 1));
     program_.set("distancePlane", std::span(&uniforms.distancePlane, 1));
     program_.set("haze", uniforms.haze);
+    program_.set("cutPlanes", uniforms.cutPlanes);
     gl_.enable(GL_DEPTH_TEST);
     gl_.depthMask(GL_TRUE);
     gl_.disable(GL_BLEND);

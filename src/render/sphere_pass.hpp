@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "colour_scale.hpp"
 #include "framing.hpp"
 #include "gl.hpp"
 #include "shader.hpp"
 
 #include <frostfill/snapshot.hpp>
+#include <frostfill/view.hpp>
 
+#include <array>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace frostfill
@@ -19,6 +23,7 @@ struct SphereInstance
 {
     float x, y, z, radius;
     std::uint32_t state;
+    Colour colour{};
     friend bool operator==(const SphereInstance&, const SphereInstance&) = default;
 };
 
@@ -46,7 +51,7 @@ private:
 };
 
 /// The spheres of a snapshot in unit space. `instances` is reused.
-void placeSpheres(const Snapshot& snapshot, const Framing& framing,
+void placeSpheres(const Snapshot& snapshot, const Framing& framing, const SphereColours& colours,
                   std::vector<SphereInstance>& instances);
 
 /// What the sphere shaders need beside the spheres.
@@ -60,14 +65,25 @@ struct SphereUniforms
     glm::vec4 heightPlane{0, 0, 0, 1};
     glm::vec4 distancePlane{0};
     float haze = 0;
+    std::array<glm::vec4, 2> cutPlanes{}; ///< in eye space; see CutPlanes
+};
+
+/// What decides how the programs of spheres and mesh are compiled.
+struct ShaderVariant
+{
+    bool orthographic = false;
+    bool cutaway = false;
+    bool outlines = false; ///< around every sphere
+    /// Lines for the front of both stages.
+    [[nodiscard]] std::string definitions() const;
 };
 
 /// The program that draws spheres exactly, as one square each; sphere.frag has the mathematics.
 class SpherePass
 {
 public:
-    SpherePass(const GlFunctions& gl, bool orthographic, std::span<const glm::vec2> samplePositions,
-               const Palette& palette);
+    SpherePass(const GlFunctions& gl, const ShaderVariant& variant,
+               std::span<const glm::vec2> samplePositions, const Style& style, float lineWidth);
 
     /// Draws with depth test and writing.
     void draw(const SphereBuffer& spheres, const SphereUniforms& uniforms) const;

@@ -131,10 +131,20 @@ void Font::blend(Image& image, const Glyph& glyph, int x, int y, const Colour& c
             const int cover = glyph.coverage[static_cast<std::size_t>(row * glyph.width + column)];
             std::uint8_t* pixel =
                 image.pixels.data() + (image.at(x + column, y + row) - image.at(0, 0));
-            for (std::size_t c = 0; cover > 0 && c < 3; ++c)
+            if (cover == 0)
+            {
+                continue;
+            }
+            // Over what is partly clear, with straight alpha: each colour counts by its coverage.
+            const int below = image.channels == 4 ? pixel[3] * (255 - cover) / 255 : 255 - cover;
+            for (std::size_t c = 0; c < 3; ++c)
             {
                 pixel[c] = static_cast<std::uint8_t>(
-                    (pixel[c] * (255 - cover) + colour[c] * cover + 127) / 255);
+                    (pixel[c] * below + colour[c] * cover + (below + cover) / 2) / (below + cover));
+            }
+            if (image.channels == 4)
+            {
+                pixel[3] = static_cast<std::uint8_t>(below + cover);
             }
         }
     }
@@ -156,7 +166,8 @@ void Font::draw(Image& image, double x, double baseline, std::string_view text,
             const int top = static_cast<int>(std::lround(baseline)) + next.top;
             for (const auto& [dx, dy] : kAround)
             {
-                if (isHalo)
+                // Around text on nothing a halo would be a stain.
+                if (isHalo && halo[3] == 255)
                 {
                     blend(image, next, left + dx, top + dy, halo);
                 }

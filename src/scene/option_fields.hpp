@@ -26,12 +26,12 @@ struct EnumNames<Integrator>
 template <>
 struct EnumNames<SphereSearch>
 {
-    static constexpr std::array<const char*, 1> kNames = {"all-pairs"};
+    static constexpr std::array<const char*, 2> kNames = {"all-pairs", "grid"};
 };
 template <>
 struct EnumNames<PolygonSearch>
 {
-    static constexpr std::array<const char*, 3> kNames = {"loop", "list", "quadtree"};
+    static constexpr std::array<const char*, 4> kNames = {"loop", "list", "quadtree", "grid"};
 };
 template <>
 struct EnumNames<DiscardRule>
@@ -49,12 +49,37 @@ struct EnumNames<Motion>
     static constexpr std::array<const char*, 3> kNames = {"fall", "skip", "descend"};
 };
 
+template <>
+struct EnumNames<Backend>
+{
+    static constexpr std::array<const char*, 6> kNames = {
+        "auto", "osmesa", "egl", "egl-hardware", "egl-software", "egl-surfaceless"};
+};
+template <>
+struct EnumNames<ColourBy>
+{
+    static constexpr std::array<const char*, 5> kNames = {"state", "set", "group", "speed",
+                                                          "height"};
+};
+template <>
+struct EnumNames<Look>
+{
+    static constexpr std::array<const char*, 3> kNames = {"clean", "paper", "dark"};
+};
+
 [[nodiscard]] std::string colourText(const Colour& colour);
 [[nodiscard]] bool readColour(std::string_view text, Colour& colour);
 [[nodiscard]] bool readPictureSize(std::string_view text, PictureSize& size);
 /// "0.02..0.05", or a file's name, which has a dot or a slash and begins like no number.
 [[nodiscard]] std::string radiiText(const Radii& radii);
 [[nodiscard]] bool readRadii(std::string_view text, Radii& radii);
+
+/// "none", "plane:X,Y,Z,OFFSET" or "wedge:FROM,TO".
+[[nodiscard]] std::string cutawayText(const Cutaway& cutaway);
+[[nodiscard]] bool readCutaway(std::string_view text, Cutaway& cutaway);
+/// "none", or names with commas between them.
+[[nodiscard]] std::string passesText(const Passes& passes);
+[[nodiscard]] bool readPasses(std::string_view text, Passes& passes);
 
 /// How a field's type is kept in an OptionValue and got back. One overload for each type.
 inline OptionValue toValue(bool field)
@@ -80,6 +105,14 @@ inline OptionValue toValue(const Colour& field)
 inline OptionValue toValue(const PictureSize& field)
 {
     return std::to_string(field.width) + "x" + std::to_string(field.height);
+}
+inline OptionValue toValue(const Cutaway& field)
+{
+    return cutawayText(field);
+}
+inline OptionValue toValue(const Passes& field)
+{
+    return passesText(field);
 }
 inline OptionValue toValue(const Radii& field)
 {
@@ -119,6 +152,10 @@ bool fromValue(Field& field, const OptionValue& value)
         return readColour(std::get<std::string>(value), field);
     else if constexpr (std::is_same_v<Field, PictureSize>)
         return readPictureSize(std::get<std::string>(value), field);
+    else if constexpr (std::is_same_v<Field, Cutaway>)
+        return readCutaway(std::get<std::string>(value), field);
+    else if constexpr (std::is_same_v<Field, Passes>)
+        return readPasses(std::get<std::string>(value), field);
     else if constexpr (std::is_same_v<Field, Radii>)
     {
         if (const auto* text = std::get_if<std::string>(&value))
@@ -176,9 +213,20 @@ Option fieldOption(Option option, Access access)
     if constexpr (std::is_same_v<Field, PictureSize>)
         option.placeholder = "WxH";
     if constexpr (std::is_same_v<Field, Colour>)
-        option.form = "a colour such as #ffcc00 or, with alpha, #ffcc0080";
+        option.form = "a colour such as #ffcc00 or, with alpha, #ffcc0080, or the word transparent";
     if constexpr (std::is_same_v<Field, PictureSize>)
         option.form = "a size such as 1280x720, from 1x1 to 16384x16384";
+    if constexpr (std::is_same_v<Field, Cutaway>)
+    {
+        option.placeholder = "none|plane:X,Y,Z[,OFFSET]|wedge:FROM,TO";
+        option.form = "none, plane:X,Y,Z with a normal and perhaps an offset, or wedge:FROM,TO in "
+                      "degrees, up to 180 apart";
+    }
+    if constexpr (std::is_same_v<Field, Passes>)
+    {
+        option.placeholder = "none|all|depth,normal,identity";
+        option.form = "none, all, or some of depth,normal,identity";
+    }
     option.get = [access](const Scene& scene) { return toValue(access(scene)); };
     option.set = [access](Scene& scene, const OptionValue& value)
     { return fromValue(access(scene), value); };

@@ -206,6 +206,30 @@ void addFrames(TableBuilder& table)
         .add("frames.limit", "--max-frames", "Keep at most so many, every n-th; 0: all",
              FROSTFILL_FIELD(frames.limit))
         .range(0, kLargestWhole);
+    table
+        .add("frames.hold", "--hold", "Seconds of video for which the last state is shown",
+             FROSTFILL_FIELD(frames.hold))
+        .range(0, 3600);
+    table.add("frames.passes", "--passes", "Pictures of depth, normals and identities beside each",
+              FROSTFILL_FIELD(frames.passes));
+}
+
+/// A look brings its colours: those that are given have to be set after it.
+void addLook(TableBuilder& table)
+{
+    Option look =
+        fieldOption({.key = "picture.style",
+                     .flag = "--style",
+                     .group = table.group(),
+                     .help = "Colours and strokes that go together: for screen, print, slides"},
+                    FROSTFILL_FIELD(style.look));
+    look.set = [set = look.set](Scene& scene, const OptionValue& value)
+    {
+        const bool known = set(scene, value);
+        scene.style.palette = known ? paletteOf(scene.style.look) : scene.style.palette;
+        return known;
+    };
+    table.add(std::move(look));
 }
 
 void addPicture(TableBuilder& table)
@@ -214,12 +238,27 @@ void addPicture(TableBuilder& table)
     table.add("picture.size", "--size", "Width x height in pixels", FROSTFILL_FIELD(size));
     table.add("picture.samples", "--samples", "Samples a pixel; 1: none", FROSTFILL_FIELD(samples))
         .range(1, 64);
+    table
+        .add("picture.supersample", "--supersample",
+             "Draw so many times as large and average: for figures", FROSTFILL_FIELD(supersample))
+        .range(1, 8);
+    addLook(table);
+    table.add("picture.color_by", "--color-by", "What the colours of spheres mean",
+              FROSTFILL_FIELD(style.colourBy));
+    table.add("picture.cutaway", "--cutaway",
+              "Take away what lies beyond a plane (offset from the middle [mesh unit]) or in a "
+              "wedge of azimuths [degree]",
+              FROSTFILL_FIELD(style.cutaway));
+    table.add("picture.ambient_occlusion", "--ambient-occlusion",
+              "Darken what neighbours shade; doubles the time", FROSTFILL_FIELD(style.ambientOcclusion));
     table.add("picture.legend", "--legend", "Counts and colours in the picture",
               FROSTFILL_FIELD(style.legend));
     table.add("picture.shell", "--shell", "The mesh as a translucent shell",
               FROSTFILL_FIELD(style.shell));
-    table.add("picture.background", "--background", "Colour as #rrggbb, or #rrggbbaa with alpha",
+    table.add("picture.background", "--background",
+              "Colour as #rrggbb, #rrggbbaa with alpha, or transparent",
               FROSTFILL_FIELD(style.palette.background));
+    table.add("picture.backend", "--backend", "Which OpenGL draws", FROSTFILL_FIELD(backend));
 }
 
 void addCamera(TableBuilder& table)
@@ -236,7 +275,7 @@ void addCamera(TableBuilder& table)
     table
         .add("camera.field_of_view", "--field-of-view", "Vertical angle in degrees",
              FROSTFILL_FIELD(camera.fieldOfView))
-        .range(1, 170);
+        .range(1, 150);
     table
         .add("camera.zoom", "--zoom", "1 shows the whole object, 2 twice as large",
              FROSTFILL_FIELD(camera.zoom))
@@ -248,6 +287,18 @@ void addCamera(TableBuilder& table)
              "Point x,y,z to look at [mesh unit]; auto: the middle of the object",
              FROSTFILL_FIELD(camera.target))
         .orNothing("auto");
+    table
+        .add("camera.distance", "--distance",
+             "From the eye to what it looks at [mesh unit], with perspective; auto: all fits",
+             FROSTFILL_FIELD(camera.distance))
+        .orNothing("auto")
+        .above(0);
+    table
+        .add("camera.turntable", "--turntable",
+             "Seconds of video in which the camera goes round the object once",
+             FROSTFILL_FIELD(camera.turntable))
+        .orNothing("none")
+        .above(0);
 }
 
 void addColours(TableBuilder& table)

@@ -6,6 +6,8 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace frostfill
 {
@@ -22,6 +24,25 @@ bool readWhole(std::string_view text, T& value, Base... base)
     return error == std::errc{} && end == text.data() + text.size();
 }
 
+bool readNumbers(std::string_view text, std::vector<double>& numbers)
+{
+    while (true)
+    {
+        const std::string_view item = text.substr(0, text.find(','));
+        double value = 0;
+        const auto [end, error] = std::from_chars(item.data(), item.data() + item.size(), value);
+        if (error != std::errc{} || end != item.data() + item.size() || !std::isfinite(value))
+            return false;
+        numbers.push_back(value);
+        if (item.size() == text.size())
+            return true;
+        text.remove_prefix(item.size() + 1);
+    }
+}
+
+constexpr std::array<std::pair<std::string_view, bool Passes::*>, 3> kPasses = {
+    {{"depth", &Passes::depth}, {"normal", &Passes::normal}, {"identity", &Passes::identity}}};
+
 } // namespace
 
 std::string colourText(const Colour& colour)
@@ -32,6 +53,11 @@ std::string colourText(const Colour& colour)
 
 bool readColour(std::string_view text, Colour& colour)
 {
+    if (text == "transparent")
+    {
+        colour = {255, 255, 255, 0};
+        return true;
+    }
     if ((text.size() != 7 && text.size() != 9) || text[0] != '#')
         return false;
     Colour read = {0, 0, 0, 255};
@@ -53,6 +79,83 @@ bool readPictureSize(std::string_view text, PictureSize& size)
     if (!fits(read.width) || !fits(read.height))
         return false;
     size = read;
+    return true;
+}
+
+std::string cutawayText(const Cutaway& cutaway)
+{
+    switch (cutaway.kind)
+    {
+    case Cutaway::Kind::plane:
+        return fmt::format("plane:{},{},{},{}", cutaway.normal.x(), cutaway.normal.y(),
+                           cutaway.normal.z(), cutaway.offset);
+    case Cutaway::Kind::wedge:
+        return fmt::format("wedge:{},{}", cutaway.from, cutaway.to);
+    case Cutaway::Kind::none:
+        break;
+    }
+    return "none";
+}
+
+bool readCutaway(std::string_view text, Cutaway& cutaway)
+{
+    Cutaway read;
+    std::vector<double> numbers;
+    const std::string_view kind = text.substr(0, text.find(':'));
+    if (text != "none" &&
+        (kind.size() == text.size() || !readNumbers(text.substr(kind.size() + 1), numbers)))
+        return false;
+    if (kind == "plane" && (numbers.size() == 3 || numbers.size() == 4))
+    {
+        read.kind = Cutaway::Kind::plane;
+        read.normal = {numbers[0], numbers[1], numbers[2]};
+        read.offset = numbers.size() == 4 ? numbers[3] : 0;
+        if (!(read.normal.norm() > 1e-9))
+            return false;
+    }
+    else if (kind == "wedge" && numbers.size() == 2)
+    {
+        read.kind = Cutaway::Kind::wedge;
+        read.from = numbers[0];
+        read.to = numbers[1];
+        if (!(read.to > read.from && read.to <= read.from + 180))
+            return false;
+    }
+    else if (text != "none")
+        return false;
+    cutaway = read;
+    return true;
+}
+
+std::string passesText(const Passes& passes)
+{
+    std::string text;
+    for (const auto& [name, member] : kPasses)
+        if (passes.*member)
+            text.append(text.empty() ? "" : ",").append(name);
+    return text.empty() ? "none" : text;
+}
+
+bool readPasses(std::string_view text, Passes& passes)
+{
+    Passes read;
+    if (text == "all")
+        read = {true, true, true};
+    else if (text != "none")
+        while (true)
+        {
+            const std::string_view item = text.substr(0, text.find(','));
+            bool known = false;
+            for (const auto& [name, member] : kPasses)
+                if (item == name)
+                    known = read.*member = true;
+            if (!known)
+                return false;
+            if (item.size() == text.size())
+                break;
+            text.remove_prefix(item.size() + 1);
+        }
+    passes = read;
     return true;
 }
 

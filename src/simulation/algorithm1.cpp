@@ -20,6 +20,9 @@ constexpr double kShallow = 0.1;
 constexpr std::size_t kBlock = 8;
 /// How far from a centre a polygon may be to be looked at again by that check. [r]
 constexpr double kNearby = 2;
+/// How far from a sphere's surface others' centres may be to be looked at by way of a grid: the
+/// largest radius, and as much again for what the spheres before may have pushed.
+constexpr double kGridReach = 2;
 
 /// Direction from b to a and the penetration depth of two spheres whose centres are d apart.
 Eigen::Vector3d directionApart(const Eigen::Vector3d& d, double distance)
@@ -74,8 +77,9 @@ std::size_t firstBlockInContact(const Spheres& s, std::size_t i, std::size_t beg
 } // namespace
 
 Algorithm1::Algorithm1(Spheres& spheres, const Surface& surface, const PolygonTests& polygons,
-                       const Settings& settings)
-    : spheres_(spheres), surface_(surface), polygons_(polygons), settings_(settings)
+                       const Settings& settings, const SphereGrid* frozen)
+    : spheres_(spheres), surface_(surface), polygons_(polygons), settings_(settings),
+      frozen_(frozen)
 {
 }
 
@@ -126,22 +130,47 @@ void Algorithm1::runningRunning(std::size_t runningBegin, OperationCounts& count
 void Algorithm1::runningFrozen(std::size_t frozenBegin, std::size_t runningBegin,
                                OperationCounts& counts)
 {
-    std::uint64_t total = 0;
     for (std::size_t i = runningBegin; i < spheres_.size(); ++i)
     {
-        std::uint64_t responses = 0;
-        std::size_t j = frozenBegin;
-        while ((j = firstBlockInContact(spheres_, i, j, runningBegin)) + kBlock <= runningBegin)
-        {
-            responses += respondToFrozen(i, j, j + kBlock);
-            j += kBlock;
-        }
-        responses += respondToFrozen(i, j, runningBegin);
-        total += responses;
+        const std::uint64_t responses = frozen_ ? respondToFrozenNear(i, frozenBegin)
+                                                : respondToAllFrozen(i, frozenBegin, runningBegin);
+        counts.runningFrozenTests += frozen_ ? nearby_.size() : runningBegin - frozenBegin;
+        counts.runningFrozenResponses += responses;
         touched_[i - runningBegin] = touched_[i - runningBegin] || responses > 0;
     }
-    counts.runningFrozenTests += (spheres_.size() - runningBegin) * (runningBegin - frozenBegin);
-    counts.runningFrozenResponses += total;
+}
+
+std::uint64_t Algorithm1::respondToAllFrozen(std::size_t i, std::size_t begin, std::size_t end)
+{
+    std::uint64_t responses = 0;
+    std::size_t j = begin;
+    while ((j = firstBlockInContact(spheres_, i, j, end)) + kBlock <= end)
+    {
+        responses += respondToFrozen(i, j, j + kBlock);
+        j += kBlock;
+    }
+    return responses + respondToFrozen(i, j, end);
+}
+
+// In ascending order, as all pairs are visited.
+std::uint64_t Algorithm1::respondToFrozenNear(std::size_t i, std::size_t begin)
+{
+    nearby_.clear();
+    frozen_->forEachNear(spheres_.position(i), spheres_.radius[i] + kGridReach,
+                         [&](std::uint32_t id)
+                         {
+                             if (id >= begin)
+                             {
+                                 nearby_.push_back(id);
+                             }
+                         });
+    std::sort(nearby_.begin(), nearby_.end());
+    std::uint64_t responses = 0;
+    for (const std::uint32_t j : nearby_)
+    {
+        responses += respondToFrozen(i, j, j + 1);
+    }
+    return responses;
 }
 
 std::uint64_t Algorithm1::respondToFrozen(std::size_t i, std::size_t begin, std::size_t end)

@@ -161,11 +161,16 @@ void FastEngine::advance()
         const StageTimer timer(world_.times, Stage::sphereSphere);
         encounters_.resolve(runners, world_.dt);
     }
+    std::uint64_t meetings = 0;
     for (const Runner& runner : runners)
     {
         world_.spheres.setPosition(runner.id, runner.position);
         world_.spheres.setVelocity(runner.id, runner.velocity);
+        world_.operations.runningFrozenTests += runner.around.spheres();
+        world_.operations.spherePolygonTests += runner.around.triangles().size();
+        meetings += runner.meeting.size();
     }
+    world_.operations.runningRunningTests += meetings / 2;
 }
 
 bool FastEngine::clearOfRunners(const Eigen::Vector3d& place, double radius) const

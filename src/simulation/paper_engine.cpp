@@ -59,11 +59,12 @@ std::uint32_t windowSteps(const World& world)
 } // namespace
 
 PaperEngine::PaperEngine(World& world)
-    : world_(world),
-      polygons_(world.scene.search.polygons, world.surface, world.polygons, kQuarterReach),
+    : world_(world), polygons_(world.scene.search.polygons, world.surface, world.polygons,
+                               kQuarterReach, &world.triangles),
       algorithm1_(world.spheres, world.surface, polygons_,
                   {world.scene.motion.restitution,
-                   kBounceSteps * world.frame.gravity * chooseTimeStep(world)}),
+                   kBounceSteps * world.frame.gravity * chooseTimeStep(world)},
+                  world.scene.search.spheres == SphereSearch::grid ? &world.resting : nullptr),
       release_(world, kTopBand),
       rest_((world.dt = chooseTimeStep(world), windowSteps(world)),
             world.scene.freezing.restSpeed * world.scene.freezing.restWindow),

@@ -37,8 +37,9 @@ void PolygonList::unlinkDiscarded(const std::vector<PolygonState>& states)
 }
 
 PolygonTests::PolygonTests(PolygonSearch search, const Surface& surface,
-                           const std::vector<PolygonState>& states, double reach)
-    : search_(search), states_(&states), centre_(surface.box().center())
+                           const std::vector<PolygonState>& states, double reach,
+                           const TriangleGrid* grid)
+    : search_(search), states_(&states), grid_(grid), centre_(surface.box().center())
 {
     const Eigen::Vector3d size = surface.box().sizes();
     int shortest = 0;

@@ -4,6 +4,7 @@
 #include <frostfill/scene.hpp>
 #include <frostfill/snapshot.hpp>
 #include <mesh/surface.hpp>
+#include <mesh/triangle_grid.hpp>
 
 #include <array>
 #include <cstdint>
@@ -40,14 +41,17 @@ private:
 };
 
 /// Which polygons a sphere is tested with. PAPER: all that are left in a loop or a linked list, or
-/// those of the quarter of the mesh that the sphere is in (the paper's "Quad Tree").
+/// those of the quarter of the mesh that the sphere is in (the paper's "Quad Tree"). Ours: those of
+/// its cell of a uniform grid.
 class PolygonTests
 {
 public:
-    /// `surface` and `states` outlive this. `reach`: how near to its quarter's edge a sphere's
-    /// centre may be to a polygon of the next quarter and still has to meet it.
+    /// Everything given outlives this. `reach`: how near to its quarter's edge a sphere's centre
+    /// may be to a polygon of the next quarter and still has to meet it. Only PolygonSearch::grid
+    /// needs a `grid`.
     PolygonTests(PolygonSearch search, const Surface& surface,
-                 const std::vector<PolygonState>& states, double reach);
+                 const std::vector<PolygonState>& states, double reach,
+                 const TriangleGrid* grid = nullptr);
 
     /// Calls visit(polygon) for each active polygon that a sphere centred at p is to be tested
     /// with.
@@ -74,6 +78,15 @@ public:
                 visit(polygon);
             }
             return;
+        case PolygonSearch::grid:
+            for (const std::uint32_t polygon : grid_->near(p))
+            {
+                if ((*states_)[polygon] == PolygonState::active)
+                {
+                    visit(polygon);
+                }
+            }
+            return;
         }
     }
 
@@ -89,6 +102,7 @@ private:
 
     PolygonSearch search_;
     const std::vector<PolygonState>* states_;
+    const TriangleGrid* grid_;
     PolygonList list_;
     std::array<std::vector<std::uint32_t>, 4> quarters_; ///< ascending; active ones only
     Eigen::Vector3d centre_;

@@ -134,6 +134,10 @@ const std::vector<SetRecord>& Simulation::sets() const
 {
     return implementation_->world.sets;
 }
+std::size_t Simulation::groupSize() const
+{
+    return frostfill::groupSize(implementation_->world);
+}
 QualityReport Simulation::quality() const
 {
     return examine(implementation_->world);
@@ -175,12 +179,17 @@ void Simulation::capture(Snapshot& snapshot) const
     snapshot.radii.resize(count);
     snapshot.states.resize(count);
     snapshot.groups.resize(count);
+    snapshot.speeds.resize(count);
     for (const std::uint32_t id : changed)
     {
         snapshot.centres[id] = world.frame.toMeshOffset(world.spheres.position(id)).cast<float>();
         snapshot.radii[id] = static_cast<float>(world.spheres.radius[id] * world.frame.length);
         snapshot.states[id] = world.spheres.state[id];
         snapshot.groups[id] = world.spheres.group[id];
+        snapshot.speeds[id] = world.spheres.state[id] == SphereState::running
+                                  ? static_cast<float>(world.spheres.velocity(id).norm() *
+                                                       world.frame.length / world.frame.time)
+                                  : 0.0F;
     }
 
     snapshot.polygonsChanged = snapshot.polygons.size() != world.polygons.size() ||

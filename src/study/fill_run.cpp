@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "study/fill_run.hpp"
 
+#include "study/contact_sheet.hpp"
 #include "study/frame_recorder.hpp"
 #include "study/run_directory.hpp"
 #include "study/run_files.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 
 namespace frostfill
 {
@@ -64,8 +67,52 @@ std::optional<std::string> failedPostcondition(const QualityReport& quality, boo
 
 } // namespace
 
+namespace
+{
+
+/// Of what the colours of spheres mean over the whole run, so that a colour never changes its
+/// meaning. Sets and groups are counted from 0. [1], for speeds [m/s]
+ColourRange colourRange(const Scene& scene, const LoadedMesh& mesh, const Simulation& simulation)
+{
+    const auto groups = std::max(1.0, std::ceil(static_cast<double>(simulation.expectedSpheres()) /
+                                                static_cast<double>(simulation.groupSize())));
+    switch (scene.style.colourBy)
+    {
+    case ColourBy::set:
+        return {0, std::max(1.0, std::ceil(groups / scene.spheres.groupsPerSet) - 1)};
+    case ColourBy::group:
+        return {0, std::max(1.0, groups - 1)};
+    case ColourBy::speed: // of a fall through the object
+        return {0, scene.motion.gravity * fallTime(scene, mesh.report)};
+    case ColourBy::state:
+    case ColourBy::height: // the renderer knows
+        break;
+    }
+    return {};
+}
+
+void writeContactSheet(const FillRequest& request, const FrameRecorder& recorder,
+                       const FrameTiming& timing)
+{
+    const auto& [left, top, right, bottom] = recorder.objectRegion();
+    ContactSheetRequest sheet;
+    sheet.frames = request.directory / "frames";
+    sheet.count = recorder.count();
+    sheet.interval = timing.interval * static_cast<double>(recorder.stride());
+    sheet.title = request.scene.name;
+    sheet.palette = request.scene.style.palette;
+    sheet.crop = {left, top, right, bottom};
+    savePng(makeContactSheet(sheet), request.directory / "contact_sheet.png",
+            {{"Software", "Frostfill"}, {"Title", request.scene.name}});
+}
+
+} // namespace
+
 FillResult runFill(const FillRequest& request, const FillObserver& observer)
 {
+    if (!request.scene.frames.enabled && (!request.video.empty() || request.contactSheet))
+        throw Error(ErrorCode::usage, "a video or contact sheet is made of frames: leave out "
+                                      "--frames none, or --video and --contact-sheet");
     const auto start = std::chrono::steady_clock::now();
     validateScene(request.scene);
     const LoadedMesh mesh = loadMesh(request.scene.object.mesh);
@@ -76,7 +123,8 @@ FillResult runFill(const FillRequest& request, const FillObserver& observer)
     std::unique_ptr<FrameRecorder> recorder;
     if (request.scene.frames.enabled)
         recorder = std::make_unique<FrameRecorder>(mesh.mesh, request.scene, timing.interval,
-                                                   request.directory / "frames");
+                                                   colourRange(request.scene, mesh, simulation),
+                                                   request.directory, request.video);
     if (observer.planned)
         observer.planned(makePlan(request.scene, mesh, simulation, timing));
 
@@ -88,6 +136,9 @@ FillResult runFill(const FillRequest& request, const FillObserver& observer)
     {
         recorder->finish(simulation);
         result.frames = recorder->count();
+        result.videoFailure = recorder->videoFailure();
+        if (request.contactSheet)
+            writeContactSheet(request, *recorder, timing);
         result.setFrames = recorder->sets();
         result.renderer = recorder->description();
         times += recorder->times();

@@ -21,7 +21,9 @@ struct FillRequest
 {
     Scene scene;
     std::filesystem::path directory;
-    bool overwrite = false; ///< replace the run that the directory holds
+    bool overwrite = false;      ///< replace the run that the directory holds
+    std::filesystem::path video; ///< .mp4, .webm or .gif; empty for none
+    bool contactSheet = false;   ///< contact_sheet.png in the directory
 };
 
 /// What is known before the first step.
@@ -71,6 +73,8 @@ struct FillResult
     std::string stateHash;
     std::string summary; ///< the text of summary.json
     QualityReport quality;
+    /// What went wrong with the video, in a sentence; all other files are there.
+    std::optional<std::string> videoFailure;
     /// A postcondition that failed, in a sentence; the files are written all the same.
     std::optional<std::string> failure;
 };

@@ -2,23 +2,30 @@
 #include "study/frame_recorder.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace frostfill
 {
-namespace
-{
 
-RenderSettings renderSettings(const Scene& scene)
+RenderSettings renderSettings(const Scene& scene, const ColourRange& range)
 {
     RenderSettings settings;
     settings.size = scene.size;
     settings.camera = scene.camera;
     settings.style = scene.style;
     settings.samples = scene.samples;
+    settings.supersample = scene.supersample;
+    settings.backend = scene.backend;
+    settings.range = range;
+    settings.groupsPerSet = scene.spheres.groupsPerSet;
+    settings.unitsPerMetre = scene.object.unitsPerMetre;
     settings.up = upVector(scene.object.up);
     settings.title = scene.name;
     return settings;
 }
+
+namespace
+{
 
 bool allPixelsAlike(const Image& image)
 {
@@ -29,12 +36,26 @@ bool allPixelsAlike(const Image& image)
 } // namespace
 
 FrameRecorder::FrameRecorder(const TriangleMesh& mesh, const Scene& scene, double interval,
-                             const std::filesystem::path& directory)
-    : mesh_(mesh), settings_(renderSettings(scene)),
+                             const ColourRange& range, const std::filesystem::path& directory,
+                             const std::filesystem::path& video)
+    : mesh_(mesh), settings_(renderSettings(scene, range)),
       renderer_(std::make_unique<Renderer>(mesh, settings_)),
-      sequence_(directory, scene.frames.limit, {{"Software", "Frostfill"}, {"Title", scene.name}}),
-      description_(renderer_->description()), interval_(interval)
+      sequence_(directory / "frames", scene.frames.limit,
+                {{"Software", "Frostfill"}, {"Title", scene.name}}),
+      sideOutputs_(scene, directory, video), objectRegion_(renderer_->objectRegion()),
+      description_(renderer_->description()), interval_(interval), frames_(scene.frames)
 {
+}
+
+bool FrameRecorder::wants(std::size_t number) const
+{
+    return sequence_.wants(number) || sideOutputs_.wantEveryFrame();
+}
+
+double FrameRecorder::angleAt(std::size_t number) const
+{
+    const auto& turn = settings_.camera.turntable;
+    return turn ? 360 * std::fmod(static_cast<double>(number) / (frames_.fps * *turn), 1.0) : 0;
 }
 
 void FrameRecorder::record(const Simulation& simulation)
@@ -42,7 +63,7 @@ void FrameRecorder::record(const Simulation& simulation)
     // A step may be longer than the time between frames: then several frames show it.
     while (simulation.time() >= static_cast<double>(next_) * interval_)
     {
-        if (sequence_.wants(next_))
+        if (wants(next_))
         {
             draw(simulation);
             put(next_);
@@ -51,19 +72,34 @@ void FrameRecorder::record(const Simulation& simulation)
     }
 }
 
+void FrameRecorder::hold(const Simulation& simulation)
+{
+    const auto end = next_ + static_cast<std::size_t>(std::llround(frames_.hold * frames_.fps));
+    for (; next_ < end; ++next_)
+    {
+        if (wants(next_))
+        {
+            draw(simulation);
+            put(next_);
+        }
+    }
+}
+
 void FrameRecorder::finish(const Simulation& simulation)
 {
+    hold(simulation);
     if (drawnStep_ != simulation.steps())
     {
-        draw(simulation);
         // Thinning may double the stride under our hands; the last state has to survive it.
         do
         {
             const std::size_t stride = sequence_.stride();
             next_ = (next_ + stride - 1) / stride * stride;
+            draw(simulation);
             put(next_);
         } while (!sequence_.wants(next_));
     }
+    videoFailure_ = sideOutputs_.finish();
     // With a legend no picture is blank, so the look is at a small one without. The first context
     // is closed before: there is never more than one.
     if (snapshot_.centres.empty())
@@ -72,7 +108,9 @@ void FrameRecorder::finish(const Simulation& simulation)
     renderer_.reset();
     RenderSettings small = settings_;
     small.style.legend = false;
+    small.style.ambientOcclusion = false;
     small.samples = 1;
+    small.supersample = 1;
     small.size.height = std::max(1, small.size.height * 160 / std::max(160, small.size.width));
     small.size.width = std::min(160, small.size.width);
     Renderer(mesh_, small).render(snapshot_, image_);
@@ -88,10 +126,13 @@ StageTimes FrameRecorder::times() const
 
 void FrameRecorder::draw(const Simulation& simulation)
 {
-    if (drawnStep_ == simulation.steps())
+    const double angle = angleAt(next_);
+    if (drawnStep_ == simulation.steps() && drawnAngle_ == angle)
         return;
     simulation.capture(snapshot_);
     drawnStep_ = simulation.steps();
+    drawnAngle_ = angle;
+    renderer_->turn(angle);
 
     const StageTimes before = renderer_->times();
     renderer_->render(snapshot_, image_);
@@ -108,6 +149,7 @@ void FrameRecorder::draw(const Simulation& simulation)
 
 void FrameRecorder::put(std::size_t number)
 {
+    sideOutputs_.put(number, sequence_.wants(number), *renderer_, snapshot_, image_);
     const StageTimes before = sequence_.times();
     sequence_.put(number, image_);
     const StageTimes& after = sequence_.times();

@@ -18,6 +18,8 @@ namespace
 constexpr const char* kFiles[] = {"spheres.csv", "polygons.csv", "sets.csv", "summary.json",
                                   "mesh.ply"};
 
+constexpr const char* kFrameFolders[] = {"frames", "depth", "normal", "identity"};
+
 /// frame_00000.png or a part of one that an interrupted run left behind.
 bool isFrame(const std::string& name)
 {
@@ -32,10 +34,11 @@ std::vector<std::filesystem::path> filesOfRun(const std::filesystem::path& direc
         for (const char* ending : {"", ".part"})
             if (std::filesystem::exists(directory / (std::string(name) + ending)))
                 files.push_back(directory / (std::string(name) + ending));
-    if (std::filesystem::is_directory(directory / "frames"))
-        for (const auto& entry : std::filesystem::directory_iterator(directory / "frames"))
-            if (isFrame(entry.path().filename().string()))
-                files.push_back(entry.path());
+    for (const char* folder : kFrameFolders)
+        if (std::filesystem::is_directory(directory / folder))
+            for (const auto& entry : std::filesystem::directory_iterator(directory / folder))
+                if (isFrame(entry.path().filename().string()))
+                    files.push_back(entry.path());
     return files;
 }
 
@@ -55,7 +58,8 @@ void prepareRunDirectory(const std::filesystem::path& directory, bool overwrite)
         for (const auto& file : files)
             std::filesystem::remove(file);
         std::error_code notEmpty;
-        std::filesystem::remove(directory / "frames", notEmpty);
+        for (const char* folder : kFrameFolders)
+            std::filesystem::remove(directory / folder, notEmpty);
     }
     catch (const std::filesystem::filesystem_error& error)
     {

@@ -3,7 +3,7 @@
 
 #include "output/atomic_file.hpp"
 #include "output/scene_json.hpp"
-#include "study/library_versions.hpp"
+#include "study/machine_json.hpp"
 
 #include <frostfill/output.hpp>
 
@@ -15,22 +15,6 @@ namespace
 {
 
 using Json = nlohmann::ordered_json;
-
-Json machineJson(const FillResult& result)
-{
-    const MachineInfo machine = describeMachine();
-    Json json = {{"cpu", machine.cpu},
-                 {"cores", machine.cores},
-                 {"memory_gib", machine.memoryGib},
-                 {"system", machine.system},
-                 {"compiler", machine.compiler},
-                 {"build", machine.build},
-                 {"renderer", result.renderer},
-                 {"frostfill", machine.version}};
-    for (const auto& [library, version] : libraryVersions())
-        json["versions"][library] = version;
-    return json;
-}
 
 Json meshJson(const LoadedMesh& mesh)
 {
@@ -129,7 +113,7 @@ std::string summaryText(const RunRecord& run)
     if (run.result.failure)
         json["failure"] = *run.result.failure;
     json["scene"] = sceneToJson(run.request.scene);
-    json["machine"] = machineJson(run.result);
+    json["machine"] = machineJson(run.result.renderer);
     json["mesh"] = meshJson(run.mesh);
     json["spheres"] = spheresJson(run.simulation);
     json["polygons"] = polygonsJson(run.simulation.polygonStates());

@@ -2,11 +2,11 @@
 #include "study/set_table.hpp"
 
 #include "output/atomic_file.hpp"
+#include "study/statistics.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <numeric>
 
@@ -20,21 +20,9 @@ double sum(const std::vector<double>& values)
     return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
-double mean(const std::vector<double>& values)
-{
-    return values.empty() ? 0 : sum(values) / static_cast<double>(values.size());
-}
-
-/// The nearest-rank percentile.
 double percentile95(std::vector<double> values)
 {
-    if (values.empty())
-        return 0;
-    const auto rank =
-        static_cast<std::size_t>(std::ceil(0.95 * static_cast<double>(values.size())));
-    const auto nth = values.begin() + static_cast<std::ptrdiff_t>(rank - 1);
-    std::nth_element(values.begin(), nth, values.end());
-    return *nth;
+    return percentile(values, 0.95);
 }
 
 SetFrames framesOf(std::span<const SetFrames> frames, const SetRecord& set)

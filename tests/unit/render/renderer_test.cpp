@@ -244,15 +244,5 @@ TEST_F(RendererTest, TimeIsCountedByStage)
     EXPECT_GT(renderer.times()[Stage::rendering], once[Stage::rendering]);
 }
 
-TEST_F(RendererTest, ProbingFindsTheBackendThatDraws)
-{
-    const std::vector<BackendAttempt> attempts = probeBackends();
-    ASSERT_EQ(attempts.size(), 1U);
-    EXPECT_EQ(attempts[0].name, "osmesa");
-    EXPECT_TRUE(attempts[0].works) << attempts[0].description;
-    EXPECT_TRUE(attempts[0].remedy.empty());
-    EXPECT_NE(attempts[0].description.find("OpenGL"), std::string::npos);
-}
-
 } // namespace
 } // namespace frostfill

@@ -107,7 +107,7 @@ void compare(RenderSettings settings)
     pipeline.draw(snapshot);
     const std::vector<float> depth = pipeline.readDepth();
     std::vector<SphereInstance> spheres;
-    placeSpheres(snapshot, pipeline.framing(), spheres);
+    placeSpheres(snapshot, pipeline.framing(), pipeline.colours(), spheres);
 
     const RayCaster caster(pipeline.framing(), settings.size);
     std::size_t covered = 0;

@@ -165,6 +165,32 @@ TEST(Simulation, PolygonSearchesAgreeToTheBit)
     EXPECT_EQ(finalHash(quadtree), loop);
 }
 
+TEST(Simulation, GridsAgreeWithAllPairsToTheBitAndTestFewer)
+{
+    const TriangleMesh mesh = shapes::torus();
+    for (const std::uint64_t seed : {1, 2, 3})
+    {
+        Scene pairsScene = smallTorus();
+        pairsScene.seed = seed;
+        Scene gridScene = pairsScene;
+        gridScene.search = {SphereSearch::grid, PolygonSearch::grid};
+        Simulation allPairs(pairsScene, mesh);
+        Simulation grid(gridScene, mesh);
+        runToEnd(allPairs);
+        runToEnd(grid);
+        EXPECT_EQ(grid.stateHash(), allPairs.stateHash()) << seed;
+        const OperationCounts& few = grid.operations();
+        const OperationCounts& many = allPairs.operations();
+        EXPECT_EQ(few.responses(), many.responses());
+        EXPECT_EQ(few.runningRunningTests, many.runningRunningTests);
+        EXPECT_LT(few.runningFrozenTests, many.runningFrozenTests / 2);
+        EXPECT_LT(few.spherePolygonTests, many.spherePolygonTests / 2);
+        // A response is a test that found a contact.
+        EXPECT_GE(few.runningFrozenTests, few.runningFrozenResponses);
+        EXPECT_GE(few.spherePolygonTests, few.spherePolygonResponses);
+    }
+}
+
 TEST(Simulation, ScaleByAPowerOfTwoChangesNoBit)
 {
     Scene scaled = smallTorus();

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "app/commands.hpp"
+#include "app/say.hpp"
+
+#include "study/figures/figure.hpp"
+
+#include <frostfill/error.hpp>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+namespace frostfill
+{
+namespace
+{
+
+constexpr const char* kExamples = R"(Examples:
+  frostfill figures                          all of them into docs/figures; measured times are kept
+  frostfill figures --measure                with new times: on an idle machine
+  frostfill figures --only operations --out output/figures
+)";
+
+struct FiguresArguments
+{
+    std::vector<std::string> only;
+    FigureRequest request;
+    std::string directory = "docs/figures";
+    std::string recorded = "docs/figures";
+    bool list = false;
+    bool quiet = false;
+};
+
+int listFigures()
+{
+    for (const Figure& figure : allFigures())
+        fmt::print("{:12} {}{}\n", figure.name, figure.title,
+                   figure.measured ? " (measured times)" : "");
+    return 0;
+}
+
+bool wanted(const FiguresArguments& arguments, const Figure& figure)
+{
+    return arguments.only.empty() || std::find(arguments.only.begin(), arguments.only.end(),
+                                               figure.name) != arguments.only.end();
+}
+
+int figures(FiguresArguments& arguments)
+{
+    if (arguments.list)
+        return listFigures();
+    FigureRequest& request = arguments.request;
+    request.directory = arguments.directory;
+    request.recorded = arguments.recorded;
+    if (!arguments.quiet)
+        request.say = [](const std::string& what) { say(what + "\n"); };
+    for (const Figure& figure : allFigures())
+        if (wanted(arguments, figure))
+            makeFigure(figure, request);
+    return 0;
+}
+
+} // namespace
+
+Command addFiguresCommand(CLI::App& program)
+{
+    const auto arguments = std::make_shared<FiguresArguments>();
+    CLI::App* command = program.add_subcommand(
+        "figures", "Make every figure of the documentation: SVG, PNG, its data and its script");
+    command->footer(kExamples);
+    std::vector<std::string> names;
+    for (const Figure& figure : allFigures())
+        names.emplace_back(figure.name);
+    command->add_option("--only", arguments->only, "Only these; see --list")
+        ->delimiter(',')
+        ->check(CLI::IsMember(names))
+        ->type_name("NAME,...");
+    command->add_flag("--list", arguments->list, "Tell which figures there are");
+    command->add_option("--out", arguments->directory, "Where they go (docs/figures)")
+        ->type_name("DIR");
+    command->add_flag("--measure", arguments->request.measure,
+                      "Measure times anew; otherwise recorded ones are drawn again");
+    command
+        ->add_option("--recorded", arguments->recorded,
+                     "Where recorded times are taken from (docs/figures)")
+        ->type_name("DIR");
+    command->add_flag("--quick", arguments->request.quick,
+                      "A few spheres only: for a look, not for the documentation");
+    command->add_flag("--quiet", arguments->quiet, "Do not tell what is being done");
+    return [arguments] { return figures(*arguments); };
+}
+
+} // namespace frostfill

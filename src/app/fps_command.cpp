@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+#include "app/commands.hpp"
+#include "app/say.hpp"
+
+#include "study/fps_compare.hpp"
+#include "study/fps_report.hpp"
+
+#include <frostfill/error.hpp>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <memory>
+
+namespace frostfill
+{
+namespace
+{
+
+constexpr const char* kExamples = R"(Examples:
+  frostfill fps                                 the paper's four objects, paper and ours side by side
+  frostfill fps torus --searches loop,tree --no-render
+  frostfill fps --json > before.json            for later
+  frostfill fps --compare before.json           exits with 2 when something takes 15 % longer
+)";
+
+/// Spheres in a group where a scene leaves that open.
+constexpr std::uint32_t kGroupSize = 10;
+
+struct FpsArguments
+{
+    std::vector<std::string> scenes;
+    std::vector<std::string> searches;
+    std::size_t repeats = 5;
+    std::size_t warmUp = 20;
+    std::uint64_t count = 0;
+    std::string older;
+    double threshold = 15;
+    bool noRender = false;
+    bool markdown = false;
+    bool csv = false;
+    bool json = false;
+    bool quiet = false;
+};
+
+Scene sceneOf(const std::string& name, std::uint64_t count)
+{
+    Scene scene = name.ends_with(".toml") ? loadScene(name) : presetScene(Preset::paper, name);
+    if (scene.spheres.groupSize == 0)
+        scene.spheres.groupSize = kGroupSize;
+    if (count > 0)
+        scene.spheres.count = count;
+    return scene;
+}
+
+FpsRequest requestOf(const FpsArguments& arguments)
+{
+    FpsRequest request;
+    const std::vector<std::string> all = builtInMeshNames();
+    for (const std::string& name : arguments.scenes.empty() ? all : arguments.scenes)
+        request.scenes.push_back(sceneOf(name, arguments.count));
+    if (!arguments.searches.empty())
+        std::erase_if(request.methods,
+                      [&](FpsMethod method)
+                      {
+                          return std::find(arguments.searches.begin(), arguments.searches.end(),
+                                           methodName(method)) == arguments.searches.end();
+                      });
+    request.repeats = arguments.repeats;
+    request.warmUpSteps = arguments.warmUp;
+    request.pictures = !arguments.noRender;
+    return request;
+}
+
+nlohmann::ordered_json readOlder(const std::string& file)
+{
+    std::ifstream in(file);
+    if (!in)
+        throw Error(ErrorCode::inputMissing, fmt::format("cannot read {}", file));
+    return nlohmann::ordered_json::parse(in, nullptr, false);
+}
+
+void print(const FpsArguments& arguments, const FpsResult& result,
+           const nlohmann::ordered_json& json)
+{
+    if (arguments.json)
+    {
+        fmt::print("{}\n", json.dump(2));
+        return;
+    }
+    if (arguments.csv)
+    {
+        fmt::print("{}", formatCsv(fpsSetTable(result)));
+        return;
+    }
+    for (const Table& table : fpsTables(result))
+        fmt::print("{}\n", arguments.markdown ? formatMarkdown(table) : formatText(table));
+    fmt::print("{}", fpsCircumstances(result));
+}
+
+/// Returns the exit code.
+int printComparison(const FpsComparison& comparison, double threshold, bool onStandardOutput)
+{
+    Table table;
+    table.title = fmt::format("Compared with before, mean of the fastest run in ms a frame; a "
+                              "regression is more than {:g} %",
+                              threshold);
+    table.words = 3;
+    table.headings = {"object", "search", "quantity", "before", "now", "change %", ""};
+    for (const FpsChange& change : comparison.changes)
+        table.rows.push_back(
+            {change.object, change.search, change.quantity.substr(0, change.quantity.find("_ms")),
+             fmt::format("{:.4f}", change.before), fmt::format("{:.4f}", change.now),
+             fmt::format("{:+.1f}", change.percent()), change.regressed ? "regressed" : ""});
+    std::string text = formatText(table);
+    if (!comparison.sameMachine)
+        text += "measured on another machine: the difference may be the machine's\n";
+    if (onStandardOutput)
+        fmt::print("\n{}", text);
+    else
+        say(text);
+    return comparison.regressed() ? static_cast<int>(ErrorCode::thresholdFailed) : 0;
+}
+
+int fps(const FpsArguments& arguments)
+{
+    // What cannot be compared is found before the measurement, not after.
+    nlohmann::ordered_json older;
+    if (!arguments.older.empty())
+        older = readOlder(arguments.older);
+    const FpsResult result = measureFps(requestOf(arguments),
+                                        [&](const std::string& what)
+                                        {
+                                            if (!arguments.quiet)
+                                                say(what + "\n");
+                                        });
+    const nlohmann::ordered_json json = fpsJson(result);
+    print(arguments, result, json);
+    if (arguments.older.empty())
+        return 0;
+    const FpsComparison comparison = compareFps(older, json, arguments.threshold, arguments.older);
+    return printComparison(comparison, arguments.threshold, !arguments.json && !arguments.csv);
+}
+
+void addOutputOptions(CLI::App& command, FpsArguments& arguments)
+{
+    const char* output = "Output";
+    CLI::Option* markdown =
+        command.add_flag("--markdown", arguments.markdown, "Tables in Markdown")->group(output);
+    CLI::Option* csv =
+        command.add_flag("--csv", arguments.csv, "Every set as a row of a CSV file")->group(output);
+    CLI::Option* json =
+        command.add_flag("--json", arguments.json, "Everything as one JSON document")
+            ->group(output);
+    markdown->excludes(csv)->excludes(json);
+    csv->excludes(json);
+    command.add_flag("--quiet", arguments.quiet, "Do not tell what is being done")->group(output);
+    command
+        .add_option("--compare", arguments.older,
+                    "Compare with what --json wrote before; exit code 2 for a regression")
+        ->type_name("FILE")
+        ->group(output);
+    command
+        .add_option("--threshold", arguments.threshold,
+                    "Per cent by which something may take longer (15)")
+        ->check(CLI::Range(0.0, 1e6))
+        ->type_name("PERCENT")
+        ->group(output);
+}
+
+} // namespace
+
+Command addFpsCommand(CLI::App& program)
+{
+    const auto arguments = std::make_shared<FpsArguments>();
+    CLI::App* command = program.add_subcommand(
+        "fps", "Measure frames a second as the paper does, beside the paper's own figures");
+    command->footer(kExamples);
+    command->add_option("SCENE", arguments->scenes,
+                        "torus, sphere, cube, human, mesh files or scenes (TOML); all four when "
+                        "none is given");
+    const char* measurement = "Measurement";
+    std::vector<std::string> names;
+    for (const FpsMethod method : kFpsMethods)
+        names.emplace_back(methodName(method));
+    command
+        ->add_option("--searches", arguments->searches,
+                     "Some of loop, list, tree, grid and fast (all)")
+        ->delimiter(',')
+        ->check(CLI::IsMember(names))
+        ->type_name("A,B,...")
+        ->group(measurement);
+    command->add_option("--repeats", arguments->repeats, "Runs of each search (5)")
+        ->check(CLI::Range(1, 1000))
+        ->type_name("N")
+        ->group(measurement);
+    command
+        ->add_option("--warm-up", arguments->warmUp,
+                     "Frames that do not count at a run's start (20)")
+        ->check(CLI::Range(0, 1000000))
+        ->type_name("N")
+        ->group(measurement);
+    command->add_option("--count", arguments->count, "Spheres, instead of the scene's own number")
+        ->check(CLI::Range(1, 1000000))
+        ->type_name("N")
+        ->group(measurement);
+    command
+        ->add_flag("--no-render", arguments->noRender, "Draw nothing, so that no OpenGL is needed")
+        ->group(measurement);
+    addOutputOptions(*command, *arguments);
+    return [arguments] { return fps(*arguments); };
+}
+
+} // namespace frostfill

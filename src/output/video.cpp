@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: MIT
+#include "output/video.hpp"
+
+#include <frostfill/error.hpp>
+
+#include <fmt/format.h>
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+extern char** environ;
+
+namespace frostfill
+{
+namespace
+{
+
+/// What makes a video of good quality out of flat colours and thin lines, by the name's ending.
+std::vector<std::string> encoderArguments(const std::string& ending, bool withAlpha)
+{
+    if (ending == ".mp4")
+    {
+        // Players want 4:2:0, which needs even sides.
+        return {"-c:v",   "libx264", "-preset",   "medium",     "-crf",
+                "18",     "-vf",     "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white", "-pix_fmt", "yuv420p",
+                "-movflags", "+faststart"};
+    }
+    if (ending == ".webm")
+    {
+        return {"-c:v", "libvpx-vp9", "-crf",     "24", "-b:v", "0", "-row-mt", "1", "-deadline", "good",
+                "-cpu-used", "4", "-pix_fmt", withAlpha ? "yuva420p" : "yuv420p"};
+    }
+    // A palette for each frame: one for all would have ffmpeg keep every frame in memory.
+    return {"-filter_complex",
+            "split[a][b];[a]palettegen=stats_mode=single[p];[b][p]paletteuse=new=1:dither=none"};
+}
+
+bool isKnown(const std::string& ending)
+{
+    return ending == ".mp4" || ending == ".webm" || ending == ".gif";
+}
+
+/// Whether the shell would find it.
+bool hasProgram(const std::string& name)
+{
+    const char* path = std::getenv("PATH");
+    std::istringstream folders(path != nullptr ? path : "");
+    for (std::string folder; std::getline(folders, folder, ':');)
+    {
+        if (::access((std::filesystem::path(folder) / name).c_str(), X_OK) == 0)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+} // namespace
+
+Video::Video(std::filesystem::path file, double framesPerSecond)
+    : file_(std::move(file)), framesPerSecond_(framesPerSecond)
+{
+    const std::string ending = file_.extension().string();
+    if (!isKnown(ending))
+    {
+        throw Error(ErrorCode::usage,
+                    fmt::format("the video {} must end in .mp4, .webm or .gif", file_.string()));
+    }
+    if (!hasProgram("ffmpeg"))
+    {
+        throw Error(ErrorCode::cannotCreate,
+                    fmt::format("cannot make the video {}: there is no ffmpeg; apt install ffmpeg, "
+                                "or leave --video out",
+                                file_.string()));
+    }
+    // The process number keeps two runs apart; the ending tells ffmpeg the format.
+    part_ = file_;
+    part_.replace_extension(fmt::format("{}.part{}", ::getpid(), ending));
+    log_ = file_;
+    log_.replace_extension(fmt::format("{}.log", ::getpid()));
+    const int made = ::open(log_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (made < 0)
+    {
+        throw Error(ErrorCode::cannotCreate,
+                    fmt::format("cannot create {}: {}", file_.string(), std::strerror(errno)));
+    }
+    ::close(made);
+}
+
+Video::~Video()
+{
+    if (process_ > 0)
+    {
+        ::kill(process_, SIGKILL);
+        close();
+    }
+    std::error_code ignored;
+    std::filesystem::remove(part_, ignored);
+    std::filesystem::remove(log_, ignored);
+}
+
+void Video::start(const Image& image)
+{
+    // Unlike a pipe, a socket can be told not to raise SIGPIPE when ffmpeg has died.
+    std::array<int, 2> ends{};
+    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
+    {
+        failed_ = true;
+        return;
+    }
+    const bool withAlpha = image.channels == 4;
+    std::vector<std::string> words = {"ffmpeg", "-hide_banner", "-loglevel", "error", "-y",
+                                      "-f", "rawvideo", "-pix_fmt", withAlpha ? "rgba" : "rgb24",
+                                      "-s", fmt::format("{}x{}", image.width, image.height),
+                                      "-r", fmt::format("{}", framesPerSecond_), "-i", "-"};
+    for (std::string& word : encoderArguments(file_.extension().string(), withAlpha))
+    {
+        words.push_back(std::move(word));
+    }
+    // A name that starts with a dash or has a colon in it is a name all the same.
+    words.push_back("file:" + part_.string());
+    std::vector<char*> arguments;
+    for (std::string& word : words)
+    {
+        arguments.push_back(word.data());
+    }
+    arguments.push_back(nullptr);
+
+    posix_spawn_file_actions_t actions;
+    ::posix_spawn_file_actions_init(&actions);
+    ::posix_spawn_file_actions_adddup2(&actions, ends[1], STDIN_FILENO);
+    ::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    ::posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, log_.c_str(), O_WRONLY | O_TRUNC, 0);
+    const int problem =
+        ::posix_spawnp(&process_, "ffmpeg", &actions, nullptr, arguments.data(), environ);
+    ::posix_spawn_file_actions_destroy(&actions);
+    ::close(ends[1]);
+    socket_ = ends[0];
+    if (problem != 0)
+    {
+        process_ = -1;
+        failed_ = true;
+    }
+}
+
+void Video::send(const Image& image)
+{
+    const std::uint8_t* next = image.pixels.data();
+    std::size_t left = image.pixels.size();
+    while (left > 0)
+    {
+        const ssize_t sent = ::send(socket_, next, left, MSG_NOSIGNAL);
+        if (sent < 0 && errno == EINTR)
+        {
+            continue;
+        }
+        if (sent <= 0)
+        {
+            failed_ = true;
+            return;
+        }
+        next += sent;
+        left -= static_cast<std::size_t>(sent);
+    }
+}
+
+void Video::put(std::size_t /*number*/, const Image& image)
+{
+    if (frames_++ == 0)
+    {
+        start(image);
+    }
+    if (!failed_)
+    {
+        send(image);
+    }
+}
+
+int Video::close()
+{
+    if (socket_ >= 0)
+    {
+        ::close(std::exchange(socket_, -1));
+    }
+    int status = -1;
+    while (process_ > 0 && ::waitpid(process_, &status, 0) < 0 && errno == EINTR)
+    {
+    }
+    process_ = -1;
+    return status;
+}
+
+std::string Video::complaint() const
+{
+    std::ifstream in(log_);
+    std::string last;
+    for (std::string line; std::getline(in, line);)
+    {
+        last = line.empty() ? last : line;
+    }
+    return last.empty() ? "ffmpeg ended early" : "ffmpeg says: " + last;
+}
+
+void Video::finish()
+{
+    if (frames_ == 0)
+    {
+        return;
+    }
+    const int status = close();
+    std::error_code problem;
+    const bool worked = !failed_ && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    if (worked)
+    {
+        std::filesystem::rename(part_, file_, problem);
+    }
+    if (!worked || problem)
+    {
+        throw Error(ErrorCode::writeFailed,
+                    fmt::format("there is no video {}: {}", file_.string(),
+                                worked ? problem.message() : complaint()));
+    }
+}
+
+} // namespace frostfill

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <frostfill/renderer.hpp>
+#include <frostfill/snapshot.hpp>
+
+#include <span>
+#include <string>
+
+namespace frostfill
+{
+
+/// The scale viridis at 0..1 (values beyond become the ends): its lightness grows evenly, for every
+/// kind of colour vision and in grey. [van der Walt & Smith 2015]
+[[nodiscard]] Colour scaleColour(double value);
+
+/// What colours of spheres mean in one picture.
+class SphereColours
+{
+public:
+    /// `vertices` are the mesh's.
+    SphereColours(const RenderSettings& settings, std::span<const Eigen::Vector3d> vertices);
+
+    [[nodiscard]] Colour of(const Snapshot& snapshot, std::size_t sphere) const;
+    /// Of a sphere in the legend, where a state is shown by its marks alone unless colours mean it.
+    [[nodiscard]] Colour ofSwatch(SphereState state) const;
+
+    [[nodiscard]] bool hasScale() const { return by_ != ColourBy::state; }
+    [[nodiscard]] const ColourRange& range() const { return range_; }
+    [[nodiscard]] bool countsWhole() const { return by_ == ColourBy::set || by_ == ColourBy::group; }
+    [[nodiscard]] const std::string& title() const { return title_; } ///< with the unit
+
+private:
+    [[nodiscard]] Colour ofState(SphereState state) const;
+    [[nodiscard]] double value(const Snapshot& snapshot, std::size_t sphere) const;
+
+    ColourBy by_;
+    Palette palette_;
+    ColourRange range_;
+    std::string title_;
+    std::uint32_t groupsPerSet_;
+    double unitsPerMetre_;
+    Eigen::Vector3d up_;
+    double foot_ = 0; ///< [mesh unit] of the object, along `up_`
+};
+
+} // namespace frostfill

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <frostfill/image.hpp>
+#include <frostfill/renderer.hpp>
+
+#include <filesystem>
+#include <string>
+
+namespace frostfill
+{
+
+/// The part of a picture that a contact sheet shows [pixel].
+struct Crop
+{
+    int left = 0, top = 0, right = 0, bottom = 0;
+};
+
+struct ContactSheetRequest
+{
+    std::filesystem::path frames; ///< directory with frame_00000.png, ...
+    std::size_t count = 0;        ///< of frames in it
+    double interval = 0;          ///< [s] simulated, from one to the next
+    std::string title;
+    Palette palette;
+    Crop crop; ///< what is shown of each
+};
+
+/// Up to twelve frames at equal steps, first and last among them, each over the time it shows.
+/// Throws Error inputMissing or badData when a frame cannot be read.
+[[nodiscard]] Image makeContactSheet(const ContactSheetRequest& request);
+
+} // namespace frostfill

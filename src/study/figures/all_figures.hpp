@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "study/figures/figure.hpp"
+
+namespace frostfill
+{
+
+[[nodiscard]] Figure volumeFigure();      ///< PAPER, Figure 1
+[[nodiscard]] Figure interactionFigure(); ///< PAPER, Figure 2
+[[nodiscard]] Figure fillingFigure();     ///< the objects while they fill
+[[nodiscard]] Figure cutawaysFigure();    ///< the objects cut open
+[[nodiscard]] Figure claimFigure();       ///< cost of a frame against spheres present
+[[nodiscard]] Figure timesFigure();       ///< PAPER, Figure 3
+[[nodiscard]] Figure operationsFigure();  ///< the lemmas
+[[nodiscard]] Figure discardedFigure();   ///< share of what is discarded
+[[nodiscard]] Figure densityFigure();     ///< density against set size
+
+} // namespace frostfill

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "study/figures/all_figures.hpp"
+#include "study/figures/embedded_scripts.hpp"
+#include "study/growth_study.hpp"
+
+#include <fmt/format.h>
+
+namespace frostfill
+{
+namespace
+{
+
+constexpr std::size_t kPoints = 50;
+constexpr std::uint64_t kSpheres = 10000;
+constexpr std::uint64_t kQuickSpheres = 400;
+
+/// A fill of the cube, whose cross-section is the same at every height.
+Scene cubeScene(Preset preset, std::uint64_t spheres)
+{
+    Scene scene = presetScene(preset, "cube");
+    scene.spheres.groupsPerSet = 2;
+    scene.spheres.groupSize = static_cast<std::uint32_t>(spheres / 200);
+    // One set more, which is not shown.
+    scene.spheres.count = spheres + 2 * scene.spheres.groupSize;
+    scene.freezing.everySets = 1;
+    scene.discard.rule = DiscardRule::none;
+    scene.search = {SphereSearch::allPairs, PolygonSearch::loop};
+    scene.threads = 1; // as the paper's method, so that times can be compared
+    return scene;
+}
+
+void addPoints(Table& points, Table& growth, const char* method,
+               const std::vector<GrowthPoint>& measured)
+{
+    for (const GrowthPoint& point : measured)
+        points.rows.push_back({method, fmt::format("{}", point.spheres),
+                               fmt::format("{:.6g}", point.tests),
+                               fmt::format("{:.6g}", point.ms)});
+    const Growth grown = firstToLastTenth(measured);
+    growth.rows.push_back({method, fmt::format("{}", measured.back().spheres),
+                           fmt::format("{:.6g}", measured.back().tests),
+                           fmt::format("{:.6g}", measured.back().ms),
+                           fmt::format("{:.1f}", grown.tests), fmt::format("{:.1f}", grown.ms)});
+}
+
+void makeData(const FigureFolder& folder)
+{
+    if (folder.reuse("claim.csv") && folder.reuse("claim-growth.csv"))
+        return;
+    const std::uint64_t spheres = folder.quick() ? kQuickSpheres : kSpheres;
+    const TriangleMesh mesh = builtInMesh("cube");
+    Scene freezing = cubeScene(Preset::paper, spheres);
+    Scene discards = freezing;
+    discards.discard.rule = DiscardRule::paper;
+    Scene grid = freezing;
+    grid.search = {SphereSearch::grid, PolygonSearch::grid};
+    const Scene fast = cubeScene(Preset::fast, spheres);
+
+    Table points;
+    points.headings = {"method", "spheres", "tests", "ms"};
+    Table growth;
+    growth.headings = {"method",           "spheres", "tests", "ms", "tests_growth_percent",
+                       "ms_growth_percent"};
+    folder.say("claim: all pairs without freezing");
+    addPoints(points, growth, "all running", growthWithoutFreezing(grid, mesh, kPoints / 2));
+    for (const auto& [method, scene] :
+         {std::pair{"freezing", freezing}, std::pair{"discards", discards}, std::pair{"grid", grid},
+          std::pair{"fast", fast}})
+    {
+        folder.say(fmt::format("claim: {}", method));
+        addPoints(points, growth, method, growthOfRun(scene, mesh, kPoints));
+    }
+    folder.write("claim.csv", points);
+    folder.write("claim-growth.csv", growth);
+}
+
+} // namespace
+
+Figure claimFigure()
+{
+    return {"claim", "time and tests a frame while the spheres grow in number", true, makeData,
+            embedded::figure_claim};
+}
+
+} // namespace frostfill

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "study/table.hpp"
+
+#include <frostfill/image.hpp>
+
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace frostfill
+{
+
+struct FigureRequest
+{
+    std::filesystem::path directory = "docs/figures";
+    /// Where times that were measured before are taken from, so that figures can be drawn again
+    /// without their changing.
+    std::filesystem::path recorded = "docs/figures";
+    bool measure = false; ///< measure times anew
+    bool quick = false;   ///< few spheres, for a look and for tests
+    std::function<void(const std::string&)> say = [](const std::string&) {};
+};
+
+/// The folder that a figure's files go to.
+class FigureFolder
+{
+public:
+    explicit FigureFolder(const FigureRequest& request) : request_(request) {}
+
+    void write(const std::string& name, std::string_view text) const;
+    void write(const std::string& name, const Table& table) const;
+    void write(const std::string& name, const Image& image) const;
+
+    /// Copies a file of measured times from the recorded ones. False when there is none or when
+    /// times are to be measured anew: then the caller measures and writes it.
+    [[nodiscard]] bool reuse(const std::string& name) const;
+
+    [[nodiscard]] bool quick() const { return request_.quick; }
+    void say(const std::string& what) const { request_.say(what); }
+
+private:
+    const FigureRequest& request_;
+};
+
+/// One figure of the documentation.
+struct Figure
+{
+    const char* name;
+    const char* title;
+    bool measured; ///< shows times, which differ from run to run
+    /// Writes the data that the script reads.
+    void (*makeData)(const FigureFolder&);
+    /// The gnuplot script: reads the data, draws NAME.svg or NAME.png.
+    std::string_view (*script)();
+};
+
+/// All of them. A new figure is a file that defines one and a line in registry.cpp.
+[[nodiscard]] std::span<const Figure> allFigures();
+
+/// Makes one figure: its data, its script, NAME.svg and NAME.png. Throws Error, missingProgram
+/// without gnuplot.
+void makeFigure(const Figure& figure, const FigureRequest& request);
+
+} // namespace frostfill

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#include "study/figures/all_figures.hpp"
+
+#include <array>
+
+namespace frostfill
+{
+
+std::span<const Figure> allFigures()
+{
+    static const std::array kFigures = {
+        volumeFigure(),  interactionFigure(), timesFigure(),
+        claimFigure(),   operationsFigure(),  discardedFigure(),
+        densityFigure(), fillingFigure(),     cutawaysFigure(),
+    };
+    return kFigures;
+}
+
+} // namespace frostfill

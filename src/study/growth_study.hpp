@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <frostfill/mesh.hpp>
+#include <frostfill/scene.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace frostfill
+{
+
+/// The cost of a frame while an object fills: the paper's claim is that it holds while the number
+/// of spheres grows.
+struct GrowthPoint
+{
+    std::size_t spheres = 0; ///< present
+    double tests = 0;        ///< a time step
+    double ms = 0;           ///< a time step
+};
+
+/// Mean cost of a time step in neighbouring sets; at most so many points. The last set of the run
+/// is left out.
+[[nodiscard]] std::vector<GrowthPoint> growthOfRun(const Scene& scene, const TriangleMesh& mesh,
+                                                   std::size_t points);
+
+/// What a time step of Algorithm 1 costs when nothing is frozen and all pairs are visited. A whole
+/// fill would take hours, so single steps are timed on the states of the scene's own run.
+[[nodiscard]] std::vector<GrowthPoint>
+growthWithoutFreezing(const Scene& scene, const TriangleMesh& mesh, std::size_t points);
+
+/// By how much a step costs more in the last tenth of the points than in the first. [%]
+struct Growth
+{
+    double tests = 0;
+    double ms = 0;
+};
+[[nodiscard]] Growth firstToLastTenth(const std::vector<GrowthPoint>& points);
+
+} // namespace frostfill
