@@ -16,6 +16,7 @@ constexpr double kSkipStep = 0.33;    // the same with Motion::skip, where nothi
 constexpr double kWindow = 0.33;      // over which a sphere is watched [sqrt(r/g)]
 constexpr double kStillRunning = 0.2; // share of a set that may run when the next one appears
 constexpr double kTopBand = 4;        // below the highest ceiling, in which falls begin [r]
+constexpr double kFarRelease = 4;     // a sphere that is released in a wall is moved by less [r]
 
 double timeStep(const World& world)
 {
@@ -108,15 +109,15 @@ bool FastEngine::releaseSet()
     // Free flight is analytic: with Motion::skip a sphere appears where it would touch first.
     const bool skip = world_.scene.motion.mode == Motion::skip;
     grid_.rebuild({runners_.data(), running_});
-    Eigen::Vector3d start;
-    const auto suits = [&](const Eigen::Vector3d& place, double radius)
+    Eigen::Vector3d place;
+    const auto suits = [&](const Eigen::Vector3d& site, double radius)
     {
-        start = place;
+        place = site;
         if (skip)
         {
-            descent_.drop(start, radius);
+            descent_.drop(place, radius);
         }
-        return clearOfRunners(start, radius);
+        return clearOfRunners(place, radius);
     };
     while (world_.spheres.size() - before < wanted)
     {
@@ -127,27 +128,68 @@ bool FastEngine::releaseSet()
         }
         const std::size_t inSet = world_.spheres.size() - before;
         const auto group = nextGroup_ + static_cast<std::uint32_t>(inSet / groupSize(world_));
-        const std::uint32_t id = world_.release(start, found->radius, group);
-        if (running_ == runners_.size())
-        {
-            runners_.emplace_back();
-        }
-        runners_[running_++].restart(id, start, found->radius);
-        grid_.add(start);
+        start(place, found->radius, group);
+        grid_.add(place);
     }
     if (world_.spheres.size() == before)
     {
         return false;
     }
+    openSet(world_.spheres.size() - before);
+    return true;
+}
+
+void FastEngine::start(const Eigen::Vector3d& place, double radius, std::uint32_t group)
+{
+    const std::uint32_t id = world_.release(place, radius, group);
+    if (running_ == runners_.size())
+    {
+        runners_.emplace_back();
+    }
+    runners_[running_++].restart(id, place, radius);
+}
+
+void FastEngine::openSet(std::size_t spheres)
+{
     nextGroup_ = world_.spheres.group.back() + 1;
     clock_.close(world_);
-    clock_.open(world_, world_.spheres.size() - before);
-    return true;
+    clock_.open(world_, spheres);
+}
+
+// Those that overlap are taken apart first, so that they do not start by flying apart.
+void FastEngine::releaseAt(std::span<const PlacedSphere> spheres)
+{
+    requireInside(world_, spheres);
+    for (const PlacedSphere& one : spheres)
+    {
+        Eigen::Vector3d place = one.place;
+        if (!moveClear(world_, place, one.radius, kFarRelease))
+        {
+            refuseCrowdedPlace(world_, one);
+        }
+        start(place, one.radius, nextGroup_);
+    }
+    openSet(spheres.size());
+    encounters_.separate({runners_.data(), running_});
+}
+
+double FastEngine::runningEnergy() const
+{
+    double energy = 0;
+    for (std::size_t k = 0; k < running_; ++k)
+    {
+        const Runner& runner = runners_[k];
+        const double mass = runner.radius * runner.radius * runner.radius;
+        energy +=
+            mass * (runner.velocity.squaredNorm() / 2 + world_.frame.gravity * runner.position.y());
+    }
+    return energy;
 }
 
 void FastEngine::advance()
 {
     const std::span<Runner> runners(runners_.data(), running_);
+    const double energyBefore = runningEnergy();
     {
         const StageTimer timer(world_.times, Stage::motion);
         threads_.forEach(runners.size(),
@@ -162,8 +204,10 @@ void FastEngine::advance()
         encounters_.resolve(runners, world_.dt);
     }
     std::uint64_t meetings = 0;
+    double mass = 0;
     for (const Runner& runner : runners)
     {
+        mass += runner.radius * runner.radius * runner.radius;
         world_.spheres.setPosition(runner.id, runner.position);
         world_.spheres.setVelocity(runner.id, runner.velocity);
         world_.operations.runningFrozenTests += runner.around.spheres();
@@ -171,6 +215,7 @@ void FastEngine::advance()
         meetings += runner.meeting.size();
     }
     world_.operations.runningRunningTests += meetings / 2;
+    world_.energy.enter(energyBefore, runningEnergy(), mass * world_.height);
 }
 
 bool FastEngine::clearOfRunners(const Eigen::Vector3d& place, double radius) const

@@ -126,6 +126,7 @@ bool FastEngine::tryFreeze(std::uint32_t index)
         }
         evict(index);
     }
+    world_.overdue += tooOld ? 1 : 0;
     falls_.insert(place);
     release_.close(place, runner.radius);
     tellOthers(place, runner.radius);

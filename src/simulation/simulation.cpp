@@ -2,9 +2,7 @@
 #include <frostfill/simulation.hpp>
 
 #include <frostfill/error.hpp>
-#include <simulation/descent_engine.hpp>
-#include <simulation/fast_engine.hpp>
-#include <simulation/paper_engine.hpp>
+#include <simulation/make_engine.hpp>
 #include <simulation/quality.hpp>
 #include <simulation/state_hash.hpp>
 #include <simulation/world.hpp>
@@ -15,24 +13,6 @@
 
 namespace frostfill
 {
-
-namespace
-{
-
-std::unique_ptr<Engine> makeEngine(World& world)
-{
-    if (world.scene.preset == Preset::paper)
-    {
-        return std::make_unique<PaperEngine>(world);
-    }
-    if (world.scene.motion.mode == Motion::descend)
-    {
-        return std::make_unique<DescentEngine>(world);
-    }
-    return std::make_unique<FastEngine>(world);
-}
-
-} // namespace
 
 struct Simulation::Implementation
 {

@@ -146,6 +146,33 @@ std::size_t groupSize(const World& world)
     return std::max<std::size_t>(10, static_cast<std::size_t>(inSet) / spheres.groupsPerSet);
 }
 
+void requireInside(const World& world, std::span<const PlacedSphere> spheres)
+{
+    for (std::size_t k = 0; k < spheres.size(); ++k)
+    {
+        const Eigen::Vector3d& p = spheres[k].place;
+        const auto near = world.triangles.near(p);
+        if (!p.allFinite() || !world.inside.contains(p) ||
+            (!near.empty() && nearestDistance(world.surface, near, p).value <= 0))
+        {
+            const Eigen::Vector3d q = world.frame.toMesh(p);
+            throw Error(ErrorCode::badData,
+                        fmt::format("sphere {} cannot be released at ({:g}, {:g}, {:g}): that is "
+                                    "not inside {}",
+                                    k, q.x(), q.y(), q.z(), world.scene.object.mesh));
+        }
+    }
+}
+
+void refuseCrowdedPlace(const World& world, const PlacedSphere& sphere)
+{
+    const Eigen::Vector3d p = world.frame.toMesh(sphere.place);
+    throw Error(ErrorCode::badData,
+                fmt::format("there is no room for a sphere of radius {:g} near ({:g}, {:g}, {:g}), "
+                            "where it is to be released",
+                            sphere.radius * world.frame.length, p.x(), p.y(), p.z()));
+}
+
 void refuseTooLarge(const World& world)
 {
     throw Error(ErrorCode::badData,

@@ -12,6 +12,7 @@ std::span<const Figure> allFigures()
         volumeFigure(),  interactionFigure(), timesFigure(),
         claimFigure(),   operationsFigure(),  discardedFigure(),
         densityFigure(), fillingFigure(),     cutawaysFigure(),
+        stabilityFigure(),
     };
     return kFigures;
 }
