@@ -109,6 +109,19 @@ struct MotionSettings
     double restitution = 0.2; ///< [1] 0..1, of every contact
 };
 
+/// How the object moves once it is filled and at rest. Angles and amplitude start from zero and end
+/// smoothly; the simulation stays in the object's frame, where gravity turns and inertia pulls.
+struct MoveSettings
+{
+    double tilt = 0;                 ///< [degree] in the end, about the horizontal depth axis
+    double turn = 0;                 ///< [degree] in the end, about the up axis
+    double shake = 0;                ///< [mesh unit] amplitude of shaking to the sides
+    std::optional<double> frequency; ///< [1/s] of shaking; reaches half of gravity when not given
+    std::optional<double> duration;  ///< [s]; eight falls through the height when not given
+
+    [[nodiscard]] bool any() const { return tilt != 0 || turn != 0 || shake != 0; }
+};
+
 /// When moving spheres become immobile for good (PAPER: frozen).
 struct FreezingSettings
 {
@@ -165,6 +178,7 @@ struct Scene
     SphereSettings spheres;
     MotionSettings motion;
     FreezingSettings freezing;
+    MoveSettings move;
     DiscardSettings discard;
     SearchSettings search;
     FrameSettings frames;

@@ -49,8 +49,9 @@ struct QualityReport
                              ///< it, relative to the same
     double meshVolume = 0;   ///< [unit^3]
     double sphereVolume = 0; ///< [unit^3] of all spheres
-    double volumeEstimate = 0;      ///< [unit^3] N v / phi + c r S; NaN unless full
-    double volumeEstimateError = 0; ///< [unit^3] standard uncertainty of the estimate
+    double volumeEstimate = 0; ///< [unit^3] N v / phi + c r S; NaN unless full of equal spheres
+    /// [unit^3] uncertainty: largest error over the calibration's shapes, and scatter of packings
+    double volumeEstimateError = 0;
 };
 
 /// Fills one mesh according to one scene. PAPER: Algorithm 1 and the schedule of sets around it.

@@ -45,6 +45,11 @@ struct Snapshot
     std::vector<PolygonState> polygons;   ///< [#T] of the mesh that is simulated
     Eigen::Vector3d origin = Eigen::Vector3d::Zero(); ///< mesh coordinates; the box's centre
 
+    /// How the object stands in the room: a point p of the mesh is seen at
+    /// origin + offset + rotation (p - origin).
+    Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+    Eigen::Vector3d offset = Eigen::Vector3d::Zero(); ///< [mesh unit]
+
     /// Ids that were added, moved or changed state in the last capture, ascending.
     std::vector<std::uint32_t> changed;
     bool polygonsChanged = false;     ///< some polygon changed its state in the last capture

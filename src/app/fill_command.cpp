@@ -6,6 +6,7 @@
 
 #include "output/scene_json.hpp"
 #include "study/fill_run.hpp"
+#include "study/volume_estimate.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -57,6 +58,7 @@ struct FillArguments
     bool overwrite = false;
     bool quiet = false;
     bool json = false;
+    bool estimateVolume = false;
     GivenOptions given;
 };
 
@@ -149,8 +151,38 @@ void printResult(const FillResult& result)
                result.wallSeconds, result.directory.string());
 }
 
+int printVolume(const FillArguments& arguments)
+{
+    Scene scene = requestedScene(arguments);
+    // Nobody watches, so the quickest way will do.
+    if (scene.preset == Preset::fast && arguments.sceneFile.empty() &&
+        !arguments.given.contains("motion.mode"))
+        scene.motion.mode = Motion::descend;
+    const VolumeEstimate estimate = estimateVolume(scene);
+    if (arguments.json)
+    {
+        const nlohmann::ordered_json json = {
+            {"volume_estimate", estimate.volume},
+            {"volume_estimate_error", estimate.error},
+            {"volume_mesh", estimate.meshVolume},
+            {"radius", estimate.radius},
+            {"radius_times_area_over_volume", estimate.radiusTimesAreaOverVolume},
+            {"spheres_of_radius", estimate.coarse},
+            {"spheres_of_half_radius", estimate.fine}};
+        fmt::print("{}\n", json.dump(2));
+        return 0;
+    }
+    fmt::print("volume {:.5g} +- {:.2g}, from {} spheres of radius {:.5g} and {} of half of it\n",
+               estimate.volume, estimate.error, estimate.coarse, estimate.radius, estimate.fine);
+    fmt::print("the mesh itself has {:.5g}: {:+.2f} %\n", estimate.meshVolume,
+               100 * (estimate.volume / estimate.meshVolume - 1));
+    return 0;
+}
+
 int fill(const FillArguments& arguments)
 {
+    if (arguments.estimateVolume)
+        return printVolume(arguments);
     FillRequest request;
     request.scene = requestedScene(arguments);
     request.directory = arguments.directory.empty()
@@ -210,6 +242,10 @@ Command addFillCommand(CLI::App& program)
     command
         ->add_flag("--contact-sheet", arguments->contactSheet,
                    "Twelve frames of the run on one picture, contact_sheet.png")
+        ->group(output);
+    command
+        ->add_flag("--estimate-volume", arguments->estimateVolume,
+                   "Fill with r and r/2, print the volume that this tells, write nothing")
         ->group(output);
     command->add_flag("--overwrite", arguments->overwrite, "Replace the run that is there")
         ->group(output);

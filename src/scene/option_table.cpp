@@ -131,6 +131,34 @@ void addMotion(TableBuilder& table)
         .range(0, 1);
 }
 
+void addMove(TableBuilder& table)
+{
+    table.heading("The object moves, once it is filled (preset fast; fall or skip)");
+    table
+        .add("move.tilt", "--tilt", "Lean to the side by so much [degree]",
+             FROSTFILL_FIELD(move.tilt))
+        .range(-3600, 3600);
+    table
+        .add("move.turn", "--turn", "Turn about the up axis by so much [degree]",
+             FROSTFILL_FIELD(move.turn))
+        .range(-36000, 36000);
+    table
+        .add("move.shake", "--shake", "Shake to the sides with this amplitude [mesh unit]",
+             FROSTFILL_FIELD(move.shake))
+        .range(0, kLargestNumber);
+    table
+        .add("move.frequency", "--shake-frequency",
+             "How often a second; auto: as reaches half of gravity",
+             FROSTFILL_FIELD(move.frequency))
+        .orNothing("auto")
+        .above(0);
+    table
+        .add("move.duration", "--move-for", "How long [s]; auto: eight falls through the height",
+             FROSTFILL_FIELD(move.duration))
+        .orNothing("auto")
+        .above(0);
+}
+
 void addFreezing(TableBuilder& table)
 {
     table.heading("Freezing");
@@ -322,6 +350,7 @@ std::vector<Option> makeTable()
     addObject(table);
     addSpheres(table);
     addMotion(table);
+    addMove(table);
     addFreezing(table);
     addDiscards(table);
     addFrames(table);

@@ -24,6 +24,9 @@ void validateScene(const Scene& scene)
     if (scene.preset == Preset::paper && scene.motion.mode != Motion::fall)
         throw Error(ErrorCode::usage, "the spheres of the preset paper always fall: leave "
                                       "motion.mode (--motion) out, or use the preset fast");
+    if (scene.move.any() && (scene.preset == Preset::paper || scene.motion.mode == Motion::descend))
+        throw Error(ErrorCode::usage, "an object that moves (--tilt, --turn, --shake) needs the "
+                                      "preset fast with --motion fall or skip");
     const DiscardRule foreign =
         scene.preset == Preset::fast ? DiscardRule::paper : DiscardRule::exact;
     if (scene.discard.rule == foreign)

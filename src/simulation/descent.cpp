@@ -36,7 +36,8 @@ bool Descent::settle(Eigen::Vector3d& p, double radius, Neighbourhood& around,
     {
         around.ensure(world_, p, radius, kShortestLook);
         contactNormals(world_.surface, around, p, radius, kTouch, normals);
-        const Eigen::Vector3d pull = projectToFree({0, -1, 0}, normals);
+        const Eigen::Vector3d down = world_.pull.direction(p);
+        const Eigen::Vector3d pull = projectToFree(down, normals);
         const double weight = pull.norm();
         if (weight < kSettled)
         {
@@ -44,9 +45,9 @@ bool Descent::settle(Eigen::Vector3d& p, double radius, Neighbourhood& around,
         }
         if (normals.empty())
         {
-            drop(p, radius);
+            fall(p, radius, around, down);
         }
-        else if (!slide(p, radius, around, pull, longest))
+        else if (!slide(p, radius, around, down, pull, longest))
         {
             return false;
         }
@@ -58,6 +59,17 @@ bool Descent::settle(Eigen::Vector3d& p, double radius, Neighbourhood& around,
     return false;
 }
 
+void Descent::fall(Eigen::Vector3d& p, double radius, const Neighbourhood& around,
+                   const Eigen::Vector3d& down) const
+{
+    if (down.y() == -1)
+    {
+        drop(p, radius);
+        return;
+    }
+    p += freePath(world_.surface, around, p, radius, down, around.room(p)) * down;
+}
+
 void Descent::drop(Eigen::Vector3d& p, double radius) const
 {
     p.y() = contactBelow(world_, falls_, p, radius);
@@ -66,7 +78,7 @@ void Descent::drop(Eigen::Vector3d& p, double radius) const
 // A straight part along the pull, then back to the contact that curves away from it. Both lose
 // height: the second leads against the contacts' forces, whose sum points up.
 bool Descent::slide(Eigen::Vector3d& p, double radius, Neighbourhood& around,
-                    const Eigen::Vector3d& pull, double& longest) const
+                    const Eigen::Vector3d& down, const Eigen::Vector3d& pull, double& longest) const
 {
     const double weight = pull.norm();
     const Eigen::Vector3d along = pull / weight;
@@ -75,7 +87,7 @@ bool Descent::slide(Eigen::Vector3d& p, double radius, Neighbourhood& around,
     const double path = freePath(world_.surface, around, p, radius, along, length);
     p += path * along;
 
-    const Eigen::Vector3d forces = Eigen::Vector3d(0, 1, 0) + pull;
+    const Eigen::Vector3d forces = pull - down;
     const double force = forces.norm();
     if (force > kSettled)
     {

@@ -38,8 +38,10 @@ public:
     void drop(Eigen::Vector3d& p, double radius) const;
 
 private:
+    void fall(Eigen::Vector3d& p, double radius, const Neighbourhood& around,
+              const Eigen::Vector3d& down) const;
     bool slide(Eigen::Vector3d& p, double radius, Neighbourhood& around,
-               const Eigen::Vector3d& pull, double& longest) const;
+               const Eigen::Vector3d& down, const Eigen::Vector3d& pull, double& longest) const;
 
     const World& world_;
     const FallIndex& falls_;

@@ -11,6 +11,7 @@ namespace
 
 constexpr double kMeetingMargin = 0.3; // gap up to which runners may meet within a step [r]
 constexpr double kLongestPush = 0.2;   // in one sweep, of the own radius
+constexpr double kApart = 1e-8;        // penetration depth that is left to those taken apart [r]
 constexpr int kMostSeparations = 1000; // sweeps
 
 // How much of the penetration depth a gives way by. One that nothing at rest has carried for long
@@ -52,7 +53,7 @@ void Encounters::separate(std::span<Runner> runners)
     for (int k = 0; k < kMostSeparations; ++k)
     {
         findMeetings(runners);
-        if (sweep(runners) < settings_.tolerance)
+        if (sweep(runners) < kApart)
         {
             return;
         }

@@ -11,12 +11,13 @@ namespace frostfill
 namespace
 {
 
-constexpr double kStep = 0.165;       // default time step [sqrt(r/g) of the smallest sphere]
-constexpr double kSkipStep = 0.33;    // the same with Motion::skip, where nothing falls from far
-constexpr double kWindow = 0.33;      // over which a sphere is watched [sqrt(r/g)]
-constexpr double kStillRunning = 0.2; // share of a set that may run when the next one appears
-constexpr double kTopBand = 4;        // below the highest ceiling, in which falls begin [r]
-constexpr double kFarRelease = 4;     // a sphere that is released in a wall is moved by less [r]
+constexpr double kStep = 0.165;        // default time step [sqrt(r/g) of the smallest sphere]
+constexpr double kSkipStep = 0.33;     // the same with Motion::skip, where nothing falls from far
+constexpr double kWindow = 0.33;       // over which a sphere is watched [sqrt(r/g)]
+constexpr double kStillRunning = 0.2;  // share of a set that may run when the next one appears
+constexpr int kSweepsInAvalanche = 40; // of encounters at most, where whole piles run at once
+constexpr double kTopBand = 4;         // below the highest ceiling, in which falls begin [r]
+constexpr double kFarRelease = 4;      // a sphere that is released in a wall is moved by less [r]
 
 double timeStep(const World& world)
 {
@@ -24,7 +25,8 @@ double timeStep(const World& world)
     {
         return *world.scene.motion.dt / world.frame.time;
     }
-    const double step = world.scene.motion.mode == Motion::skip ? kSkipStep : kStep;
+    const bool quiet = world.scene.motion.mode == Motion::skip && !world.scene.move.any();
+    const double step = quiet ? kSkipStep : kStep;
     return step * std::sqrt(world.radii.smallest());
 }
 
@@ -35,7 +37,9 @@ FastEngine::FastEngine(World& world)
       release_(world, world.scene.motion.mode == Motion::fall ? kTopBand : world.height),
       descent_(world, falls_), flight_(world, {world.scene.motion.restitution}),
       threads_(world.scene.threads), grid_(world.resting.frame()),
-      encounters_(grid_, flight_, threads_, {world.scene.motion.restitution}),
+      encounters_(grid_, flight_, threads_,
+                  {.restitution = world.scene.motion.restitution,
+                   .sweeps = world.scene.move.any() ? kSweepsInAvalanche : 4}),
       setSize_(groupSize(world) * world.scene.spheres.groupsPerSet),
       ageLimit_(world.scene.freezing.setTimeLimit + 4 * std::sqrt(2 * world.height))
 {
@@ -59,11 +63,11 @@ bool FastEngine::step()
     }
     // A search that found nothing is not repeated before the runners have moved on.
     const auto few = static_cast<std::size_t>(kStillRunning * static_cast<double>(setSize_));
-    if (running_ == 0 || (running_ <= few && mayRelease_))
+    if (!moving_ && (running_ == 0 || (running_ <= few && mayRelease_)))
     {
         mayRelease_ = releaseSet();
     }
-    if (running_ == 0)
+    if (running_ == 0 && !followObject())
     {
         finish();
         return false;
@@ -71,12 +75,17 @@ bool FastEngine::step()
     advance();
     ++world_.steps;
     world_.time += world_.dt;
+    if (moving_)
+    {
+        world_.pull = world_.motion.pullAt(world_.time - world_.motionStart);
+    }
     if (++stepsInWindow_ == windowSteps_)
     {
         const StageTimer timer(world_.times, Stage::freezing);
         stepsInWindow_ = 0;
         mayRelease_ = true;
         freezeCalm();
+        letGoWhenDue();
     }
     if (discard_)
     {
@@ -90,6 +99,14 @@ void FastEngine::finish()
 {
     world_.full = world_.targetCount == 0 || world_.spheres.size() < world_.targetCount;
     world_.finished = true;
+    if (motionIsOver_ && world_.scene.discard.rule == DiscardRule::exact)
+    {
+        discard_ = std::make_unique<ExactDiscard>(world_);
+        for (std::uint32_t id = 0; id < world_.spheres.size(); ++id)
+        {
+            discard_->addResting(id);
+        }
+    }
     if (discard_)
     {
         discard_->update({});
@@ -188,6 +205,8 @@ double FastEngine::runningEnergy() const
 
 void FastEngine::advance()
 {
+    const bool gravityChanges =
+        moving_ && world_.time - world_.motionStart < world_.motion.duration();
     const std::span<Runner> runners(runners_.data(), running_);
     const double energyBefore = runningEnergy();
     {
@@ -196,7 +215,8 @@ void FastEngine::advance()
                          [&](std::size_t i)
                          {
                              flight_.advance(runners[i], world_.dt);
-                             runners[i].age += world_.dt;
+                             // While the object moves, nothing is due to be at rest.
+                             runners[i].age += gravityChanges ? 0 : world_.dt;
                          });
     }
     {
@@ -215,7 +235,11 @@ void FastEngine::advance()
         meetings += runner.meeting.size();
     }
     world_.operations.runningRunningTests += meetings / 2;
-    world_.energy.enter(energyBefore, runningEnergy(), mass * world_.height);
+    // A moving object does work on the spheres, which is not counted.
+    if (!moving_)
+    {
+        world_.energy.enter(energyBefore, runningEnergy(), mass * world_.height);
+    }
 }
 
 bool FastEngine::clearOfRunners(const Eigen::Vector3d& place, double radius) const

@@ -12,6 +12,7 @@
 #include <simulation/set_clock.hpp>
 #include <simulation/world.hpp>
 
+#include <array>
 #include <vector>
 
 namespace frostfill
@@ -36,6 +37,11 @@ private:
     void freezeCalm();
     const std::vector<std::uint32_t>& calmRunners();
     void findPlace(Runner& runner) const;
+    bool followObject();
+    void letGoWhenDue();
+    void letGo();
+    [[nodiscard]] bool isCarried(std::uint32_t id);
+    void unfreeze(std::uint32_t id);
     [[nodiscard]] bool tryFreeze(std::uint32_t index);
     [[nodiscard]] std::vector<std::uint32_t> overlappedBy(std::uint32_t index) const;
     [[nodiscard]] bool makeRoom(std::uint32_t index, double farthest);
@@ -67,6 +73,11 @@ private:
     std::uint32_t nextGroup_ = 0;
     std::size_t setSize_ = 0;
     double ageLimit_ = 0;
+    bool moving_ = false; ///< the object moves, or what that let go still runs
+    bool motionIsOver_ = false;
+    std::array<Eigen::Vector3d, 8> lookedAt_; ///< the pull's direction at the box's corners when
+                                              ///< all at rest were last looked at
+    std::vector<Eigen::Vector3d> normals_;    ///< scratch of isCarried
 };
 
 } // namespace frostfill

@@ -42,13 +42,14 @@ void Runner::restart(std::uint32_t newId, const Eigen::Vector3d& p, double newRa
 
 void Flight::advance(Runner& runner, double dt) const
 {
-    const Eigen::Vector3d gravity(0, -world_.frame.gravity, 0);
+    const Eigen::Vector3d gravity = world_.pull.at(runner.position, runner.velocity);
+    const double strength = std::max(1.0, gravity.norm());
     double left = dt;
-    const double longest = dt * (runner.velocity.norm() + dt);
+    const double longest = dt * (runner.velocity.norm() + strength * dt);
     const int mostParts = kMostParts + static_cast<int>(longest / (Neighbourhood::kSkin / 2));
     for (int part = 0; part < mostParts && left > 1e-12 * dt; ++part)
     {
-        const double ahead = left * (runner.velocity.norm() + left);
+        const double ahead = left * (runner.velocity.norm() + strength * left);
         runner.around.ensure(world_, runner.position, runner.radius,
                              std::min(ahead, Neighbourhood::kSkin / 2));
         contactNormals(world_.surface, runner.around, runner.position, runner.radius, kTouch,

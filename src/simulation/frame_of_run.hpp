@@ -40,6 +40,18 @@ struct FrameOfRun
     {
         return origin + toMeshOffset(p);
     }
+    [[nodiscard]] Eigen::Matrix3d toMeshRotation(const Eigen::Matrix3d& rotation) const
+    {
+        Eigen::Matrix3d q;
+        for (int row = 0; row < 3; ++row)
+        {
+            for (int column = 0; column < 3; ++column)
+            {
+                q(axis[row], axis[column]) = rotation(row, column);
+            }
+        }
+        return q;
+    }
     [[nodiscard]] TriangleMesh toRun(const TriangleMesh& mesh) const;
 };
 

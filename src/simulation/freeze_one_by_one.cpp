@@ -22,8 +22,9 @@ constexpr double kContactGap = 0.01;      // below which a contact carries, for 
 constexpr double kMostlyCarried = 0.5;    // weight that may be missing at that first look
 constexpr double kLongestSettling = 0.15; // a sphere that is frozen comes down by less [r]
 constexpr double kNearRoom = 0.1; // that a runner may be moved out of a freezing one's place [r]
-constexpr double kFarRoom = 1;    // the same for one that is overdue [r]
-constexpr std::uint32_t kPatience = 8; // calm windows after which a sphere stops giving way
+constexpr double kFarRoom = 1;    // the same for one that others have been blocking for long [r]
+constexpr std::uint32_t kPatience = 8;      // calm windows after which a sphere stops giving way
+constexpr std::uint32_t kLongPatience = 16; // after which others must make room for it
 
 } // namespace
 
@@ -75,11 +76,12 @@ const std::vector<std::uint32_t>& FastEngine::calmRunners()
             calm_.push_back(k);
         }
     }
+    const Eigen::Vector3d down = world_.pull.direction(Eigen::Vector3d::Zero());
     std::sort(calm_.begin(), calm_.end(),
-              [this](std::uint32_t a, std::uint32_t b)
+              [&](std::uint32_t a, std::uint32_t b)
               {
-                  const double ya = runners_[a].position.y();
-                  const double yb = runners_[b].position.y();
+                  const double ya = -runners_[a].position.dot(down);
+                  const double yb = -runners_[b].position.dot(down);
                   return ya < yb || (ya == yb && a < b);
               });
     return calm_;
@@ -95,7 +97,8 @@ void FastEngine::findPlace(Runner& runner) const
     runner.around.ensure(world_, runner.position, runner.radius, 0);
     contactNormals(world_.surface, runner.around, runner.position, runner.radius,
                    kContactGap * runner.radius, runner.normals);
-    const double missing = projectToFree({0, -1, 0}, runner.normals).norm();
+    const double missing =
+        projectToFree(world_.pull.direction(runner.position), runner.normals).norm();
     if (missing > kMostlyCarried && !tooOld)
     {
         return;
@@ -116,7 +119,8 @@ bool FastEngine::tryFreeze(std::uint32_t index)
     const Eigen::Vector3d place = *runner.carriedAt;
     const bool tooOld = runner.age > ageLimit_;
     freezeAt(runner, place);
-    if (!makeRoom(index, tooOld ? kFarRoom : kNearRoom))
+    const bool blocked = tooOld || runner.calmWindows > kLongPatience;
+    if (!makeRoom(index, blocked ? kFarRoom : kNearRoom))
     {
         if (!tooOld)
         {

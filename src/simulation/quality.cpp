@@ -18,7 +18,6 @@ constexpr double kContactGap =
     0.01; // [own radius] below which a gap counts as a contact that carries
 constexpr double kUnsupported = 0.1;   // [g] of weight that may remain uncarried
 constexpr double kWindingBudget = 2e6; // winding numbers: spheres times triangles worth computing
-constexpr double kFitError = 0.0093;   // largest error of the fit over shapes, r S / V <= 0.3
 
 class Examination
 {
@@ -67,8 +66,7 @@ private:
         normals_.clear();
         meetSpheres(id, p, resting);
         meetWalls(id, p);
-        if (resting && world_.frame.gravity > 0 &&
-            projectToFree({0, -1, 0}, normals_).norm() > kUnsupported)
+        if (resting && projectToFree(world_.pull.direction(p), normals_).norm() > kUnsupported)
         {
             ++report_.unsupported;
         }
@@ -132,16 +130,21 @@ private:
         const double unit = std::pow(world_.frame.length, 3);
         report_.meshVolume = world_.report.volume;
         report_.sphereVolume = 4.0 / 3.0 * std::numbers::pi * sumOfCubes_ * unit;
-        if (!world_.full)
+        if (!world_.full || !world_.radii.equal())
         {
-            // The fit is for objects into which no more spheres fit.
+            // The fit is for objects into which no more equal spheres fit.
             report_.volumeEstimate = std::numeric_limits<double>::quiet_NaN();
             report_.volumeEstimateError = report_.volumeEstimate;
             return;
         }
-        report_.volumeEstimate = report_.sphereVolume / kPackingFraction +
-                                 kWallLayer * world_.frame.length * world_.report.area;
-        report_.volumeEstimateError = kFitError * report_.volumeEstimate;
+        const PackingCalibration packing = packingCalibration(world_.scene);
+        const double taken = report_.sphereVolume / packing.fraction;
+        const double layer = world_.frame.length * world_.report.area;
+        report_.volumeEstimate = taken + packing.wallLayer * layer;
+        const double ofShape = report_.volumeEstimate * packing.formulaError *
+                               growthOfError(layer / world_.report.volume);
+        const double ofCount = taken * scatterOfCount(static_cast<double>(world_.spheres.size()));
+        report_.volumeEstimateError = std::hypot(ofShape, ofCount);
     }
 
     const World& world_;

@@ -179,6 +179,9 @@ void Simulation::capture(Snapshot& snapshot) const
         snapshot.polygons = world.polygons;
     }
     snapshot.origin = world.frame.origin;
+    const Eigen::Isometry3d pose = world.pose();
+    snapshot.rotation = world.frame.toMeshRotation(pose.linear());
+    snapshot.offset = world.frame.toMeshOffset(pose.translation());
     snapshot.stateChangesSeen = world.stateChanges.size();
     snapshot.time = time();
     snapshot.step = world.steps;

@@ -39,6 +39,7 @@ World::World(const Scene& sceneOfRun, const TriangleMesh& mesh)
       frame(scene, report.box, radii.largest()), surface(frame.toRun(mesh)),
       triangles(surface, gridOver(surface, kTriangleCell), kTriangleReach),
       inside(surface, triangles), height(surface.box().sizes().y()),
+      motion(scene.move, frame, height), pull(motion.pullAt(0)),
       resting(gridOver(surface, kSphereCell)), polygons(mesh.triangles.size(), PolygonState::active)
 {
     radii = radii.inLargest();
@@ -77,6 +78,16 @@ void World::unfreezeLast()
     spheres.state[id] = SphereState::running;
     resting.remove(id);
     --restingCount;
+}
+
+void World::unfreeze(std::uint32_t id)
+{
+    discardedCount -= spheres.state[id] == SphereState::discarded ? 1 : 0;
+    spheres.state[id] = SphereState::running;
+    resting.remove(id);
+    --restingCount;
+    stateChanges.push_back(id);
+    runningIds.insert(std::lower_bound(runningIds.begin(), runningIds.end(), id), id);
 }
 
 std::uint32_t World::withdraw(std::uint32_t id)

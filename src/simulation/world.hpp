@@ -7,9 +7,12 @@
 #include <scene/radius_distribution.hpp>
 #include <simulation/energy_book.hpp>
 #include <simulation/frame_of_run.hpp>
+#include <simulation/object_motion.hpp>
 #include <simulation/sphere_grid.hpp>
 #include <simulation/spheres.hpp>
 
+#include <algorithm>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -33,7 +36,10 @@ struct World
     Surface surface;
     TriangleGrid triangles; ///< within reach 1.5 of each cell
     InsideTest inside;
-    double height = 0; ///< of the object [r]
+    double height = 0;   ///< of the object [r]
+    ObjectMotion motion; ///< of the object, from motionStart on
+    double motionStart = std::numeric_limits<double>::infinity();
+    Pull pull; ///< at this time
 
     // What is in it.
     Spheres spheres;
@@ -67,6 +73,13 @@ struct World
     void freeze(std::uint32_t id);
     /// To be called after freezing: takes the frozen ones out of runningIds.
     void forgetFrozen();
+    /// Lets a sphere at rest run again.
+    void unfreeze(std::uint32_t id);
+    /// How the object stands at this time; see ObjectMotion.
+    [[nodiscard]] Eigen::Isometry3d pose() const
+    {
+        return motion.poseAt(std::max(0.0, time - motionStart));
+    }
     /// Takes back the freezing of the sphere that was frozen last, at the same place.
     void unfreezeLast();
     /// Takes out a running sphere for which there is no room. The sphere with the highest id takes

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
+#include <ctime>
 
 namespace frostfill
 {
@@ -19,9 +19,12 @@ namespace
 constexpr std::uint64_t kStepsPerLook = 8; // at where centres are
 constexpr double kRoundingOfPlace = 1e-9;  // [r] a centre that is outside by less is on the wall
 
-double secondsSince(std::chrono::steady_clock::time_point start)
+/// Of this thread's processor, so that a limit does not depend on what else the machine does.
+double secondsOfThread()
 {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 /// Looks at the running spheres while they run.
@@ -82,14 +85,14 @@ Verdict judge(const StressRun& run, const StressOutcome& outcome, const World& w
 
 void runWorld(const StressRun& run, StressOutcome& outcome)
 {
-    const auto start = std::chrono::steady_clock::now();
+    const double start = secondsOfThread();
     const TriangleMesh mesh = repairMesh(run.mesh, run.scene.object.mesh).mesh;
     validateScene(run.scene);
     World world(run.scene, mesh);
     const std::unique_ptr<Engine> engine = makeEngine(world);
     placeSpheres(run, world, *engine);
     Watch watch(world);
-    while (watch.finite() && secondsSince(start) < run.secondsLimit && engine->step())
+    while (watch.finite() && secondsOfThread() - start < run.secondsLimit && engine->step())
         if (world.steps % kStepsPerLook == 1)
             watch.look();
     watch.look();
@@ -110,7 +113,7 @@ void runWorld(const StressRun& run, StressOutcome& outcome)
     }
     outcome.hash = hashState(world.spheres);
     outcome.verdict = judge(run, outcome, world, finite);
-    outcome.seconds = secondsSince(start);
+    outcome.seconds = secondsOfThread() - start;
 }
 
 } // namespace

@@ -35,7 +35,7 @@ struct StressRun
     TriangleMesh mesh;                ///< as it comes: it is repaired first
     std::vector<PlacedSphere> placed; ///< mesh coordinates; when empty, spheres appear as usual
     bool mustRest = true;             ///< false where nothing takes the energy away
-    double secondsLimit = 60;         ///< of wall time
+    double secondsLimit = 60;         ///< of processor time
 };
 
 struct StressOutcome
@@ -44,7 +44,7 @@ struct StressOutcome
     std::string message; ///< of the refusal
     std::size_t spheres = 0;
     std::uint64_t steps = 0;
-    double seconds = 0;      ///< of wall time
+    double seconds = 0;      ///< of processor time, of the thread that leads
     std::size_t outside = 0; ///< most centres that were outside at once
     std::size_t overdue = 0; ///< spheres that did not come to rest in time
     double energyGain = 0;   ///< see QualityReport
