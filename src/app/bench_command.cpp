@@ -4,6 +4,8 @@
 #include "app/say.hpp"
 
 #include "output/atomic_file.hpp"
+#include "study/closed_forms.hpp"
+#include "study/error_study.hpp"
 #include "study/figures/all_figures.hpp"
 #include "study/operations_study.hpp"
 #include "study/stability_study.hpp"
@@ -24,6 +26,7 @@ namespace
 constexpr const char* kExamples = R"(Examples:
   frostfill bench operations                the paper's lemmas against what is counted
   frostfill bench operations --quick --out output/bench
+  frostfill bench error                     what accuracy costs
   frostfill bench stability                 where which method breaks
 )";
 
@@ -126,6 +129,47 @@ int benchStability(const BenchArguments& arguments)
     return sound ? 0 : static_cast<int>(ErrorCode::thresholdFailed);
 }
 
+/// Which claims about errors do not hold, a line each.
+std::vector<std::string> brokenClaims(const std::vector<ClosedFormPoint>& closed,
+                                      const std::vector<ErrorPoint>& points)
+{
+    std::vector<std::string> broken;
+    for (const ClosedFormPoint& point : closed)
+        if (!point.holds())
+            broken.push_back(fmt::format("{}, {}, {} {:g}: error {:.2e}, but {:.2e} is claimed",
+                                         point.problem, point.method, point.parameter, point.value,
+                                         point.error, point.expected));
+    for (const ErrorPoint& point : points)
+        if (point.study == "discards" && point.curve == "exact" && point.error != 0)
+            broken.push_back(fmt::format("{}: exact discards change the result", point.setting));
+    return broken;
+}
+
+int benchError(const BenchArguments& arguments)
+{
+    TaskBar bar;
+    const std::vector<ClosedFormPoint> closed = measureClosedForms(arguments.quick);
+    const std::vector<ErrorPoint> points = measureErrors(
+        arguments.quick, [&](std::size_t done, std::size_t all, const std::string& what)
+        { bar.update(done, all, what); });
+    bar.close();
+    writeTable(arguments, "closed-forms.csv", closedFormsCsv(closed));
+    fmt::print("{}\n", formatText(closedFormsTable(closed)));
+    for (const ErrorStudyInfo& study : errorStudies())
+    {
+        writeTable(arguments, fmt::format("error-{}.csv", study.name).c_str(),
+                   errorCsv(points, study));
+        fmt::print("{}\n", formatText(errorTable(points, study)));
+    }
+    draw(arguments, closedFormsFigure());
+    draw(arguments, errorFigure());
+    const std::vector<std::string> broken = brokenClaims(closed, points);
+    for (const std::string& claim : broken)
+        fmt::print("{}\n", claim);
+    fmt::print("verdict: {}\n", broken.empty() ? "errors are as claimed" : "claims do not hold");
+    return broken.empty() ? 0 : static_cast<int>(ErrorCode::thresholdFailed);
+}
+
 } // namespace
 
 Command addBenchCommand(CLI::App& program)
@@ -140,6 +184,8 @@ Command addBenchCommand(CLI::App& program)
     static constexpr Named kBenches[] = {
         {"operations", "Tests and responses against the paper's Lemmas 1, 2 and 3",
          "20 groups instead of 200", benchOperations},
+        {"error", "Run time against error, and errors against closed forms",
+         "Few spheres and settings: under a minute", benchError},
         {"stability", "A matrix of extreme scenes, with a verdict for each",
          "Without the cells that take long: under a minute", benchStability},
     };

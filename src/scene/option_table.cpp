@@ -121,7 +121,9 @@ void addMotion(TableBuilder& table)
               FROSTFILL_FIELD(motion.mode));
     table.add("motion.integrator", "--integrator", "Euler's method, of the preset paper",
               FROSTFILL_FIELD(motion.integrator));
-    table.add("motion.dt", "--dt", "Time step [s]", FROSTFILL_FIELD(motion.dt))
+    table
+        .add("motion.dt", "--dt", "Time step [s]; fast divides a longer one than 0.33 sqrt(r/g)",
+             FROSTFILL_FIELD(motion.dt))
         .orNothing("auto")
         .above(0);
     table
@@ -278,7 +280,8 @@ void addPicture(TableBuilder& table)
               "wedge of azimuths [degree]",
               FROSTFILL_FIELD(style.cutaway));
     table.add("picture.ambient_occlusion", "--ambient-occlusion",
-              "Darken what neighbours shade; doubles the time", FROSTFILL_FIELD(style.ambientOcclusion));
+              "Darken what neighbours shade; doubles the time",
+              FROSTFILL_FIELD(style.ambientOcclusion));
     table.add("picture.legend", "--legend", "Counts and colours in the picture",
               FROSTFILL_FIELD(style.legend));
     table.add("picture.shell", "--shell", "The mesh as a translucent shell",

@@ -13,6 +13,7 @@ namespace
 
 constexpr double kStep = 0.165;        // default time step [sqrt(r/g) of the smallest sphere]
 constexpr double kSkipStep = 0.33;     // the same with Motion::skip, where nothing falls from far
+constexpr double kLongestStep = 0.33;  // a longer one is divided [sqrt(r/g) of the smallest]
 constexpr double kWindow = 0.33;       // over which a sphere is watched [sqrt(r/g)]
 constexpr double kStillRunning = 0.2;  // share of a set that may run when the next one appears
 constexpr int kSweepsInAvalanche = 40; // of encounters at most, where whole piles run at once
@@ -23,7 +24,10 @@ double timeStep(const World& world)
 {
     if (world.scene.motion.dt)
     {
-        return *world.scene.motion.dt / world.frame.time;
+        // In longer steps gravity alone makes spheres in contact too fast to come to rest.
+        const double longest = kLongestStep * std::sqrt(world.radii.smallest());
+        const double asked = *world.scene.motion.dt / world.frame.time;
+        return asked / std::ceil(asked / longest);
     }
     const bool quiet = world.scene.motion.mode == Motion::skip && !world.scene.move.any();
     const double step = quiet ? kSkipStep : kStep;

@@ -22,9 +22,11 @@ constexpr double kContactGap = 0.01;      // below which a contact carries, for 
 constexpr double kMostlyCarried = 0.5;    // weight that may be missing at that first look
 constexpr double kLongestSettling = 0.15; // a sphere that is frozen comes down by less [r]
 constexpr double kNearRoom = 0.1; // that a runner may be moved out of a freezing one's place [r]
-constexpr double kFarRoom = 1;    // the same for one that others have been blocking for long [r]
-constexpr std::uint32_t kPatience = 8;      // calm windows after which a sphere stops giving way
-constexpr std::uint32_t kLongPatience = 16; // after which others must make room for it
+constexpr double kFarRoom = 1;    // the same for one that is overdue [r]
+constexpr std::uint32_t kPatience = 8; // calm windows after which a sphere stops giving way
+// In a narrow wedge between a wall and a sphere each move gains little. A sphere that cannot be
+// moved out of one blocks the one below it, and all that lie on them, until they are overdue.
+constexpr int kMovesOutOfWedge = 1000;
 
 } // namespace
 
@@ -119,8 +121,7 @@ bool FastEngine::tryFreeze(std::uint32_t index)
     const Eigen::Vector3d place = *runner.carriedAt;
     const bool tooOld = runner.age > ageLimit_;
     freezeAt(runner, place);
-    const bool blocked = tooOld || runner.calmWindows > kLongPatience;
-    if (!makeRoom(index, blocked ? kFarRoom : kNearRoom))
+    if (!makeRoom(index, tooOld ? kFarRoom : kNearRoom))
     {
         if (!tooOld)
         {
@@ -175,7 +176,8 @@ bool FastEngine::makeRoom(std::uint32_t index, double farthest)
     for (const std::uint32_t k : overlapped)
     {
         moved_.push_back(runners_[k].position);
-        if (!moveClear(world_, moved_.back(), runners_[k].radius, farthest * runners_[k].radius))
+        if (!moveClear(world_, moved_.back(), runners_[k].radius, farthest * runners_[k].radius,
+                       kMovesOutOfWedge))
         {
             return false;
         }

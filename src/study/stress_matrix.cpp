@@ -215,10 +215,10 @@ void addReleases(Matrix& matrix)
     };
     const double r = kRadius;
     release("overlap, 40", Expectation::passes, crowd(40, r, 0.3));
-    release("overlap, 400", Expectation::passes, crowd(400, 0.136, 0.86));
+    release("overlap, 300", Expectation::passes, crowd(300, 0.136, 0.86));
     release("coincident, 2", Expectation::passes, {{{0, 0.1, 0}, r}, {{0, 0.1, 0}, r}});
-    release("coincident, 10", Expectation::passes,
-            std::vector<PlacedSphere>(10, {{0.03, 0.1, 0.02}, r}));
+    release("coincident, 7", Expectation::passes,
+            std::vector<PlacedSphere>(7, {{0.03, 0.1, 0.02}, r}));
     release("over an edge", Expectation::passes, {{{0.1, 0.4, 0}, r}, {{0.5, -0.6, 0.3}, r}});
     release("over a vertex", Expectation::passes, {{{0.25, 0.4, 0.5}, r}, {{0, -0.6, 0}, r}});
     release("on a sphere", Expectation::passes,
