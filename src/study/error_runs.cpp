@@ -78,9 +78,9 @@ struct StepMethod
 };
 constexpr StepMethod kStepMethods[] = {
     {"fast", Preset::fast, Integrator::explicitEuler, Motion::fall},
-    {"fast, skip", Preset::fast, Integrator::explicitEuler, Motion::skip},
+    {"fast skip", Preset::fast, Integrator::explicitEuler, Motion::skip},
     {"paper", Preset::paper, Integrator::explicitEuler, Motion::fall},
-    {"paper, semi-implicit", Preset::paper, Integrator::semiImplicitEuler, Motion::fall},
+    {"paper semi-implicit", Preset::paper, Integrator::semiImplicitEuler, Motion::fall},
 };
 
 ErrorPoint stepRun(const StepMethod& method, double factor, std::uint64_t count)
@@ -189,7 +189,7 @@ ErrorPoint layerRun(Motion motion, std::uint32_t setSize, double diameters)
     constexpr double kRandomClose = 0.639;
     const double layers = setSize / (1.15 * diameters * diameters);
     return {"layers",
-            motion == Motion::skip ? "fast, skip" : "fast",
+            motion == Motion::skip ? "fast skip" : "fast",
             fmt::format("{} a set", setSize),
             false,
             run.seconds,

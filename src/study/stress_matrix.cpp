@@ -259,9 +259,9 @@ const std::vector<StressMethod>& stressMethods()
 {
     static const std::vector<StressMethod> kMethods = {
         {"fast", Preset::fast, Integrator::explicitEuler, Motion::fall},
-        {"fast, skip", Preset::fast, Integrator::explicitEuler, Motion::skip},
+        {"fast skip", Preset::fast, Integrator::explicitEuler, Motion::skip},
         {"paper", Preset::paper, Integrator::explicitEuler, Motion::fall},
-        {"paper, semi-implicit", Preset::paper, Integrator::semiImplicitEuler, Motion::fall},
+        {"paper semi-implicit", Preset::paper, Integrator::semiImplicitEuler, Motion::fall},
     };
     return kMethods;
 }

@@ -23,7 +23,7 @@ constexpr double kEnergyTolerance = 1e-9;
 /// A scene whose every number is drawn from a seed.
 Scene randomScene(std::uint64_t seed)
 {
-    const auto draw = [&, k = std::uint64_t{0}](double low, double high) mutable
+    auto draw = [&, k = std::uint64_t{0}](double low, double high) mutable
     { return low + (high - low) * uniformRandom(seed, 77, ++k); };
     Scene scene = presetScene(Preset::fast, "torus");
     scene.seed = seed;

@@ -7,12 +7,13 @@ data = "closed-forms.csv"
 floor = 1e-16
 is(p, m) = strcol("problem") eq p && strcol("method") eq m
 at(p, m) = is(p, m) ? (column("magnitude") > floor ? column("magnitude") : floor) : NaN
+set datafile missing NaN
 set logscale xy
 set format y "10^{%T}"
 set xlabel "step [sqrt(r/g)]"
 set yrange [3e-17:3]
 set xrange [7e-4:0.14]
-set multiplot layout 1,2 margins 0.075,0.985,0.3,0.92 spacing 0.09
+set multiplot layout 1,2 margins 0.09,0.985,0.3,0.92 spacing 0.1
 set title "Free fall and throw" font ",16"
 set ylabel "error [r]"
 set key at screen 0.06,0.015 left bottom maxcols 1

@@ -11,6 +11,7 @@ front(x) = column("front") == 1 ? column(x) : NaN
 ours(x) = column("default") == 1 ? column(x) : NaN
 colours = "#0072b2 #56b4e9 #d55e00 #e69f00 #009e73"
 marks = "5 9 7 11 13"
+set datafile missing NaN
 set logscale xy
 set format x "%g"
 set format y "10^{%T}"
@@ -18,8 +19,8 @@ set xlabel "processor time [s]"
 set multiplot layout 2,2 margins 0.075,0.985,0.075,0.95 spacing 0.085,0.125
 set title "Steps: overlap + unsupported share" font ",16"
 set ylabel "largest overlap [r] + unsupported share"
-curves = "'fast' 'fast, skip' 'paper' 'paper, semi-implicit'"
-set key bottom left
+curves = "'fast' 'fast skip' 'paper' 'paper semi-implicit'"
+set key inside center right
 data = "error-steps.csv"
 plot for [i=1:4] data using (on(word(curves,i),"seconds")):(clip(on(word(curves,i),"error"))) \
         with points pointtype int(word(marks,i)) pointsize 1.2 linecolor rgb word(colours,i) \
@@ -32,7 +33,7 @@ set title "Discards: deviation from the run without"
 set ylabel "farthest deviation [r]"
 set xlabel "share of spheres dropped [%]"
 unset logscale x
-set key at graph 0.02,0.5 left center
+set key inside center right
 data = "error-discards.csv"
 plot data using (100*on("paper","spheres_dropped")):(clip(on("paper","error"))) with points \
         pointtype 7 pointsize 1.3 linecolor rgb vermillion title "paper's rules", \
@@ -44,7 +45,7 @@ set xlabel "r S / V"
 set logscale x
 unset logscale y
 set format y "%g"
-set key bottom left
+set key inside top left
 objects = "torus sphere cube human"
 data = "error-volume.csv"
 plot for [i=1:4] data using (on(word(objects,i),"rS_over_V")):(100*on(word(objects,i), \
@@ -55,8 +56,8 @@ plot for [i=1:4] data using (on(word(objects,i),"rS_over_V")):(100*on(word(objec
 set title "Layers in a set: packing fraction far from walls"
 set ylabel "packing fraction"
 set xlabel "layers in a set"
-set yrange [0.56:0.65]
-set key bottom right
+set yrange [0.56:0.69]
+set key inside top right
 data = "error-layers.csv"
 plot for [i=1:1] data using (on("fast","layers")):(on("fast","fraction")) with linespoints \
         pointtype 5 linewidth 2 linecolor rgb blue title "fast", \

@@ -14,7 +14,7 @@ colour(code) = code == 0 ? 0xb9e3d3 : code == 1 ? 0xd7e3ee : code == 2 ? 0xf6e27
     code == 3 ? 0xe69f00 : code == 4 ? 0xcc79a7 : code == 5 ? 0xd55e00 : code == 6 ? 0x202020 : \
     code == 7 ? 0x8c8c8c : 0xf4f4f4
 ink(code) = code == 6 ? 0xffffff : code == 5 ? 0xffffff : 0x202020
-methods = "'fast' 'fast, skip' 'paper' 'paper, semi-implicit'"
+methods = "'fast' 'fast skip' 'paper' 'paper semi-implicit'"
 titles = "'fast' 'fast, from the first contact on' 'paper (explicit Euler)' 'paper, semi-implicit Euler'"
 is(method) = strcol("method") eq method
 row(method) = is(method) ? -column("row") : NaN
