@@ -192,6 +192,11 @@ void FastEngine::releaseAt(std::span<const PlacedSphere> spheres)
     }
     openSet(spheres.size());
     encounters_.separate({runners_.data(), running_});
+    for (std::size_t k = 0; k < running_; ++k)
+    {
+        world_.spheres.setPosition(runners_[k].id, runners_[k].position);
+        runners_[k].watched = runners_[k].position;
+    }
 }
 
 double FastEngine::runningEnergy() const

@@ -24,6 +24,8 @@ RadiusDistribution radiiOf(const Scene& scene, const MeshReport& mesh)
 constexpr double kTriangleCell = 1;
 constexpr double kTriangleReach = 1.5;
 constexpr double kSphereCell = 2;
+/// A centre that is nearer to a wall lies on it, but for rounding. [r]
+constexpr double kOnTheWall = 1e-9;
 /// Share of the object's mean cross-section that a set covers when its size is not given.
 constexpr double kFootprint = 0.1;
 
@@ -164,7 +166,7 @@ void requireInside(const World& world, std::span<const PlacedSphere> spheres)
         const Eigen::Vector3d& p = spheres[k].place;
         const auto near = world.triangles.near(p);
         if (!p.allFinite() || !world.inside.contains(p) ||
-            (!near.empty() && nearestDistance(world.surface, near, p).value <= 0))
+            (!near.empty() && nearestDistance(world.surface, near, p).value <= kOnTheWall))
         {
             const Eigen::Vector3d q = world.frame.toMesh(p);
             throw Error(ErrorCode::badData,

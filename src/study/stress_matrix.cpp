@@ -80,7 +80,7 @@ void addSteps(Matrix& matrix, bool quick)
             matrix.add("step [s]", fmt::format("{:g}", dt),
                        [dt](StressRun& run) { run.scene.motion.dt = dt; });
     for (const double dt : {1e-3, 1e-2, 3e-2, 1e-1})
-        matrix.add("step [s], e = 1", fmt::format("{:g}", dt),
+        matrix.add("step [s] at e = 1", fmt::format("{:g}", dt),
                    [dt](StressRun& run)
                    {
                        run.scene.motion.dt = dt;
@@ -170,9 +170,10 @@ void addUnits(Matrix& matrix)
 
 void addMeshes(Matrix& matrix)
 {
-    for (const double height : {1e-3, 1e-7, 1e-12, 1e-16})
-        matrix.add("mesh", fmt::format("sliver {:.0e}", height),
-                   [=](StressRun& run) { run.mesh = withSlivers(run.mesh, height); });
+    for (const int exponent : {-3, -7, -12, -16})
+        matrix.add("mesh", fmt::format("sliver 1e{}", exponent),
+                   [=](StressRun& run)
+                   { run.mesh = withSlivers(run.mesh, std::pow(10, exponent)); });
     matrix.add("mesh", "duplicates",
                [](StressRun& run) { run.mesh = withDuplicates(run.mesh, 200); });
     matrix.add("mesh", "T-junctions", Expectation::either,
@@ -214,18 +215,18 @@ void addReleases(Matrix& matrix)
         matrix.last().atOnce = spheres.size();
     };
     const double r = kRadius;
-    release("overlap, 40", Expectation::passes, crowd(40, r, 0.3));
-    release("overlap, 300", Expectation::passes, crowd(300, 0.136, 0.86));
-    release("coincident, 2", Expectation::passes, {{{0, 0.1, 0}, r}, {{0, 0.1, 0}, r}});
-    release("coincident, 7", Expectation::passes,
+    release("overlap 40", Expectation::passes, crowd(40, r, 0.3));
+    release("overlap 300", Expectation::passes, crowd(300, 0.136, 0.86));
+    release("same place 2", Expectation::passes, {{{0, 0.1, 0}, r}, {{0, 0.1, 0}, r}});
+    release("same place 7", Expectation::passes,
             std::vector<PlacedSphere>(7, {{0.03, 0.1, 0.02}, r}));
-    release("over an edge", Expectation::passes, {{{0.1, 0.4, 0}, r}, {{0.5, -0.6, 0.3}, r}});
-    release("over a vertex", Expectation::passes, {{{0.25, 0.4, 0.5}, r}, {{0, -0.6, 0}, r}});
-    release("on a sphere", Expectation::passes,
+    release("over edge", Expectation::passes, {{{0.1, 0.4, 0}, r}, {{0.5, -0.6, 0.3}, r}});
+    release("over vertex", Expectation::passes, {{{0.25, 0.4, 0.5}, r}, {{0, -0.6, 0}, r}});
+    release("on sphere", Expectation::passes,
             {{{0, -0.9, 0}, r}, {{0, -0.6, 0}, r}, {{0, -0.3, 0}, r}, {{0, 0, 0}, r}});
-    release("in a wall", Expectation::either, {{{0.95, 0.2, 0.1}, r}, {{0, 0.97, -0.99}, r}});
-    release("on the edge", Expectation::refuses, {{{-1, -1, 0.1}, r}});
-    release("on the vertex", Expectation::refuses, {{{-1, -1, -1}, r}});
+    release("in wall", Expectation::either, {{{0.95, 0.2, 0.1}, r}, {{0, 0.97, -0.99}, r}});
+    release("on edge", Expectation::refuses, {{{-1, -1, 0.1}, r}});
+    release("on vertex", Expectation::refuses, {{{-1, -1, -1}, r}});
     release("outside", Expectation::refuses, {{{0, 1.3, 0}, r}});
 }
 

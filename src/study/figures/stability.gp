@@ -1,6 +1,7 @@
+# (gnuplot takes no comma in quoted text, so there is none in the data.)
 # The stress matrix: a row for what is varied, a cell for each value, a panel for each method.
 name = "stability"
-width = 1500
+width = 1800
 height = 1330
 load "style.gp"
 data = "stability.csv"
@@ -40,9 +41,9 @@ do for [i=1:4] {
              ytic(stringcolumn("axis")) with boxxyerror fillstyle solid linewidth 0 \
              linecolor rgb variable, \
          data using "column":(row(method) + (strcol("note") eq "" ? 0 : 0.17)):(mark(method)):\
-             (ink(column("code"))) with labels font ",9.5" textcolor rgb variable, \
+             (ink(column("code"))) with labels font ",9" textcolor rgb variable, \
          data using "column":(row(method) - 0.2):(remark(method)):(ink(column("code"))) \
-             with labels font ",8.5" textcolor rgb variable
+             with labels font ",8" textcolor rgb variable
     if (i == 1) {
         do for [k=100:108] { unset object k; unset label k }
     }

@@ -54,7 +54,7 @@ TEST(StressRun, TellsALeakAndAGainOfEnergy)
     const StressMethod& paper = stressMethods()[2];
     for (const StressCell& cell : stressMatrix(true))
     {
-        if (cell.axis == "step [s], e = 1" && cell.label == "0.1")
+        if (cell.axis == "step [s] at e = 1" && cell.label == "0.1")
         {
             EXPECT_EQ(runUnderStress(cell.make(paper)).verdict, Verdict::leaks);
         }
