@@ -164,9 +164,13 @@ void requireInside(const World& world, std::span<const PlacedSphere> spheres)
     for (std::size_t k = 0; k < spheres.size(); ++k)
     {
         const Eigen::Vector3d& p = spheres[k].place;
-        const auto near = world.triangles.near(p);
-        if (!p.allFinite() || !world.inside.contains(p) ||
-            (!near.empty() && nearestDistance(world.surface, near, p).value <= kOnTheWall))
+        const auto isInside = [&]
+        {
+            const auto near = world.triangles.near(p);
+            return world.inside.contains(p) &&
+                   (near.empty() || nearestDistance(world.surface, near, p).value > kOnTheWall);
+        };
+        if (!p.allFinite() || !isInside())
         {
             const Eigen::Vector3d q = world.frame.toMesh(p);
             throw Error(ErrorCode::badData,
