@@ -37,8 +37,9 @@ set multiplot layout 2,2 margins 0.105,0.99,0.065,0.97 spacing 0.11,0.04
 do for [i=1:4] {
     method = word(methods, i)
     set title word(titles, i) font ",16" offset 0,-0.6
-    plot data using "column":(row(method)):(0.48):(0.46):(colour(column("code"))):\
-             ytic(stringcolumn("axis")) with boxxyerror fillstyle solid linewidth 0 \
+    plot data using (-9):(-column("row")):ytic(stringcolumn("axis")) with points pointsize 0, \
+         data using "column":(row(method)):(0.48):(0.46):(colour(column("code"))) \
+             with boxxyerror fillstyle solid linewidth 0 \
              linecolor rgb variable, \
          data using "column":(row(method) + (strcol("note") eq "" ? 0 : 0.17)):(mark(method)):\
              (ink(column("code"))) with labels font ",9" textcolor rgb variable, \
