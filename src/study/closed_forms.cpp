@@ -302,7 +302,7 @@ private:
         const double a2 = kAmplitude * kAmplitude;
         const double swing = expected * (1 + a2 / 16 + 11 * a2 * a2 / 3072);
         const double half = crossings.size() > 1 ? crossings[1] - crossings[0] : 0;
-        add("bowl", "exact step", "segments", segments, half / (swing / 2) - 1, 40.0 / segments);
+        add("bowl", "exact step", "segments", segments, half / (swing / 2) - 1, 4.0 / segments);
     }
 
     // The places that our own engine freezes at, and those of the paper's.
