@@ -46,6 +46,8 @@ struct QualityReport
     std::size_t unsupported = 0; ///< at rest, but gravity leaves the cone of its contacts
     double energyGain = 0;   ///< largest growth of total energy in a step over the run, relative to
                              ///< the energy of a fall through the object's height
+    double energyExcess = 0; ///< by how much it was at most above its start plus the work done on
+                             ///< it, relative to the same
     double meshVolume = 0;   ///< [unit^3]
     double sphereVolume = 0; ///< [unit^3] of all spheres
     double volumeEstimate = 0; ///< [unit^3] N v / phi + c r S; NaN unless full of equal spheres

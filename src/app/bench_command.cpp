@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands.hpp"
+#include "app/progress.hpp"
 #include "app/say.hpp"
 
 #include "output/atomic_file.hpp"
+#include "study/closed_forms.hpp"
+#include "study/error_study.hpp"
+#include "study/figures/all_figures.hpp"
 #include "study/operations_study.hpp"
+#include "study/stability_study.hpp"
 
 #include <frostfill/error.hpp>
 
@@ -21,6 +26,8 @@ namespace
 constexpr const char* kExamples = R"(Examples:
   frostfill bench operations                the paper's lemmas against what is counted
   frostfill bench operations --quick --out output/bench
+  frostfill bench error                     what accuracy costs
+  frostfill bench stability                 where which method breaks
 )";
 
 constexpr std::uint64_t kGroups = 200;
@@ -30,6 +37,7 @@ struct BenchArguments
 {
     bool quick = false;
     std::string directory = "output/bench";
+    int (*run)(const BenchArguments&) = nullptr;
 };
 
 /// Lemma 1 has one group a set, Lemma 2 several; Lemma 3 is looked at with both.
@@ -47,6 +55,14 @@ std::vector<OperationsCase> operationsCases(bool quick)
     return cases;
 }
 
+void writeTable(const BenchArguments& arguments, const char* name, const Table& table)
+{
+    createDirectory(arguments.directory);
+    AtomicFile out(std::filesystem::path(arguments.directory) / name);
+    out.write(formatCsv(table));
+    out.commit();
+}
+
 int benchOperations(const BenchArguments& arguments)
 {
     std::vector<OperationsResult> results;
@@ -55,11 +71,7 @@ int benchOperations(const BenchArguments& arguments)
         results.push_back(measureOperations(what));
         fmt::print("{}\n", formatText(operationsTable(results.back())));
     }
-    createDirectory(arguments.directory);
-    const auto file = std::filesystem::path(arguments.directory) / "operations.csv";
-    AtomicFile out(file);
-    out.write(formatCsv(operationsCsv(results)));
-    out.commit();
+    writeTable(arguments, "operations.csv", operationsCsv(results));
 
     std::size_t sets = 0;
     std::size_t apart = 0;
@@ -70,7 +82,7 @@ int benchOperations(const BenchArguments& arguments)
                                                         [](const OperationsRow& row)
                                                         { return !row.agrees(); }));
     }
-    fmt::print("{} sets, every row in {}\n", sets, file.string());
+    fmt::print("{} sets, every row in {}/operations.csv\n", sets, arguments.directory);
     if (apart > 0)
     {
         fmt::print("verdict: {} sets do not agree with the lemmas\n", apart);
@@ -80,23 +92,119 @@ int benchOperations(const BenchArguments& arguments)
     return 0;
 }
 
+/// Without gnuplot there is no figure, and that is no failure.
+void draw(const BenchArguments& arguments, const Figure& figure)
+{
+    FigureRequest request;
+    request.directory = arguments.directory;
+    try
+    {
+        drawFigure(figure, request);
+        fmt::print("{}/{}.svg shows it\n\n", arguments.directory, figure.name);
+    }
+    catch (const Error& error)
+    {
+        if (error.code() != ErrorCode::missingProgram)
+            throw;
+        say(fmt::format("no figure: {}\n", error.what()));
+    }
+}
+
+int benchStability(const BenchArguments& arguments)
+{
+    TaskBar bar;
+    const std::vector<StabilityResult> results = measureStability(
+        arguments.quick, [&](std::size_t done, std::size_t all, const std::string& what)
+        { bar.update(done, all, what); });
+    bar.close();
+    writeTable(arguments, "stability.csv", stabilityCsv(results));
+    draw(arguments, stabilityFigure());
+    fmt::print("{}\n", formatText(stabilityTable(results)));
+    for (const Preset preset : {Preset::paper, Preset::fast})
+        if (const Table unsound = unsoundTable(results, preset); !unsound.rows.empty())
+            fmt::print("{}\n", formatText(unsound));
+    const bool sound = unsoundTable(results, Preset::fast).rows.empty();
+    fmt::print("verdict: the preset fast {}\n",
+               sound ? "passes every cell that makes sense, and says why it refuses the others"
+                     : "fails cells of the matrix");
+    return sound ? 0 : static_cast<int>(ErrorCode::thresholdFailed);
+}
+
+/// Which claims about errors do not hold, a line each.
+std::vector<std::string> brokenClaims(const std::vector<ClosedFormPoint>& closed,
+                                      const std::vector<ErrorPoint>& points)
+{
+    std::vector<std::string> broken;
+    for (const ClosedFormPoint& point : closed)
+        if (!point.holds())
+            broken.push_back(fmt::format("{}, {}, {} {:g}: error {:.2e}, but {:.2e} is claimed",
+                                         point.problem, point.method, point.parameter, point.value,
+                                         point.error, point.expected));
+    for (const ErrorPoint& point : points)
+        if (point.study == "discards" && point.curve == "exact" && point.error != 0)
+            broken.push_back(fmt::format("{}: exact discards change the result", point.setting));
+    return broken;
+}
+
+int benchError(const BenchArguments& arguments)
+{
+    TaskBar bar;
+    const std::vector<ClosedFormPoint> closed = measureClosedForms(arguments.quick);
+    const std::vector<ErrorPoint> points = measureErrors(
+        arguments.quick, [&](std::size_t done, std::size_t all, const std::string& what)
+        { bar.update(done, all, what); });
+    bar.close();
+    writeTable(arguments, "closed-forms.csv", closedFormsCsv(closed));
+    fmt::print("{}\n", formatText(closedFormsTable(closed)));
+    for (const ErrorStudyInfo& study : errorStudies())
+    {
+        writeTable(arguments, fmt::format("error-{}.csv", study.name).c_str(),
+                   errorCsv(points, study));
+        fmt::print("{}\n", formatText(errorTable(points, study)));
+    }
+    draw(arguments, closedFormsFigure());
+    draw(arguments, errorFigure());
+    const std::vector<std::string> broken = brokenClaims(closed, points);
+    for (const std::string& claim : broken)
+        fmt::print("{}\n", claim);
+    fmt::print("verdict: {}\n", broken.empty() ? "errors are as claimed" : "claims do not hold");
+    return broken.empty() ? 0 : static_cast<int>(ErrorCode::thresholdFailed);
+}
+
 } // namespace
 
 Command addBenchCommand(CLI::App& program)
 {
+    struct Named
+    {
+        const char* name;
+        const char* text;
+        const char* quick;
+        int (*run)(const BenchArguments&);
+    };
+    static constexpr Named kBenches[] = {
+        {"operations", "Tests and responses against the paper's Lemmas 1, 2 and 3",
+         "20 groups instead of 200", benchOperations},
+        {"error", "Run time against error, and errors against closed forms",
+         "Few spheres and settings: under a minute", benchError},
+        {"stability", "A matrix of extreme scenes, with a verdict for each",
+         "Without the cells that take long: under a minute", benchStability},
+    };
     const auto arguments = std::make_shared<BenchArguments>();
     CLI::App* command =
         program.add_subcommand("bench", "Measure one claim and say whether it holds");
     command->footer(kExamples);
     command->require_subcommand(1);
-    CLI::App* operations = command->add_subcommand(
-        "operations", "Tests and responses against the paper's Lemmas 1, 2 and 3");
-    operations->footer(kExamples);
-    operations->add_flag("--quick", arguments->quick, "20 groups instead of 200");
-    operations
-        ->add_option("--out", arguments->directory, "Directory of operations.csv (output/bench)")
-        ->type_name("DIR");
-    return [arguments] { return benchOperations(*arguments); };
+    for (const Named& bench : kBenches)
+    {
+        CLI::App* one = command->add_subcommand(bench.name, bench.text);
+        one->footer(kExamples);
+        one->add_flag("--quick", arguments->quick, bench.quick);
+        one->add_option("--out", arguments->directory, "Directory of what it writes (output/bench)")
+            ->type_name("DIR");
+        one->parse_complete_callback([arguments, &bench] { arguments->run = bench.run; });
+    }
+    return [arguments] { return arguments->run(*arguments); };
 }
 
 } // namespace frostfill

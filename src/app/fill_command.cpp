@@ -239,16 +239,16 @@ Command addFillCommand(CLI::App& program)
     command->add_option("--out", arguments->directory, "Directory of the run (output/NAME)")
         ->type_name("DIR")
         ->group(output);
-    command
-        ->add_flag("--estimate-volume", arguments->estimateVolume,
-                   "Fill with r and r/2, print the volume that this tells, write nothing")
-        ->group(output);
     command->add_option("--video", arguments->video, "Make a video of every frame, with ffmpeg")
         ->type_name("FILE.mp4|.webm|.gif")
         ->group(output);
     command
         ->add_flag("--contact-sheet", arguments->contactSheet,
                    "Twelve frames of the run on one picture, contact_sheet.png")
+        ->group(output);
+    command
+        ->add_flag("--estimate-volume", arguments->estimateVolume,
+                   "Fill with r and r/2, print the volume that this tells, write nothing")
         ->group(output);
     command->add_flag("--overwrite", arguments->overwrite, "Replace the run that is there")
         ->group(output);

@@ -27,6 +27,12 @@ std::string duration(double seconds)
                         : fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
 }
 
+void showBar(double done, const std::string& text)
+{
+    const int filled = static_cast<int>(done * kBarWidth);
+    say(fmt::format("\r[{:#<{}}{:.<{}}] {}\x1b[K", "", filled, "", kBarWidth - filled, text));
+}
+
 } // namespace
 
 ProgressBar::ProgressBar() : terminal_(isatty(STDERR_FILENO) == 1)
@@ -52,8 +58,7 @@ void ProgressBar::update(const FillProgress& progress)
                     progress.expected, progress.time, progress.frames, left);
     if (terminal_)
     {
-        const int filled = static_cast<int>(done * kBarWidth);
-        say(fmt::format("\r[{:#<{}}{:.<{}}] {}\x1b[K", "", filled, "", kBarWidth - filled, text));
+        showBar(done, text);
         open_ = true;
     }
     else
@@ -61,6 +66,37 @@ void ProgressBar::update(const FillProgress& progress)
 }
 
 void ProgressBar::close()
+{
+    if (open_)
+        say("\n");
+    open_ = false;
+}
+
+TaskBar::TaskBar() : terminal_(isatty(STDERR_FILENO) == 1)
+{
+}
+
+void TaskBar::update(std::size_t done, std::size_t all, const std::string& what)
+{
+    const auto now = Clock::now();
+    const double sinceShown = std::chrono::duration<double>(now - shown_).count();
+    if (sinceShown < (terminal_ ? kSecondsPerBar : kSecondsPerLine))
+        return;
+    shown_ = now;
+    const double elapsed = std::chrono::duration<double>(now - start_).count();
+    const double share =
+        static_cast<double>(done) / static_cast<double>(std::max<std::size_t>(all, 1));
+    const std::string text =
+        fmt::format("{}/{}, {} left, {}", done, all,
+                    duration(elapsed * (1 - share) / std::max(share, 1e-9)), what);
+    if (terminal_)
+        showBar(share, text);
+    else
+        say(fmt::format("{}\n", text));
+    open_ = terminal_;
+}
+
+void TaskBar::close()
 {
     if (open_)
         say("\n");

@@ -4,6 +4,7 @@
 #include "study/fill_run.hpp"
 
 #include <chrono>
+#include <string>
 
 namespace frostfill
 {
@@ -28,6 +29,27 @@ private:
     Clock::time_point start_ = Clock::now();
     Clock::time_point shown_ = start_;
     std::uint64_t calls_ = 0;
+    bool terminal_;
+    bool open_ = false;
+};
+
+/// The same for a study: parts done of all, and the time that is left.
+class TaskBar
+{
+public:
+    TaskBar();
+    ~TaskBar() { close(); }
+    TaskBar(const TaskBar&) = delete;
+    TaskBar& operator=(const TaskBar&) = delete;
+
+    /// `what` has just been done.
+    void update(std::size_t done, std::size_t all, const std::string& what);
+    void close();
+
+private:
+    using Clock = std::chrono::steady_clock;
+    Clock::time_point start_ = Clock::now();
+    Clock::time_point shown_ = start_;
     bool terminal_;
     bool open_ = false;
 };

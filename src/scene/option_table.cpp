@@ -122,7 +122,9 @@ void addMotion(TableBuilder& table)
               FROSTFILL_FIELD(motion.mode));
     table.add("motion.integrator", "--integrator", "Euler's method, of the preset paper",
               FROSTFILL_FIELD(motion.integrator));
-    table.add("motion.dt", "--dt", "Time step [s]", FROSTFILL_FIELD(motion.dt))
+    table
+        .add("motion.dt", "--dt", "Time step [s]; fast divides a longer one than 0.33 sqrt(r/g)",
+             FROSTFILL_FIELD(motion.dt))
         .orNothing("auto")
         .above(0);
     table

@@ -9,8 +9,6 @@ namespace frostfill
 namespace
 {
 
-constexpr int kMoves = 24;
-
 struct Push
 {
     double depth = -kClearance / 2; ///< of the deepest overlap so far
@@ -85,12 +83,12 @@ private:
 
 } // namespace
 
-bool moveClear(const World& world, Eigen::Vector3d& p, double radius, double farthest)
+bool moveClear(const World& world, Eigen::Vector3d& p, double radius, double farthest, int moves)
 {
     thread_local Obstacles obstacles; // keeps its memory
     obstacles.list(world, p, radius, farthest);
     const Eigen::Vector3d start = p;
-    for (int move = 0; move < kMoves; ++move)
+    for (int move = 0; move < moves; ++move)
     {
         Push push;
         if (!pushOffWalls(world, p, radius, push))

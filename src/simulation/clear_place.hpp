@@ -11,8 +11,8 @@ inline constexpr double kClearance = 1e-9;
 
 /// Moves p out of all overlaps that a sphere of `radius` there would have with the walls and with
 /// spheres at rest, pushing it out of the deepest one again and again. Returns whether a clear
-/// place was found within `farthest` of where p was.
-[[nodiscard]] bool moveClear(const World& world, Eigen::Vector3d& p, double radius,
-                             double farthest);
+/// place was found within `farthest` of where p was, by so many moves.
+[[nodiscard]] bool moveClear(const World& world, Eigen::Vector3d& p, double radius, double farthest,
+                             int moves = 24);
 
 } // namespace frostfill

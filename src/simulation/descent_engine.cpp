@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <simulation/descent_engine.hpp>
 
+#include <simulation/clear_place.hpp>
+
 #include <algorithm>
 
 namespace frostfill
@@ -12,6 +14,8 @@ namespace
 constexpr std::size_t kMostSets = 200;
 /// Nothing moves in time here; a set counts as this, so that frames show the object fill up.
 constexpr double kTimeOfSet = 1; // [sqrt(r/g)]
+/// A sphere that is released in a wall is moved by less. [r]
+constexpr double kFarRelease = 4;
 
 } // namespace
 
@@ -74,23 +78,44 @@ bool DescentEngine::placeOne()
     const auto anywhere = [](const Eigen::Vector3d&, double) { return true; };
     while (auto found = release_.find(anywhere))
     {
-        Eigen::Vector3d& place = found->place;
-        if (descent_.settle(place, found->radius))
+        if (settle(found->place, found->radius))
         {
-            const auto group =
-                static_cast<std::uint32_t>(world_.spheres.size() / groupSize(world_));
-            world_.freeze(world_.spheres.add(place, found->radius, group)); // never runs
-            falls_.insert(place);
-            release_.close(place, found->radius);
-            if (discard_)
-            {
-                discard_->addResting(static_cast<std::uint32_t>(world_.spheres.size() - 1));
-            }
             return true;
         }
         release_.giveUp();
     }
     return false;
+}
+
+// Takes a sphere down from a clear place. Returns false when nothing there carries it.
+bool DescentEngine::settle(Eigen::Vector3d place, double radius)
+{
+    if (!descent_.settle(place, radius))
+    {
+        return false;
+    }
+    const auto group = static_cast<std::uint32_t>(world_.spheres.size() / groupSize(world_));
+    world_.freeze(world_.spheres.add(place, radius, group)); // never runs
+    falls_.insert(place);
+    release_.close(place, radius);
+    if (discard_)
+    {
+        discard_->addResting(static_cast<std::uint32_t>(world_.spheres.size() - 1));
+    }
+    return true;
+}
+
+void DescentEngine::releaseAt(std::span<const PlacedSphere> spheres)
+{
+    requireInside(world_, spheres);
+    for (const PlacedSphere& one : spheres)
+    {
+        Eigen::Vector3d place = one.place;
+        if (!moveClear(world_, place, one.radius, kFarRelease) || !settle(place, one.radius))
+        {
+            refuseCrowdedPlace(world_, one);
+        }
+    }
 }
 
 } // namespace frostfill

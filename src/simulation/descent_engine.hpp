@@ -18,10 +18,12 @@ class DescentEngine : public Engine
 {
 public:
     explicit DescentEngine(World& world);
+    void releaseAt(std::span<const PlacedSphere> spheres) override;
     bool step() override;
 
 private:
     bool placeOne();
+    bool settle(Eigen::Vector3d place, double radius);
 
     World& world_;
     FallIndex falls_;

@@ -11,6 +11,8 @@ namespace
 
 constexpr double kMeetingMargin = 0.3; // gap up to which runners may meet within a step [r]
 constexpr double kLongestPush = 0.2;   // in one sweep, of the own radius
+constexpr double kApart = 1e-8;        // penetration depth that is left to those taken apart [r]
+constexpr int kMostSeparations = 1000; // sweeps
 
 // How much of the penetration depth a gives way by. One that nothing at rest has carried for long
 // stops giving way, so that it comes down to something that does; of two such, the lower.
@@ -45,6 +47,18 @@ void Encounters::resolve(std::span<Runner> runners, double dt)
         }
     }
     updateVelocities(runners, dt);
+}
+
+void Encounters::separate(std::span<Runner> runners)
+{
+    for (int k = 0; k < kMostSeparations; ++k)
+    {
+        findMeetings(runners);
+        if (sweep(runners) < kApart)
+        {
+            return;
+        }
+    }
 }
 
 // All that follows concerns only the runners that meet others; what is at rest none of them
@@ -120,6 +134,12 @@ void Encounters::pushOff(std::span<const Runner> runners, Runner& runner) const
         if (distance > 0)
         {
             runner.push += d * (shareOf(runner, other, down_) * depth / distance);
+        }
+        else
+        {
+            // Two in the same place leave each other along a line; which way, their ids decide.
+            runner.push.x() +=
+                (runner.id < other.id ? 1 : -1) * shareOf(runner, other, down_) * depth;
         }
     }
     const double length = runner.push.norm();

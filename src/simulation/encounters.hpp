@@ -33,6 +33,9 @@ public:
     /// Separates the runners and makes their velocities agree with it.
     void resolve(std::span<Runner> runners, double dt);
 
+    /// Takes runners that overlap apart, without giving them any speed.
+    void separate(std::span<Runner> runners);
+
 private:
     void findMeetings(std::span<Runner> runners);
     void findMeetingsOf(std::span<const Runner> runners, Runner& runner) const;

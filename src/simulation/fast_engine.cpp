@@ -13,16 +13,21 @@ namespace
 
 constexpr double kStep = 0.165;        // default time step [sqrt(r/g) of the smallest sphere]
 constexpr double kSkipStep = 0.33;     // the same with Motion::skip, where nothing falls from far
+constexpr double kLongestStep = 0.33;  // a longer one is divided [sqrt(r/g) of the smallest]
 constexpr double kWindow = 0.33;       // over which a sphere is watched [sqrt(r/g)]
 constexpr double kStillRunning = 0.2;  // share of a set that may run when the next one appears
 constexpr int kSweepsInAvalanche = 40; // of encounters at most, where whole piles run at once
 constexpr double kTopBand = 4;         // below the highest ceiling, in which falls begin [r]
+constexpr double kFarRelease = 4;      // a sphere that is released in a wall is moved by less [r]
 
 double timeStep(const World& world)
 {
     if (world.scene.motion.dt)
     {
-        return *world.scene.motion.dt / world.frame.time;
+        // In longer steps gravity alone makes spheres in contact too fast to come to rest.
+        const double longest = kLongestStep * std::sqrt(world.radii.smallest());
+        const double asked = *world.scene.motion.dt / world.frame.time;
+        return asked / std::ceil(asked / longest);
     }
     const bool quiet = world.scene.motion.mode == Motion::skip && !world.scene.move.any();
     const double step = quiet ? kSkipStep : kStep;
@@ -128,15 +133,15 @@ bool FastEngine::releaseSet()
     // Free flight is analytic: with Motion::skip a sphere appears where it would touch first.
     const bool skip = world_.scene.motion.mode == Motion::skip;
     grid_.rebuild({runners_.data(), running_});
-    Eigen::Vector3d start;
-    const auto suits = [&](const Eigen::Vector3d& place, double radius)
+    Eigen::Vector3d place;
+    const auto suits = [&](const Eigen::Vector3d& site, double radius)
     {
-        start = place;
+        place = site;
         if (skip)
         {
-            descent_.drop(start, radius);
+            descent_.drop(place, radius);
         }
-        return clearOfRunners(start, radius);
+        return clearOfRunners(place, radius);
     };
     while (world_.spheres.size() - before < wanted)
     {
@@ -147,22 +152,67 @@ bool FastEngine::releaseSet()
         }
         const std::size_t inSet = world_.spheres.size() - before;
         const auto group = nextGroup_ + static_cast<std::uint32_t>(inSet / groupSize(world_));
-        const std::uint32_t id = world_.release(start, found->radius, group);
-        if (running_ == runners_.size())
-        {
-            runners_.emplace_back();
-        }
-        runners_[running_++].restart(id, start, found->radius);
-        grid_.add(start);
+        start(place, found->radius, group);
+        grid_.add(place);
     }
     if (world_.spheres.size() == before)
     {
         return false;
     }
+    openSet(world_.spheres.size() - before);
+    return true;
+}
+
+void FastEngine::start(const Eigen::Vector3d& place, double radius, std::uint32_t group)
+{
+    const std::uint32_t id = world_.release(place, radius, group);
+    if (running_ == runners_.size())
+    {
+        runners_.emplace_back();
+    }
+    runners_[running_++].restart(id, place, radius);
+}
+
+void FastEngine::openSet(std::size_t spheres)
+{
     nextGroup_ = world_.spheres.group.back() + 1;
     clock_.close(world_);
-    clock_.open(world_, world_.spheres.size() - before);
-    return true;
+    clock_.open(world_, spheres);
+}
+
+// Those that overlap are taken apart first, so that they do not start by flying apart.
+void FastEngine::releaseAt(std::span<const PlacedSphere> spheres)
+{
+    requireInside(world_, spheres);
+    for (const PlacedSphere& one : spheres)
+    {
+        Eigen::Vector3d place = one.place;
+        if (!moveClear(world_, place, one.radius, kFarRelease))
+        {
+            refuseCrowdedPlace(world_, one);
+        }
+        start(place, one.radius, nextGroup_);
+    }
+    openSet(spheres.size());
+    encounters_.separate({runners_.data(), running_});
+    for (std::size_t k = 0; k < running_; ++k)
+    {
+        world_.spheres.setPosition(runners_[k].id, runners_[k].position);
+        runners_[k].watched = runners_[k].position;
+    }
+}
+
+double FastEngine::runningEnergy() const
+{
+    double energy = 0;
+    for (std::size_t k = 0; k < running_; ++k)
+    {
+        const Runner& runner = runners_[k];
+        const double mass = runner.radius * runner.radius * runner.radius;
+        energy +=
+            mass * (runner.velocity.squaredNorm() / 2 + world_.frame.gravity * runner.position.y());
+    }
+    return energy;
 }
 
 void FastEngine::advance()
@@ -170,6 +220,7 @@ void FastEngine::advance()
     const bool gravityChanges =
         moving_ && world_.time - world_.motionStart < world_.motion.duration();
     const std::span<Runner> runners(runners_.data(), running_);
+    const double energyBefore = runningEnergy();
     {
         const StageTimer timer(world_.times, Stage::motion);
         threads_.forEach(runners.size(),
@@ -185,8 +236,10 @@ void FastEngine::advance()
         encounters_.resolve(runners, world_.dt);
     }
     std::uint64_t meetings = 0;
+    double mass = 0;
     for (const Runner& runner : runners)
     {
+        mass += runner.radius * runner.radius * runner.radius;
         world_.spheres.setPosition(runner.id, runner.position);
         world_.spheres.setVelocity(runner.id, runner.velocity);
         world_.operations.runningFrozenTests += runner.around.spheres();
@@ -194,6 +247,11 @@ void FastEngine::advance()
         meetings += runner.meeting.size();
     }
     world_.operations.runningRunningTests += meetings / 2;
+    // A moving object does work on the spheres, which is not counted.
+    if (!moving_)
+    {
+        world_.energy.enter(energyBefore, runningEnergy(), mass * world_.height);
+    }
 }
 
 bool FastEngine::clearOfRunners(const Eigen::Vector3d& place, double radius) const

@@ -25,11 +25,15 @@ class FastEngine : public Engine
 {
 public:
     explicit FastEngine(World& world);
+    void releaseAt(std::span<const PlacedSphere> spheres) override;
     bool step() override;
 
 private:
     void finish();
     bool releaseSet();
+    void start(const Eigen::Vector3d& place, double radius, std::uint32_t group);
+    void openSet(std::size_t spheres);
+    [[nodiscard]] double runningEnergy() const;
     void advance();
     void freezeCalm();
     const std::vector<std::uint32_t>& calmRunners();

@@ -22,8 +22,13 @@ constexpr double kContactGap = 0.01;      // below which a contact carries, for 
 constexpr double kMostlyCarried = 0.5;    // weight that may be missing at that first look
 constexpr double kLongestSettling = 0.15; // a sphere that is frozen comes down by less [r]
 constexpr double kNearRoom = 0.1; // that a runner may be moved out of a freezing one's place [r]
-constexpr double kFarRoom = 1;    // the same for one that is overdue [r]
-constexpr std::uint32_t kPatience = 8; // calm windows after which a sphere stops giving way
+constexpr double kFarRoom = 1;    // the same for one that others have been blocking for long [r]
+constexpr std::uint32_t kPatience = 8;        // calm windows after which a sphere stops giving way
+constexpr std::uint32_t kBlocked = 24;        // after which others are moved far out of its place
+constexpr std::uint32_t kBlockedForGood = 72; // and after which they have to appear elsewhere
+// In a narrow wedge between a wall and a sphere each move gains little. A sphere that cannot be
+// moved out of one blocks the one below it, and all that lie on them, until they are overdue.
+constexpr int kMovesOutOfWedge = 1000;
 
 } // namespace
 
@@ -118,9 +123,10 @@ bool FastEngine::tryFreeze(std::uint32_t index)
     const Eigen::Vector3d place = *runner.carriedAt;
     const bool tooOld = runner.age > ageLimit_;
     freezeAt(runner, place);
-    if (!makeRoom(index, tooOld ? kFarRoom : kNearRoom))
+    const bool blocked = tooOld || runner.calmWindows > kBlocked;
+    if (!makeRoom(index, blocked ? kFarRoom : kNearRoom))
     {
-        if (!tooOld)
+        if (!tooOld && runner.calmWindows <= kBlockedForGood)
         {
             world_.unfreezeLast();
             world_.spheres.setPosition(runner.id, runner.position);
@@ -128,6 +134,7 @@ bool FastEngine::tryFreeze(std::uint32_t index)
         }
         evict(index);
     }
+    world_.overdue += tooOld ? 1 : 0;
     falls_.insert(place);
     release_->close(place, runner.radius);
     tellOthers(place, runner.radius);
@@ -172,7 +179,8 @@ bool FastEngine::makeRoom(std::uint32_t index, double farthest)
     for (const std::uint32_t k : overlapped)
     {
         moved_.push_back(runners_[k].position);
-        if (!moveClear(world_, moved_.back(), runners_[k].radius, farthest * runners_[k].radius))
+        if (!moveClear(world_, moved_.back(), runners_[k].radius, farthest * runners_[k].radius,
+                       kMovesOutOfWedge))
         {
             return false;
         }
@@ -191,7 +199,7 @@ void FastEngine::put(std::uint32_t index, const Eigen::Vector3d& place)
     grid_.move(index, place);
 }
 
-// The last resort, for a sphere that has been running for far too long and rests where others are:
+// The last resort, for a sphere that rests where others are and that they will not make room for:
 // these appear again elsewhere, or are withdrawn when the object is full.
 void FastEngine::evict(std::uint32_t index)
 {

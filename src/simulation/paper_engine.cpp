@@ -90,8 +90,7 @@ bool PaperEngine::step()
     const double energyBefore = runningEnergy();
     integrate();
     collide();
-    const double scale = world_.height * static_cast<double>(world_.running());
-    world_.energyGain = std::max(world_.energyGain, (runningEnergy() - energyBefore) / scale);
+    world_.energy.enter(energyBefore, runningEnergy(), fallEnergy_);
     ++world_.steps;
     world_.time += world_.dt;
     setTime_ += world_.dt;
@@ -155,13 +154,33 @@ bool PaperEngine::releaseSet()
     {
         return false;
     }
+    startSet(world_.spheres.size() - before);
+    return true;
+}
+
+void PaperEngine::startSet(std::size_t spheres)
+{
     clock_.close(world_);
-    clock_.open(world_, world_.spheres.size() - before);
+    clock_.open(world_, spheres);
     nextGroup_ = world_.spheres.group.back() + 1;
     setIsOver_ = false;
     setTime_ = 0;
     rest_.restart(world_.spheres, world_.restingCount);
-    return true;
+    fallEnergy_ = 0;
+    for (std::size_t i = world_.restingCount; i < world_.spheres.size(); ++i)
+    {
+        fallEnergy_ += world_.height * std::pow(world_.spheres.radius[i], 3);
+    }
+}
+
+void PaperEngine::releaseAt(std::span<const PlacedSphere> spheres)
+{
+    requireInside(world_, spheres);
+    for (const PlacedSphere& one : spheres)
+    {
+        world_.release(one.place, one.radius, nextGroup_);
+    }
+    startSet(spheres.size());
 }
 
 bool PaperEngine::clearOfRunning(const Eigen::Vector3d& place, double radius) const
@@ -275,6 +294,7 @@ void PaperEngine::observeRest()
     if (timedOut)
     {
         clock_.markTimedOut();
+        world_.overdue += world_.running();
     }
     if (atRest || timedOut)
     {
@@ -289,7 +309,8 @@ double PaperEngine::runningEnergy() const
     double energy = 0;
     for (std::size_t i = world_.restingCount; i < s.size(); ++i)
     {
-        energy += s.velocity(i).squaredNorm() / 2 + world_.frame.gravity * s.y[i];
+        const double mass = s.radius[i] * s.radius[i] * s.radius[i];
+        energy += mass * (s.velocity(i).squaredNorm() / 2 + world_.frame.gravity * s.y[i]);
     }
     return energy;
 }

@@ -16,11 +16,13 @@ class PaperEngine : public Engine
 {
 public:
     explicit PaperEngine(World& world);
+    void releaseAt(std::span<const PlacedSphere> spheres) override;
     bool step() override;
 
 private:
     bool startNextSet();
     bool releaseSet();
+    void startSet(std::size_t spheres);
     [[nodiscard]] bool clearOfRunning(const Eigen::Vector3d& place, double radius) const;
     void freezeAndDiscard();
     void integrate();
@@ -43,6 +45,7 @@ private:
     std::size_t firstFrozen_ = 0; ///< first sphere of group FFG
     double setTime_ = 0;          ///< since the newest set appeared
     double setTimeLimit_ = 0;
+    double fallEnergy_ = 0;                  ///< of all that runs, through the object's height
     std::vector<Eigen::Vector3d> before_;    ///< running centres before the step
     std::vector<Eigen::Vector3d> predicted_; ///< after integration
 };

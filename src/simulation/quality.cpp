@@ -41,7 +41,8 @@ public:
             examineSphere(id);
         }
         report_.meanOverlap = pairs_ > 0 ? overlapSum_ / static_cast<double>(pairs_) : 0;
-        report_.energyGain = world_.energyGain;
+        report_.energyGain = world_.energy.largestGain();
+        report_.energyExcess = world_.energy.excess();
         estimateVolume();
         return report_;
     }

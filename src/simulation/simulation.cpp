@@ -2,9 +2,7 @@
 #include <frostfill/simulation.hpp>
 
 #include <frostfill/error.hpp>
-#include <simulation/descent_engine.hpp>
-#include <simulation/fast_engine.hpp>
-#include <simulation/paper_engine.hpp>
+#include <simulation/make_engine.hpp>
 #include <simulation/quality.hpp>
 #include <simulation/reach_inspection.hpp>
 #include <simulation/state_hash.hpp>
@@ -26,19 +24,6 @@ std::uint64_t nextSource()
 {
     static std::atomic<std::uint64_t> last = 0;
     return ++last;
-}
-
-std::unique_ptr<Engine> makeEngine(World& world)
-{
-    if (world.scene.preset == Preset::paper)
-    {
-        return std::make_unique<PaperEngine>(world);
-    }
-    if (world.scene.motion.mode == Motion::descend)
-    {
-        return std::make_unique<DescentEngine>(world);
-    }
-    return std::make_unique<FastEngine>(world);
 }
 
 } // namespace

@@ -26,6 +26,8 @@ constexpr double kTriangleReach = 1.5;
 constexpr double kSphereCell = 2;
 /// Memory is set aside for so many times the spheres that fit by the estimate.
 constexpr double kRoomForSpheres = 1.1;
+/// A centre that is nearer to a wall lies on it, but for rounding. [r]
+constexpr double kOnTheWall = 1e-9;
 /// Share of the object's mean cross-section that a set covers when its size is not given.
 constexpr double kFootprint = 0.1;
 
@@ -174,6 +176,37 @@ std::size_t groupSize(const World& world)
     // A sphere covers 2 r times 2 r.
     const double inSet = kFootprint * volume / world.height / (4 * world.radii.meanPower(2));
     return std::max<std::size_t>(10, static_cast<std::size_t>(inSet) / spheres.groupsPerSet);
+}
+
+void requireInside(const World& world, std::span<const PlacedSphere> spheres)
+{
+    for (std::size_t k = 0; k < spheres.size(); ++k)
+    {
+        const Eigen::Vector3d& p = spheres[k].place;
+        const auto isInside = [&]
+        {
+            const auto near = world.triangles.near(p);
+            return world.inside.contains(p) &&
+                   (near.empty() || nearestDistance(world.surface, near, p).value > kOnTheWall);
+        };
+        if (!p.allFinite() || !isInside())
+        {
+            const Eigen::Vector3d q = world.frame.toMesh(p);
+            throw Error(ErrorCode::badData,
+                        fmt::format("sphere {} cannot be released at ({:g}, {:g}, {:g}): that is "
+                                    "not inside {}",
+                                    k, q.x(), q.y(), q.z(), world.scene.object.mesh));
+        }
+    }
+}
+
+void refuseCrowdedPlace(const World& world, const PlacedSphere& sphere)
+{
+    const Eigen::Vector3d p = world.frame.toMesh(sphere.place);
+    throw Error(ErrorCode::badData,
+                fmt::format("there is no room for a sphere of radius {:g} near ({:g}, {:g}, {:g}), "
+                            "where it is to be released",
+                            sphere.radius * world.frame.length, p.x(), p.y(), p.z()));
 }
 
 void refuseTooLarge(const World& world)

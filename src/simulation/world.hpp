@@ -5,6 +5,7 @@
 #include <mesh/inside_test.hpp>
 #include <mesh/triangle_grid.hpp>
 #include <scene/radius_distribution.hpp>
+#include <simulation/energy_book.hpp>
 #include <simulation/frame_of_run.hpp>
 #include <simulation/object_motion.hpp>
 #include <simulation/sphere_grid.hpp>
@@ -12,6 +13,7 @@
 
 #include <limits>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace frostfill
@@ -45,6 +47,7 @@ struct World
     std::size_t restingCount = 0;
     std::size_t discardedCount = 0;
     std::size_t discardedPolygons = 0;
+    std::size_t overdue = 0; ///< spheres frozen only because they would not come to rest in time
 
     // How far the run has come.
     double dt = 0;
@@ -58,7 +61,7 @@ struct World
     OperationCounts operations;
     StageTimes times;
     std::vector<SetRecord> sets;
-    double energyGain = 0;
+    EnergyBook energy; ///< of the spheres that run; stays empty with Motion::descend
 
     /// Ids in the order in which their state changed: what Simulation::capture reads.
     std::vector<std::uint32_t> stateChanges;
@@ -92,11 +95,26 @@ struct World
 /// Throws Error badData: not one sphere of the run's smallest radius fits into the object.
 [[noreturn]] void refuseTooLarge(const World& world);
 
+/// A sphere that appears where it is told to. Units of the run.
+struct PlacedSphere
+{
+    Eigen::Vector3d place;
+    double radius = 1;
+};
+
+/// Throws Error badData, naming the first, when a centre is not inside the object.
+void requireInside(const World& world, std::span<const PlacedSphere> spheres);
+/// Throws Error badData: there is no room for the sphere near its place.
+[[noreturn]] void refuseCrowdedPlace(const World& world, const PlacedSphere& sphere);
+
 /// Moves a world. One time step of the paper's method, or of ours.
 class Engine
 {
 public:
     virtual ~Engine() = default;
+    /// Before the first step: one set of spheres that appear where they are told to, whatever is
+    /// there. Throws Error badData for a centre that is not inside the object.
+    virtual void releaseAt(std::span<const PlacedSphere> spheres) = 0;
     /// See Simulation::step.
     virtual bool step() = 0;
 };

@@ -14,6 +14,9 @@ namespace frostfill
 [[nodiscard]] Figure timesFigure();       ///< PAPER, Figure 3
 [[nodiscard]] Figure operationsFigure();  ///< the lemmas
 [[nodiscard]] Figure discardedFigure();   ///< share of what is discarded
+[[nodiscard]] Figure closedFormsFigure(); ///< errors against closed forms
+[[nodiscard]] Figure errorFigure();       ///< run time against error
+[[nodiscard]] Figure stabilityFigure();   ///< the stress matrix
 [[nodiscard]] Figure densityFigure();     ///< density against set size
 
 } // namespace frostfill

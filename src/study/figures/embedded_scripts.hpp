@@ -10,6 +10,9 @@ namespace frostfill::embedded
 std::string_view figure_style();
 std::string_view figure_claim();
 std::string_view figure_operations();
+std::string_view figure_closed_forms();
+std::string_view figure_error();
+std::string_view figure_stability();
 std::string_view figure_times();
 std::string_view figure_discarded();
 std::string_view figure_density();

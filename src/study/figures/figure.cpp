@@ -77,6 +77,12 @@ void makeFigure(const Figure& figure, const FigureRequest& request)
     const FigureFolder folder(request);
     request.say(fmt::format("{}: {}", figure.name, figure.title));
     figure.makeData(folder);
+    drawFigure(figure, request);
+}
+
+void drawFigure(const Figure& figure, const FigureRequest& request)
+{
+    const FigureFolder folder(request);
     const std::string script = fmt::format("{}.gp", figure.name);
     folder.write("style.gp", std::string(embedded::figure_style()) + paletteScript());
     folder.write(script, figure.script());

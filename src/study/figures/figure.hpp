@@ -65,4 +65,7 @@ struct Figure
 /// without gnuplot.
 void makeFigure(const Figure& figure, const FigureRequest& request);
 
+/// Draws one figure from data that are there already. Throws like makeFigure.
+void drawFigure(const Figure& figure, const FigureRequest& request);
+
 } // namespace frostfill

@@ -278,9 +278,11 @@ TEST(Looks, PassesShowTheNearestSphereItsDistanceAndItsNormal)
                 for (int c = 0; c < 3; ++c)
                     EXPECT_NEAR(passes.normal.at(x, y)[c], 127.5 + 127.5 * normal[c], 1.5);
                 if (!orthographic) // without perspective distances are from a plane of our choice
+                {
                     EXPECT_NEAR(passes.nearest +
                                     value / 65534.0 * (passes.furthest - passes.nearest),
                                 5 - hit.z(), 0.001);
+                }
             }
         EXPECT_GT(checked, 100) << "the scene proves little";
     }

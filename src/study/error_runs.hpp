@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "study/error_study.hpp"
+
+#include <functional>
+
+namespace frostfill
+{
+
+/// A point that is still to be measured.
+using ErrorTask = std::function<ErrorPoint()>;
+
+/// Time steps against overlap, energy and support: both presets.
+void addStepRuns(std::vector<ErrorTask>& tasks, bool quick);
+/// Discards against the run without.
+void addDiscardRuns(std::vector<ErrorTask>& tasks, bool quick);
+/// Radii against the error of the volume that the spheres tell.
+void addVolumeRuns(std::vector<ErrorTask>& tasks, bool quick);
+/// Layers of spheres in a set against the packing fraction far from walls.
+void addLayerRuns(std::vector<ErrorTask>& tasks, bool quick);
+
+} // namespace frostfill

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#include "study/closed_forms.hpp"
+#include "study/figures/all_figures.hpp"
+#include "study/figures/embedded_scripts.hpp"
+
+namespace frostfill
+{
+namespace
+{
+
+void makeData(const FigureFolder& folder)
+{
+    folder.write("closed-forms.csv", closedFormsCsv(measureClosedForms(folder.quick())));
+}
+
+} // namespace
+
+Figure closedFormsFigure()
+{
+    return {"closed-forms", "errors against closed forms", false, makeData,
+            embedded::figure_closed_forms};
+}
+
+} // namespace frostfill

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#include "study/error_study.hpp"
+#include "study/figures/all_figures.hpp"
+#include "study/figures/embedded_scripts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace frostfill
+{
+namespace
+{
+
+std::string fileOf(const ErrorStudyInfo& study)
+{
+    return fmt::format("error-{}.csv", study.name);
+}
+
+void makeData(const FigureFolder& folder)
+{
+    const auto recorded = [&](const ErrorStudyInfo& study) { return folder.reuse(fileOf(study)); };
+    if (std::all_of(errorStudies().begin(), errorStudies().end(), recorded))
+        return;
+    const auto progress = [](std::size_t, std::size_t, const std::string&) {};
+    const std::vector<ErrorPoint> points = measureErrors(folder.quick(), progress);
+    for (const ErrorStudyInfo& study : errorStudies())
+        folder.write(fileOf(study), errorCsv(points, study));
+}
+
+} // namespace
+
+Figure errorFigure()
+{
+    return {"error", "run time against error", true, makeData, embedded::figure_error};
+}
+
+} // namespace frostfill

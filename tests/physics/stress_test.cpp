@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+// The stress matrix and the closed forms at a size that runs in seconds; scenes drawn at random,
+// the seed of which a failure tells.
+
+#include <simulation/make_engine.hpp>
+#include <simulation/quality.hpp>
+#include <simulation/random.hpp>
+#include <simulation/state_hash.hpp>
+#include <support/expect_error.hpp>
+#include <support/shapes.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace frostfill
+{
+namespace
+{
+
+constexpr double kEnergyTolerance = 1e-9;
+
+/// A scene whose every number is drawn from a seed.
+Scene randomScene(std::uint64_t seed)
+{
+    auto draw = [&, k = std::uint64_t{0}](double low, double high) mutable
+    { return low + (high - low) * uniformRandom(seed, 77, ++k); };
+    Scene scene = presetScene(Preset::fast, "torus");
+    scene.seed = seed;
+    const double largest = draw(0.09, 0.16);
+    scene.spheres.radius = Radii(largest / draw(1, 3), largest);
+    scene.spheres.count = static_cast<std::uint64_t>(draw(5, 30));
+    scene.spheres.groupSize = static_cast<std::uint32_t>(draw(1, 20));
+    scene.spheres.groupsPerSet = static_cast<std::uint32_t>(draw(1, 4));
+    scene.motion.mode = draw(0, 1) < 0.5 ? Motion::fall : Motion::skip;
+    scene.motion.restitution = draw(0, 1);
+    scene.motion.dt = std::pow(10, draw(-2.5, -1));
+    scene.motion.gravity = std::pow(10, draw(-2, 3));
+    scene.object.up = static_cast<Axis>(static_cast<int>(draw(0, 3)));
+    return scene;
+}
+
+std::string runToItsEnd(const Scene& scene, const TriangleMesh& mesh, QualityReport& quality)
+{
+    World world(scene, mesh);
+    const auto engine = makeEngine(world);
+    while (engine->step())
+    {
+        for (const std::uint32_t id : world.runningIds)
+        {
+            EXPECT_TRUE(world.spheres.position(id).allFinite());
+        }
+    }
+    EXPECT_EQ(world.running(), 0u);
+    quality = examine(world);
+    return hashState(world.spheres);
+}
+
+TEST(Stress, WhateverTheSceneNothingLeaksGainsEnergyOrDiffersFromOneRunToTheNext)
+{
+    const TriangleMesh mesh = builtInMesh("torus");
+    for (std::uint64_t seed = 1; seed <= 12; ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Scene scene = randomScene(seed);
+        QualityReport quality;
+        scene.threads = 1;
+        const std::string hash = runToItsEnd(scene, mesh, quality);
+        EXPECT_EQ(quality.notFinite, 0u);
+        EXPECT_EQ(quality.centresOutside, 0u);
+        EXPECT_LE(quality.energyExcess, kEnergyTolerance);
+        EXPECT_LE(quality.maxOverlap, 1e-7);
+        scene.threads = 2;
+        EXPECT_EQ(runToItsEnd(scene, mesh, quality), hash);
+        if (::testing::Test::HasFailure())
+        {
+            FAIL() << "seed " << seed << " in:\n" << sceneToToml(scene);
+        }
+    }
+}
+
+struct Released
+{
+    Released(Preset preset, const std::vector<PlacedSphere>& spheres)
+        : world(scene(preset, spheres.size()), shapes::box({-8, -8, -8}, {8, 8, 8}, 8)),
+          engine(makeEngine(world))
+    {
+        engine->releaseAt(spheres);
+    }
+    static Scene scene(Preset preset, std::size_t count)
+    {
+        Scene scene = presetScene(preset, "torus");
+        scene.spheres.radius = 1;
+        scene.spheres.count = count;
+        return scene;
+    }
+    void run()
+    {
+        while (engine->step())
+        {
+        }
+    }
+    World world;
+    std::unique_ptr<Engine> engine;
+};
+
+TEST(Stress, SpheresReleasedInOnePlaceEndApartAndGainNothing)
+{
+    for (const std::size_t count : {2u, 5u})
+    {
+        Released released(Preset::fast,
+                          std::vector<PlacedSphere>(count, {Eigen::Vector3d(0.1, 1, 0.2), 1}));
+        released.run();
+        const QualityReport quality = examine(released.world);
+        EXPECT_EQ(released.world.spheres.size(), count);
+        EXPECT_LE(quality.maxOverlap, 1e-7);
+        EXPECT_EQ(quality.centresOutside, 0u);
+        EXPECT_LE(quality.energyExcess, kEnergyTolerance);
+        EXPECT_EQ(quality.unsupported, 0u);
+    }
+}
+
+TEST(Stress, ACrowdReleasedOverlappingIsTakenApartBeforeItMoves)
+{
+    std::vector<PlacedSphere> crowd;
+    for (std::uint64_t k = 0; k < 40; ++k)
+    {
+        Eigen::Vector3d p;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            p[axis] = 3 * (2 * uniformRandom(5, k, static_cast<std::uint64_t>(axis)) - 1);
+        }
+        crowd.push_back({p, 1});
+    }
+    Released released(Preset::fast, crowd);
+    EXPECT_LE(examine(released.world).maxOverlap, 1e-6);
+    released.run();
+    EXPECT_LE(examine(released.world).energyExcess, kEnergyTolerance);
+}
+
+TEST(Stress, CentresOnOrBeyondTheWallAreRefused)
+{
+    for (const Preset preset : {Preset::fast, Preset::paper})
+    {
+        for (const Eigen::Vector3d& place :
+             {Eigen::Vector3d(8, 0.3, 0.2), Eigen::Vector3d(8, 8, 0.2), Eigen::Vector3d(8, 8, 8),
+              Eigen::Vector3d(0, 11, 0), Eigen::Vector3d(0, std::nan(""), 0)})
+        {
+            test::expectError(
+                ErrorCode::badData,
+                [&] {
+                    Released(preset, {{place, 1}});
+                },
+                "inside");
+        }
+    }
+}
+
+// Explicit Euler gains g^2 dt^2 / 2 in every free step; relative to the fall through the object.
+TEST(Stress, EnergyGainOfExplicitEulerIsMeasuredExactly)
+{
+    Scene scene = Released::scene(Preset::paper, 1);
+    scene.motion.gravity = 1;
+    scene.motion.dt = 0.01;
+    World world(scene, shapes::box({-8, -8, -8}, {8, 8, 8}, 8));
+    const auto engine = makeEngine(world);
+    const PlacedSphere one{{0, 6, 0}, 1};
+    engine->releaseAt({&one, 1});
+    for (int step = 0; step < 100; ++step)
+    {
+        engine->step();
+    }
+    EXPECT_NEAR(world.energy.largestGain(), 0.01 * 0.01 / 2 / 16, 1e-15);
+    EXPECT_NEAR(world.energy.excess(), 100 * 0.01 * 0.01 / 2 / 16, 1e-13);
+}
+
+} // namespace
+} // namespace frostfill
