@@ -138,7 +138,10 @@ TEST(Documentation, everyCommandThatIsShownWorks)
             if (!run.insert(arguments).second)
                 continue;
             const Answer answer = test::runProgram(arguments, folder.path());
-            EXPECT_EQ(answer.code, 0)
+            // A stress matrix that ran tells by 2 that some cell failed; which do is no matter
+            // here.
+            const bool tellsVerdict = arguments.rfind("bench stability", 0) == 0;
+            EXPECT_TRUE(answer.code == 0 || (tellsVerdict && answer.code == 2))
                 << page.filename() << " shows: " << command << "\nrun as: " << arguments << "\n"
                 << answer.errors;
             names.insert(arguments.substr(0, arguments.find(' ')));
