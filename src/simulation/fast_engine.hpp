@@ -36,7 +36,7 @@ private:
     [[nodiscard]] double runningEnergy() const;
     void advance();
     void freezeCalm();
-    const std::vector<std::uint32_t>& calmRunners();
+    void findCalm();
     void findPlace(Runner& runner) const;
     bool followObject();
     void renewSites();

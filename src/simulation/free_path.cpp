@@ -9,8 +9,6 @@ namespace frostfill
 namespace
 {
 
-/// A direction that leads into a contact by less than this slides along it.
-constexpr double kSlides = 1e-7;
 /// A wall counts as reached when the gap is below this. [r]
 constexpr double kReached = 1e-10;
 /// A triangle whose back is turned this far belongs to another sheet of a thin wall. [r]

@@ -36,13 +36,13 @@ constexpr int kMovesOutOfWedge = 1000;
 // among what was at rest before; where a sphere has come to rest since, again.
 void FastEngine::freezeCalm()
 {
-    const std::vector<std::uint32_t>& order = calmRunners();
+    findCalm();
     frozen_.assign(running_, false);
     grid_.rebuild({runners_.data(), running_});
-    threads_.forEach(order.size(),
+    threads_.forEach(calm_.size(),
                      [&](std::size_t i)
                      {
-                         Runner& runner = runners_[order[i]];
+                         Runner& runner = runners_[calm_[i]];
                          // One that is overdue may go far, where it would not be told of others.
                          runner.stale = runner.age > ageLimit_;
                          if (!runner.stale)
@@ -50,7 +50,7 @@ void FastEngine::freezeCalm()
                              findPlace(runner);
                          }
                      });
-    for (const std::uint32_t k : order)
+    for (const std::uint32_t k : calm_)
     {
         if (frozen_[k])
         {
@@ -65,7 +65,7 @@ void FastEngine::freezeCalm()
     forgetFrozen();
 }
 
-const std::vector<std::uint32_t>& FastEngine::calmRunners()
+void FastEngine::findCalm()
 {
     calm_.clear();
     for (std::uint32_t k = 0; k < running_; ++k)
@@ -88,7 +88,6 @@ const std::vector<std::uint32_t>& FastEngine::calmRunners()
                   const double yb = -runners_[b].position.dot(down);
                   return ya < yb || (ya == yb && a < b);
               });
-    return calm_;
 }
 
 // Where the runner would be frozen. One that is overdue is frozen wherever it gets.

@@ -57,22 +57,15 @@ public:
     template <class Visit>
     void forEachNear(const Eigen::Vector3d& p, double reach, Visit&& visit) const
     {
-        const auto low = frame_.coordinates(p.array() - reach);
-        const auto high = frame_.coordinates(p.array() + reach);
-        for (int z = low[2]; z <= high[2]; ++z)
-        {
-            for (int y = low[1]; y <= high[1]; ++y)
+        frame_.forEachCell(
+            frame_.coordinates(p.array() - reach), frame_.coordinates(p.array() + reach),
+            [&](std::size_t cell)
             {
-                const std::uint32_t* row = head_.data() + frame_.index(0, y, z);
-                for (int x = low[0]; x <= high[0]; ++x)
+                for (std::uint32_t index = head_[cell]; index != kEnd; index = next_[index])
                 {
-                    for (std::uint32_t index = row[x]; index != kEnd; index = next_[index])
-                    {
-                        visit(index);
-                    }
+                    visit(index);
                 }
-            }
-        }
+            });
     }
 
 private:

@@ -84,20 +84,15 @@ public:
     void forEachIn(const std::array<int, 3>& low, const std::array<int, 3>& high,
                    Visit&& visit) const
     {
-        for (int z = low[2]; z <= high[2]; ++z)
-        {
-            for (int y = low[1]; y <= high[1]; ++y)
-            {
-                const std::uint32_t* row = head_.data() + frame_.index(0, y, z);
-                for (int x = low[0]; x <= high[0]; ++x)
-                {
-                    for (std::uint32_t id = row[x]; id != kEnd; id = spheres_[id].next)
-                    {
-                        visit(id);
-                    }
-                }
-            }
-        }
+        frame_.forEachCell(low, high,
+                           [&](std::size_t cell)
+                           {
+                               for (std::uint32_t id = head_[cell]; id != kEnd;
+                                    id = spheres_[id].next)
+                               {
+                                   visit(id);
+                               }
+                           });
     }
 
     [[nodiscard]] const GridFrame& frame() const { return frame_; }

@@ -12,8 +12,8 @@ namespace frostfill
 namespace
 {
 
-/// A contact that is lower than the centre by less than this share of the reach is slid along.
-constexpr double kSlides = 1e-7;
+/// So far below a place is the cell that a fall from it enters. [r]
+constexpr double kJustBelow = 1e-7;
 
 /// Height at which the first of the spheres is touched that lie in a layer of cells, in p's column
 /// or one of the eight around it.
@@ -97,7 +97,7 @@ double wallBelow(const World& world, const FallIndex& falls, const std::array<in
         here.y() = std::min(here.y(), top);
         while (here.y() > bottom)
         {
-            const int y = fine.coordinate(here.y() - kSlides, 1);
+            const int y = fine.coordinate(here.y() - kJustBelow, 1);
             const double end = std::max(bottom, fine.origin.y() + fine.cell * y);
             const double path =
                 fallInCell(world, fine.index(fineColumn[0], y, fineColumn[2]), here, radius, end);

@@ -9,6 +9,9 @@
 namespace frostfill
 {
 
+/// Errors below this are rounding, where lengths and gravity are about 1.
+inline constexpr double kClosedFormRounding = 1e-11;
+
 /// An error against a closed form, at one step or one fineness of the mesh.
 struct ClosedFormPoint
 {

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <initializer_list>
 #include <limits>
 #include <memory>
 
@@ -185,7 +186,7 @@ ErrorPoint layerRun(Motion motion, std::uint32_t setSize, double diameters)
     scene.spheres.groupsPerSet = 1;
     const Finished run = finish(scene, mesh);
     const BulkPacking bulk = bulkPacking(*run.world, 4 * 2);
-    // SCIENCE: error is what is missing to random close packing.
+    // The error is what is missing to random close packing.
     constexpr double kRandomClose = 0.639;
     const double layers = setSize / (1.15 * diameters * diameters);
     return {"layers",
@@ -214,32 +215,25 @@ void addStepRuns(std::vector<ErrorTask>& tasks, bool quick)
 void addDiscardRuns(std::vector<ErrorTask>& tasks, bool quick)
 {
     const std::uint64_t count = quick ? 100 : 300;
-    for (const double epsilon : {0.5, 1.0, 2.0, 4.0, 8.0})
-        tasks.emplace_back(
-            [=]
-            {
-                return discardRun(
-                    Preset::paper, "torus", count,
-                    [=](Scene& scene)
-                    {
-                        scene.discard.rule = DiscardRule::paper;
-                        scene.discard.epsilon = epsilon;
-                    },
-                    fmt::format("epsilon {:g} r", epsilon));
-            });
-    for (const double closeness : {0.1, 1.0, 2.0, 4.0})
-        tasks.emplace_back(
-            [=]
-            {
-                return discardRun(
-                    Preset::paper, "torus", count,
-                    [=](Scene& scene)
-                    {
-                        scene.discard.rule = DiscardRule::paper;
-                        scene.discard.closeness = closeness;
-                    },
-                    fmt::format("closeness {:g} r", closeness));
-            });
+    const auto addPaper = [&](const char* name, double DiscardSettings::*setting,
+                              std::initializer_list<double> values)
+    {
+        for (const double value : values)
+            tasks.emplace_back(
+                [=]
+                {
+                    return discardRun(
+                        Preset::paper, "torus", count,
+                        [=](Scene& scene)
+                        {
+                            scene.discard.rule = DiscardRule::paper;
+                            scene.discard.*setting = value;
+                        },
+                        fmt::format("{} {:g} r", name, value));
+                });
+    };
+    addPaper("epsilon", &DiscardSettings::epsilon, {0.5, 1.0, 2.0, 4.0, 8.0});
+    addPaper("closeness", &DiscardSettings::closeness, {0.1, 1.0, 2.0, 4.0});
     for (const char* object : {"torus", "sphere", "cube", "human"})
         tasks.emplace_back(
             [=]

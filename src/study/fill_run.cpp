@@ -72,11 +72,6 @@ std::optional<std::string> failedPostcondition(const QualityReport& quality, boo
     return std::nullopt;
 }
 
-} // namespace
-
-namespace
-{
-
 /// Of what the colours of spheres mean over the whole run, so that a colour never changes its
 /// meaning. Sets and groups are counted from 0. [1], for speeds [m/s]
 ColourRange colourRange(const Scene& scene, const LoadedMesh& mesh, const Simulation& simulation)
