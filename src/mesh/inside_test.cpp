@@ -7,59 +7,69 @@ namespace frostfill
 {
 
 InsideTest::InsideTest(const Surface& surface, const TriangleGrid& grid)
-    : surface_(&surface), grid_(&grid), sides_(grid.frame().size(), Side::unknown)
+    : surface_(&surface), grid_(&grid), inside_(grid.frame().size(), false)
 {
-    for (std::size_t cell = 0; cell < sides_.size(); ++cell)
+    const GridFrame& frame = grid.frame();
+    std::vector<bool> known(frame.size(), false);
+    std::size_t cell = 0;
+    for (int z = 0; z < frame.count[2]; ++z)
     {
-        if (!grid.cell(cell).empty())
+        for (int y = 0; y < frame.count[1]; ++y)
         {
-            sides_[cell] = Side::mixed;
-        }
-    }
-    std::vector<std::uint32_t> stack;
-    for (std::size_t cell = 0; cell < sides_.size(); ++cell)
-    {
-        if (sides_[cell] == Side::unknown)
-        {
-            classifyFrom(cell, stack);
+            for (int x = 0; x < frame.count[0]; ++x, ++cell)
+            {
+                if (!known[cell] && grid.cell(x, y, z).empty())
+                {
+                    classifyFrom({x, y, z}, known);
+                }
+            }
         }
     }
 }
 
 // Cells without triangles that share a face are on the same side: one winding number serves all.
-void InsideTest::classifyFrom(std::size_t seed, std::vector<std::uint32_t>& stack)
+// Run by run of a row, so that few are waiting at a time [Smith, Tint fill, 1979].
+void InsideTest::classifyFrom(const std::array<int, 3>& seed, std::vector<bool>& known)
 {
     const GridFrame& frame = grid_->frame();
-    const auto at = [&](std::size_t cell)
+    const bool side =
+        windingNumber(surface_->mesh(), frame.centre(seed[0], seed[1], seed[2])) > 0.5;
+    const auto isNew = [&](int x, int y, int z)
+    { return !known[frame.index(x, y, z)] && grid_->cell(x, y, z).empty(); };
+    std::vector<std::array<int, 3>> waiting = {seed};
+    while (!waiting.empty())
     {
-        const int x = static_cast<int>(cell % frame.count[0]);
-        const int y = static_cast<int>(cell / frame.count[0] % frame.count[1]);
-        const int z = static_cast<int>(cell / frame.count[0] / frame.count[1]);
-        return std::array<int, 3>{x, y, z};
-    };
-    const auto first = at(seed);
-    const double winding =
-        windingNumber(surface_->mesh(), frame.centre(first[0], first[1], first[2]));
-    const Side side = winding > 0.5 ? Side::inside : Side::outside;
-    sides_[seed] = side;
-    stack.assign(1, static_cast<std::uint32_t>(seed));
-    while (!stack.empty())
-    {
-        const auto here = at(stack.back());
-        stack.pop_back();
-        for (int face = 0; face < 6; ++face)
+        const auto [x, y, z] = waiting.back();
+        waiting.pop_back();
+        int first = x;
+        while (first > 0 && isNew(first - 1, y, z))
         {
-            auto next = here;
-            next[face / 2] += face % 2 == 0 ? -1 : 1;
-            if (next[face / 2] < 0 || next[face / 2] >= frame.count[face / 2])
+            --first;
+        }
+        int end = x;
+        for (; end < frame.count[0] && (end < x || isNew(end, y, z)); ++end)
+        {
+        }
+        for (int k = first; k < end; ++k)
+        {
+            known[frame.index(k, y, z)] = true;
+            inside_[frame.index(k, y, z)] = side;
+        }
+        for (const auto& [ny, nz] : {std::array{y - 1, z}, {y + 1, z}, {y, z - 1}, {y, z + 1}})
+        {
+            if (ny < 0 || ny >= frame.count[1] || nz < 0 || nz >= frame.count[2])
             {
                 continue;
             }
-            const std::size_t cell = frame.index(next[0], next[1], next[2]);
-            if (sides_[cell] == Side::unknown)
+            bool inRun = false;
+            for (int k = first; k < end; ++k)
             {
-                sides_[cell] = side;
-                stack.push_back(static_cast<std::uint32_t>(cell));
+                const bool fresh = isNew(k, ny, nz);
+                if (fresh && !inRun)
+                {
+                    waiting.push_back({k, ny, nz});
+                }
+                inRun = fresh;
             }
         }
     }
@@ -72,14 +82,14 @@ bool InsideTest::contains(const Eigen::Vector3d& p) const
 
 double InsideTest::distance(const Eigen::Vector3d& p) const
 {
-    const std::size_t cell = grid_->frame().index(p);
     const double reach = grid_->reach();
-    if (sides_[cell] != Side::mixed)
+    const std::span<const std::uint32_t> triangles = grid_->near(p);
+    if (triangles.empty())
     {
-        return sides_[cell] == Side::inside ? reach : -reach;
+        return inside_[grid_->frame().index(p)] ? reach : -reach;
     }
     // The nearest triangle of the list is the nearest of all when it is within the list's reach.
-    const double nearest = nearestDistance(*surface_, grid_->cell(cell), p).value;
+    const double nearest = nearestDistance(*surface_, triangles, p).value;
     if (std::abs(nearest) <= reach)
     {
         return nearest;
@@ -95,10 +105,9 @@ bool InsideTest::isInsideFarFromSurface(const Eigen::Vector3d& p) const
     {
         Eigen::Vector3d other = p;
         other[direction / 2] += (direction % 2 == 0 ? -1 : 1) * 0.99 * grid_->reach();
-        const Side side = sides_[grid_->frame().index(other)];
-        if (side != Side::mixed && grid_->frame().contains(other))
+        if (grid_->near(other).empty() && grid_->frame().contains(other))
         {
-            return side == Side::inside;
+            return inside_[grid_->frame().index(other)];
         }
     }
     return windingNumber(surface_->mesh(), p) > 0.5;

@@ -3,7 +3,7 @@
 
 #include <mesh/triangle_grid.hpp>
 
-#include <cstdint>
+#include <array>
 #include <vector>
 
 namespace frostfill
@@ -27,18 +27,11 @@ public:
 
 private:
     [[nodiscard]] bool isInsideFarFromSurface(const Eigen::Vector3d& p) const;
-    void classifyFrom(std::size_t seed, std::vector<std::uint32_t>& stack);
+    void classifyFrom(const std::array<int, 3>& seed, std::vector<bool>& known);
 
     const Surface* surface_;
     const TriangleGrid* grid_;
-    enum class Side : std::uint8_t
-    {
-        unknown,
-        outside,
-        inside,
-        mixed
-    };
-    std::vector<Side> sides_; ///< [#cells]
+    std::vector<bool> inside_; ///< [#cells] of those without triangles
 };
 
 } // namespace frostfill

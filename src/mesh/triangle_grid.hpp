@@ -12,7 +12,8 @@ namespace frostfill
 {
 
 /// For each cell of a grid, the triangles that come within `reach` of some point of the cell. A
-/// cell may hold any number of them. Cells away from the surface are empty and cost nothing.
+/// cell may hold any number of them. Cells are kept in blocks, and a block away from the surface,
+/// where most of a fine grid is, costs four bytes.
 class TriangleGrid
 {
 public:
@@ -22,19 +23,37 @@ public:
     /// the frame; for points outside it the answer is that of the nearest cell.
     [[nodiscard]] std::span<const std::uint32_t> near(const Eigen::Vector3d& p) const
     {
-        return cell(frame_.index(p));
+        const auto c = frame_.coordinates(p);
+        return cell(c[0], c[1], c[2]);
     }
-    [[nodiscard]] std::span<const std::uint32_t> cell(std::size_t index) const
+    [[nodiscard]] std::span<const std::uint32_t> cell(int x, int y, int z) const
     {
-        return {ids_.data() + start_[index], start_[index + 1] - start_[index]};
+        const std::uint32_t block = blocks_[blocksFrame_.index(x / kSide, y / kSide, z / kSide)];
+        if (block == kNoTriangles)
+        {
+            return {};
+        }
+        const std::uint32_t* start = starts_.data() + std::size_t{block} * kInBlock + inBlock(x, y, z);
+        return {ids_.data() + start[0], start[1] - start[0]};
     }
     [[nodiscard]] const GridFrame& frame() const { return frame_; }
     [[nodiscard]] double reach() const { return reach_; }
 
 private:
+    static constexpr int kSide = 4; // cells
+    static constexpr std::size_t kInBlock = kSide * kSide * kSide;
+    static constexpr std::uint32_t kNoTriangles = 0xffffffff;
+
+    [[nodiscard]] static std::size_t inBlock(int x, int y, int z)
+    {
+        return static_cast<std::size_t>((z % kSide * kSide + y % kSide) * kSide + x % kSide);
+    }
+
     GridFrame frame_;
     double reach_;
-    std::vector<std::uint32_t> start_; ///< [#cells + 1]
+    GridFrame blocksFrame_;             ///< of the blocks
+    std::vector<std::uint32_t> blocks_; ///< [#blocks] where a block's cells begin in starts_
+    std::vector<std::uint32_t> starts_; ///< [#cells of blocks with triangles + 1]
     std::vector<std::uint32_t> ids_;
 };
 

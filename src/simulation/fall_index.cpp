@@ -19,7 +19,7 @@ FallIndex::FallIndex(const GridFrame& frame, const TriangleGrid& triangles)
         {
             for (int x = 0; x < fine.count[0]; ++x)
             {
-                if (!triangles.cell(fine.index(x, y, z)).empty())
+                if (!triangles.cell(x, y, z).empty())
                 {
                     const auto c = frame_.coordinates(fine.centre(x, y, z));
                     walls_[column(c[0], c[2]) + c[1] / 64] |= std::uint64_t{1} << (c[1] % 64);

@@ -133,27 +133,28 @@ bool FastEngine::releaseSet()
     // Free flight is analytic: with Motion::skip a sphere appears where it would touch first.
     const bool skip = world_.scene.motion.mode == Motion::skip;
     grid_.rebuild({runners_.data(), running_});
-    Eigen::Vector3d place;
-    const auto suits = [&](const Eigen::Vector3d& site, double radius)
+    release_->forgetAhead();
+    const auto fall = [&](Eigen::Vector3d place, double radius)
     {
-        place = site;
         if (skip)
         {
             descent_.drop(place, radius);
         }
-        return clearOfRunners(place, radius);
+        return place;
     };
+    const auto suits = [this](const Eigen::Vector3d& place, double radius)
+    { return clearOfRunners(place, radius); };
     while (world_.spheres.size() - before < wanted)
     {
-        const auto found = release_->find(suits);
+        const auto found = release_->find(fall, suits, &threads_);
         if (!found)
         {
             break;
         }
         const std::size_t inSet = world_.spheres.size() - before;
         const auto group = nextGroup_ + static_cast<std::uint32_t>(inSet / groupSize(world_));
-        start(place, found->radius, group);
-        grid_.add(place);
+        start(found->place, found->radius, group);
+        grid_.add(found->place);
     }
     if (world_.spheres.size() == before)
     {

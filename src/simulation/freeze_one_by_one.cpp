@@ -248,18 +248,20 @@ void FastEngine::tellOthers(const Eigen::Vector3d& place, double radius)
                       });
 }
 
-// Keeps the order of the others, and the memory of the frozen ones for spheres to come.
+// The last ones take the places of the frozen ones, whose memory is kept for spheres to come.
 void FastEngine::forgetFrozen()
 {
-    std::size_t kept = 0;
-    for (std::size_t k = 0; k < running_; ++k)
+    for (std::size_t k = running_; k-- > 0;)
     {
-        if (!frozen_[k])
+        if (frozen_[k])
         {
-            std::swap(runners_[kept++], runners_[k]);
+            --running_;
+            if (k != running_)
+            {
+                std::swap(runners_[k], runners_[running_]);
+            }
         }
     }
-    running_ = kept;
     world_.forgetFrozen();
 }
 

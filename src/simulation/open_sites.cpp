@@ -62,8 +62,7 @@ OpenSites::OpenSites(const Surface& surface, const InsideTest& inside, double ra
 
 void OpenSites::close(const Eigen::Vector3d& centre, double radius)
 {
-    // Sites whose own centre is nearer than this have all their points within the two radii.
-    const double limit = radius + radius_ - halfDiagonal();
+    const double limit = closedWithin(radius);
     if (limit <= 0)
     {
         return;

@@ -23,6 +23,12 @@ public:
     void close(const Eigen::Vector3d& centre, double radius);
     void closeSite(std::size_t site) { bits_[site / 64] &= ~(std::uint64_t{1} << (site % 64)); }
 
+    /// A sphere at rest of this radius closes the sites whose centre is nearer than this.
+    [[nodiscard]] double closedWithin(double radius) const
+    {
+        return radius + radius_ - halfDiagonal(); // all their points are within the two radii
+    }
+
     [[nodiscard]] bool isOpen(std::size_t site) const
     {
         return (bits_[site / 64] >> (site % 64) & 1u) != 0;

@@ -233,18 +233,11 @@ void PaperEngine::integrate()
     for (std::size_t i = world_.restingCount; i < s.size(); ++i)
     {
         before_.push_back(s.position(i));
-        if (!explicitEuler)
-        {
-            s.vy[i] -= fall;
-        }
-        s.x[i] += s.vx[i] * dt;
-        s.y[i] += s.vy[i] * dt;
-        s.z[i] += s.vz[i] * dt;
-        if (explicitEuler)
-        {
-            s.vy[i] -= fall;
-        }
-        predicted_.push_back(s.position(i));
+        const Eigen::Vector3d velocity = s.velocity(i);
+        const Eigen::Vector3d faster = velocity - Eigen::Vector3d(0, fall, 0);
+        predicted_.push_back(before_.back() + (explicitEuler ? velocity : faster) * dt);
+        s.setPosition(i, predicted_.back());
+        s.setVelocity(i, faster);
     }
 }
 

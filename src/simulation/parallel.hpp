@@ -25,11 +25,13 @@ public:
     {
     }
 
+    [[nodiscard]] int concurrency() const { return arena_.max_concurrency(); }
+
     /// Calls body(i) for each i below `count`; on this thread when that is not worth sharing.
     template <class Body>
     void forEach(std::size_t count, Body&& body)
     {
-        if (count < kWorthSharing || arena_.max_concurrency() == 1)
+        if (count < kWorthSharing || concurrency() == 1)
         {
             for (std::size_t i = 0; i < count; ++i)
             {

@@ -49,6 +49,7 @@ bool ReachMap::flood(std::span<const Eigen::Vector3d> running)
         }
     }
     open_ = std::move(reached);
+    search_.giveMemoryBack();
     flooded_ = true;
     return trusted;
 }

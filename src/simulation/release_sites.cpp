@@ -46,6 +46,40 @@ void ReleaseSites::findCeilings(double band)
     window_ = static_cast<std::size_t>(ceilings_.end() - first);
 }
 
+// Cell by cell of the grid, so that what is closed one after another lies close together in memory.
+void ReleaseSites::startSweep()
+{
+    if (sweeping_)
+    {
+        return;
+    }
+    sweeping_ = true;
+    const std::array<int, 3>& count = world_.resting.frame().count;
+    world_.resting.forEachIn({0, 0, 0}, {count[0] - 1, count[1] - 1, count[2] - 1},
+                             [&](std::uint32_t id)
+                             {
+                                 const GridSphere& sphere = world_.resting[id];
+                                 sites_.close(sphere.position(), sphere.radius);
+                             });
+}
+
+// Whether a sphere at rest leaves no place in the site's cell, as OpenSites::close would find.
+bool ReleaseSites::isTaken(std::size_t site) const
+{
+    const Eigen::Vector3d centre = sites_.centre(site);
+    bool taken = false;
+    world_.resting.forEachNear(centre, radius_ + 1,
+                               [&](std::uint32_t id)
+                               {
+                                   const GridSphere& sphere = world_.resting[id];
+                                   const double limit = sites_.closedWithin(sphere.radius);
+                                   taken = taken ||
+                                           (limit > 0 && (sphere.position() - centre).squaredNorm() <=
+                                                             limit * limit);
+                               });
+    return taken;
+}
+
 // The next lower one takes its place in the window.
 void ReleaseSites::dropCeiling(std::size_t index)
 {
@@ -54,34 +88,48 @@ void ReleaseSites::dropCeiling(std::size_t index)
     window_ = std::min(window_, ceilings_.size());
 }
 
-// One attempt at a random one of the highest ceilings. A ceiling from which nothing can be released
-// any more is forgotten; its site stays open for the sweep unless no place is left in it.
-std::optional<Eigen::Vector3d> ReleaseSites::drawAtCeiling(std::size_t among)
+std::size_t ReleaseSites::ceilingOfDraw(std::uint64_t number, std::size_t among) const
 {
-    const std::uint64_t seed = world_.scene.seed;
-    const double choice = uniformRandom(seed, ++draws_, 0);
-    const auto index =
-        ceilings_.size() - 1 - static_cast<std::size_t>(choice * static_cast<double>(among));
-    const std::uint32_t site = ceilings_[index];
-    lastCeiling_ = index;
-    if (sites_.isOpen(site))
+    const double choice = uniformRandom(world_.scene.seed, number, 0);
+    return ceilings_.size() - 1 - static_cast<std::size_t>(choice * static_cast<double>(among));
+}
+
+// A clear place at a random point of the ceiling, or at its middle.
+std::optional<Eigen::Vector3d> ReleaseSites::placeOfDraw(std::uint64_t number,
+                                                         std::uint32_t site) const
+{
+    if (!sites_.isOpen(site) || isTaken(site))
     {
-        Eigen::Vector3d p = sites_.centre(site);
-        p.x() += sites_.cell() * (uniformRandom(seed, draws_, 1) - 0.5);
-        p.z() += sites_.cell() * (uniformRandom(seed, draws_, 2) - 0.5);
-        if (moveClear(world_, p, radius_, radius_))
-        {
-            return p;
-        }
-        p = sites_.centre(site);
-        if (moveClear(world_, p, radius_, farthest()))
-        {
-            return p;
-        }
-        sites_.closeSite(site);
+        return std::nullopt;
     }
-    dropCeiling(index);
+    const std::uint64_t seed = world_.scene.seed;
+    Eigen::Vector3d p = sites_.centre(site);
+    p.x() += sites_.cell() * (uniformRandom(seed, number, 1) - 0.5);
+    p.z() += sites_.cell() * (uniformRandom(seed, number, 2) - 0.5);
+    if (moveClear(world_, p, radius_, radius_))
+    {
+        return p;
+    }
+    p = sites_.centre(site);
+    if (moveClear(world_, p, radius_, farthest()))
+    {
+        return p;
+    }
     return std::nullopt;
+}
+
+// A ceiling from which nothing can be released any more is forgotten.
+std::optional<Eigen::Vector3d> ReleaseSites::take(const Draw& draw, std::size_t among)
+{
+    lastCeiling_ = ceilingOfDraw(draw.number, among);
+    ++sinceForgotten_;
+    if (!draw.place)
+    {
+        sinceForgotten_ = 0;
+        sites_.closeSite(draw.site);
+        dropCeiling(lastCeiling_);
+    }
+    return draw.place;
 }
 
 // The first open site from `site` on that has a clear place, which becomes place_; sites that turn

@@ -25,10 +25,11 @@ public:
     /// `world` outlives this. `band`: see ReleaseSites.
     Releases(const World& world, double band);
 
-    /// The next sphere, at a place for which `suits(place, radius)` holds. Empty when there is none
-    /// now.
-    template <class Suits>
-    [[nodiscard]] std::optional<Found> find(Suits&& suits)
+    /// The next sphere, at a place that is taken to `prepare(place, radius)` and for which
+    /// `suits(place, radius)` then holds. Empty when there is none now. See ReleaseSites::find.
+    template <class Prepare, class Suits>
+    [[nodiscard]] std::optional<Found> find(Prepare&& prepare, Suits&& suits,
+                                            Threads* threads = nullptr)
     {
         while (!classes_.empty())
         {
@@ -37,7 +38,7 @@ public:
                 draw();
             }
             const double radius = *drawn_;
-            if (const auto place = find(radius, suits))
+            if (const auto place = find(radius, prepare, suits, threads))
             {
                 drawn_.reset();
                 return Found{*place, radius};
@@ -51,18 +52,22 @@ public:
         return std::nullopt;
     }
 
+    /// The same for any clear place.
+    template <class Suits>
+    [[nodiscard]] std::optional<Found> find(Suits&& suits)
+    {
+        return find(asItIs, suits);
+    }
+
     /// A place for a sphere of this radius.
     template <class Suits>
     [[nodiscard]] std::optional<Eigen::Vector3d> find(double radius, Suits&& suits)
     {
-        if (radius > classes_.back().largest)
-        {
-            return std::nullopt;
-        }
-        lastClass_ = classOf(radius);
-        return classes_[lastClass_].sites.find([&](const Eigen::Vector3d& place)
-                                               { return suits(place, radius); });
+        return find(radius, asItIs, suits, nullptr);
     }
+
+    /// Before a search of which the first with threads comes after something has come to rest.
+    void forgetAhead() { classes_.front().sites.forgetAhead(); }
 
     /// Whether a single place is free now, for the smallest radius.
     [[nodiscard]] bool any() { return classes_.front().sites.any(); }
@@ -79,7 +84,25 @@ private:
         double largest; ///< radius, for which its sites are
         ReleaseSites sites;
     };
+    static Eigen::Vector3d asItIs(const Eigen::Vector3d& place, double) { return place; }
     void draw();
+
+    template <class Prepare, class Suits>
+    [[nodiscard]] std::optional<Eigen::Vector3d> find(double radius, Prepare&& prepare,
+                                                      Suits&& suits, Threads* threads)
+    {
+        if (radius > classes_.back().largest)
+        {
+            return std::nullopt;
+        }
+        lastClass_ = classOf(radius);
+        // A draw that is known ahead is so for one radius.
+        return classes_[lastClass_].sites.find(
+            [&](const Eigen::Vector3d& place) { return prepare(place, radius); },
+            [&](const Eigen::Vector3d& place) { return suits(place, radius); },
+            world_.radii.equal() ? threads : nullptr);
+    }
+
     void dropClasses(std::size_t from);
     [[nodiscard]] std::size_t classOf(double radius) const;
 

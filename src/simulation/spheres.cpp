@@ -6,16 +6,36 @@ namespace frostfill
 
 void Spheres::moveTo(std::size_t from, std::size_t to)
 {
-    for (auto* values : {&x, &y, &z, &vx, &vy, &vz, &radius})
+    for (auto* values : {&x, &y, &z, &radius})
     {
         (*values)[to] = (*values)[from];
     }
-    state[to] = state[from];
+    setVelocity(to, velocity(from));
+    setState(to, state[from]);
+}
+
+void Spheres::setState(std::size_t i, SphereState newState)
+{
+    const bool ran = state[i] == SphereState::running;
+    const bool runs = newState == SphereState::running;
+    if (ran && !runs)
+    {
+        velocities.stop(i);
+    }
+    if (!ran && runs)
+    {
+        velocities.start(i);
+    }
+    state[i] = newState;
 }
 
 void Spheres::removeLast()
 {
-    for (auto* values : {&x, &y, &z, &vx, &vy, &vz, &radius})
+    if (state.back() == SphereState::running)
+    {
+        velocities.stop(size() - 1);
+    }
+    for (auto* values : {&x, &y, &z, &radius})
     {
         values->pop_back();
     }
@@ -25,7 +45,7 @@ void Spheres::removeLast()
 
 void Spheres::reserve(std::size_t count)
 {
-    for (auto* values : {&x, &y, &z, &vx, &vy, &vz, &radius})
+    for (auto* values : {&x, &y, &z, &radius})
     {
         values->reserve(count);
     }
@@ -38,12 +58,10 @@ std::uint32_t Spheres::add(const Eigen::Vector3d& p, double r, std::uint32_t gro
     x.push_back(p.x());
     y.push_back(p.y());
     z.push_back(p.z());
-    vx.push_back(0);
-    vy.push_back(0);
-    vz.push_back(0);
     radius.push_back(r);
     group.push_back(groupOfSphere);
     state.push_back(SphereState::running);
+    velocities.start(size() - 1);
     return static_cast<std::uint32_t>(size() - 1);
 }
 

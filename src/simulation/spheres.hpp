@@ -2,6 +2,7 @@
 #pragma once
 
 #include <frostfill/snapshot.hpp>
+#include <simulation/velocities.hpp>
 
 #include <Eigen/Core>
 
@@ -16,27 +17,25 @@ namespace frostfill
 struct Spheres
 {
     std::vector<double> x, y, z;
-    std::vector<double> vx, vy, vz;
     std::vector<double> radius;
     std::vector<std::uint32_t> group;
     std::vector<SphereState> state;
+    Velocities velocities;
 
     [[nodiscard]] std::size_t size() const { return x.size(); }
     [[nodiscard]] Eigen::Vector3d position(std::size_t i) const { return {x[i], y[i], z[i]}; }
-    [[nodiscard]] Eigen::Vector3d velocity(std::size_t i) const { return {vx[i], vy[i], vz[i]}; }
+    [[nodiscard]] Eigen::Vector3d velocity(std::size_t i) const { return velocities[i]; }
     void setPosition(std::size_t i, const Eigen::Vector3d& p)
     {
         x[i] = p.x();
         y[i] = p.y();
         z[i] = p.z();
     }
-    void setVelocity(std::size_t i, const Eigen::Vector3d& v)
-    {
-        vx[i] = v.x();
-        vy[i] = v.y();
-        vz[i] = v.z();
-    }
-    /// Gives sphere `to` all that sphere `from` has but its group.
+    /// Sphere i runs.
+    void setVelocity(std::size_t i, const Eigen::Vector3d& v) { velocities.set(i, v); }
+    /// Changes the state. What stops running loses its velocity.
+    void setState(std::size_t i, SphereState newState);
+    /// Gives sphere `to`, which runs, all that sphere `from` has but its group.
     void moveTo(std::size_t from, std::size_t to);
     void removeLast();
     void reserve(std::size_t count);

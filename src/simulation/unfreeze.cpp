@@ -61,13 +61,6 @@ bool FastEngine::followObject()
 void FastEngine::renewSites()
 {
     release_.emplace(world_, -1);
-    for (std::uint32_t id = 0; id < world_.spheres.size(); ++id)
-    {
-        if (world_.spheres.state[id] != SphereState::running)
-        {
-            release_->close(world_.spheres.position(id), world_.spheres.radius[id]);
-        }
-    }
     sitesAreNew_ = true;
 }
 

@@ -61,11 +61,11 @@ double sphereBelow(const World& world, const FallIndex& falls, const std::array<
 }
 
 /// How far a sphere can fall from `here`, at most to `end`, in a cell of the triangles' grid.
-double fallInCell(const World& world, std::size_t cell, const Eigen::Vector3d& here, double radius,
-                  double end)
+double fallInCell(const World& world, const std::array<int, 3>& cell, const Eigen::Vector3d& here,
+                  double radius, double end)
 {
     double path = here.y() - end;
-    for (const std::uint32_t id : world.triangles.cell(cell))
+    for (const std::uint32_t id : world.triangles.cell(cell[0], cell[1], cell[2]))
     {
         if (world.polygons[id] == PolygonState::active &&
             world.surface.bound(id).mayBeWithin(radius + path, here))
@@ -100,7 +100,7 @@ double wallBelow(const World& world, const FallIndex& falls, const std::array<in
             const int y = fine.coordinate(here.y() - kJustBelow, 1);
             const double end = std::max(bottom, fine.origin.y() + fine.cell * y);
             const double path =
-                fallInCell(world, fine.index(fineColumn[0], y, fineColumn[2]), here, radius, end);
+                fallInCell(world, {fineColumn[0], y, fineColumn[2]}, here, radius, end);
             if (path < here.y() - end)
             {
                 return here.y() - path;

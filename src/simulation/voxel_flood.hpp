@@ -94,6 +94,13 @@ public:
         touched_.clear();
     }
 
+    /// To be called after a flood of everything: what follows needs far less memory.
+    void giveMemoryBack()
+    {
+        stack_.shrink_to_fit();
+        touched_.shrink_to_fit();
+    }
+
 private:
     // Returns the cubes that had not been visited.
     std::uint64_t push(const VoxelBits& open, VoxelWord cubes)

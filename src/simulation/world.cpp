@@ -67,7 +67,7 @@ World::World(const Scene& sceneOfRun, const TriangleMesh& mesh)
     const std::size_t most = targetCount > 0 ? std::min(targetCount, room) : room;
     spheres.reserve(most);
     resting.reserve(most);
-    stateChanges.reserve(most);
+    stateChanges.reserve(scene.discard.rule == DiscardRule::none ? most : 2 * most);
 }
 
 std::uint32_t World::release(const Eigen::Vector3d& place, double radius, std::uint32_t group)
@@ -85,8 +85,7 @@ void World::forgetFrozen()
 
 void World::freeze(std::uint32_t id)
 {
-    spheres.state[id] = SphereState::frozen;
-    spheres.setVelocity(id, Eigen::Vector3d::Zero());
+    spheres.setState(id, SphereState::frozen);
     resting.insert(id, spheres.position(id), spheres.radius[id]);
     ++restingCount;
     stateChanges.push_back(id);
@@ -96,7 +95,7 @@ void World::unfreezeLast()
 {
     const std::uint32_t id = stateChanges.back();
     stateChanges.pop_back();
-    spheres.state[id] = SphereState::running;
+    spheres.setState(id, SphereState::running);
     resting.remove(id);
     --restingCount;
 }
@@ -104,7 +103,7 @@ void World::unfreezeLast()
 void World::unfreeze(std::uint32_t id)
 {
     discardedCount -= spheres.state[id] == SphereState::discarded ? 1 : 0;
-    spheres.state[id] = SphereState::running;
+    spheres.setState(id, SphereState::running);
     resting.remove(id);
     --restingCount;
     stateChanges.push_back(id);
@@ -137,7 +136,7 @@ std::uint32_t World::withdraw(std::uint32_t id)
 
 void World::discard(std::uint32_t id)
 {
-    spheres.state[id] = SphereState::discarded;
+    spheres.setState(id, SphereState::discarded);
     resting.setDiscarded(id, true);
     ++discardedCount;
     stateChanges.push_back(id);
@@ -149,7 +148,7 @@ void World::restoreDiscarded()
     {
         if (spheres.state[id] == SphereState::discarded)
         {
-            spheres.state[id] = SphereState::frozen;
+            spheres.setState(id, SphereState::frozen);
             resting.setDiscarded(id, false);
             stateChanges.push_back(id);
         }

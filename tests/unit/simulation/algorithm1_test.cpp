@@ -45,8 +45,8 @@ TEST_F(Algorithm1Test, HeadOnPairSeparatesWithTheClosedFormSpeeds)
     const auto a = add({-0.9, 0, 0}, {2, 0, 0});
     const auto b = add({0.9, 0, 0});
     runAll(0, 0);
-    EXPECT_DOUBLE_EQ(spheres.vx[a], 2 * (1 - 0.5) / 2);
-    EXPECT_DOUBLE_EQ(spheres.vx[b], 2 * (1 + 0.5) / 2);
+    EXPECT_DOUBLE_EQ(spheres.velocity(a).x(), 2 * (1 - 0.5) / 2);
+    EXPECT_DOUBLE_EQ(spheres.velocity(b).x(), 2 * (1 + 0.5) / 2);
     EXPECT_DOUBLE_EQ(spheres.x[a], -1);
     EXPECT_DOUBLE_EQ(spheres.x[b], 1);
     EXPECT_EQ(counts.runningRunningTests, 1u);
@@ -60,8 +60,8 @@ TEST_F(Algorithm1Test, PairKeepsItsMomentumAndTangentialSpeed)
     const Eigen::Vector3d momentum = spheres.velocity(a) + spheres.velocity(b);
     runAll(0, 0);
     EXPECT_LT((spheres.velocity(a) + spheres.velocity(b) - momentum).norm(), 1e-14);
-    EXPECT_DOUBLE_EQ(spheres.vz[a], 3);
-    EXPECT_DOUBLE_EQ(spheres.vz[b], 0.5);
+    EXPECT_DOUBLE_EQ(spheres.velocity(a).z(), 3);
+    EXPECT_DOUBLE_EQ(spheres.velocity(b).z(), 0.5);
 }
 
 TEST_F(Algorithm1Test, FrozenSphereNeverMovesByOneBit)
@@ -72,7 +72,7 @@ TEST_F(Algorithm1Test, FrozenSphereNeverMovesByOneBit)
     EXPECT_EQ(spheres.position(frozen), Eigen::Vector3d(0.1, 0.2, 0.3));
     EXPECT_EQ(spheres.velocity(frozen), Eigen::Vector3d(0, 0, 0));
     EXPECT_NEAR(spheres.y[running], 2.2, 1e-14);
-    EXPECT_NEAR(spheres.vy[running], 0.5, 1e-14);
+    EXPECT_NEAR(spheres.velocity(running).y(), 0.5, 1e-14);
     EXPECT_EQ(counts.runningFrozenTests, 1u);
     EXPECT_EQ(counts.runningFrozenResponses, 1u);
 }
@@ -82,8 +82,8 @@ TEST_F(Algorithm1Test, WallReflectsWithRestitution)
     const auto id = add({3, -9.5, 2}, {1, -2, 0});
     runAll(0, 0);
     EXPECT_NEAR(spheres.y[id], -9, 1e-14);
-    EXPECT_NEAR(spheres.vy[id], 1, 1e-14);
-    EXPECT_NEAR(spheres.vx[id], 1, 1e-14);
+    EXPECT_NEAR(spheres.velocity(id).y(), 1, 1e-14);
+    EXPECT_NEAR(spheres.velocity(id).x(), 1, 1e-14);
     EXPECT_EQ(counts.spherePolygonTests, 48u);
 }
 
@@ -91,7 +91,7 @@ TEST_F(Algorithm1Test, SlowApproachDoesNotBounce)
 {
     const auto id = add({3, -9.05, 2}, {0, -0.009, 0});
     runAll(0, 0);
-    EXPECT_NEAR(spheres.vy[id], 0, 1e-16);
+    EXPECT_NEAR(spheres.velocity(id).y(), 0, 1e-16);
 }
 
 TEST_F(Algorithm1Test, CornerHoldsASphereAtItsRadiusFromThreeWalls)
