@@ -35,6 +35,7 @@ private:
     void openSet(std::size_t spheres);
     [[nodiscard]] double runningEnergy() const;
     void advance();
+    [[nodiscard]] double ageing(const Runner& runner) const;
     void freezeCalm();
     void findCalm();
     void findPlace(Runner& runner) const;

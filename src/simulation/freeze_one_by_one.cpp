@@ -244,6 +244,7 @@ void FastEngine::tellOthers(const Eigen::Vector3d& place, double radius)
                           if (runners_[k].around.add(place, radius))
                           {
                               runners_[k].stale = true;
+                              runners_[k].age = 0; // what carries it has only now come to rest
                           }
                       });
 }
