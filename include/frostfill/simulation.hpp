@@ -48,8 +48,9 @@ struct QualityReport
                              ///< the energy of a fall through the object's height
     double energyExcess = 0; ///< by how much it was at most above its start plus the work done on
                              ///< it, relative to the same
-    double meshVolume = 0;   ///< [unit^3]
-    double sphereVolume = 0; ///< [unit^3] of all spheres
+    std::size_t restoredDiscards = 0; ///< times that a guard brought back all that was discarded
+    double meshVolume = 0;            ///< [unit^3]
+    double sphereVolume = 0;          ///< [unit^3] of all spheres
     double volumeEstimate = 0; ///< [unit^3] N v / phi + c r S; NaN unless full of equal spheres
     /// [unit^3] uncertainty: largest error over the calibration's shapes, and scatter of packings
     double volumeEstimateError = 0;

@@ -33,7 +33,8 @@ public:
         {
             return {};
         }
-        const std::uint32_t* start = starts_.data() + std::size_t{block} * kInBlock + inBlock(x, y, z);
+        const std::uint32_t* start =
+            starts_.data() + std::size_t{block} * kInBlock + inBlock(x, y, z);
         return {ids_.data() + start[0], start[1] - start[0]};
     }
     [[nodiscard]] const GridFrame& frame() const { return frame_; }

@@ -15,10 +15,10 @@ constexpr double kStep = 0.165;        // default time step [sqrt(r/g) of the sm
 constexpr double kSkipStep = 0.33;     // the same with Motion::skip, where nothing falls from far
 constexpr double kLongestStep = 0.33;  // a longer one is divided [sqrt(r/g) of the smallest]
 constexpr double kWindow = 0.33;       // over which a sphere is watched [sqrt(r/g)]
-constexpr double kWaiting = 0.05; // how fast a sphere ages that only runners hold up
+constexpr double kWaiting = 0.05;      // how fast a sphere ages that only runners hold up
 constexpr double kStillRunning = 0.2;  // share of a set that may run when the next one appears
 constexpr int kSweepsInAvalanche = 40; // of encounters at most, where whole piles run at once
-constexpr double kCarries = 0.1;     // part of a contact's force that is vertical, at least
+constexpr double kCarries = 0.1;       // part of a contact's force that is vertical, at least
 constexpr double kTopBand = 4;         // below the highest ceiling, in which falls begin [r]
 constexpr double kFarRelease = 4;      // a sphere that is released in a wall is moved by less [r]
 
@@ -261,7 +261,8 @@ void FastEngine::advance()
 double FastEngine::ageing(const Runner& runner) const
 {
     const Eigen::Vector3d down = world_.pull.direction(runner.position);
-    const auto carries = [&](const Eigen::Vector3d& normal) { return normal.dot(down) < -kCarries; };
+    const auto carries = [&](const Eigen::Vector3d& normal)
+    { return normal.dot(down) < -kCarries; };
     const bool carried = std::any_of(runner.normals.begin(), runner.normals.end(), carries);
     return carried || runner.meeting.empty() ? 1 : kWaiting;
 }

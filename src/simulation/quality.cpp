@@ -43,6 +43,7 @@ public:
         report_.meanOverlap = pairs_ > 0 ? overlapSum_ / static_cast<double>(pairs_) : 0;
         report_.energyGain = world_.energy.largestGain();
         report_.energyExcess = world_.energy.excess();
+        report_.restoredDiscards = world_.restoredDiscards;
         estimateVolume();
         return report_;
     }

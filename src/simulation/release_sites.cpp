@@ -68,15 +68,15 @@ bool ReleaseSites::isTaken(std::size_t site) const
 {
     const Eigen::Vector3d centre = sites_.centre(site);
     bool taken = false;
-    world_.resting.forEachNear(centre, radius_ + 1,
-                               [&](std::uint32_t id)
-                               {
-                                   const GridSphere& sphere = world_.resting[id];
-                                   const double limit = sites_.closedWithin(sphere.radius);
-                                   taken = taken ||
-                                           (limit > 0 && (sphere.position() - centre).squaredNorm() <=
-                                                             limit * limit);
-                               });
+    world_.resting.forEachNear(
+        centre, radius_ + 1,
+        [&](std::uint32_t id)
+        {
+            const GridSphere& sphere = world_.resting[id];
+            const double limit = sites_.closedWithin(sphere.radius);
+            taken =
+                taken || (limit > 0 && (sphere.position() - centre).squaredNorm() <= limit * limit);
+        });
     return taken;
 }
 

@@ -30,11 +30,9 @@ public:
     [[nodiscard]] std::optional<Eigen::Vector3d> find(Prepare&& prepare, Suits&& suits,
                                                       Threads* threads = nullptr)
     {
-        // Places that do not suit are taken for the moment only: so many misses mean that most are.
         for (const bool highOnly : {true, false})
         {
-            const std::size_t patience = 64 + 2 * (highOnly ? window_ : ceilings_.size());
-            for (std::size_t misses = 0; misses < patience && !ceilings_.empty(); ++misses)
+            for (int misses = 0; misses < kPatience && !ceilings_.empty();)
             {
                 const std::size_t among = highOnly ? window_ : ceilings_.size();
                 const auto place = take(nextDraw(among, prepare, threads), among);
@@ -42,6 +40,7 @@ public:
                 {
                     return place;
                 }
+                misses += place ? 1 : 0; // else a ceiling is forgotten, which ends by itself
             }
         }
         if (!ceilings_.empty())
@@ -150,6 +149,8 @@ private:
     [[nodiscard]] std::size_t nextFree(std::size_t site);
 
     static constexpr std::size_t kAhead = 128; // draws
+    /// Places that do not suit are taken for the moment only: so many in a row mean that most are.
+    static constexpr int kPatience = 64;
 
     const World& world_;
     double radius_;

@@ -26,8 +26,8 @@ struct Runner
     Eigen::Vector3d velocityBefore = Eigen::Vector3d::Zero(); ///< at the end of that flight
     Eigen::Vector3d push = Eigen::Vector3d::Zero();           ///< this sweep's displacement
     Eigen::Vector3d watched = Eigen::Vector3d::Zero();        ///< position at the window's start
-    double depth = 0;                         ///< deepest penetration found in this sweep [r]
-    double age = 0; ///< since its release, or something came to rest beside it [sqrt(r/g)]
+    double depth = 0; ///< deepest penetration found in this sweep [r]
+    double age = 0;   ///< since its release, or something came to rest beside it [sqrt(r/g)]
     std::uint32_t calmWindows = 0;            ///< in a row in which it hardly moved
     std::optional<Eigen::Vector3d> carriedAt; ///< the place nearby where what is at rest carries it
     bool stale = false; ///< something has come to rest, or has moved, since carriedAt was found

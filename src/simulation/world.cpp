@@ -153,6 +153,7 @@ void World::restoreDiscarded()
             stateChanges.push_back(id);
         }
     }
+    ++restoredDiscards;
     discardedCount = 0;
     std::fill(polygons.begin(), polygons.end(), PolygonState::active);
     discardedPolygons = 0;

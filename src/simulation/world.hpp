@@ -47,6 +47,7 @@ struct World
     std::size_t restingCount = 0;
     std::size_t discardedCount = 0;
     std::size_t discardedPolygons = 0;
+    std::size_t restoredDiscards = 0; ///< times that all discards were taken back
     std::size_t overdue = 0; ///< spheres frozen only because they would not come to rest in time
 
     // How far the run has come.

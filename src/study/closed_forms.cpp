@@ -186,7 +186,8 @@ private:
                 [&]
                 {
                     engine->step();
-                    return std::pair(hallOfPaper->spheres.y[0] + 29, hallOfPaper->spheres.velocity(0).y());
+                    return std::pair(hallOfPaper->spheres.y[0] + 29,
+                                     hallOfPaper->spheres.velocity(0).y());
                 });
             add("bounce", isExplicit ? "explicit Euler" : "semi-implicit Euler", "step", dt,
                 apex / expected - 1, kNoClaim);

@@ -64,6 +64,8 @@ Json errorJson(const QualityReport& quality)
             {"not_finite", quality.notFinite},
             {"unsupported_frozen", quality.unsupported},
             {"energy_gain", quality.energyGain},
+            {"energy_above_start", quality.energyExcess},
+            {"restored_discards", quality.restoredDiscards},
             {"volume_mesh", quality.meshVolume},
             {"volume_spheres", quality.sphereVolume},
             {"packing_fraction",

@@ -17,7 +17,7 @@ using test::expectError;
 using test::readFile;
 using test::TemporaryFolder;
 
-TEST(SpheresCsv, hasARowASphereWithEveryDigit)
+TEST(SpheresCsv, hasARowASphereWithAsManyDigitsAsBringItBack)
 {
     const TemporaryFolder folder;
     const std::vector<SphereRecord> spheres = {
@@ -26,11 +26,10 @@ TEST(SpheresCsv, hasARowASphereWithEveryDigit)
         {{1, 2, 3}, 0.25, 4, SphereState::running},
     };
     writeSpheresCsv(spheres, folder / "spheres.csv");
-    EXPECT_EQ(readFile(folder / "spheres.csv"),
-              "id,group,x,y,z,radius,state\n"
-              "0,0,0.10000000000000001,-2,9.9999999999999995e-08,0.25,discarded\n"
-              "1,3,0.33333333333333331,0,5,0.25,frozen\n"
-              "2,4,1,2,3,0.25,running\n");
+    EXPECT_EQ(readFile(folder / "spheres.csv"), "id,group,x,y,z,radius,state\n"
+                                                "0,0,0.1,-2,1e-07,0.25,discarded\n"
+                                                "1,3,0.3333333333333333,0,5,0.25,frozen\n"
+                                                "2,4,1,2,3,0.25,running\n");
 }
 
 TEST(PolygonsCsv, hasARowAPolygon)
