@@ -86,13 +86,57 @@ void OpenSites::close(const Eigen::Vector3d& centre, double radius)
             const double last = (centre.x() + half - lattice_.origin.x()) / lattice_.cell - 0.5;
             const int begin = std::max(0, static_cast<int>(std::ceil(first)));
             const int end = std::min(lattice_.count[0] - 1, static_cast<int>(std::floor(last)));
-            const std::size_t row = lattice_.index(0, y, z);
-            for (int x = begin; x <= end; ++x)
+            if (begin <= end)
             {
-                closeSite(row + static_cast<std::size_t>(x));
+                const std::size_t row = lattice_.index(0, y, z);
+                closeRun(row + static_cast<std::size_t>(begin),
+                         row + static_cast<std::size_t>(end));
             }
         }
     }
+}
+
+void OpenSites::closeRun(std::size_t first, std::size_t last)
+{
+    for (std::size_t word = first / 64; word <= last / 64; ++word)
+    {
+        std::uint64_t run = ~std::uint64_t{0};
+        run &= word == first / 64 ? ~std::uint64_t{0} << first % 64 : run;
+        run &= word == last / 64 ? ~std::uint64_t{0} >> (63 - last % 64) : run;
+        bits_[word] &= ~run;
+    }
+}
+
+std::uint64_t OpenSites::openFrom(std::size_t site) const
+{
+    const std::size_t word = site / 64;
+    const std::uint64_t here = word < bits_.size() ? bits_[word] >> site % 64 : 0;
+    const std::uint64_t next = site % 64 > 0 && word + 1 < bits_.size() ? bits_[word + 1] : 0;
+    return next == 0 ? here : here | next << (64 - site % 64);
+}
+
+std::vector<std::uint32_t> OpenSites::highest() const
+{
+    const auto row = static_cast<std::size_t>(lattice_.count[0]);
+    const std::size_t plane = row * static_cast<std::size_t>(lattice_.count[1]);
+    std::vector<std::uint32_t> found;
+    for (std::size_t begin = 0; begin < lattice_.size(); begin += row)
+    {
+        const bool isTop = begin % plane + row == plane;
+        for (std::size_t x = 0; x < row; x += 64)
+        {
+            const std::uint64_t inRow =
+                row - x < 64 ? ~(~std::uint64_t{0} << (row - x)) : ~std::uint64_t{0};
+            const std::uint64_t above = isTop ? 0 : openFrom(begin + x + row);
+            for (std::uint64_t bits = openFrom(begin + x) & ~above & inRow; bits != 0;
+                 bits &= bits - 1)
+            {
+                const auto bit = static_cast<std::size_t>(std::countr_zero(bits));
+                found.push_back(static_cast<std::uint32_t>(begin + x + bit));
+            }
+        }
+    }
+    return found;
 }
 
 Eigen::Vector3d OpenSites::centre(std::size_t site) const

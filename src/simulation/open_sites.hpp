@@ -38,10 +38,17 @@ public:
     /// The next open site from `site` on, or lattice().size(). Ascending in z, y, x.
     [[nodiscard]] std::size_t nextOpen(std::size_t site) const;
 
+    /// The open sites whose neighbour above is not open, ascending.
+    [[nodiscard]] std::vector<std::uint32_t> highest() const;
+
     [[nodiscard]] double cell() const { return lattice_.cell; }
     [[nodiscard]] double halfDiagonal() const { return 0.8660254037844387 * lattice_.cell; }
 
 private:
+    void closeRun(std::size_t first, std::size_t last);
+    /// 64 sites from this one on, the first in the lowest bit.
+    [[nodiscard]] std::uint64_t openFrom(std::size_t site) const;
+
     double radius_;
     GridFrame lattice_;
     std::vector<std::uint64_t> bits_;

@@ -31,19 +31,44 @@ public:
     template <class Body>
     void forEach(std::size_t count, Body&& body)
     {
-        if (count < kWorthSharing || concurrency() == 1)
+        if (count < kWorthSharing)
         {
-            for (std::size_t i = 0; i < count; ++i)
-            {
-                body(i);
-            }
+            alone(count, body);
+            return;
+        }
+        share(count, kGrain, tbb::static_partitioner(), body);
+    }
+
+    /// The same for few bodies that take long.
+    template <class Body>
+    void forEachLarge(std::size_t count, Body&& body)
+    {
+        share(count, 1, tbb::simple_partitioner(), body);
+    }
+
+private:
+    template <class Body>
+    static void alone(std::size_t count, Body& body)
+    {
+        for (std::size_t i = 0; i < count; ++i)
+        {
+            body(i);
+        }
+    }
+
+    template <class Partitioner, class Body>
+    void share(std::size_t count, std::size_t grain, const Partitioner& partitioner, Body& body)
+    {
+        if (concurrency() == 1)
+        {
+            alone(count, body);
             return;
         }
         arena_.execute(
             [&]
             {
                 tbb::parallel_for(
-                    tbb::blocked_range<std::size_t>(0, count, kGrain),
+                    tbb::blocked_range<std::size_t>(0, count, grain),
                     [&](const tbb::blocked_range<std::size_t>& range)
                     {
                         for (std::size_t i = range.begin(); i != range.end(); ++i)
@@ -51,11 +76,10 @@ public:
                             body(i);
                         }
                     },
-                    tbb::static_partitioner());
+                    partitioner);
             });
     }
 
-private:
     static constexpr std::size_t kWorthSharing = 64;
     static constexpr std::size_t kGrain = 16;
     tbb::global_control limit_; ///< lets more threads than cores work, when asked for

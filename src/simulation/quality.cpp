@@ -3,6 +3,7 @@
 
 #include <scene/packing_estimate.hpp>
 #include <simulation/contact_cone.hpp>
+#include <simulation/parallel.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -18,28 +19,58 @@ namespace
 constexpr double kContactGap =
     0.01; // [own radius] below which a gap counts as a contact that carries
 constexpr double kUnsupported = 0.1;   // [g] of weight that may remain uncarried
+constexpr std::size_t kInPart = 4096;  // spheres that one thread looks at in one go
 constexpr double kWindingBudget = 2e6; // winding numbers: spheres times triangles worth computing
 
+/// Of the spheres at rest and of those that run.
+SphereGrid gatherAll(const World& world)
+{
+    SphereGrid all(world.resting.frame());
+    for (std::uint32_t id = 0; id < world.spheres.size(); ++id)
+    {
+        if (world.spheres.position(id).allFinite())
+        {
+            all.insert(id, world.spheres.position(id), world.spheres.radius[id]);
+        }
+    }
+    return all;
+}
+
+/// Looks at some of the spheres.
 class Examination
 {
 public:
-    explicit Examination(const World& world) : world_(world), all_(&world.resting)
+    /// `all`: every sphere of the world.
+    Examination(const World& world, const SphereGrid& all) : world_(world), all_(all)
     {
-        if (world.running() > 0)
-        {
-            gatherAll();
-        }
         const double work =
             static_cast<double>(world.spheres.size()) * static_cast<double>(world.surface.size());
         exactWinding_ = work <= kWindingBudget;
     }
 
-    QualityReport run()
+    void look(std::uint32_t begin, std::uint32_t end)
     {
-        for (std::uint32_t id = 0; id < world_.spheres.size(); ++id)
+        for (std::uint32_t id = begin; id < end; ++id)
         {
             examineSphere(id);
         }
+    }
+
+    /// Takes over what another one has seen.
+    void add(const Examination& other)
+    {
+        report_.notFinite += other.report_.notFinite;
+        report_.centresOutside += other.report_.centresOutside;
+        report_.unsupported += other.report_.unsupported;
+        report_.maxOverlap = std::max(report_.maxOverlap, other.report_.maxOverlap);
+        report_.maxWallOverlap = std::max(report_.maxWallOverlap, other.report_.maxWallOverlap);
+        overlapSum_ += other.overlapSum_;
+        pairs_ += other.pairs_;
+        sumOfCubes_ += other.sumOfCubes_;
+    }
+
+    QualityReport report()
+    {
         report_.meanOverlap = pairs_ > 0 ? overlapSum_ / static_cast<double>(pairs_) : 0;
         report_.energyGain = world_.energy.largestGain();
         report_.energyExcess = world_.energy.excess();
@@ -49,19 +80,6 @@ public:
     }
 
 private:
-    void gatherAll()
-    {
-        gathered_.emplace(world_.resting.frame());
-        for (std::uint32_t id = 0; id < world_.spheres.size(); ++id)
-        {
-            if (world_.spheres.position(id).allFinite())
-            {
-                gathered_->insert(id, world_.spheres.position(id), world_.spheres.radius[id]);
-            }
-        }
-        all_ = &*gathered_;
-    }
-
     void examineSphere(std::uint32_t id)
     {
         const Eigen::Vector3d p = world_.spheres.position(id);
@@ -90,30 +108,30 @@ private:
         const Spheres& s = world_.spheres;
         const double gap = kContactGap * s.radius[id];
         const double reach = s.radius[id] + 1 + gap;
-        all_->forEachNear(p, reach,
-                          [&](std::uint32_t other)
-                          {
-                              if (other == id)
-                              {
-                                  return;
-                              }
-                              const Eigen::Vector3d d = p - s.position(other);
-                              const double distance = d.norm();
-                              const double depth = s.radius[id] + s.radius[other] - distance;
-                              if (depth >= 0 && other > id)
-                              {
-                                  const double share =
-                                      depth / std::min(s.radius[id], s.radius[other]);
-                                  report_.maxOverlap = std::max(report_.maxOverlap, share);
-                                  overlapSum_ += share;
-                                  ++pairs_;
-                              }
-                              if (depth > -gap && distance > 0 && resting &&
-                                  s.state[other] != SphereState::running)
-                              {
-                                  normals_.push_back(d / distance);
-                              }
-                          });
+        all_.forEachNear(p, reach,
+                         [&](std::uint32_t other)
+                         {
+                             if (other == id)
+                             {
+                                 return;
+                             }
+                             const Eigen::Vector3d d = p - s.position(other);
+                             const double distance = d.norm();
+                             const double depth = s.radius[id] + s.radius[other] - distance;
+                             if (depth >= 0 && other > id)
+                             {
+                                 const double share =
+                                     depth / std::min(s.radius[id], s.radius[other]);
+                                 report_.maxOverlap = std::max(report_.maxOverlap, share);
+                                 overlapSum_ += share;
+                                 ++pairs_;
+                             }
+                             if (depth > -gap && distance > 0 && resting &&
+                                 s.state[other] != SphereState::running)
+                             {
+                                 normals_.push_back(d / distance);
+                             }
+                         });
     }
 
     void meetWalls(std::uint32_t id, const Eigen::Vector3d& p)
@@ -160,8 +178,7 @@ private:
     }
 
     const World& world_;
-    std::optional<SphereGrid> gathered_; ///< of all spheres, unless all are at rest
-    const SphereGrid* all_;
+    const SphereGrid& all_;
     bool exactWinding_ = true;
     QualityReport report_;
     std::vector<Eigen::Vector3d> normals_;
@@ -172,9 +189,30 @@ private:
 
 } // namespace
 
+// In parts of a fixed size, so that sums do not depend on the number of threads.
 QualityReport examine(const World& world)
 {
-    return Examination(world).run();
+    std::optional<SphereGrid> gathered;
+    if (world.running() > 0)
+    {
+        gathered = gatherAll(world);
+    }
+    const std::size_t count = world.spheres.size();
+    std::vector<Examination> parts(count / kInPart + 1,
+                                   Examination(world, gathered ? *gathered : world.resting));
+    Threads(world.scene.threads)
+        .forEachLarge(parts.size(),
+                      [&](std::size_t i)
+                      {
+                          const auto end = std::min(count, (i + 1) * kInPart);
+                          parts[i].look(static_cast<std::uint32_t>(i * kInPart),
+                                        static_cast<std::uint32_t>(end));
+                      });
+    for (std::size_t i = 1; i < parts.size(); ++i)
+    {
+        parts.front().add(parts[i]);
+    }
+    return parts.front().report();
 }
 
 } // namespace frostfill

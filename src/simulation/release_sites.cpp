@@ -25,14 +25,7 @@ void ReleaseSites::findCeilings(double band)
     const auto row = static_cast<std::size_t>(lattice.count[0]);
     const auto rows = static_cast<std::size_t>(lattice.count[1]);
     const auto height = [&](std::size_t site) { return site / row % rows; };
-    for (std::size_t site = sites_.nextOpen(0); site < lattice.size();
-         site = sites_.nextOpen(site + 1))
-    {
-        if (height(site) + 1 == rows || !sites_.isOpen(site + row))
-        {
-            ceilings_.push_back(static_cast<std::uint32_t>(site));
-        }
-    }
+    ceilings_ = sites_.highest();
     std::sort(ceilings_.begin(), ceilings_.end(),
               [&](std::uint32_t a, std::uint32_t b)
               { return std::pair(height(a), a) < std::pair(height(b), b); });
