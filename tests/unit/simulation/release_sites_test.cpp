@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include <simulation/descent.hpp>
+#include <simulation/random.hpp>
+#include <simulation/release_sites.hpp>
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace frostfill
+{
+namespace
+{
+
+// A cube of 20 radii: some 1,000 spheres.
+class ReleaseSitesTest : public ::testing::Test
+{
+protected:
+    ReleaseSitesTest()
+    {
+        scene.spheres.count.reset();
+        scene.spheres.radius = 0.1;
+    }
+
+    /// Puts a sphere at rest where `place` falls to.
+    static void rest(World& world, FallIndex& falls, const Eigen::Vector3d& place)
+    {
+        world.freeze(world.release(place, 1, 0));
+        world.forgetFrozen();
+        falls.insert(place);
+    }
+
+    Scene scene = presetScene(Preset::fast, "cube");
+    TriangleMesh mesh = builtInMesh("cube");
+};
+
+TEST_F(ReleaseSitesTest, LookingAheadOnTwoThreadsFindsTheSamePlaces)
+{
+    World world(scene, mesh);
+    FallIndex falls(world.resting.frame(), world.triangles);
+    const Descent descent(world, falls);
+    ReleaseSites plain(world, 1, 4);
+    ReleaseSites ahead(world, 1, 4);
+    Threads threads(2);
+    const auto fall = [&](Eigen::Vector3d p)
+    {
+        descent.drop(p, 1);
+        return p;
+    };
+    // A third of the places do not suit, as where others run; which ones, the place decides.
+    const auto suits = [](const Eigen::Vector3d& p)
+    { return std::fmod(std::abs(p.x()) * 1e3, 3.0) > 1; };
+    std::size_t found = 0;
+    for (;; ++found)
+    {
+        const auto one = plain.find(fall, suits);
+        const auto other = ahead.find(fall, suits, &threads);
+        ASSERT_EQ(one, other) << found;
+        if (!one)
+        {
+            break;
+        }
+        if (found % 40 == 0)
+        {
+            rest(world, falls, *one);
+            plain.close(*one, 1);
+            ahead.close(*one, 1);
+            ahead.forgetAhead();
+        }
+        if (found == 40 * 700)
+        {
+            break;
+        }
+    }
+    EXPECT_GT(found, 10000u);
+}
+
+// The oracle is random points of the room that the walls leave: the largest gap among them.
+TEST_F(ReleaseSitesTest, LeavesNoPlaceInAnObjectThatIsFull)
+{
+    World world(scene, mesh);
+    FallIndex falls(world.resting.frame(), world.triangles);
+    ReleaseSites sites(world, 1, 4);
+    const auto asItIs = [](const Eigen::Vector3d& p) { return p; };
+    const auto any = [](const Eigen::Vector3d&) { return true; };
+    while (const auto place = sites.find(asItIs, any))
+    {
+        rest(world, falls, *place);
+        sites.close(*place, 1);
+    }
+    ASSERT_GT(world.spheres.size(), 500u); // hanging where they are, less dense than fallen ones
+    std::uint64_t draw = 0;
+    const auto coordinate = [&] { return 9 * (2 * uniformRandom(7, 0, draw++) - 1); };
+    for (int point = 0; point < 200000; ++point)
+    {
+        const double x = coordinate();
+        const double y = coordinate();
+        const Eigen::Vector3d p(x, y, coordinate());
+        double nearest = std::numeric_limits<double>::infinity();
+        world.resting.forEachNear(
+            p, 2,
+            [&](std::uint32_t id)
+            { nearest = std::min(nearest, (world.resting[id].position() - p).norm()); });
+        ASSERT_LT(nearest, 2 + 1e-6) << p.transpose();
+    }
+}
+
+} // namespace
+} // namespace frostfill
