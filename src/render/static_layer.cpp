@@ -14,11 +14,6 @@ constexpr std::size_t kFirstBatch = 1500;
 constexpr std::size_t kBatchShare = 8;
 constexpr std::size_t kBatchGrowth = 3;
 
-/// With several samples a pixel Mesa leaves some of them out along the inside of a scissor
-/// rectangle's edges and draws some along the outside, so that it has to be larger than what is
-/// used of it, and what is not to be drawn to has to be still further away. [pixel]
-constexpr int kScissorMargin = 2;
-
 } // namespace
 
 StaticLayer::StaticLayer(const GlFunctions& gl, const PictureSize& size, int samples)
