@@ -300,8 +300,7 @@ void ScenePainter::paintShellPerRegion(std::span<const TriangleTiles::Part> part
     {
         regionParts_.clear();
         std::copy_if(parts.begin(), parts.end(), std::back_inserter(regionParts_),
-                     [&](const TriangleTiles::Part& part)
-                     { return part.pixels.overlaps(region); });
+                     [&](const TriangleTiles::Part& part) { return part.pixels.overlaps(region); });
         confine(region);
         paintShell(regionParts_);
     }

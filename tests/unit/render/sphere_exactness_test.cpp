@@ -106,7 +106,7 @@ void compare(RenderSettings settings)
     }
     Pipeline pipeline(mesh, settings);
     pipeline.draw(snapshot);
-    const std::vector<float> depth = pipeline.readDepth();
+    const std::vector<double> depth = pipeline.readDepth();
     const auto spheres = pipeline.spheres().resting();
 
     const RayCaster caster(pipeline.framing(), settings.size);
