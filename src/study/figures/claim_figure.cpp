@@ -33,13 +33,17 @@ void addPoints(Table& points, Table& growth, const char* method,
 {
     for (const GrowthPoint& point : measured)
         points.rows.push_back({method, fmt::format("{}", point.spheres),
-                               fmt::format("{:.6g}", point.tests),
-                               fmt::format("{:.6g}", point.ms)});
+                               fmt::format("{:.6g}", point.tests), fmt::format("{:.6g}", point.ms),
+                               fmt::format("{:.6g}", point.testsOfSphere),
+                               fmt::format("{:.6g}", point.msOfSphere)});
     const Growth grown = firstToLastTenth(measured);
-    growth.rows.push_back({method, fmt::format("{}", measured.back().spheres),
-                           fmt::format("{:.6g}", measured.back().tests),
-                           fmt::format("{:.6g}", measured.back().ms),
-                           fmt::format("{:.1f}", grown.tests), fmt::format("{:.1f}", grown.ms)});
+    const GrowthPoint& last = measured.back();
+    std::vector<std::string> row = {method, fmt::format("{}", last.spheres)};
+    for (const double cost : {last.tests, last.ms, last.testsOfSphere, last.msOfSphere})
+        row.push_back(fmt::format("{:.6g}", cost));
+    for (const double percent : {grown.tests, grown.ms, grown.testsOfSphere, grown.msOfSphere})
+        row.push_back(fmt::format("{:.1f}", percent));
+    growth.rows.push_back(row);
 }
 
 void makeData(const FigureFolder& folder)
@@ -56,10 +60,11 @@ void makeData(const FigureFolder& folder)
     const Scene fast = torusScene(Preset::fast, spheres);
 
     Table points;
-    points.headings = {"method", "spheres", "tests", "ms"};
+    points.headings = {"method", "spheres", "tests", "ms", "sphere_tests", "sphere_ms"};
     Table growth;
-    growth.headings = {"method",           "spheres", "tests", "ms", "tests_growth_percent",
-                       "ms_growth_percent"};
+    growth.headings = points.headings;
+    for (std::size_t i = 2; i < points.headings.size(); ++i)
+        growth.headings.push_back(points.headings[i] + "_growth_percent");
     folder.say("claim: all pairs without freezing");
     addPoints(points, growth, "all running", growthWithoutFreezing(grid, mesh, kPoints / 2));
     for (const auto& [method, scene] :

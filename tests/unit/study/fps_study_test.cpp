@@ -88,7 +88,7 @@ TEST_F(FpsStudy, everySetIsARowOfTheCsv)
 
 TEST_F(FpsStudy, framesASecondFallWithEveryStageAdded)
 {
-    const PictureMs picture = {10, 2, 8};
+    const PictureMs picture = {4, 7, 10, 2, 8};
     const FramesPerSecond fps = framesPerSecond(5, &picture);
     EXPECT_DOUBLE_EQ(fps.simulation, 200);
     EXPECT_DOUBLE_EQ(fps.drawing, 1000.0 / 15);
