@@ -65,13 +65,15 @@ void makeData(const FigureFolder& folder)
     growth.headings = points.headings;
     for (std::size_t i = 2; i < points.headings.size(); ++i)
         growth.headings.push_back(points.headings[i] + "_growth_percent");
-    folder.say("claim: all pairs without freezing");
+    constexpr std::size_t kCurves = 5;
+    std::size_t curves = 0;
+    folder.progress(curves++, kCurves, "all pairs without freezing");
     addPoints(points, growth, "all running", growthWithoutFreezing(grid, mesh, kPoints / 2));
     for (const auto& [method, scene] :
          {std::pair{"freezing", freezing}, std::pair{"discards", discards}, std::pair{"grid", grid},
           std::pair{"fast", fast}})
     {
-        folder.say(fmt::format("claim: {}", method));
+        folder.progress(curves++, kCurves, method);
         addPoints(points, growth, method, growthOfRun(scene, mesh, kPoints));
     }
     folder.write("claim.csv", points);
@@ -82,8 +84,9 @@ void makeData(const FigureFolder& folder)
 
 Figure claimFigure()
 {
-    return {"claim", "time and tests a frame while the spheres grow in number", true, makeData,
-            embedded::figure_claim};
+    return {"claim",  "time and tests a frame while the spheres grow in number",
+            true,     80,
+            makeData, embedded::figure_claim};
 }
 
 } // namespace frostfill
