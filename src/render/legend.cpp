@@ -45,6 +45,18 @@ constexpr int kPolygonRow = 3;
 constexpr int kHeading = -1;
 constexpr int kPlain = -2;
 
+/// Around text. Where the background is clear it is the text's opposite, so that the text can be
+/// read on whatever the picture is laid on.
+Colour haloOf(const Palette& palette)
+{
+    if (palette.background[3] == 255)
+    {
+        return palette.background;
+    }
+    const bool dark = palette.text[0] + palette.text[1] + palette.text[2] < 3 * 128;
+    return dark ? Colour{255, 255, 255, 255} : Colour{0, 0, 0, 255};
+}
+
 } // namespace
 
 Legend::Legend(const RenderSettings& settings, std::size_t triangles, const SphereColours& colours)
@@ -215,8 +227,7 @@ void Legend::draw(Image& image, const Piece& piece) const
         drawBar(image);
         return;
     }
-    fontOf(piece).draw(image, piece.x, piece.baseline, piece.text, palette_.text,
-                       palette_.background);
+    fontOf(piece).draw(image, piece.x, piece.baseline, piece.text, palette_.text, haloOf(palette_));
 }
 
 std::array<int, 4> Legend::barBounds() const

@@ -191,8 +191,7 @@ void Font::draw(Image& image, double x, double baseline, std::string_view text,
             const int top = static_cast<int>(std::lround(baseline)) + next.top;
             for (const auto& [dx, dy] : kAround)
             {
-                // Around text on nothing a halo would be a stain.
-                if (isHalo && halo[3] == 255)
+                if (isHalo)
                 {
                     blend(image, next, left + dx, top + dy, halo);
                 }
