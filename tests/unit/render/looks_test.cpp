@@ -5,9 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
 #include <cmath>
+#include <cstdlib>
 #include <functional>
 
 namespace frostfill
@@ -203,7 +202,7 @@ TEST(Looks, TransparentBackgroundIsRightOverWhiteAndOverBlack)
 TEST(Looks, TextOnNothingKeepsItsColourAndIsOutlinedInTheOther)
 {
     RenderSettings settings = smallSettings();
-    settings.size = {480, 270};
+    settings.size = {1280, 720};
     settings.style.palette.background[3] = 0;
     settings.style.palette.text = {90, 10, 20, 255};
     settings.style.shell = false;
@@ -211,8 +210,8 @@ TEST(Looks, TextOnNothingKeepsItsColourAndIsOutlinedInTheOther)
     const Image image = draw(boxMesh({1, 1, 1}), settings, Snapshot{});
     int ink = 0;
     int outline = 0;
-    for (int y = 0; y < 22; ++y)
-        for (int x = 0; x < 60; ++x)
+    for (int y = 0; y < 45; ++y)
+        for (int x = 0; x < 120; ++x)
         {
             const auto* pixel = image.at(x, y);
             if (pixel[3] < 250)
