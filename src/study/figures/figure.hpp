@@ -63,7 +63,7 @@ struct Figure
     double seconds; ///< that it takes to make, roughly and in proportion to the others
     /// Writes the data that the script reads.
     void (*makeData)(const FigureFolder&);
-    /// The gnuplot script: reads the data, draws NAME.svg or NAME.png.
+    /// The gnuplot script: reads the data, draws NAME.svg or NAME.png. Null where makeData draws.
     std::string_view (*script)();
 };
 
@@ -71,7 +71,7 @@ struct Figure
 [[nodiscard]] std::span<const Figure> allFigures();
 
 /// Makes one figure: its data, its script, NAME.svg and NAME.png. Throws Error, missingProgram
-/// without gnuplot.
+/// without gnuplot where there is a script.
 void makeFigure(const Figure& figure, const FigureRequest& request);
 
 /// Draws one figure from data that are there already. Throws like makeFigure.
