@@ -85,7 +85,7 @@ void makeData(const FigureFolder& folder)
 Figure claimFigure()
 {
     return {"claim",  "time and tests a frame while the spheres grow in number",
-            true,     80,
+            true,     110,
             makeData, embedded::figure_claim};
 }
 

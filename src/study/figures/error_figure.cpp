@@ -33,7 +33,7 @@ void makeData(const FigureFolder& folder)
 
 Figure errorFigure()
 {
-    return {"error", "run time against error", true, 120, makeData, embedded::figure_error};
+    return {"error", "run time against error", true, 350, makeData, embedded::figure_error};
 }
 
 } // namespace frostfill

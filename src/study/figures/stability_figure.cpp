@@ -25,7 +25,7 @@ void makeData(const FigureFolder& folder)
 Figure stabilityFigure()
 {
     return {"stability", "the stress matrix: where which method breaks",
-            true,        100,
+            true,        200,
             makeData,    embedded::figure_stability};
 }
 

@@ -99,7 +99,7 @@ void makeData(const FigureFolder& folder)
 Figure timesFigure()
 {
     return {"times",  "PAPER, Figure 3: sphere-polygon time a frame of the four objects",
-            true,     60,
+            true,     70,
             makeData, embedded::figure_times};
 }
 
