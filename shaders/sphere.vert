@@ -49,7 +49,7 @@ void setColours(vec3 centre)
 
 void main()
 {
-    identity = uint(gl_InstanceID);
+    identity = uint(gl_VertexID) / 4u;
     corner = vec2((gl_VertexID & 1) * 2 - 1, (gl_VertexID & 2) - 1);
     vec3 centre = (view * vec4(sphere.xyz, 1.0)).xyz;
     float radius = sphere.w;

@@ -14,12 +14,12 @@ columns = "discarded_spheres_percent discarded_polygons_percent"
 labels = "'spheres discarded [% of those present]' 'polygons discarded [% of the mesh]'"
 set xrange [0:100]
 set yrange [0:100]
-set multiplot layout 2,2 margins 0.08,0.975,0.135,0.95 spacing 0.07,0.075
+set multiplot layout 2,2 margins 0.095,0.975,0.135,0.95 spacing 0.07,0.075
 set key at screen 0.52,0.01 center bottom maxrows 1 width 3 samplen 3
 do for [row=1:2] {
     do for [rule=1:2] {
         set title row == 1 ? word(names, rule) : "" font ",16"
-        set ylabel rule == 1 ? word(labels, row) : "" offset 1
+        set ylabel rule == 1 ? word(labels, row) : "" offset 0
         set xlabel row == 2 ? "spheres present [% of all]" : ""
         plot for [i=1:4] "discarded.csv" using "present_percent":\
             (at(word(objects, i), word(rules, rule), word(columns, row))) with linespoints \

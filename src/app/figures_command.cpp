@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands.hpp"
+#include "app/progress.hpp"
 #include "app/say.hpp"
 
 #include "study/figures/figure.hpp"
@@ -10,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 
 namespace frostfill
@@ -54,11 +56,35 @@ int figures(FiguresArguments& arguments)
     FigureRequest& request = arguments.request;
     request.directory = arguments.directory;
     request.recorded = arguments.recorded;
-    if (!arguments.quiet)
-        request.say = [](const std::string& what) { say(what + "\n"); };
-    for (const Figure& figure : allFigures())
-        if (wanted(arguments, figure))
-            makeFigure(figure, request);
+    std::vector<Figure> chosen;
+    std::copy_if(allFigures().begin(), allFigures().end(), std::back_inserter(chosen),
+                 [&](const Figure& figure) { return wanted(arguments, figure); });
+    const auto secondsOf = [&](const Figure& figure)
+    { return figure.measured && !request.measure ? 1 : figure.seconds; };
+    double all = 0;
+    for (const Figure& figure : chosen)
+        all += secondsOf(figure);
+
+    TaskBar bar;
+    double before = 0;
+    for (const Figure& figure : chosen)
+    {
+        if (!arguments.quiet)
+        {
+            request.say = [&](const std::string& what)
+            {
+                bar.close();
+                say(what + "\n");
+            };
+            request.progress = [&](std::size_t done, std::size_t parts, const std::string& what)
+            {
+                const double share = static_cast<double>(done) / static_cast<double>(parts);
+                bar.update((before + share * secondsOf(figure)) / all, figure.name, what);
+            };
+        }
+        makeFigure(figure, request);
+        before += secondsOf(figure);
+    }
     return 0;
 }
 

@@ -78,21 +78,24 @@ TaskBar::TaskBar() : terminal_(isatty(STDERR_FILENO) == 1)
 
 void TaskBar::update(std::size_t done, std::size_t all, const std::string& what)
 {
+    update(static_cast<double>(done) / static_cast<double>(std::max<std::size_t>(all, 1)),
+           fmt::format("{}/{}", done, all), what);
+}
+
+void TaskBar::update(double share, const std::string& text, const std::string& what)
+{
     const auto now = Clock::now();
     const double sinceShown = std::chrono::duration<double>(now - shown_).count();
     if (sinceShown < (terminal_ ? kSecondsPerBar : kSecondsPerLine))
         return;
     shown_ = now;
     const double elapsed = std::chrono::duration<double>(now - start_).count();
-    const double share =
-        static_cast<double>(done) / static_cast<double>(std::max<std::size_t>(all, 1));
-    const std::string text =
-        fmt::format("{}/{}, {} left, {}", done, all,
-                    duration(elapsed * (1 - share) / std::max(share, 1e-9)), what);
+    const std::string left = share > 0 ? duration(elapsed * (1 - share) / share) : "?";
+    const std::string line = fmt::format("{}, {} left, {}", text, left, what);
     if (terminal_)
-        showBar(share, text);
+        showBar(share, line);
     else
-        say(fmt::format("{}\n", text));
+        say(line + "\n");
     open_ = terminal_;
 }
 

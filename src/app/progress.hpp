@@ -44,6 +44,8 @@ public:
 
     /// `what` has just been done.
     void update(std::size_t done, std::size_t all, const std::string& what);
+    /// `share` of all is done (0..1); `text` stands before and `what` after the time that is left.
+    void update(double share, const std::string& text, const std::string& what);
     void close();
 
 private:

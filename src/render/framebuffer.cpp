@@ -172,13 +172,15 @@ void Framebuffer::readColour(Image& image, std::span<const PixelRectangle> recta
     }
 }
 
-void Framebuffer::readDepth(std::vector<float>& depth) const
+void Framebuffer::readDepth(const PixelRectangle& part, std::vector<std::uint32_t>& depths) const
 {
     assert(samples_ == 1);
-    depth.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
+    depths.resize(static_cast<std::size_t>(part.area()));
     gl_.bindFramebuffer(GL_READ_FRAMEBUFFER, framebuffers_[0]);
     gl_.pixelStorei(GL_PACK_ALIGNMENT, 1);
-    gl_.readPixels(0, 0, width_, height_, GL_DEPTH_COMPONENT, GL_FLOAT, depth.data());
+    // As they lie: to make floats of them takes longer than to copy them.
+    gl_.readPixels(part.left, part.bottom, part.width(), part.height(), GL_DEPTH_STENCIL,
+                   GL_UNSIGNED_INT_24_8, depths.data());
 }
 
 } // namespace frostfill

@@ -36,8 +36,9 @@ public:
     /// RGB, or of premultiplied colours RGBA with straight alpha, top row first. Leaves the rest of
     /// the picture as it is if it has the right shape.
     void readColour(Image& image, std::span<const PixelRectangle> rectangles, bool withAlpha);
-    /// Window depth in 0..1, bottom row first. Only without multisampling.
-    void readDepth(std::vector<float>& depth) const;
+    /// Window depths of a part as 24 bits above the stencil's 8, bottom row first. Only without
+    /// multisampling.
+    void readDepth(const PixelRectangle& part, std::vector<std::uint32_t>& depths) const;
 
     [[nodiscard]] PixelRectangle whole() const { return {0, 0, width_, height_}; }
 

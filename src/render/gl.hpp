@@ -40,6 +40,7 @@ class Context;
     X(drawArraysInstanced, PFNGLDRAWARRAYSINSTANCEDPROC, "glDrawArraysInstanced")                  \
     X(drawBuffers, PFNGLDRAWBUFFERSPROC, "glDrawBuffers")                                          \
     X(drawElements, PFNGLDRAWELEMENTSPROC, "glDrawElements")                                       \
+    X(drawElementsBaseVertex, PFNGLDRAWELEMENTSBASEVERTEXPROC, "glDrawElementsBaseVertex")         \
     X(enable, PFNGLENABLEPROC, "glEnable")                                                         \
     X(enableVertexAttribArray, PFNGLENABLEVERTEXATTRIBARRAYPROC, "glEnableVertexAttribArray")      \
     X(finish, PFNGLFINISHPROC, "glFinish")                                                         \

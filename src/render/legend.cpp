@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace frostfill
 {
@@ -43,6 +44,18 @@ constexpr int kPolygonRow = 3;
 /// In the place of a number: a row without one, with and without a gap above.
 constexpr int kHeading = -1;
 constexpr int kPlain = -2;
+
+/// Around text. Where the background is clear it is the text's opposite, so that the text can be
+/// read on whatever the picture is laid on.
+Colour haloOf(const Palette& palette)
+{
+    if (palette.background[3] == 255)
+    {
+        return palette.background;
+    }
+    const bool dark = palette.text[0] + palette.text[1] + palette.text[2] < 3 * 128;
+    return dark ? Colour{255, 255, 255, 255} : Colour{0, 0, 0, 255};
+}
 
 } // namespace
 
@@ -134,19 +147,20 @@ void Legend::layOut()
         (2 * kMargin + kLabelIndent + kNumberGap) * size + label + font_->measure(kWidestNumber);
 }
 
-void Legend::drawText(Image& image, const Snapshot& snapshot) const
+std::vector<Legend::Piece> Legend::pieces(const Snapshot& snapshot) const
 {
+    std::vector<Piece> pieces;
     if (!visible_)
     {
-        return;
+        return pieces;
     }
     const double size = font_->size();
     const double left = kMargin * size;
-    const auto write = [&](double x, double baseline, const std::string& text)
-    { font_->draw(image, x, baseline, text, palette_.text, palette_.background); };
+    const auto write = [&](double x, double baseline, std::string text) {
+        pieces.push_back({Piece::Kind::text, x, baseline, std::move(text)});
+    };
 
-    titleFont_->draw(image, left, (kMargin + kTitleSize * 0.9) * size, title_, palette_.text,
-                     palette_.background);
+    pieces.push_back({Piece::Kind::title, left, (kMargin + kTitleSize * 0.9) * size, title_});
     const std::array<std::size_t, 5> counts = {
         snapshot.running, snapshot.frozen, snapshot.discarded,
         triangles_ - std::min(triangles_, snapshot.discardedPolygons), snapshot.discardedPolygons};
@@ -168,26 +182,16 @@ void Legend::drawText(Image& image, const Snapshot& snapshot) const
     write(left, rows_[firstOfMoment_ + 1].baseline, fmt::format("{:.3f} s", snapshot.time));
     if (colours_)
     {
-        drawScale(image);
+        addScale(pieces);
     }
+    return pieces;
 }
 
-void Legend::drawScale(Image& image) const
+void Legend::addScale(std::vector<Piece>& pieces) const
 {
+    pieces.push_back({Piece::Kind::bar, 0, 0, {}});
     const double size = font_->size();
-    const int left = static_cast<int>(std::lround(kMargin * size));
-    const int right = static_cast<int>(std::lround(width_ - kMargin * size));
-    const int top = static_cast<int>(std::lround(scaleTop_));
-    const int bottom = static_cast<int>(std::lround(scaleTop_ + kScaleHeight * size));
-    for (int y = std::max(0, top); y < std::min(bottom, image.height); ++y)
-    {
-        for (int x = std::max(0, left); x < std::min(right, image.width); ++x)
-        {
-            const Colour colour = scaleColour((x - left) / std::max(1.0, right - left - 1.0));
-            std::copy_n(colour.begin(), image.channels,
-                        image.pixels.data() + (image.at(x, y) - image.at(0, 0)));
-        }
-    }
+    const auto [left, top, right, bottom] = barBounds();
     const double baseline = scaleTop_ + (kScaleHeight + 0.5 * (kLine - 1) + 0.85) * size;
     const auto& [low, high] = colours_->range();
     const double middle = colours_->countsWhole() ? std::floor((low + high) / 2) : (low + high) / 2;
@@ -197,7 +201,54 @@ void Legend::drawScale(Image& image) const
         const std::string text =
             colours_->countsWhole() ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value);
         const double x = left + place * (right - left - font_->measure(text));
-        font_->draw(image, x, baseline, text, palette_.text, palette_.background);
+        pieces.push_back({Piece::Kind::text, x, baseline, text});
+    }
+}
+
+const Font& Legend::fontOf(const Piece& piece) const
+{
+    return piece.kind == Piece::Kind::title ? *titleFont_ : *font_;
+}
+
+PixelRectangle Legend::bounds(const Piece& piece) const
+{
+    const auto [left, top, right, bottom] =
+        piece.kind == Piece::Kind::bar ? barBounds()
+                                       : fontOf(piece).bounds(piece.x, piece.baseline, piece.text);
+    const PixelRectangle inside = common({left, size_.height - bottom, right, size_.height - top},
+                                         {0, 0, size_.width, size_.height});
+    return inside.empty() ? PixelRectangle{} : inside;
+}
+
+void Legend::draw(Image& image, const Piece& piece) const
+{
+    if (piece.kind == Piece::Kind::bar)
+    {
+        drawBar(image);
+        return;
+    }
+    fontOf(piece).draw(image, piece.x, piece.baseline, piece.text, palette_.text, haloOf(palette_));
+}
+
+std::array<int, 4> Legend::barBounds() const
+{
+    const double size = font_->size();
+    return {static_cast<int>(std::lround(kMargin * size)), static_cast<int>(std::lround(scaleTop_)),
+            static_cast<int>(std::lround(width_ - kMargin * size)),
+            static_cast<int>(std::lround(scaleTop_ + kScaleHeight * size))};
+}
+
+void Legend::drawBar(Image& image) const
+{
+    const auto [left, top, right, bottom] = barBounds();
+    for (int y = std::max(0, top); y < std::min(bottom, image.height); ++y)
+    {
+        for (int x = std::max(0, left); x < std::min(right, image.width); ++x)
+        {
+            const Colour colour = scaleColour((x - left) / std::max(1.0, right - left - 1.0));
+            std::copy_n(colour.begin(), image.channels,
+                        image.pixels.data() + (image.at(x, y) - image.at(0, 0)));
+        }
     }
 }
 

@@ -3,11 +3,14 @@
 
 #include "colour_scale.hpp"
 #include "framing.hpp"
+#include "pixel_rectangle.hpp"
 #include "text.hpp"
 
 #include <frostfill/renderer.hpp>
 #include <frostfill/snapshot.hpp>
 
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,7 +44,27 @@ public:
     [[nodiscard]] const std::vector<Swatch>& spheres() const { return spheres_; }
     [[nodiscard]] const std::vector<Swatch>& polygons() const { return polygons_; }
 
-    void drawText(Image& image, const Snapshot& snapshot) const;
+    /// Something that is drawn into the finished picture: a line, or the bar of the scale.
+    struct Piece
+    {
+        enum class Kind : std::uint8_t
+        {
+            text,
+            title,
+            bar
+        };
+        Kind kind = Kind::text;
+        double x = 0, baseline = 0; ///< [pixel] of a line's first letter
+        std::string text;
+        friend bool operator==(const Piece&, const Piece&) = default;
+    };
+
+    /// What there is to draw for a snapshot, in its order: always the same number of pieces, of
+    /// which most are the same for all snapshots. None when the legend is not visible.
+    [[nodiscard]] std::vector<Piece> pieces(const Snapshot& snapshot) const;
+    /// The part of the picture that a piece touches.
+    [[nodiscard]] PixelRectangle bounds(const Piece& piece) const;
+    void draw(Image& image, const Piece& piece) const;
 
 private:
     /// A line of the table: what stands to the right of a swatch, or alone.
@@ -54,7 +77,11 @@ private:
 
     void addRow(const std::string& label, int number);
     void layOut();
-    void drawScale(Image& image) const;
+    /// Of the bar of the scale: left, top, right, bottom [pixel], y downwards.
+    [[nodiscard]] std::array<int, 4> barBounds() const;
+    void drawBar(Image& image) const;
+    void addScale(std::vector<Piece>& pieces) const;
+    [[nodiscard]] const Font& fontOf(const Piece& piece) const;
 
     PictureSize size_;
     Palette palette_;

@@ -21,31 +21,47 @@ constexpr int blocks(int pixels)
 } // namespace
 
 OcclusionMap::OcclusionMap(int width, int height)
-    : width_(width), height_(height), columns_(blocks(width)),
-      furthest_(static_cast<std::size_t>(blocks(width) * blocks(height)))
+    : columns_(blocks(width)), furthest_(static_cast<std::size_t>(blocks(width) * blocks(height)))
 {
 }
 
-void OcclusionMap::build(const std::vector<float>& depth)
+void OcclusionMap::build(const PixelRectangle& part, std::span<const std::uint32_t> depths)
 {
-    assert(depth.size() == static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
-    std::fill(furthest_.begin(), furthest_.end(), 0.0F);
-    for (int y = 0; y < height_; ++y)
+    assert(depths.size() == static_cast<std::size_t>(part.area()));
+    known_ = true;
+    // Blocks that are not all in the part hide nothing.
+    const int firstColumn = blocks(part.left);
+    const int columns = part.right / kBlock - firstColumn;
+    std::fill(furthest_.begin(), furthest_.end(), 1.0F);
+    if (columns <= 0)
     {
-        const float* row =
-            depth.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(width_);
-        float* block = furthest_.data() + static_cast<std::ptrdiff_t>(y / kBlock) * columns_;
-        int x = 0;
-        for (; x + kBlock <= width_; x += kBlock, row += kBlock, ++block)
+        return;
+    }
+    ofBlockRow_.resize(static_cast<std::size_t>(columns));
+    for (int blockRow = blocks(part.bottom); blockRow < part.top / kBlock; ++blockRow)
+    {
+        std::fill(ofBlockRow_.begin(), ofBlockRow_.end(), 0);
+        for (int y = blockRow * kBlock; y < (blockRow + 1) * kBlock; ++y)
         {
-            *block = std::max(*block, std::max(std::max(row[0], row[1]), std::max(row[2], row[3])));
+            const std::uint32_t* row = depths.data() +
+                                       static_cast<std::ptrdiff_t>(y - part.bottom) * part.width() +
+                                       (firstColumn * kBlock - part.left);
+            for (std::int32_t& furthest : ofBlockRow_)
+            {
+                // Signed, for which every processor has a maximum of several at once.
+                const auto depth = [&](int x) { return static_cast<std::int32_t>(row[x] >> 8); };
+                furthest = std::max(
+                    furthest, std::max(std::max(depth(0), depth(1)), std::max(depth(2), depth(3))));
+                row += kBlock;
+            }
         }
-        for (; x < width_; ++x, ++row)
+        float* to =
+            furthest_.data() + static_cast<std::ptrdiff_t>(blockRow) * columns_ + firstColumn;
+        for (const std::int32_t furthest : ofBlockRow_)
         {
-            *block = std::max(*block, *row);
+            *to++ = static_cast<float>(furthest / double{0xffffff});
         }
     }
-    known_ = true;
 }
 
 bool OcclusionMap::hides(const ProjectedSphere& sphere) const

@@ -3,6 +3,8 @@
 
 #include "projected_sphere.hpp"
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
 namespace frostfill
@@ -18,16 +20,16 @@ public:
 
     /// From now on nothing is hidden.
     void clear() { known_ = false; }
-    /// `depth` is [height x width], bottom row first.
-    void build(const std::vector<float>& depth);
+    /// Takes the depths of a part of the picture, in which all lie that hide: 24 bits above 8 that
+    /// do not count, bottom row first.
+    void build(const PixelRectangle& part, std::span<const std::uint32_t> depths);
     [[nodiscard]] bool hides(const ProjectedSphere& sphere) const;
 
 private:
-    int width_;
-    int height_;
     int columns_;
     bool known_ = false;
-    std::vector<float> furthest_; ///< [rows x columns]
+    std::vector<float> furthest_;          ///< [rows x columns]
+    std::vector<std::int32_t> ofBlockRow_; ///< [columns] the same, as integers
 };
 
 } // namespace frostfill

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 namespace frostfill
 {
@@ -266,17 +267,18 @@ void Pipeline::drawSurfaces(const Snapshot& snapshot, const PictureSize& size, S
     pass.draw(placeSpheres(snapshot, framing_), painter_.uniforms(), surfaces);
 }
 
-std::vector<float> Pipeline::readDepth()
+std::vector<double> Pipeline::readDepth()
 {
     context_->makeCurrent();
-    std::vector<float> bottomUp;
-    framebuffer_.readDepth(bottomUp);
-    std::vector<float> depth;
+    std::vector<std::uint32_t> bottomUp;
+    framebuffer_.readDepth(framebuffer_.whole(), bottomUp);
+    std::vector<double> depth;
     depth.reserve(bottomUp.size());
     for (auto row = bottomUp.end(); row != bottomUp.begin();)
     {
         row -= settings_.size.width;
-        depth.insert(depth.end(), row, row + settings_.size.width);
+        std::transform(row, row + settings_.size.width, std::back_inserter(depth),
+                       [](std::uint32_t bits) { return (bits >> 8) / double{0xffffff}; });
     }
     return depth;
 }

@@ -49,7 +49,7 @@ public:
     void readColour(Image& image, std::span<const PixelRectangle> parts);
     void readColour(Image& image);
     /// Window depth in 0..1, top row first; for samples == 1.
-    [[nodiscard]] std::vector<float> readDepth();
+    [[nodiscard]] std::vector<double> readDepth();
 
     [[nodiscard]] const Framing& framing() const { return framing_; }
     [[nodiscard]] const Legend& legend() const { return legend_; }

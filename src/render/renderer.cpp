@@ -86,7 +86,10 @@ struct Renderer::Implementation
             pipeline.drawSurfaces(snapshot, {whole.width, whole.height}, surfaces);
             applyAmbientLight(ambientLight(surfaces, pipeline.framing(), reach), whole);
         }
-        pipeline.legend().drawText(whole, snapshot);
+        for (const Legend::Piece& piece : pipeline.legend().pieces(snapshot))
+        {
+            pipeline.legend().draw(whole, piece);
+        }
         if (settings.supersample > 1)
         {
             whole = shrunk(whole, settings.supersample);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 namespace frostfill
 {
@@ -93,7 +94,8 @@ ScenePainter::ScenePainter(const GlFunctions& gl, const TriangleMesh& mesh,
     : gl_(gl), legend_(legend), colours_(colours), size_(settings.size), style_(settings.style),
       variant_(variantOf(settings)),
       spherePass_(gl, variant_, samplePositions, style_, strokesFor(settings).lineWidth),
-      meshPass_(gl, variant_, style_.palette, strokesFor(settings)), spheres_(gl)
+      meshPass_(gl, variant_, style_.palette, strokesFor(settings)), spheres_(gl),
+      regions_(settings.size.width, settings.size.height)
 {
     if (variant_.cutaway)
     {
@@ -280,6 +282,31 @@ void ScenePainter::paintShell(std::span<const TriangleTiles::Part> parts)
     }
 }
 
+void ScenePainter::paintShellPerRegion(std::span<const TriangleTiles::Part> parts)
+{
+    if (!shell_)
+    {
+        return;
+    }
+    // A triangle reaches far beyond a sphere that it covers a piece of, and with several samples
+    // Mesa shades it there too before it finds no mark. The regions are disjoint, so that no pixel
+    // gets the film twice.
+    regions_.clear();
+    for (const TriangleTiles::Part& part : parts)
+    {
+        regions_.add(grown(part.pixels, kScissorMargin));
+    }
+    for (const PixelRectangle& region : regions_.joined())
+    {
+        regionParts_.clear();
+        std::copy_if(parts.begin(), parts.end(), std::back_inserter(regionParts_),
+                     [&](const TriangleTiles::Part& part) { return part.pixels.overlaps(region); });
+        confine(region);
+        paintShell(regionParts_);
+    }
+    confineNoMore();
+}
+
 void ScenePainter::paintLegend()
 {
     if (swatches_)
@@ -310,7 +337,7 @@ void ScenePainter::addSpheres(std::span<const SphereInstance> spheres,
     // Only what shows a new sphere has lost the film over it; elsewhere it must not lie twice.
     gl_.stencilFunc(GL_EQUAL, mark_, 0xff);
     gl_.stencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
-    paintShell(parts);
+    paintShellPerRegion(parts);
     const PixelRectangle legend = {0, size_.height - static_cast<int>(legend_.height()) - 1,
                                    static_cast<int>(legend_.width()) + 1, size_.height};
     if (swatches_ &&

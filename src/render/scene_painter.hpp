@@ -3,6 +3,7 @@
 
 #include "colour_scale.hpp"
 #include "cutaway_planes.hpp"
+#include "dirty_rectangles.hpp"
 #include "framing.hpp"
 #include "legend.hpp"
 #include "mesh_pass.hpp"
@@ -20,6 +21,11 @@
 
 namespace frostfill
 {
+
+/// With several samples a pixel Mesa leaves some of them out along the inside of a scissor
+/// rectangle's edges and draws some along the outside, so that it has to be larger than what is
+/// used of it, and what is not to be drawn to has to be still further away. [pixel]
+inline constexpr int kScissorMargin = 2;
 
 /// Paints parts of the scene into the framebuffer that is bound. The order that makes a picture is
 /// clear, spheres, shell, legend.
@@ -73,6 +79,8 @@ private:
     void uploadMesh(const TriangleMesh& mesh);
     void uploadSwatches();
     void paintSwatchPolygons();
+    /// paintShell, only in and closely around the parts.
+    void paintShellPerRegion(std::span<const TriangleTiles::Part> parts);
     void setView(const Framing& framing);
 
     const GlFunctions& gl_;
@@ -97,6 +105,8 @@ private:
     std::unique_ptr<Swatches> swatches_;
     std::vector<PixelRectangle> changed_;
     std::vector<SphereInstance> shrunk_;
+    DirtyRectangles regions_;
+    std::vector<TriangleTiles::Part> regionParts_;
     int mark_ = 0;
 };
 

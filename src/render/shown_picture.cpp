@@ -2,28 +2,10 @@
 #include "shown_picture.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstring>
 
 namespace frostfill
 {
-namespace
-{
-
-/// The parts of the picture that text may touch: the title as wide as it likes, and the table with
-/// room for counts that grow. From the upper left corner.
-std::array<PixelRectangle, 2> textParts(const Legend& legend, int width, int height)
-{
-    const int title = std::min(height, static_cast<int>(std::ceil(legend.titleHeight())) + 4);
-    const int table = std::min(height, static_cast<int>(std::ceil(legend.height())) + 4);
-    const int right = std::min(width, static_cast<int>(std::ceil(2.2 * legend.width())));
-    return {PixelRectangle{0, height - title, width, height},
-            PixelRectangle{0, height - table, right, height - title}};
-}
-
-} // namespace
-
 void ShownPicture::copy(const PixelRectangle& part)
 {
     const auto width = static_cast<std::size_t>(pixels_.width);
@@ -37,20 +19,21 @@ void ShownPicture::copy(const PixelRectangle& part)
     }
 }
 
+void ShownPicture::mark(const PixelRectangle& part)
+{
+    const auto first = changedRows_.begin() + (pixels_.height - part.top);
+    std::fill_n(first, part.height(), std::uint8_t{1});
+}
+
 void ShownPicture::finish(std::span<const PixelRectangle> parts, const Legend& legend,
                           const Snapshot& snapshot)
 {
     changedRows_.assign(static_cast<std::size_t>(pixels_.height), 0);
-    const auto mark = [&](const PixelRectangle& part)
-    {
-        const auto first = changedRows_.begin() + (pixels_.height - part.top);
-        std::fill_n(first, part.height(), std::uint8_t{1});
-    };
-    hasText_ = legend.visible();
     for (const PixelRectangle& part : parts)
     {
         mark(part);
     }
+    hasText_ = legend.visible();
     if (!hasText_)
     {
         return;
@@ -58,17 +41,54 @@ void ShownPicture::finish(std::span<const PixelRectangle> parts, const Legend& l
     if (shown_.pixels.size() != pixels_.pixels.size())
     {
         shown_ = pixels_;
+        written_.clear();
     }
-    for (const PixelRectangle& part : parts)
+    bare_.assign(parts.begin(), parts.end());
+    write(legend, snapshot);
+}
+
+void ShownPicture::write(const Legend& legend, const Snapshot& snapshot)
+{
+    const std::vector<Legend::Piece> pieces = legend.pieces(snapshot);
+    written_.resize(pieces.size());
+    for (std::size_t i = 0; i < pieces.size(); ++i)
     {
+        Written& written = written_[i];
+        written.lost = false;
+        if (written.piece != pieces[i])
+        {
+            bare_.push_back(written.bounds);
+            written.piece = pieces[i];
+            written.bounds = legend.bounds(pieces[i]);
+            bare_.push_back(written.bounds);
+        }
+    }
+    // Text is taken away by whole pieces, with all that overlap them.
+    for (std::size_t i = 0; i < bare_.size(); ++i)
+    {
+        const PixelRectangle part = bare_[i];
+        if (part.empty())
+        {
+            continue;
+        }
         copy(part);
-    }
-    for (const PixelRectangle& part : textParts(legend, pixels_.width, pixels_.height))
-    {
         mark(part);
-        copy(part);
+        for (Written& written : written_)
+        {
+            if (!written.lost && written.bounds.overlaps(part))
+            {
+                written.lost = true;
+                bare_.push_back(written.bounds);
+            }
+        }
     }
-    legend.drawText(shown_, snapshot);
+    for (const Written& written : written_)
+    {
+        if (written.lost)
+        {
+            legend.draw(shown_, written.piece);
+        }
+    }
 }
 
 } // namespace frostfill

@@ -14,7 +14,8 @@ namespace frostfill
 {
 
 /// The picture in memory, with text over it. The pixels without text are kept beside it, so that
-/// text can change where nothing else does.
+/// text can change where nothing else does. Only what reads differently, or has something new
+/// behind it, is written again.
 class ShownPicture
 {
 public:
@@ -30,12 +31,24 @@ public:
     [[nodiscard]] std::span<const std::uint8_t> changedRows() const { return changedRows_; }
 
 private:
+    /// A piece of the legend that is in the picture.
+    struct Written
+    {
+        Legend::Piece piece;
+        PixelRectangle bounds;
+        bool lost = false; ///< has to be drawn again
+    };
+
     void copy(const PixelRectangle& part);
+    void mark(const PixelRectangle& part);
+    void write(const Legend& legend, const Snapshot& snapshot);
 
     bool hasText_ = false;
     Image pixels_;
     Image shown_;
     std::vector<std::uint8_t> changedRows_;
+    std::vector<Written> written_;
+    std::vector<PixelRectangle> bare_; ///< parts of what is shown that lack their text
 };
 
 } // namespace frostfill

@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -19,6 +20,24 @@ std::string sampleDefinitions(std::size_t samples)
                                      "#define SAMPLES {}\n",
                                      samples)
                        : "";
+}
+
+/// Drawn at once: as many as indices of 16 bits can tell apart.
+constexpr std::size_t kSquares = 65536 / 4;
+
+/// Two triangles a square.
+std::vector<std::uint16_t> indicesOfSquares()
+{
+    std::vector<std::uint16_t> indices;
+    indices.reserve(6 * kSquares);
+    for (std::size_t square = 0; square < kSquares; ++square)
+    {
+        for (const std::size_t corner : {0, 1, 2, 2, 1, 3})
+        {
+            indices.push_back(static_cast<std::uint16_t>(4 * square + corner));
+        }
+    }
+    return indices;
 }
 
 } // namespace
@@ -40,41 +59,54 @@ glm::vec4 toVector(const Colour& colour)
 SphereBuffer::SphereBuffer(const GlFunctions& gl) : gl_(gl)
 {
     gl.genVertexArrays(1, &array_);
-    gl.genBuffers(1, &buffer_);
+    gl.genBuffers(2, buffers_.data());
     gl.bindVertexArray(array_);
-    gl.bindBuffer(GL_ARRAY_BUFFER, buffer_);
-    gl.enableVertexAttribArray(0);
+    gl.bindBuffer(GL_ARRAY_BUFFER, buffers_[0]);
     gl.vertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, sizeof(SphereInstance), nullptr);
-    gl.vertexAttribDivisor(0, 1);
-    gl.enableVertexAttribArray(1);
     gl.vertexAttribIPointer(1, 1, GL_UNSIGNED_INT, sizeof(SphereInstance),
                             reinterpret_cast<const void*>(offsetof(SphereInstance, state)));
-    gl.vertexAttribDivisor(1, 1);
-    gl.enableVertexAttribArray(2);
     gl.vertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(SphereInstance),
                            reinterpret_cast<const void*>(offsetof(SphereInstance, colour)));
-    gl.vertexAttribDivisor(2, 1);
+    for (GLuint attribute = 0; attribute < 3; ++attribute)
+    {
+        gl.enableVertexAttribArray(attribute);
+    }
+    const std::vector<std::uint16_t> indices = indicesOfSquares();
+    gl.bindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers_[1]);
+    gl.bufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size() * 2),
+                  indices.data(), GL_STATIC_DRAW);
 }
 
 SphereBuffer::~SphereBuffer()
 {
-    gl_.deleteBuffers(1, &buffer_);
+    gl_.deleteBuffers(2, buffers_.data());
     gl_.deleteVertexArrays(1, &array_);
 }
 
 void SphereBuffer::update(std::span<const SphereInstance> spheres)
 {
+    corners_.resize(spheres.size() * 4);
+    for (std::size_t i = 0; i < spheres.size(); ++i)
+    {
+        std::fill_n(corners_.begin() + static_cast<std::ptrdiff_t>(4 * i), 4, spheres[i]);
+    }
     // A new store each time: OpenGL may still be drawing from the old one.
-    gl_.bindBuffer(GL_ARRAY_BUFFER, buffer_);
-    gl_.bufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(spheres.size_bytes()), spheres.data(),
-                   GL_STREAM_DRAW);
+    gl_.bindBuffer(GL_ARRAY_BUFFER, buffers_[0]);
+    gl_.bufferData(GL_ARRAY_BUFFER,
+                   static_cast<GLsizeiptr>(corners_.size() * sizeof(SphereInstance)),
+                   corners_.data(), GL_STREAM_DRAW);
     count_ = spheres.size();
 }
 
 void SphereBuffer::draw() const
 {
     gl_.bindVertexArray(array_);
-    gl_.drawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(count_));
+    for (std::size_t first = 0; first < count_; first += kSquares)
+    {
+        gl_.drawElementsBaseVertex(GL_TRIANGLES,
+                                   static_cast<GLsizei>(6 * std::min(kSquares, count_ - first)),
+                                   GL_UNSIGNED_SHORT, nullptr, static_cast<GLint>(4 * first));
+    }
 }
 
 SpherePass::SpherePass(const GlFunctions& gl, const ShaderVariant& variant,

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace frostfill
 {
@@ -24,7 +25,8 @@ struct SphereInstance
     friend bool operator==(const SphereInstance&, const SphereInstance&) = default;
 };
 
-/// Spheres in the memory of OpenGL. Owns what it creates.
+/// Spheres in the memory of OpenGL, each as the four corners of its square: software renderers take
+/// twice as long for instances. Owns what it creates.
 class SphereBuffer
 {
 public:
@@ -40,8 +42,9 @@ public:
 private:
     const GlFunctions& gl_;
     GLuint array_ = 0;
-    GLuint buffer_ = 0;
-    std::size_t count_ = 0;
+    std::array<GLuint, 2> buffers_{}; ///< corners and indices
+    std::vector<SphereInstance> corners_;
+    std::size_t count_ = 0; ///< of spheres
 };
 
 /// What the sphere shaders need beside the spheres.

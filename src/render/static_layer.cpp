@@ -10,14 +10,8 @@ namespace
 
 /// Spheres are drawn in batches, and what the earlier ones hide is left out of the later ones. To
 /// look at the depths costs as much as to draw some hundred spheres.
-constexpr std::size_t kFirstBatch = 1500;
-constexpr std::size_t kBatchShare = 8;
-constexpr std::size_t kBatchGrowth = 3;
-
-/// With several samples a pixel Mesa leaves some of them out along the inside of a scissor
-/// rectangle's edges and draws some along the outside, so that it has to be larger than what is
-/// used of it, and what is not to be drawn to has to be still further away. [pixel]
-constexpr int kScissorMargin = 2;
+constexpr std::size_t kFirstBatch = 400;
+constexpr std::size_t kBatchShare = 24;
 
 } // namespace
 
@@ -40,6 +34,7 @@ void StaticLayer::look(const SphereProjector& projector, std::span<const SphereI
         const ProjectedSphere sphere = projector.project(resting[i]);
         if (!hides(sphere))
         {
+            drawn_ = around(drawn_, sphere.pixels);
             seen_.push_back({static_cast<std::uint32_t>(i), sphere.pixels});
             parts_.push_back({sphere.pixels, sphere.furthestDepth});
             spheres_.push_back(resting[i]);
@@ -51,16 +46,16 @@ void StaticLayer::findHidden(ScenePainter& painter, const SphereProjector& proje
 {
     if (!occluders_)
     {
-        framebuffer_.readDepth(depth_);
+        framebuffer_.readDepth(drawn_, depths_);
     }
     else
     {
         occluders_->bind();
         painter.paintOccluders(spheres_, projector);
-        occluders_->readDepth(depth_);
+        occluders_->readDepth(drawn_, depths_);
         framebuffer_.bind();
     }
-    occlusion_.build(depth_);
+    occlusion_.build(drawn_, depths_);
 }
 
 void StaticLayer::rebuild(ScenePainter& painter, const SphereProjector& projector,
@@ -68,6 +63,7 @@ void StaticLayer::rebuild(ScenePainter& painter, const SphereProjector& projecto
 {
     occlusion_.clear();
     seen_.clear();
+    drawn_ = {};
     if (occluders_)
     {
         occluders_->bind();
@@ -82,7 +78,7 @@ void StaticLayer::rebuild(ScenePainter& painter, const SphereProjector& projecto
         look(projector, resting, first, end);
         painter.paintSpheres(spheres_);
         first = end;
-        batch *= kBatchGrowth;
+        batch += batch / 2;
         if (first < resting.size())
         {
             findHidden(painter, projector);

@@ -63,7 +63,8 @@ private:
     std::vector<Seen> seen_;                 ///< ascending
     std::vector<SphereInstance> spheres_;    ///< that are being drawn
     std::vector<TriangleTiles::Part> parts_; ///< [spheres_] where
-    std::vector<float> depth_;
+    PixelRectangle drawn_;                   ///< around all that is in the layer
+    std::vector<std::uint32_t> depths_;
 };
 
 } // namespace frostfill

@@ -99,6 +99,31 @@ double Font::measure(std::string_view text) const
     return width;
 }
 
+std::array<int, 4> Font::bounds(double x, double baseline, std::string_view text) const
+{
+    constexpr int kHalo = 1;
+    std::array<int, 4> bounds{};
+    bool any = false;
+    double pen = x;
+    while (!text.empty())
+    {
+        const Glyph& next = glyph(takeCodepoint(text));
+        const int left = static_cast<int>(std::lround(pen)) + next.left - kHalo;
+        const int top = static_cast<int>(std::lround(baseline)) + next.top - kHalo;
+        const std::array<int, 4> own = {left, top, left + next.width + 2 * kHalo,
+                                        top + next.height + 2 * kHalo};
+        if (!next.coverage.empty())
+        {
+            bounds = any ? std::array{std::min(bounds[0], own[0]), std::min(bounds[1], own[1]),
+                                      std::max(bounds[2], own[2]), std::max(bounds[3], own[3])}
+                         : own;
+            any = true;
+        }
+        pen += next.advance;
+    }
+    return bounds;
+}
+
 std::string Font::shorten(std::string_view text, double width) const
 {
     if (measure(text) <= width)
@@ -166,8 +191,7 @@ void Font::draw(Image& image, double x, double baseline, std::string_view text,
             const int top = static_cast<int>(std::lround(baseline)) + next.top;
             for (const auto& [dx, dy] : kAround)
             {
-                // Around text on nothing a halo would be a stain.
-                if (isHalo && halo[3] == 255)
+                if (isHalo)
                 {
                     blend(image, next, left + dx, top + dy, halo);
                 }

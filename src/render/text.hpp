@@ -4,6 +4,7 @@
 #include <frostfill/image.hpp>
 #include <frostfill/view.hpp>
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -33,6 +34,10 @@ public:
     /// the picture is left out. The halo keeps text readable where the object is behind it.
     void draw(Image& image, double x, double baseline, std::string_view text, const Colour& colour,
               const Colour& halo) const;
+
+    /// The pixels that such a line touches with its halo: left, top, right, bottom, y downwards;
+    /// all 0 for none.
+    [[nodiscard]] std::array<int, 4> bounds(double x, double baseline, std::string_view text) const;
 
 private:
     struct Glyph

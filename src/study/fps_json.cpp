@@ -33,15 +33,17 @@ Json rateJson(double stepMs, const PictureMs* picture)
 
 Json pictureJson(const PictureMs& picture)
 {
-    return {{"render_ms", picture.render},
+    return {{"spheres_ms", picture.spheres},
+            {"with_samples_ms", picture.samples},
+            {"render_ms", picture.render},
             {"readback_ms", picture.readback},
             {"png_ms", picture.encode}};
 }
 
-Json setJson(const FpsSet& set, const FpsObject& object, bool drawn)
+Json setJson(const FpsSet& set, const FpsPictures* pictures)
 {
     const PictureMs* picture =
-        drawn && set.set < object.pictures.size() ? &object.pictures[set.set] : nullptr;
+        pictures && set.set < pictures->sets.size() ? &pictures->sets[set.set] : nullptr;
     return {{"set", set.set},
             {"place", set.place},
             {"running", set.running},
@@ -56,12 +58,12 @@ Json setJson(const FpsSet& set, const FpsObject& object, bool drawn)
 
 Json methodJson(const FpsMethodResult& method, const FpsObject& object)
 {
-    Json json = {
-        {"search", methodName(method.method)},
-        {"step_ms", distributionJson(method.step)},
-        {"step_ms_of_runs", repeatedJson(method.stepMean)},
-        {"frames_per_second",
-         rateJson(method.stepMean.mean, object.pictures.empty() ? nullptr : &object.picture)}};
+    const FpsPictures* pictures = object.picturesOf(method.method);
+    Json json = {{"search", methodName(method.method)},
+                 {"step_ms", distributionJson(method.step)},
+                 {"step_ms_of_runs", repeatedJson(method.stepMean)},
+                 {"frames_per_second",
+                  rateJson(method.stepMean.mean, pictures ? &pictures->mean : nullptr)}};
     // The fast engine tests polygons and spheres at rest together, along one path.
     if (method.method != FpsMethod::fast)
     {
@@ -80,7 +82,7 @@ Json methodJson(const FpsMethodResult& method, const FpsObject& object)
     json["polygons_discarded"] = method.discardedPolygons;
     json["state_hash"] = method.stateHash;
     for (const FpsSet& set : method.sets)
-        json["sets"].push_back(setJson(set, object, method.method != FpsMethod::fast));
+        json["sets"].push_back(setJson(set, pictures));
     return json;
 }
 
@@ -105,13 +107,16 @@ Json objectJson(const FpsObject& object)
                  {"groups_per_set", object.scene.spheres.groupsPerSet},
                  {"freeze_every", object.scene.freezing.everySets},
                  {"paper", paperJson(paperNumbers(object.scene.object.mesh))}};
-    if (!object.pictures.empty())
-    {
-        json["picture"] = pictureJson(object.picture);
-        json["picture"]["width"] = object.scene.size.width;
-        json["picture"]["height"] = object.scene.size.height;
-        json["picture"]["samples"] = object.scene.samples;
-    }
+    for (const FpsMethod method : {FpsMethod::grid, FpsMethod::fast})
+        if (const FpsPictures* pictures = object.picturesOf(method))
+        {
+            Json& picture = json["pictures"][method == FpsMethod::fast ? "fast" : "paper"];
+            picture = pictureJson(pictures->mean);
+            picture["running"] = pictures->running;
+            picture["width"] = object.scene.size.width;
+            picture["height"] = object.scene.size.height;
+            picture["samples"] = object.scene.samples;
+        }
     for (const FpsMethodResult& method : object.methods)
         json["searches"].push_back(methodJson(method, object));
     return json;

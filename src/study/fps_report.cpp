@@ -98,8 +98,9 @@ Table runTable(const FpsResult& result)
             const bool apart = method.method != FpsMethod::fast;
             const auto orDash = [&](const std::string& text)
             { return apart ? text : kNotSeparate; };
-            const FramesPerSecond fps = framesPerSecond(
-                method.stepMean.mean, object.pictures.empty() ? nullptr : &object.picture);
+            const FpsPictures* pictures = object.picturesOf(method.method);
+            const FramesPerSecond fps =
+                framesPerSecond(method.stepMean.mean, pictures ? &pictures->mean : nullptr);
             table.rows.push_back(
                 {object.scene.name, methodName(method.method),
                  orDash(withInterval(method.spherePolygonMean)),
@@ -107,6 +108,34 @@ Table runTable(const FpsResult& result)
                  orDash(ms(method.spherePolygon.p99)), orDash(ms(method.sphereSphereMean.mean)),
                  withInterval(method.stepMean), ms(method.step.p99), rate(fps.simulation),
                  rate(fps.drawing), rate(fps.readback), rate(fps.png)});
+        }
+    return table;
+}
+
+Table pictureTable(const FpsResult& result)
+{
+    Table table;
+    table.title = "What a picture takes in ms, when every frame is drawn: spheres and legend with "
+                  "one sample a pixel, with all samples, with the shell too (drawing); then "
+                  "readback and PNG";
+    table.words = 2;
+    table.headings = {"object",  "method",   "pixels", "samples",  "running",
+                      "spheres", "+samples", "+shell", "readback", "PNG"};
+    for (const FpsObject& object : result.objects)
+        for (const FpsMethod method : {FpsMethod::grid, FpsMethod::fast})
+        {
+            const FpsPictures* pictures = object.picturesOf(method);
+            if (!pictures)
+                continue;
+            const PictureMs& mean = pictures->mean;
+            std::vector<std::string> row = {
+                object.scene.name, method == FpsMethod::fast ? "fast" : "paper",
+                fmt::format("{}×{}", object.scene.size.width, object.scene.size.height),
+                fmt::format("{}", object.scene.samples), fmt::format("{:.1f}", pictures->running)};
+            for (const double value :
+                 {mean.spheres, mean.samples, mean.render, mean.readback, mean.encode})
+                row.push_back(fmt::format("{:.3f}", value));
+            table.rows.push_back(row);
         }
     return table;
 }
@@ -159,7 +188,8 @@ void addDistribution(std::vector<std::string>& row, const Distribution& values)
 
 std::vector<Table> fpsTables(const FpsResult& result)
 {
-    std::vector<Table> tables = {paperTable(result), runTable(result), endTable(result)};
+    std::vector<Table> tables = {paperTable(result), runTable(result), pictureTable(result),
+                                 endTable(result)};
     std::erase_if(tables, [](const Table& table) { return table.rows.empty(); });
     return tables;
 }
@@ -179,12 +209,13 @@ Table fpsSetTable(const FpsResult& result)
         for (const FpsMethodResult& method : object.methods)
             for (const FpsSet& set : method.sets)
             {
-                const bool drawn =
-                    method.method != FpsMethod::fast && set.set < object.pictures.size();
-                const PictureMs picture = drawn ? object.pictures[set.set] : object.picture;
-                const bool any = !object.pictures.empty();
+                const FpsPictures* pictures = object.picturesOf(method.method);
+                const PictureMs picture = !pictures ? PictureMs{}
+                                          : set.set < pictures->sets.size()
+                                              ? pictures->sets[set.set]
+                                              : pictures->mean;
                 const FramesPerSecond fps =
-                    framesPerSecond(set.step.mean, any ? &picture : nullptr);
+                    framesPerSecond(set.step.mean, pictures ? &picture : nullptr);
                 std::vector<std::string> row = {
                     object.scene.name,
                     methodName(method.method),

@@ -121,17 +121,18 @@ FpsMethodResult summarise(FpsMethod method, const std::vector<FpsRun>& runs, std
     return result;
 }
 
-PictureMs meanPicture(const std::vector<PictureMs>& pictures)
+/// Draws what the request wants drawn.
+void timeObjectPictures(const FpsRequest& request, const TriangleMesh& mesh, FpsObject& object,
+                        std::string& renderer)
 {
-    PictureMs sum;
-    for (const PictureMs& picture : pictures)
-    {
-        sum.render += picture.render;
-        sum.readback += picture.readback;
-        sum.encode += picture.encode;
-    }
-    const auto count = static_cast<double>(std::max<std::size_t>(pictures.size(), 1));
-    return {sum.render / count, sum.readback / count, sum.encode / count};
+    const auto& methods = request.methods;
+    // The paper's method has the same states whatever its search: the grid is there soonest.
+    if (std::any_of(methods.begin(), methods.end(),
+                    [](FpsMethod method) { return method != FpsMethod::fast; }))
+        object.paperPictures =
+            timePictures(sceneFor(object.scene, FpsMethod::grid), mesh, renderer);
+    if (std::find(methods.begin(), methods.end(), FpsMethod::fast) != methods.end())
+        object.fastPictures = timePictures(sceneFor(object.scene, FpsMethod::fast), mesh, renderer);
 }
 
 FpsObject measureObject(const Scene& scene, const FpsRequest& request, std::string& renderer,
@@ -159,9 +160,7 @@ FpsObject measureObject(const Scene& scene, const FpsRequest& request, std::stri
     if (request.pictures)
     {
         say(fmt::format("{}: pictures", scene.name));
-        // The paper's method has the same states whatever its search: the grid is there soonest.
-        object.pictures = timePictures(sceneFor(scene, FpsMethod::grid), mesh.mesh, renderer);
-        object.picture = meanPicture(object.pictures);
+        timeObjectPictures(request, mesh.mesh, object, renderer);
     }
     return object;
 }
@@ -172,6 +171,27 @@ const char* methodName(FpsMethod method)
 {
     constexpr const char* kNames[] = {"loop", "list", "tree", "grid", "fast"};
     return kNames[static_cast<std::size_t>(method)];
+}
+
+PictureMs& PictureMs::operator+=(const PictureMs& other)
+{
+    spheres += other.spheres;
+    samples += other.samples;
+    render += other.render;
+    readback += other.readback;
+    encode += other.encode;
+    return *this;
+}
+
+PictureMs PictureMs::over(double count) const
+{
+    return {spheres / count, samples / count, render / count, readback / count, encode / count};
+}
+
+const FpsPictures* FpsObject::picturesOf(FpsMethod method) const
+{
+    const FpsPictures& pictures = method == FpsMethod::fast ? fastPictures : paperPictures;
+    return pictures.sets.empty() ? nullptr : &pictures;
 }
 
 Scene sceneFor(const Scene& scene, FpsMethod method)

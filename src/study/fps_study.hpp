@@ -41,12 +41,26 @@ struct FpsRequest
     bool pictures = true;
 };
 
-/// Milliseconds that a picture takes.
+/// Milliseconds that a picture of a sequence takes, each of which shows the step after the one
+/// before.
 struct PictureMs
 {
-    double render = 0;
+    double spheres = 0; ///< of drawing, without the shell and with one sample a pixel
+    double samples = 0; ///< the same with all samples
+    double render = 0;  ///< and with the shell: all there is to draw
     double readback = 0;
-    double encode = 0; ///< as PNG
+    double encode = 0; ///< as PNG, where only what has changed is compressed
+
+    PictureMs& operator+=(const PictureMs& other);
+    [[nodiscard]] PictureMs over(double count) const;
+};
+
+/// The pictures of a run.
+struct FpsPictures
+{
+    std::vector<PictureMs> sets; ///< in the middle of each set; empty when nothing was drawn
+    PictureMs mean;              ///< of them
+    double running = 0;          ///< spheres in them, on average
 };
 
 /// One set of one method, over all repeats. Milliseconds a frame; a frame is one time step.
@@ -97,8 +111,10 @@ struct FpsObject
     std::size_t spheres = 0;
     double radius = 0; ///< [mesh unit]
     std::vector<FpsMethodResult> methods;
-    std::vector<PictureMs> pictures; ///< by set of the paper's method; empty when none were drawn
-    PictureMs picture;               ///< the mean of them
+    FpsPictures paperPictures; ///< of the paper's method, which are the same for all its searches
+    FpsPictures fastPictures;
+    /// Of that method; null when nothing was drawn.
+    [[nodiscard]] const FpsPictures* picturesOf(FpsMethod method) const;
 };
 
 struct FpsResult

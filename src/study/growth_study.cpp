@@ -26,16 +26,20 @@ double totalMs(const StageTimes& times)
 
 GrowthPoint meanOf(std::span<const SetRecord> sets, std::size_t present)
 {
-    GrowthPoint point;
     std::uint64_t steps = 0;
+    std::size_t spheres = 0;
+    double tests = 0;
+    double ms = 0;
     for (const SetRecord& set : sets)
     {
         steps += set.steps;
-        point.tests += static_cast<double>(set.operations.tests());
-        point.ms += totalMs(set.times);
+        spheres += set.spheres;
+        tests += static_cast<double>(set.operations.tests());
+        ms += totalMs(set.times);
     }
     const auto count = static_cast<double>(std::max<std::uint64_t>(steps, 1));
-    return {present, point.tests / count, point.ms / count};
+    const auto appeared = static_cast<double>(std::max<std::size_t>(spheres, 1));
+    return {present, tests / count, ms / count, tests / appeared, ms / appeared};
 }
 
 /// The spheres of a run as Algorithm 1 wants them: all of them, moving with no speed.
@@ -55,7 +59,8 @@ GrowthPoint oneStep(const Spheres& state, const Surface& surface, const PolygonT
     std::vector<Eigen::Vector3d> before;
     for (std::size_t id = 0; id < state.size(); ++id)
         before.push_back(state.position(id));
-    GrowthPoint point{state.size(), 0, 0};
+    GrowthPoint point;
+    point.spheres = state.size();
     for (int repeat = 0; repeat < kRepeats; ++repeat)
     {
         Spheres spheres = state;
@@ -119,18 +124,19 @@ Growth firstToLastTenth(const std::vector<GrowthPoint>& points)
     if (points.empty())
         return {};
     const std::size_t tenth = std::max<std::size_t>(points.size() / 10, 1);
-    GrowthPoint first;
-    GrowthPoint last;
-    for (std::size_t i = 0; i < tenth; ++i)
+    const auto growth = [&](double GrowthPoint::*cost)
     {
-        first.tests += points[i].tests;
-        first.ms += points[i].ms;
-        last.tests += points[points.size() - 1 - i].tests;
-        last.ms += points[points.size() - 1 - i].ms;
-    }
-    const auto growth = [](double before, double now)
-    { return before > 0 ? 100 * (now / before - 1) : 0; };
-    return {growth(first.tests, last.tests), growth(first.ms, last.ms)};
+        double first = 0;
+        double last = 0;
+        for (std::size_t i = 0; i < tenth; ++i)
+        {
+            first += points[i].*cost;
+            last += points[points.size() - 1 - i].*cost;
+        }
+        return first > 0 ? 100 * (last / first - 1) : 0;
+    };
+    return {growth(&GrowthPoint::tests), growth(&GrowthPoint::ms),
+            growth(&GrowthPoint::testsOfSphere), growth(&GrowthPoint::msOfSphere)};
 }
 
 } // namespace frostfill

@@ -16,26 +16,32 @@ namespace frostfill
 /// of spheres grows.
 struct GrowthPoint
 {
-    std::size_t spheres = 0; ///< present
-    double tests = 0;        ///< a time step
-    double ms = 0;           ///< a time step
+    std::size_t spheres = 0;  ///< present
+    double tests = 0;         ///< a time step
+    double ms = 0;            ///< a time step
+    double testsOfSphere = 0; ///< in all steps of the sets, for each sphere that appeared in them
+    double msOfSphere = 0;
 };
 
-/// Mean cost of a time step in neighbouring sets; at most so many points. The last set of the run
-/// is left out.
+/// Mean cost of a time step, and of a sphere, in neighbouring sets; at most so many points. The
+/// last set of the run is left out.
 [[nodiscard]] std::vector<GrowthPoint> growthOfRun(const Scene& scene, const TriangleMesh& mesh,
                                                    std::size_t points);
 
 /// What a time step of Algorithm 1 costs when nothing is frozen and all pairs are visited. A whole
-/// fill would take hours, so single steps are timed on the states of the scene's own run.
+/// fill would take hours, so single steps are timed on the states of the scene's own run, and what
+/// a sphere costs stays 0.
 [[nodiscard]] std::vector<GrowthPoint>
 growthWithoutFreezing(const Scene& scene, const TriangleMesh& mesh, std::size_t points);
 
-/// By how much a step costs more in the last tenth of the points than in the first. [%]
+/// By how much a step, and a sphere, costs more in the last tenth of the points than in the first.
+/// [%]
 struct Growth
 {
     double tests = 0;
     double ms = 0;
+    double testsOfSphere = 0;
+    double msOfSphere = 0;
 };
 [[nodiscard]] Growth firstToLastTenth(const std::vector<GrowthPoint>& points);
 

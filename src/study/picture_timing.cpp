@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "study/picture_timing.hpp"
 
+#include "image/png_bands.hpp"
 #include "study/frame_recorder.hpp"
 
 #include <frostfill/simulation.hpp>
 
+#include <algorithm>
 #include <chrono>
+#include <optional>
 
 namespace frostfill
 {
@@ -29,54 +32,95 @@ std::vector<std::uint64_t> middleSteps(const Scene& scene, const TriangleMesh& m
     return middles;
 }
 
+/// Pictures of consecutive steps in the middle of a set.
+constexpr std::uint64_t kNotCounted = 2;
+constexpr std::uint64_t kCounted = 8;
+
 class PictureClock
 {
 public:
-    PictureClock(const TriangleMesh& mesh, const Scene& scene)
-        : renderer_(mesh, renderSettings(scene))
+    PictureClock(const TriangleMesh& mesh, const Scene& scene) : whole_(mesh, renderSettings(scene))
     {
+        // The same pictures with less in them tell what costs how much. The legend stays: without
+        // it the object would be drawn larger.
+        RenderSettings less = renderSettings(scene);
+        less.style.shell = false;
+        noShell_.emplace(mesh, less);
+        less.samples = 1;
+        spheres_.emplace(mesh, less);
     }
 
     PictureMs draw(const Simulation& simulation)
     {
         simulation.capture(snapshot_);
-        const StageTimes before = renderer_.times();
-        renderer_.render(snapshot_, image_);
-        const StageTimes& after = renderer_.times();
+        PictureMs picture;
+        picture.spheres = drawing(*spheres_);
+        picture.samples = drawing(*noShell_);
+        const double readBefore = whole_.times()[Stage::readback];
+        const Image* image = nullptr;
+        picture.render = drawing(whole_, &image);
+        picture.readback = 1000 * (whole_.times()[Stage::readback] - readBefore);
         const auto start = std::chrono::steady_clock::now();
-        const auto png = encodePng(image_);
-        const auto end = std::chrono::steady_clock::now();
-        return {1000 * (after[Stage::rendering] - before[Stage::rendering]),
-                1000 * (after[Stage::readback] - before[Stage::readback]),
-                std::chrono::duration<double, std::milli>(end - start).count()};
+        static_cast<void>(encoder_.encode(*image, {}, whole_.changedRows()));
+        picture.encode =
+            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+                .count();
+        return picture;
     }
-    [[nodiscard]] const std::string& description() const { return renderer_.description(); }
+    [[nodiscard]] std::size_t running() const { return snapshot_.running; }
+    [[nodiscard]] const std::string& description() const { return whole_.description(); }
 
 private:
-    Renderer renderer_;
+    /// Draws, and returns how long that took [ms].
+    double drawing(Renderer& renderer, const Image** image = nullptr)
+    {
+        const double before = renderer.times()[Stage::rendering];
+        const Image& drawn = renderer.draw(snapshot_);
+        if (image)
+            *image = &drawn;
+        return 1000 * (renderer.times()[Stage::rendering] - before);
+    }
+
+    Renderer whole_;
+    std::optional<Renderer> noShell_;
+    std::optional<Renderer> spheres_;
+    PngBands encoder_;
     Snapshot snapshot_;
-    Image image_;
 };
 
 } // namespace
 
-std::vector<PictureMs> timePictures(const Scene& scene, const TriangleMesh& mesh,
-                                    std::string& renderer)
+FpsPictures timePictures(const Scene& scene, const TriangleMesh& mesh, std::string& renderer)
 {
     const std::vector<std::uint64_t> middles = middleSteps(scene, mesh);
     PictureClock clock(mesh, scene);
     renderer = clock.description();
     Simulation simulation(scene, mesh);
-    std::vector<PictureMs> pictures;
-    while (pictures.size() < middles.size() && simulation.step())
+    FpsPictures pictures;
+    double running = 0;
+    for (const std::uint64_t middle : middles)
     {
-        const std::uint64_t middle = middles[pictures.size()];
-        if (simulation.steps() < middle)
-            continue;
-        static_cast<void>(clock.draw(simulation));
-        simulation.step();
-        pictures.push_back(clock.draw(simulation));
+        while (simulation.steps() < middle && simulation.step())
+        {
+        }
+        for (std::uint64_t i = 0; i < kNotCounted; ++i)
+        {
+            static_cast<void>(clock.draw(simulation));
+            simulation.step();
+        }
+        PictureMs sum;
+        for (std::uint64_t i = 0; i < kCounted; ++i)
+        {
+            sum += clock.draw(simulation);
+            running += static_cast<double>(clock.running());
+            simulation.step();
+        }
+        pictures.sets.push_back(sum.over(kCounted));
+        pictures.mean += pictures.sets.back();
     }
+    const double count = std::max(1.0, static_cast<double>(pictures.sets.size()));
+    pictures.mean = pictures.mean.over(count);
+    pictures.running = running / (count * kCounted);
     return pictures;
 }
 

@@ -8,10 +8,10 @@
 namespace frostfill
 {
 
-/// Runs the scene once and draws two pictures in the middle of every set, the first of which is not
-/// counted: it brings up what the renderer keeps from picture to picture. The renderer's
-/// description goes to `renderer`. Throws Error noOpenGl.
-[[nodiscard]] std::vector<PictureMs> timePictures(const Scene& scene, const TriangleMesh& mesh,
-                                                  std::string& renderer);
+/// Runs the scene once and draws steps that follow each other in the middle of every set, as a
+/// sequence of pictures is drawn: the first ones bring up what is kept from picture to picture and
+/// are not counted. The renderer's description goes to `renderer`. Throws Error noOpenGl.
+[[nodiscard]] FpsPictures timePictures(const Scene& scene, const TriangleMesh& mesh,
+                                       std::string& renderer);
 
 } // namespace frostfill

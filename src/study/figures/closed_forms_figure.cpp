@@ -17,8 +17,8 @@ void makeData(const FigureFolder& folder)
 
 Figure closedFormsFigure()
 {
-    return {"closed-forms", "errors against closed forms", false, makeData,
-            embedded::figure_closed_forms};
+    return {"closed-forms", "errors against closed forms", false, 1,
+            makeData,       embedded::figure_closed_forms};
 }
 
 } // namespace frostfill

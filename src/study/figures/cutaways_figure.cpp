@@ -54,7 +54,7 @@ void makeData(const FigureFolder& folder)
 
 Figure cutawaysFigure()
 {
-    return {"cutaways", "the four objects cut open", false, makeData, embedded::figure_cutaways};
+    return {"cutaways", "the four objects cut open", false, 3, makeData, embedded::figure_cutaways};
 }
 
 } // namespace frostfill

@@ -59,6 +59,8 @@ void makeData(const FigureFolder& folder)
     for (const Part& part : kParts)
         for (const std::uint32_t setSize : kSetSizes)
         {
+            folder.progress(table.rows.size(), std::size(kParts) * std::size(kSetSizes),
+                            fmt::format("{}, sets of {}", part.name, setSize));
             std::vector<double> runs;
             for (std::uint64_t seed = 1; seed <= seeds; ++seed)
                 runs.push_back(packing(part, setSize, seed, spheres, mesh, report));
@@ -74,8 +76,9 @@ void makeData(const FigureFolder& folder)
 
 Figure densityFigure()
 {
-    return {"density", "share of the volume that is filled, against the size of a set", false,
-            makeData, embedded::figure_density};
+    return {"density", "share of the volume that is filled, against the size of a set",
+            false,     13,
+            makeData,  embedded::figure_density};
 }
 
 } // namespace frostfill

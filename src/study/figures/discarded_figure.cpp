@@ -66,8 +66,9 @@ void makeData(const FigureFolder& folder)
 
 Figure discardedFigure()
 {
-    return {"discarded", "share of discarded spheres and polygons over the run", false, makeData,
-            embedded::figure_discarded};
+    return {"discarded", "share of discarded spheres and polygons over the run",
+            false,       4,
+            makeData,    embedded::figure_discarded};
 }
 
 } // namespace frostfill

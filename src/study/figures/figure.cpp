@@ -72,12 +72,14 @@ bool FigureFolder::reuse(const std::string& name) const
 
 void makeFigure(const Figure& figure, const FigureRequest& request)
 {
-    requireGnuplot();
+    if (figure.script)
+        requireGnuplot();
     createDirectory(request.directory);
     const FigureFolder folder(request);
     request.say(fmt::format("{}: {}", figure.name, figure.title));
     figure.makeData(folder);
-    drawFigure(figure, request);
+    if (figure.script)
+        drawFigure(figure, request);
 }
 
 void drawFigure(const Figure& figure, const FigureRequest& request)

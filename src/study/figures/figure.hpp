@@ -5,6 +5,7 @@
 
 #include <frostfill/image.hpp>
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <span>
@@ -23,6 +24,9 @@ struct FigureRequest
     bool measure = false; ///< measure times anew
     bool quick = false;   ///< few spheres, for a look and for tests
     std::function<void(const std::string&)> say = [](const std::string&) {};
+    /// Hears how far the figure is that is being made: parts done, parts in all, what has ended.
+    std::function<void(std::size_t, std::size_t, const std::string&)> progress =
+        [](std::size_t, std::size_t, const std::string&) {};
 };
 
 /// The folder that a figure's files go to.
@@ -41,6 +45,10 @@ public:
 
     [[nodiscard]] bool quick() const { return request_.quick; }
     void say(const std::string& what) const { request_.say(what); }
+    void progress(std::size_t done, std::size_t all, const std::string& what) const
+    {
+        request_.progress(done, all, what);
+    }
 
 private:
     const FigureRequest& request_;
@@ -51,10 +59,11 @@ struct Figure
 {
     const char* name;
     const char* title;
-    bool measured; ///< shows times, which differ from run to run
+    bool measured;  ///< shows times, which differ from run to run
+    double seconds; ///< that it takes to make, roughly and in proportion to the others
     /// Writes the data that the script reads.
     void (*makeData)(const FigureFolder&);
-    /// The gnuplot script: reads the data, draws NAME.svg or NAME.png.
+    /// The gnuplot script: reads the data, draws NAME.svg or NAME.png. Null where makeData draws.
     std::string_view (*script)();
 };
 
@@ -62,7 +71,7 @@ struct Figure
 [[nodiscard]] std::span<const Figure> allFigures();
 
 /// Makes one figure: its data, its script, NAME.svg and NAME.png. Throws Error, missingProgram
-/// without gnuplot.
+/// without gnuplot where there is a script.
 void makeFigure(const Figure& figure, const FigureRequest& request);
 
 /// Draws one figure from data that are there already. Throws like makeFigure.

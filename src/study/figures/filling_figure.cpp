@@ -55,8 +55,9 @@ void makeData(const FigureFolder& folder)
 
 Figure fillingFigure()
 {
-    return {"filling", "the four objects while they fill", false, makeData,
-            embedded::figure_filling};
+    return {"filling", "the four objects while they fill",
+            false,     3,
+            makeData,  embedded::figure_filling};
 }
 
 } // namespace frostfill

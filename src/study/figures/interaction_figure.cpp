@@ -115,9 +115,10 @@ void makeData(const FigureFolder& folder)
 
 Figure interactionFigure()
 {
-    return {"interaction",
-            "PAPER, Figure 2: spheres and polygons, a covered polygon, sets of groups", false,
-            makeData, embedded::figure_interaction};
+    return {
+        "interaction", "PAPER, Figure 2: spheres and polygons, a covered polygon, sets of groups",
+        false,         0.5,
+        makeData,      embedded::figure_interaction};
 }
 
 } // namespace frostfill

@@ -27,8 +27,9 @@ void makeData(const FigureFolder& folder)
 
 Figure operationsFigure()
 {
-    return {"operations", "operations against spheres: the lemmas and what is counted", false,
-            makeData, embedded::figure_operations};
+    return {"operations", "operations against spheres: the lemmas and what is counted",
+            false,        5,
+            makeData,     embedded::figure_operations};
 }
 
 } // namespace frostfill

@@ -15,7 +15,8 @@ void makeData(const FigureFolder& folder)
     // A matter of minutes, so it is taken from the record like measured times.
     if (folder.reuse("stability.csv"))
         return;
-    const auto progress = [](std::size_t, std::size_t, const std::string&) {};
+    const auto progress = [&](std::size_t done, std::size_t all, const std::string& what)
+    { folder.progress(done, all, what); };
     folder.write("stability.csv", stabilityCsv(measureStability(folder.quick(), progress)));
 }
 
@@ -23,8 +24,9 @@ void makeData(const FigureFolder& folder)
 
 Figure stabilityFigure()
 {
-    return {"stability", "the stress matrix: where which method breaks", true, makeData,
-            embedded::figure_stability};
+    return {"stability", "the stress matrix: where which method breaks",
+            true,        200,
+            makeData,    embedded::figure_stability};
 }
 
 } // namespace frostfill

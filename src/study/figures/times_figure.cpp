@@ -80,8 +80,11 @@ void makeData(const FigureFolder& folder)
         }
     }
     request.repeats = folder.quick() ? 1 : request.repeats;
+    // The runs of an object are told of, and its pictures.
+    const std::size_t all = request.scenes.size() * (request.repeats + 1);
+    std::size_t begun = 0;
     const FpsResult result =
-        measureFps(request, [&](const std::string& what) { folder.say(what); });
+        measureFps(request, [&](const std::string& what) { folder.progress(begun++, all, what); });
     std::string markdown;
     for (const Table& table : fpsTables(result))
         markdown += formatMarkdown(table) + "\n";
@@ -95,7 +98,8 @@ void makeData(const FigureFolder& folder)
 
 Figure timesFigure()
 {
-    return {"times", "PAPER, Figure 3: sphere-polygon time a frame of the four objects", true,
+    return {"times",  "PAPER, Figure 3: sphere-polygon time a frame of the four objects",
+            true,     70,
             makeData, embedded::figure_times};
 }
 

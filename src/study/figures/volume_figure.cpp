@@ -49,9 +49,10 @@ void makeData(const FigureFolder& folder)
 
 Figure volumeFigure()
 {
-    return {"volume",
-            "PAPER, Figure 1: a filled volume, frozen, discarded, and which pairs are tested",
-            false, makeData, embedded::figure_volume};
+    return {
+        "volume", "PAPER, Figure 1: a filled volume, frozen, discarded, and which pairs are tested",
+        false,    1,
+        makeData, embedded::figure_volume};
 }
 
 } // namespace frostfill

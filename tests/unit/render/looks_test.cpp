@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <functional>
 
 namespace frostfill
@@ -198,25 +199,28 @@ TEST(Looks, TransparentBackgroundIsRightOverWhiteAndOverBlack)
     }
 }
 
-TEST(Looks, TextOnNothingHasNoHaloAndKeepsItsColour)
+TEST(Looks, TextOnNothingKeepsItsColourAndIsOutlinedInTheOther)
 {
     RenderSettings settings = smallSettings();
-    settings.size = {480, 270};
+    settings.size = {1280, 720};
     settings.style.palette.background[3] = 0;
-    settings.style.palette.text = {200, 10, 20, 255};
+    settings.style.palette.text = {90, 10, 20, 255};
     settings.style.shell = false;
     settings.title = "frost";
     const Image image = draw(boxMesh({1, 1, 1}), settings, Snapshot{});
-    int letters = 0;
-    for (int y = 0; y < 22; ++y)
-        for (int x = 0; x < 60; ++x)
-            if (image.at(x, y)[3] > 0)
-            {
-                ++letters;
-                EXPECT_NEAR(image.at(x, y)[0], 200, 6);
-                EXPECT_NEAR(image.at(x, y)[1], 10, 6);
-            }
-    EXPECT_GT(letters, 50);
+    int ink = 0;
+    int outline = 0;
+    for (int y = 0; y < 45; ++y)
+        for (int x = 0; x < 120; ++x)
+        {
+            const auto* pixel = image.at(x, y);
+            if (pixel[3] < 250)
+                continue;
+            ink += std::abs(pixel[0] - 90) < 6 && pixel[1] < 16 ? 1 : 0;
+            outline += pixel[0] > 250 && pixel[1] > 250 ? 1 : 0;
+        }
+    EXPECT_GT(ink, 15);
+    EXPECT_GT(outline, 30);
 }
 
 TEST(Looks, PassesShowTheNearestSphereItsDistanceAndItsNormal)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The static layer against drawing everything for every picture, which has to give the same bytes.
+#include <frostfill/error.hpp>
 #include <frostfill/renderer.hpp>
 #include <support/pictures.hpp>
 
@@ -92,6 +93,8 @@ struct Case
     bool shell;
     int spheres;
     double radius;
+    int around = 48; ///< quads of the torus
+    Backend backend = Backend::automatic;
 };
 
 std::ostream& operator<<(std::ostream& out, const Case& value)
@@ -109,6 +112,21 @@ protected:
         settings.camera.orthographic = GetParam().orthographic;
         settings.style.shell = GetParam().shell;
         settings.title = "a title that is a good deal wider than the table below it";
+        settings.backend = GetParam().backend;
+    }
+
+    void SetUp() override
+    {
+        if (settings.backend == Backend::automatic)
+            return;
+        try
+        {
+            const Renderer renderer(mesh, settings);
+        }
+        catch (const Error& error)
+        {
+            GTEST_SKIP() << "this machine lacks the backend: " << error.what();
+        }
     }
 
     void expectSame(const Snapshot& snapshot, const char* when)
@@ -127,7 +145,7 @@ protected:
         off = std::make_unique<Renderer>(mesh, settings);
     }
 
-    TriangleMesh mesh = torusMesh(1, 0.4, 48, 16);
+    TriangleMesh mesh = torusMesh(1, 0.4, GetParam().around, GetParam().around / 3);
     RenderSettings settings;
     std::unique_ptr<Renderer> on;
     std::unique_ptr<Renderer> off;
@@ -207,15 +225,40 @@ TEST_P(StaticLayer, OutlastsItsMarks)
     expectSame(run.snapshot, "after 300 frames");
 }
 
-INSTANTIATE_TEST_SUITE_P(Renderer, StaticLayer,
-                         testing::Values(Case{"OneSample", 1, false, true, 60, 0.1},
-                                         Case{"FourSamples", 4, false, true, 60, 0.1},
-                                         Case{"Parallel", 1, true, true, 60, 0.1},
-                                         Case{"ParallelFourSamples", 4, true, true, 60, 0.1},
-                                         Case{"WithoutShell", 1, false, false, 60, 0.1},
-                                         Case{"ManySmall", 1, false, true, 4000, 0.02},
-                                         Case{"ManySmallFourSamples", 4, false, true, 4000, 0.02}),
-                         [](const auto& testCase) { return std::string(testCase.param.name); });
+TEST_P(StaticLayer, WritesOnlyTextThatReadsDifferently)
+{
+    MadeUpRun run(mesh, GetParam().radius);
+    open();
+    run.release(5);
+    run.advance(1, 0, 0);
+    expectSame(run.snapshot, "at first");
+    run.snapshot.time += 1;
+    expectSame(run.snapshot, "the clock has moved");
+    const auto changed = on->changedRows();
+    const auto rows =
+        std::count_if(changed.begin(), changed.end(), [](auto row) { return row != 0; });
+    EXPECT_GT(rows, 0);
+    EXPECT_LT(rows, 20) << "of one line";
+    run.snapshot.frozen += 1;
+    run.snapshot.set += 100000;
+    expectSame(run.snapshot, "and numbers have, one of them a good deal wider");
+    run.snapshot.set = 1;
+    expectSame(run.snapshot, "and narrower again");
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Renderer, StaticLayer,
+    testing::Values(Case{"OneSample", 1, false, true, 60, 0.1},
+                    Case{"FourSamples", 4, false, true, 60, 0.1},
+                    Case{"Parallel", 1, true, true, 60, 0.1},
+                    Case{"ParallelFourSamples", 4, true, true, 60, 0.1},
+                    Case{"WithoutShell", 1, false, false, 60, 0.1},
+                    Case{"ManySmall", 1, false, true, 4000, 0.02},
+                    Case{"CoarseShell", 4, false, true, 60, 0.05, 12},
+                    Case{"Egl", 1, false, true, 60, 0.1, 48, Backend::eglSurfaceless},
+                    Case{"EglFourSamples", 4, false, true, 60, 0.1, 48, Backend::eglSurfaceless},
+                    Case{"ManySmallFourSamples", 4, false, true, 4000, 0.02}),
+    [](const auto& testCase) { return std::string(testCase.param.name); });
 
 } // namespace
 } // namespace frostfill

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+
 namespace frostfill
 {
 namespace
@@ -67,6 +70,27 @@ TEST(Font, DrawsInkOnlyWhereTheTextIs)
         }
     }
     EXPECT_GT(dark, 150U);
+}
+
+TEST(Font, BoundsHoldTheTextWithItsHaloAndNothingElse)
+{
+    const Font font(20);
+    Image image = whitePicture(200, 40);
+    // On black a white halo shows too.
+    std::fill(image.pixels.begin(), image.pixels.end(), std::uint8_t{0});
+    font.draw(image, 10.3, 30, " (Frostfill)", kBlack, kWhite);
+    std::array<int, 4> drawn = {200, 40, 0, 0};
+    for (int y = 0; y < 40; ++y)
+    {
+        for (int x = 0; x < 200; ++x)
+        {
+            if (image.at(x, y)[0] != 0)
+                drawn = {std::min(drawn[0], x), std::min(drawn[1], y), std::max(drawn[2], x + 1),
+                         std::max(drawn[3], y + 1)};
+        }
+    }
+    EXPECT_EQ(font.bounds(10.3, 30, " (Frostfill)"), drawn);
+    EXPECT_EQ(font.bounds(10.3, 30, "  "), (std::array<int, 4>{}));
 }
 
 TEST(Font, TextThatLeavesThePictureIsCutOff)

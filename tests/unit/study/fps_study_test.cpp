@@ -88,13 +88,42 @@ TEST_F(FpsStudy, everySetIsARowOfTheCsv)
 
 TEST_F(FpsStudy, framesASecondFallWithEveryStageAdded)
 {
-    const PictureMs picture = {10, 2, 8};
+    const PictureMs picture = {4, 7, 10, 2, 8};
     const FramesPerSecond fps = framesPerSecond(5, &picture);
     EXPECT_DOUBLE_EQ(fps.simulation, 200);
     EXPECT_DOUBLE_EQ(fps.drawing, 1000.0 / 15);
     EXPECT_DOUBLE_EQ(fps.readback, 1000.0 / 17);
     EXPECT_DOUBLE_EQ(fps.png, 40);
     EXPECT_EQ(framesPerSecond(5, nullptr).png, 0);
+    EXPECT_EQ(cube().picturesOf(FpsMethod::fast), nullptr);
+}
+
+TEST(FpsPictures, areThoseOfEachMethodAndTellTheirParts)
+{
+    FpsRequest request;
+    request.scenes = {presetScene(Preset::paper, "cube")};
+    request.scenes.front().spheres.radius = Radii(0.13);
+    request.scenes.front().spheres.count = 42;
+    request.scenes.front().size = {160, 90};
+    request.repeats = 1;
+    request.methods = {FpsMethod::grid, FpsMethod::fast};
+    const FpsResult result = measureFps(request, [](const std::string&) {});
+    const FpsObject& cube = result.objects.front();
+    ASSERT_EQ(cube.picturesOf(FpsMethod::loop), &cube.paperPictures);
+    ASSERT_EQ(cube.picturesOf(FpsMethod::fast), &cube.fastPictures);
+    for (const FpsPictures* pictures : {&cube.paperPictures, &cube.fastPictures})
+    {
+        EXPECT_GE(pictures->sets.size(), 2u);
+        EXPECT_GT(pictures->running, 0);
+        EXPECT_GT(pictures->mean.spheres, 0);
+        EXPECT_GT(pictures->mean.render, pictures->mean.spheres);
+        EXPECT_GT(pictures->mean.encode, 0);
+    }
+    // The paper's second set runs together with the first, ours freezes one by one.
+    EXPECT_GT(cube.paperPictures.running, cube.fastPictures.running);
+    const auto json = fpsJson(result)["objects"][0]["pictures"];
+    EXPECT_EQ(json["paper"]["running"], cube.paperPictures.running);
+    EXPECT_EQ(json["fast"]["render_ms"], cube.fastPictures.mean.render);
 }
 
 TEST_F(FpsStudy, aMeasurementHasNotRegressedAgainstItself)

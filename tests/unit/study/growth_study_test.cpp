@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "study/growth_study.hpp"
 
+#include <frostfill/simulation.hpp>
+
 #include <gtest/gtest.h>
 
 namespace frostfill
@@ -31,6 +33,22 @@ TEST(GrowthStudy, testsOfARunAreThoseOfLemma1AndLeaveTheLastSetOut)
     }
 }
 
+TEST(GrowthStudy, whatASphereCostsIsThatOfItsStepsInAll)
+{
+    const Scene scene = fortySpheres();
+    Simulation simulation(scene, builtInMesh("cube"));
+    while (simulation.step())
+    {
+    }
+    const auto points = growthOfRun(scene, builtInMesh("cube"), 100);
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+        const auto steps = static_cast<double>(simulation.sets()[i].steps);
+        EXPECT_DOUBLE_EQ(points[i].testsOfSphere, points[i].tests * steps / 5);
+        EXPECT_NEAR(points[i].msOfSphere, points[i].ms * steps / 5, 1e-9);
+    }
+}
+
 TEST(GrowthStudy, withoutFreezingEveryPairIsTested)
 {
     const auto points = growthWithoutFreezing(fortySpheres(), builtInMesh("cube"), 4);
@@ -48,9 +66,11 @@ TEST(GrowthStudy, growthComparesTheFirstTenthWithTheLast)
 {
     std::vector<GrowthPoint> points;
     for (int i = 0; i < 20; ++i)
-        points.push_back({0, i < 2 ? 100.0 : 110.0, i < 2 ? 2.0 : 1.0});
+        points.push_back({0, i < 2 ? 100.0 : 110.0, i < 2 ? 2.0 : 1.0, i < 2 ? 4.0 : 5.0, 1.0});
     EXPECT_NEAR(firstToLastTenth(points).tests, 10, 1e-9);
     EXPECT_NEAR(firstToLastTenth(points).ms, -50, 1e-9);
+    EXPECT_NEAR(firstToLastTenth(points).testsOfSphere, 25, 1e-9);
+    EXPECT_NEAR(firstToLastTenth(points).msOfSphere, 0, 1e-9);
     EXPECT_EQ(firstToLastTenth({}).ms, 0);
 }
 

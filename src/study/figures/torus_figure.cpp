@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#include "study/figures/all_figures.hpp"
+#include "study/figures/panels.hpp"
+
+#include <array>
+
+namespace frostfill
+{
+namespace
+{
+
+/// A picture as `frostfill fill torus` draws it, a little past the middle of the run.
+void makeData(const FigureFolder& folder)
+{
+    Scene scene = presetScene(Preset::fast, "torus");
+    const std::array<std::size_t, 1> spheres = {folder.quick() ? 40UL : 200UL};
+    const TriangleMesh mesh = builtInMesh("torus");
+    folder.write("torus.png", drawMoments(scene, mesh, momentsOf(scene, mesh, spheres)).front());
+}
+
+} // namespace
+
+Figure torusFigure()
+{
+    return {"torus", "the torus while it fills, as a run draws it", false, 1, makeData, nullptr};
+}
+
+} // namespace frostfill
