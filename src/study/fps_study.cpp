@@ -126,13 +126,14 @@ void timeObjectPictures(const FpsRequest& request, const TriangleMesh& mesh, Fps
                         std::string& renderer)
 {
     const auto& methods = request.methods;
+    PictureTiming timing(object.scene, mesh);
+    renderer = timing.description();
     // The paper's method has the same states whatever its search: the grid is there soonest.
     if (std::any_of(methods.begin(), methods.end(),
                     [](FpsMethod method) { return method != FpsMethod::fast; }))
-        object.paperPictures =
-            timePictures(sceneFor(object.scene, FpsMethod::grid), mesh, renderer);
+        object.paperPictures = timing.timeRun(sceneFor(object.scene, FpsMethod::grid));
     if (std::find(methods.begin(), methods.end(), FpsMethod::fast) != methods.end())
-        object.fastPictures = timePictures(sceneFor(object.scene, FpsMethod::fast), mesh, renderer);
+        object.fastPictures = timing.timeRun(sceneFor(object.scene, FpsMethod::fast));
 }
 
 FpsObject measureObject(const Scene& scene, const FpsRequest& request, std::string& renderer,

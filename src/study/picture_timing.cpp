@@ -36,10 +36,12 @@ std::vector<std::uint64_t> middleSteps(const Scene& scene, const TriangleMesh& m
 constexpr std::uint64_t kNotCounted = 2;
 constexpr std::uint64_t kCounted = 8;
 
-class PictureClock
+} // namespace
+
+class PictureTiming::Clock
 {
 public:
-    PictureClock(const TriangleMesh& mesh, const Scene& scene) : whole_(mesh, renderSettings(scene))
+    Clock(const TriangleMesh& mesh, const Scene& scene) : whole_(mesh, renderSettings(scene))
     {
         // The same pictures with less in them tell what costs how much. The legend stays: without
         // it the object would be drawn larger.
@@ -88,14 +90,22 @@ private:
     Snapshot snapshot_;
 };
 
-} // namespace
-
-FpsPictures timePictures(const Scene& scene, const TriangleMesh& mesh, std::string& renderer)
+PictureTiming::PictureTiming(const Scene& scene, const TriangleMesh& mesh)
+    : mesh_(mesh), clock_(std::make_unique<Clock>(mesh, scene))
 {
-    const std::vector<std::uint64_t> middles = middleSteps(scene, mesh);
-    PictureClock clock(mesh, scene);
-    renderer = clock.description();
-    Simulation simulation(scene, mesh);
+}
+
+PictureTiming::~PictureTiming() = default;
+
+const std::string& PictureTiming::description() const
+{
+    return clock_->description();
+}
+
+FpsPictures PictureTiming::timeRun(const Scene& scene)
+{
+    const std::vector<std::uint64_t> middles = middleSteps(scene, mesh_);
+    Simulation simulation(scene, mesh_);
     FpsPictures pictures;
     double running = 0;
     for (const std::uint64_t middle : middles)
@@ -105,14 +115,14 @@ FpsPictures timePictures(const Scene& scene, const TriangleMesh& mesh, std::stri
         }
         for (std::uint64_t i = 0; i < kNotCounted; ++i)
         {
-            static_cast<void>(clock.draw(simulation));
+            static_cast<void>(clock_->draw(simulation));
             simulation.step();
         }
         PictureMs sum;
         for (std::uint64_t i = 0; i < kCounted; ++i)
         {
-            sum += clock.draw(simulation);
-            running += static_cast<double>(clock.running());
+            sum += clock_->draw(simulation);
+            running += static_cast<double>(clock_->running());
             simulation.step();
         }
         pictures.sets.push_back(sum.over(kCounted));
