@@ -107,6 +107,7 @@ struct MotionSettings
     Integrator integrator = Integrator::explicitEuler; ///< of the preset paper
     std::optional<double> dt; ///< [s]; chosen so that no fall moves more than r/2 a step
     double restitution = 0.2; ///< [1] 0..1, of every contact
+    int sweeps = 4; ///< of the preset fast, over running spheres that meet: at most so many a step
 };
 
 /// How the object moves once it is filled and at rest. Angles and amplitude start from zero and end
@@ -125,6 +126,8 @@ struct MoveSettings
 /// When moving spheres become immobile for good (PAPER: frozen).
 struct FreezingSettings
 {
+    bool bySet = false; ///< of the preset fast: a set freezes when all of it is calm, and the next
+                        ///< appears then; off: each sphere by itself. Not with Motion::descend
     std::uint32_t everySets = 2; ///< freeze when so many sets have come to rest; 0 never freezes
     double restSpeed = 0.1;      ///< [sqrt(g r)] mean speed over the window below which one rests
     double restWindow = 1;       ///< [sqrt(r/g)] for how long

@@ -23,7 +23,7 @@ void makeData(const FigureFolder& folder)
     if (std::all_of(errorStudies().begin(), errorStudies().end(), recorded))
         return;
     const auto progress = [](std::size_t, std::size_t, const std::string&) {};
-    const std::vector<ErrorPoint> points = measureErrors(folder.quick(), progress);
+    const std::vector<ErrorPoint> points = measureErrors(folder.quick(), {}, progress);
     for (const ErrorStudyInfo& study : errorStudies())
         folder.write(fileOf(study), errorCsv(points, study));
 }
