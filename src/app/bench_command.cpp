@@ -166,9 +166,10 @@ void comparePeers(const BenchArguments& arguments, std::vector<std::string>& bro
     const double ratio = peerRatio(points);
     fmt::print("the fastest other engine takes {:.0f} times as long as ours\n\n", ratio);
     if (!arguments.quick && ratio < kLeastPeerRatio)
-        broken.push_back(fmt::format("only {:.0f} times as fast as the fastest other engine; {:.0f} "
-                                     "times is claimed",
-                                     ratio, kLeastPeerRatio));
+        broken.push_back(
+            fmt::format("only {:.0f} times as fast as the fastest other engine; {:.0f} "
+                        "times is claimed",
+                        ratio, kLeastPeerRatio));
     for (const PeerPoint& point : points)
         if (point.ours && (point.missing + point.outside > 0 || point.worst() > kMostOverlap))
             broken.push_back(fmt::format("ours, {}: {} lost or outside, overlap {:.1e}",
@@ -180,13 +181,12 @@ int benchError(const BenchArguments& arguments)
 {
     if (arguments.peers)
         requirePeers();
-    if (getenv("ONLYE")) { auto pts = measureErrors(arguments.quick, arguments.objects, [&](auto a, auto b, auto c){fmt::print(stderr, "{}/{} {}\n", a, b, c);}); for (auto& st : errorStudies()) {writeTable(arguments, fmt::format("error-{}.csv", st.name).c_str(), errorCsv(pts, st)); } draw(arguments, errorFigure()); return 0;}
-    if (getenv("ONLYP")) { std::vector<std::string> b; comparePeers(arguments, b); for (auto& x : b) puts(x.c_str()); return 0; }
     TaskBar bar;
     const std::vector<ClosedFormPoint> closed = measureClosedForms(arguments.quick);
-    const std::vector<ErrorPoint> points = measureErrors(
-        arguments.quick, arguments.objects, [&](std::size_t done, std::size_t all, const std::string& what)
-        { bar.update(done, all, what); });
+    const std::vector<ErrorPoint> points =
+        measureErrors(arguments.quick, arguments.objects,
+                      [&](std::size_t done, std::size_t all, const std::string& what)
+                      { bar.update(done, all, what); });
     bar.close();
     writeTable(arguments, "closed-forms.csv", closedFormsCsv(closed));
     fmt::print("{}\n", formatText(closedFormsTable(closed)));

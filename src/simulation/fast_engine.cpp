@@ -19,7 +19,7 @@ constexpr double kStillRunning = 0.2;  // share of a set that may run when the n
 constexpr int kSweepsInAvalanche = 40; // of encounters at most, where whole piles run at once
 constexpr double kTopBand = 4;         // below the highest ceiling, in which falls begin [r]
 constexpr std::uint32_t kWindowsToFall = 9; // as a sphere takes from the top to below the band
-constexpr double kFarRelease = 4;      // a sphere that is released in a wall is moved by less [r]
+constexpr double kFarRelease = 4; // a sphere that is released in a wall is moved by less [r]
 
 double timeStep(const World& world)
 {

@@ -21,9 +21,9 @@ constexpr double kCalm = 0.03;            // a calm sphere moves less than this 
 constexpr double kContactGap = 0.01;      // below which a contact carries, for the first look [r]
 constexpr double kMostlyCarried = 0.5;    // weight that may be missing at that first look
 constexpr double kLongestSettling = 0.15; // a sphere that is frozen comes down by less [r]
-constexpr double kNearRoom = 0.1; // that a runner may be moved out of a freezing one's place [r]
-constexpr double kFarRoom = 1;    // the same for one that others have been blocking for long [r]
-constexpr double kCalmShare = 0.9;             // of a set that is calm when it freezes whole
+constexpr double kNearRoom = 0.1;  // that a runner may be moved out of a freezing one's place [r]
+constexpr double kFarRoom = 1;     // the same for one that others have been blocking for long [r]
+constexpr double kCalmShare = 0.9; // of a set that is calm when it freezes whole
 constexpr std::uint32_t kPatience = 8;        // calm windows after which a sphere stops giving way
 constexpr std::uint32_t kBlocked = 24;        // after which others are moved far out of its place
 constexpr std::uint32_t kBlockedForGood = 72; // and after which they have to appear elsewhere
@@ -82,8 +82,10 @@ bool FastEngine::waitForSet()
 {
     const auto overdue = [this](const Runner& runner) { return runner.age > ageLimit_; };
     const auto end = runners_.begin() + static_cast<std::ptrdiff_t>(running_);
-    if (!setIsCalm_ && ((static_cast<double>(calm_.size()) >= kCalmShare * static_cast<double>(running_) && (setIsWhole() || !mayRelease_)) ||
-                        std::any_of(runners_.begin(), end, overdue)))
+    if (!setIsCalm_ &&
+        ((static_cast<double>(calm_.size()) >= kCalmShare * static_cast<double>(running_) &&
+          (setIsWhole() || !mayRelease_)) ||
+         std::any_of(runners_.begin(), end, overdue)))
     {
         setIsCalm_ = true;
         for (Runner& runner : runners_)

@@ -6,7 +6,6 @@
 #include "study/processor_time.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace frostfill
 {
@@ -35,13 +34,10 @@ public:
                                       [&](std::uint32_t other) { meet(s, id, other); });
         }
         ++looks_;
-        squares_ += largest_ * largest_;
+        largestSum_ += largest_;
         means_ += pairs_ > 0 ? sum_ / static_cast<double>(pairs_) : 0;
     }
-    [[nodiscard]] double rootMeanSquare() const
-    {
-        return std::sqrt(squares_ / std::max(1.0, looks_));
-    }
+    [[nodiscard]] double meanLargest() const { return largestSum_ / std::max(1.0, looks_); }
     [[nodiscard]] double mean() const { return means_ / std::max(1.0, looks_); }
 
 private:
@@ -61,7 +57,7 @@ private:
     double sum_ = 0;
     std::size_t pairs_ = 0;
     double looks_ = 0;
-    double squares_ = 0;
+    double largestSum_ = 0;
     double means_ = 0;
 };
 
@@ -96,7 +92,7 @@ Finished finishRun(const Scene& scene, const TriangleMesh& mesh, double lookEver
         }
     run.seconds = clock.seconds();
     run.quality = examine(*run.world);
-    run.movingOverlap = overlaps.rootMeanSquare();
+    run.movingOverlap = overlaps.meanLargest();
     run.meanMovingOverlap = overlaps.mean();
     return run;
 }

@@ -19,7 +19,7 @@ struct Finished
 {
     std::unique_ptr<World> world;
     QualityReport quality;
-    double movingOverlap = 0;     ///< [r] root mean square over time of the running spheres' largest
+    double movingOverlap = 0;     ///< [r] mean over time of the running spheres' largest
     double meanMovingOverlap = 0; ///< [r] mean over time of their mean, over pairs that overlap
     double seconds = 0;           ///< of processor time
 };

@@ -20,5 +20,7 @@ void addDiscardRuns(std::vector<ErrorTask>& tasks, bool quick);
 void addVolumeRuns(std::vector<ErrorTask>& tasks, const std::vector<std::string>& more, bool quick);
 /// Layers of spheres in a set against the packing fraction far from walls.
 void addLayerRuns(std::vector<ErrorTask>& tasks, bool quick);
+/// Samples a pixel against a picture of many more, for exact and tessellated spheres.
+void addRenderRuns(std::vector<ErrorTask>& tasks, bool quick);
 
 } // namespace frostfill

@@ -16,8 +16,8 @@ const std::vector<ErrorStudyInfo>& errorStudies()
     static const std::vector<ErrorStudyInfo> kStudies = {
         {"steps",
          "overlap while moving [r] + unsupported share",
-         {"step", "sweeps", "moving_overlap", "mean_moving_overlap", "max_overlap",
-          "mean_overlap", "unsupported_share", "energy_gain", "energy_excess", "outside"}},
+         {"step", "sweeps", "moving_overlap", "mean_moving_overlap", "max_overlap", "mean_overlap",
+          "unsupported_share", "energy_gain", "energy_excess", "outside"}},
         {"discards",
          "farthest deviation from the run without [r]",
          {"spheres_dropped", "polygons_dropped", "seconds_without", "outside", "max_overlap"}},
@@ -26,6 +26,9 @@ const std::vector<ErrorStudyInfo>& errorStudies()
          "random close packing less packing fraction",
          {"layers", "fraction", "contacts", "spheres_counted", "max_overlap", "overdue",
           "unsupported_share"}},
+        {"rendering",
+         "difference from a picture of 256 samples a pixel [of 255, root mean square]",
+         {"samples", "supersample", "triangles", "largest", "pixels_apart"}},
     };
     return kStudies;
 }
@@ -42,8 +45,7 @@ void markFront(std::vector<ErrorPoint>& points, const std::string& study)
         if (point.study == study)
             point.onFront = std::isfinite(point.error) &&
                             std::none_of(points.begin(), points.end(),
-                                         [&](const ErrorPoint& other)
-                                         {
+                                         [&](const ErrorPoint& other) {
                                              return other.study == study &&
                                                     other.rivals == point.rivals &&
                                                     beats(other, point);
@@ -58,6 +60,7 @@ std::vector<ErrorPoint> measureErrors(bool quick, const std::vector<std::string>
     addDiscardRuns(tasks, quick);
     addVolumeRuns(tasks, objects, quick);
     addLayerRuns(tasks, quick);
+    addRenderRuns(tasks, quick);
     std::vector<ErrorPoint> points;
     for (const ErrorTask& task : tasks)
     {

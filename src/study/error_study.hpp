@@ -13,8 +13,8 @@ namespace frostfill
 /// One run: what it cost and how wrong it was.
 struct ErrorPoint
 {
-    std::string study;   ///< the curve's figure: "steps", "discards", "volume", "layers"
-    std::string curve;   ///< the method
+    std::string study; ///< the curve's figure: "steps", "discards", "volume", "layers", "rendering"
+    std::string curve; ///< the method
     std::string setting; ///< what is varied, and its value
     bool isDefault = false;
     double seconds = 0; ///< of processor time, one thread
@@ -36,9 +36,8 @@ struct ErrorStudyInfo
 
 /// All runs of the studies. Pareto fronts are marked, study by study. `objects`: mesh files to be
 /// filled for the study of volumes, beside the four that are built in.
-[[nodiscard]] std::vector<ErrorPoint> measureErrors(bool quick,
-                                                    const std::vector<std::string>& objects,
-                                                    const StudyProgress& progress);
+[[nodiscard]] std::vector<ErrorPoint>
+measureErrors(bool quick, const std::vector<std::string>& objects, const StudyProgress& progress);
 
 /// Errors below this are none: what is left is rounding.
 inline constexpr double kNoError = 1e-9;

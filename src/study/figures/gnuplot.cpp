@@ -33,7 +33,8 @@ void requireGnuplot()
 void runGnuplot(const std::filesystem::path& folder, const std::string& script,
                 const std::string& format)
 {
-    const ProgramRun ran = runProgram(folder, {"gnuplot", "-e", fmt::format("format='{}'", format), script});
+    const ProgramRun ran =
+        runProgram(folder, {"gnuplot", "-e", fmt::format("format='{}'", format), script});
     throwIfMissing(ran);
     if (ran.code != 0)
         throw Error(ErrorCode::writeFailed,

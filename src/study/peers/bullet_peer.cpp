@@ -35,7 +35,8 @@ btVector3 toBullet(const Eigen::Vector3d& v)
 class BulletWorld
 {
 public:
-    explicit BulletWorld(const PeerTask& task) : world_(&dispatcher_, &broadphase_, &solver_, &configuration_)
+    explicit BulletWorld(const PeerTask& task)
+        : world_(&dispatcher_, &broadphase_, &solver_, &configuration_)
     {
         world_.setGravity({0, -1, 0});
         world_.getSolverInfo().m_restitutionVelocityThreshold = kBounceSpeed;

@@ -17,7 +17,8 @@ public:
     [[nodiscard]] bool look(std::vector<Eigen::Vector3d> now)
     {
         std::size_t calm = 0;
-        last_.resize(now.size(), Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity()));
+        last_.resize(now.size(),
+                     Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity()));
         for (std::size_t k = 0; k < now.size(); ++k)
             calm += (now[k] - last_[k]).squaredNorm() < kPeerCalm * kPeerCalm ? 1 : 0;
         last_ = std::move(now);

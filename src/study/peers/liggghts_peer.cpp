@@ -32,15 +32,14 @@ constexpr double kShareOfRayleigh = 0.2; // as its own manual advises
 class Workplace
 {
 public:
-    Workplace()
-        : folder_(fs::temp_directory_path() / fmt::format("frostfill_peer_{}", ::getpid()))
+    Workplace() : folder_(fs::temp_directory_path() / fmt::format("frostfill_peer_{}", ::getpid()))
     {
         fs::create_directories(folder_);
     }
     ~Workplace()
     {
         std::error_code ignored;
-        if (!getenv("KEEP")) fs::remove_all(folder_, ignored);
+        fs::remove_all(folder_, ignored);
     }
     Workplace(const Workplace&) = delete;
     Workplace& operator=(const Workplace&) = delete;
@@ -78,8 +77,7 @@ std::string stlOf(const TriangleMesh& mesh)
 std::string scriptOf(const PeerTask& task, double stiffness)
 {
     const double shear = stiffness / (2 * (1 + kPoisson));
-    const double rayleigh =
-        std::numbers::pi * std::sqrt(1 / shear) / (0.1631 * kPoisson + 0.8766);
+    const double rayleigh = std::numbers::pi * std::sqrt(1 / shear) / (0.1631 * kPoisson + 0.8766);
     const double step = kShareOfRayleigh * rayleigh;
     const auto steps = static_cast<long>(std::ceil(kPeerWindow / step));
     const auto pour = static_cast<long>(std::ceil(kPeerPourEvery / step));
@@ -152,9 +150,8 @@ run 0
         fmt::arg("count", task.count), fmt::arg("pour", pour),
         fmt::arg("pours", static_cast<long>(task.timeLimit / kPeerPourEvery)),
         fmt::arg("stiffness", stiffness), fmt::arg("poisson", kPoisson),
-        fmt::arg("restitution", task.restitution), fmt::arg("step", step),
-        fmt::arg("steps", steps), fmt::arg("speed", kPeerCalm / kPeerWindow),
-        fmt::arg("share", kPeerCalmShare),
+        fmt::arg("restitution", task.restitution), fmt::arg("step", step), fmt::arg("steps", steps),
+        fmt::arg("speed", kPeerCalm / kPeerWindow), fmt::arg("share", kPeerCalmShare),
         fmt::arg("windows", static_cast<long>(task.timeLimit / kPeerWindow)));
 }
 
@@ -197,8 +194,8 @@ PeerResult runLiggghts(const PeerTask& task, double stiffness)
     workplace.write("script.in", scriptOf(task, stiffness));
     const double before = secondsOfChildren();
     const auto limit = fmt::format("{:.0f}", task.secondsLimit);
-    const ProgramRun run = runProgram(
-        workplace.folder(), {"timeout", limit, "liggghts", "-in", "script.in"});
+    const ProgramRun run =
+        runProgram(workplace.folder(), {"timeout", limit, "liggghts", "-in", "script.in"});
     PeerResult result;
     result.seconds = secondsOfChildren() - before;
     std::ifstream log(workplace.folder() / "log.liggghts");
@@ -218,9 +215,10 @@ PeerResult runLiggghts(const PeerTask& task, double stiffness)
     }
     result.places = readPlaces(workplace.folder() / "places.txt");
     if (result.places.empty())
-        throw Error(ErrorCode::missingProgram,
-                    fmt::format("LIGGGHTS ended with code {} and left no spheres: {}", run.code,
-                                said.substr(said.size() - std::min<std::size_t>(said.size(), 300))));
+        throw Error(
+            ErrorCode::missingProgram,
+            fmt::format("LIGGGHTS ended with code {} and left no spheres: {}", run.code,
+                        said.substr(said.size() - std::min<std::size_t>(said.size(), 300))));
     return result;
 }
 

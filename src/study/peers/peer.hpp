@@ -18,7 +18,7 @@ struct PeerTask
     std::size_t count = 0; ///< spheres
     double restitution = 0.2;
     double timeLimit = 400;    ///< simulated time after which it ends, at rest or not
-    double secondsLimit = 120; ///< processor time after which it ends
+    double secondsLimit = 60;  ///< processor time after which it ends
 };
 
 // How spheres appear, in all: at rest, at clear places in the object's box no farther than this
@@ -28,9 +28,9 @@ inline constexpr double kPeerPourEvery = 1.5; ///< [sqrt(r/g)] how often room is
 
 // The stop rule of all: at rest is when nearly all spheres have moved by less than this within a
 // window. It is the distance and the window of the preset fast.
-inline constexpr double kPeerWindow = 0.33;     ///< [sqrt(r/g)]
-inline constexpr double kPeerCalm = 0.03;       ///< [r]
-inline constexpr double kPeerCalmShare = 0.99;  ///< of the spheres; ours waits for every one
+inline constexpr double kPeerWindow = 0.33;    ///< [sqrt(r/g)]
+inline constexpr double kPeerCalm = 0.03;      ///< [r]
+inline constexpr double kPeerCalmShare = 0.99; ///< of the spheres; ours waits for every one
 
 struct PeerResult
 {

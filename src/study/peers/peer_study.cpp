@@ -40,7 +40,8 @@ Scene cubeScene(std::uint64_t count, Motion motion)
 TriangleMesh cubeOf(std::uint64_t count)
 {
     TriangleMesh mesh = builtInMesh("cube");
-    const double radius = std::cbrt(0.5 * 8 * 3 / (4 * std::numbers::pi * static_cast<double>(count)));
+    const double radius =
+        std::cbrt(0.5 * 8 * 3 / (4 * std::numbers::pi * static_cast<double>(count)));
     for (Eigen::Vector3d& v : mesh.vertices)
         v /= radius;
     return mesh;
@@ -71,9 +72,7 @@ PeerPoint ours(const PeerTask& task, Motion motion)
     PeerPoint point;
     point.ours = true;
     point.engine = "Frostfill";
-    point.setting = motion == Motion::fall   ? "fall"
-                    : motion == Motion::skip ? "skip"
-                                             : "descend";
+    point.setting = motion == Motion::fall ? "fall" : motion == Motion::skip ? "skip" : "descend";
     point.seconds = clock.seconds();
     point.simulated = world.time;
     point.atRest = world.finished;
@@ -102,14 +101,13 @@ PeerPoint theirs(const PeerTask& task, const char* engine, const std::string& se
 void markPeerFront(std::vector<PeerPoint>& points)
 {
     for (PeerPoint& one : points)
-        one.onFront = std::none_of(points.begin(), points.end(),
-                                   [&](const PeerPoint& other)
-                                   {
-                                       return other.seconds <= one.seconds &&
-                                              other.worst() <= one.worst() &&
-                                              (other.seconds < one.seconds ||
-                                               other.worst() < one.worst());
-                                   });
+        one.onFront =
+            std::none_of(points.begin(), points.end(),
+                         [&](const PeerPoint& other)
+                         {
+                             return other.seconds <= one.seconds && other.worst() <= one.worst() &&
+                                    (other.seconds < one.seconds || other.worst() < one.worst());
+                         });
 }
 
 using PeerRun = std::function<PeerPoint()>;
@@ -117,15 +115,14 @@ using PeerRun = std::function<PeerPoint()>;
 void addOthers(std::vector<PeerRun>& runs, const PeerTask& task)
 {
     if (hasBullet())
-        for (const double step : {0.25, 0.06, 0.03})
+        for (const double step : {0.12, 0.06})
             runs.emplace_back(
-                [&task, step]
-                {
+                [&task, step] {
                     return theirs(task, "Bullet", fmt::format("step {:g}", step),
                                   runBullet(task, step));
                 });
     if (hasLiggghts())
-        for (const double stiffness : {4.5e3, 4.5e4, 4.5e5})
+        for (const double stiffness : {4.5e3, 4.5e4})
             runs.emplace_back(
                 [&task, stiffness]
                 {
@@ -151,7 +148,7 @@ std::vector<PeerPoint> measurePeers(bool quick, const StudyProgress& progress)
     task.mesh = cubeOf(count);
     task.count = count;
     task.restitution = kRestitution;
-    task.secondsLimit = quick ? 15 : 120;
+    task.secondsLimit = quick ? 15 : 60;
     std::vector<PeerRun> runs;
     for (const Motion motion : {Motion::fall, Motion::skip, Motion::descend})
         runs.emplace_back([&task, motion] { return ours(task, motion); });
@@ -178,17 +175,16 @@ double peerRatio(const std::vector<PeerPoint>& points)
 Table peersCsv(const std::vector<PeerPoint>& points)
 {
     Table table;
-    table.headings = {"engine",      "setting",      "seconds", "simulated", "at_rest", "missing",
-                      "outside",     "max_overlap",  "mean_overlap", "wall_overlap", "worst",
-                      "ours",        "front"};
+    table.headings = {"engine",  "setting", "seconds",     "simulated",    "at_rest",
+                      "missing", "outside", "max_overlap", "mean_overlap", "wall_overlap",
+                      "worst",   "ours",    "front"};
     for (const PeerPoint& p : points)
-        table.rows.push_back({p.engine, p.setting, fmt::format("{:.4f}", p.seconds),
-                              fmt::format("{:.2f}", p.simulated), p.atRest ? "1" : "0",
-                              fmt::format("{}", p.missing), fmt::format("{}", p.outside),
-                              fmt::format("{:.4e}", p.maxOverlap),
-                              fmt::format("{:.4e}", p.meanOverlap),
-                              fmt::format("{:.4e}", p.wallOverlap), fmt::format("{:.4e}", p.worst()),
-                              p.ours ? "1" : "0", p.onFront ? "1" : "0"});
+        table.rows.push_back(
+            {p.engine, p.setting, fmt::format("{:.4f}", p.seconds),
+             fmt::format("{:.2f}", p.simulated), p.atRest ? "1" : "0", fmt::format("{}", p.missing),
+             fmt::format("{}", p.outside), fmt::format("{:.4e}", p.maxOverlap),
+             fmt::format("{:.4e}", p.meanOverlap), fmt::format("{:.4e}", p.wallOverlap),
+             fmt::format("{:.4e}", p.worst()), p.ours ? "1" : "0", p.onFront ? "1" : "0"});
     return table;
 }
 
@@ -197,8 +193,9 @@ Table peersTable(const std::vector<PeerPoint>& points)
     Table table;
     table.title = "Other engines on the same cube, one thread each (* on the Pareto front)";
     table.words = 2;
-    table.headings = {"engine", "setting", "seconds", "at rest", "lost or outside",
-                      "largest overlap [r]", "mean overlap [r]", "in walls [r]", "front"};
+    table.headings = {"engine",           "setting",         "seconds",
+                      "at rest",          "lost or outside", "largest overlap [r]",
+                      "mean overlap [r]", "in walls [r]",    "front"};
     for (const PeerPoint& p : points)
         table.rows.push_back({p.engine, p.setting, fmt::format("{:.2f}", p.seconds),
                               p.atRest ? "yes" : "no", fmt::format("{}", p.missing + p.outside),

@@ -50,7 +50,8 @@ std::vector<Eigen::Vector3d> Pouring::next(const std::vector<Eigen::Vector3d>& p
     {
         Eigen::Vector3d site = sites_[k];
         for (int axis = 0; axis < 3; ++axis)
-            site[axis] += kShift * (2 * uniformRandom(times_, k, static_cast<std::uint64_t>(axis)) - 1);
+            site[axis] +=
+                kShift * (2 * uniformRandom(times_, k, static_cast<std::uint64_t>(axis)) - 1);
         const auto inTheWay = [&](const Eigen::Vector3d& p)
         { return (p - site).squaredNorm() < kClear * kClear; };
         if (std::none_of(near.begin(), near.end(), inTheWay))
