@@ -31,7 +31,6 @@ plot for [i=1:4] data using (on(word(curves,i),"seconds")):(clip(on(word(curves,
         linewidth 2 linecolor rgb black title "front, fall or skip", \
     data using (ours("seconds")):(clip(ours("error"))) with points pointtype 4 pointsize 2.8 \
         linewidth 2 linecolor rgb purple title "our defaults"
-unset yrange
 set yrange [*:*]
 set title "Discards: deviation from the run without"
 set ylabel "farthest deviation [r]"
@@ -107,7 +106,7 @@ set xlabel "processor time of a picture [s]"
 set key inside bottom left
 data = "error-rendering.csv"
 plot data using (on("exact spheres","seconds")):(on("exact spheres","error")) with points \
-        pointtype 5 pointsize 1.5 linecolor rgb blue title "exact spheres, samples 1 to 8, 2x2, 4x4", \
+        pointtype 5 pointsize 1.5 linecolor rgb blue title "exact spheres, samples 1, 2, 4; 2x2, 3x3, 4x4", \
     data using (on("tessellated spheres","seconds")):(on("tessellated spheres","error")) \
         with points pointtype 7 pointsize 1.3 linecolor rgb vermillion \
         title "tessellated, 80 to 5120 triangles", \
