@@ -147,7 +147,7 @@ void addVolumeRuns(std::vector<ErrorTask>& tasks, const std::vector<std::string>
     constexpr double kCoarsest = 0.6;
     constexpr double kMostWhenQuick = 6e4;
     const double most = quick ? 8e3 : 1.1e5;
-    const double mostInCube = quick ? most : 1.1e6;
+    const double mostInCube = quick ? most : 1.7e6;
     const auto fillings = std::make_shared<Fillings>();
     std::vector<std::string> objects(kObjects.begin(), kObjects.end());
     objects.insert(objects.end(), more.begin(), more.end());

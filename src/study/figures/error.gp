@@ -67,6 +67,7 @@ set title "Volume: time against error"
 set ylabel "error of the volume [%]"
 set xlabel "processor time [s]"
 set logscale xy
+set xrange [0.0005:100]
 set key inside bottom left
 ways = "'raw' 'wall-corrected' 'two radii'"
 plot for [i=1:3] data using (on(word(ways,i),"seconds")):(100*on(word(ways,i),"error")) \
@@ -76,13 +77,13 @@ plot for [i=1:3] data using (on(word(ways,i),"seconds")):(100*on(word(ways,i),"e
         linewidth 2 linecolor rgb black title "front, of one object", \
     data using (ours("seconds")):(100*ours("error")) with points pointtype 4 pointsize 2.8 \
         linewidth 2 linecolor rgb purple title "--estimate-volume"
+set xrange [*:*]
 unset logscale y
 set title "Layers in a set: packing far from walls"
 set ylabel "packing fraction"
-set y2label "contacts of a sphere"
 set xlabel "layers in a set"
-set yrange [0.56:0.68]
-set y2range [5:7.4]
+set yrange [0.56:0.72]
+set y2range [5:8.2]
 set y2tics
 set key inside top left
 data = "error-layers.csv"
@@ -91,18 +92,18 @@ plot data using (on("by set","layers")):(on("by set","fraction")) with linespoin
     data using (on("one by one","layers")):(on("one by one","fraction")) with linespoints \
         pointtype 4 linewidth 2 linecolor rgb sky title "fraction, each sphere by itself", \
     data using (on("by set","layers")):(on("by set","contacts")) axes x1y2 with linespoints \
-        pointtype 7 linewidth 2 linecolor rgb vermillion title "contacts, sets freeze whole", \
+        pointtype 7 linewidth 2 linecolor rgb vermillion title "contacts (right), sets freeze whole", \
     0.64 with lines dashtype 2 linecolor rgb black title "random close packing, 0.64", \
     0.60 with lines dashtype 3 linecolor rgb black title "0.60", \
     0.58 with lines dashtype 4 linecolor rgb black title "drop and roll, 0.58", \
-    6 axes x1y2 with lines dashtype 5 linecolor rgb vermillion title "isostatic, z = 6"
+    6 axes x1y2 with lines dashtype 5 linecolor rgb vermillion title "isostatic, z = 6 (right)"
 unset y2tics
-unset y2label
 set yrange [*:*]
 set logscale xy
 set title "Rendering: frame time against pixel error"
 set ylabel "difference from the reference [of 255]"
 set xlabel "processor time of a picture [s]"
+set yrange [0.1:100]
 set key inside bottom left
 data = "error-rendering.csv"
 plot data using (on("exact spheres","seconds")):(on("exact spheres","error")) with points \
