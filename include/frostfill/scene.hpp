@@ -126,13 +126,13 @@ struct MoveSettings
 /// When moving spheres become immobile for good (PAPER: frozen).
 struct FreezingSettings
 {
-    bool bySet = false; ///< of the preset fast: a set freezes when all of it is calm, and the next
-                        ///< appears then; off: each sphere by itself. Not with Motion::descend
     std::uint32_t everySets = 2; ///< freeze when so many sets have come to rest; 0 never freezes
     double restSpeed = 0.1;      ///< [sqrt(g r)] mean speed over the window below which one rests
     double restWindow = 1;       ///< [sqrt(r/g)] for how long
     double setTimeLimit = 60;    ///< [sqrt(r/g)] after which a set counts as come to rest, plus
                                  ///< twice the time of a fall through the object's height
+    bool bySet = false; ///< of the preset fast: a set freezes when all of it is calm, and the next
+                        ///< appears then; off: each sphere by itself. Not with Motion::descend
 };
 
 /// What is not tested any more (PAPER: equation 3 and covered polygons).

@@ -163,8 +163,11 @@ void comparePeers(const BenchArguments& arguments, std::vector<std::string>& bro
     writeTable(arguments, "peers.csv", peersCsv(points));
     fmt::print("{}\n", formatText(peersTable(points)));
     draw(arguments, peersFigure());
-    const double ratio = peerRatio(points);
-    fmt::print("the fastest other engine takes {:.0f} times as long as ours\n\n", ratio);
+    for (const char* motion : {"fall", "skip", "descend"})
+        fmt::print("the fastest other engine takes {:.0f} times as long as ours with {}\n",
+                   peerRatio(points, motion), motion);
+    fmt::print("\n");
+    const double ratio = peerRatio(points, "skip");
     if (!arguments.quick && ratio < kLeastPeerRatio)
         broken.push_back(
             fmt::format("only {:.0f} times as fast as the fastest other engine; {:.0f} "

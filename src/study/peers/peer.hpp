@@ -17,8 +17,8 @@ struct PeerTask
     TriangleMesh mesh;
     std::size_t count = 0; ///< spheres
     double restitution = 0.2;
-    double timeLimit = 400;    ///< simulated time after which it ends, at rest or not
-    double secondsLimit = 60;  ///< processor time after which it ends
+    double timeLimit = 400;   ///< simulated time after which it ends, at rest or not
+    double secondsLimit = 60; ///< processor time after which it ends
 };
 
 // How spheres appear, in all: at rest, at clear places in the object's box no farther than this

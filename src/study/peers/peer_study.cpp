@@ -163,12 +163,17 @@ std::vector<PeerPoint> measurePeers(bool quick, const StudyProgress& progress)
     return points;
 }
 
-double peerRatio(const std::vector<PeerPoint>& points)
+double peerRatio(const std::vector<PeerPoint>& points, const std::string& motion)
 {
     double own = std::numeric_limits<double>::infinity();
     double other = own;
     for (const PeerPoint& point : points)
-        (point.ours ? own : other) = std::min(point.ours ? own : other, point.seconds);
+    {
+        if (!point.ours)
+            other = std::min(other, point.seconds);
+        else if (point.setting == motion)
+            own = point.seconds;
+    }
     return other / own;
 }
 

@@ -35,8 +35,8 @@ void requirePeers();
 /// The cube of 768 triangles half full of spheres: 10,000, or 1,000 when quick.
 [[nodiscard]] std::vector<PeerPoint> measurePeers(bool quick, const StudyProgress& progress);
 
-/// How many times as long as ours the fastest other engine takes.
-[[nodiscard]] double peerRatio(const std::vector<PeerPoint>& points);
+/// How many times as long as ours with that motion the fastest other engine takes.
+[[nodiscard]] double peerRatio(const std::vector<PeerPoint>& points, const std::string& motion);
 
 [[nodiscard]] Table peersTable(const std::vector<PeerPoint>& points);
 [[nodiscard]] Table peersCsv(const std::vector<PeerPoint>& points);
