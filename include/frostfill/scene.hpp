@@ -107,6 +107,7 @@ struct MotionSettings
     Integrator integrator = Integrator::explicitEuler; ///< of the preset paper
     std::optional<double> dt; ///< [s]; chosen so that no fall moves more than r/2 a step
     double restitution = 0.2; ///< [1] 0..1, of every contact
+    int sweeps = 4; ///< of the preset fast, over running spheres that meet: at most so many a step
 };
 
 /// How the object moves once it is filled and at rest. Angles and amplitude start from zero and end
@@ -130,6 +131,8 @@ struct FreezingSettings
     double restWindow = 1;       ///< [sqrt(r/g)] for how long
     double setTimeLimit = 60;    ///< [sqrt(r/g)] after which a set counts as come to rest, plus
                                  ///< twice the time of a fall through the object's height
+    bool bySet = false; ///< of the preset fast: a set freezes when all of it is calm, and the next
+                        ///< appears then; off: each sphere by itself. Not with Motion::descend
 };
 
 /// What is not tested any more (PAPER: equation 3 and covered polygons).

@@ -8,6 +8,7 @@
 #include "study/error_study.hpp"
 #include "study/figures/all_figures.hpp"
 #include "study/operations_study.hpp"
+#include "study/peers/peer_study.hpp"
 #include "study/stability_study.hpp"
 
 #include <frostfill/error.hpp>
@@ -27,15 +28,20 @@ constexpr const char* kExamples = R"(Examples:
   frostfill bench operations                the paper's lemmas against what is counted
   frostfill bench operations --quick --out output/bench
   frostfill bench error                     what accuracy costs
+  frostfill bench error --peers             beside other engines, on the same spheres
   frostfill bench stability                 where which method breaks
 )";
 
 constexpr std::uint64_t kGroups = 200;
 constexpr std::uint64_t kQuickGroups = 20;
+constexpr double kLeastPeerRatio = 50; // that the fastest other engine takes longer by
+constexpr double kMostOverlap = 1e-7;  // of ours at rest [r]
 
 struct BenchArguments
 {
     bool quick = false;
+    bool peers = false;
+    std::vector<std::string> objects; ///< mesh files, beside the four that are built in
     std::string directory = "output/bench";
     int (*run)(const BenchArguments&) = nullptr;
 };
@@ -146,13 +152,44 @@ std::vector<std::string> brokenClaims(const std::vector<ClosedFormPoint>& closed
     return broken;
 }
 
-int benchError(const BenchArguments& arguments)
+/// Other engines beside ours: what is claimed and does not hold.
+void comparePeers(const BenchArguments& arguments, std::vector<std::string>& broken)
 {
     TaskBar bar;
-    const std::vector<ClosedFormPoint> closed = measureClosedForms(arguments.quick);
-    const std::vector<ErrorPoint> points = measureErrors(
+    const std::vector<PeerPoint> points = measurePeers(
         arguments.quick, [&](std::size_t done, std::size_t all, const std::string& what)
         { bar.update(done, all, what); });
+    bar.close();
+    writeTable(arguments, "peers.csv", peersCsv(points));
+    fmt::print("{}\n", formatText(peersTable(points)));
+    draw(arguments, peersFigure());
+    for (const char* motion : {"fall", "skip", "descend"})
+        fmt::print("the fastest other engine takes {:.0f} times as long as ours with {}\n",
+                   peerRatio(points, motion), motion);
+    fmt::print("\n");
+    const double ratio = peerRatio(points, "skip");
+    if (!arguments.quick && ratio < kLeastPeerRatio)
+        broken.push_back(
+            fmt::format("only {:.0f} times as fast as the fastest other engine; {:.0f} "
+                        "times is claimed",
+                        ratio, kLeastPeerRatio));
+    for (const PeerPoint& point : points)
+        if (point.ours && (point.missing + point.outside > 0 || point.worst() > kMostOverlap))
+            broken.push_back(fmt::format("ours, {}: {} lost or outside, overlap {:.1e}",
+                                         point.setting, point.missing + point.outside,
+                                         point.worst()));
+}
+
+int benchError(const BenchArguments& arguments)
+{
+    if (arguments.peers)
+        requirePeers();
+    TaskBar bar;
+    const std::vector<ClosedFormPoint> closed = measureClosedForms(arguments.quick);
+    const std::vector<ErrorPoint> points =
+        measureErrors(arguments.quick, arguments.objects,
+                      [&](std::size_t done, std::size_t all, const std::string& what)
+                      { bar.update(done, all, what); });
     bar.close();
     writeTable(arguments, "closed-forms.csv", closedFormsCsv(closed));
     fmt::print("{}\n", formatText(closedFormsTable(closed)));
@@ -164,7 +201,9 @@ int benchError(const BenchArguments& arguments)
     }
     draw(arguments, closedFormsFigure());
     draw(arguments, errorFigure());
-    const std::vector<std::string> broken = brokenClaims(closed, points);
+    std::vector<std::string> broken = brokenClaims(closed, points);
+    if (arguments.peers)
+        comparePeers(arguments, broken);
     for (const std::string& claim : broken)
         fmt::print("{}\n", claim);
     fmt::print("verdict: {}\n", broken.empty() ? "errors are as claimed" : "claims do not hold");
@@ -202,6 +241,14 @@ Command addBenchCommand(CLI::App& program)
         one->add_flag("--quick", arguments->quick, bench.quick);
         one->add_option("--out", arguments->directory, "Directory of what it writes (output/bench)")
             ->type_name("DIR");
+        if (bench.run == benchError)
+        {
+            one->add_flag("--peers", arguments->peers,
+                          "Run other engines on the same spheres too (Bullet, LIGGGHTS)");
+            one->add_option("--object", arguments->objects,
+                            "A mesh to be filled too, for its volume; may be repeated")
+                ->type_name("FILE");
+        }
         one->parse_complete_callback([arguments, &bench] { arguments->run = bench.run; });
     }
     return [arguments] { return arguments->run(*arguments); };

@@ -11,6 +11,7 @@ namespace
 constexpr double kLargestWhole = 9007199254740992;
 constexpr double kLargestGroup = 1e6;
 constexpr double kMostThreads = 1024;
+constexpr double kMostSweeps = 1000;
 constexpr double kLargestNumber = std::numeric_limits<double>::max();
 
 /// Collects options; what is said last concerns the option that was added last.
@@ -132,6 +133,11 @@ void addMotion(TableBuilder& table)
              "Share of the normal speed that a contact gives back",
              FROSTFILL_FIELD(motion.restitution))
         .range(0, 1);
+    table
+        .add("motion.sweeps", "--sweeps",
+             "Sweeps a step over running spheres that meet, at most (fast)",
+             FROSTFILL_FIELD(motion.sweeps))
+        .range(1, kMostSweeps);
 }
 
 void addMove(TableBuilder& table)
@@ -169,6 +175,9 @@ void addFreezing(TableBuilder& table)
         .add("freezing.every_sets", "--freeze-every",
              "Freeze when so many sets are at rest; 0: never", FROSTFILL_FIELD(freezing.everySets))
         .range(0, kLargestGroup);
+    table.add("freezing.by_set", "--freeze-by-set",
+              "Sets freeze whole, once all of one is calm (fast; fall or skip)",
+              FROSTFILL_FIELD(freezing.bySet));
     table
         .add("freezing.rest_speed", "--rest-speed",
              "Mean speed below which a sphere rests [sqrt(g r)]",

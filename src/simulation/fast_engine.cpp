@@ -20,7 +20,8 @@ constexpr double kStillRunning = 0.2;  // share of a set that may run when the n
 constexpr int kSweepsInAvalanche = 40; // of encounters at most, where whole piles run at once
 constexpr double kCarries = 0.1;       // part of a contact's force that is vertical, at least
 constexpr double kTopBand = 4;         // below the highest ceiling, in which falls begin [r]
-constexpr double kFarRelease = 4;      // a sphere that is released in a wall is moved by less [r]
+constexpr std::uint32_t kWindowsToFall = 9; // as a sphere takes from the top to below the band
+constexpr double kFarRelease = 4; // a sphere that is released in a wall is moved by less [r]
 
 double timeStep(const World& world)
 {
@@ -46,7 +47,9 @@ FastEngine::FastEngine(World& world)
       threads_(world.scene.threads), grid_(world.resting.frame()),
       encounters_(grid_, flight_, threads_,
                   {.restitution = world.scene.motion.restitution,
-                   .sweeps = world.scene.move.any() ? kSweepsInAvalanche : 4}),
+                   .sweeps = world.scene.move.any()
+                                 ? std::max(kSweepsInAvalanche, world.scene.motion.sweeps)
+                                 : world.scene.motion.sweeps}),
       setSize_(groupSize(world) * world.scene.spheres.groupsPerSet),
       ageLimit_(world.scene.freezing.setTimeLimit + 4 * std::sqrt(2 * world.height))
 {
@@ -71,7 +74,8 @@ bool FastEngine::step()
     }
     // A search that found nothing is not repeated before the runners have moved on.
     const auto few = static_cast<std::size_t>(kStillRunning * static_cast<double>(setSize_));
-    if (!moving_ && (running_ == 0 || (running_ <= few && mayRelease_)))
+    const bool due = world_.scene.freezing.bySet ? !setIsWhole() : running_ <= few;
+    if (!moving_ && (running_ == 0 || (due && mayRelease_)))
     {
         mayRelease_ = releaseSet();
     }
@@ -91,8 +95,9 @@ bool FastEngine::step()
     {
         const StageTimer timer(world_.times, Stage::freezing);
         stepsInWindow_ = 0;
-        mayRelease_ = true;
         freezeCalm();
+        // What is to complete a set waits until those before it have fallen out of the way.
+        mayRelease_ = !world_.scene.freezing.bySet || ++windows_ % kWindowsToFall == 0;
         letGoWhenDue();
     }
     if (discard_)
@@ -127,6 +132,13 @@ bool FastEngine::releaseSet()
 {
     const StageTimer timer(world_.times, Stage::releasing);
     std::size_t wanted = setSize_;
+    if (world_.scene.freezing.bySet)
+    {
+        // What of a set finds no room at once comes later.
+        inSet_ = running_ == 0 ? 0 : inSet_;
+        setIsCalm_ = false;
+        wanted -= inSet_;
+    }
     if (world_.targetCount > 0)
     {
         wanted = std::min(wanted, world_.targetCount - world_.spheres.size());
@@ -162,6 +174,7 @@ bool FastEngine::releaseSet()
     {
         return false;
     }
+    inSet_ += world_.spheres.size() - before;
     openSet(world_.spheres.size() - before);
     return true;
 }

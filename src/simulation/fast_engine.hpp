@@ -36,6 +36,8 @@ private:
     [[nodiscard]] double runningEnergy() const;
     void advance();
     [[nodiscard]] double ageing(const Runner& runner) const;
+    [[nodiscard]] bool setIsWhole() const;
+    [[nodiscard]] bool waitForSet();
     void freezeCalm();
     void findCalm();
     void findPlace(Runner& runner) const;
@@ -73,9 +75,12 @@ private:
     std::vector<Eigen::Vector3d> moved_; ///< scratch of makeRoom
     std::uint32_t windowSteps_ = 1;
     std::uint32_t stepsInWindow_ = 0;
+    std::uint32_t windows_ = 0;
     bool mayRelease_ = true;
     std::uint32_t nextGroup_ = 0;
     std::size_t setSize_ = 0;
+    std::size_t inSet_ = 0;  ///< spheres of the newest set so far; only where sets freeze whole
+    bool setIsCalm_ = false; ///< and so it freezes
     double ageLimit_ = 0;
     bool moving_ = false;      ///< the object moves, or what that let go still runs
     bool sitesAreNew_ = false; ///< since the object stands still again

@@ -26,8 +26,8 @@ struct ClosedFormPoint
     [[nodiscard]] bool holds() const;
 };
 
-/// Free fall, throw, bounce, head-on pair, incline, bowl, groove, corner and three spheres, by the
-/// integrators and steps that there are.
+/// Free fall, throw, bounce, bounces to rest, head-on pair, incline, bowl, groove, cone, corner and
+/// three spheres, by the integrators and steps that there are.
 [[nodiscard]] std::vector<ClosedFormPoint> measureClosedForms(bool quick);
 
 [[nodiscard]] Table closedFormsCsv(const std::vector<ClosedFormPoint>& points);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "study/error_runs.hpp"
 
-#include "simulation/make_engine.hpp"
-#include "simulation/quality.hpp"
 #include "study/bulk_packing.hpp"
+#include "study/error_finish.hpp"
 #include "study/stress_meshes.hpp"
 
 #include <frostfill/simulation.hpp>
@@ -11,107 +10,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <ctime>
 #include <initializer_list>
 #include <limits>
-#include <memory>
 
 namespace frostfill
 {
 namespace
 {
 
-/// Of all the program's threads, so that it does not depend on what else the machine does.
-double processorSeconds()
-{
-    timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-Scene sceneOf(Preset preset, const char* mesh, double radius)
-{
-    Scene scene = presetScene(preset, mesh);
-    scene.spheres.radius = radius;
-    scene.spheres.count.reset();
-    scene.threads = 1;
-    if (preset == Preset::paper)
-        scene.search = {SphereSearch::grid, PolygonSearch::grid}; // the same bits, sooner
-    return scene;
-}
-
-/// A run to its end, with its quality and time.
-struct Finished
-{
-    std::unique_ptr<World> world;
-    QualityReport quality;
-    double greatestOverlap = 0; ///< [r] seen while it ran
-    double seconds = 0;
-};
-
-Finished finish(const Scene& scene, const TriangleMesh& mesh, std::uint64_t stepsPerLook = 0)
-{
-    Finished run;
-    double looking = 0;
-    const double start = processorSeconds();
-    run.world = std::make_unique<World>(scene, mesh);
-    const auto engine = makeEngine(*run.world);
-    while (engine->step())
-        if (stepsPerLook > 0 && run.world->steps % stepsPerLook == 0)
-        {
-            const double before = processorSeconds();
-            run.greatestOverlap = std::max(run.greatestOverlap, examine(*run.world).maxOverlap);
-            looking += processorSeconds() - before;
-        }
-    run.seconds = processorSeconds() - start - looking;
-    run.quality = examine(*run.world);
-    run.greatestOverlap = std::max(run.greatestOverlap, run.quality.maxOverlap);
-    return run;
-}
-
-struct StepMethod
-{
-    const char* name;
-    Preset preset;
-    Integrator integrator;
-    Motion motion;
-};
-constexpr StepMethod kStepMethods[] = {
-    {"fast", Preset::fast, Integrator::explicitEuler, Motion::fall},
-    {"fast skip", Preset::fast, Integrator::explicitEuler, Motion::skip},
-    {"paper", Preset::paper, Integrator::explicitEuler, Motion::fall},
-    {"paper semi-implicit", Preset::paper, Integrator::semiImplicitEuler, Motion::fall},
-};
-
-ErrorPoint stepRun(const StepMethod& method, double factor, std::uint64_t count)
-{
-    constexpr double kRadius = 0.1;
-    Scene scene = sceneOf(method.preset, "cube", kRadius);
-    scene.spheres.count = count;
-    scene.motion.integrator = method.integrator;
-    scene.motion.mode = method.motion;
-    const TriangleMesh mesh = builtInMesh("cube");
-    if (factor != 1)
-    {
-        World world(scene, mesh);
-        (void)makeEngine(world); // chooses the default step
-        scene.motion.dt = factor * world.dt * world.frame.time;
-    }
-    const Finished run = finish(scene, mesh, 40);
-    const auto spheres = static_cast<double>(run.world->spheres.size());
-    return {"steps",
-            method.name,
-            fmt::format("step x{:g}", factor),
-            factor == 1 && method.motion == Motion::fall && method.preset == Preset::fast,
-            run.seconds,
-            // What is wrong with the result: overlap and what hangs in the air.
-            run.quality.maxOverlap + static_cast<double>(run.quality.unsupported) / spheres,
-            {run.quality.maxOverlap, run.quality.meanOverlap, run.greatestOverlap,
-             static_cast<double>(run.quality.unsupported) / spheres, run.quality.energyGain,
-             run.quality.energyExcess, static_cast<double>(run.quality.centresOutside)},
-            false};
-}
+constexpr std::uint32_t kUsualSet = 70; // what the preset fast takes in a cube of this size, about
 
 /// The farthest that a sphere ends from where it ends without discards [r]; infinite when their
 /// numbers differ.
@@ -133,9 +40,9 @@ ErrorPoint discardRun(Preset preset, const char* object, std::uint64_t count,
     scene.threads = 1;
     scene.spheres.count = count;
     scene.discard.rule = DiscardRule::none;
-    const Finished without = finish(scene, mesh);
+    const Finished without = finishRun(scene, mesh);
     change(scene);
-    const Finished with = finish(scene, mesh);
+    const Finished with = finishRun(scene, mesh);
     const World& world = *with.world;
     const double far = deviation(world, *without.world);
     return {
@@ -151,66 +58,39 @@ ErrorPoint discardRun(Preset preset, const char* object, std::uint64_t count,
          static_cast<double>(world.discardedPolygons) / static_cast<double>(world.polygons.size()),
          without.seconds, static_cast<double>(with.quality.centresOutside),
          with.quality.maxOverlap},
-        false};
+        false,
+        ""};
 }
 
-ErrorPoint volumeRun(const std::string& object, double x)
-{
-    const TriangleMesh mesh = loadMesh(object).mesh;
-    const MeshReport report = inspectMesh(mesh);
-    const double radius = x * report.volume / report.area;
-    Scene scene = sceneOf(Preset::fast, object.c_str(), radius);
-    scene.motion.mode = Motion::skip;
-    const Finished run = finish(scene, mesh);
-    const double truth = run.quality.meshVolume;
-    const double raw = run.quality.sphereVolume / truth - 1;
-    const double corrected = run.quality.volumeEstimate / truth - 1;
-    return {"volume",
-            object,
-            fmt::format("rS/V {:g}", x),
-            false,
-            run.seconds,
-            std::abs(corrected),
-            {x, static_cast<double>(run.world->spheres.size()), raw, corrected,
-             run.quality.sphereVolume / truth, run.quality.sphereVolume, truth},
-            false};
-}
-
-ErrorPoint layerRun(Motion motion, std::uint32_t setSize, double diameters)
+ErrorPoint layerRun(bool bySet, std::uint32_t setSize, double diameters)
 {
     const double half = diameters / 2;
     const TriangleMesh mesh = boxMesh({-half, -half, -half}, {half, half, half}, 4);
-    Scene scene = sceneOf(Preset::fast, "cube", 0.5);
-    scene.motion.mode = motion;
+    Scene scene = studyScene(Preset::fast, "cube", 0.5);
+    scene.motion.restitution = 0; // as the packings have it that we compare with
+    scene.freezing.bySet = bySet;
     scene.spheres.groupSize = setSize;
     scene.spheres.groupsPerSet = 1;
-    const Finished run = finish(scene, mesh);
+    const Finished run = finishRun(scene, mesh);
     const BulkPacking bulk = bulkPacking(*run.world, 4 * 2);
     // The error is what is missing to random close packing.
     constexpr double kRandomClose = 0.639;
     const double layers = setSize / (1.15 * diameters * diameters);
     return {"layers",
-            motion == Motion::skip ? "fast skip" : "fast",
+            bySet ? "by set" : "one by one",
             fmt::format("{} a set", setSize),
-            false,
+            !bySet && setSize == kUsualSet,
             run.seconds,
             kRandomClose - bulk.fraction,
             {layers, bulk.fraction, bulk.contacts, static_cast<double>(bulk.spheres),
+             run.quality.maxOverlap, static_cast<double>(run.world->overdue),
              static_cast<double>(run.quality.unsupported) /
                  static_cast<double>(run.world->spheres.size())},
-            false};
+            false,
+            ""};
 }
 
 } // namespace
-
-void addStepRuns(std::vector<ErrorTask>& tasks, bool quick)
-{
-    const std::uint64_t count = quick ? 100 : 600;
-    for (const StepMethod& method : kStepMethods)
-        for (const double factor : {0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0})
-            if (!quick || (factor >= 0.5 && factor <= 4))
-                tasks.emplace_back([=] { return stepRun(method, factor, count); });
-}
 
 void addDiscardRuns(std::vector<ErrorTask>& tasks, bool quick)
 {
@@ -245,20 +125,13 @@ void addDiscardRuns(std::vector<ErrorTask>& tasks, bool quick)
             });
 }
 
-void addVolumeRuns(std::vector<ErrorTask>& tasks, bool quick)
-{
-    for (const char* object : {"torus", "sphere", "cube", "human"})
-        for (const double x : {0.6, 0.43, 0.3, 0.214, 0.15, 0.107, 0.075, 0.053})
-            if (!quick || (x >= 0.2 && x < 0.5))
-                tasks.emplace_back([=] { return volumeRun(object, x); });
-}
-
 void addLayerRuns(std::vector<ErrorTask>& tasks, bool quick)
 {
-    const double diameters = quick ? 12 : 25;
-    for (const std::uint32_t setSize : {7u, 70u, 210u, 700u, 2100u, 7000u})
-        if (!quick || setSize <= 210)
-            tasks.emplace_back([=] { return layerRun(Motion::fall, setSize, diameters); });
+    const double diameters = quick ? 14 : 25;
+    for (const bool bySet : {true, false})
+        for (const std::uint32_t setSize : {7u, 20u, 70u, 210u, 400u, 700u, 1400u, 2100u})
+            if (!quick || setSize == 7 || setSize == 70 || setSize == 210)
+                tasks.emplace_back([=] { return layerRun(bySet, setSize, diameters); });
 }
 
 } // namespace frostfill

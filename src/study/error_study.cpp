@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace frostfill
@@ -14,45 +15,52 @@ const std::vector<ErrorStudyInfo>& errorStudies()
 {
     static const std::vector<ErrorStudyInfo> kStudies = {
         {"steps",
-         "largest overlap [r] + unsupported share",
-         {"max_overlap", "mean_overlap", "max_overlap_running", "unsupported_share", "energy_gain",
-          "energy_excess", "outside"}},
+         "overlap while moving [r] + unsupported share",
+         {"step", "sweeps", "moving_overlap", "mean_moving_overlap", "max_overlap", "mean_overlap",
+          "unsupported_share", "energy_gain", "energy_excess", "outside"}},
         {"discards",
          "farthest deviation from the run without [r]",
          {"spheres_dropped", "polygons_dropped", "seconds_without", "outside", "max_overlap"}},
-        {"volume",
-         "error of the wall-corrected volume",
-         {"rS_over_V", "spheres", "raw_error", "corrected_error", "fraction", "sphere_volume",
-          "volume"}},
+        {"volume", "error of the volume", {"rS_over_V", "spheres", "signed_error", "fraction"}},
         {"layers",
          "random close packing less packing fraction",
-         {"layers", "fraction", "contacts", "spheres_counted", "unsupported_share"}},
+         {"layers", "fraction", "contacts", "spheres_counted", "max_overlap", "overdue",
+          "unsupported_share"}},
+        {"rendering",
+         "difference from a picture of 256 samples a pixel [of 255, root mean square]",
+         {"samples", "supersample", "triangles", "largest", "pixels_apart"}},
     };
     return kStudies;
 }
 
 void markFront(std::vector<ErrorPoint>& points, const std::string& study)
 {
-    for (ErrorPoint& point : points)
+    const auto wrong = [](const ErrorPoint& point) { return std::max(point.error, kNoError); };
+    const auto beats = [&](const ErrorPoint& a, const ErrorPoint& b)
     {
-        if (point.study != study)
-            continue;
-        point.onFront = std::isfinite(point.error);
-        for (const ErrorPoint& other : points)
-            if (other.study == study && other.seconds <= point.seconds &&
-                other.error <= point.error &&
-                (other.seconds < point.seconds || other.error < point.error))
-                point.onFront = false;
-    }
+        const bool faster = a.seconds < (1 - kSameTime) * b.seconds;
+        return (faster && wrong(a) <= wrong(b)) || (a.seconds <= b.seconds && wrong(a) < wrong(b));
+    };
+    for (ErrorPoint& point : points)
+        if (point.study == study)
+            point.onFront = std::isfinite(point.error) &&
+                            std::none_of(points.begin(), points.end(),
+                                         [&](const ErrorPoint& other) {
+                                             return other.study == study &&
+                                                    other.rivals == point.rivals &&
+                                                    beats(other, point);
+                                         });
 }
 
-std::vector<ErrorPoint> measureErrors(bool quick, const StudyProgress& progress)
+std::vector<ErrorPoint> measureErrors(bool quick, const std::vector<std::string>& objects,
+                                      const StudyProgress& progress)
 {
     std::vector<ErrorTask> tasks;
     addStepRuns(tasks, quick);
     addDiscardRuns(tasks, quick);
-    addVolumeRuns(tasks, quick);
+    addVolumeRuns(tasks, objects, quick);
     addLayerRuns(tasks, quick);
+    addRenderRuns(tasks, quick);
     std::vector<ErrorPoint> points;
     for (const ErrorTask& task : tasks)
     {
@@ -69,7 +77,7 @@ std::vector<ErrorPoint> measureErrors(bool quick, const StudyProgress& progress)
 Table errorCsv(const std::vector<ErrorPoint>& points, const ErrorStudyInfo& study)
 {
     Table table;
-    table.headings = {"curve", "setting", "seconds", "error", "default", "front"};
+    table.headings = {"curve", "setting", "rivals", "seconds", "error", "default", "front"};
     table.headings.insert(table.headings.end(), study.details.begin(), study.details.end());
     for (const ErrorPoint& point : points)
     {
@@ -77,6 +85,7 @@ Table errorCsv(const std::vector<ErrorPoint>& points, const ErrorStudyInfo& stud
             continue;
         std::vector<std::string> row = {point.curve,
                                         point.setting,
+                                        point.rivals,
                                         fmt::format("{:.4f}", point.seconds),
                                         fmt::format("{:.4e}", point.error),
                                         point.isDefault ? "1" : "0",

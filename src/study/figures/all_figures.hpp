@@ -17,6 +17,7 @@ namespace frostfill
 [[nodiscard]] Figure discardedFigure();   ///< share of what is discarded
 [[nodiscard]] Figure closedFormsFigure(); ///< errors against closed forms
 [[nodiscard]] Figure errorFigure();       ///< run time against error
+[[nodiscard]] Figure peersFigure();       ///< other engines beside ours
 [[nodiscard]] Figure stabilityFigure();   ///< the stress matrix
 [[nodiscard]] Figure densityFigure();     ///< density against set size
 

@@ -12,6 +12,7 @@ std::string_view figure_claim();
 std::string_view figure_operations();
 std::string_view figure_closed_forms();
 std::string_view figure_error();
+std::string_view figure_peers();
 std::string_view figure_stability();
 std::string_view figure_times();
 std::string_view figure_discarded();

@@ -24,7 +24,7 @@ void makeData(const FigureFolder& folder)
         return;
     const auto progress = [&](std::size_t done, std::size_t all, const std::string& what)
     { folder.progress(done, all, what); };
-    const std::vector<ErrorPoint> points = measureErrors(folder.quick(), progress);
+    const std::vector<ErrorPoint> points = measureErrors(folder.quick(), {}, progress);
     for (const ErrorStudyInfo& study : errorStudies())
         folder.write(fileOf(study), errorCsv(points, study));
 }

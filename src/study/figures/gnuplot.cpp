@@ -1,82 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "study/figures/gnuplot.hpp"
 
+#include "study/run_program.hpp"
+
 #include <frostfill/error.hpp>
 
 #include <fmt/format.h>
 
-#include <array>
-#include <cerrno>
 #include <cstring>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
-#include <vector>
-
-extern char** environ;
 
 namespace frostfill
 {
 namespace
 {
 
-struct Ran
-{
-    int error = 0; ///< errno when it could not be started
-    int code = 0;  ///< exit code, or 128 + the signal that ended it
-    std::string said;
-};
-
-/// Runs gnuplot in a folder and keeps what it writes to either output.
-Ran gnuplot(const std::filesystem::path& folder, std::vector<std::string> arguments)
-{
-    Ran ran;
-    std::array<int, 2> ends{};
-    if (pipe(ends.data()) != 0)
-    {
-        ran.error = errno;
-        return ran;
-    }
-    arguments.insert(arguments.begin(), "gnuplot");
-    std::vector<char*> raw;
-    for (std::string& argument : arguments)
-        raw.push_back(argument.data());
-    raw.push_back(nullptr);
-
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", 0, 0);
-    posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
-    posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
-    posix_spawn_file_actions_addclose(&actions, ends[0]);
-    posix_spawn_file_actions_addclose(&actions, ends[1]);
-    pid_t child = 0;
-    ran.error = posix_spawnp(&child, raw.front(), &actions, nullptr, raw.data(), environ);
-    posix_spawn_file_actions_destroy(&actions);
-    close(ends[1]);
-    if (ran.error == 0)
-    {
-        std::array<char, 4096> buffer{};
-        for (;;)
-        {
-            const ssize_t size = read(ends[0], buffer.data(), buffer.size());
-            if (size > 0)
-                ran.said.append(buffer.data(), static_cast<std::size_t>(size));
-            else if (size == 0 || errno != EINTR)
-                break;
-        }
-        int status = 0;
-        while (waitpid(child, &status, 0) < 0 && errno == EINTR)
-        {
-        }
-        ran.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-    }
-    close(ends[0]);
-    return ran;
-}
-
-void throwIfMissing(const Ran& ran)
+void throwIfMissing(const ProgramRun& ran)
 {
     if (ran.error != 0)
         throw Error(ErrorCode::missingProgram,
@@ -89,13 +27,14 @@ void throwIfMissing(const Ran& ran)
 
 void requireGnuplot()
 {
-    throwIfMissing(gnuplot(".", {"--version"}));
+    throwIfMissing(runProgram(".", {"gnuplot", "--version"}));
 }
 
 void runGnuplot(const std::filesystem::path& folder, const std::string& script,
                 const std::string& format)
 {
-    const Ran ran = gnuplot(folder, {"-e", fmt::format("format='{}'", format), script});
+    const ProgramRun ran =
+        runProgram(folder, {"gnuplot", "-e", fmt::format("format='{}'", format), script});
     throwIfMissing(ran);
     if (ran.code != 0)
         throw Error(ErrorCode::writeFailed,

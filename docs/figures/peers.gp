@@ -1,0 +1,31 @@
+# Other engines beside ours: time against overlap, a point a run. Rings: the Pareto front.
+name = "peers"
+width = 1100
+height = 640
+load "style.gp"
+floor = 1e-16
+clip(x) = x > floor ? x : floor
+on(curve, x) = strcol("engine") eq curve ? column(x) : NaN
+front(x) = column("front") == 1 ? column(x) : NaN
+restless(x) = column("at_rest") == 0 ? column(x) : NaN
+set datafile missing NaN
+set logscale xy
+set format x "%g"
+set format y "10^{%T}"
+set xlabel "processor time [s], one thread"
+set ylabel "largest overlap of spheres, or with the walls [r]"
+set key outside right center
+set yrange [1e-16:10]
+data = "peers.csv"
+plot data using (on("Frostfill","seconds")):(clip(on("Frostfill","worst"))) with points \
+        pointtype 5 pointsize 1.6 linecolor rgb blue title "Frostfill", \
+    data using (on("Bullet","seconds")):(clip(on("Bullet","worst"))) with points \
+        pointtype 9 pointsize 1.8 linecolor rgb orange title "Bullet", \
+    data using (on("LIGGGHTS","seconds")):(clip(on("LIGGGHTS","worst"))) with points \
+        pointtype 7 pointsize 1.6 linecolor rgb vermillion title "LIGGGHTS", \
+    data using (restless("seconds")):(clip(restless("worst"))) with points pointtype 2 \
+        pointsize 2.6 linewidth 2 linecolor rgb black title "not at rest at the end", \
+    data using (front("seconds")):(clip(front("worst"))) with points pointtype 6 pointsize 2.8 \
+        linewidth 2 linecolor rgb black title "Pareto front", \
+    data using (column("seconds")):(clip(column("worst"))):(strcol("setting")) with labels \
+        rotate by 35 left offset 0.9,0.5 font ",10" notitle

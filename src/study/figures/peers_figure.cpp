@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#include "study/figures/all_figures.hpp"
+#include "study/figures/embedded_scripts.hpp"
+#include "study/peers/peer_study.hpp"
+
+namespace frostfill
+{
+namespace
+{
+
+void makeData(const FigureFolder& folder)
+{
+    if (folder.reuse("peers.csv"))
+        return;
+    requirePeers();
+    const auto progress = [](std::size_t, std::size_t, const std::string&) {};
+    folder.write("peers.csv", peersCsv(measurePeers(folder.quick(), progress)));
+}
+
+} // namespace
+
+Figure peersFigure()
+{
+    return {"peers", "other engines on the same cube", true, makeData, embedded::figure_peers};
+}
+
+} // namespace frostfill

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "render/context.hpp"
+#include "render/framebuffer.hpp"
+#include "render/gl.hpp"
+#include "render/shader.hpp"
+
+#include <frostfill/image.hpp>
+#include <frostfill/snapshot.hpp>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace frostfill
+{
+
+/// Spheres as icospheres of 20 * 4^subdivisions triangles with one light: what our exact spheres
+/// are compared with.
+class TessellatedSpheres
+{
+public:
+    TessellatedSpheres(PictureSize size, int samples, int supersample, int subdivisions);
+    ~TessellatedSpheres();
+
+    TessellatedSpheres(const TessellatedSpheres&) = delete;
+    TessellatedSpheres& operator=(const TessellatedSpheres&) = delete;
+
+    /// Draws spheres that lie within 1.5 of the origin.
+    void draw(const Snapshot& snapshot, Image& image);
+
+private:
+    std::unique_ptr<Context> context_;
+    GlFunctions gl_;
+    Framebuffer framebuffer_;
+    int supersample_;
+    ShaderProgram program_;
+    glm::mat4 toClip_;
+    GLsizei vertices_ = 0;
+    GLuint array_ = 0;
+    std::array<GLuint, 2> buffers_{};
+    std::vector<float> instances_;
+    Image drawn_;
+};
+
+} // namespace frostfill
