@@ -13,7 +13,8 @@ void makeData(const FigureFolder& folder)
     if (folder.reuse("peers.csv"))
         return;
     requirePeers();
-    const auto progress = [](std::size_t, std::size_t, const std::string&) {};
+    const auto progress = [&](std::size_t done, std::size_t all, const std::string& what)
+    { folder.progress(done, all, what); };
     folder.write("peers.csv", peersCsv(measurePeers(folder.quick(), progress)));
 }
 
@@ -21,7 +22,8 @@ void makeData(const FigureFolder& folder)
 
 Figure peersFigure()
 {
-    return {"peers", "other engines on the same cube", true, makeData, embedded::figure_peers};
+    return {"peers", "other engines on the same cube", true, 200, makeData,
+            embedded::figure_peers};
 }
 
 } // namespace frostfill
