@@ -107,7 +107,7 @@ struct MotionSettings
     Integrator integrator = Integrator::explicitEuler; ///< of the preset paper
     std::optional<double> dt; ///< [s]; chosen so that no fall moves more than r/2 a step
     double restitution = 0.2; ///< [1] 0..1, of every contact
-    int sweeps = 4; ///< of the preset fast, over running spheres that meet: at most so many a step
+    int sweeps = 16; ///< of the preset fast, over running spheres that meet: at most so many a step
 };
 
 /// How the object moves once it is filled and at rest. Angles and amplitude start from zero and end

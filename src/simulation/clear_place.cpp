@@ -63,11 +63,14 @@ public:
             const Eigen::Vector3d d = p - centre;
             const double limit = reach - push.depth;
             const double squared = d.squaredNorm();
-            if (squared < limit * limit && squared > 0)
+            if (squared < limit * limit)
             {
                 const double distance = std::sqrt(squared);
                 push.depth = reach - distance;
-                push.out = d / distance * (push.depth + kClearance);
+                // From the very centre every way out is as good.
+                const Eigen::Vector3d way =
+                    distance > 0 ? Eigen::Vector3d(d / distance) : Eigen::Vector3d::UnitY();
+                push.out = way * (push.depth + kClearance);
             }
         }
     }

@@ -53,6 +53,7 @@ private:
     [[nodiscard]] bool makeRoom(std::uint32_t index, double farthest);
     void put(std::uint32_t index, const Eigen::Vector3d& place);
     void evict(std::uint32_t index);
+    void withdraw(Runner& runner);
     [[nodiscard]] bool clearOfRunners(const Eigen::Vector3d& place, double radius) const;
     void freezeAt(Runner& runner, const Eigen::Vector3d& place);
     void tellOthers(const Eigen::Vector3d& place, double radius);

@@ -10,6 +10,7 @@
 #include <simulation/free_path.hpp>
 
 #include <algorithm>
+#include <utility>
 
 namespace frostfill
 {
@@ -225,6 +226,7 @@ bool FastEngine::makeRoom(std::uint32_t index, double farthest)
 void FastEngine::put(std::uint32_t index, const Eigen::Vector3d& place)
 {
     runners_[index].position = place;
+    runners_[index].around.invalidate(); // what comes to rest is told where it is now
     runners_[index].stale = true;
     grid_.move(index, place);
 }
@@ -251,17 +253,24 @@ void FastEngine::evict(std::uint32_t index)
         else
         {
             frozen_[k] = true; // not to be looked at any more
-            const std::uint32_t renumbered = world_.withdraw(other.id);
-            if (discard_)
-            {
-                discard_->renumber(renumbered, other.id);
-            }
-            const auto last = std::find_if(runners_.begin(), runners_.end(),
-                                           [&](const Runner& r) { return r.id == renumbered; });
-            if (last != runners_.end())
-            {
-                last->id = other.id;
-            }
+            withdraw(other);
+        }
+    }
+}
+
+void FastEngine::withdraw(Runner& runner)
+{
+    const std::uint32_t id = std::exchange(runner.id, Runner::kNobody);
+    const std::uint32_t renumbered = world_.withdraw(id);
+    if (discard_)
+    {
+        discard_->renumber(renumbered, id);
+    }
+    for (std::size_t k = 0; k < running_; ++k)
+    {
+        if (runners_[k].id == renumbered)
+        {
+            runners_[k].id = id;
         }
     }
 }

@@ -13,7 +13,9 @@ namespace frostfill
 /// A running sphere of the fast engine, with all that its motion needs close together.
 struct Runner
 {
-    std::uint32_t id = 0;
+    static constexpr std::uint32_t kNobody = 0xffffffff; ///< id of one whose sphere is gone
+
+    std::uint32_t id = kNobody;
     double radius = 1;
     Eigen::Vector3d position = Eigen::Vector3d::Zero();
     Eigen::Vector3d velocity = Eigen::Vector3d::Zero();

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include <simulation/clear_place.hpp>
+#include <simulation/world.hpp>
+
+#include <gtest/gtest.h>
+
+namespace frostfill
+{
+namespace
+{
+
+// A cube of 20 radii with one sphere at rest in its middle.
+class ClearPlaceTest : public ::testing::Test
+{
+protected:
+    ClearPlaceTest()
+    {
+        world.freeze(world.release({0, 0, 0}, 1, 0));
+        world.forgetFrozen();
+    }
+
+    static Scene scene()
+    {
+        Scene result = presetScene(Preset::fast, "cube");
+        result.spheres.count.reset();
+        result.spheres.radius = 0.1;
+        return result;
+    }
+
+    World world{scene(), builtInMesh("cube")};
+    Eigen::Vector3d place = {0, 0, 0};
+};
+
+TEST_F(ClearPlaceTest, IsFoundFromTheVeryPlaceOfAnother)
+{
+    ASSERT_TRUE(moveClear(world, place, 1, 3));
+    EXPECT_GE(place.norm(), 2);
+    EXPECT_LT(place.norm(), 2.1);
+}
+
+TEST_F(ClearPlaceTest, IsNotFoundWithinTooShortAWay)
+{
+    EXPECT_FALSE(moveClear(world, place, 1, 1));
+}
+
+} // namespace
+} // namespace frostfill
