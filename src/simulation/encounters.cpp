@@ -13,6 +13,7 @@ constexpr double kMeetingMargin = 0.3; // gap up to which runners may meet withi
 constexpr double kLongestPush = 0.2;   // in one sweep, of the own radius
 constexpr double kApart = 1e-8;        // penetration depth that is left to those taken apart [r]
 constexpr int kMostSeparations = 1000; // sweeps
+constexpr std::size_t kCheap = 512;    // pairs of a look at which are worth sharing
 
 // How much of the penetration depth a gives way by. One that nothing at rest has carried for long
 // stops giving way, so that it comes down to something that does; of two such, the lower.
@@ -81,12 +82,11 @@ void Encounters::findMeetingsOf(std::span<const Runner> runners, Runner& runner)
 {
     runner.meeting.clear();
     grid_.forEachNear(runner.position, runner.radius + 1 + kMeetingMargin,
-                      [&](std::uint32_t k)
+                      [&](std::uint32_t k, const Eigen::Vector3d& p, double radius)
                       {
-                          const Runner& other = runners[k];
-                          const double limit = runner.radius + other.radius + kMeetingMargin;
-                          if (&other != &runner &&
-                              (other.position - runner.position).squaredNorm() < limit * limit)
+                          const double limit = runner.radius + radius + kMeetingMargin;
+                          if ((p - runner.position).squaredNorm() < limit * limit &&
+                              &runners[k] != &runner)
                           {
                               runner.meeting.push_back(k);
                           }
@@ -99,16 +99,22 @@ void Encounters::findMeetingsOf(std::span<const Runner> runners, Runner& runner)
 // Returns the deepest penetration that it found.
 double Encounters::sweep(std::span<Runner> runners)
 {
-    threads_.forEach(crowd_.size(), [&](std::size_t i) { pushOff(runners, runners[crowd_[i]]); });
+    threads_.forEach(
+        crowd_.size(), [&](std::size_t i) { pushOff(runners, runners[crowd_[i]]); }, kCheap);
     double deepest = 0;
+    pushed_.clear();
     for (const std::uint32_t k : crowd_)
     {
         deepest = std::max(deepest, runners[k].depth);
+        if (!runners[k].push.isZero(0))
+        {
+            pushed_.push_back(k);
+        }
     }
-    threads_.forEach(crowd_.size(),
+    threads_.forEach(pushed_.size(),
                      [&](std::size_t i)
                      {
-                         Runner& runner = runners[crowd_[i]];
+                         Runner& runner = runners[pushed_[i]];
                          flight_.shift(runner, runner.push);
                      });
     return deepest;
@@ -167,8 +173,8 @@ void Encounters::updateVelocities(std::span<Runner> runners, double dt)
     }
     if (settings_.restitution > 0)
     {
-        threads_.forEach(crowd_.size(),
-                         [&](std::size_t i) { bounce(runners, runners[crowd_[i]]); });
+        threads_.forEach(
+            crowd_.size(), [&](std::size_t i) { bounce(runners, runners[crowd_[i]]); }, kCheap);
     }
 }
 

@@ -50,6 +50,7 @@ private:
     Settings settings_;
     Eigen::Vector3d down_ = {0, -1, 0}; ///< the pull's direction in this step
     std::vector<std::uint32_t> crowd_;  ///< runners that meet others, by index, ascending
+    std::vector<std::uint32_t> pushed_; ///< those of them that overlap others in this sweep
 };
 
 } // namespace frostfill

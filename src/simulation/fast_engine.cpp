@@ -168,7 +168,7 @@ bool FastEngine::releaseSet()
         const std::size_t inSet = world_.spheres.size() - before;
         const auto group = nextGroup_ + static_cast<std::uint32_t>(inSet / groupSize(world_));
         start(found->place, found->radius, group);
-        grid_.add(found->place);
+        grid_.add(found->place, found->radius);
     }
     if (world_.spheres.size() == before)
     {
@@ -284,11 +284,10 @@ bool FastEngine::clearOfRunners(const Eigen::Vector3d& place, double radius) con
 {
     bool clear = true;
     grid_.forEachNear(place, radius + 1 + kClearance,
-                      [&](std::uint32_t k)
+                      [&](std::uint32_t, const Eigen::Vector3d& p, double radiusThere)
                       {
-                          const double contact = runners_[k].radius + radius + kClearance;
-                          clear = clear &&
-                                  (runners_[k].position - place).squaredNorm() >= contact * contact;
+                          const double contact = radiusThere + radius + kClearance;
+                          clear = clear && (p - place).squaredNorm() >= contact * contact;
                       });
     return clear;
 }

@@ -188,11 +188,11 @@ std::vector<std::uint32_t> FastEngine::overlappedBy(std::uint32_t index) const
     std::vector<std::uint32_t> overlapped;
     const double radius = runners_[index].radius;
     grid_.forEachNear(place, radius + 1,
-                      [&](std::uint32_t k)
+                      [&](std::uint32_t k, const Eigen::Vector3d& p, double radiusThere)
                       {
-                          const double contact = runners_[k].radius + radius;
+                          const double contact = radiusThere + radius;
                           if (k != index && !frozen_[k] &&
-                              (runners_[k].position - place).squaredNorm() < contact * contact)
+                              (p - place).squaredNorm() < contact * contact)
                           {
                               overlapped.push_back(k);
                           }
@@ -279,7 +279,7 @@ void FastEngine::tellOthers(const Eigen::Vector3d& place, double radius)
 {
     // A neighbourhood was made within the skin of where its runner is now.
     grid_.forEachNear(place, 1 + radius + 2 * Neighbourhood::kSkin,
-                      [&](std::uint32_t k)
+                      [&](std::uint32_t k, const Eigen::Vector3d&, double)
                       {
                           if (runners_[k].around.add(place, radius))
                           {

@@ -1,89 +1,84 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <tbb/blocked_range.h>
-#include <tbb/global_control.h>
-#include <tbb/info.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
+#include <atomic>
 #include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <type_traits>
+#include <vector>
 
 namespace frostfill
 {
 
 /// Threads for the loops of a simulation. A loop's body may write only what belongs to its own
-/// index, so that results do not depend on the number of threads.
+/// index, so that results do not depend on the number of threads. One loop at a time.
+///
+/// A step has a dozen loops of some 50 us each with serial work between them, so short that waking
+/// a thread takes as long as its share of the work: threads look for the next loop for a while
+/// before they sleep, and a loop never waits for a thread that has not begun to help.
 class Threads
 {
 public:
     /// 0 takes as many as there are cores.
-    explicit Threads(int count)
-        : limit_(tbb::global_control::max_allowed_parallelism,
-                 static_cast<std::size_t>(count > 0 ? count : tbb::info::default_concurrency())),
-          arena_(count > 0 ? count : tbb::task_arena::automatic)
-    {
-    }
+    explicit Threads(int count);
+    ~Threads();
+    Threads(const Threads&) = delete;
+    Threads& operator=(const Threads&) = delete;
 
-    [[nodiscard]] int concurrency() const { return arena_.max_concurrency(); }
+    [[nodiscard]] std::size_t concurrency() const { return concurrency_; }
 
-    /// Calls body(i) for each i below `count`; on this thread when that is not worth sharing.
+    /// Calls body(i) for each i below `count`; on this thread when there are fewer than are worth
+    /// sharing, which depends on how long one takes. What a body throws is thrown on.
     template <class Body>
-    void forEach(std::size_t count, Body&& body)
+    void forEach(std::size_t count, Body&& body, std::size_t worthSharing = kWorthSharing)
     {
-        if (count < kWorthSharing)
+        if (count < worthSharing || concurrency_ == 1)
         {
-            alone(count, body);
+            for (std::size_t i = 0; i < count; ++i)
+            {
+                body(i);
+            }
             return;
         }
-        share(count, kGrain, tbb::static_partitioner(), body);
+        const auto run = [](const void* loop, std::size_t i)
+        { (*static_cast<std::remove_reference_t<Body>*>(const_cast<void*>(loop)))(i); };
+        share(count, run, &body);
     }
 
     /// The same for few bodies that take long.
     template <class Body>
     void forEachLarge(std::size_t count, Body&& body)
     {
-        share(count, 1, tbb::simple_partitioner(), body);
+        forEach(count, body, 2);
     }
 
 private:
-    template <class Body>
-    static void alone(std::size_t count, Body& body)
-    {
-        for (std::size_t i = 0; i < count; ++i)
-        {
-            body(i);
-        }
-    }
+    using Run = void (*)(const void* body, std::size_t i);
 
-    template <class Partitioner, class Body>
-    void share(std::size_t count, std::size_t grain, const Partitioner& partitioner, Body& body)
-    {
-        if (concurrency() == 1)
-        {
-            alone(count, body);
-            return;
-        }
-        arena_.execute(
-            [&]
-            {
-                tbb::parallel_for(
-                    tbb::blocked_range<std::size_t>(0, count, grain),
-                    [&](const tbb::blocked_range<std::size_t>& range)
-                    {
-                        for (std::size_t i = range.begin(); i != range.end(); ++i)
-                        {
-                            body(i);
-                        }
-                    },
-                    partitioner);
-            });
-    }
+    void share(std::size_t count, Run run, const void* body);
+    void help();
+    bool takePart(bool front);
+    void runPart(std::size_t part, std::size_t all);
 
     static constexpr std::size_t kWorthSharing = 64;
-    static constexpr std::size_t kGrain = 16;
-    tbb::global_control limit_; ///< lets more threads than cores work, when asked for
-    tbb::task_arena arena_;
+
+    std::size_t concurrency_;
+    std::vector<std::thread> helpers_; ///< begin with the first loop that is shared
+
+    /// Loops so far, parts of this loop, and how many of them are taken: see the source. A part is
+    /// taken by adding one, so no part is ever taken of a loop that is over.
+    std::atomic<std::uint64_t> state_ = 0;
+    std::atomic<std::size_t> partsDone_ = 0;
+    std::atomic<bool> over_ = false;
+    // Of this loop; read only by those who hold one of its parts, and while there are some.
+    std::atomic<Run> run_ = nullptr;
+    std::atomic<const void*> body_ = nullptr;
+    std::atomic<std::size_t> count_ = 0;
+    std::mutex failureLock_;
+    std::exception_ptr failure_; ///< the first that a body has thrown
 };
 
 } // namespace frostfill

@@ -40,20 +40,35 @@ void ReleaseSites::findCeilings(double band)
 }
 
 // Cell by cell of the grid, so that what is closed one after another lies close together in memory.
-void ReleaseSites::startSweep()
+// On several threads every other slab of cells first, then those between: spheres of one slab close
+// no sites that share a word with those of the next but one.
+void ReleaseSites::startSweep(Threads* threads)
 {
+    constexpr int kThickness = 8; // layers of cells in a slab
     if (sweeping_)
     {
         return;
     }
     sweeping_ = true;
     const std::array<int, 3>& count = world_.resting.frame().count;
-    world_.resting.forEachIn({0, 0, 0}, {count[0] - 1, count[1] - 1, count[2] - 1},
-                             [&](std::uint32_t id)
-                             {
-                                 const GridSphere& sphere = world_.resting[id];
-                                 sites_.close(sphere.position(), sphere.radius);
-                             });
+    const auto closeSlab = [&](int slab)
+    {
+        const int end = std::min(count[2], (slab + 1) * kThickness);
+        world_.resting.forEachIn({0, 0, slab * kThickness}, {count[0] - 1, count[1] - 1, end - 1},
+                                 [&](std::uint32_t id)
+                                 {
+                                     const GridSphere& sphere = world_.resting[id];
+                                     sites_.close(sphere.position(), sphere.radius);
+                                 });
+    };
+    const int slabs = (count[2] + kThickness - 1) / kThickness;
+    for (const int first : {0, 1})
+    {
+        const auto body = [&](std::size_t i) { closeSlab(first + 2 * static_cast<int>(i)); };
+        const auto bodies = static_cast<std::size_t>((slabs - first + 1) / 2);
+        threads != nullptr ? threads->forEachLarge(bodies, body)
+                           : Threads(1).forEachLarge(bodies, body);
+    }
 }
 
 // Whether a sphere at rest leaves no place in the site's cell, as OpenSites::close would find.

@@ -47,7 +47,7 @@ public:
         {
             return std::nullopt;
         }
-        startSweep();
+        startSweep(threads);
         sweep_ = sites_.nextOpen(sweep_);
         for (std::size_t site = nextFree(sweep_); site < sites_.lattice().size();
              site = nextFree(site + 1))
@@ -99,7 +99,7 @@ private:
     /// How far from its site a place may be that stands for it.
     [[nodiscard]] double farthest() const { return 2 * sites_.halfDiagonal(); }
     void findCeilings(double band);
-    void startSweep();
+    void startSweep(Threads* threads);
     [[nodiscard]] bool isTaken(std::size_t site) const;
     void dropCeiling(std::size_t index);
     [[nodiscard]] std::size_t ceilingOfDraw(std::uint64_t number, std::size_t among) const;

@@ -25,18 +25,18 @@ public:
             head_[cell] = kEnd;
         }
         cell_.clear();
-        next_.clear();
+        nodes_.clear();
         for (const Runner& runner : runners)
         {
-            add(runner.position);
+            add(runner.position, runner.radius);
         }
     }
 
     /// Takes in one more runner, with the next index.
-    void add(const Eigen::Vector3d& p)
+    void add(const Eigen::Vector3d& p, double radius)
     {
         cell_.push_back(0);
-        next_.push_back(kEnd);
+        nodes_.push_back({p, radius, kEnd});
         link(static_cast<std::uint32_t>(cell_.size() - 1), p);
     }
 
@@ -46,41 +46,52 @@ public:
         std::uint32_t* entry = &head_[cell_[index]];
         while (*entry != index)
         {
-            entry = &next_[*entry];
+            entry = &nodes_[*entry].next;
         }
-        *entry = next_[index];
+        *entry = nodes_[index].next;
+        nodes_[index].position = p;
         link(index, p);
     }
 
-    /// Calls visit(index) for each runner in the cells that a cube of half-edge `reach` about p
-    /// meets, in no particular order.
+    /// Calls visit(index, position, radius) for each runner in the cells that a cube of half-edge
+    /// `reach` about p meets, in no particular order.
     template <class Visit>
     void forEachNear(const Eigen::Vector3d& p, double reach, Visit&& visit) const
     {
-        frame_.forEachCell(
-            frame_.coordinates(p.array() - reach), frame_.coordinates(p.array() + reach),
-            [&](std::size_t cell)
-            {
-                for (std::uint32_t index = head_[cell]; index != kEnd; index = next_[index])
-                {
-                    visit(index);
-                }
-            });
+        frame_.forEachCell(frame_.coordinates(p.array() - reach),
+                           frame_.coordinates(p.array() + reach),
+                           [&](std::size_t cell)
+                           {
+                               for (std::uint32_t index = head_[cell]; index != kEnd;)
+                               {
+                                   const Node& node = nodes_[index];
+                                   visit(index, node.position, node.radius);
+                                   index = node.next;
+                               }
+                           });
     }
 
 private:
+    /// A runner, with all that a search needs in one place of memory.
+    struct Node
+    {
+        Eigen::Vector3d position;
+        double radius;
+        std::uint32_t next;
+    };
+
     void link(std::uint32_t index, const Eigen::Vector3d& p)
     {
         const auto cell = static_cast<std::uint32_t>(frame_.index(p));
         cell_[index] = cell;
-        next_[index] = head_[cell];
+        nodes_[index].next = head_[cell];
         head_[cell] = index;
     }
 
     static constexpr std::uint32_t kEnd = 0xffffffff;
     GridFrame frame_;
     std::vector<std::uint32_t> head_; ///< [#cells]
-    std::vector<std::uint32_t> next_; ///< [#runners]
+    std::vector<Node> nodes_;         ///< [#runners]
     std::vector<std::uint32_t> cell_; ///< [#runners]
 };
 
