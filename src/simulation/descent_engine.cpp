@@ -20,8 +20,8 @@ constexpr double kFarRelease = 4;
 } // namespace
 
 DescentEngine::DescentEngine(World& world)
-    : world_(world), falls_(world.resting.frame(), world.triangles), release_(world, world.height),
-      descent_(world, falls_)
+    : world_(world), threads_(world.scene.threads), falls_(world.resting.frame(), world.triangles),
+      release_(world, world.height, threads_), descent_(world, falls_)
 {
     const SphereSettings& spheres = world.scene.spheres;
     if (world.scene.discard.rule == DiscardRule::exact)

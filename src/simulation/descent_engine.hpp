@@ -26,6 +26,7 @@ private:
     bool settle(Eigen::Vector3d place, double radius);
 
     World& world_;
+    Threads threads_;
     FallIndex falls_;
     Releases release_;
     Descent descent_;

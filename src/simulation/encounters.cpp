@@ -13,7 +13,8 @@ constexpr double kMeetingMargin = 0.3; // gap up to which runners may meet withi
 constexpr double kLongestPush = 0.2;   // in one sweep, of the own radius
 constexpr double kApart = 1e-8;        // penetration depth that is left to those taken apart [r]
 constexpr int kMostSeparations = 1000; // sweeps
-constexpr std::size_t kCheap = 512;    // pairs of a look at which are worth sharing
+// Runners from which on pushes are worth sharing: those that push each other share memory, too.
+constexpr std::size_t kManyRunners = 4096;
 
 // How much of the penetration depth a gives way by. One that nothing at rest has carried for long
 // stops giving way, so that it comes down to something that does; of two such, the lower.
@@ -100,7 +101,7 @@ void Encounters::findMeetingsOf(std::span<const Runner> runners, Runner& runner)
 double Encounters::sweep(std::span<Runner> runners)
 {
     threads_.forEach(
-        crowd_.size(), [&](std::size_t i) { pushOff(runners, runners[crowd_[i]]); }, kCheap);
+        crowd_.size(), [&](std::size_t i) { pushOff(runners, runners[crowd_[i]]); }, kManyRunners);
     double deepest = 0;
     pushed_.clear();
     for (const std::uint32_t k : crowd_)
@@ -111,12 +112,14 @@ double Encounters::sweep(std::span<Runner> runners)
             pushed_.push_back(k);
         }
     }
-    threads_.forEach(pushed_.size(),
-                     [&](std::size_t i)
-                     {
-                         Runner& runner = runners[pushed_[i]];
-                         flight_.shift(runner, runner.push);
-                     });
+    threads_.forEach(
+        pushed_.size(),
+        [&](std::size_t i)
+        {
+            Runner& runner = runners[pushed_[i]];
+            flight_.shift(runner, runner.push);
+        },
+        kManyRunners);
     return deepest;
 }
 
@@ -174,7 +177,8 @@ void Encounters::updateVelocities(std::span<Runner> runners, double dt)
     if (settings_.restitution > 0)
     {
         threads_.forEach(
-            crowd_.size(), [&](std::size_t i) { bounce(runners, runners[crowd_[i]]); }, kCheap);
+            crowd_.size(), [&](std::size_t i) { bounce(runners, runners[crowd_[i]]); },
+            kManyRunners);
     }
 }
 

@@ -40,11 +40,11 @@ double timeStep(const World& world)
 } // namespace
 
 FastEngine::FastEngine(World& world)
-    : world_(world), falls_(world.resting.frame(), world.triangles),
+    : world_(world), threads_(world.scene.threads), falls_(world.resting.frame(), world.triangles),
       release_(std::in_place, world,
-               world.scene.motion.mode == Motion::fall ? kTopBand : world.height),
+               world.scene.motion.mode == Motion::fall ? kTopBand : world.height, threads_),
       descent_(world, falls_), flight_(world, {world.scene.motion.restitution}),
-      threads_(world.scene.threads), grid_(world.resting.frame()),
+      grid_(world.resting.frame()),
       encounters_(grid_, flight_, threads_,
                   {.restitution = world.scene.motion.restitution,
                    .sweeps = world.scene.move.any()
@@ -160,7 +160,7 @@ bool FastEngine::releaseSet()
     { return clearOfRunners(place, radius); };
     while (world_.spheres.size() - before < wanted)
     {
-        const auto found = release_->find(fall, suits, &threads_);
+        const auto found = release_->find(fall, suits, true);
         if (!found)
         {
             break;

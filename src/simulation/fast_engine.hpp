@@ -60,11 +60,11 @@ private:
     void forgetFrozen();
 
     World& world_;
+    Threads threads_;
     FallIndex falls_;
     std::optional<Releases> release_;
     Descent descent_;
     Flight flight_;
-    Threads threads_;
     RunnerGrid grid_; ///< of the runners, as they lay at the last rebuild
     Encounters encounters_;
     std::unique_ptr<ExactDiscard> discard_; ///< empty when nothing is to be discarded

@@ -35,7 +35,8 @@ constexpr int kMovesOutOfWedge = 1000;
 } // namespace
 
 // The lowest first, so that a pile freezes from below. Places are looked for on all threads at once
-// among what was at rest before; where a sphere has come to rest since, again.
+// among what was at rest before; one beside which something has come to rest since waits for the next
+// window.
 void FastEngine::freezeCalm()
 {
     findCalm();
@@ -64,6 +65,10 @@ void FastEngine::freezeCalm()
         }
         if (runners_[k].stale)
         {
+            if (runners_[k].age <= ageLimit_)
+            {
+                continue; // its turn comes in the next window
+            }
             findPlace(runners_[k]);
         }
         frozen_[k] = runners_[k].carriedAt && tryFreeze(k);

@@ -27,34 +27,48 @@ double cellFor(const Eigen::Vector3d& size, double radius)
 
 } // namespace
 
-OpenSites::OpenSites(const Surface& surface, const InsideTest& inside, double radius)
+OpenSites::OpenSites(const Surface& surface, const InsideTest& inside, double radius,
+                     Threads& threads)
     : radius_(radius),
       lattice_(GridFrame::cover(surface.box(), cellFor(surface.box().sizes(), radius), 0)),
       bits_((lattice_.size() + 63) / 64, 0)
 {
+    // Layers share words with those beside them; slabs that are worth a thread's while.
+    constexpr int kThickness = 8;
+    const int layers = lattice_.count[2];
+    forEachSlab(threads, (layers + kThickness - 1) / kThickness,
+                [&](int slab)
+                {
+                    const int end = std::min(layers, (slab + 1) * kThickness);
+                    for (int z = slab * kThickness; z < end; ++z)
+                    {
+                        openLayer(inside, z);
+                    }
+                });
+}
+
+void OpenSites::openLayer(const InsideTest& inside, int z)
+{
     const double least = radius_ - halfDiagonal();
     const double known = lattice_.cell + 1e-9; // from one site to the next a distance changes less
-    std::size_t site = 0;
-    for (int z = 0; z < lattice_.count[2]; ++z)
+    std::size_t site = lattice_.index(0, 0, z);
+    for (int y = 0; y < lattice_.count[1]; ++y)
     {
-        for (int y = 0; y < lattice_.count[1]; ++y)
+        double low = -std::numeric_limits<double>::infinity(); // bounds of the distance
+        double high = std::numeric_limits<double>::infinity();
+        for (int x = 0; x < lattice_.count[0]; ++x, ++site, low -= known, high += known)
         {
-            double low = -std::numeric_limits<double>::infinity(); // bounds of the distance
-            double high = std::numeric_limits<double>::infinity();
-            for (int x = 0; x < lattice_.count[0]; ++x, ++site, low -= known, high += known)
+            if (low < least && high >= least)
             {
-                if (low < least && high >= least)
-                {
-                    const double distance = inside.distance(lattice_.centre(x, y, z));
-                    // What is beyond the reach of the test is only known to be beyond it.
-                    const bool far = std::abs(distance) >= inside.reach();
-                    low = far && distance < 0 ? -std::numeric_limits<double>::infinity() : distance;
-                    high = far && distance > 0 ? std::numeric_limits<double>::infinity() : distance;
-                }
-                if (low >= least)
-                {
-                    bits_[site / 64] |= std::uint64_t{1} << (site % 64);
-                }
+                const double distance = inside.distance(lattice_.centre(x, y, z));
+                // What is beyond the reach of the test is only known to be beyond it.
+                const bool far = std::abs(distance) >= inside.reach();
+                low = far && distance < 0 ? -std::numeric_limits<double>::infinity() : distance;
+                high = far && distance > 0 ? std::numeric_limits<double>::infinity() : distance;
+            }
+            if (low >= least)
+            {
+                bits_[site / 64] |= std::uint64_t{1} << (site % 64);
             }
         }
     }

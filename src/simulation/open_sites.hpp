@@ -2,6 +2,7 @@
 #pragma once
 
 #include <mesh/inside_test.hpp>
+#include <simulation/parallel.hpp>
 #include <simulation/spheres.hpp>
 
 #include <cstdint>
@@ -17,7 +18,7 @@ class OpenSites
 {
 public:
     /// `radius` is at most 1.
-    OpenSites(const Surface& surface, const InsideTest& inside, double radius);
+    OpenSites(const Surface& surface, const InsideTest& inside, double radius, Threads& threads);
 
     /// Closes all cells that a sphere at rest leaves no place in.
     void close(const Eigen::Vector3d& centre, double radius);
@@ -45,6 +46,7 @@ public:
     [[nodiscard]] double halfDiagonal() const { return 0.8660254037844387 * lattice_.cell; }
 
 private:
+    void openLayer(const InsideTest& inside, int z);
     void closeRun(std::size_t first, std::size_t last);
     /// 64 sites from this one on, the first in the lowest bit.
     [[nodiscard]] std::uint64_t openFrom(std::size_t site) const;

@@ -65,7 +65,7 @@ PaperEngine::PaperEngine(World& world)
                   {world.scene.motion.restitution,
                    kBounceSteps * world.frame.gravity * chooseTimeStep(world)},
                   world.scene.search.spheres == SphereSearch::grid ? &world.resting : nullptr),
-      release_(world, kTopBand),
+      release_(world, kTopBand, threads_),
       rest_((world.dt = chooseTimeStep(world), windowSteps(world)),
             world.scene.freezing.restSpeed * world.scene.freezing.restWindow),
       setTimeLimit_(world.scene.freezing.setTimeLimit + 2 * fallTime(world.height))

@@ -35,6 +35,7 @@ private:
     World& world_;
     PolygonTests polygons_;
     Algorithm1 algorithm1_;
+    Threads threads_{1};
     Releases release_;
     RestMonitor rest_;
     SetClock clock_;

@@ -63,7 +63,7 @@ private:
     bool takePart(bool front);
     void runPart(std::size_t part, std::size_t all);
 
-    static constexpr std::size_t kWorthSharing = 64;
+    static constexpr std::size_t kWorthSharing = 32;
 
     std::size_t concurrency_;
     std::vector<std::thread> helpers_; ///< begin with the first loop that is shared
@@ -80,5 +80,17 @@ private:
     std::mutex failureLock_;
     std::exception_ptr failure_; ///< the first that a body has thrown
 };
+
+/// Calls body(slab) for each slab below `count`: every other one first, then those between, so that
+/// a body may also write what belongs to the slabs beside its own.
+template <class Body>
+void forEachSlab(Threads& threads, int count, Body&& body)
+{
+    for (const int first : {0, 1})
+    {
+        threads.forEachLarge(static_cast<std::size_t>((count - first + 1) / 2),
+                             [&](std::size_t i) { body(first + 2 * static_cast<int>(i)); });
+    }
+}
 
 } // namespace frostfill

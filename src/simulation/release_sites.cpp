@@ -10,8 +10,9 @@
 namespace frostfill
 {
 
-ReleaseSites::ReleaseSites(const World& world, double radius, double band)
-    : world_(world), radius_(radius), sites_(world.surface, world.inside, radius)
+ReleaseSites::ReleaseSites(const World& world, double radius, double band, Threads& threads)
+    : world_(world), threads_(threads), radius_(radius),
+      sites_(world.surface, world.inside, radius, threads)
 {
     if (band >= 0)
     {
@@ -42,7 +43,7 @@ void ReleaseSites::findCeilings(double band)
 // Cell by cell of the grid, so that what is closed one after another lies close together in memory.
 // On several threads every other slab of cells first, then those between: spheres of one slab close
 // no sites that share a word with those of the next but one.
-void ReleaseSites::startSweep(Threads* threads)
+void ReleaseSites::startSweep()
 {
     constexpr int kThickness = 8; // layers of cells in a slab
     if (sweeping_)
@@ -61,14 +62,7 @@ void ReleaseSites::startSweep(Threads* threads)
                                      sites_.close(sphere.position(), sphere.radius);
                                  });
     };
-    const int slabs = (count[2] + kThickness - 1) / kThickness;
-    for (const int first : {0, 1})
-    {
-        const auto body = [&](std::size_t i) { closeSlab(first + 2 * static_cast<int>(i)); };
-        const auto bodies = static_cast<std::size_t>((slabs - first + 1) / 2);
-        threads != nullptr ? threads->forEachLarge(bodies, body)
-                           : Threads(1).forEachLarge(bodies, body);
-    }
+    forEachSlab(threads_, (count[2] + kThickness - 1) / kThickness, closeSlab);
 }
 
 // Whether a sphere at rest leaves no place in the site's cell, as OpenSites::close would find.

@@ -20,22 +20,23 @@ public:
     /// `world` outlives this. `radius`: at most 1. `band`: how far below the highest ceiling [r]
     /// others are used together with it; lower ones follow as those above fill up. Negative: every
     /// free place is as good as a ceiling, in the order of the lattice.
-    ReleaseSites(const World& world, double radius, double band);
+    /// `threads`: those that long work is shared with, which outlive this.
+    ReleaseSites(const World& world, double radius, double band, Threads& threads);
 
     /// A place that is clear of walls and of spheres at rest, taken from there to `prepare(place)`,
     /// and for which `suits` then holds. Places that do not suit now are left for later. Empty when
-    /// there is none. With `threads`, what the next draws lead to is found out on all of them at
+    /// there is none. With `ahead`, what the next draws lead to is found out on all threads at
     /// once; `prepare` may then not change anything. The answer is the same.
     template <class Prepare, class Suits>
     [[nodiscard]] std::optional<Eigen::Vector3d> find(Prepare&& prepare, Suits&& suits,
-                                                      Threads* threads = nullptr)
+                                                      bool ahead = false)
     {
         for (const bool highOnly : {true, false})
         {
             for (int misses = 0; misses < kPatience && !ceilings_.empty();)
             {
                 const std::size_t among = highOnly ? window_ : ceilings_.size();
-                const auto place = take(nextDraw(among, prepare, threads), among);
+                const auto place = take(nextDraw(among, prepare, ahead), among);
                 if (place && suits(*place))
                 {
                     return place;
@@ -47,7 +48,7 @@ public:
         {
             return std::nullopt;
         }
-        startSweep(threads);
+        startSweep();
         sweep_ = sites_.nextOpen(sweep_);
         for (std::size_t site = nextFree(sweep_); site < sites_.lattice().size();
              site = nextFree(site + 1))
@@ -99,7 +100,7 @@ private:
     /// How far from its site a place may be that stands for it.
     [[nodiscard]] double farthest() const { return 2 * sites_.halfDiagonal(); }
     void findCeilings(double band);
-    void startSweep(Threads* threads);
+    void startSweep();
     [[nodiscard]] bool isTaken(std::size_t site) const;
     void dropCeiling(std::size_t index);
     [[nodiscard]] std::size_t ceilingOfDraw(std::uint64_t number, std::size_t among) const;
@@ -130,18 +131,18 @@ private:
     }
 
     template <class Prepare>
-    [[nodiscard]] Draw nextDraw(std::size_t among, Prepare&& prepare, Threads* threads)
+    [[nodiscard]] Draw nextDraw(std::size_t among, Prepare&& prepare, bool ahead)
     {
         const std::uint64_t number = ++draws_;
         // A ceiling that is forgotten changes which ones are drawn next.
-        if (threads == nullptr || threads->concurrency() == 1 || sinceForgotten_ < kAhead / 2)
+        if (!ahead || threads_.concurrency() == 1 || sinceForgotten_ < kAhead / 2)
         {
             return outcome(number, among, prepare);
         }
         if (knownAhead(number, among) == nullptr)
         {
             ahead_.resize(kAhead);
-            threads->forEach(kAhead, [&](std::size_t i)
+            threads_.forEach(kAhead, [&](std::size_t i)
                              { ahead_[i] = outcome(number + i, among, prepare); });
         }
         return *knownAhead(number, among);
@@ -153,6 +154,7 @@ private:
     static constexpr int kPatience = 64;
 
     const World& world_;
+    Threads& threads_;
     double radius_;
     OpenSites sites_;
     /// Open sites with none above; the last window_ of them are in use, those before are lower.

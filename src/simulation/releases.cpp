@@ -38,11 +38,11 @@ std::vector<double> classLimits(const RadiusDistribution& radii)
 
 } // namespace
 
-Releases::Releases(const World& world, double band) : world_(world)
+Releases::Releases(const World& world, double band, Threads& threads) : world_(world)
 {
     for (const double limit : classLimits(world.radii))
     {
-        classes_.push_back({limit, ReleaseSites(world, limit, band)});
+        classes_.push_back({limit, ReleaseSites(world, limit, band, threads)});
     }
 }
 

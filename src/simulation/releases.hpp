@@ -22,14 +22,13 @@ public:
         double radius;
     };
 
-    /// `world` outlives this. `band`: see ReleaseSites.
-    Releases(const World& world, double band);
+    /// `world` and `threads` outlive this. `band`: see ReleaseSites.
+    Releases(const World& world, double band, Threads& threads);
 
     /// The next sphere, at a place that is taken to `prepare(place, radius)` and for which
     /// `suits(place, radius)` then holds. Empty when there is none now. See ReleaseSites::find.
     template <class Prepare, class Suits>
-    [[nodiscard]] std::optional<Found> find(Prepare&& prepare, Suits&& suits,
-                                            Threads* threads = nullptr)
+    [[nodiscard]] std::optional<Found> find(Prepare&& prepare, Suits&& suits, bool ahead = false)
     {
         while (!classes_.empty())
         {
@@ -38,7 +37,7 @@ public:
                 draw();
             }
             const double radius = *drawn_;
-            if (const auto place = find(radius, prepare, suits, threads))
+            if (const auto place = find(radius, prepare, suits, ahead))
             {
                 drawn_.reset();
                 return Found{*place, radius};
@@ -63,10 +62,10 @@ public:
     template <class Suits>
     [[nodiscard]] std::optional<Eigen::Vector3d> find(double radius, Suits&& suits)
     {
-        return find(radius, asItIs, suits, nullptr);
+        return find(radius, asItIs, suits, false);
     }
 
-    /// Before a search of which the first with threads comes after something has come to rest.
+    /// Before the first search with `ahead` after something has come to rest.
     void forgetAhead() { classes_.front().sites.forgetAhead(); }
 
     /// Whether a single place is free now, for the smallest radius.
@@ -89,7 +88,7 @@ private:
 
     template <class Prepare, class Suits>
     [[nodiscard]] std::optional<Eigen::Vector3d> find(double radius, Prepare&& prepare,
-                                                      Suits&& suits, Threads* threads)
+                                                      Suits&& suits, bool ahead)
     {
         if (radius > classes_.back().largest)
         {
@@ -100,7 +99,7 @@ private:
         return classes_[lastClass_].sites.find(
             [&](const Eigen::Vector3d& place) { return prepare(place, radius); },
             [&](const Eigen::Vector3d& place) { return suits(place, radius); },
-            world_.radii.equal() ? threads : nullptr);
+            ahead && world_.radii.equal());
     }
 
     void dropClasses(std::size_t from);

@@ -60,7 +60,7 @@ bool FastEngine::followObject()
 // for anew, for spheres that find no room where they are.
 void FastEngine::renewSites()
 {
-    release_.emplace(world_, -1);
+    release_.emplace(world_, -1, threads_);
     sitesAreNew_ = true;
 }
 

@@ -39,9 +39,10 @@ TEST_F(ReleaseSitesTest, LookingAheadOnTwoThreadsFindsTheSamePlaces)
     World world(scene, mesh);
     FallIndex falls(world.resting.frame(), world.triangles);
     const Descent descent(world, falls);
-    ReleaseSites plain(world, 1, 4);
-    ReleaseSites ahead(world, 1, 4);
-    Threads threads(2);
+    Threads one(1);
+    Threads two(2);
+    ReleaseSites plain(world, 1, 4, one);
+    ReleaseSites ahead(world, 1, 4, two);
     const auto fall = [&](Eigen::Vector3d p)
     {
         descent.drop(p, 1);
@@ -53,18 +54,18 @@ TEST_F(ReleaseSitesTest, LookingAheadOnTwoThreadsFindsTheSamePlaces)
     std::size_t found = 0;
     for (;; ++found)
     {
-        const auto one = plain.find(fall, suits);
-        const auto other = ahead.find(fall, suits, &threads);
-        ASSERT_EQ(one, other) << found;
-        if (!one)
+        const auto place = plain.find(fall, suits);
+        const auto other = ahead.find(fall, suits, true);
+        ASSERT_EQ(place, other) << found;
+        if (!place)
         {
             break;
         }
         if (found % 40 == 0)
         {
-            rest(world, falls, *one);
-            plain.close(*one, 1);
-            ahead.close(*one, 1);
+            rest(world, falls, *place);
+            plain.close(*place, 1);
+            ahead.close(*place, 1);
             ahead.forgetAhead();
         }
         if (found == 40 * 700)
@@ -80,7 +81,8 @@ TEST_F(ReleaseSitesTest, LeavesNoPlaceInAnObjectThatIsFull)
 {
     World world(scene, mesh);
     FallIndex falls(world.resting.frame(), world.triangles);
-    ReleaseSites sites(world, 1, 4);
+    Threads threads(2);
+    ReleaseSites sites(world, 1, 4, threads);
     const auto asItIs = [](const Eigen::Vector3d& p) { return p; };
     const auto any = [](const Eigen::Vector3d&) { return true; };
     while (const auto place = sites.find(asItIs, any))
