@@ -33,6 +33,8 @@ const std::vector<Variant>& variants()
         {"free flight simulated", [](Scene& scene) { scene.motion.mode = Motion::fall; }},
         {"no dynamics", [](Scene& scene) { scene.motion.mode = Motion::descend; }},
         {"half the time step", [](Scene& scene) { scene.motion.dt = *scene.motion.dt / 2; }},
+        {"sets freeze whole", [](Scene& scene) { scene.freezing.bySet = true; }},
+        {"one sweep", [](Scene& scene) { scene.motion.sweeps = 1; }},
         {"sets of 200",
          [](Scene& scene)
          {
