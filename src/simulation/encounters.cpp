@@ -166,10 +166,12 @@ void Encounters::updateVelocities(std::span<Runner> runners, double dt)
     for (const std::uint32_t k : crowd_)
     {
         Runner& runner = runners[k];
-        // Being pushed may turn a sphere round but makes it no faster than it would have become.
-        const Eigen::Vector3d corrected =
-            runner.velocityBefore + (runner.position - runner.flown) / dt;
-        const double speed = runner.velocityBefore.norm() + dt;
+        // Being pushed may turn a sphere round, but only what it comes down by makes it faster.
+        const Eigen::Vector3d push = runner.position - runner.flown;
+        const Eigen::Vector3d corrected = runner.velocityBefore + push / dt;
+        const double fall = push.dot(flight_.pullAt(runner.flown, runner.velocityBefore));
+        const double speed =
+            std::sqrt(std::max(0.0, runner.velocityBefore.squaredNorm() + 2 * fall));
         const double length = corrected.norm();
         runner.velocity =
             length > speed ? Eigen::Vector3d(corrected * (speed / length)) : corrected;

@@ -19,6 +19,7 @@ constexpr double kWaiting = 0.05;      // how fast a sphere ages that only runne
 constexpr double kStillRunning = 0.2;  // share of a set that may run when the next one appears
 constexpr int kSweepsInAvalanche = 40; // of encounters at most, where whole piles run at once
 constexpr double kCarries = 0.1;       // part of a contact's force that is vertical, at least
+constexpr double kLiveliest = 0.95;    // restitution that is given the time to come to rest
 constexpr double kTopBand = 4;         // below the highest ceiling, in which falls begin [r]
 constexpr std::uint32_t kWindowsToFall = 9; // as a sphere takes from the top to below the band
 constexpr double kFarRelease = 4; // a sphere that is released in a wall is moved by less [r]
@@ -37,6 +38,15 @@ double timeStep(const World& world)
     return step * std::sqrt(world.radii.smallest());
 }
 
+// What a sphere may take that falls through the object and bounces on its floor, with time to
+// spare.
+double timeToBounce(const World& world)
+{
+    const double fall = std::sqrt(2 * world.height);
+    const double e = std::min(world.scene.motion.restitution, kLiveliest);
+    return fall * std::max(4.0, (1 + e) / (1 - e));
+}
+
 } // namespace
 
 FastEngine::FastEngine(World& world)
@@ -51,7 +61,7 @@ FastEngine::FastEngine(World& world)
                                  ? std::max(kSweepsInAvalanche, world.scene.motion.sweeps)
                                  : world.scene.motion.sweeps}),
       setSize_(groupSize(world) * world.scene.spheres.groupsPerSet),
-      ageLimit_(world.scene.freezing.setTimeLimit + 4 * std::sqrt(2 * world.height))
+      ageLimit_(world.scene.freezing.setTimeLimit + timeToBounce(world))
 {
     if (!release_->any())
     {

@@ -21,6 +21,12 @@ public:
 
     Flight(const World& world, const Settings& settings) : world_(world), settings_(settings) {}
 
+    /// Acceleration of a free sphere.
+    [[nodiscard]] Eigen::Vector3d pullAt(const Eigen::Vector3d& p, const Eigen::Vector3d& v) const
+    {
+        return world_.pull.at(p, v);
+    }
+
     /// Unit vector along what pulls in the middle of the object; zero when nothing does.
     [[nodiscard]] Eigen::Vector3d down() const
     {

@@ -35,8 +35,8 @@ constexpr int kMovesOutOfWedge = 1000;
 } // namespace
 
 // The lowest first, so that a pile freezes from below. Places are looked for on all threads at once
-// among what was at rest before; one beside which something has come to rest since waits for the next
-// window.
+// among what was at rest before; one beside which something has come to rest since waits for the
+// next window.
 void FastEngine::freezeCalm()
 {
     findCalm();
