@@ -114,7 +114,7 @@ void addCrowds(Matrix& matrix, bool quick)
                        run.scene.spheres.count = count;
                        run.scene.spheres.groupSize = count;
                        run.scene.spheres.groupsPerSet = 1;
-                       run.secondsLimit = 600;
+                       run.secondsLimit = 240;
                    });
         matrix.last().atOnce = count;
     }
