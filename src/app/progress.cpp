@@ -35,45 +35,51 @@ void showBar(double done, const std::string& text)
 
 } // namespace
 
-ProgressBar::ProgressBar() : terminal_(isatty(STDERR_FILENO) == 1)
+TimedLine::TimedLine() : terminal_(isatty(STDERR_FILENO) == 1)
 {
 }
 
-void ProgressBar::update(const FillProgress& progress)
+bool TimedLine::isDue()
 {
-    if (++calls_ % kStepsPerLook != 0)
-        return;
     const auto now = Clock::now();
     const double sinceShown = std::chrono::duration<double>(now - shown_).count();
     if (sinceShown < (terminal_ ? kSecondsPerBar : kSecondsPerLine))
-        return;
+        return false;
     shown_ = now;
-
-    const double elapsed = std::chrono::duration<double>(now - start_).count();
-    const double expected = static_cast<double>(std::max<std::size_t>(progress.expected, 1));
-    const double done = std::min(1.0, static_cast<double>(progress.spheres) / expected);
-    const std::string left = done > 0 ? duration(elapsed * (1 - done) / done) : "?";
-    const std::string text =
-        fmt::format("{}/{} spheres, {:.2f} s simulated, {} frames, {} left", progress.spheres,
-                    progress.expected, progress.time, progress.frames, left);
-    if (terminal_)
-    {
-        showBar(done, text);
-        open_ = true;
-    }
-    else
-        say(fmt::format("{}\n", text));
+    return true;
 }
 
-void ProgressBar::close()
+std::string TimedLine::left(double share) const
+{
+    const double elapsed = std::chrono::duration<double>(shown_ - start_).count();
+    return share > 0 ? duration(elapsed * (1 - share) / share) : "?";
+}
+
+void TimedLine::show(double share, const std::string& text)
+{
+    if (terminal_)
+        showBar(share, text);
+    else
+        say(text + "\n");
+    open_ = terminal_;
+}
+
+void TimedLine::close()
 {
     if (open_)
         say("\n");
     open_ = false;
 }
 
-TaskBar::TaskBar() : terminal_(isatty(STDERR_FILENO) == 1)
+void ProgressBar::update(const FillProgress& progress)
 {
+    if (++calls_ % kStepsPerLook != 0 || !line_.isDue())
+        return;
+    const double expected = static_cast<double>(std::max<std::size_t>(progress.expected, 1));
+    const double done = std::min(1.0, static_cast<double>(progress.spheres) / expected);
+    line_.show(done, fmt::format("{}/{} spheres, {:.2f} s simulated, {} frames, {} left",
+                                 progress.spheres, progress.expected, progress.time,
+                                 progress.frames, line_.left(done)));
 }
 
 void TaskBar::update(std::size_t done, std::size_t all, const std::string& what)
@@ -84,26 +90,8 @@ void TaskBar::update(std::size_t done, std::size_t all, const std::string& what)
 
 void TaskBar::update(double share, const std::string& text, const std::string& what)
 {
-    const auto now = Clock::now();
-    const double sinceShown = std::chrono::duration<double>(now - shown_).count();
-    if (sinceShown < (terminal_ ? kSecondsPerBar : kSecondsPerLine))
-        return;
-    shown_ = now;
-    const double elapsed = std::chrono::duration<double>(now - start_).count();
-    const std::string left = share > 0 ? duration(elapsed * (1 - share) / share) : "?";
-    const std::string line = fmt::format("{}, {} left, {}", text, left, what);
-    if (terminal_)
-        showBar(share, line);
-    else
-        say(line + "\n");
-    open_ = terminal_;
-}
-
-void TaskBar::close()
-{
-    if (open_)
-        say("\n");
-    open_ = false;
+    if (line_.isDue())
+        line_.show(share, fmt::format("{}, {} left, {}", text, line_.left(share), what));
 }
 
 } // namespace frostfill

@@ -53,7 +53,7 @@ private:
     GridFrame frame_;
     double reach_;
     GridFrame blocksFrame_;             ///< of the blocks
-    std::vector<std::uint32_t> blocks_; ///< [#blocks] where a block's cells begin in starts_
+    std::vector<std::uint32_t> blocks_; ///< [#blocks] number among those with triangles
     std::vector<std::uint32_t> starts_; ///< [#cells of blocks with triangles + 1]
     std::vector<std::uint32_t> ids_;
 };

@@ -371,6 +371,15 @@ private:
         return (runner.position - expected).head<2>().norm();
     }
 
+    void addFast(const char* problem, const char* parameter, double value, const TriangleMesh& mesh,
+                 const Eigen::Vector3d& start, const Eigen::Vector3d& expected)
+    {
+        add(problem, "fast", parameter, value, restingError(Preset::fast, mesh, start, expected),
+            1e-7);
+        add(problem, "fast, not frozen", parameter, value, runningError(mesh, start, expected),
+            kNotFrozen);
+    }
+
     // r / sin a above the tip of a cone of half angle a, of which the mesh is a pyramid that
     // touches it from outside.
     void cones()
@@ -400,10 +409,7 @@ private:
             const Eigen::Vector3d expected(0, -kHeight / 2 + 1 / std::sin(angle), 0);
             const Eigen::Vector3d start(0.1, 2.4, 0.1);
             const double degrees = angle * 180 / std::numbers::pi;
-            add("cone", "fast", "half angle", degrees,
-                restingError(Preset::fast, mesh, start, expected), 1e-7);
-            add("cone", "fast, not frozen", "half angle", degrees,
-                runningError(mesh, start, expected), kNotFrozen);
+            addFast("cone", "half angle", degrees, mesh, start, expected);
         }
     }
 
@@ -426,10 +432,7 @@ private:
             const Eigen::Vector3d expected(0, -height / 2 + 1 / std::sin(angle), 0);
             const Eigen::Vector3d start(0.2, 2.4, 0.4);
             const double degrees = angle * 180 / std::numbers::pi;
-            add("groove", "fast", "half angle", degrees,
-                restingError(Preset::fast, mesh, start, expected), 1e-7);
-            add("groove", "fast, not frozen", "half angle", degrees,
-                runningError(mesh, start, expected), kNotFrozen);
+            addFast("groove", "half angle", degrees, mesh, start, expected);
             add("groove", "paper", "half angle", degrees,
                 restingError(Preset::paper, mesh, start, expected), kNoClaim);
         }
@@ -444,12 +447,10 @@ private:
         const TriangleMesh mesh =
             moved(boxMesh({-5, -5, -5}, {5, 5, 5}, 3), 1, stand, Eigen::Vector3d::Zero());
         const Eigen::Vector3d expected(0, -4 * std::sqrt(3.0), 0);
-        add("corner", "fast", "cuts", 3, restingError(Preset::fast, mesh, {0.3, -2, 0.2}, expected),
-            1e-7);
-        add("corner", "fast, not frozen", "cuts", 3, runningError(mesh, {0.3, -2, 0.2}, expected),
-            kNotFrozen);
-        add("corner", "paper", "cuts", 3,
-            restingError(Preset::paper, mesh, {0.3, -2, 0.2}, expected), kNoClaim);
+        const Eigen::Vector3d start(0.3, -2, 0.2);
+        addFast("corner", "cuts", 3, mesh, start, expected);
+        add("corner", "paper", "cuts", 3, restingError(Preset::paper, mesh, start, expected),
+            kNoClaim);
     }
 
     // On three that touch each other: 2 r sqrt(2/3) above their centres.

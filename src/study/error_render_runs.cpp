@@ -24,7 +24,8 @@ namespace
 constexpr int kPictures = 5;
 /// The reference has so many times as many pixels each way.
 constexpr int kReference = 16;
-constexpr int kFinest = 5; // subdivisions of the reference for tessellated spheres
+constexpr int kFinest = 5;     // subdivisions of the reference for tessellated spheres
+constexpr float kScale = 0.5F; // that brings a torus of size 3 into view
 
 /// A filled torus as it is drawn, and the picture that all others are compared with.
 class Subject
@@ -69,9 +70,9 @@ public:
     [[nodiscard]] ErrorPoint tessellated(int subdivisions, int samples)
     {
         if (tessellatedReference_.pixels.empty())
-            TessellatedSpheres(settings_.size, 1, kReference, kFinest)
+            TessellatedSpheres(settings_.size, 1, kReference, kFinest, kScale)
                 .draw(snapshot_, tessellatedReference_);
-        TessellatedSpheres spheres(settings_.size, samples, 1, subdivisions);
+        TessellatedSpheres spheres(settings_.size, samples, 1, subdivisions, kScale);
         const int triangles = 20 << (2 * subdivisions);
         return measure(
             "tessellated spheres", fmt::format("{} triangles, {} samples", triangles, samples),

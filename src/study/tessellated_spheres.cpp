@@ -58,8 +58,6 @@ std::vector<Triangle> icosphere(int subdivisions)
     return triangles;
 }
 
-constexpr float kScale = 0.5F; // that brings an object of size 3 into view
-
 constexpr const char* kVertexShader = R"(
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec4 sphere;
@@ -82,10 +80,10 @@ void main()
 } // namespace
 
 TessellatedSpheres::TessellatedSpheres(PictureSize size, int samples, int supersample,
-                                       int subdivisions)
+                                       int subdivisions, float scale)
     : context_(openContext(Backend::automatic)), gl_(loadGlFunctions(*context_)),
       framebuffer_(gl_, size.width * supersample, size.height * supersample, samples),
-      supersample_(supersample), program_(gl_, "", kVertexShader, kFragmentShader),
+      supersample_(supersample), scale_(scale), program_(gl_, "", kVertexShader, kFragmentShader),
       toClip_(glm::perspective(0.61F,
                                static_cast<float>(size.width) / static_cast<float>(size.height),
                                1.0F, 6.0F) *
@@ -122,8 +120,8 @@ void TessellatedSpheres::draw(const Snapshot& snapshot, Image& image)
     for (std::size_t i = 0; i < snapshot.centres.size(); ++i)
     {
         const Eigen::Vector3f& c = snapshot.centres[i];
-        instances_.insert(instances_.end(), {kScale * c.x(), kScale * c.y(), kScale * c.z(),
-                                             kScale * snapshot.radii[i]});
+        instances_.insert(instances_.end(), {scale_ * c.x(), scale_ * c.y(), scale_ * c.z(),
+                                             scale_ * snapshot.radii[i]});
     }
     framebuffer_.bind();
     gl_.clearColor(1, 1, 1, 1);
@@ -141,8 +139,12 @@ void TessellatedSpheres::draw(const Snapshot& snapshot, Image& image)
                             static_cast<GLsizei>(snapshot.centres.size()));
     const PixelRectangle whole = framebuffer_.whole();
     framebuffer_.resolve({&whole, 1});
-    framebuffer_.readColour(drawn_, {&whole, 1}, false);
-    image = supersample_ > 1 ? shrunk(drawn_, supersample_) : drawn_;
+    Image& target = supersample_ > 1 ? drawn_ : image;
+    framebuffer_.readColour(target, {&whole, 1}, false);
+    if (supersample_ > 1)
+    {
+        image = shrunk(drawn_, supersample_);
+    }
 }
 
 } // namespace frostfill

@@ -21,13 +21,15 @@ namespace frostfill
 class TessellatedSpheres
 {
 public:
-    TessellatedSpheres(PictureSize size, int samples, int supersample, int subdivisions);
+    /// `scale`: of the scene before it is drawn.
+    TessellatedSpheres(PictureSize size, int samples, int supersample, int subdivisions,
+                       float scale);
     ~TessellatedSpheres();
 
     TessellatedSpheres(const TessellatedSpheres&) = delete;
     TessellatedSpheres& operator=(const TessellatedSpheres&) = delete;
 
-    /// Draws spheres that lie within 1.5 of the origin.
+    /// Draws spheres that, scaled, lie within 0.75 of the origin.
     void draw(const Snapshot& snapshot, Image& image);
 
 private:
@@ -35,13 +37,14 @@ private:
     GlFunctions gl_;
     Framebuffer framebuffer_;
     int supersample_;
+    float scale_;
     ShaderProgram program_;
     glm::mat4 toClip_;
     GLsizei vertices_ = 0;
     GLuint array_ = 0;
     std::array<GLuint, 2> buffers_{};
     std::vector<float> instances_;
-    Image drawn_;
+    Image drawn_; ///< scratch, before it is shrunk
 };
 
 } // namespace frostfill

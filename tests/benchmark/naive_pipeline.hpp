@@ -1,16 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "render/context.hpp"
-#include "render/framebuffer.hpp"
-#include "render/gl.hpp"
-#include "render/shader.hpp"
-
-#include <frostfill/image.hpp>
-#include <frostfill/snapshot.hpp>
+#include "study/tessellated_spheres.hpp"
 
 #include <filesystem>
-#include <memory>
 
 namespace frostfill::benchmark
 {
@@ -21,22 +14,13 @@ class NaivePipeline
 {
 public:
     NaivePipeline(PictureSize size, int samples);
-    ~NaivePipeline();
 
     /// Draws spheres around the origin that fill a unit cube.
-    void draw(const Snapshot& snapshot, Image& image);
+    void draw(const Snapshot& snapshot, Image& image) { spheres_.draw(snapshot, image); }
     static void save(const Image& image, const std::filesystem::path& file);
 
 private:
-    std::unique_ptr<Context> context_;
-    GlFunctions gl_;
-    Framebuffer framebuffer_;
-    ShaderProgram program_;
-    glm::mat4 toClip_;
-    GLsizei vertices_ = 0;
-    GLuint array_ = 0;
-    std::array<GLuint, 2> buffers_{};
-    std::vector<float> instances_;
+    TessellatedSpheres spheres_;
 };
 
 } // namespace frostfill::benchmark
