@@ -12,6 +12,7 @@ namespace
 constexpr double kMeetingMargin = 0.3; // gap up to which runners may meet within a step [r]
 constexpr double kLongestPush = 0.2;   // in one sweep, of the own radius
 constexpr double kApart = 1e-8;        // penetration depth that is left to those taken apart [r]
+constexpr int kRounds = 8;             // of collisions
 constexpr int kMostSeparations = 1000; // sweeps
 // Runners from which on pushes are worth sharing: those that push each other share memory, too.
 constexpr std::size_t kManyRunners = 4096;
@@ -35,12 +36,26 @@ double shareOf(const Runner& a, const Runner& b, const Eigen::Vector3d& down)
     return mb / (ma + mb);
 }
 
+// Approach to what is at rest is lost.
+void stopAtRest(Runner& runner)
+{
+    for (const Eigen::Vector3d& normal : runner.normals)
+    {
+        const double approach = normal.dot(runner.velocity);
+        if (approach < 0)
+        {
+            runner.velocity -= approach * normal;
+        }
+    }
+}
+
 } // namespace
 
-void Encounters::resolve(std::span<Runner> runners, double dt)
+void Encounters::resolve(std::span<Runner> runners)
 {
     down_ = flight_.down();
     findMeetings(runners);
+    exchangeVelocities(runners);
     for (int k = 0; k < settings_.sweeps; ++k)
     {
         if (sweep(runners) < settings_.tolerance)
@@ -48,7 +63,7 @@ void Encounters::resolve(std::span<Runner> runners, double dt)
             break;
         }
     }
-    updateVelocities(runners, dt);
+    payForLifts(runners);
 }
 
 void Encounters::separate(std::span<Runner> runners)
@@ -159,57 +174,80 @@ void Encounters::pushOff(std::span<const Runner> runners, Runner& runner) const
     }
 }
 
-// Velocity from the corrected displacement (position-based dynamics), except where a pair met fast
-// enough to bounce: there the relative speed along the normal becomes -e times what it was.
-void Encounters::updateVelocities(std::span<Runner> runners, double dt)
+// Collisions of pairs one after another, the lowest first, and of each with what is at rest: none of
+// them adds energy, and a few rounds carry the floor's reaction up a pile.
+void Encounters::exchangeVelocities(std::span<Runner> runners)
+{
+    findContacts(runners);
+    for (int round = 0; round < kRounds; ++round)
+    {
+        for (const Contact& contact : contacts_)
+        {
+            collide(runners[contact.a], runners[contact.b], contact.normal);
+        }
+    }
+}
+
+// Of those that overlap, the lowest first.
+void Encounters::findContacts(std::span<const Runner> runners)
+{
+    contacts_.clear();
+    for (const std::uint32_t k : crowd_)
+    {
+        for (const std::uint32_t other : runners[k].meeting)
+        {
+            if (other > k)
+            {
+                const Runner& a = runners[k];
+                const Runner& b = runners[other];
+                const Eigen::Vector3d d = a.position - b.position;
+                const double contact = a.radius + b.radius;
+                const double squared = d.squaredNorm();
+                if (squared < contact * contact && squared > 0)
+                {
+                    contacts_.push_back({k, other, -(a.position + b.position).dot(down_),
+                                         d / std::sqrt(squared)});
+                }
+            }
+        }
+    }
+    std::sort(contacts_.begin(), contacts_.end(),
+              [](const Contact& one, const Contact& two)
+              {
+                  return one.height < two.height ||
+                         (one.height == two.height &&
+                          std::pair(one.a, one.b) < std::pair(two.a, two.b));
+              });
+}
+
+void Encounters::collide(Runner& a, Runner& b, const Eigen::Vector3d& normal) const
+{
+    const double approach = (a.velocity - b.velocity).dot(normal);
+    if (approach >= 0)
+    {
+        return;
+    }
+    const double e = approach < -settings_.bounceSpeed ? settings_.restitution : 0;
+    const double change = -(1 + e) * approach;
+    a.velocity += normal * (change * shareOf(a, b, down_));
+    b.velocity -= normal * (change * shareOf(b, a, down_));
+    stopAtRest(a);
+    stopAtRest(b);
+}
+
+// What is lifted is slowed down by as much energy.
+void Encounters::payForLifts(std::span<Runner> runners) const
 {
     for (const std::uint32_t k : crowd_)
     {
         Runner& runner = runners[k];
-        // Being pushed may turn a sphere round, but only what it comes down by makes it faster.
-        const Eigen::Vector3d push = runner.position - runner.flown;
-        const Eigen::Vector3d corrected = runner.velocityBefore + push / dt;
-        const double fall = push.dot(flight_.pullAt(runner.flown, runner.velocityBefore));
-        const double speed =
-            std::sqrt(std::max(0.0, runner.velocityBefore.squaredNorm() + 2 * fall));
-        const double length = corrected.norm();
-        runner.velocity =
-            length > speed ? Eigen::Vector3d(corrected * (speed / length)) : corrected;
-    }
-    if (settings_.restitution > 0)
-    {
-        threads_.forEach(
-            crowd_.size(), [&](std::size_t i) { bounce(runners, runners[crowd_[i]]); },
-            kManyRunners);
-    }
-}
-
-// As if each pair met alone, with the velocities from before; of several, the mean.
-void Encounters::bounce(std::span<const Runner> runners, Runner& runner) const
-{
-    Eigen::Vector3d change = Eigen::Vector3d::Zero();
-    int contacts = 0;
-    for (const std::uint32_t k : runner.meeting)
-    {
-        const Runner& other = runners[k];
-        const Eigen::Vector3d d = runner.flown - other.flown;
-        const double distance = d.norm();
-        if (distance >= runner.radius + other.radius || distance == 0)
+        const double fall = (runner.position - runner.flown)
+                                .dot(flight_.pullAt(runner.flown, runner.velocityBefore));
+        const double squared = runner.velocity.squaredNorm();
+        if (fall < 0 && squared > 0)
         {
-            continue;
+            runner.velocity *= std::sqrt(std::max(0.0, 1 + 2 * fall / squared));
         }
-        const Eigen::Vector3d normal = d / distance;
-        const double before = (runner.velocityBefore - other.velocityBefore).dot(normal);
-        if (before < -settings_.bounceSpeed)
-        {
-            change +=
-                normal * (-(1 + settings_.restitution) * before * shareOf(runner, other, down_));
-            ++contacts;
-        }
-    }
-    if (contacts > 0)
-    {
-        runner.velocity = runner.velocityBefore + change / contacts;
     }
 }
 

@@ -31,7 +31,7 @@ public:
     }
 
     /// Separates the runners and makes their velocities agree with it.
-    void resolve(std::span<Runner> runners, double dt);
+    void resolve(std::span<Runner> runners);
 
     /// Takes runners that overlap apart, without giving them any speed.
     void separate(std::span<Runner> runners);
@@ -41,14 +41,24 @@ private:
     void findMeetingsOf(std::span<const Runner> runners, Runner& runner) const;
     double sweep(std::span<Runner> runners);
     void pushOff(std::span<const Runner> runners, Runner& runner) const;
-    void updateVelocities(std::span<Runner> runners, double dt);
-    void bounce(std::span<const Runner> runners, Runner& runner) const;
+    void exchangeVelocities(std::span<Runner> runners);
+    void findContacts(std::span<const Runner> runners);
+    void collide(Runner& a, Runner& b, const Eigen::Vector3d& normal) const;
+    void payForLifts(std::span<Runner> runners) const;
+
+    struct Contact
+    {
+        std::uint32_t a, b;     ///< runners, by index
+        double height;          ///< of both together
+        Eigen::Vector3d normal; ///< from b to a
+    };
 
     RunnerGrid& grid_;
     const Flight& flight_;
     Threads& threads_;
     Settings settings_;
     Eigen::Vector3d down_ = {0, -1, 0}; ///< the pull's direction in this step
+    std::vector<Contact> contacts_; ///< of runners that overlap after their flight, lowest first
     std::vector<std::uint32_t> crowd_;  ///< runners that meet others, by index, ascending
     std::vector<std::uint32_t> pushed_; ///< those of them that overlap others in this sweep
 };

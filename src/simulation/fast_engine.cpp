@@ -259,7 +259,7 @@ void FastEngine::advance()
     }
     {
         const StageTimer timer(world_.times, Stage::sphereSphere);
-        encounters_.resolve(runners, world_.dt);
+        encounters_.resolve(runners);
     }
     std::uint64_t meetings = 0;
     double mass = 0;
