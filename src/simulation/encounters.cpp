@@ -14,8 +14,6 @@ constexpr double kLongestPush = 0.2;   // in one sweep, of the own radius
 constexpr double kApart = 1e-8;        // penetration depth that is left to those taken apart [r]
 constexpr int kRounds = 8;             // of collisions
 constexpr int kMostSeparations = 1000; // sweeps
-// Runners from which on pushes are worth sharing: those that push each other share memory, too.
-constexpr std::size_t kManyRunners = 4096;
 
 // How much of the penetration depth a gives way by. One that nothing at rest has carried for long
 // stops giving way, so that it comes down to something that does; of two such, the lower.
@@ -92,6 +90,26 @@ void Encounters::findMeetings(std::span<Runner> runners)
             crowd_.push_back(static_cast<std::uint32_t>(i));
         }
     }
+    orderFromBelow(runners);
+}
+
+void Encounters::orderFromBelow(std::span<Runner> runners)
+{
+    for (const std::uint32_t k : crowd_)
+    {
+        runners[k].height = -runners[k].position.dot(down_);
+    }
+    std::sort(crowd_.begin(), crowd_.end(),
+              [&](std::uint32_t a, std::uint32_t b)
+              {
+                  const double ha = runners[a].height;
+                  const double hb = runners[b].height;
+                  return ha < hb || (ha == hb && a < b);
+              });
+    for (std::uint32_t rank = 0; rank < crowd_.size(); ++rank)
+    {
+        runners[crowd_[rank]].rank = rank;
+    }
 }
 
 void Encounters::findMeetingsOf(std::span<const Runner> runners, Runner& runner) const
@@ -112,40 +130,32 @@ void Encounters::findMeetingsOf(std::span<const Runner> runners, Runner& runner)
     runner.velocityBefore = runner.velocity;
 }
 
-// Returns the deepest penetration that it found.
+// From below: a runner gives way by its share to those above it, whose turn is yet to come, and
+// takes what is left of the overlap with those below, so that one sweep lifts a whole pile off its
+// floor. Returns the deepest penetration that it found.
 double Encounters::sweep(std::span<Runner> runners)
 {
-    threads_.forEach(
-        crowd_.size(), [&](std::size_t i) { pushOff(runners, runners[crowd_[i]]); }, kManyRunners);
     double deepest = 0;
-    pushed_.clear();
     for (const std::uint32_t k : crowd_)
     {
-        deepest = std::max(deepest, runners[k].depth);
-        if (!runners[k].push.isZero(0))
+        Runner& runner = runners[k];
+        const Eigen::Vector3d push = pushOff(runners, runner, deepest);
+        if (!push.isZero(0))
         {
-            pushed_.push_back(k);
+            flight_.shift(runner, push);
         }
     }
-    threads_.forEach(
-        pushed_.size(),
-        [&](std::size_t i)
-        {
-            Runner& runner = runners[pushed_[i]];
-            flight_.shift(runner, runner.push);
-        },
-        kManyRunners);
     return deepest;
 }
 
-void Encounters::pushOff(std::span<const Runner> runners, Runner& runner) const
+Eigen::Vector3d Encounters::pushOff(std::span<const Runner> runners, const Runner& runner,
+                                    double& deepest) const
 {
-    runner.push.setZero();
-    runner.depth = 0;
+    Eigen::Vector3d place = runner.position;
     for (const std::uint32_t k : runner.meeting)
     {
         const Runner& other = runners[k];
-        const Eigen::Vector3d d = runner.position - other.position;
+        const Eigen::Vector3d d = place - other.position;
         const double contact = runner.radius + other.radius;
         const double squared = d.squaredNorm();
         if (squared >= contact * contact)
@@ -154,28 +164,23 @@ void Encounters::pushOff(std::span<const Runner> runners, Runner& runner) const
         }
         const double distance = std::sqrt(squared);
         const double depth = contact - distance;
-        runner.depth = std::max(runner.depth, depth);
-        if (distance > 0)
-        {
-            runner.push += d * (shareOf(runner, other, down_) * depth / distance);
-        }
-        else
-        {
-            // Two in the same place leave each other along a line; which way, their ids decide.
-            runner.push.x() +=
-                (runner.id < other.id ? 1 : -1) * shareOf(runner, other, down_) * depth;
-        }
+        deepest = std::max(deepest, depth);
+        const bool takesRest = other.rank < runner.rank && (runner.yields || !other.yields);
+        const double share = takesRest ? 1 : shareOf(runner, other, down_);
+        // Two in the same place leave each other along a line.
+        place +=
+            distance > 0
+                ? Eigen::Vector3d(d * (share * depth / distance))
+                : Eigen::Vector3d(other.rank < runner.rank ? share * depth : -share * depth, 0, 0);
     }
-    const double length = runner.push.norm();
+    const Eigen::Vector3d push = place - runner.position;
+    const double length = push.norm();
     const double longest = kLongestPush * runner.radius;
-    if (length > longest)
-    {
-        runner.push *= longest / length;
-    }
+    return length > longest ? Eigen::Vector3d(push * (longest / length)) : push;
 }
 
-// Collisions of pairs one after another, the lowest first, and of each with what is at rest: none of
-// them adds energy, and a few rounds carry the floor's reaction up a pile.
+// Collisions of pairs one after another, the lowest first, and of each with what is at rest: none
+// of them adds energy, and a few rounds carry the floor's reaction up a pile.
 void Encounters::exchangeVelocities(std::span<Runner> runners)
 {
     findContacts(runners);
@@ -183,7 +188,7 @@ void Encounters::exchangeVelocities(std::span<Runner> runners)
     {
         for (const Contact& contact : contacts_)
         {
-            collide(runners[contact.a], runners[contact.b], contact.normal);
+            collide(runners[contact.upper], runners[contact.lower], contact.normal);
         }
     }
 }
@@ -194,30 +199,19 @@ void Encounters::findContacts(std::span<const Runner> runners)
     contacts_.clear();
     for (const std::uint32_t k : crowd_)
     {
-        for (const std::uint32_t other : runners[k].meeting)
+        const Runner& upper = runners[k];
+        for (const std::uint32_t other : upper.meeting)
         {
-            if (other > k)
+            const Runner& lower = runners[other];
+            const Eigen::Vector3d d = upper.position - lower.position;
+            const double contact = upper.radius + lower.radius;
+            const double squared = d.squaredNorm();
+            if (lower.rank < upper.rank && squared < contact * contact && squared > 0)
             {
-                const Runner& a = runners[k];
-                const Runner& b = runners[other];
-                const Eigen::Vector3d d = a.position - b.position;
-                const double contact = a.radius + b.radius;
-                const double squared = d.squaredNorm();
-                if (squared < contact * contact && squared > 0)
-                {
-                    contacts_.push_back({k, other, -(a.position + b.position).dot(down_),
-                                         d / std::sqrt(squared)});
-                }
+                contacts_.push_back({k, other, d / std::sqrt(squared)});
             }
         }
     }
-    std::sort(contacts_.begin(), contacts_.end(),
-              [](const Contact& one, const Contact& two)
-              {
-                  return one.height < two.height ||
-                         (one.height == two.height &&
-                          std::pair(one.a, one.b) < std::pair(two.a, two.b));
-              });
 }
 
 void Encounters::collide(Runner& a, Runner& b, const Eigen::Vector3d& normal) const

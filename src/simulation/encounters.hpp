@@ -11,8 +11,7 @@
 namespace frostfill
 {
 
-/// Collisions of runners with each other. All are read before any is written (Jacobi), so the
-/// result does not depend on their order.
+/// Collisions of runners with each other, one after another from below (Gauss-Seidel).
 class Encounters
 {
 public:
@@ -39,8 +38,10 @@ public:
 private:
     void findMeetings(std::span<Runner> runners);
     void findMeetingsOf(std::span<const Runner> runners, Runner& runner) const;
+    void orderFromBelow(std::span<Runner> runners);
     double sweep(std::span<Runner> runners);
-    void pushOff(std::span<const Runner> runners, Runner& runner) const;
+    [[nodiscard]] Eigen::Vector3d pushOff(std::span<const Runner> runners, const Runner& runner,
+                                          double& deepest) const;
     void exchangeVelocities(std::span<Runner> runners);
     void findContacts(std::span<const Runner> runners);
     void collide(Runner& a, Runner& b, const Eigen::Vector3d& normal) const;
@@ -48,9 +49,8 @@ private:
 
     struct Contact
     {
-        std::uint32_t a, b;     ///< runners, by index
-        double height;          ///< of both together
-        Eigen::Vector3d normal; ///< from b to a
+        std::uint32_t upper, lower; ///< runners, by index
+        Eigen::Vector3d normal;     ///< from the lower to the upper
     };
 
     RunnerGrid& grid_;
@@ -58,9 +58,8 @@ private:
     Threads& threads_;
     Settings settings_;
     Eigen::Vector3d down_ = {0, -1, 0}; ///< the pull's direction in this step
-    std::vector<Contact> contacts_; ///< of runners that overlap after their flight, lowest first
-    std::vector<std::uint32_t> crowd_;  ///< runners that meet others, by index, ascending
-    std::vector<std::uint32_t> pushed_; ///< those of them that overlap others in this sweep
+    std::vector<Contact> contacts_;    ///< of runners that overlap after their flight, lowest first
+    std::vector<std::uint32_t> crowd_; ///< runners that meet others, by index, lowest first
 };
 
 } // namespace frostfill

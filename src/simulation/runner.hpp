@@ -26,9 +26,9 @@ struct Runner
 
     Eigen::Vector3d flown = Eigen::Vector3d::Zero();          ///< position after this step's flight
     Eigen::Vector3d velocityBefore = Eigen::Vector3d::Zero(); ///< at the end of that flight
-    Eigen::Vector3d push = Eigen::Vector3d::Zero();           ///< this sweep's displacement
     Eigen::Vector3d watched = Eigen::Vector3d::Zero();        ///< position at the window's start
-    double depth = 0; ///< deepest penetration found in this sweep [r]
+    double height = 0;      ///< against the pull, among those that meet others [r]
+    std::uint32_t rank = 0; ///< among them, from below
     double age = 0;   ///< since its release, or something came to rest beside it [sqrt(r/g)]
     std::uint32_t calmWindows = 0;            ///< in a row in which it hardly moved
     std::optional<Eigen::Vector3d> carriedAt; ///< the place nearby where what is at rest carries it
