@@ -11,8 +11,11 @@ namespace
 
 constexpr double kMeetingMargin = 0.3; // gap up to which runners may meet within a step [r]
 constexpr double kLongestPush = 0.2;   // in one sweep, of the own radius
+constexpr double kDeep = 0.1;          // penetration depth from which one climbs the other [r]
 constexpr double kApart = 1e-8;        // penetration depth that is left to those taken apart [r]
 constexpr int kRounds = 8;             // of collisions
+constexpr double kSoon = 0.05;         // gap that an approach may close within a step [r]
+constexpr double kSlow = 1e-3;         // approach that is left to those on others [sqrt(g r)]
 constexpr int kMostSeparations = 1000; // sweeps
 
 // How much of the penetration depth a gives way by. One that nothing at rest has carried for long
@@ -49,14 +52,14 @@ void stopAtRest(Runner& runner)
 
 } // namespace
 
-void Encounters::resolve(std::span<Runner> runners)
+void Encounters::resolve(std::span<Runner> runners, double dt)
 {
     down_ = flight_.down();
     findMeetings(runners);
-    exchangeVelocities(runners);
+    exchangeVelocities(runners, dt);
     for (int k = 0; k < settings_.sweeps; ++k)
     {
-        if (sweep(runners) < settings_.tolerance)
+        if (sweep(runners, k < settings_.sweeps / 4 ? 1 : 0) < settings_.tolerance)
         {
             break;
         }
@@ -69,7 +72,24 @@ void Encounters::separate(std::span<Runner> runners)
     for (int k = 0; k < kMostSeparations; ++k)
     {
         findMeetings(runners);
-        if (sweep(runners) < kApart)
+        if (sweep(runners, k % 2) < kApart)
+        {
+            return;
+        }
+    }
+}
+
+void Encounters::separate(std::span<Runner> runners, std::span<const std::uint32_t> some)
+{
+    for (Runner& runner : runners)
+    {
+        runner.rank = Runner::kNobody;
+    }
+    crowd_.assign(some.begin(), some.end());
+    orderFromBelow(runners);
+    for (int k = 0; k < kMostSeparations; ++k)
+    {
+        if (sweep(runners, k % 2) < kApart)
         {
             return;
         }
@@ -133,13 +153,13 @@ void Encounters::findMeetingsOf(std::span<const Runner> runners, Runner& runner)
 // From below: a runner gives way by its share to those above it, whose turn is yet to come, and
 // takes what is left of the overlap with those below, so that one sweep lifts a whole pile off its
 // floor. Returns the deepest penetration that it found.
-double Encounters::sweep(std::span<Runner> runners)
+double Encounters::sweep(std::span<Runner> runners, double giveWay)
 {
     double deepest = 0;
     for (const std::uint32_t k : crowd_)
     {
         Runner& runner = runners[k];
-        const Eigen::Vector3d push = pushOff(runners, runner, deepest);
+        const Eigen::Vector3d push = pushOff(runners, runner, giveWay, deepest);
         if (!push.isZero(0))
         {
             flight_.shift(runner, push);
@@ -149,7 +169,7 @@ double Encounters::sweep(std::span<Runner> runners)
 }
 
 Eigen::Vector3d Encounters::pushOff(std::span<const Runner> runners, const Runner& runner,
-                                    double& deepest) const
+                                    double giveWay, double& deepest) const
 {
     Eigen::Vector3d place = runner.position;
     for (const std::uint32_t k : runner.meeting)
@@ -158,7 +178,7 @@ Eigen::Vector3d Encounters::pushOff(std::span<const Runner> runners, const Runne
         const Eigen::Vector3d d = place - other.position;
         const double contact = runner.radius + other.radius;
         const double squared = d.squaredNorm();
-        if (squared >= contact * contact)
+        if (squared >= contact * contact || other.rank == Runner::kNobody)
         {
             continue;
         }
@@ -166,12 +186,15 @@ Eigen::Vector3d Encounters::pushOff(std::span<const Runner> runners, const Runne
         const double depth = contact - distance;
         deepest = std::max(deepest, depth);
         const bool takesRest = other.rank < runner.rank && (runner.yields || !other.yields);
-        const double share = takesRest ? 1 : shareOf(runner, other, down_);
-        // Two in the same place leave each other along a line.
-        place +=
-            distance > 0
-                ? Eigen::Vector3d(d * (share * depth / distance))
-                : Eigen::Vector3d(other.rank < runner.rank ? share * depth : -share * depth, 0, 0);
+        const double share = takesRest ? 1 : giveWay * shareOf(runner, other, down_);
+        Eigen::Vector3d away =
+            distance > 0 ? Eigen::Vector3d(d / distance) : Eigen::Vector3d::Zero();
+        if (takesRest && depth > kDeep * runner.radius)
+        {
+            // Spheres pressed into a row on the floor or in a corner leave it upwards.
+            away = (away - down_ * (depth / runner.radius - kDeep)).normalized();
+        }
+        place += away * (share * depth);
     }
     const Eigen::Vector3d push = place - runner.position;
     const double length = push.norm();
@@ -181,20 +204,57 @@ Eigen::Vector3d Encounters::pushOff(std::span<const Runner> runners, const Runne
 
 // Collisions of pairs one after another, the lowest first, and of each with what is at rest: none
 // of them adds energy, and a few rounds carry the floor's reaction up a pile.
-void Encounters::exchangeVelocities(std::span<Runner> runners)
+void Encounters::exchangeVelocities(std::span<Runner> runners, double dt)
 {
-    findContacts(runners);
+    findContacts(runners, dt);
     for (int round = 0; round < kRounds; ++round)
     {
         for (const Contact& contact : contacts_)
         {
-            collide(runners[contact.upper], runners[contact.lower], contact.normal);
+            collide(runners[contact.upper], runners[contact.lower], contact);
         }
+    }
+    stopOnLower(runners);
+}
+
+// Shock propagation [Guendelman et al. 2003]: what the rounds have left of an approach is lost, as
+// if the lower ones could not give way. No faster than it was, since what carries it may move.
+void Encounters::stopOnLower(std::span<Runner> runners)
+{
+    for (auto first = contacts_.begin(); first != contacts_.end();)
+    {
+        const auto last =
+            std::find_if(first, contacts_.end(),
+                         [&](const Contact& contact) { return contact.upper != first->upper; });
+        Runner& runner = runners[first->upper];
+        const double before = runner.velocity.squaredNorm();
+        bool approaches = true;
+        for (int k = 0; k < kRounds && approaches; ++k)
+        {
+            approaches = false;
+            for (auto contact = first; contact != last; ++contact)
+            {
+                const double approach =
+                    (runner.velocity - runners[contact->lower].velocity).dot(contact->normal);
+                if (approach < -contact->allowed - kSlow)
+                {
+                    runner.velocity -= (approach + contact->allowed) * contact->normal;
+                    approaches = true;
+                }
+            }
+            stopAtRest(runner);
+        }
+        const double after = runner.velocity.squaredNorm();
+        if (after > before)
+        {
+            runner.velocity *= std::sqrt(before / after);
+        }
+        first = last;
     }
 }
 
 // Of those that overlap, the lowest first.
-void Encounters::findContacts(std::span<const Runner> runners)
+void Encounters::findContacts(std::span<const Runner> runners, double dt)
 {
     contacts_.clear();
     for (const std::uint32_t k : crowd_)
@@ -205,26 +265,30 @@ void Encounters::findContacts(std::span<const Runner> runners)
             const Runner& lower = runners[other];
             const Eigen::Vector3d d = upper.position - lower.position;
             const double contact = upper.radius + lower.radius;
+            const double limit = contact + kSoon;
             const double squared = d.squaredNorm();
-            if (lower.rank < upper.rank && squared < contact * contact && squared > 0)
+            if (lower.rank < upper.rank && squared < limit * limit && squared > 0)
             {
-                contacts_.push_back({k, other, d / std::sqrt(squared)});
+                const double distance = std::sqrt(squared);
+                contacts_.push_back(
+                    {k, other, d / distance, std::max(0.0, (distance - contact) / dt)});
             }
         }
     }
 }
 
-void Encounters::collide(Runner& a, Runner& b, const Eigen::Vector3d& normal) const
+void Encounters::collide(Runner& a, Runner& b, const Contact& contact) const
 {
-    const double approach = (a.velocity - b.velocity).dot(normal);
-    if (approach >= 0)
+    const double approach = (a.velocity - b.velocity).dot(contact.normal);
+    const bool bounces = approach < -settings_.bounceSpeed;
+    if (approach >= -contact.allowed || (bounces && contact.allowed > 0))
     {
         return;
     }
-    const double e = approach < -settings_.bounceSpeed ? settings_.restitution : 0;
-    const double change = -(1 + e) * approach;
-    a.velocity += normal * (change * shareOf(a, b, down_));
-    b.velocity -= normal * (change * shareOf(b, a, down_));
+    const double change =
+        bounces ? -(1 + settings_.restitution) * approach : -contact.allowed - approach;
+    a.velocity += contact.normal * (change * shareOf(a, b, down_));
+    b.velocity -= contact.normal * (change * shareOf(b, a, down_));
     stopAtRest(a);
     stopAtRest(b);
 }

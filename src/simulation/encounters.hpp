@@ -30,28 +30,33 @@ public:
     }
 
     /// Separates the runners and makes their velocities agree with it.
-    void resolve(std::span<Runner> runners);
+    void resolve(std::span<Runner> runners, double dt);
 
     /// Takes runners that overlap apart, without giving them any speed.
     void separate(std::span<Runner> runners);
+    /// The same among some of them, given by index, as if the others were not there.
+    void separate(std::span<Runner> runners, std::span<const std::uint32_t> some);
 
 private:
-    void findMeetings(std::span<Runner> runners);
-    void findMeetingsOf(std::span<const Runner> runners, Runner& runner) const;
-    void orderFromBelow(std::span<Runner> runners);
-    double sweep(std::span<Runner> runners);
-    [[nodiscard]] Eigen::Vector3d pushOff(std::span<const Runner> runners, const Runner& runner,
-                                          double& deepest) const;
-    void exchangeVelocities(std::span<Runner> runners);
-    void findContacts(std::span<const Runner> runners);
-    void collide(Runner& a, Runner& b, const Eigen::Vector3d& normal) const;
-    void payForLifts(std::span<Runner> runners) const;
-
     struct Contact
     {
         std::uint32_t upper, lower; ///< runners, by index
         Eigen::Vector3d normal;     ///< from the lower to the upper
+        double allowed;             ///< approach that only closes the gap [sqrt(g r)]
     };
+
+    void findMeetings(std::span<Runner> runners);
+    void findMeetingsOf(std::span<const Runner> runners, Runner& runner) const;
+    void orderFromBelow(std::span<Runner> runners);
+    double sweep(std::span<Runner> runners, double giveWay);
+    [[nodiscard]] Eigen::Vector3d pushOff(std::span<const Runner> runners, const Runner& runner,
+                                          double giveWay, double& deepest) const;
+    void exchangeVelocities(std::span<Runner> runners, double dt);
+    void findContacts(std::span<const Runner> runners, double dt);
+
+    void collide(Runner& a, Runner& b, const Contact& contact) const;
+    void stopOnLower(std::span<Runner> runners);
+    void payForLifts(std::span<Runner> runners) const;
 
     RunnerGrid& grid_;
     const Flight& flight_;

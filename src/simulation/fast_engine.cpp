@@ -60,6 +60,7 @@ FastEngine::FastEngine(World& world)
                    .sweeps = world.scene.move.any()
                                  ? std::max(kSweepsInAvalanche, world.scene.motion.sweeps)
                                  : world.scene.motion.sweeps}),
+      carried_(flight_, threads_, {}),
       setSize_(groupSize(world) * world.scene.spheres.groupsPerSet),
       ageLimit_(world.scene.freezing.setTimeLimit + timeToBounce(world))
 {
@@ -259,7 +260,7 @@ void FastEngine::advance()
     }
     {
         const StageTimer timer(world_.times, Stage::sphereSphere);
-        encounters_.resolve(runners);
+        encounters_.resolve(runners, world_.dt);
     }
     std::uint64_t meetings = 0;
     double mass = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <simulation/carried_runners.hpp>
 #include <simulation/descent.hpp>
 #include <simulation/encounters.hpp>
 #include <simulation/exact_discard.hpp>
@@ -40,6 +41,7 @@ private:
     [[nodiscard]] bool waitForSet();
     void freezeCalm();
     void findCalm();
+    void freezeTogether(std::uint32_t calmWindows);
     void findPlace(Runner& runner) const;
     bool followObject();
     void renewSites();
@@ -48,7 +50,7 @@ private:
     [[nodiscard]] std::array<Eigen::Vector3d, 8> directionsAtCorners() const;
     [[nodiscard]] bool isCarried(std::uint32_t id);
     void unfreeze(std::uint32_t id);
-    [[nodiscard]] bool tryFreeze(std::uint32_t index);
+    [[nodiscard]] bool tryFreeze(std::uint32_t index, bool insist = false);
     [[nodiscard]] std::vector<std::uint32_t> overlappedBy(std::uint32_t index) const;
     [[nodiscard]] bool makeRoom(std::uint32_t index, double farthest);
     void put(std::uint32_t index, const Eigen::Vector3d& place);
@@ -67,13 +69,15 @@ private:
     Flight flight_;
     RunnerGrid grid_; ///< of the runners, as they lay at the last rebuild
     Encounters encounters_;
+    CarriedRunners carried_;
     std::unique_ptr<ExactDiscard> discard_; ///< empty when nothing is to be discarded
     SetClock clock_;
     std::vector<Runner> runners_; ///< the first running_ are in use; the others keep their memory
     std::size_t running_ = 0;
-    std::vector<std::uint32_t> calm_;    ///< runners to be frozen, the lowest first
-    std::vector<bool> frozen_;           ///< by runner, in this step
-    std::vector<Eigen::Vector3d> moved_; ///< scratch of makeRoom
+    std::vector<std::uint32_t> calm_;     ///< runners to be frozen, the lowest first
+    std::vector<bool> frozen_;            ///< by runner, in this step
+    std::vector<std::uint32_t> together_; ///< runners to be frozen at once, the lowest first
+    std::vector<Eigen::Vector3d> moved_;  ///< scratch of makeRoom
     std::uint32_t windowSteps_ = 1;
     std::uint32_t stepsInWindow_ = 0;
     std::uint32_t windows_ = 0;

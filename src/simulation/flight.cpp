@@ -12,7 +12,6 @@ namespace frostfill
 namespace
 {
 
-constexpr double kTouch = 1e-7;        // gap below which a contact acts [r]
 constexpr double kStandsStill = 1e-12; // displacement not worth following [r]
 constexpr int kMostParts = 12;         // contacts met in one step's path
 constexpr int kMostShifts = 3;         // straight parts of one displacement
@@ -86,10 +85,15 @@ void Flight::advance(Runner& runner, double dt) const
         }
         left -= path < length ? share * time : time;
     }
-    runner.around.ensure(world_, runner.position, runner.radius, 0);
-    contactNormals(world_.surface, runner.around, runner.position, runner.radius, kTouch,
-                   runner.normals);
+    findContacts(runner);
     collide(runner);
+}
+
+void Flight::findContacts(Runner& runner, double gap) const
+{
+    runner.around.ensure(world_, runner.position, runner.radius, 0);
+    contactNormals(world_.surface, runner.around, runner.position, runner.radius, gap,
+                   runner.normals);
 }
 
 // Contacts that are approached fast are bounced off one after another; then whatever still leads

@@ -36,11 +36,22 @@ public:
     /// Moves by one step of exact ballistic flight, with sliding and bounces.
     void advance(Runner& runner, double dt) const;
 
+    /// Unit vector along what pulls at p.
+    [[nodiscard]] Eigen::Vector3d downAt(const Eigen::Vector3d& p) const
+    {
+        return world_.pull.direction(p);
+    }
+
+    /// Finds the normals of what is at rest and touches the runner: gaps of at most `gap` [r].
+    void findContacts(Runner& runner, double gap = kTouch) const;
+
     /// Moves by a displacement as far as what is at rest lets it, sliding along where it is
     /// stopped.
     void shift(Runner& runner, const Eigen::Vector3d& displacement) const;
 
 private:
+    static constexpr double kTouch = 1e-7; ///< gap below which a contact acts [r]
+
     void collide(Runner& runner) const;
 
     const World& world_;

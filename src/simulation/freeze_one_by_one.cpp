@@ -25,6 +25,7 @@ constexpr double kLongestSettling = 0.15; // a sphere that is frozen comes down 
 constexpr double kNearRoom = 0.1;  // that a runner may be moved out of a freezing one's place [r]
 constexpr double kFarRoom = 1;     // the same for one that others have been blocking for long [r]
 constexpr double kCalmShare = 0.9; // of a set that is calm when it freezes whole
+constexpr std::uint32_t kCalmTogether = 4;    // calm windows after which spheres carry each other
 constexpr std::uint32_t kPatience = 8;        // calm windows after which a sphere stops giving way
 constexpr std::uint32_t kBlocked = 24;        // after which others are moved far out of its place
 constexpr std::uint32_t kBlockedForGood = 72; // and after which they have to appear elsewhere
@@ -46,6 +47,10 @@ void FastEngine::freezeCalm()
     }
     frozen_.assign(running_, false);
     grid_.rebuild({runners_.data(), running_});
+    if (world_.scene.freezing.bySet)
+    {
+        freezeTogether(1);
+    }
     threads_.forEach(calm_.size(),
                      [&](std::size_t i)
                      {
@@ -72,6 +77,10 @@ void FastEngine::freezeCalm()
             findPlace(runners_[k]);
         }
         frozen_[k] = runners_[k].carriedAt && tryFreeze(k);
+    }
+    if (!world_.scene.freezing.bySet)
+    {
+        freezeTogether(kCalmTogether);
     }
     forgetFrozen();
 }
@@ -153,16 +162,16 @@ void FastEngine::findPlace(Runner& runner) const
 }
 
 // Returns false, and leaves the runner running, when others are in the way.
-bool FastEngine::tryFreeze(std::uint32_t index)
+bool FastEngine::tryFreeze(std::uint32_t index, bool insist)
 {
     Runner& runner = runners_[index];
     const Eigen::Vector3d place = *runner.carriedAt;
     const bool tooOld = runner.age > ageLimit_;
     freezeAt(runner, place);
-    const bool blocked = tooOld || runner.calmWindows > kBlocked;
+    const bool blocked = insist || tooOld || runner.calmWindows > kBlocked;
     if (!makeRoom(index, blocked ? kFarRoom : kNearRoom))
     {
-        if (!tooOld && runner.calmWindows <= kBlockedForGood)
+        if (!insist && !tooOld && runner.calmWindows <= kBlockedForGood)
         {
             world_.unfreezeLast();
             world_.spheres.setPosition(runner.id, runner.position);

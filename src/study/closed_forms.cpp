@@ -244,7 +244,7 @@ private:
         {
             for (Runner& runner : pair)
                 flight.advance(runner, dt);
-            encounters.resolve(pair);
+            encounters.resolve(pair, dt);
         }
         const double error =
             std::max(std::abs(pair[0].velocity.x() - kSpeed * (1 - kRestitution) / 2),
