@@ -57,9 +57,10 @@ void Encounters::resolve(std::span<Runner> runners, double dt)
     down_ = flight_.down();
     findMeetings(runners);
     exchangeVelocities(runners, dt);
+    const int mutual = settings_.stiff ? settings_.sweeps / 4 : settings_.sweeps * 3 / 4;
     for (int k = 0; k < settings_.sweeps; ++k)
     {
-        if (sweep(runners, k < settings_.sweeps / 4 ? 1 : 0) < settings_.tolerance)
+        if (sweep(runners, k <= mutual ? 1 : 0) < settings_.tolerance)
         {
             break;
         }
@@ -214,7 +215,10 @@ void Encounters::exchangeVelocities(std::span<Runner> runners, double dt)
             collide(runners[contact.upper], runners[contact.lower], contact);
         }
     }
-    stopOnLower(runners);
+    if (settings_.stiff)
+    {
+        stopOnLower(runners);
+    }
 }
 
 // Shock propagation [Guendelman et al. 2003]: what the rounds have left of an approach is lost, as

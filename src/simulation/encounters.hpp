@@ -20,6 +20,9 @@ public:
         double restitution = 0.2;
         double bounceSpeed = 0.5; ///< [sqrt(g r)]
         int sweeps = 4;
+        /// Piles come to rest fast, as if what lies below could not give way; otherwise slowly, and
+        /// more densely.
+        bool stiff = true;
         double tolerance = 1e-3; ///< penetration depth at which the sweeps end early [r]
     };
 

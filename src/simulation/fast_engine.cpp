@@ -59,9 +59,10 @@ FastEngine::FastEngine(World& world)
                   {.restitution = world.scene.motion.restitution,
                    .sweeps = world.scene.move.any()
                                  ? std::max(kSweepsInAvalanche, world.scene.motion.sweeps)
-                                 : world.scene.motion.sweeps}),
+                                 : world.scene.motion.sweeps,
+                   .stiff = !world.scene.freezing.bySet}),
       carried_(flight_, threads_, {}),
-      setSize_(groupSize(world) * world.scene.spheres.groupsPerSet),
+      setSize_(groupSize(world) * world.scene.spheres.groupsPerSet), layer_(spheresInLayer(world)),
       ageLimit_(world.scene.freezing.setTimeLimit + timeToBounce(world))
 {
     if (!release_->any())

@@ -86,6 +86,8 @@ private:
     std::size_t setSize_ = 0;
     std::size_t inSet_ = 0;  ///< spheres of the newest set so far; only where sets freeze whole
     bool setIsCalm_ = false; ///< and so it freezes
+    double layer_ = 0;       ///< spheres that cover the object's cross-section
+    std::uint32_t calmSetWindows_ = 0; ///< in a row in which most of it was calm
     double ageLimit_ = 0;
     bool moving_ = false;      ///< the object moves, or what that let go still runs
     bool sitesAreNew_ = false; ///< since the object stands still again

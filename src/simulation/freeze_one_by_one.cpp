@@ -22,12 +22,13 @@ constexpr double kCalm = 0.03;            // a calm sphere moves less than this 
 constexpr double kContactGap = 0.01;      // below which a contact carries, for the first look [r]
 constexpr double kMostlyCarried = 0.5;    // weight that may be missing at that first look
 constexpr double kLongestSettling = 0.15; // a sphere that is frozen comes down by less [r]
-constexpr double kNearRoom = 0.1;  // that a runner may be moved out of a freezing one's place [r]
-constexpr double kFarRoom = 1;     // the same for one that others have been blocking for long [r]
+constexpr double kNearRoom = 0.1;   // that a runner may be moved out of a freezing one's place [r]
+constexpr double kFarRoom = 1;      // the same for one that others have been blocking for long [r]
 constexpr double kCalmShare = 0.75; // of a set that is calm when it freezes whole
-constexpr std::uint32_t kCalmTogether = 4;    // calm windows after which spheres carry each other
-constexpr std::uint32_t kPatience = 8;        // calm windows after which a sphere stops giving way
-constexpr std::uint32_t kBlocked = 24;        // after which others are moved far out of its place
+constexpr std::uint32_t kCalmInPile = 4; // calm windows after which those in a pile freeze together
+constexpr std::uint32_t kCalmSet = 30;   // windows for which it is to stay so
+constexpr std::uint32_t kPatience = 8;   // calm windows after which a sphere stops giving way
+constexpr std::uint32_t kBlocked = 24;   // after which others are moved far out of its place
 constexpr std::uint32_t kBlockedForGood = 72; // and after which they have to appear elsewhere
 // In a narrow wedge between a wall and a sphere each move gains little. A sphere that cannot be
 // moved out of one blocks the one below it, and all that lie on them, until they are overdue.
@@ -57,7 +58,7 @@ void FastEngine::freezeCalm()
                          Runner& runner = runners_[calm_[i]];
                          // One that is overdue may go far, where it would not be told of others.
                          runner.stale = runner.age > ageLimit_;
-                         if (!runner.stale)
+                         if (!runner.stale && !frozen_[calm_[i]])
                          {
                              findPlace(runner);
                          }
@@ -78,9 +79,10 @@ void FastEngine::freezeCalm()
         }
         frozen_[k] = runners_[k].carriedAt && tryFreeze(k);
     }
-    if (!world_.scene.freezing.bySet)
+    // More than a layer of runners is a pile, in which spheres carry each other.
+    if (!world_.scene.freezing.bySet && static_cast<double>(running_) > layer_)
     {
-        freezeTogether(kCalmTogether);
+        freezeTogether(kCalmInPile);
     }
     forgetFrozen();
 }
@@ -97,10 +99,11 @@ bool FastEngine::waitForSet()
 {
     const auto overdue = [this](const Runner& runner) { return runner.age > ageLimit_; };
     const auto end = runners_.begin() + static_cast<std::ptrdiff_t>(running_);
-    if (!setIsCalm_ &&
-        ((static_cast<double>(calm_.size()) >= kCalmShare * static_cast<double>(running_) &&
-          (setIsWhole() || !mayRelease_)) ||
-         std::any_of(runners_.begin(), end, overdue)))
+    const bool whole = setIsWhole() || !mayRelease_;
+    const bool calm =
+        static_cast<double>(calm_.size()) >= kCalmShare * static_cast<double>(running_);
+    calmSetWindows_ = whole && calm ? calmSetWindows_ + 1 : 0;
+    if (!setIsCalm_ && (calmSetWindows_ >= kCalmSet || std::any_of(runners_.begin(), end, overdue)))
     {
         setIsCalm_ = true;
         for (Runner& runner : runners_)

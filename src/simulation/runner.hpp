@@ -29,13 +29,13 @@ struct Runner
     Eigen::Vector3d watched = Eigen::Vector3d::Zero();        ///< position at the window's start
     double height = 0;      ///< against the pull, among those that meet others [r]
     std::uint32_t rank = 0; ///< among them, from below
-    double age = 0;   ///< since its release, or something came to rest beside it [sqrt(r/g)]
+    double age = 0;         ///< since its release, or something came to rest beside it [sqrt(r/g)]
     std::uint32_t calmWindows = 0;            ///< in a row in which it hardly moved
     std::optional<Eigen::Vector3d> carriedAt; ///< the place nearby where what is at rest carries it
-    bool stale = false; ///< something has come to rest, or has moved, since carriedAt was found
+    bool stale = false;  ///< something has come to rest, or has moved, since carriedAt was found
     bool member = false; ///< of those that are looked at together, see CarriedRunners
     bool falls = false;  ///< nothing carries it among them, scratch
-    bool yields = true; ///< gives way to other runners; one that nothing carries for long does not
+    bool yields = true;  ///< gives way to other runners; one that nothing carries for long does not
 
     void restart(std::uint32_t newId, const Eigen::Vector3d& p, double newRadius);
 };

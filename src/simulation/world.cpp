@@ -172,10 +172,15 @@ std::size_t groupSize(const World& world)
     {
         return spheres.groupSize;
     }
+    const auto inSet = static_cast<std::size_t>(kFootprint * spheresInLayer(world));
+    return std::max<std::size_t>(10, inSet / spheres.groupsPerSet);
+}
+
+double spheresInLayer(const World& world)
+{
     const double volume = world.report.volume / std::pow(world.frame.length, 3);
     // A sphere covers 2 r times 2 r.
-    const double inSet = kFootprint * volume / world.height / (4 * world.radii.meanPower(2));
-    return std::max<std::size_t>(10, static_cast<std::size_t>(inSet) / spheres.groupsPerSet);
+    return volume / world.height / (4 * world.radii.meanPower(2));
 }
 
 void requireInside(const World& world, std::span<const PlacedSphere> spheres)

@@ -93,6 +93,9 @@ struct World
 /// cover a tenth of the object's mean cross-section.
 [[nodiscard]] std::size_t groupSize(const World& world);
 
+/// Spheres side by side that cover the object's mean cross-section.
+[[nodiscard]] double spheresInLayer(const World& world);
+
 /// Throws Error badData: not one sphere of the run's smallest radius fits into the object.
 [[noreturn]] void refuseTooLarge(const World& world);
 
