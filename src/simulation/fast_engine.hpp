@@ -41,6 +41,8 @@ private:
     [[nodiscard]] bool waitForSet();
     void freezeCalm();
     void findCalm();
+    /// More than a layer of runners is a pile, in which spheres carry each other.
+    [[nodiscard]] bool isPile() const { return static_cast<double>(running_) > layer_; }
     void freezeTogether(std::uint32_t calmWindows);
     void findPlace(Runner& runner) const;
     bool followObject();

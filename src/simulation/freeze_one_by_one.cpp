@@ -79,8 +79,7 @@ void FastEngine::freezeCalm()
         }
         frozen_[k] = runners_[k].carriedAt && tryFreeze(k);
     }
-    // More than a layer of runners is a pile, in which spheres carry each other.
-    if (!world_.scene.freezing.bySet && static_cast<double>(running_) > layer_)
+    if (!world_.scene.freezing.bySet && isPile())
     {
         freezeTogether(kCalmInPile);
     }
@@ -143,7 +142,9 @@ void FastEngine::findCalm()
 void FastEngine::findPlace(Runner& runner) const
 {
     const bool tooOld = runner.age > ageLimit_;
-    runner.yields = runner.yields && runner.calmWindows < kPatience && !tooOld;
+    // In a pile one that does not give way would stir all the others.
+    const bool patient = isPile() || runner.calmWindows < kPatience;
+    runner.yields = runner.yields && patient && !tooOld;
     runner.stale = false;
     runner.carriedAt.reset();
     runner.around.ensure(world_, runner.position, runner.radius, 0);
