@@ -2,6 +2,7 @@
 #include <simulation/clear_search.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace frostfill
 {
@@ -36,6 +37,28 @@ void ClearSearch::gather(const Eigen::Vector3d& middle, double edge)
                                  balls_.push_back({centre, radius * radius, radius});
                              }
                          });
+}
+
+bool ClearSearch::search(const Eigen::Vector3d& middle, double edge, int halvings,
+                         const Obstacles& from)
+{
+    bool clear = true;
+    Obstacles here{balls_.size(), 0};
+    bool found = false;
+    if (!select(middle, edge / 2, from, clear) && !walled(middle, edge, clear))
+    {
+        here.end = balls_.size();
+        found = halvings == 0 || clear;
+        for (int part = 0; part < 8 && !found; ++part)
+        {
+            // The upper parts first: what is free is free above.
+            const Eigen::Vector3d shift((part & 1) - 0.5, 0.5 - (part >> 2 & 1),
+                                        (part >> 1 & 1) - 0.5);
+            found = search(middle + edge / 2 * shift, edge / 2, halvings - 1, here);
+        }
+    }
+    balls_.resize(here.begin);
+    return found;
 }
 
 bool ClearSearch::select(const Eigen::Vector3d& middle, double half, const Obstacles& from,

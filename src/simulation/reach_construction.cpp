@@ -102,9 +102,19 @@ VoxelBits ReachMap::unblockedCubes() const
     for (const SurfaceTriangle& triangle : surface_.triangles())
     {
         const TriangleRows rows(layout_.frame, triangle, reach);
+        const VoxelRun widest = rows.widest();
+        if (widest.first > widest.last)
+        {
+            continue;
+        }
         rows.window().forEach(
             [&](int y, int z)
             {
+                // Where triangles are small, most rows have been closed by their neighbours.
+                if (!layout_.any(open, y, z, widest.first, widest.last))
+                {
+                    return;
+                }
                 const VoxelRun run = rows.run(y, z);
                 for (int x = run.first; x <= run.last; ++x)
                 {

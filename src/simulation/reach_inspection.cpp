@@ -33,7 +33,6 @@ TriangleMesh inRadii(TriangleMesh mesh, const Eigen::Vector3d& origin, double ra
 // together.
 void closeCoveredCubes(ReachMap& map, ClearSearch& search, const TriangleGrid& triangles)
 {
-    const auto everything = [](const Eigen::Vector3d&, double) { return true; };
     const VoxelLayout& layout = map.layout();
     const VoxelBits open = map.reached();
     for (std::size_t word = 0; word < open.size(); ++word)
@@ -43,8 +42,7 @@ void closeCoveredCubes(ReachMap& map, ClearSearch& search, const TriangleGrid& t
                            {
                                const Eigen::Vector3d middle = layout.frame.centre(x, y, z);
                                if (!triangles.near(middle).empty() &&
-                                   search.look(middle, layout.frame.cell, everything) ==
-                                       ClearSearch::Answer::none)
+                                   !search.mayBeClear(middle, layout.frame.cell))
                                {
                                    map.closeCube(x, y, z);
                                }

@@ -139,16 +139,6 @@ public:
     {
         return polygonDroppable(triangle, [](int, int, int) { return true; });
     }
-    /// How far from an obstacle a free place counts, distances in contact included [r].
-    [[nodiscard]] double sphereReach(double radius) const
-    {
-        return radius + radii_.largest + margins_.query + kRounding;
-    }
-    [[nodiscard]] double polygonReach() const
-    {
-        return radii_.largest + margins_.query + kRounding;
-    }
-
     /// R': how near a centre may come to an obstacle with a contact distance; 0 when the margins
     /// leave nothing [r].
     [[nodiscard]] double exclusion(double contact) const;
@@ -182,6 +172,15 @@ private:
     static constexpr double kHalfDiagonal = 0.8660254037844387; // of a unit cube
     static constexpr double kRounding = 1e-9; // [r], above the rounding of any coordinate
 
+    /// How far from an obstacle a free place counts, distances in contact included [r].
+    [[nodiscard]] double sphereReach(double radius) const
+    {
+        return radius + radii_.largest + margins_.query + kRounding;
+    }
+    [[nodiscard]] double polygonReach() const
+    {
+        return radii_.largest + margins_.query + kRounding;
+    }
     void keepInside(const InsideTest& inside);
     void replaceSeeds(VoxelBits seeds);
     void block(VoxelWord cubes);
@@ -257,14 +256,14 @@ bool ReachMap::findNearTriangle(std::uint32_t triangle, Confirm&& confirm)
 {
     const double distance = polygonReach() + kHalfDiagonal * layout_.frame.cell;
     const TriangleRows rows(layout_.frame, surface_[triangle], distance);
-    return rows.window().find(triangleCursor_[triangle],
+    const VoxelRun widest = rows.widest();
+    const auto isNear = [&](int x, int y, int z) { return rows.near(x, y, z) && confirm(x, y, z); };
+    return widest.first <= widest.last &&
+           rows.window().find(triangleCursor_[triangle],
                               [&](int y, int z)
                               {
-                                  return findInRow(y, z, rows.run(y, z),
-                                                   [&](int cx, int cy, int cz) {
-                                                       return rows.near(cx, cy, cz) &&
-                                                              confirm(cx, cy, cz);
-                                                   });
+                                  return layout_.any(open_, y, z, widest.first, widest.last) &&
+                                         findInRow(y, z, rows.run(y, z), isNear);
                               });
 }
 
