@@ -160,8 +160,14 @@ public:
     /// Boxes of four cubes a side that hold the lost cubes, each box once.
     [[nodiscard]] std::vector<Eigen::AlignedBox3d> lostBlocks() const;
 
-    /// Cubes, inside or outside, that the surface alone does not block; of an active map.
-    [[nodiscard]] VoxelBits unblockedCubes() const;
+    /// Cubes, inside or outside, whose middle is farther than this from the surface; of an active
+    /// map.
+    [[nodiscard]] VoxelBits cubesFartherThan(double distance) const;
+    /// The same that the surface alone does not block.
+    [[nodiscard]] VoxelBits unblockedCubes() const
+    {
+        return cubesFartherThan(exclusion(radii_.smallest) - kHalfDiagonal * layout_.frame.cell);
+    }
 
     [[nodiscard]] const VoxelLayout& layout() const { return layout_; }
     [[nodiscard]] const VoxelBits& reached() const { return open_; }
