@@ -52,13 +52,20 @@ private:
         std::size_t end;
     };
 
+    /// What is found out about the middle of a part.
+    struct Middle
+    {
+        bool clear = true;
+        Eigen::Vector3d wayOut = Eigen::Vector3d::Zero(); ///< of all that excludes it
+    };
+
     void gather(const Eigen::Vector3d& middle, double edge);
     /// What of `from` is near the part goes to the end of balls_. True when one excludes it all.
-    bool select(const Eigen::Vector3d& middle, double half, const Obstacles& from, bool& clear);
+    bool select(const Eigen::Vector3d& middle, double half, const Obstacles& from, Middle& state);
 
     bool search(const Eigen::Vector3d& middle, double edge, int halvings, const Obstacles& from);
     /// The same for walls.
-    bool walled(const Eigen::Vector3d& middle, double edge, bool& clear) const;
+    bool walled(const Eigen::Vector3d& middle, double edge, Middle& state) const;
 
     const SphereGrid& resting_;
     const Surface& surface_;
