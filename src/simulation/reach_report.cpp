@@ -191,7 +191,7 @@ ReachReport reportReach(const ReachMap& map, const InsideTest& inside, double sm
     }
     const double edge = map.layout().frame.cell;
     report.resolution = edge;
-    report.unreachedVolume = static_cast<double>(missed) * edge * edge * edge;
+    report.unreachedVolume = static_cast<double>(missed) * (edge * edge * edge);
     report.parts = findParts(map.layout(), std::move(uncovered), smallestPart);
     return report;
 }
