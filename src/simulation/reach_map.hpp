@@ -32,8 +32,8 @@ namespace frostfill
 ///  3. A surface of triangles does not leak: two neighbouring open cubes on both sides of it would
 ///     have their middles, h apart, at least R' - h sqrt(3)/2 from the point in between, which is
 ///     more than h/2 for h < 0.7 R'. A larger h makes the map inactive: it then drops nothing.
-///  4. Contact queries look no farther than R + Q from where a centre is. An obstacle whose
-///     distance from all that a reached cube leaves free exceeds R + Q is in none of them.
+///  4. Contact queries look no farther than R + Q from where a centre is. An obstacle that is
+///     farther than R + Q from every reached cube that leaves anything free is in none of them.
 ///  5. A dropped obstacle stops no path, and need not: whatever blocks a cube beside a reached one
 ///     is within R' of that and so is kept, and the sweep ends there.
 ///  6. Freezing adds obstacles, so the set only shrinks, and what was dropped stays dropped.
