@@ -17,7 +17,7 @@ struct UnreachablePart
 /// What of the object spheres of a radius cannot fill.
 struct ReachReport
 {
-    double unreachedVolume = 0; ///< that no sphere covers, crumbs included [r^3]
+    double unreachedVolume = 0;         ///< that no sphere covers, crumbs included [r^3]
     std::vector<UnreachablePart> parts; ///< largest first, of at least the volume asked for
     double resolution = 0;              ///< edge of a cube [r]
 };
