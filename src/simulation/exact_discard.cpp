@@ -19,7 +19,7 @@ constexpr std::array<ReachMap::Margins, 2> kMargins = {
 
 /// Edge of the map's cubes in smallest radii. A surface leaks from 0.7 on; smaller cubes cost more
 /// and, as parts of cubes are looked at where they decide, hardly drop more.
-constexpr double kVoxel = 0.66;
+constexpr double kVoxel = 0.69;
 
 // An update looks at all that is kept, so its price for a sphere that comes to rest is bounded when
 // it waits for a share of that.
