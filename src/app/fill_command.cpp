@@ -110,6 +110,14 @@ Scene requestedScene(const FillArguments& arguments)
     return scene;
 }
 
+// Only of what the command line says: a scene file has the settings of both presets.
+void warnOfIgnored(const FillArguments& arguments, Preset preset)
+{
+    const std::string ignored = ignoredOptionsText(arguments.given, preset);
+    if (!ignored.empty() && !arguments.quiet)
+        say(fmt::format("frostfill: warning: {}\n", ignored));
+}
+
 std::string bytesText(double bytes)
 {
     return bytes < 1e6 ? fmt::format("{:.0f} kB", bytes / 1e3)
@@ -156,6 +164,7 @@ void printResult(const FillResult& result)
 int printVolume(const FillArguments& arguments)
 {
     Scene scene = requestedScene(arguments);
+    warnOfIgnored(arguments, scene.preset);
     // Nobody watches, so the quickest way will do.
     if (scene.preset == Preset::fast && arguments.sceneFile.empty() &&
         !arguments.given.contains("motion.mode"))
@@ -187,6 +196,7 @@ int fill(const FillArguments& arguments)
         return printVolume(arguments);
     FillRequest request;
     request.scene = requestedScene(arguments);
+    warnOfIgnored(arguments, request.scene.preset);
     request.directory = arguments.directory.empty()
                             ? std::filesystem::path("output") / request.scene.name
                             : std::filesystem::path(arguments.directory);

@@ -44,11 +44,21 @@ std::string placeholder(const Option& option)
     return option.nothing.empty() ? what : what + "|" + option.nothing;
 }
 
+std::string presetName(Preset preset)
+{
+    Scene scene;
+    scene.preset = preset;
+    const Option& option = *findOption("preset");
+    return optionText(option, option.get(scene));
+}
+
 std::string helpWithDefault(const Option& option)
 {
     // The count and the groups depend on the object; what is told is the torus's.
     const Scene standard = presetScene(Preset::fast, "torus");
-    return fmt::format("{} ({})", option.help, optionText(option, option.get(standard)));
+    return fmt::format("{}{} ({})", option.help,
+                       option.preset ? fmt::format("; preset {}", presetName(*option.preset)) : "",
+                       optionText(option, option.get(standard)));
 }
 
 } // namespace
@@ -90,6 +100,19 @@ void applyGivenOptions(const GivenOptions& given, Scene& scene)
             throw Error(ErrorCode::usage, fmt::format("{} is '{}', but it must be {}", option.flag,
                                                       text, describeAllowed(option)));
     }
+}
+
+std::string ignoredOptionsText(const GivenOptions& given, Preset preset)
+{
+    std::vector<std::string> ignored;
+    for (const Option& option : sceneOptions())
+        if (option.preset && option.preset != preset && given.contains(option.key))
+            ignored.push_back(option.flag);
+    if (ignored.empty())
+        return "";
+    const Preset other = preset == Preset::fast ? Preset::paper : Preset::fast;
+    return fmt::format("the preset {} does not use {}; the preset {} does", presetName(preset),
+                       fmt::join(ignored, ", "), presetName(other));
 }
 
 } // namespace frostfill

@@ -20,4 +20,7 @@ void addSceneOptions(CLI::App& command, GivenOptions& given);
 /// Sets what was given. Throws Error usage for a value that is not allowed.
 void applyGivenOptions(const GivenOptions& given, Scene& scene);
 
+/// One line that names what was given but is not used by this preset; empty when all of it is.
+[[nodiscard]] std::string ignoredOptionsText(const GivenOptions& given, Preset preset);
+
 } // namespace frostfill

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "scene/option.hpp"
 
+#include "scene/table_builder.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -108,6 +110,18 @@ bool allowed(const Option& option, const OptionValue& value)
 }
 
 } // namespace
+
+std::span<const Option> sceneOptions()
+{
+    static const std::vector<Option> kTable = []
+    {
+        TableBuilder table;
+        addRunOptions(table);
+        addPictureOptions(table);
+        return table.take();
+    }();
+    return kTable;
+}
 
 const Option* findOption(std::string_view key)
 {

@@ -53,6 +53,7 @@ struct Option
     std::vector<std::string> choices = {}; ///< of a text; any when empty
     std::vector<std::pair<std::string, double>> words = {}; ///< that stand for a number
     OptionRange range = {};
+    std::optional<Preset> preset = {}; ///< the only one that uses it; nothing: each does
 
     std::function<OptionValue(const Scene&)> get = {};
     /// Takes what `get` gives or what `checked` lets pass. Returns false for a text that it cannot

@@ -47,13 +47,18 @@ public:
                                   [&](std::uint32_t id)
                                   {
                                       const GridSphere& other = world.resting[id];
-                                      const double limit = radius + other.radius + farthest;
-                                      const Eigen::Vector3d centre = other.position();
-                                      if ((centre - p).squaredNorm() < limit * limit)
-                                      {
-                                          spheres_.push_back({centre, radius + other.radius});
-                                      }
+                                      add(other.position(), other.radius, p, radius, farthest);
                                   });
+    }
+
+    void add(const Eigen::Vector3d& centre, double its, const Eigen::Vector3d& p, double radius,
+             double farthest)
+    {
+        const double limit = radius + its + farthest;
+        if ((centre - p).squaredNorm() < limit * limit)
+        {
+            spheres_.push_back({centre, radius + its});
+        }
     }
 
     void pushOff(const Eigen::Vector3d& p, Push& push) const
@@ -84,12 +89,9 @@ private:
     std::vector<Obstacle> spheres_;
 };
 
-} // namespace
-
-bool moveClear(const World& world, Eigen::Vector3d& p, double radius, double farthest, int moves)
+bool moveClearOf(const World& world, const Obstacles& obstacles, Eigen::Vector3d& p, double radius,
+                 double farthest, int moves)
 {
-    thread_local Obstacles obstacles; // keeps its memory
-    obstacles.list(world, p, radius, farthest);
     const Eigen::Vector3d start = p;
     for (int move = 0; move < moves; ++move)
     {
@@ -110,6 +112,24 @@ bool moveClear(const World& world, Eigen::Vector3d& p, double radius, double far
         }
     }
     return false;
+}
+
+thread_local Obstacles obstacles; // keeps its memory
+
+} // namespace
+
+bool moveClear(const World& world, Eigen::Vector3d& p, double radius, double farthest, int moves)
+{
+    obstacles.list(world, p, radius, farthest);
+    return moveClearOf(world, obstacles, p, radius, farthest, moves);
+}
+
+bool moveClear(const World& world, const PlacedSphere& newcomer, Eigen::Vector3d& p, double radius,
+               double farthest, int moves)
+{
+    obstacles.list(world, p, radius, farthest);
+    obstacles.add(newcomer.place, newcomer.radius, p, radius, farthest);
+    return moveClearOf(world, obstacles, p, radius, farthest, moves);
 }
 
 } // namespace frostfill

@@ -15,4 +15,8 @@ inline constexpr double kClearance = 1e-9;
 [[nodiscard]] bool moveClear(const World& world, Eigen::Vector3d& p, double radius, double farthest,
                              int moves = 24);
 
+/// The same where one more sphere were at rest.
+[[nodiscard]] bool moveClear(const World& world, const PlacedSphere& newcomer, Eigen::Vector3d& p,
+                             double radius, double farthest, int moves);
+
 } // namespace frostfill

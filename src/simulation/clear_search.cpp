@@ -2,6 +2,7 @@
 #include <simulation/clear_search.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace frostfill
 {
@@ -38,8 +39,33 @@ void ClearSearch::gather(const Eigen::Vector3d& middle, double edge)
                          });
 }
 
+bool ClearSearch::search(const Eigen::Vector3d& middle, double edge, int halvings,
+                         const Obstacles& from)
+{
+    Obstacles here{balls_.size(), 0};
+    Middle state;
+    bool found = false;
+    if (!select(middle, edge / 2, from, state) && !walled(middle, edge, state))
+    {
+        here.end = balls_.size();
+        found = halvings == 0 || state.clear;
+        // The part first that lies the way out, the opposite one last.
+        const int first = (state.wayOut.x() < 0 ? 1 : 0) | (state.wayOut.y() < 0 ? 2 : 0) |
+                          (state.wayOut.z() < 0 ? 4 : 0);
+        for (int k = 0; k < 8 && !found; ++k)
+        {
+            const int part = first ^ k;
+            const Eigen::Vector3d shift(0.5 - (part & 1), 0.5 - (part >> 1 & 1),
+                                        0.5 - (part >> 2 & 1));
+            found = search(middle + edge / 2 * shift, edge / 2, halvings - 1, here);
+        }
+    }
+    balls_.resize(here.begin);
+    return found;
+}
+
 bool ClearSearch::select(const Eigen::Vector3d& middle, double half, const Obstacles& from,
-                         bool& clear)
+                         Middle& state)
 {
     const double reach = 2 * kHalfDiagonal * half;
     for (std::size_t k = from.begin; k < from.end; ++k)
@@ -51,7 +77,11 @@ bool ClearSearch::select(const Eigen::Vector3d& middle, double half, const Obsta
             return true;
         }
         const double square = apart.square().sum();
-        clear = clear && square >= ball.square;
+        if (square < ball.square)
+        {
+            state.clear = false;
+            state.wayOut += middle - ball.centre;
+        }
         if (square < (ball.radius + reach) * (ball.radius + reach))
         {
             balls_.push_back(ball);
@@ -60,27 +90,28 @@ bool ClearSearch::select(const Eigen::Vector3d& middle, double half, const Obsta
     return false;
 }
 
-bool ClearSearch::walled(const Eigen::Vector3d& middle, double edge, bool& clear) const
+bool ClearSearch::walled(const Eigen::Vector3d& middle, double edge, Middle& state) const
 {
     const double exclusion = probe_ - overlap_ - kRounding;
     const double whole = std::max(0.0, exclusion - kHalfDiagonal * edge);
     for (const std::uint32_t id : walls_)
     {
-        // What is farther from the triangle's plane is farther from the triangle.
-        const SurfaceTriangle& triangle = surface_[id];
-        const double decisive = clear ? exclusion : whole;
-        if (std::abs(triangle.normal.dot(middle) - triangle.offset) >= decisive)
+        if (!surface_.bound(id).mayBeWithin(state.clear ? exclusion : whole, middle))
         {
             continue;
         }
-        const auto& [a, b, c] = triangle.corner;
-        const double square =
-            (closestPointOnTriangle(middle, a, b, c).point - middle).squaredNorm();
+        const auto& [a, b, c] = surface_[id].corner;
+        const Eigen::Vector3d apart = middle - closestPointOnTriangle(middle, a, b, c).point;
+        const double square = apart.squaredNorm();
         if (square < whole * whole)
         {
             return true;
         }
-        clear = clear && square >= exclusion * exclusion;
+        if (square < exclusion * exclusion)
+        {
+            state.clear = false;
+            state.wayOut += apart;
+        }
     }
     return false;
 }

@@ -4,7 +4,6 @@
 #include <mesh/triangle_grid.hpp>
 #include <simulation/sphere_grid.hpp>
 
-#include <cmath>
 #include <vector>
 
 namespace frostfill
@@ -17,13 +16,6 @@ namespace frostfill
 class ClearSearch
 {
 public:
-    enum class Answer : std::uint8_t
-    {
-        clear,      ///< some part that matters may hold a place
-        noneNearby, ///< no part that matters does
-        none,       ///< none of the cube does
-    };
-
     /// The searches live as long as this. `probe`: radius of the smallest sphere that runs or will
     /// run; `overlap`: by which a running sphere may overlap what is at rest [r].
     ClearSearch(const SphereGrid& resting, const Surface& surface, const TriangleGrid& triangles,
@@ -36,17 +28,11 @@ public:
     /// Looks as if this sphere were not at rest.
     void ignore(std::uint32_t id) { ignored_ = id; }
 
-    /// `matters(middle, halfDiagonal)` is false only when no point of that part matters.
-    template <class Matters>
-    [[nodiscard]] Answer look(const Eigen::Vector3d& middle, double edge, Matters&& matters)
+    /// False only when no point of the cube is clear.
+    [[nodiscard]] bool mayBeClear(const Eigen::Vector3d& middle, double edge)
     {
         gather(middle, edge);
-        left_ = false;
-        if (search(middle, edge, kHalvings, {0, balls_.size()}, matters))
-        {
-            return Answer::clear;
-        }
-        return left_ ? Answer::noneNearby : Answer::none;
+        return search(middle, edge, kHalvings, {0, balls_.size()});
     }
 
 private:
@@ -66,40 +52,20 @@ private:
         std::size_t end;
     };
 
+    /// What is found out about the middle of a part.
+    struct Middle
+    {
+        bool clear = true;
+        Eigen::Vector3d wayOut = Eigen::Vector3d::Zero(); ///< of all that excludes it
+    };
+
     void gather(const Eigen::Vector3d& middle, double edge);
     /// What of `from` is near the part goes to the end of balls_. True when one excludes it all.
-    bool select(const Eigen::Vector3d& middle, double half, const Obstacles& from, bool& clear);
+    bool select(const Eigen::Vector3d& middle, double half, const Obstacles& from, Middle& state);
 
-    template <class Matters>
-    bool search(const Eigen::Vector3d& middle, double edge, int halvings, const Obstacles& from,
-                Matters&& matters)
-    {
-        if (!matters(middle, kHalfDiagonal * edge))
-        {
-            left_ = true;
-            return false;
-        }
-        bool clear = true;
-        Obstacles here{balls_.size(), 0};
-        bool found = false;
-        if (!select(middle, edge / 2, from, clear) && !walled(middle, edge, clear))
-        {
-            here.end = balls_.size();
-            found = halvings == 0 || (clear && matters(middle, 0));
-            for (int part = 0; part < 8 && !found; ++part)
-            {
-                // The upper parts first: what is free is free above.
-                const Eigen::Vector3d shift((part & 1) - 0.5, 0.5 - (part >> 2 & 1),
-                                            (part >> 1 & 1) - 0.5);
-                found = search(middle + edge / 2 * shift, edge / 2, halvings - 1, here, matters);
-            }
-        }
-        balls_.resize(here.begin);
-        return found;
-    }
-
+    bool search(const Eigen::Vector3d& middle, double edge, int halvings, const Obstacles& from);
     /// The same for walls.
-    bool walled(const Eigen::Vector3d& middle, double edge, bool& clear) const;
+    bool walled(const Eigen::Vector3d& middle, double edge, Middle& state) const;
 
     const SphereGrid& resting_;
     const Surface& surface_;
@@ -109,7 +75,6 @@ private:
     std::uint32_t ignored_ = 0xffffffff;
     std::vector<Exclusion> balls_;     ///< of the cube, then of the part of it in hand, and so on
     std::vector<std::uint32_t> walls_; ///< triangles near the cube
-    bool left_ = false;                ///< some part did not matter
 };
 
 } // namespace frostfill

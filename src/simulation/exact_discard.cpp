@@ -19,7 +19,7 @@ constexpr std::array<ReachMap::Margins, 2> kMargins = {
 
 /// Edge of the map's cubes in smallest radii. A surface leaks from 0.7 on; smaller cubes cost more
 /// and, as parts of cubes are looked at where they decide, hardly drop more.
-constexpr double kVoxel = 0.66;
+constexpr double kVoxel = 0.69;
 
 // An update looks at all that is kept, so its price for a sphere that comes to rest is bounded when
 // it waits for a share of that.
@@ -45,6 +45,7 @@ void ExactDiscard::build()
         margins.step *= radii.smallest;
         map_ = std::make_unique<ReachMap>(world_.surface, world_.inside, radii, margins,
                                           ReachMap::Resolution{kVoxel});
+        holding_.assign(map_->layout().words, 0);
         // The margin is widest for the smallest contact.
         const double overlap = radii.smallest - map_->exclusion(radii.smallest);
         clear_ = std::make_unique<ClearSearch>(world_.resting, world_.surface, world_.triangles,
@@ -131,8 +132,11 @@ void ExactDiscard::finish(bool full)
         map_->withdrawSeeds();
     }
     update(centres_);
-    dropSpheres(kept_.size());
-    dropPolygons();
+    if (map_)
+    {
+        dropSpheres(kept_.size());
+        dropPolygons();
+    }
 }
 
 void ExactDiscard::update(std::span<const Eigen::Vector3d> running)
@@ -150,6 +154,7 @@ void ExactDiscard::update(std::span<const Eigen::Vector3d> running)
         restoreAll();
         return;
     }
+    holding_.assign(map_->layout().words, 0);
     // Spheres that have only just come to rest are mostly at the surface of the pile.
     dropSpheres(before);
     const std::size_t active = world_.polygons.size() - world_.discardedPolygons;
@@ -181,10 +186,6 @@ void ExactDiscard::dropSpheres(std::size_t count)
 void ExactDiscard::dropPolygons()
 {
     restedSincePolygons_ = 0;
-    if (!map_)
-    {
-        return;
-    }
     for (std::uint32_t t = 0; t < world_.polygons.size(); ++t)
     {
         if (world_.polygons[t] == PolygonState::active && polygonDroppable(t))
@@ -194,44 +195,36 @@ void ExactDiscard::dropPolygons()
     }
 }
 
-// Whether some free place in a reached cube matters to an obstacle.
-template <class Matters>
-bool ExactDiscard::confirm(int x, int y, int z, Matters&& matters)
-{
-    const GridFrame& frame = map_->layout().frame;
-    const auto answer = clear_->look(frame.centre(x, y, z), frame.cell, matters);
-    if (answer == ClearSearch::Answer::none)
-    {
-        map_->closeCube(x, y, z);
-    }
-    return answer == ClearSearch::Answer::clear;
-}
-
 bool ExactDiscard::sphereDroppable(Kept& kept)
 {
-    const Eigen::Vector3d centre = world_.spheres.position(kept.id);
-    const double radius = world_.spheres.radius[kept.id];
-    const double reach = map_->sphereReach(radius);
-    const auto matters = [&](const Eigen::Vector3d& p, double around)
-    { return (p - centre).squaredNorm() <= (reach + around) * (reach + around); };
-    return map_->sphereDroppable(centre, radius, kept.cursor,
-                                 [&](int x, int y, int z) { return confirm(x, y, z, matters); });
+    return map_->sphereDroppable(world_.spheres.position(kept.id), world_.spheres.radius[kept.id],
+                                 kept.cursor,
+                                 [this](int x, int y, int z) { return holdsPlace(x, y, z); });
 }
 
 bool ExactDiscard::polygonDroppable(std::uint32_t triangle)
 {
-    const auto& [a, b, c] = world_.surface[triangle].corner;
-    const double reach = map_->polygonReach();
-    const double exclusion = map_->exclusion(world_.radii.smallest());
-    // The triangle itself excludes what is nearer.
-    const auto matters = [&](const Eigen::Vector3d& p, double around)
-    {
-        const double square = (closestPointOnTriangle(p, a, b, c).point - p).squaredNorm();
-        const double least = std::max(0.0, exclusion - around);
-        return square <= (reach + around) * (reach + around) && square >= least * least;
-    };
     return map_->polygonDroppable(triangle,
-                                  [&](int x, int y, int z) { return confirm(x, y, z, matters); });
+                                  [this](int x, int y, int z) { return holdsPlace(x, y, z); });
+}
+
+// Whether a reached cube may hold a free place. Many obstacles ask for the same cube, which is
+// looked at only once an update.
+bool ExactDiscard::holdsPlace(int x, int y, int z)
+{
+    const VoxelWord cube = map_->layout().at(x, y, z);
+    if ((holding_[cube.word] & cube.bits) != 0)
+    {
+        return true;
+    }
+    const GridFrame& frame = map_->layout().frame;
+    if (clear_->mayBeClear(frame.centre(x, y, z), frame.cell))
+    {
+        holding_[cube.word] |= cube.bits;
+        return true;
+    }
+    map_->closeCube(x, y, z);
+    return false;
 }
 
 // A guard has tripped: some centre is where the map says that none can be. Everything comes back,

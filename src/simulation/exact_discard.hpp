@@ -56,8 +56,7 @@ private:
     void dropPolygons();
     [[nodiscard]] bool sphereDroppable(Kept& kept);
     [[nodiscard]] bool polygonDroppable(std::uint32_t triangle);
-    template <class Matters>
-    [[nodiscard]] bool confirm(int x, int y, int z, Matters&& matters);
+    [[nodiscard]] bool holdsPlace(int x, int y, int z);
     void restoreAll();
 
     World& world_;
@@ -68,6 +67,7 @@ private:
     std::size_t restedSincePolygons_ = 0;
     std::vector<Kept> kept_; ///< spheres at rest in the map that are not dropped
     std::vector<Eigen::Vector3d> centres_;
+    VoxelBits holding_; ///< cubes that may hold a place, as was found in this update
 };
 
 } // namespace frostfill

@@ -107,6 +107,7 @@ bool FastEngine::step()
     {
         const StageTimer timer(world_.times, Stage::freezing);
         stepsInWindow_ = 0;
+        energy_.reset();
         freezeCalm();
         // What is to complete a set waits until those before it have fallen out of the way.
         mayRelease_ = !world_.scene.freezing.bySet || ++windows_ % kWindowsToFall == 0;
@@ -193,6 +194,7 @@ bool FastEngine::releaseSet()
 
 void FastEngine::start(const Eigen::Vector3d& place, double radius, std::uint32_t group)
 {
+    energy_.reset();
     const std::uint32_t id = world_.release(place, radius, group);
     if (running_ == runners_.size())
     {
@@ -248,7 +250,8 @@ void FastEngine::advance()
     const bool gravityChanges =
         moving_ && world_.time - world_.motionStart < world_.motion.duration();
     const std::span<Runner> runners(runners_.data(), running_);
-    const double energyBefore = runningEnergy();
+    // A moving object does work on the spheres, which is not counted.
+    const double energyBefore = moving_ ? 0 : energy_ ? *energy_ : runningEnergy();
     {
         const StageTimer timer(world_.times, Stage::motion);
         threads_.forEach(runners.size(),
@@ -275,10 +278,11 @@ void FastEngine::advance()
         meetings += runner.meeting.size();
     }
     world_.operations.runningRunningTests += meetings / 2;
-    // A moving object does work on the spheres, which is not counted.
+    energy_.reset();
     if (!moving_)
     {
-        world_.energy.enter(energyBefore, runningEnergy(), mass * world_.height);
+        energy_ = runningEnergy();
+        world_.energy.enter(energyBefore, *energy_, mass * world_.height);
     }
 }
 

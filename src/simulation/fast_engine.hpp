@@ -53,13 +53,12 @@ private:
     [[nodiscard]] bool isCarried(std::uint32_t id);
     void unfreeze(std::uint32_t id);
     [[nodiscard]] bool tryFreeze(std::uint32_t index, bool insist = false);
-    [[nodiscard]] std::vector<std::uint32_t> overlappedBy(std::uint32_t index) const;
-    [[nodiscard]] bool makeRoom(std::uint32_t index, double farthest);
+    void findOverlapped(std::uint32_t index, const Eigen::Vector3d& place);
+    [[nodiscard]] bool makeRoom(const PlacedSphere& resting, double farthest);
     void put(std::uint32_t index, const Eigen::Vector3d& place);
-    void evict(std::uint32_t index);
+    void evictOverlapped();
     void withdraw(Runner& runner);
     [[nodiscard]] bool clearOfRunners(const Eigen::Vector3d& place, double radius) const;
-    void freezeAt(Runner& runner, const Eigen::Vector3d& place);
     void tellOthers(const Eigen::Vector3d& place, double radius);
     void forgetFrozen();
 
@@ -76,10 +75,12 @@ private:
     SetClock clock_;
     std::vector<Runner> runners_; ///< the first running_ are in use; the others keep their memory
     std::size_t running_ = 0;
-    std::vector<std::uint32_t> calm_;     ///< runners to be frozen, the lowest first
-    std::vector<bool> frozen_;            ///< by runner, in this step
-    std::vector<std::uint32_t> together_; ///< runners to be frozen at once, the lowest first
-    std::vector<Eigen::Vector3d> moved_;  ///< scratch of makeRoom
+    std::optional<double> energy_;    ///< of the runners, while they are as the last step left them
+    std::vector<std::uint32_t> calm_; ///< runners to be frozen, the lowest first
+    std::vector<bool> frozen_;        ///< by runner, in this step
+    std::vector<std::uint32_t> overlapped_; ///< by the sphere that is being frozen, ascending
+    std::vector<Eigen::Vector3d> moved_;    ///< where makeRoom puts them
+    std::vector<std::uint32_t> together_;   ///< runners to be frozen at once, the lowest first
     std::uint32_t windowSteps_ = 1;
     std::uint32_t stepsInWindow_ = 0;
     std::uint32_t windows_ = 0;

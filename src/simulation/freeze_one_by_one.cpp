@@ -28,7 +28,8 @@ constexpr double kCalmShare = 0.75; // of a set that is calm when it freezes who
 constexpr std::uint32_t kCalmInPile = 4; // calm windows after which those in a pile freeze together
 constexpr std::uint32_t kCalmSet = 30;   // windows for which it is to stay so
 constexpr std::uint32_t kPatience = 8;   // calm windows after which a sphere stops giving way
-constexpr std::uint32_t kBlocked = 24;   // after which others are moved far out of its place
+constexpr std::uint32_t kPatienceInPile = 64; // the same where many carry each other
+constexpr std::uint32_t kBlocked = 24;        // after which others are moved far out of its place
 constexpr std::uint32_t kBlockedForGood = 72; // and after which they have to appear elsewhere
 // In a narrow wedge between a wall and a sphere each move gains little. A sphere that cannot be
 // moved out of one blocks the one below it, and all that lie on them, until they are overdue.
@@ -143,7 +144,7 @@ void FastEngine::findPlace(Runner& runner) const
 {
     const bool tooOld = runner.age > ageLimit_;
     // In a pile one that does not give way would stir all the others.
-    const bool patient = isPile() || runner.calmWindows < kPatience;
+    const bool patient = runner.calmWindows < (isPile() ? kPatienceInPile : kPatience);
     runner.yields = runner.yields && patient && !tooOld;
     runner.stale = false;
     runner.carriedAt.reset();
@@ -171,17 +172,18 @@ bool FastEngine::tryFreeze(std::uint32_t index, bool insist)
     Runner& runner = runners_[index];
     const Eigen::Vector3d place = *runner.carriedAt;
     const bool tooOld = runner.age > ageLimit_;
-    freezeAt(runner, place);
     const bool blocked = insist || tooOld || runner.calmWindows > kBlocked;
-    if (!makeRoom(index, blocked ? kFarRoom : kNearRoom))
+    findOverlapped(index, place);
+    const bool room = makeRoom({place, runner.radius}, blocked ? kFarRoom : kNearRoom);
+    if (!room && !insist && !tooOld && runner.calmWindows <= kBlockedForGood)
     {
-        if (!insist && !tooOld && runner.calmWindows <= kBlockedForGood)
-        {
-            world_.unfreezeLast();
-            world_.spheres.setPosition(runner.id, runner.position);
-            return false;
-        }
-        evict(index);
+        return false;
+    }
+    world_.spheres.setPosition(runner.id, place);
+    world_.freeze(runner.id);
+    if (!room)
+    {
+        evictOverlapped();
     }
     world_.overdue += tooOld ? 1 : 0;
     falls_.insert(place);
@@ -194,16 +196,10 @@ bool FastEngine::tryFreeze(std::uint32_t index, bool insist)
     return true;
 }
 
-void FastEngine::freezeAt(Runner& runner, const Eigen::Vector3d& place)
+// Runners that a sphere at rest at this place would overlap.
+void FastEngine::findOverlapped(std::uint32_t index, const Eigen::Vector3d& place)
 {
-    world_.spheres.setPosition(runner.id, place);
-    world_.freeze(runner.id);
-}
-
-std::vector<std::uint32_t> FastEngine::overlappedBy(std::uint32_t index) const
-{
-    const Eigen::Vector3d place = world_.spheres.position(runners_[index].id);
-    std::vector<std::uint32_t> overlapped;
+    overlapped_.clear();
     const double radius = runners_[index].radius;
     grid_.forEachNear(place, radius + 1,
                       [&](std::uint32_t k, const Eigen::Vector3d& p, double radiusThere)
@@ -212,31 +208,29 @@ std::vector<std::uint32_t> FastEngine::overlappedBy(std::uint32_t index) const
                           if (k != index && !frozen_[k] &&
                               (p - place).squaredNorm() < contact * contact)
                           {
-                              overlapped.push_back(k);
+                              overlapped_.push_back(k);
                           }
                       });
-    std::sort(overlapped.begin(), overlapped.end());
-    return overlapped;
+    std::sort(overlapped_.begin(), overlapped_.end());
 }
 
-// Moves every runner that the sphere just frozen overlaps to a clear place nearby. Returns false,
-// and moves none, when one of them cannot be moved.
-bool FastEngine::makeRoom(std::uint32_t index, double farthest)
+// Moves every runner that a sphere which is to come to rest overlaps to a clear place nearby.
+// Returns false, and moves none, when one of them cannot be moved.
+bool FastEngine::makeRoom(const PlacedSphere& resting, double farthest)
 {
-    const std::vector<std::uint32_t> overlapped = overlappedBy(index);
     moved_.clear();
-    for (const std::uint32_t k : overlapped)
+    for (const std::uint32_t k : overlapped_)
     {
         moved_.push_back(runners_[k].position);
-        if (!moveClear(world_, moved_.back(), runners_[k].radius, farthest * runners_[k].radius,
-                       kMovesOutOfWedge))
+        if (!moveClear(world_, resting, moved_.back(), runners_[k].radius,
+                       farthest * runners_[k].radius, kMovesOutOfWedge))
         {
             return false;
         }
     }
-    for (std::size_t i = 0; i < overlapped.size(); ++i)
+    for (std::size_t i = 0; i < overlapped_.size(); ++i)
     {
-        put(overlapped[i], moved_[i]);
+        put(overlapped_[i], moved_[i]);
     }
     return true;
 }
@@ -251,11 +245,11 @@ void FastEngine::put(std::uint32_t index, const Eigen::Vector3d& place)
 
 // The last resort, for a sphere that rests where others are and that they will not make room for:
 // these appear again elsewhere, or are withdrawn when the object is full.
-void FastEngine::evict(std::uint32_t index)
+void FastEngine::evictOverlapped()
 {
     const auto suits = [this](const Eigen::Vector3d& place, double radius)
     { return clearOfRunners(place, radius); };
-    for (const std::uint32_t k : overlappedBy(index))
+    for (const std::uint32_t k : overlapped_)
     {
         Runner& other = runners_[k];
         Eigen::Vector3d clear = other.position;

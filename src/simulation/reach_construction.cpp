@@ -86,7 +86,7 @@ double ReachMap::exclusion(double contact) const
     return least > 0 && square > 0 ? std::max(0.0, std::sqrt(square) - kRounding) : 0;
 }
 
-VoxelBits ReachMap::unblockedCubes() const
+VoxelBits ReachMap::cubesFartherThan(double distance) const
 {
     VoxelBits open(layout_.words, 0);
     const auto& count = layout_.frame.count;
@@ -98,13 +98,22 @@ VoxelBits ReachMap::unblockedCubes() const
                                 [&](VoxelWord w) { open[w.word] |= w.bits; });
         }
     }
-    const double reach = exclusion(radii_.smallest) - kHalfDiagonal * layout_.frame.cell;
     for (const SurfaceTriangle& triangle : surface_.triangles())
     {
-        const TriangleRows rows(layout_.frame, triangle, reach);
+        const TriangleRows rows(layout_.frame, triangle, distance);
+        const VoxelRun widest = rows.widest();
+        if (widest.first > widest.last)
+        {
+            continue;
+        }
         rows.window().forEach(
             [&](int y, int z)
             {
+                // Where triangles are small, most rows have been closed by their neighbours.
+                if (!layout_.any(open, y, z, widest.first, widest.last))
+                {
+                    return;
+                }
                 const VoxelRun run = rows.run(y, z);
                 for (int x = run.first; x <= run.last; ++x)
                 {

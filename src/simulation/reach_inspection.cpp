@@ -30,21 +30,19 @@ TriangleMesh inRadii(TriangleMesh mesh, const Eigen::Vector3d& origin, double ra
 }
 
 // A cube is blocked when one triangle excludes all of it; here those go, too, that several exclude
-// together.
-void closeCoveredCubes(ReachMap& map, ClearSearch& search, const TriangleGrid& triangles)
+// together. A cube whose middle is a place for a sphere is none of them.
+void closeCoveredCubes(ReachMap& map, ClearSearch& search)
 {
-    const auto everything = [](const Eigen::Vector3d&, double) { return true; };
     const VoxelLayout& layout = map.layout();
     const VoxelBits open = map.reached();
+    const VoxelBits clear = map.cubesFartherThan(map.radii().smallest);
     for (std::size_t word = 0; word < open.size(); ++word)
     {
-        layout.forEachCube({word, open[word]},
+        layout.forEachCube({word, open[word] & ~clear[word]},
                            [&](int x, int y, int z)
                            {
                                const Eigen::Vector3d middle = layout.frame.centre(x, y, z);
-                               if (!triangles.near(middle).empty() &&
-                                   search.look(middle, layout.frame.cell, everything) ==
-                                       ClearSearch::Answer::none)
+                               if (!search.mayBeClear(middle, layout.frame.cell))
                                {
                                    map.closeCube(x, y, z);
                                }
@@ -73,7 +71,7 @@ ReachInspection inspect(const Surface& surface, const TriangleGrid& triangles,
     }
     const SphereGrid nothing(GridFrame{});
     ClearSearch search(nothing, surface, triangles, radius, kRounding);
-    closeCoveredCubes(map, search, triangles);
+    closeCoveredCubes(map, search);
     const ReachReport report = reportReach(map, inside, kOneSphere * radius * radius * radius);
     result.fits = map.reachedCount() > 0;
     result.unreachable = report.unreachedVolume;

@@ -32,8 +32,8 @@ namespace frostfill
 ///  3. A surface of triangles does not leak: two neighbouring open cubes on both sides of it would
 ///     have their middles, h apart, at least R' - h sqrt(3)/2 from the point in between, which is
 ///     more than h/2 for h < 0.7 R'. A larger h makes the map inactive: it then drops nothing.
-///  4. Contact queries look no farther than R + Q from where a centre is. An obstacle whose
-///     distance from all that a reached cube leaves free exceeds R + Q is in none of them.
+///  4. Contact queries look no farther than R + Q from where a centre is. An obstacle that is
+///     farther than R + Q from every reached cube that leaves anything free is in none of them.
 ///  5. A dropped obstacle stops no path, and need not: whatever blocks a cube beside a reached one
 ///     is within R' of that and so is kept, and the sweep ends there.
 ///  6. Freezing adds obstacles, so the set only shrinks, and what was dropped stays dropped.
@@ -139,16 +139,6 @@ public:
     {
         return polygonDroppable(triangle, [](int, int, int) { return true; });
     }
-    /// How far from an obstacle a free place counts, distances in contact included [r].
-    [[nodiscard]] double sphereReach(double radius) const
-    {
-        return radius + radii_.largest + margins_.query + kRounding;
-    }
-    [[nodiscard]] double polygonReach() const
-    {
-        return radii_.largest + margins_.query + kRounding;
-    }
-
     /// R': how near a centre may come to an obstacle with a contact distance; 0 when the margins
     /// leave nothing [r].
     [[nodiscard]] double exclusion(double contact) const;
@@ -170,8 +160,14 @@ public:
     /// Boxes of four cubes a side that hold the lost cubes, each box once.
     [[nodiscard]] std::vector<Eigen::AlignedBox3d> lostBlocks() const;
 
-    /// Cubes, inside or outside, that the surface alone does not block; of an active map.
-    [[nodiscard]] VoxelBits unblockedCubes() const;
+    /// Cubes, inside or outside, whose middle is farther than this from the surface; of an active
+    /// map.
+    [[nodiscard]] VoxelBits cubesFartherThan(double distance) const;
+    /// The same that the surface alone does not block.
+    [[nodiscard]] VoxelBits unblockedCubes() const
+    {
+        return cubesFartherThan(exclusion(radii_.smallest) - kHalfDiagonal * layout_.frame.cell);
+    }
 
     [[nodiscard]] const VoxelLayout& layout() const { return layout_; }
     [[nodiscard]] const VoxelBits& reached() const { return open_; }
@@ -182,6 +178,15 @@ private:
     static constexpr double kHalfDiagonal = 0.8660254037844387; // of a unit cube
     static constexpr double kRounding = 1e-9; // [r], above the rounding of any coordinate
 
+    /// How far from an obstacle a free place counts, distances in contact included [r].
+    [[nodiscard]] double sphereReach(double radius) const
+    {
+        return radius + radii_.largest + margins_.query + kRounding;
+    }
+    [[nodiscard]] double polygonReach() const
+    {
+        return radii_.largest + margins_.query + kRounding;
+    }
     void keepInside(const InsideTest& inside);
     void replaceSeeds(VoxelBits seeds);
     void block(VoxelWord cubes);
@@ -257,14 +262,14 @@ bool ReachMap::findNearTriangle(std::uint32_t triangle, Confirm&& confirm)
 {
     const double distance = polygonReach() + kHalfDiagonal * layout_.frame.cell;
     const TriangleRows rows(layout_.frame, surface_[triangle], distance);
-    return rows.window().find(triangleCursor_[triangle],
+    const VoxelRun widest = rows.widest();
+    const auto isNear = [&](int x, int y, int z) { return rows.near(x, y, z) && confirm(x, y, z); };
+    return widest.first <= widest.last &&
+           rows.window().find(triangleCursor_[triangle],
                               [&](int y, int z)
                               {
-                                  return findInRow(y, z, rows.run(y, z),
-                                                   [&](int cx, int cy, int cz) {
-                                                       return rows.near(cx, cy, cz) &&
-                                                              confirm(cx, cy, cz);
-                                                   });
+                                  return layout_.any(open_, y, z, widest.first, widest.last) &&
+                                         findInRow(y, z, rows.run(y, z), isNear);
                               });
 }
 

@@ -66,50 +66,68 @@ private:
     int reach_;
 };
 
-// Cubes whose middle is inside. Blocked ones are near the surface, where the test is quick; of the
-// others each connected component lies on one side.
-VoxelBits cubesInside(const ReachMap& map, const InsideTest& inside)
+bool isInside(const VoxelLayout& layout, const InsideTest& inside, VoxelWord cube)
 {
-    const VoxelLayout& layout = map.layout();
-    const auto& count = layout.frame.count;
-    VoxelBits open = map.unblockedCubes();
+    bool result = false;
+    layout.forEachCube(cube, [&](int x, int y, int z)
+                       { result = inside.contains(layout.frame.centre(x, y, z)); });
+    return result;
+}
+
+// Those of `open` that are inside: each connected component lies on one side.
+VoxelBits openInside(const VoxelLayout& layout, VoxelBits open, const InsideTest& inside)
+{
     VoxelBits result(layout.words, 0);
-    const auto test = [&](VoxelWord cubes)
-    {
-        layout.forEachCube(cubes,
-                           [&](int x, int y, int z)
-                           {
-                               if (inside.contains(layout.frame.centre(x, y, z)))
-                               {
-                                   result[cubes.word] |= layout.at(x, y, z).bits;
-                               }
-                           });
-    };
-    for (int y = 0; y < count[1]; ++y)
-    {
-        for (int z = 0; z < count[2]; ++z)
-        {
-            layout.forEachWord(y, z, 0, count[0] - 1,
-                               [&](VoxelWord w) {
-                                   test({w.word, w.bits & ~open[w.word]});
-                               });
-        }
-    }
     VoxelFlood flood(layout);
     for (std::size_t word = 0; word < open.size(); ++word)
     {
         while (open[word] != 0)
         {
             const VoxelWord first{word, open[word] & -open[word]};
-            test(first);
-            const bool isInside = (result[word] & first.bits) != 0;
+            const bool within = isInside(layout, inside, first);
             flood.run(open, first, [](VoxelWord) { return false; });
             flood.drain(
                 [&](VoxelWord w)
                 {
                     open[w.word] &= ~w.bits;
-                    result[w.word] |= isInside ? w.bits : 0;
+                    result[w.word] |= within ? w.bits : 0;
                 });
+        }
+    }
+    return result;
+}
+
+// Cubes inside that no sphere covers. Only of the few that are blocked and that no sphere covers,
+// wherever they are, each is asked for its side.
+VoxelBits uncoveredCubes(const ReachMap& map, const InsideTest& inside)
+{
+    const VoxelLayout& layout = map.layout();
+    const auto& count = layout.frame.count;
+    const Dilation covered(layout, map.reached(), map.radii().smallest / layout.frame.cell);
+    const VoxelBits unblocked = map.unblockedCubes();
+    const VoxelBits within = openInside(layout, unblocked, inside);
+    VoxelBits result(layout.words, 0);
+    const auto look = [&](int y, int z, VoxelWord w)
+    {
+        const std::uint64_t blocked = w.bits & ~unblocked[w.word];
+        const std::uint64_t maybe = (blocked | within[w.word]) & ~map.reached()[w.word];
+        if (maybe == 0)
+        {
+            return;
+        }
+        const std::uint64_t here = maybe & ~covered.word(y, z, w.word - layout.row(y, z));
+        result[w.word] = here & within[w.word];
+        for (std::uint64_t left = here & blocked; left != 0; left &= left - 1)
+        {
+            const VoxelWord cube{w.word, left & -left};
+            result[w.word] |= isInside(layout, inside, cube) ? cube.bits : 0;
+        }
+    };
+    for (int y = 0; y < count[1]; ++y)
+    {
+        for (int z = 0; z < count[2]; ++z)
+        {
+            layout.forEachWord(y, z, 0, count[0] - 1, [&](VoxelWord w) { look(y, z, w); });
         }
     }
     return result;
@@ -165,38 +183,16 @@ ReachReport reportReach(const ReachMap& map, const InsideTest& inside, double sm
     {
         return report;
     }
-    const VoxelLayout& layout = map.layout();
-    const GridFrame& frame = layout.frame;
-    const Dilation covered(layout, map.reached(), map.radii().smallest / frame.cell);
-    VoxelBits uncovered(layout.words, 0);
-    const VoxelBits within = cubesInside(map, inside);
-    std::size_t all = 0;
+    VoxelBits uncovered = uncoveredCubes(map, inside);
     std::size_t missed = 0;
-    for (int y = 0; y < frame.count[1]; ++y)
+    for (const std::uint64_t word : uncovered)
     {
-        for (int z = 0; z < frame.count[2]; ++z)
-        {
-            layout.forEachWord(y, z, 0, frame.count[0] - 1,
-                               [&](VoxelWord w)
-                               {
-                                   const std::uint64_t here = within[w.word];
-                                   if ((here & ~map.reached()[w.word]) != 0)
-                                   {
-                                       uncovered[w.word] =
-                                           here & ~covered.word(y, z, w.word - layout.row(y, z));
-                                   }
-                                   all += static_cast<std::size_t>(std::popcount(here));
-                                   missed +=
-                                       static_cast<std::size_t>(std::popcount(uncovered[w.word]));
-                               });
-        }
+        missed += static_cast<std::size_t>(std::popcount(word));
     }
-    const double cube = frame.cell * frame.cell * frame.cell;
-    report.resolution = frame.cell;
-    report.objectVolume = static_cast<double>(all) * cube;
-    report.unreachedVolume = static_cast<double>(missed) * cube;
-    report.coveredVolume = report.objectVolume - report.unreachedVolume;
-    report.parts = findParts(layout, std::move(uncovered), smallestPart);
+    const double edge = map.layout().frame.cell;
+    report.resolution = edge;
+    report.unreachedVolume = static_cast<double>(missed) * (edge * edge * edge);
+    report.parts = findParts(map.layout(), std::move(uncovered), smallestPart);
     return report;
 }
 

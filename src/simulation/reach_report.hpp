@@ -14,12 +14,10 @@ struct UnreachablePart
     Eigen::AlignedBox3d box;
 };
 
-/// What spheres of a radius can fill of the object at most.
+/// What of the object spheres of a radius cannot fill.
 struct ReachReport
 {
-    double objectVolume = 0;    ///< as the map's cubes see it [r^3]
-    double coveredVolume = 0;   ///< within the radius of a reached cube: no sphere gets elsewhere
-    double unreachedVolume = 0; ///< the rest, crumbs included
+    double unreachedVolume = 0;         ///< that no sphere covers, crumbs included [r^3]
     std::vector<UnreachablePart> parts; ///< largest first, of at least the volume asked for
     double resolution = 0;              ///< edge of a cube [r]
 };

@@ -100,6 +100,11 @@ struct VoxelLayout
 
     [[nodiscard]] bool any(const VoxelBits& set, int y, int z, int first, int last) const
     {
+        if (first / 64 == last / 64) // as nearly always
+        {
+            const std::size_t word = row(y, z) + static_cast<std::size_t>(first) / 64;
+            return (set[word] >> (first % 64) << (63 - last + first)) != 0;
+        }
         std::uint64_t found = 0;
         forEachWord(y, z, first, last, [&](VoxelWord w) { found |= set[w.word] & w.bits; });
         return found != 0;

@@ -140,11 +140,15 @@ class TriangleRows
 public:
     TriangleRows(const GridFrame& frame, const SurfaceTriangle& triangle, double reach)
         : frame_(frame), triangle_(triangle), reach_(reach), box_(boxOf(triangle)),
+          widest_(range(0, box_.min().x(), box_.max().x())),
           window_(range(1, box_.min().y(), box_.max().y()),
                   range(2, box_.min().z(), box_.max().z()))
     {
     }
     [[nodiscard]] const RowWindow& window() const { return window_; }
+
+    /// What no row has more cubes than.
+    [[nodiscard]] VoxelRun widest() const { return {widest_[0], widest_[1]}; }
 
     /// The cubes of a row that may be near: their middle is near the triangle's plane and box.
     [[nodiscard]] VoxelRun run(int y, int z) const
@@ -196,6 +200,7 @@ private:
     const SurfaceTriangle& triangle_;
     double reach_;
     Eigen::AlignedBox3d box_;
+    std::array<int, 2> widest_;
     RowWindow window_;
 };
 

@@ -91,15 +91,6 @@ void World::freeze(std::uint32_t id)
     stateChanges.push_back(id);
 }
 
-void World::unfreezeLast()
-{
-    const std::uint32_t id = stateChanges.back();
-    stateChanges.pop_back();
-    spheres.setState(id, SphereState::running);
-    resting.remove(id);
-    --restingCount;
-}
-
 void World::unfreeze(std::uint32_t id)
 {
     discardedCount -= spheres.state[id] == SphereState::discarded ? 1 : 0;

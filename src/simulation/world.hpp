@@ -75,8 +75,6 @@ struct World
     void forgetFrozen();
     /// Lets a sphere at rest run again.
     void unfreeze(std::uint32_t id);
-    /// Takes back the freezing of the sphere that was frozen last, at the same place.
-    void unfreezeLast();
     /// Takes out a running sphere for which there is no room. The sphere with the highest id takes
     /// over its id; returns that sphere's old id.
     std::uint32_t withdraw(std::uint32_t id);

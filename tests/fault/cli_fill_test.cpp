@@ -54,6 +54,30 @@ TEST_F(FillCommand, takesOptionsInAnyOrder)
     EXPECT_TRUE(std::filesystem::exists(folder_ / "a/summary.json"));
 }
 
+TEST_F(FillCommand, saysWhichGivenOptionsThePresetDoesNotUse)
+{
+    const std::string none = kSmall + "--frames none --overwrite ";
+    const auto linesOfWarning = [](const Answer& answer)
+    {
+        EXPECT_EQ(answer.code, 0) << answer.errors;
+        std::string lines;
+        for (std::size_t at = answer.errors.find("warning: "); at != std::string::npos;
+             at = answer.errors.find("warning: ", at + 1))
+            lines += answer.errors.substr(at, answer.errors.find('\n', at) - at) + "\n";
+        return lines;
+    };
+    EXPECT_EQ(linesOfWarning(run(none + "--integrator explicit --freeze-every 3 --threads 1")),
+              "warning: the preset fast does not use --integrator, --freeze-every; the preset "
+              "paper does\n");
+    EXPECT_EQ(linesOfWarning(run(none + "--preset paper --no-freeze-by-set --sweeps 4")),
+              "warning: the preset paper does not use --sweeps, --freeze-by-set; the preset fast "
+              "does\n");
+    EXPECT_EQ(linesOfWarning(run(none + "--preset paper --integrator explicit --motion fall")), "");
+    EXPECT_EQ(linesOfWarning(run(none + "--quiet --sphere-search grid")), "");
+    // The summary of a run has the settings of both presets.
+    EXPECT_EQ(linesOfWarning(run("fill --scene output/cube/summary.json --out b")), "");
+}
+
 TEST_F(FillCommand, printsOneJsonDocumentOnStandardOutput)
 {
     const Answer answer = run(kSmall + "--frames none --json");

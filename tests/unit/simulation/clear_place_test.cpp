@@ -38,6 +38,21 @@ TEST_F(ClearPlaceTest, IsFoundFromTheVeryPlaceOfAnother)
     EXPECT_LT(place.norm(), 2.1);
 }
 
+TEST_F(ClearPlaceTest, IsClearOfANewcomerAsIfThatWereAtRest)
+{
+    const PlacedSphere newcomer{{0, 2, 0}, 1};
+    place = {0.2, 1.1, 0.1};
+    Eigen::Vector3d same = place;
+    ASSERT_TRUE(moveClear(world, newcomer, place, 1, 3, 100));
+    EXPECT_GE(place.norm(), 2);
+    EXPECT_GE((place - newcomer.place).norm(), 2);
+    EXPECT_EQ(world.restingCount, 1U);
+
+    world.freeze(world.release(newcomer.place, newcomer.radius, 0));
+    ASSERT_TRUE(moveClear(world, same, 1, 3, 100));
+    EXPECT_LT((place - same).norm(), 1e-12);
+}
+
 TEST_F(ClearPlaceTest, IsNotFoundWithinTooShortAWay)
 {
     EXPECT_FALSE(moveClear(world, place, 1, 1));

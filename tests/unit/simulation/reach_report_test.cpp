@@ -84,9 +84,9 @@ TEST(ReachReport, BoxBehindANarrowNeckIsUnreachableFromTheOther)
     map.setSeeds(site, 0);
     ASSERT_TRUE(map.flood({}));
     const ReachReport report = reportReach(map, object.inside, kSphereVolume);
-    EXPECT_NEAR(report.objectVolume, 512 + 6 + 216, 0.02 * 734);
-    EXPECT_NEAR(report.coveredVolume + report.unreachedVolume, report.objectVolume, 1e-9);
     ASSERT_EQ(report.parts.size(), 1u);
+    EXPECT_GE(report.unreachedVolume, report.parts[0].volume);
+    EXPECT_LT(report.unreachedVolume, 216 + 6 + 0.02 * 512) << "edges are narrow, too";
     // The neck is 6 long; spheres reach into it by less than a radius and two cubes.
     EXPECT_GT(report.parts[0].volume, 216 + 6 - 2 - 1);
     EXPECT_LT(report.parts[0].volume, 216 + 6);
