@@ -130,7 +130,6 @@ void Encounters::orderFromBelow(std::span<Runner> runners)
     for (std::uint32_t rank = 0; rank < crowd_.size(); ++rank)
     {
         runners[crowd_[rank]].rank = rank;
-        runners[crowd_[rank]].disturbed = true;
     }
 }
 
@@ -154,29 +153,17 @@ void Encounters::findMeetingsOf(std::span<const Runner> runners, Runner& runner)
 
 // From below: a runner gives way by its share to those above it, whose turn is yet to come, and
 // takes what is left of the overlap with those below, so that one sweep lifts a whole pile off its
-// floor. One that overlapped nothing is looked at again only when something beside it has moved.
-// Returns the deepest penetration that it found.
+// floor. Returns the deepest penetration that it found.
 double Encounters::sweep(std::span<Runner> runners, double giveWay)
 {
     double deepest = 0;
     for (const std::uint32_t k : crowd_)
     {
         Runner& runner = runners[k];
-        if (!runner.disturbed)
-        {
-            continue;
-        }
-        double depth = 0;
-        const Eigen::Vector3d push = pushOff(runners, runner, giveWay, depth);
-        runner.disturbed = depth > 0;
-        deepest = std::max(deepest, depth);
+        const Eigen::Vector3d push = pushOff(runners, runner, giveWay, deepest);
         if (!push.isZero(0))
         {
             flight_.shift(runner, push);
-            for (const std::uint32_t other : runner.meeting)
-            {
-                runners[other].disturbed = true;
-            }
         }
     }
     return deepest;

@@ -49,9 +49,9 @@ void FastEngine::freezeCalm()
     }
     frozen_.assign(running_, false);
     grid_.rebuild({runners_.data(), running_});
-    if (world_.scene.freezing.bySet)
+    if (isPile())
     {
-        freezeTogether(1);
+        freezeTogether(world_.scene.freezing.bySet ? 1 : kCalmInPile);
     }
     threads_.forEach(calm_.size(),
                      [&](std::size_t i)
@@ -79,10 +79,6 @@ void FastEngine::freezeCalm()
             findPlace(runners_[k]);
         }
         frozen_[k] = runners_[k].carriedAt && tryFreeze(k);
-    }
-    if (!world_.scene.freezing.bySet && isPile())
-    {
-        freezeTogether(kCalmInPile);
     }
     forgetFrozen();
 }
