@@ -13,42 +13,7 @@ constexpr double kMeetingMargin = 0.3; // gap up to which runners may meet withi
 constexpr double kLongestPush = 0.2;   // in one sweep, of the own radius
 constexpr double kDeep = 0.1;          // penetration depth from which one climbs the other [r]
 constexpr double kApart = 1e-8;        // penetration depth that is left to those taken apart [r]
-constexpr int kRounds = 8;             // of collisions
-constexpr double kSoon = 0.05;         // gap that an approach may close within a step [r]
-constexpr double kSlow = 1e-3;         // approach that is left to those on others [sqrt(g r)]
 constexpr int kMostSeparations = 1000; // sweeps
-
-// How much of the penetration depth a gives way by. One that nothing at rest has carried for long
-// stops giving way, so that it comes down to something that does; of two such, the lower.
-double shareOf(const Runner& a, const Runner& b, const Eigen::Vector3d& down)
-{
-    if (a.yields != b.yields)
-    {
-        return a.yields ? 1 : 0;
-    }
-    if (!a.yields)
-    {
-        const double ya = -a.position.dot(down);
-        const double yb = -b.position.dot(down);
-        return ya < yb || (ya == yb && a.id < b.id) ? 0 : 1;
-    }
-    const double ma = a.radius * a.radius * a.radius;
-    const double mb = b.radius * b.radius * b.radius;
-    return mb / (ma + mb);
-}
-
-// Approach to what is at rest is lost.
-void stopAtRest(Runner& runner)
-{
-    for (const Eigen::Vector3d& normal : runner.normals)
-    {
-        const double approach = normal.dot(runner.velocity);
-        if (approach < 0)
-        {
-            runner.velocity -= approach * normal;
-        }
-    }
-}
 
 } // namespace
 
@@ -56,7 +21,7 @@ void Encounters::resolve(std::span<Runner> runners, double dt)
 {
     down_ = flight_.down();
     findMeetings(runners);
-    exchangeVelocities(runners, dt);
+    collisions_.resolve(runners, crowd_, down_, dt);
     const int mutual = settings_.stiff ? settings_.sweeps / 4 : settings_.sweeps * 3 / 4;
     for (int k = 0; k < settings_.sweeps; ++k)
     {
@@ -201,100 +166,6 @@ Eigen::Vector3d Encounters::pushOff(std::span<const Runner> runners, const Runne
     const double length = push.norm();
     const double longest = kLongestPush * runner.radius;
     return length > longest ? Eigen::Vector3d(push * (longest / length)) : push;
-}
-
-// Collisions of pairs one after another, the lowest first, and of each with what is at rest: none
-// of them adds energy, and a few rounds carry the floor's reaction up a pile.
-void Encounters::exchangeVelocities(std::span<Runner> runners, double dt)
-{
-    findContacts(runners, dt);
-    for (int round = 0; round < kRounds; ++round)
-    {
-        for (const Contact& contact : contacts_)
-        {
-            collide(runners[contact.upper], runners[contact.lower], contact);
-        }
-    }
-    if (settings_.stiff)
-    {
-        stopOnLower(runners);
-    }
-}
-
-// Shock propagation [Guendelman et al. 2003]: what the rounds have left of an approach is lost, as
-// if the lower ones could not give way. No faster than it was, since what carries it may move.
-void Encounters::stopOnLower(std::span<Runner> runners)
-{
-    for (auto first = contacts_.begin(); first != contacts_.end();)
-    {
-        const auto last =
-            std::find_if(first, contacts_.end(),
-                         [&](const Contact& contact) { return contact.upper != first->upper; });
-        Runner& runner = runners[first->upper];
-        const double before = runner.velocity.squaredNorm();
-        bool approaches = true;
-        for (int k = 0; k < kRounds && approaches; ++k)
-        {
-            approaches = false;
-            for (auto contact = first; contact != last; ++contact)
-            {
-                const double approach =
-                    (runner.velocity - runners[contact->lower].velocity).dot(contact->normal);
-                if (approach < -contact->allowed - kSlow)
-                {
-                    runner.velocity -= (approach + contact->allowed) * contact->normal;
-                    approaches = true;
-                }
-            }
-            stopAtRest(runner);
-        }
-        const double after = runner.velocity.squaredNorm();
-        if (after > before)
-        {
-            runner.velocity *= std::sqrt(before / after);
-        }
-        first = last;
-    }
-}
-
-// Of those that overlap, the lowest first.
-void Encounters::findContacts(std::span<const Runner> runners, double dt)
-{
-    contacts_.clear();
-    for (const std::uint32_t k : crowd_)
-    {
-        const Runner& upper = runners[k];
-        for (const std::uint32_t other : upper.meeting)
-        {
-            const Runner& lower = runners[other];
-            const Eigen::Vector3d d = upper.position - lower.position;
-            const double contact = upper.radius + lower.radius;
-            const double limit = contact + kSoon;
-            const double squared = d.squaredNorm();
-            if (lower.rank < upper.rank && squared < limit * limit && squared > 0)
-            {
-                const double distance = std::sqrt(squared);
-                contacts_.push_back(
-                    {k, other, d / distance, std::max(0.0, (distance - contact) / dt)});
-            }
-        }
-    }
-}
-
-void Encounters::collide(Runner& a, Runner& b, const Contact& contact) const
-{
-    const double approach = (a.velocity - b.velocity).dot(contact.normal);
-    const bool bounces = approach < -settings_.bounceSpeed;
-    if (approach >= -contact.allowed || (bounces && contact.allowed > 0))
-    {
-        return;
-    }
-    const double change =
-        bounces ? -(1 + settings_.restitution) * approach : -contact.allowed - approach;
-    a.velocity += contact.normal * (change * shareOf(a, b, down_));
-    b.velocity -= contact.normal * (change * shareOf(b, a, down_));
-    stopAtRest(a);
-    stopAtRest(b);
 }
 
 // What is lifted is slowed down by as much energy.

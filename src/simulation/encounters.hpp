@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <simulation/collisions.hpp>
 #include <simulation/flight.hpp>
 #include <simulation/parallel.hpp>
 #include <simulation/runner_grid.hpp>
@@ -28,7 +29,8 @@ public:
 
     /// `grid` is rebuilt at each step.
     Encounters(RunnerGrid& grid, const Flight& flight, Threads& threads, const Settings& settings)
-        : grid_(grid), flight_(flight), threads_(threads), settings_(settings)
+        : grid_(grid), flight_(flight), threads_(threads), settings_(settings),
+          collisions_({settings.restitution, settings.bounceSpeed, settings.stiff})
     {
     }
 
@@ -41,33 +43,21 @@ public:
     void separate(std::span<Runner> runners, std::span<const std::uint32_t> some);
 
 private:
-    struct Contact
-    {
-        std::uint32_t upper, lower; ///< runners, by index
-        Eigen::Vector3d normal;     ///< from the lower to the upper
-        double allowed;             ///< approach that only closes the gap [sqrt(g r)]
-    };
-
     void findMeetings(std::span<Runner> runners);
     void findMeetingsOf(std::span<const Runner> runners, Runner& runner) const;
     void orderFromBelow(std::span<Runner> runners);
     double sweep(std::span<Runner> runners, double giveWay);
     [[nodiscard]] Eigen::Vector3d pushOff(std::span<const Runner> runners, const Runner& runner,
                                           double giveWay, double& deepest) const;
-    void exchangeVelocities(std::span<Runner> runners, double dt);
-    void findContacts(std::span<const Runner> runners, double dt);
-
-    void collide(Runner& a, Runner& b, const Contact& contact) const;
-    void stopOnLower(std::span<Runner> runners);
     void payForLifts(std::span<Runner> runners) const;
 
     RunnerGrid& grid_;
     const Flight& flight_;
     Threads& threads_;
     Settings settings_;
+    Collisions collisions_;
     Eigen::Vector3d down_ = {0, -1, 0}; ///< the pull's direction in this step
-    std::vector<Contact> contacts_;    ///< of runners that overlap after their flight, lowest first
-    std::vector<std::uint32_t> crowd_; ///< runners that meet others, by index, lowest first
+    std::vector<std::uint32_t> crowd_;  ///< runners that meet others, by index, lowest first
 };
 
 } // namespace frostfill

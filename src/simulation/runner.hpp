@@ -32,10 +32,10 @@ struct Runner
     double age = 0;         ///< since its release, or something came to rest beside it [sqrt(r/g)]
     std::uint32_t calmWindows = 0;            ///< in a row in which it hardly moved
     std::optional<Eigen::Vector3d> carriedAt; ///< the place nearby where what is at rest carries it
-    bool stale = false;     ///< something has come to rest, or has moved, since carriedAt was found
-    bool member = false;    ///< of those that are looked at together, see CarriedRunners
-    bool falls = false;     ///< nothing carries it among them, scratch
-    bool yields = true; ///< gives way to other runners; one that nothing carries for long does not
+    bool stale = false;  ///< something has come to rest, or has moved, since carriedAt was found
+    bool member = false; ///< of those that are looked at together, see CarriedRunners
+    bool falls = false;  ///< nothing carries it among them, scratch
+    bool yields = true;  ///< gives way to other runners; one that nothing carries for long does not
 
     void restart(std::uint32_t newId, const Eigen::Vector3d& p, double newRadius);
 };
