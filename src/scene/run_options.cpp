@@ -181,6 +181,11 @@ void addDiscards(TableBuilder& table)
         .add("search.polygons", "--polygon-search", "How polygons near a sphere are found",
              FROSTFILL_FIELD(search.polygons))
         .of(Preset::paper);
+    table
+        .add("search.neighbour_lists", "--neighbour-lists",
+             "Keep what is near a sphere until it has moved; without: slower, no more exact",
+             FROSTFILL_FIELD(search.neighbourLists))
+        .of(Preset::fast);
 }
 
 } // namespace

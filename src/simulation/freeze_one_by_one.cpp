@@ -22,11 +22,9 @@ constexpr double kCalm = 0.03;            // a calm sphere moves less than this 
 constexpr double kContactGap = 0.01;      // below which a contact carries, for the first look [r]
 constexpr double kMostlyCarried = 0.5;    // weight that may be missing at that first look
 constexpr double kLongestSettling = 0.15; // a sphere that is frozen comes down by less [r]
-constexpr double kNearRoom = 0.1;   // that a runner may be moved out of a freezing one's place [r]
-constexpr double kFarRoom = 1;      // the same for one that others have been blocking for long [r]
-constexpr double kCalmShare = 0.75; // of a set that is calm when it freezes whole
+constexpr double kNearRoom = 0.1; // that a runner may be moved out of a freezing one's place [r]
+constexpr double kFarRoom = 1;    // the same for one that others have been blocking for long [r]
 constexpr std::uint32_t kCalmInPile = 4; // calm windows after which those in a pile freeze together
-constexpr std::uint32_t kCalmSet = 30;   // windows for which it is to stay so
 constexpr std::uint32_t kPatience = 8;   // calm windows after which a sphere stops giving way
 constexpr std::uint32_t kPatienceInPile = 64; // the same where many carry each other
 constexpr std::uint32_t kBlocked = 24;        // after which others are moved far out of its place
@@ -81,33 +79,6 @@ void FastEngine::freezeCalm()
         frozen_[k] = runners_[k].carriedAt && tryFreeze(k);
     }
     forgetFrozen();
-}
-
-bool FastEngine::setIsWhole() const
-{
-    const std::size_t target = world_.targetCount;
-    return inSet_ >= setSize_ || setIsCalm_ || (target > 0 && world_.spheres.size() >= target);
-}
-
-// Where sets freeze whole: whether the newest is not all there yet or not all of it is calm. Once
-// it is, or once something is overdue, its spheres freeze from below like any others.
-bool FastEngine::waitForSet()
-{
-    const auto overdue = [this](const Runner& runner) { return runner.age > ageLimit_; };
-    const auto end = runners_.begin() + static_cast<std::ptrdiff_t>(running_);
-    const bool whole = setIsWhole() || !mayRelease_;
-    const bool calm =
-        static_cast<double>(calm_.size()) >= kCalmShare * static_cast<double>(running_);
-    calmSetWindows_ = whole && calm ? calmSetWindows_ + 1 : 0;
-    if (!setIsCalm_ && (calmSetWindows_ >= kCalmSet || std::any_of(runners_.begin(), end, overdue)))
-    {
-        setIsCalm_ = true;
-        for (Runner& runner : runners_)
-        {
-            runner.calmWindows = std::min(runner.calmWindows, 1u);
-        }
-    }
-    return !setIsCalm_;
 }
 
 void FastEngine::findCalm()

@@ -5,8 +5,17 @@
 
 #include <simulation/fast_engine.hpp>
 
+#include <algorithm>
+
 namespace frostfill
 {
+namespace
+{
+
+constexpr double kCalmShare = 0.75;    // of a set that is calm when it freezes whole
+constexpr std::uint32_t kCalmSet = 30; // windows for which it is to stay so
+
+} // namespace
 
 void FastEngine::freezeTogether(std::uint32_t calmWindows)
 {
@@ -42,6 +51,33 @@ void FastEngine::freezeTogether(std::uint32_t calmWindows)
         }
         runners[k].member = false; // at rest or given up
     }
+}
+
+bool FastEngine::setIsWhole() const
+{
+    const std::size_t target = world_.targetCount;
+    return inSet_ >= setSize_ || setIsCalm_ || (target > 0 && world_.spheres.size() >= target);
+}
+
+// Where sets freeze whole: whether the newest is not all there yet or not all of it is calm. Once
+// it is, or once something is overdue, its spheres freeze from below like any others.
+bool FastEngine::waitForSet()
+{
+    const auto overdue = [this](const Runner& runner) { return runner.age > ageLimit_; };
+    const auto end = runners_.begin() + static_cast<std::ptrdiff_t>(running_);
+    const bool whole = setIsWhole() || !mayRelease_;
+    const bool calm =
+        static_cast<double>(calm_.size()) >= kCalmShare * static_cast<double>(running_);
+    calmSetWindows_ = whole && calm ? calmSetWindows_ + 1 : 0;
+    if (!setIsCalm_ && (calmSetWindows_ >= kCalmSet || std::any_of(runners_.begin(), end, overdue)))
+    {
+        setIsCalm_ = true;
+        for (Runner& runner : runners_)
+        {
+            runner.calmWindows = std::min(runner.calmWindows, 1u);
+        }
+    }
+    return !setIsCalm_;
 }
 
 } // namespace frostfill

@@ -7,7 +7,7 @@ namespace frostfill
 void Neighbourhood::ensure(const World& world, const Eigen::Vector3d& p, double radius,
                            double ahead)
 {
-    if (radius_ == radius && room(p) >= ahead)
+    if (world.scene.search.neighbourLists && radius_ == radius && room(p) >= ahead)
     {
         return;
     }

@@ -30,6 +30,7 @@ const std::vector<Variant>& variants()
     static const std::vector<Variant> all = {
         {"reference", [](Scene&) {}},
         {"no discard", [](Scene& scene) { scene.discard.rule = DiscardRule::none; }},
+        {"no neighbour lists", [](Scene& scene) { scene.search.neighbourLists = false; }},
         {"free flight simulated", [](Scene& scene) { scene.motion.mode = Motion::fall; }},
         {"no dynamics", [](Scene& scene) { scene.motion.mode = Motion::descend; }},
         {"half the time step", [](Scene& scene) { scene.motion.dt = *scene.motion.dt / 2; }},
