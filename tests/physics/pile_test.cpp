@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+// What runners do to one another: collisions, pushes, and who carries whom in a pile.
+
+#include <simulation/carried_runners.hpp>
+#include <simulation/encounters.hpp>
+#include <simulation/make_engine.hpp>
+#include <simulation/quality.hpp>
+#include <simulation/random.hpp>
+#include <simulation/state_hash.hpp>
+#include <support/shapes.hpp>
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+namespace frostfill
+{
+namespace
+{
+
+constexpr double kDt = 0.165;
+constexpr double kFloor = -8;
+
+Scene sceneOfPile()
+{
+    Scene scene = presetScene(Preset::fast, "cube");
+    scene.spheres.radius = 1;
+    scene.threads = 1;
+    return scene;
+}
+
+/// Runners in a box whose floor is at y = -8. Radii and gravity are 1.
+struct Pile
+{
+    explicit Pile(const std::vector<Eigen::Vector3d>& places)
+    {
+        runners.resize(places.size());
+        for (std::uint32_t k = 0; k < places.size(); ++k)
+        {
+            runners[k].restart(k, places[k], 1);
+        }
+    }
+
+    void step()
+    {
+        for (Runner& runner : runners)
+        {
+            flight.advance(runner, kDt);
+        }
+        encounters.resolve(runners, kDt);
+    }
+
+    [[nodiscard]] double energy() const
+    {
+        return std::accumulate(
+            runners.begin(), runners.end(), 0.0,
+            [](double sum, const Runner& runner)
+            { return sum + runner.velocity.squaredNorm() / 2 + runner.position.y(); });
+    }
+
+    /// Those that carry one another, of all.
+    std::vector<std::uint32_t> carried()
+    {
+        step(); // finds who meets whom
+        std::vector<std::uint32_t> members(runners.size());
+        std::iota(members.begin(), members.end(), 0);
+        for (Runner& runner : runners)
+        {
+            runner.member = true;
+        }
+        CarriedRunners(flight, threads, {}).keep(runners, members);
+        return members;
+    }
+
+    World world{sceneOfPile(), shapes::box({-8, -8, -8}, {8, 8, 8}, 8)};
+    Flight flight{world, {}};
+    Threads threads{1};
+    RunnerGrid grid{world.resting.frame()};
+    Encounters encounters{grid, flight, threads, {}};
+    std::vector<Runner> runners;
+};
+
+std::vector<Eigen::Vector3d> column(int height)
+{
+    std::vector<Eigen::Vector3d> places;
+    for (int k = 0; k < height; ++k)
+    {
+        places.emplace_back(0, kFloor + 1 + 2 * k, 0);
+    }
+    return places;
+}
+
+TEST(Collisions, AColumnOnTheFloorStandsStill)
+{
+    Pile pile(column(7));
+    for (int k = 0; k < 50; ++k)
+    {
+        pile.step();
+        for (const Runner& runner : pile.runners)
+        {
+            EXPECT_LT(runner.velocity.norm(), 1e-3);
+            EXPECT_NEAR(runner.position.y(), kFloor + 1 + 2 * runner.id, 2e-3);
+        }
+    }
+}
+
+TEST(Collisions, ARandomCrowdNeverGainsEnergyInAStep)
+{
+    for (std::uint64_t seed = 1; seed <= 5; ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        std::vector<Eigen::Vector3d> places;
+        for (std::uint64_t k = 0; k < 27; ++k)
+        {
+            const auto at = [&](std::uint64_t n, std::uint64_t axis)
+            { return 4.5 * (static_cast<double>(n) - 1) + uniformRandom(seed, k, axis); };
+            places.emplace_back(at(k % 3, 0), at(k / 9, 1), at(k / 3 % 3, 2));
+        }
+        Pile pile(places);
+        for (Runner& runner : pile.runners)
+        {
+            for (int axis = 0; axis < 3; ++axis)
+            {
+                runner.velocity[axis] =
+                    6 * (uniformRandom(seed, runner.id, 3 + static_cast<std::uint64_t>(axis)) - .5);
+            }
+        }
+        double energy = pile.energy();
+        const double fall = 27 * 16;
+        for (int k = 0; k < 400; ++k)
+        {
+            pile.step();
+            EXPECT_LE(pile.energy(), energy + 1e-3 * fall);
+            energy = std::min(energy, pile.energy());
+        }
+        for (const Runner& runner : pile.runners)
+        {
+            EXPECT_LT(runner.velocity.norm(), 0.5);
+        }
+    }
+}
+
+TEST(Encounters, SpheresPressedIntoARowClimbOutOfIt)
+{
+    // Nine along an edge of the floor that is eight long.
+    std::vector<Eigen::Vector3d> places;
+    for (int k = 0; k < 9; ++k)
+    {
+        places.emplace_back(-7 + 14.0 / 8 * k, kFloor + 1, -7);
+    }
+    Pile pile(places);
+    for (int k = 0; k < 200; ++k)
+    {
+        pile.step();
+    }
+    for (const Runner& a : pile.runners)
+    {
+        for (const Runner& b : pile.runners)
+        {
+            if (a.id < b.id)
+            {
+                EXPECT_GT((a.position - b.position).norm(), 2 - 0.05);
+            }
+        }
+    }
+}
+
+TEST(CarriedRunners, AreThoseThatStandOnTheFloorAndOnEachOther)
+{
+    std::vector<Eigen::Vector3d> places = column(3);
+    places.emplace_back(5, 0, 5);               // in the air
+    places.emplace_back(5, 2, 5);               // on the one in the air
+    places.emplace_back(-5, kFloor + 1, 5);     // alone on the floor
+    places.emplace_back(-5, kFloor + 2.6, 3.8); // leans on it
+    Pile pile(places);
+    EXPECT_EQ(pile.carried(), (std::vector<std::uint32_t>{0, 1, 2, 5}));
+}
+
+TEST(Pile, OfAThousandSpheresFreezesWithoutOverlapsOrGaps)
+{
+    Scene scene = sceneOfPile();
+    scene.spheres.count = 1000;
+    std::vector<PlacedSphere> placed;
+    for (int k = 0; k < 1000; ++k)
+    {
+        const auto shaken = [&](int at, std::uint64_t axis) {
+            return -9 + 2.2 * at +
+                   0.15 * (uniformRandom(3, static_cast<std::uint64_t>(k), axis) - 0.5);
+        };
+        placed.push_back({{shaken(k % 9, 0), shaken(k / 81, 1) - 5, shaken(k / 9 % 9, 2)}, 1});
+    }
+    std::string hash;
+    for (const int threads : {1, 2})
+    {
+        scene.threads = threads;
+        World world(scene, shapes::box({-10.5, -16, -10.5}, {10.5, 24, 10.5}, 16));
+        const auto engine = makeEngine(world);
+        engine->releaseAt(placed);
+        while (engine->step())
+        {
+        }
+        const QualityReport quality = examine(world);
+        EXPECT_EQ(world.spheres.size(), 1000u);
+        EXPECT_EQ(world.overdue, 0u);
+        EXPECT_LE(quality.maxOverlap, 1e-7);
+        EXPECT_LE(quality.maxWallOverlap, 1e-6);
+        EXPECT_EQ(quality.centresOutside, 0u);
+        EXPECT_LE(quality.unsupported, 5u);
+        EXPECT_LE(quality.energyExcess, 1e-9);
+        hash = hash.empty() ? hashState(world.spheres) : hash;
+        EXPECT_EQ(hashState(world.spheres), hash);
+    }
+}
+
+} // namespace
+} // namespace frostfill
