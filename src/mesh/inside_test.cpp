@@ -110,7 +110,15 @@ bool InsideTest::isInsideFarFromSurface(const Eigen::Vector3d& p) const
             return inside_[grid_->frame().index(other)];
         }
     }
-    return windingNumber(surface_->mesh(), p) > 0.5;
+    // Two such points of one cell are nearer to each other than twice the reach, so no surface is
+    // between them: one winding number serves the cell.
+    const std::lock_guard lock(*farSidesLock_);
+    const auto [side, isNew] = farSides_.try_emplace(grid_->frame().index(p), false);
+    if (isNew)
+    {
+        side->second = windingNumber(surface_->mesh(), p) > 0.5;
+    }
+    return side->second;
 }
 
 } // namespace frostfill

@@ -4,6 +4,9 @@
 #include <mesh/triangle_grid.hpp>
 
 #include <array>
+#include <memory>
+#include <mutex>
+#include <unordered_map>
 #include <vector>
 
 namespace frostfill
@@ -32,6 +35,9 @@ private:
     const Surface* surface_;
     const TriangleGrid* grid_;
     std::vector<bool> inside_; ///< [#cells] of those without triangles
+    /// By cell, of points that are far from the surface in cells with triangles, once asked for.
+    mutable std::unordered_map<std::size_t, bool> farSides_;
+    std::unique_ptr<std::mutex> farSidesLock_ = std::make_unique<std::mutex>();
 };
 
 } // namespace frostfill
