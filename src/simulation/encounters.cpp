@@ -9,11 +9,12 @@ namespace frostfill
 namespace
 {
 
-constexpr double kMeetingMargin = 0.3; // gap up to which runners may meet within a step [r]
-constexpr double kLongestPush = 0.2;   // in one sweep, of the own radius
-constexpr double kDeep = 0.1;          // penetration depth from which one climbs the other [r]
-constexpr double kApart = 1e-8;        // penetration depth that is left to those taken apart [r]
-constexpr int kMostSeparations = 1000; // sweeps
+constexpr double kMeetingMargin = 0.3;  // gap up to which runners may meet within a step [r]
+constexpr std::size_t kFewRunners = 64; // up to which all pairs are looked at
+constexpr double kLongestPush = 0.2;    // in one sweep, of the own radius
+constexpr double kDeep = 0.1;           // penetration depth from which one climbs the other [r]
+constexpr double kApart = 1e-8;         // penetration depth that is left to those taken apart [r]
+constexpr int kMostSeparations = 1000;  // sweeps
 
 } // namespace
 
@@ -66,7 +67,10 @@ void Encounters::separate(std::span<Runner> runners, std::span<const std::uint32
 // overlaps.
 void Encounters::findMeetings(std::span<Runner> runners)
 {
-    grid_.rebuild(runners);
+    if (runners.size() > kFewRunners)
+    {
+        grid_.rebuild(runners);
+    }
     threads_.forEach(runners.size(), [&](std::size_t i) { findMeetingsOf(runners, runners[i]); });
     crowd_.clear();
     for (std::size_t i = 0; i < runners.size(); ++i)
@@ -101,17 +105,26 @@ void Encounters::orderFromBelow(std::span<Runner> runners)
 void Encounters::findMeetingsOf(std::span<const Runner> runners, Runner& runner) const
 {
     runner.meeting.clear();
-    grid_.forEachNear(runner.position, runner.radius + 1 + kMeetingMargin,
-                      [&](std::uint32_t k, const Eigen::Vector3d& p, double radius)
-                      {
-                          const double limit = runner.radius + radius + kMeetingMargin;
-                          if ((p - runner.position).squaredNorm() < limit * limit &&
-                              &runners[k] != &runner)
-                          {
-                              runner.meeting.push_back(k);
-                          }
-                      });
-    std::sort(runner.meeting.begin(), runner.meeting.end());
+    const auto look = [&](std::uint32_t k, const Eigen::Vector3d& p, double radius)
+    {
+        const double limit = runner.radius + radius + kMeetingMargin;
+        if ((p - runner.position).squaredNorm() < limit * limit && &runners[k] != &runner)
+        {
+            runner.meeting.push_back(k);
+        }
+    };
+    if (runners.size() <= kFewRunners)
+    {
+        for (std::uint32_t k = 0; k < runners.size(); ++k)
+        {
+            look(k, runners[k].position, runners[k].radius);
+        }
+    }
+    else
+    {
+        grid_.forEachNear(runner.position, runner.radius + 1 + kMeetingMargin, look);
+        std::sort(runner.meeting.begin(), runner.meeting.end());
+    }
     runner.flown = runner.position;
     runner.velocityBefore = runner.velocity;
 }

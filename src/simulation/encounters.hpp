@@ -27,7 +27,7 @@ public:
         double tolerance = 1e-3; ///< penetration depth at which the sweeps end early [r]
     };
 
-    /// `grid` is rebuilt at each step.
+    /// `grid` may be rebuilt at each step.
     Encounters(RunnerGrid& grid, const Flight& flight, Threads& threads, const Settings& settings)
         : grid_(grid), flight_(flight), threads_(threads), settings_(settings),
           collisions_({settings.restitution, settings.bounceSpeed, settings.stiff})

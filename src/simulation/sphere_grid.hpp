@@ -39,6 +39,7 @@ public:
         std::uint32_t& head = head_[frame_.index(p)];
         spheres_[id] = {p.x(), p.y(), p.z(), radius, head, false};
         head = id;
+        extent_.extend(p);
     }
 
     /// Room for so many spheres without moving any in memory.
@@ -63,6 +64,10 @@ public:
     template <class Visit>
     void forEachNear(const Eigen::Vector3d& p, double reach, Visit&& visit) const
     {
+        if (extent_.squaredExteriorDistance(p) > reach * reach)
+        {
+            return; // a fall begins far above all that is at rest
+        }
         const auto low = frame_.coordinates(p.array() - reach);
         const auto high = frame_.coordinates(p.array() + reach);
         for (int z = low[2]; z <= high[2]; ++z)
@@ -110,6 +115,7 @@ private:
     static constexpr std::uint32_t kEnd = 0xffffffff;
     GridFrame frame_;
     std::vector<std::uint32_t> head_; ///< [#cells]
+    Eigen::AlignedBox3d extent_;      ///< of all that were ever inserted
     std::vector<GridSphere> spheres_; ///< [#S] those inserted; the others' values mean nothing
 };
 
