@@ -67,11 +67,21 @@ void Encounters::separate(std::span<Runner> runners, std::span<const std::uint32
 // overlaps.
 void Encounters::findMeetings(std::span<Runner> runners)
 {
-    if (runners.size() > kFewRunners)
+    if (runners.size() <= kFewRunners)
+    {
+        findMeetingsOfFew(runners);
+    }
+    else
     {
         grid_.rebuild(runners);
+        threads_.forEach(runners.size(),
+                         [&](std::size_t i) { findMeetingsOf(runners, runners[i]); });
     }
-    threads_.forEach(runners.size(), [&](std::size_t i) { findMeetingsOf(runners, runners[i]); });
+    for (Runner& runner : runners)
+    {
+        runner.flown = runner.position;
+        runner.velocityBefore = runner.velocity;
+    }
     crowd_.clear();
     for (std::size_t i = 0; i < runners.size(); ++i)
     {
@@ -102,31 +112,44 @@ void Encounters::orderFromBelow(std::span<Runner> runners)
     }
 }
 
+// All pairs.
+void Encounters::findMeetingsOfFew(std::span<Runner> runners)
+{
+    balls_.clear(); // all that is compared, close together
+    for (Runner& runner : runners)
+    {
+        runner.meeting.clear();
+        balls_.emplace_back(runner.position.x(), runner.position.y(), runner.position.z(),
+                            runner.radius);
+    }
+    for (std::uint32_t i = 1; i < balls_.size(); ++i)
+    {
+        for (std::uint32_t k = 0; k < i; ++k)
+        {
+            const double limit = balls_[i].w() + balls_[k].w() + kMeetingMargin;
+            if ((balls_[i] - balls_[k]).head<3>().squaredNorm() < limit * limit)
+            {
+                runners[i].meeting.push_back(k);
+                runners[k].meeting.push_back(i);
+            }
+        }
+    }
+}
+
 void Encounters::findMeetingsOf(std::span<const Runner> runners, Runner& runner) const
 {
     runner.meeting.clear();
-    const auto look = [&](std::uint32_t k, const Eigen::Vector3d& p, double radius)
-    {
-        const double limit = runner.radius + radius + kMeetingMargin;
-        if ((p - runner.position).squaredNorm() < limit * limit && &runners[k] != &runner)
-        {
-            runner.meeting.push_back(k);
-        }
-    };
-    if (runners.size() <= kFewRunners)
-    {
-        for (std::uint32_t k = 0; k < runners.size(); ++k)
-        {
-            look(k, runners[k].position, runners[k].radius);
-        }
-    }
-    else
-    {
-        grid_.forEachNear(runner.position, runner.radius + 1 + kMeetingMargin, look);
-        std::sort(runner.meeting.begin(), runner.meeting.end());
-    }
-    runner.flown = runner.position;
-    runner.velocityBefore = runner.velocity;
+    grid_.forEachNear(runner.position, runner.radius + 1 + kMeetingMargin,
+                      [&](std::uint32_t k, const Eigen::Vector3d& p, double radius)
+                      {
+                          const double limit = runner.radius + radius + kMeetingMargin;
+                          if ((p - runner.position).squaredNorm() < limit * limit &&
+                              &runners[k] != &runner)
+                          {
+                              runner.meeting.push_back(k);
+                          }
+                      });
+    std::sort(runner.meeting.begin(), runner.meeting.end());
 }
 
 // From below: a runner gives way by its share to those above it, whose turn is yet to come, and

@@ -44,6 +44,7 @@ public:
 
 private:
     void findMeetings(std::span<Runner> runners);
+    void findMeetingsOfFew(std::span<Runner> runners);
     void findMeetingsOf(std::span<const Runner> runners, Runner& runner) const;
     void orderFromBelow(std::span<Runner> runners);
     double sweep(std::span<Runner> runners, double giveWay);
@@ -56,8 +57,9 @@ private:
     Threads& threads_;
     Settings settings_;
     Collisions collisions_;
-    Eigen::Vector3d down_ = {0, -1, 0}; ///< the pull's direction in this step
-    std::vector<std::uint32_t> crowd_;  ///< runners that meet others, by index, lowest first
+    Eigen::Vector3d down_ = {0, -1, 0};  ///< the pull's direction in this step
+    std::vector<Eigen::Vector4d> balls_; ///< centres and radii, scratch of findMeetingsOfFew
+    std::vector<std::uint32_t> crowd_;   ///< runners that meet others, by index, lowest first
 };
 
 } // namespace frostfill
