@@ -42,12 +42,13 @@ public:
 
 private:
     static constexpr int kSide = 4; // cells
-    static constexpr std::size_t kInBlock = kSide * kSide * kSide;
+    static constexpr std::size_t kInBlock = std::size_t{kSide} * kSide * kSide;
     static constexpr std::uint32_t kNoTriangles = 0xffffffff;
 
     [[nodiscard]] static std::size_t inBlock(int x, int y, int z)
     {
-        return static_cast<std::size_t>((z % kSide * kSide + y % kSide) * kSide + x % kSide);
+        const int index = (z % kSide * kSide + y % kSide) * kSide + x % kSide;
+        return static_cast<std::size_t>(index);
     }
 
     GridFrame frame_;

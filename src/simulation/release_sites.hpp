@@ -36,7 +36,7 @@ public:
             for (int misses = 0; misses < kPatience && !ceilings_.empty();)
             {
                 const std::size_t among = highOnly ? window_ : ceilings_.size();
-                const auto place = take(nextDraw(among, prepare, ahead), among);
+                auto place = take(nextDraw(among, prepare, ahead), among);
                 if (place && suits(*place))
                 {
                     return place;
