@@ -21,6 +21,7 @@ constexpr int kMostSeparations = 1000;  // sweeps
 void Encounters::resolve(std::span<Runner> runners, double dt)
 {
     down_ = flight_.down();
+    climbFrom_ = kDeep;
     findMeetings(runners);
     collisions_.resolve(runners, crowd_, down_, dt);
     const int mutual = settings_.stiff ? settings_.sweeps / 4 : settings_.sweeps * 3 / 4;
@@ -36,6 +37,7 @@ void Encounters::resolve(std::span<Runner> runners, double dt)
 
 void Encounters::separate(std::span<Runner> runners)
 {
+    climbFrom_ = 0; // no speed comes of it
     for (int k = 0; k < kMostSeparations; ++k)
     {
         findMeetings(runners);
@@ -48,6 +50,7 @@ void Encounters::separate(std::span<Runner> runners)
 
 void Encounters::separate(std::span<Runner> runners, std::span<const std::uint32_t> some)
 {
+    climbFrom_ = kDeep;
     for (Runner& runner : runners)
     {
         runner.rank = Runner::kNobody;
@@ -191,10 +194,10 @@ Eigen::Vector3d Encounters::pushOff(std::span<const Runner> runners, const Runne
         const double share = takesRest ? 1 : giveWay * shareOf(runner, other, down_);
         Eigen::Vector3d away =
             distance > 0 ? Eigen::Vector3d(d / distance) : Eigen::Vector3d::Zero();
-        if (takesRest && depth > kDeep * runner.radius)
+        if (takesRest && depth > climbFrom_ * runner.radius)
         {
             // Spheres pressed into a row on the floor or in a corner leave it upwards.
-            away = (away - down_ * (depth / runner.radius - kDeep)).normalized();
+            away = (away - down_ * (depth / runner.radius - climbFrom_)).normalized();
         }
         place += away * (share * depth);
     }

@@ -57,7 +57,8 @@ private:
     Threads& threads_;
     Settings settings_;
     Collisions collisions_;
-    Eigen::Vector3d down_ = {0, -1, 0};  ///< the pull's direction in this step
+    Eigen::Vector3d down_ = {0, -1, 0}; ///< the pull's direction in this step
+    double climbFrom_ = 0; ///< penetration depth from which one climbs the other [own radius]
     std::vector<Eigen::Vector4d> balls_; ///< centres and radii, scratch of findMeetingsOfFew
     std::vector<std::uint32_t> crowd_;   ///< runners that meet others, by index, lowest first
 };

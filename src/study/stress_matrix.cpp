@@ -119,10 +119,10 @@ std::vector<PlacedSphere> shakenGrid(std::size_t count, double radius)
     return spheres;
 }
 
-// Spheres that take a fifth of the cube's volume and all run from the start.
+// Spheres that take 15 % of the cube's volume and all run from the start.
 void addCrowds(Matrix& matrix, bool quick)
 {
-    constexpr double kShare = 0.2;
+    constexpr double kShare = 0.15;
     for (const std::uint32_t count : {10u, 100u, 1000u, 10000u, 100000u})
     {
         if (quick && count > 1000)
