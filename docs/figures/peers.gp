@@ -6,6 +6,7 @@ load "style.gp"
 floor = 1e-16
 clip(x) = x > floor ? x : floor
 on(curve, x) = strcol("engine") eq curve ? column(x) : NaN
+theirs(x) = strcol("engine") eq "Frostfill" ? NaN : column(x)
 front(x) = column("front") == 1 ? column(x) : NaN
 restless(x) = column("at_rest") == 0 ? column(x) : NaN
 set datafile missing NaN
@@ -27,5 +28,7 @@ plot data using (on("Frostfill","seconds")):(clip(on("Frostfill","worst"))) with
         pointsize 2.6 linewidth 2 linecolor rgb black title "not at rest at the end", \
     data using (front("seconds")):(clip(front("worst"))) with points pointtype 6 pointsize 2.8 \
         linewidth 2 linecolor rgb black title "Pareto front", \
-    data using (column("seconds")):(clip(column("worst"))):(strcol("setting")) with labels \
-        rotate by 35 left offset 0.9,0.5 font ",10" notitle
+    data using (on("Frostfill","seconds")):(clip(column("worst"))):(strcol("setting")) with labels \
+        left offset 1.5,0 font ",10" notitle, \
+    data using (theirs("seconds")):(clip(column("worst"))):(strcol("setting")) with labels \
+        right offset -1.7,0 font ",10" notitle
