@@ -148,8 +148,8 @@ struct SearchSettings
     SphereSearch spheres = SphereSearch::allPairs;
     PolygonSearch polygons = PolygonSearch::quadtree;
     /// Preset fast: what is near a running sphere is kept until it has moved half a radius [Verlet
-    /// 1967]; off: looked up anew each time, as exactly. Where a path is cut
-    /// depends on it, so the bits differ.
+    /// 1967]; off: looked up anew each time, as exactly. Where a path is cut depends on it, so the
+    /// bits differ.
     bool neighbourLists = true;
 };
 

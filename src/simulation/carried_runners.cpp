@@ -7,6 +7,13 @@
 
 namespace frostfill
 {
+namespace
+{
+
+constexpr double kContactGap = 0.005; // below which a contact carries [own radius]
+constexpr double kUncarried = 0.05;   // share of the weight that may remain
+
+} // namespace
 
 // Whoever is taken out may have carried others, so these are looked at again.
 void CarriedRunners::keep(std::span<Runner> runners, std::vector<std::uint32_t>& members)
@@ -42,19 +49,18 @@ void CarriedRunners::keep(std::span<Runner> runners, std::vector<std::uint32_t>&
 
 bool CarriedRunners::carry(std::span<const Runner> runners, Runner& runner) const
 {
-    flight_.findContacts(runner, settings_.gap * runner.radius);
+    flight_.findContacts(runner, kContactGap * runner.radius);
     for (const std::uint32_t k : runner.meeting)
     {
         const Eigen::Vector3d d = runner.position - runners[k].position;
-        const double contact = runner.radius * (1 + settings_.gap) + runners[k].radius;
+        const double contact = runner.radius * (1 + kContactGap) + runners[k].radius;
         const double squared = d.squaredNorm();
         if (runners[k].member && squared < contact * contact && squared > 0)
         {
             runner.normals.push_back(d / std::sqrt(squared));
         }
     }
-    return projectToFree(flight_.downAt(runner.position), runner.normals).norm() <
-           settings_.uncarried;
+    return projectToFree(flight_.downAt(runner.position), runner.normals).norm() < kUncarried;
 }
 
 } // namespace frostfill

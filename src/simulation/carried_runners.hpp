@@ -15,16 +15,7 @@ namespace frostfill
 class CarriedRunners
 {
 public:
-    struct Settings
-    {
-        double gap = 0.005;      ///< below which a contact carries [own radius]
-        double uncarried = 0.05; ///< share of the weight that may remain
-    };
-
-    CarriedRunners(const Flight& flight, Threads& threads, const Settings& settings)
-        : flight_(flight), threads_(threads), settings_(settings)
-    {
-    }
+    CarriedRunners(const Flight& flight, Threads& threads) : flight_(flight), threads_(threads) {}
 
     /// Of those with Runner::member, takes it from those that are not carried. `members` lists
     /// them; their lists of meetings are up to date.
@@ -36,7 +27,6 @@ public:
 private:
     const Flight& flight_;
     Threads& threads_;
-    Settings settings_;
     std::vector<std::uint32_t> gone_; ///< scratch of keep
 };
 

@@ -21,13 +21,12 @@ constexpr int kMostSeparations = 1000;  // sweeps
 void Encounters::resolve(std::span<Runner> runners, double dt)
 {
     down_ = flight_.down();
-    climbFrom_ = kDeep;
     findMeetings(runners);
     collisions_.resolve(runners, crowd_, down_, dt);
     const int mutual = settings_.stiff ? settings_.sweeps / 4 : settings_.sweeps * 3 / 4;
     for (int k = 0; k < settings_.sweeps; ++k)
     {
-        if (sweep(runners, k <= mutual ? 1 : 0) < settings_.tolerance)
+        if (sweep(runners, k <= mutual ? 1 : 0, kDeep) < settings_.tolerance)
         {
             break;
         }
@@ -37,11 +36,10 @@ void Encounters::resolve(std::span<Runner> runners, double dt)
 
 void Encounters::separate(std::span<Runner> runners)
 {
-    climbFrom_ = 0; // no speed comes of it
     for (int k = 0; k < kMostSeparations; ++k)
     {
         findMeetings(runners);
-        if (sweep(runners, k % 2) < kApart)
+        if (sweep(runners, k % 2, 0) < kApart)
         {
             return;
         }
@@ -50,7 +48,6 @@ void Encounters::separate(std::span<Runner> runners)
 
 void Encounters::separate(std::span<Runner> runners, std::span<const std::uint32_t> some)
 {
-    climbFrom_ = kDeep;
     for (Runner& runner : runners)
     {
         runner.rank = Runner::kNobody;
@@ -59,7 +56,7 @@ void Encounters::separate(std::span<Runner> runners, std::span<const std::uint32
     orderFromBelow(runners);
     for (int k = 0; k < kMostSeparations; ++k)
     {
-        if (sweep(runners, k % 2) < kApart)
+        if (sweep(runners, k % 2, kDeep) < kApart)
         {
             return;
         }
@@ -158,13 +155,13 @@ void Encounters::findMeetingsOf(std::span<const Runner> runners, Runner& runner)
 // From below: a runner gives way by its share to those above it, whose turn is yet to come, and
 // takes what is left of the overlap with those below, so that one sweep lifts a whole pile off its
 // floor. Returns the deepest penetration that it found.
-double Encounters::sweep(std::span<Runner> runners, double giveWay)
+double Encounters::sweep(std::span<Runner> runners, double giveWay, double climbFrom)
 {
     double deepest = 0;
     for (const std::uint32_t k : crowd_)
     {
         Runner& runner = runners[k];
-        const Eigen::Vector3d push = pushOff(runners, runner, giveWay, deepest);
+        const Eigen::Vector3d push = pushOff(runners, runner, giveWay, climbFrom, deepest);
         if (!push.isZero(0))
         {
             flight_.shift(runner, push);
@@ -174,7 +171,7 @@ double Encounters::sweep(std::span<Runner> runners, double giveWay)
 }
 
 Eigen::Vector3d Encounters::pushOff(std::span<const Runner> runners, const Runner& runner,
-                                    double giveWay, double& deepest) const
+                                    double giveWay, double climbFrom, double& deepest) const
 {
     Eigen::Vector3d place = runner.position;
     for (const std::uint32_t k : runner.meeting)
@@ -194,10 +191,10 @@ Eigen::Vector3d Encounters::pushOff(std::span<const Runner> runners, const Runne
         const double share = takesRest ? 1 : giveWay * shareOf(runner, other, down_);
         Eigen::Vector3d away =
             distance > 0 ? Eigen::Vector3d(d / distance) : Eigen::Vector3d::Zero();
-        if (takesRest && depth > climbFrom_ * runner.radius)
+        if (takesRest && depth > climbFrom * runner.radius)
         {
             // Spheres pressed into a row on the floor or in a corner leave it upwards.
-            away = (away - down_ * (depth / runner.radius - climbFrom_)).normalized();
+            away = (away - down_ * (depth / runner.radius - climbFrom)).normalized();
         }
         place += away * (share * depth);
     }

@@ -47,9 +47,11 @@ private:
     void findMeetingsOfFew(std::span<Runner> runners);
     void findMeetingsOf(std::span<const Runner> runners, Runner& runner) const;
     void orderFromBelow(std::span<Runner> runners);
-    double sweep(std::span<Runner> runners, double giveWay);
+    /// `giveWay`: part of its share by which one gives way to those above it; `climbFrom`:
+    /// penetration depth from which one climbs the other [own radius].
+    double sweep(std::span<Runner> runners, double giveWay, double climbFrom);
     [[nodiscard]] Eigen::Vector3d pushOff(std::span<const Runner> runners, const Runner& runner,
-                                          double giveWay, double& deepest) const;
+                                          double giveWay, double climbFrom, double& deepest) const;
     void payForLifts(std::span<Runner> runners) const;
 
     RunnerGrid& grid_;
@@ -57,8 +59,7 @@ private:
     Threads& threads_;
     Settings settings_;
     Collisions collisions_;
-    Eigen::Vector3d down_ = {0, -1, 0}; ///< the pull's direction in this step
-    double climbFrom_ = 0; ///< penetration depth from which one climbs the other [own radius]
+    Eigen::Vector3d down_ = {0, -1, 0};  ///< the pull's direction in this step
     std::vector<Eigen::Vector4d> balls_; ///< centres and radii, scratch of findMeetingsOfFew
     std::vector<std::uint32_t> crowd_;   ///< runners that meet others, by index, lowest first
 };

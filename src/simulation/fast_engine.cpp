@@ -61,7 +61,7 @@ FastEngine::FastEngine(World& world)
                                  ? std::max(kSweepsInAvalanche, world.scene.motion.sweeps)
                                  : world.scene.motion.sweeps,
                    .stiff = !world.scene.freezing.bySet}),
-      carried_(flight_, threads_, {}),
+      carried_(flight_, threads_),
       setSize_(groupSize(world) * world.scene.spheres.groupsPerSet), layer_(spheresInLayer(world)),
       ageLimit_(world.scene.freezing.setTimeLimit + timeToBounce(world))
 {

@@ -27,20 +27,17 @@ public:
         return world_.pull.at(p, v);
     }
 
-    /// Unit vector along what pulls in the middle of the object; zero when nothing does.
-    [[nodiscard]] Eigen::Vector3d down() const
-    {
-        return world_.pull.direction(Eigen::Vector3d::Zero());
-    }
-
-    /// Moves by one step of exact ballistic flight, with sliding and bounces.
-    void advance(Runner& runner, double dt) const;
-
     /// Unit vector along what pulls at p.
     [[nodiscard]] Eigen::Vector3d downAt(const Eigen::Vector3d& p) const
     {
         return world_.pull.direction(p);
     }
+
+    /// Unit vector along what pulls in the middle of the object; zero when nothing does.
+    [[nodiscard]] Eigen::Vector3d down() const { return downAt(Eigen::Vector3d::Zero()); }
+
+    /// Moves by one step of exact ballistic flight, with sliding and bounces.
+    void advance(Runner& runner, double dt) const;
 
     /// Finds the normals of what is at rest and touches the runner: gaps of at most `gap` [r].
     void findContacts(Runner& runner, double gap = kTouch) const;

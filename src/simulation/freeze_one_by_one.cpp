@@ -7,7 +7,6 @@
 
 #include <simulation/clear_place.hpp>
 #include <simulation/contact_cone.hpp>
-#include <simulation/free_path.hpp>
 
 #include <algorithm>
 #include <utility>
@@ -115,9 +114,7 @@ void FastEngine::findPlace(Runner& runner) const
     runner.yields = runner.yields && patient && !tooOld;
     runner.stale = false;
     runner.carriedAt.reset();
-    runner.around.ensure(world_, runner.position, runner.radius, 0);
-    contactNormals(world_.surface, runner.around, runner.position, runner.radius,
-                   kContactGap * runner.radius, runner.normals);
+    flight_.findContacts(runner, kContactGap * runner.radius);
     const double missing =
         projectToFree(world_.pull.direction(runner.position), runner.normals).norm();
     if (missing > kMostlyCarried && !tooOld)

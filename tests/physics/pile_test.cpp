@@ -68,7 +68,7 @@ struct Pile
         {
             runner.member = true;
         }
-        CarriedRunners(flight, threads, {}).keep(runners, members);
+        CarriedRunners(flight, threads).keep(runners, members);
         return members;
     }
 
