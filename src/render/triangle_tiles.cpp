@@ -74,8 +74,8 @@ TriangleTiles::Bounds TriangleTiles::boundsOf(const std::array<glm::vec3, 3>& co
 
 TriangleTiles::TriangleTiles(const ShadedMesh& mesh, const Framing& framing,
                              const PictureSize& size)
-    : columns_((size.width + kTile - 1) / kTile), rows_((size.height + kTile - 1) / kTile),
-      marks_((mesh.corners.size() + 63) / 64, 0)
+    : picture_{0, 0, size.width, size.height}, columns_((size.width + kTile - 1) / kTile),
+      rows_((size.height + kTile - 1) / kTile), marks_((mesh.corners.size() + 63) / 64, 0)
 {
     const glm::dmat4 toClip = framing.projection * framing.view;
     bounds_.reserve(mesh.corners.size());
@@ -88,12 +88,14 @@ TriangleTiles::TriangleTiles(const ShadedMesh& mesh, const Framing& framing,
 
 PixelRectangle TriangleTiles::tilesOf(const PixelRectangle& pixels) const
 {
-    if (pixels.empty())
+    // There are no tiles beyond the picture.
+    const PixelRectangle inside = common(pixels, picture_);
+    if (inside.empty())
     {
         return {};
     }
-    return {pixels.left / kTile, pixels.bottom / kTile, (pixels.right - 1) / kTile + 1,
-            (pixels.top - 1) / kTile + 1};
+    return {inside.left / kTile, inside.bottom / kTile, (inside.right - 1) / kTile + 1,
+            (inside.top - 1) / kTile + 1};
 }
 
 void TriangleTiles::sortIntoTiles()

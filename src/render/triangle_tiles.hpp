@@ -19,7 +19,7 @@ class TriangleTiles
 public:
     TriangleTiles(const ShadedMesh& mesh, const Framing& framing, const PictureSize& size);
 
-    /// A part of the picture, down to a window depth.
+    /// A part of the picture, down to a window depth. It may reach beyond the picture.
     struct Part
     {
         PixelRectangle pixels;
@@ -53,6 +53,7 @@ private:
     [[nodiscard]] static Bounds boundsOf(const std::array<glm::vec3, 3>& corners,
                                          const glm::dmat4& toClip, const PictureSize& size);
 
+    PixelRectangle picture_;
     int columns_;
     int rows_;
     std::vector<Bounds> bounds_;           ///< [#T]
