@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands.hpp"
+#include "app/message.hpp"
 #include "app/progress.hpp"
-#include "app/say.hpp"
-
 #include "output/atomic_file.hpp"
-#include "study/closed_forms.hpp"
-#include "study/error_study.hpp"
+#include "study/error/closed_forms.hpp"
+#include "study/error/error_study.hpp"
 #include "study/figures/all_figures.hpp"
-#include "study/operations_study.hpp"
+#include "study/operations/operations_study.hpp"
 #include "study/peers/peer_study.hpp"
-#include "study/stability_study.hpp"
+#include "study/stability/stability_study.hpp"
 
 #include <frostfill/error.hpp>
 

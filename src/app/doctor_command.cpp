@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands.hpp"
-
-#include "study/library_versions.hpp"
+#include "run/library_versions.hpp"
 
 #include <frostfill/error.hpp>
 #include <frostfill/measure.hpp>
@@ -9,7 +8,6 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-
 #include <unistd.h>
 
 #include <algorithm>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands.hpp"
+#include "app/message.hpp"
 #include "app/progress.hpp"
-#include "app/say.hpp"
-
 #include "study/figures/figure.hpp"
 
 #include <frostfill/error.hpp>

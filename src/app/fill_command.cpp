@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands.hpp"
+#include "app/message.hpp"
 #include "app/progress.hpp"
 #include "app/reach_text.hpp"
-#include "app/say.hpp"
 #include "app/scene_options.hpp"
-
 #include "output/scene_json.hpp"
-#include "study/fill_run.hpp"
-#include "study/volume_estimate.hpp"
+#include "run/fill_run.hpp"
+#include "run/volume_estimate.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands.hpp"
-#include "app/say.hpp"
-
-#include "study/fps_compare.hpp"
-#include "study/fps_report.hpp"
+#include "app/message.hpp"
+#include "study/fps/fps_compare.hpp"
+#include "study/fps/fps_report.hpp"
 
 #include <frostfill/error.hpp>
 

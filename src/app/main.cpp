@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands.hpp"
-#include "app/say.hpp"
-
-#include "scene/nearest_name.hpp"
+#include "app/message.hpp"
+#include "scene/options/nearest_name.hpp"
 
 #include <frostfill/error.hpp>
 

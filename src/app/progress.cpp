@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "app/progress.hpp"
-#include "app/say.hpp"
+
+#include "app/message.hpp"
 
 #include <fmt/format.h>
-
 #include <unistd.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "study/fill_run.hpp"
+#include "run/fill_run.hpp"
 
 #include <chrono>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/scene_options.hpp"
 
-#include "scene/option.hpp"
+#include "scene/options/option.hpp"
 
 #include <frostfill/error.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <geometry/closest_point.hpp>
+#include "geometry/closest_point.hpp"
 
 namespace frostfill
 {

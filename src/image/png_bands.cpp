@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "png_bands.hpp"
+#include "image/png_bands.hpp"
 
 #include <frostfill/error.hpp>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Writing PNG: stb_image_write makes the file, libdeflate does the work (six times as fast).
-#include "deflate.hpp"
-#include "png_bands.hpp"
-#include "save_bytes.hpp"
+#include "image/deflate.hpp"
+#include "image/png_bands.hpp"
+#include "image/save_bytes.hpp"
 
 #include <frostfill/error.hpp>
 #include <frostfill/image.hpp>

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "save_bytes.hpp"
+#include "image/save_bytes.hpp"
 
 #include <frostfill/error.hpp>
 
-#include <fmt/core.h>
-
 #include <fcntl.h>
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include <algorithm>

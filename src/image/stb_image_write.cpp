@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "deflate.hpp"
+#include "image/deflate.hpp"
 
 #define STBI_WRITE_NO_STDIO
 #define STBIW_ZLIB_COMPRESS frostfill::deflateForStb

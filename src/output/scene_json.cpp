@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/scene_json.hpp"
 
-#include "scene/option.hpp"
+#include "scene/options/option.hpp"
 
 #include <frostfill/error.hpp>
 

@@ -3,10 +3,10 @@
 
 #include <frostfill/image.hpp>
 
+#include <sys/types.h>
+
 #include <filesystem>
 #include <string>
-
-#include <sys/types.h>
 
 namespace frostfill
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "pipeline.hpp"
+#include "render/pipeline.hpp"
 
-#include "pose_framing.hpp"
+#include "render/framing/pose_framing.hpp"
 
 #include <frostfill/error.hpp>
 

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "colour_scale.hpp"
-#include "context.hpp"
-#include "dirty_rectangles.hpp"
-#include "framebuffer.hpp"
-#include "framing.hpp"
-#include "legend.hpp"
-#include "projected_sphere.hpp"
-#include "scene_painter.hpp"
-#include "sphere_ledger.hpp"
-#include "static_layer.hpp"
-#include "surface_pass.hpp"
+#include "render/context/context.hpp"
+#include "render/context/framebuffer.hpp"
+#include "render/framing/framing.hpp"
+#include "render/layer/dirty_rectangles.hpp"
+#include "render/layer/projected_sphere.hpp"
+#include "render/layer/scene_painter.hpp"
+#include "render/layer/sphere_ledger.hpp"
+#include "render/layer/static_layer.hpp"
+#include "render/overlay/colour_scale.hpp"
+#include "render/overlay/legend.hpp"
+#include "render/passes/surface_pass.hpp"
 
 #include <frostfill/renderer.hpp>
 

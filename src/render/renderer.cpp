@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include <frostfill/renderer.hpp>
-
-#include "ambient_occlusion.hpp"
-#include "pass_pictures.hpp"
-#include "pipeline.hpp"
-#include "shown_picture.hpp"
-#include "shrink.hpp"
+#include "render/overlay/annotated_picture.hpp"
+#include "render/passes/ambient_occlusion.hpp"
+#include "render/passes/pass_pictures.hpp"
+#include "render/passes/shrink.hpp"
+#include "render/pipeline.hpp"
 
 #include <frostfill/error.hpp>
+#include <frostfill/renderer.hpp>
 
 #include <chrono>
 
@@ -99,7 +98,7 @@ struct Renderer::Implementation
 
     RenderSettings settings;
     Pipeline pipeline;
-    ShownPicture picture;
+    AnnotatedPicture picture;
     StageTimes times;
     Image whole; ///< if the picture is finished as a whole
     std::vector<std::uint8_t> wholeRows;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "scene/packing_estimate.hpp"
+#include "scene/radius_distribution.hpp"
+
 #include <frostfill/error.hpp>
 #include <frostfill/scene.hpp>
-#include <scene/packing_estimate.hpp>
-#include <scene/radius_distribution.hpp>
 
 #include <cmath>
 #include <filesystem>

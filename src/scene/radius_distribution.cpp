@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <scene/radius_distribution.hpp>
+#include "scene/radius_distribution.hpp"
 
 #include <frostfill/error.hpp>
 

@@ -5,8 +5,9 @@
 // build/release/tests/benchmark/benchmark_exact_discard [SPHERES [SEEDS [FOLDER [OBJECT]]]]
 // where FOLDER has the real meshes
 
+#include "support/discard_objects.hpp"
+
 #include <frostfill/simulation.hpp>
-#include <support/discard_objects.hpp>
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "naive_pipeline.hpp"
+#include "benchmark/naive_pipeline.hpp"
 
 // As it comes: its own deflate, its own choice of filters, and a copy of its own.
 #pragma GCC diagnostic push

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "study/tessellated_spheres.hpp"
+#include "study/error/tessellated_spheres.hpp"
 
 #include <filesystem>
 

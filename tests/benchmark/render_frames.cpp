@@ -4,14 +4,13 @@
 // machine. Run it by hand on an idle machine:
 // build/release/tests/benchmark/benchmark_render [--samples 4] [--quick]
 
-#include "naive_pipeline.hpp"
-#include "render_scene.hpp"
-#include "study/frame_writer.hpp"
+#include "benchmark/naive_pipeline.hpp"
+#include "benchmark/render_scene.hpp"
+#include "run/frame_writer.hpp"
 
 #include <frostfill/renderer.hpp>
 
 #include <fmt/format.h>
-
 #include <unistd.h>
 
 #include <algorithm>

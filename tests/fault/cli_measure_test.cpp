@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "program.hpp"
-
+#include "fault/program.hpp"
 #include "support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
-
 #include <nlohmann/json.hpp>
 
 #include <algorithm>

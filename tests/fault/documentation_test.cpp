@@ -2,8 +2,8 @@
 // Runs every command that the README and docs/ show, with few spheres and small pictures, in the
 // order in which they are shown; and follows every link between their files.
 
-#include "program.hpp"
-
+#include "fault/program.hpp"
+#include "support/paths.hpp"
 #include "support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ namespace
 using test::Answer;
 using test::readFile;
 
-const std::filesystem::path kSource = FROSTFILL_SOURCE_DIR;
+const std::filesystem::path kSource = testing_support::sourceFolder();
 
 std::vector<std::filesystem::path> pages()
 {

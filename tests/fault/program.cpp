@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "program.hpp"
+#include "fault/program.hpp"
 
 #include "support/temporary_folder.hpp"
 

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 // A small picture with everything in it, against one that a person has looked at.
 // FROSTFILL_UPDATE_GOLDEN=1 in the environment rewrites it; look at it again then.
+#include "support/pictures.hpp"
+
+#include "support/paths.hpp"
+
 #include <frostfill/image.hpp>
 #include <frostfill/renderer.hpp>
-#include <support/pictures.hpp>
 
 #include <gtest/gtest.h>
 
@@ -23,7 +26,7 @@ constexpr double kLargestRms = 2;
 
 void expectLikeGolden(const Image& actual, const std::string& name)
 {
-    const fs::path golden = fs::path(FROSTFILL_SOURCE_DIR) / "tests" / "golden" / (name + ".png");
+    const fs::path golden = testing_support::sourceFolder() / "tests" / "golden" / (name + ".png");
     if (std::getenv("FROSTFILL_UPDATE_GOLDEN") != nullptr)
     {
         savePng(actual, golden);
@@ -35,7 +38,7 @@ void expectLikeGolden(const Image& actual, const std::string& name)
     {
         return;
     }
-    const fs::path output = FROSTFILL_TEST_OUTPUT;
+    const fs::path output = testing_support::testOutput();
     savePng(actual, output / (name + "_actual.png"));
     ADD_FAILURE() << "differs from " << golden << "\n  drawn: " << output / (name + "_actual.png")
                   << "\n  root mean square " << difference.rootMeanSquare << " of 255, largest "

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "support/shapes.hpp"
+
 #include <frostfill/simulation.hpp>
-#include <support/shapes.hpp>
 
 #include <gtest/gtest.h>
 
@@ -27,8 +28,8 @@ struct FreeFall : ::testing::TestWithParam<Integrator>
     Scene scene;
 };
 
-// Closed form: N steps of dt, T = N dt: semi-implicit Euler falls g T dt / 2 too far, explicit Euler
-// as much too little, to rounding.
+// Closed form: N steps of dt, T = N dt: semi-implicit Euler falls g T dt / 2 too far, explicit
+// Euler as much too little, to rounding.
 TEST_P(FreeFall, HasExactlyTheErrorOfItsIntegrator)
 {
     Simulation simulation(scene, shapes::box({-1, -10, -1}, {1, 0, 1}));

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "support/paths.hpp"
+
 #include <frostfill/mesh.hpp>
 #include <frostfill/simulation.hpp>
 
@@ -27,7 +29,7 @@ protected:
         std::string mesh = GetParam().object;
         if (!isBuiltInMesh(mesh))
         {
-            mesh = std::string(FROSTFILL_SHARED_MESHES) + "/" + mesh + ".obj";
+            mesh = testing_support::sharedMeshes().string() + "/" + mesh + ".obj";
             if (!std::filesystem::exists(mesh))
             {
                 GTEST_SKIP() << mesh << " is not there";

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // What runners do to one another: collisions, pushes, and who carries whom in a pile.
 
-#include <simulation/carried_runners.hpp>
-#include <simulation/encounters.hpp>
-#include <simulation/make_engine.hpp>
-#include <simulation/quality.hpp>
-#include <simulation/random.hpp>
-#include <simulation/state_hash.hpp>
-#include <support/shapes.hpp>
+#include "base/random.hpp"
+#include "simulation/engine/make_engine.hpp"
+#include "simulation/quality/quality.hpp"
+#include "simulation/solver/position_solver.hpp"
+#include "simulation/solver/support_island.hpp"
+#include "simulation/world/state_hash.hpp"
+#include "support/shapes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -47,7 +47,7 @@ struct Pile
         {
             flight.advance(runner, kDt);
         }
-        encounters.resolve(runners, kDt);
+        positionSolver.resolve(runners, kDt);
     }
 
     [[nodiscard]] double energy() const
@@ -68,15 +68,15 @@ struct Pile
         {
             runner.member = true;
         }
-        CarriedRunners(flight, threads).keep(runners, members);
+        SupportIsland(flight, threads).keep(runners, members);
         return members;
     }
 
     World world{sceneOfPile(), shapes::box({-8, -8, -8}, {8, 8, 8}, 8)};
-    Flight flight{world, {}};
+    FreeFlight flight{world, {}};
     Threads threads{1};
     RunnerGrid grid{world.resting.frame()};
-    Encounters encounters{grid, flight, threads, {}};
+    PositionSolver positionSolver{grid, flight, threads, {}};
     std::vector<Runner> runners;
 };
 
@@ -90,7 +90,7 @@ std::vector<Eigen::Vector3d> column(int height)
     return places;
 }
 
-TEST(Collisions, AColumnOnTheFloorStandsStill)
+TEST(VelocitySolver, AColumnOnTheFloorStandsStill)
 {
     Pile pile(column(7));
     for (int k = 0; k < 50; ++k)
@@ -104,7 +104,7 @@ TEST(Collisions, AColumnOnTheFloorStandsStill)
     }
 }
 
-TEST(Collisions, ARandomCrowdNeverGainsEnergyInAStep)
+TEST(VelocitySolver, ARandomCrowdNeverGainsEnergyInAStep)
 {
     for (std::uint64_t seed = 1; seed <= 5; ++seed)
     {
@@ -140,7 +140,7 @@ TEST(Collisions, ARandomCrowdNeverGainsEnergyInAStep)
     }
 }
 
-TEST(Encounters, SpheresPressedIntoARowClimbOutOfIt)
+TEST(PositionSolver, SpheresPressedIntoARowClimbOutOfIt)
 {
     // Nine along an edge of the floor that is eight long.
     std::vector<Eigen::Vector3d> places;
@@ -165,7 +165,7 @@ TEST(Encounters, SpheresPressedIntoARowClimbOutOfIt)
     }
 }
 
-TEST(CarriedRunners, AreThoseThatStandOnTheFloorAndOnEachOther)
+TEST(SupportIsland, AreThoseThatStandOnTheFloorAndOnEachOther)
 {
     std::vector<Eigen::Vector3d> places = column(3);
     places.emplace_back(5, 0, 5);               // in the air

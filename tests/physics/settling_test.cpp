@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <simulation/descent.hpp>
-#include <simulation/free_path.hpp>
-#include <support/shapes.hpp>
-#include <support/small_world.hpp>
+#include "simulation/contact/sphere_cast.hpp"
+#include "simulation/motion/drop_and_roll.hpp"
+#include "support/shapes.hpp"
+#include "support/small_world.hpp"
 
 #include <gtest/gtest.h>
 
@@ -41,7 +41,7 @@ protected:
         {
             falls.insert(world.spheres.position(id));
         }
-        Descent descent(world, falls);
+        DropAndRoll descent(world, falls);
         EXPECT_TRUE(descent.settle(p, 1));
         return p;
     }

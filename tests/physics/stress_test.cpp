@@ -2,12 +2,12 @@
 // The stress matrix and the closed forms at a size that runs in seconds; scenes drawn at random,
 // the seed of which a failure tells.
 
-#include <simulation/make_engine.hpp>
-#include <simulation/quality.hpp>
-#include <simulation/random.hpp>
-#include <simulation/state_hash.hpp>
-#include <support/expect_error.hpp>
-#include <support/shapes.hpp>
+#include "base/random.hpp"
+#include "simulation/engine/make_engine.hpp"
+#include "simulation/quality/quality.hpp"
+#include "simulation/world/state_hash.hpp"
+#include "support/expect_error.hpp"
+#include "support/shapes.hpp"
 
 #include <gtest/gtest.h>
 

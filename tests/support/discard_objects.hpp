@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "support/shapes.hpp"
+
 #include <frostfill/mesh.hpp>
-#include <support/shapes.hpp>
 
 #include <filesystem>
 #include <optional>

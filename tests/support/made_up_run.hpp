@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <support/pictures.hpp>
+#include "support/pictures.hpp"
 
 #include <frostfill/snapshot.hpp>
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "support/shapes.hpp"
+
 #include <frostfill/mesh.hpp>
 #include <frostfill/snapshot.hpp>
-#include <support/shapes.hpp>
 
 #include <cmath>
 #include <numbers>

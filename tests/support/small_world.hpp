@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <simulation/world.hpp>
+#include "simulation/world/world.hpp"
 
 #include <memory>
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "support/paths.hpp"
+
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -18,7 +20,7 @@ public:
     TemporaryFolder()
     {
         const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-        path_ = std::filesystem::path(FROSTFILL_TEST_OUTPUT) / "temporary" /
+        path_ = testing_support::testOutput() / "temporary" /
                 (std::string(test->test_suite_name()) + "." + test->name());
         std::filesystem::remove_all(path_);
         std::filesystem::create_directories(path_);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "study/closed_forms.hpp"
+#include "study/error/closed_forms.hpp"
 #include "study/figures/all_figures.hpp"
 #include "study/figures/embedded_scripts.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "base/statistics.hpp"
 #include "study/figures/all_figures.hpp"
 #include "study/figures/embedded_scripts.hpp"
-#include "study/statistics.hpp"
 
 #include <frostfill/simulation.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "study/error_study.hpp"
+#include "study/error/error_study.hpp"
 #include "study/figures/all_figures.hpp"
 #include "study/figures/embedded_scripts.hpp"
 

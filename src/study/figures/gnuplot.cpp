@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "study/figures/gnuplot.hpp"
 
-#include "study/run_program.hpp"
+#include "base/run_program.hpp"
 
 #include <frostfill/error.hpp>
 

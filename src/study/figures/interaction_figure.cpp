@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "mesh/interior/surface.hpp"
 #include "study/figures/all_figures.hpp"
 #include "study/figures/embedded_scripts.hpp"
 #include "study/figures/pair_table.hpp"
 #include "study/figures/panels.hpp"
 #include "study/figures/section.hpp"
-
-#include "mesh/surface.hpp"
 
 #include <fmt/format.h>
 

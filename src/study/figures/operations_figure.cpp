@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "study/figures/all_figures.hpp"
 #include "study/figures/embedded_scripts.hpp"
-#include "study/operations_study.hpp"
+#include "study/operations/operations_study.hpp"
 
 namespace frostfill
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "study/figures/panels.hpp"
 
-#include "study/frame_recorder.hpp"
-#include "study/frame_timing.hpp"
+#include "run/frame_recorder.hpp"
+#include "run/frame_timing.hpp"
 
 #include <frostfill/renderer.hpp>
 #include <frostfill/simulation.hpp>

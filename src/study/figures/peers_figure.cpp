@@ -22,8 +22,7 @@ void makeData(const FigureFolder& folder)
 
 Figure peersFigure()
 {
-    return {"peers", "other engines on the same cube", true, 200, makeData,
-            embedded::figure_peers};
+    return {"peers", "other engines on the same cube", true, 200, makeData, embedded::figure_peers};
 }
 
 } // namespace frostfill

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "study/figures/all_figures.hpp"
 #include "study/figures/embedded_scripts.hpp"
-#include "study/stability_study.hpp"
+#include "study/stability/stability_study.hpp"
 
 #include <fmt/format.h>
 

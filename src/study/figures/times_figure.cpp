@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "study/figures/all_figures.hpp"
 #include "study/figures/embedded_scripts.hpp"
-#include "study/fps_report.hpp"
-#include "study/paper_numbers.hpp"
+#include "study/fps/fps_report.hpp"
+#include "study/fps/paper_numbers.hpp"
 
 #include <fmt/format.h>
 

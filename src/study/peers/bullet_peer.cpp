@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "base/processor_time.hpp"
 #include "study/peers/peer.hpp"
-
-#include "study/peers/calm_watch.hpp"
 #include "study/peers/pouring.hpp"
-#include "study/processor_time.hpp"
+#include "study/peers/rest_watch.hpp"
 
 // As it comes: its headers do not hold to our warnings.
 #pragma GCC diagnostic push
@@ -93,7 +92,7 @@ private:
         info.m_friction = 0;
         // Of two bodies Bullet takes the product.
         info.m_restitution = std::sqrt(static_cast<btScalar>(restitution));
-        info.m_linearSleepingThreshold = kPeerCalm / kPeerWindow;
+        info.m_linearSleepingThreshold = kPeerStill / kPeerWindow;
         info.m_angularSleepingThreshold = 1;
         bodies_.push_back(std::make_unique<btRigidBody>(info));
         world_.addRigidBody(bodies_.back().get());
@@ -122,7 +121,7 @@ PeerResult runBullet(const PeerTask& task, double step)
     const ProcessorClock clock;
     BulletWorld world(task);
     PeerResult result;
-    CalmWatch watch;
+    RestWatch watch;
     Pouring pouring(task);
     double nextLook = 0;
     double nextPour = 0;

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "study/peers/peer.hpp"
-
+#include "base/run_program.hpp"
 #include "output/atomic_file.hpp"
+#include "study/peers/peer.hpp"
 #include "study/peers/pouring.hpp"
-#include "study/run_program.hpp"
 
 #include <frostfill/error.hpp>
 
 #include <fmt/format.h>
-
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -128,8 +126,8 @@ delete_atoms group surplus compress no
 variable window loop {windows}
 label next
 run {steps}
-variable calmNow equal c_share
-if "${{calmNow}} >= {share}" then "jump script.in rest"
+variable restsNow equal c_share
+if "${{restsNow}} >= {share}" then "jump script.in rest"
 next window
 jump script.in next
 print "NOT AT REST"
@@ -151,7 +149,7 @@ run 0
         fmt::arg("pours", static_cast<long>(task.timeLimit / kPeerPourEvery)),
         fmt::arg("stiffness", stiffness), fmt::arg("poisson", kPoisson),
         fmt::arg("restitution", task.restitution), fmt::arg("step", step), fmt::arg("steps", steps),
-        fmt::arg("speed", kPeerCalm / kPeerWindow), fmt::arg("share", kPeerCalmShare),
+        fmt::arg("speed", kPeerStill / kPeerWindow), fmt::arg("share", kPeerStillShare),
         fmt::arg("windows", static_cast<long>(task.timeLimit / kPeerWindow)));
 }
 

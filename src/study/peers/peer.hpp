@@ -28,9 +28,9 @@ inline constexpr double kPeerPourEvery = 1.5; ///< [sqrt(r/g)] how often room is
 
 // The stop rule of all: at rest is when nearly all spheres have moved by less than this within a
 // window. It is the distance and the window of the preset fast.
-inline constexpr double kPeerWindow = 0.33;    ///< [sqrt(r/g)]
-inline constexpr double kPeerCalm = 0.03;      ///< [r]
-inline constexpr double kPeerCalmShare = 0.99; ///< of the spheres; ours waits for every one
+inline constexpr double kPeerWindow = 0.33;     ///< [sqrt(r/g)]
+inline constexpr double kPeerStill = 0.03;      ///< [r]
+inline constexpr double kPeerStillShare = 0.99; ///< of the spheres; ours waits for every one
 
 struct PeerResult
 {

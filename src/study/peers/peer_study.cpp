@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "study/peers/peer_study.hpp"
 
-#include "simulation/make_engine.hpp"
-#include "simulation/quality.hpp"
+#include "base/processor_time.hpp"
+#include "simulation/engine/make_engine.hpp"
+#include "simulation/quality/quality.hpp"
 #include "study/peers/peer.hpp"
-#include "study/processor_time.hpp"
 
 #include <frostfill/error.hpp>
 

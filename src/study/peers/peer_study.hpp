@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "study/stability_study.hpp"
+#include "study/stability/stability_study.hpp"
 #include "study/table.hpp"
 
 #include <string>

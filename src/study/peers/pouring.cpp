@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "study/peers/pouring.hpp"
 
-#include "simulation/random.hpp"
+#include "base/random.hpp"
 
 #include <algorithm>
 

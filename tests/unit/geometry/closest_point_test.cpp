@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <geometry/closest_point.hpp>
-#include <simulation/random.hpp>
+#include "geometry/closest_point.hpp"
+
+#include "base/random.hpp"
 
 #include <gtest/gtest.h>
 

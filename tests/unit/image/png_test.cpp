@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "support/paths.hpp"
+
 #include <frostfill/error.hpp>
 #include <frostfill/image.hpp>
 
@@ -20,7 +22,7 @@ namespace fs = std::filesystem;
 class Png : public testing::Test
 {
 protected:
-    Png() : directory(fs::path(FROSTFILL_TEST_OUTPUT) / testName())
+    Png() : directory(testing_support::testOutput() / testName())
     {
         fs::remove_all(directory);
         fs::create_directories(directory);

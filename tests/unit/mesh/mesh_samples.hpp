@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "support/paths.hpp"
+
 #include <frostfill/error.hpp>
 #include <frostfill/mesh.hpp>
 
@@ -67,7 +69,7 @@ inline TriangleMesh soup(const TriangleMesh& mesh)
 
 inline std::filesystem::path outputFile(const std::string& name)
 {
-    const std::filesystem::path folder = std::filesystem::path(FROSTFILL_TEST_OUTPUT) / "files";
+    const std::filesystem::path folder = testing_support::testOutput() / "files";
     std::filesystem::create_directories(folder);
     return folder / name;
 }

@@ -6,7 +6,6 @@
 #include <frostfill/error.hpp>
 
 #include <gtest/gtest.h>
-
 #include <sys/stat.h>
 
 #include <cstdlib>

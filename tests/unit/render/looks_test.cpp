@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What the options of the picture do, and that the static layer does not show through any of them.
+#include "support/pictures.hpp"
+
 #include <frostfill/renderer.hpp>
-#include <support/pictures.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "support/pictures.hpp"
+
 #include <frostfill/error.hpp>
 #include <frostfill/renderer.hpp>
-#include <support/pictures.hpp>
 
 #include <gtest/gtest.h>
 

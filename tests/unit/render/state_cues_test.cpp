@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Can everyone tell the states apart? Measured on spheres as they are drawn.
+#include "support/colour_vision.hpp"
+#include "support/pictures.hpp"
+
 #include <frostfill/renderer.hpp>
-#include <support/colour_vision.hpp>
-#include <support/pictures.hpp>
 
 #include <gtest/gtest.h>
 

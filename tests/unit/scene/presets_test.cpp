@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <frostfill/scene.hpp>
-
 #include "support/expect_error.hpp"
+
+#include <frostfill/scene.hpp>
 
 #include <cmath>
 

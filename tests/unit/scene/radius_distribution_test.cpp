@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <scene/option.hpp>
-#include <scene/radius_distribution.hpp>
-#include <support/expect_error.hpp>
-#include <support/temporary_folder.hpp>
+#include "scene/radius_distribution.hpp"
+
+#include "scene/options/option.hpp"
+#include "support/expect_error.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,2 +1,2 @@
 // SPDX-License-Identifier: MIT
-#include <frostfill/simulation.hpp>
+#include "simulation/world/world.hpp"

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "base/statistics.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace frostfill
+{
+namespace
+{
+
+/// 97.5 % quantile of Student's t by degrees of freedom, from 1; beyond the table the normal's.
+constexpr std::array<double, 30> kStudent = {
+    12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228,
+    2.201,  2.179, 2.160, 2.145, 2.131, 2.120, 2.110, 2.101, 2.093, 2.086,
+    2.080,  2.074, 2.069, 2.064, 2.060, 2.056, 2.052, 2.048, 2.045, 2.042};
+constexpr double kNormal = 1.960;
+
+} // namespace
+
+double mean(std::span<const double> values)
+{
+    return values.empty() ? 0
+                          : std::accumulate(values.begin(), values.end(), 0.0) /
+                                static_cast<double>(values.size());
+}
+
+double percentile(std::vector<double>& values, double share)
+{
+    if (values.empty())
+        return 0;
+    const auto rank = static_cast<std::size_t>(
+        std::max(1.0, std::ceil(share * static_cast<double>(values.size()))));
+    const auto nth = values.begin() + static_cast<std::ptrdiff_t>(rank - 1);
+    std::nth_element(values.begin(), nth, values.end());
+    return *nth;
+}
+
+Distribution describe(std::vector<double> values)
+{
+    Distribution result;
+    if (values.empty())
+        return result;
+    result.count = values.size();
+    result.mean = mean(values);
+    result.median = percentile(values, 0.5);
+    result.p95 = percentile(values, 0.95);
+    result.p99 = percentile(values, 0.99);
+    const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
+    result.least = *least;
+    result.greatest = *greatest;
+    return result;
+}
+
+RepeatedMean meanOfRepeats(std::span<const double> runs)
+{
+    RepeatedMean result;
+    result.mean = mean(runs);
+    if (runs.empty())
+        return result;
+    result.least = *std::min_element(runs.begin(), runs.end());
+    if (runs.size() < 2)
+        return result;
+    double squares = 0;
+    for (const double run : runs)
+        squares += (run - result.mean) * (run - result.mean);
+    const auto freedom = static_cast<double>(runs.size() - 1);
+    const double t = runs.size() - 2 < kStudent.size() ? kStudent[runs.size() - 2] : kNormal;
+    result.halfWidth = t * std::sqrt(squares / freedom / static_cast<double>(runs.size()));
+    return result;
+}
+
+} // namespace frostfill

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include "base/threads.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace frostfill
+{
+namespace
+{
+
+// Threads::state_, from its lowest bit: parts taken from the front, parts taken from the back,
+// parts of the loop, loops so far.
+constexpr int kPartBits = 12;
+constexpr std::uint64_t kPartMask = (std::uint64_t{1} << kPartBits) - 1;
+constexpr std::size_t kPartsPerThread = 8; // so that one that is slow does not hold up the loop
+constexpr int kLooks = 20000;              // for work before a thread sleeps: some 200 us
+constexpr int kLooksAtOnce = 100;          // before others may have the core
+
+std::uint64_t atFront(std::uint64_t state)
+{
+    return state & kPartMask;
+}
+std::uint64_t atBack(std::uint64_t state)
+{
+    return state >> kPartBits & kPartMask;
+}
+std::uint64_t parts(std::uint64_t state)
+{
+    return state >> (2 * kPartBits) & kPartMask;
+}
+bool allTaken(std::uint64_t state)
+{
+    return atFront(state) + atBack(state) == parts(state);
+}
+
+void pauseAfter(int look)
+{
+    if (look % kLooksAtOnce == kLooksAtOnce - 1)
+    {
+        std::this_thread::yield();
+        return;
+    }
+#if defined(__x86_64__) || defined(__i386__)
+    __builtin_ia32_pause();
+#endif
+}
+
+} // namespace
+
+Threads::Threads(int count)
+    : concurrency_(count > 0 ? static_cast<std::size_t>(count)
+                             : std::max(1u, std::thread::hardware_concurrency()))
+{
+}
+
+Threads::~Threads()
+{
+    over_ = true;
+    state_.fetch_add(std::uint64_t{1} << (3 * kPartBits));
+    state_.notify_all();
+    for (std::thread& helper : helpers_)
+    {
+        helper.join();
+    }
+}
+
+void Threads::share(std::size_t count, Run run, const void* body)
+{
+    while (helpers_.size() + 1 < concurrency_)
+    {
+        helpers_.emplace_back([this] { help(); });
+    }
+    run_.store(run, std::memory_order_relaxed);
+    body_.store(body, std::memory_order_relaxed);
+    count_.store(count, std::memory_order_relaxed);
+    partsDone_.store(0, std::memory_order_relaxed);
+    const std::uint64_t wanted =
+        std::min<std::uint64_t>({count, kPartsPerThread * concurrency_, kPartMask});
+    const std::uint64_t loop = (state_.load(std::memory_order_relaxed) >> (3 * kPartBits)) + 1;
+    state_.store(loop << (3 * kPartBits) | wanted << (2 * kPartBits), std::memory_order_release);
+    state_.notify_all();
+    while (takePart(true))
+    {
+    }
+    for (int look = 0; partsDone_.load(std::memory_order_acquire) != wanted; ++look)
+    {
+        pauseAfter(look % kLooks);
+    }
+    if (failure_)
+    {
+        std::rethrow_exception(std::exchange(failure_, nullptr));
+    }
+}
+
+void Threads::help()
+{
+    std::uint64_t seen = state_.load(std::memory_order_acquire);
+    while (!over_)
+    {
+        if (takePart(false))
+        {
+            continue;
+        }
+        seen = state_.load(std::memory_order_acquire);
+        for (int look = 0; look < kLooks && allTaken(seen) && !over_; ++look)
+        {
+            pauseAfter(look);
+            seen = state_.load(std::memory_order_acquire);
+        }
+        if (allTaken(seen) && !over_)
+        {
+            state_.wait(seen, std::memory_order_acquire);
+        }
+    }
+}
+
+// The leading thread begins at the front and the helpers at the back, so that from loop to loop an
+// index mostly stays with the core that has its data. Returns false when no part is left.
+bool Threads::takePart(bool front)
+{
+    std::uint64_t state = state_.load(std::memory_order_acquire);
+    while (!allTaken(state))
+    {
+        const std::uint64_t one = front ? 1 : std::uint64_t{1} << kPartBits;
+        if (state_.compare_exchange_weak(state, state + one, std::memory_order_acq_rel,
+                                         std::memory_order_acquire))
+        {
+            runPart(front ? atFront(state) : parts(state) - 1 - atBack(state), parts(state));
+            return true;
+        }
+    }
+    return false;
+}
+
+void Threads::runPart(std::size_t part, std::size_t all)
+{
+    const std::size_t count = count_.load(std::memory_order_relaxed);
+    try
+    {
+        const Run run = run_.load(std::memory_order_relaxed);
+        const void* body = body_.load(std::memory_order_relaxed);
+        for (std::size_t i = count * part / all; i < count * (part + 1) / all; ++i)
+        {
+            run(body, i);
+        }
+    }
+    catch (...)
+    {
+        const std::lock_guard lock(failureLock_);
+        failure_ = failure_ ? failure_ : std::current_exception();
+    }
+    partsDone_.fetch_add(1, std::memory_order_release);
+}
+
+} // namespace frostfill

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "geometry/grid_frame.hpp"
+#include "mesh/interior/surface.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace frostfill
+{
+
+/// For each cell of a grid, the triangles that come within `reach` of some point of the cell. A
+/// cell may hold any number of them. Cells are kept in blocks, and a block away from the surface,
+/// where most of a fine grid is, costs four bytes.
+class TriangleGrid
+{
+public:
+    TriangleGrid(const Surface& surface, const GridFrame& frame, double reach);
+
+    /// Triangles, ascending, among them all that are nearer to `p` than the reach. `p` lies within
+    /// the frame; for points outside it the answer is that of the nearest cell.
+    [[nodiscard]] std::span<const std::uint32_t> near(const Eigen::Vector3d& p) const
+    {
+        const auto c = frame_.coordinates(p);
+        return cell(c[0], c[1], c[2]);
+    }
+    [[nodiscard]] std::span<const std::uint32_t> cell(int x, int y, int z) const
+    {
+        const std::uint32_t block = blocks_[blocksFrame_.index(x / kSide, y / kSide, z / kSide)];
+        if (block == kNoTriangles)
+        {
+            return {};
+        }
+        const std::uint32_t* start =
+            starts_.data() + std::size_t{block} * kInBlock + inBlock(x, y, z);
+        return {ids_.data() + start[0], start[1] - start[0]};
+    }
+    [[nodiscard]] const GridFrame& frame() const { return frame_; }
+    [[nodiscard]] double reach() const { return reach_; }
+
+private:
+    static constexpr int kSide = 4; // cells
+    static constexpr std::size_t kInBlock = std::size_t{kSide} * kSide * kSide;
+    static constexpr std::uint32_t kNoTriangles = 0xffffffff;
+
+    [[nodiscard]] static std::size_t inBlock(int x, int y, int z)
+    {
+        const int index = (z % kSide * kSide + y % kSide) * kSide + x % kSide;
+        return static_cast<std::size_t>(index);
+    }
+
+    GridFrame frame_;
+    double reach_;
+    GridFrame blocksFrame_;             ///< of the blocks
+    std::vector<std::uint32_t> blocks_; ///< [#blocks] number among those with triangles
+    std::vector<std::uint32_t> starts_; ///< [#cells of blocks with triangles + 1]
+    std::vector<std::uint32_t> ids_;
+};
+
+/// Calls visit(x, y, z) for each cell of the frame that the triangle may come within `reach` of.
+template <class Visit>
+void forEachCellNear(const GridFrame& frame, const SurfaceTriangle& triangle, double reach,
+                     Visit&& visit)
+{
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& corner : triangle.corner)
+    {
+        box.extend(corner);
+    }
+    const auto low = frame.coordinates(box.min().array() - reach);
+    const auto high = frame.coordinates(box.max().array() + reach);
+    // Half a cell's diagonal: how far the cell's points are from its centre.
+    const double radius = 0.8660254037844387 * frame.cell + reach;
+    for (int z = low[2]; z <= high[2]; ++z)
+    {
+        for (int y = low[1]; y <= high[1]; ++y)
+        {
+            for (int x = low[0]; x <= high[0]; ++x)
+            {
+                const Eigen::Vector3d centre = frame.centre(x, y, z);
+                if (std::abs(triangle.normal.dot(centre) - triangle.offset) > radius)
+                {
+                    continue;
+                }
+                const Eigen::Vector3d closest =
+                    closestPointOnTriangle(centre, triangle.corner[0], triangle.corner[1],
+                                           triangle.corner[2])
+                        .point;
+                if ((centre - closest).squaredNorm() <= radius * radius)
+                {
+                    visit(x, y, z);
+                }
+            }
+        }
+    }
+}
+
+} // namespace frostfill

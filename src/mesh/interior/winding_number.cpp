@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// The solid angle of a triangle from A. van Oosterom, J. Strackee, "The solid angle of a plane
+// triangle", IEEE Trans. Biomed. Eng. 30 (1983), eq. 8.
+#include "mesh/interior/winding_number.hpp"
+
+#include <cmath>
+
+namespace frostfill
+{
+namespace
+{
+
+constexpr double kTwoPi = 6.283185307179586;
+
+/// Signed solid angle of a triangle seen from a point, over 4 pi.
+double solidAngle(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& t,
+                  const Eigen::Vector3d& point)
+{
+    const Eigen::Vector3d a = mesh.vertices[t[0]] - point;
+    const Eigen::Vector3d b = mesh.vertices[t[1]] - point;
+    const Eigen::Vector3d c = mesh.vertices[t[2]] - point;
+    const double la = a.norm(), lb = b.norm(), lc = c.norm();
+    const double numerator = a.dot(b.cross(c));
+    const double denominator = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
+    return std::atan2(numerator, denominator) / kTwoPi;
+}
+
+/// Neumaier's sum: a million triangles of either sign do not add up their rounding.
+class CarefulSum
+{
+public:
+    void add(double value)
+    {
+        const double sum = sum_ + value;
+        lost_ += std::abs(sum_) >= std::abs(value) ? (sum_ - sum) + value : (value - sum) + sum_;
+        sum_ = sum;
+    }
+    [[nodiscard]] double value() const { return sum_ + lost_; }
+
+private:
+    double sum_ = 0;
+    double lost_ = 0;
+};
+
+} // namespace
+
+double windingNumber(const TriangleMesh& mesh, const Eigen::Vector3d& point)
+{
+    CarefulSum sum;
+    for (const auto& triangle : mesh.triangles)
+        sum.add(solidAngle(mesh, triangle, point));
+    return sum.value();
+}
+
+double windingNumber(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles,
+                     const Eigen::Vector3d& point)
+{
+    CarefulSum sum;
+    for (const std::uint32_t triangle : triangles)
+        sum.add(solidAngle(mesh, mesh.triangles[triangle], point));
+    return sum.value();
+}
+
+} // namespace frostfill

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/repair/clean_mesh.hpp"
+
+#include "mesh/repair/edge_table.hpp"
+#include "mesh/repair/triangle_shape.hpp"
+
+#include <map>
+
+namespace frostfill
+{
+namespace
+{
+
+constexpr int kMostPasses = 20;       // a chain of flat triangles takes one each
+constexpr double kTinyEdge = 1e-9;    // [1] of the longest: two corners are one in fact
+constexpr Triangle kGone = {0, 0, 0}; // repeats a corner
+
+void eraseGone(TriangleMesh& mesh)
+{
+    std::erase_if(mesh.triangles, repeatsCorner);
+}
+
+std::size_t countFlat(const TriangleMesh& mesh)
+{
+    return static_cast<std::size_t>(std::count_if(mesh.triangles.begin(), mesh.triangles.end(),
+                                                  [&](const Triangle& t)
+                                                  { return isFlat(mesh, t); }));
+}
+
+/// The corner from which the longest side starts.
+std::size_t longestSide(const TriangleMesh& mesh, const Triangle& t)
+{
+    std::array<double, 3> squares{};
+    for (std::size_t i = 0; i < 3; ++i)
+        squares[i] = (mesh.vertices[t[(i + 1) % 3]] - mesh.vertices[t[i]]).squaredNorm();
+    return static_cast<std::size_t>(std::max_element(squares.begin(), squares.end()) -
+                                    squares.begin());
+}
+
+/// Splits the neighbour along the longest side at the flat triangle's third corner.
+/// Returns whether something has changed.
+bool handOver(TriangleMesh& mesh, const EdgeTable& edges, std::uint32_t triangle,
+              std::vector<bool>& touched)
+{
+    const Triangle t = mesh.triangles[triangle];
+    const std::size_t side = longestSide(mesh, t);
+    const std::uint32_t a = t[side], b = t[(side + 1) % 3], c = t[(side + 2) % 3];
+
+    // A needle: the two corners at its short end are one.
+    const double longest = (mesh.vertices[b] - mesh.vertices[a]).norm();
+    for (const std::uint32_t end : {a, b})
+        if ((mesh.vertices[end] - mesh.vertices[c]).norm() <= kTinyEdge * longest)
+        {
+            for (Triangle& other : mesh.triangles)
+                std::replace(other.begin(), other.end(), c, end);
+            return true;
+        }
+
+    const auto uses = edges.find(a, b);
+    if (uses.size() == 1)
+    {
+        mesh.triangles[triangle] = kGone; // on a rim: the rim runs through c from now on
+        return true;
+    }
+    if (uses.size() != 2)
+        return false;
+    const std::uint32_t neighbour = uses[uses[0].triangle == triangle ? 1 : 0].triangle;
+    if (touched[neighbour])
+        return false;
+    Triangle first = mesh.triangles[neighbour];
+    Triangle second = first;
+    std::replace(first.begin(), first.end(), b, c);
+    std::replace(second.begin(), second.end(), a, c);
+    if (repeatsCorner(first) || repeatsCorner(second))
+    {
+        // The same three corners: the two of them are a flat envelope.
+        mesh.triangles[triangle] = mesh.triangles[neighbour] = kGone;
+    }
+    else
+    {
+        mesh.triangles[triangle] = first;
+        mesh.triangles[neighbour] = second;
+    }
+    touched[triangle] = touched[neighbour] = true;
+    return true;
+}
+
+TriangleMesh withoutDuplicates(const TriangleMesh& mesh, bool cancelOpposites)
+{
+    struct Same
+    {
+        std::size_t first = 0;
+        int facing = 0; // even minus odd permutations of the sorted corners
+    };
+    std::map<Triangle, Same> groups;
+    const auto facing = [](const Triangle& t)
+    { return (t[0] < t[1]) == ((t[1] < t[2]) == (t[0] < t[2])) ? 1 : -1; };
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    {
+        const Triangle& t = mesh.triangles[i];
+        Same& same = groups.try_emplace(sortedCorners(t), Same{i, 0}).first->second;
+        same.facing += facing(t);
+    }
+    TriangleMesh result;
+    result.vertices = mesh.vertices;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    {
+        const Same& same = groups.at(sortedCorners(mesh.triangles[i]));
+        if (same.first == i && (!cancelOpposites || same.facing != 0))
+            result.triangles.push_back(mesh.triangles[i]);
+    }
+    return result;
+}
+
+} // namespace
+
+std::size_t dropFlatTriangles(TriangleMesh& mesh)
+{
+    const std::size_t before = countFlat(mesh);
+    for (int pass = 0; pass < kMostPasses; ++pass)
+    {
+        eraseGone(mesh);
+        const EdgeTable edges(mesh);
+        std::vector<bool> touched(mesh.triangles.size(), false);
+        bool changed = false;
+        for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i)
+            if (!touched[i] && !repeatsCorner(mesh.triangles[i]) && isFlat(mesh, mesh.triangles[i]))
+                changed = handOver(mesh, edges, i, touched) || changed;
+        if (!changed)
+            break;
+    }
+    eraseGone(mesh);
+    return before - countFlat(mesh);
+}
+
+std::size_t dropDuplicateTriangles(TriangleMesh& mesh)
+{
+    const std::size_t before = mesh.triangles.size();
+    TriangleMesh single = withoutDuplicates(mesh, false);
+    if (single.triangles.size() == before)
+        return 0;
+    TriangleMesh cancelled = withoutDuplicates(mesh, true);
+    const bool better = EdgeTable(cancelled).badEdges() < EdgeTable(single).badEdges();
+    mesh = std::move(better ? cancelled : single);
+    return before - mesh.triangles.size();
+}
+
+std::size_t dropUnusedVertices(TriangleMesh& mesh)
+{
+    constexpr std::uint32_t kUnused = 0xffffffff;
+    std::vector<std::uint32_t> place(mesh.vertices.size(), kUnused);
+    for (const Triangle& t : mesh.triangles)
+        for (const std::uint32_t corner : t)
+            place[corner] = 0;
+    std::uint32_t next = 0;
+    for (std::size_t i = 0; i < place.size(); ++i)
+        if (place[i] != kUnused)
+        {
+            mesh.vertices[next] = mesh.vertices[i];
+            place[i] = next++;
+        }
+    const std::size_t gone = mesh.vertices.size() - next;
+    mesh.vertices.resize(next);
+    for (Triangle& t : mesh.triangles)
+        for (std::uint32_t& corner : t)
+            corner = place[corner];
+    return gone;
+}
+
+} // namespace frostfill

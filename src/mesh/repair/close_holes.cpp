@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+// The lid of least area, by dynamic programming over the rim: G. Barequet, M. Sharir, "Filling gaps
+// in the boundary of a polyhedron", CAGD 12 (1995), section 2.3.
+#include "mesh/repair/close_holes.hpp"
+
+#include "mesh/repair/edge_table.hpp"
+#include "mesh/repair/triangle_shape.hpp"
+
+#include <limits>
+#include <map>
+
+namespace frostfill
+{
+namespace
+{
+
+constexpr std::size_t kMostEdges = 400; // of a hole: the search grows with the cube
+constexpr double kLargestShare = 0.05;  // [1] of the surface: more is not a defect but an opening
+constexpr double kShortChords = 1e-3;   // [1] weight of edges squared: fat triangles in a flat lid
+constexpr double kImpossible = std::numeric_limits<double>::infinity();
+
+using Rim = std::vector<std::uint32_t>;
+
+/// Rims in the direction in which their lids run along them, each without a vertex twice. A path
+/// that does not close (it ends at an edge of three triangles) is no rim.
+std::vector<Rim> findRims(const EdgeTable& edges)
+{
+    std::multimap<std::uint32_t, std::uint32_t> next;
+    edges.forEach(
+        [&](std::span<const EdgeUse> uses)
+        {
+            if (uses.size() != 1)
+                return;
+            const EdgeUse& use = uses[0]; // the lid runs against the triangle
+            next.emplace(use.forward ? use.high : use.low, use.forward ? use.low : use.high);
+        });
+
+    std::vector<Rim> rims;
+    while (!next.empty())
+    {
+        Rim path = {next.begin()->first};
+        for (auto step = next.begin(); step != next.end(); step = next.find(path.back()))
+        {
+            const std::uint32_t vertex = step->second;
+            next.erase(step);
+            // Where the path meets itself, a rim is complete.
+            const auto loop = std::find(path.begin(), path.end(), vertex);
+            if (loop == path.end())
+                path.push_back(vertex);
+            else
+            {
+                rims.emplace_back(loop, path.end());
+                path.erase(loop + 1, path.end());
+            }
+        }
+    }
+    return rims;
+}
+
+double area(const TriangleMesh& mesh, const Triangle& t)
+{
+    const Eigen::Vector3d& a = mesh.vertices[t[0]];
+    return 0.5 * (mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a).norm();
+}
+
+class Lid
+{
+public:
+    Lid(const TriangleMesh& mesh, const EdgeTable& edges, const Rim& rim)
+        : mesh_(mesh), edges_(edges), rim_(rim), count_(rim.size()),
+          cost_(count_ * count_, kImpossible), middle_(count_ * count_, 0)
+    {
+        for (std::size_t i = 0; i + 1 < count_; ++i)
+            cost_[i * count_ + i + 1] = 0;
+        for (std::size_t span = 2; span < count_; ++span)
+            for (std::size_t i = 0; i + span < count_; ++i)
+                solve(i, i + span);
+    }
+
+    /// Empty when there is no lid.
+    [[nodiscard]] std::vector<Triangle> triangles() const
+    {
+        std::vector<Triangle> result;
+        if (count_ < 3 || cost_[count_ - 1] == kImpossible)
+            return result;
+        std::vector<std::array<std::size_t, 2>> chords = {{0, count_ - 1}};
+        while (!chords.empty())
+        {
+            const auto [i, j] = chords.back();
+            chords.pop_back();
+            if (j < i + 2)
+                continue;
+            const std::size_t k = middle_[i * count_ + j];
+            result.push_back({rim_[i], rim_[k], rim_[j]});
+            chords.push_back({i, k});
+            chords.push_back({k, j});
+        }
+        return result;
+    }
+
+private:
+    /// The cheapest lid over rim vertices i..j, closed by the chord from j to i.
+    void solve(std::size_t i, std::size_t j)
+    {
+        const bool isChord = j - i + 1 < count_;
+        if (isChord && !edges_.find(rim_[i], rim_[j]).empty())
+            return;
+        double& best = cost_[i * count_ + j];
+        for (std::size_t k = i + 1; k < j; ++k)
+        {
+            const double parts = cost_[i * count_ + k] + cost_[k * count_ + j];
+            if (parts >= best)
+                continue;
+            const double whole = parts + weight(i, k, j);
+            if (whole < best)
+            {
+                best = whole;
+                middle_[i * count_ + j] = k;
+            }
+        }
+    }
+
+    [[nodiscard]] double weight(std::size_t i, std::size_t k, std::size_t j) const
+    {
+        const Eigen::Vector3d& a = mesh_.vertices[rim_[i]];
+        const Eigen::Vector3d& b = mesh_.vertices[rim_[k]];
+        const Eigen::Vector3d& c = mesh_.vertices[rim_[j]];
+        if (isFlat(a, b, c))
+            return kImpossible;
+        const double squares =
+            (b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm();
+        return 0.5 * (b - a).cross(c - a).norm() + kShortChords * squares;
+    }
+
+    const TriangleMesh& mesh_;
+    const EdgeTable& edges_;
+    const Rim& rim_;
+    std::size_t count_;
+    std::vector<double> cost_;
+    std::vector<std::size_t> middle_;
+};
+
+} // namespace
+
+std::vector<Hole> closeHoles(TriangleMesh& mesh)
+{
+    const EdgeTable edges(mesh);
+    const double surface = surfaceArea(mesh);
+    std::vector<Hole> holes;
+    std::vector<Triangle> lids;
+    for (const Rim& rim : findRims(edges))
+    {
+        Hole hole;
+        hole.edges = rim.size();
+        for (const std::uint32_t vertex : rim)
+            hole.middle += mesh.vertices[vertex] / static_cast<double>(rim.size());
+        if (rim.size() <= kMostEdges)
+        {
+            const std::vector<Triangle> lid = Lid(mesh, edges, rim).triangles();
+            for (const Triangle& t : lid)
+                hole.share += area(mesh, t) / surface;
+            hole.closed = !lid.empty() && hole.share <= kLargestShare;
+            if (hole.closed)
+                lids.insert(lids.end(), lid.begin(), lid.end());
+        }
+        holes.push_back(hole);
+    }
+    mesh.triangles.insert(mesh.triangles.end(), lids.begin(), lids.end());
+    return holes;
+}
+
+} // namespace frostfill

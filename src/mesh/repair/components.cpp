@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/repair/components.hpp"
+
+#include "mesh/repair/triangle_shape.hpp"
+
+namespace frostfill
+{
+
+std::vector<std::vector<std::uint32_t>> connectedPieces(const TriangleMesh& mesh,
+                                                        const EdgeTable& edges)
+{
+    DisjointSets sets(mesh.triangles.size());
+    edges.forEach(
+        [&](std::span<const EdgeUse> uses)
+        {
+            for (const EdgeUse& use : uses.subspan(1))
+                sets.join(uses[0].triangle, use.triangle);
+        });
+
+    std::vector<std::vector<std::uint32_t>> pieces;
+    std::vector<std::size_t> pieceOf(mesh.triangles.size());
+    for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle)
+    {
+        if (repeatsCorner(mesh.triangles[triangle]))
+            continue;
+        const std::size_t root = sets.find(triangle); // the smallest, so it has been met already
+        if (root == triangle)
+        {
+            pieceOf[triangle] = pieces.size();
+            pieces.emplace_back();
+        }
+        pieces[pieceOf[root]].push_back(static_cast<std::uint32_t>(triangle));
+    }
+    return pieces;
+}
+
+void joinCorners(DisjointSets& corners, const TriangleMesh& mesh, const EdgeUse& a,
+                 const EdgeUse& b)
+{
+    const auto cornerAt = [&](const EdgeUse& use, std::uint32_t vertex)
+    {
+        const std::size_t next = (use.corner + 1U) % 3U;
+        const bool starts = mesh.triangles[use.triangle][use.corner] == vertex;
+        return 3 * std::size_t{use.triangle} + (starts ? use.corner : next);
+    };
+    corners.join(cornerAt(a, a.low), cornerAt(b, a.low));
+    corners.join(cornerAt(a, a.high), cornerAt(b, a.high));
+}
+
+} // namespace frostfill

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "mesh/repair/edge_table.hpp"
+
+#include <numeric>
+
+namespace frostfill
+{
+
+/// Disjoint sets of numbers; the smallest number stands for its set.
+class DisjointSets
+{
+public:
+    explicit DisjointSets(std::size_t count) : parent_(count)
+    {
+        std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+    }
+
+    std::size_t find(std::size_t i)
+    {
+        while (parent_[i] != i)
+            i = parent_[i] = parent_[parent_[i]];
+        return i;
+    }
+
+    void join(std::size_t i, std::size_t j)
+    {
+        i = find(i);
+        j = find(j);
+        parent_[i < j ? j : i] = i < j ? i : j;
+    }
+
+private:
+    std::vector<std::size_t> parent_;
+};
+
+/// Triangles of each piece that is connected through shared edges; pieces in order of their first
+/// triangle. Triangles that repeat a corner belong to none.
+[[nodiscard]] std::vector<std::vector<std::uint32_t>> connectedPieces(const TriangleMesh& mesh,
+                                                                      const EdgeTable& edges);
+
+/// Joins the corners (3 x triangle + corner) of two triangles that meet along an edge.
+void joinCorners(DisjointSets& corners, const TriangleMesh& mesh, const EdgeUse& a,
+                 const EdgeUse& b);
+
+} // namespace frostfill

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/repair/clean_mesh.hpp"
+#include "mesh/repair/close_holes.hpp"
+#include "mesh/repair/edge_table.hpp"
+#include "mesh/repair/orient_mesh.hpp"
+#include "mesh/repair/separate_edges.hpp"
+#include "mesh/repair/triangle_shape.hpp"
+#include "mesh/repair/weld.hpp"
+
+#include <frostfill/error.hpp>
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace frostfill
+{
+namespace
+{
+
+constexpr double kWeldDistance = 1e-6; // [1] of the box's diagonal: the rounding of file formats
+constexpr double kNoVolume = 1e-9;     // [1] of the box's diagonal cubed
+constexpr std::size_t kMostHolesListed = 10;
+
+/// Coordinates for a message; what vanishes to rounding reads as 0.
+std::string place(Eigen::Vector3d p)
+{
+    p = (p.array().abs() < 1e-15).select(0, p);
+    return fmt::format("({:.6g} {:.6g} {:.6g})", p.x(), p.y(), p.z());
+}
+
+std::string counted(std::size_t count, std::string_view noun)
+{
+    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+[[noreturn]] void refuse(std::string_view name, const std::string& why)
+{
+    throw Error(ErrorCode::badData, fmt::format("'{}' cannot be filled: {}", name, why));
+}
+
+/// What no repair can work on.
+void refuseNonsense(const TriangleMesh& mesh, std::string_view name)
+{
+    if (mesh.triangles.empty())
+        refuse(name, "it has no triangles");
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
+        if (!mesh.vertices[i].allFinite())
+            refuse(name,
+                   fmt::format("vertex {} is infinite or no number; export the mesh again", i + 1));
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+        for (const std::uint32_t corner : mesh.triangles[i])
+            if (corner >= mesh.vertices.size())
+                refuse(name, fmt::format("triangle {} names vertex {} of {}; export the mesh again",
+                                         i + 1, corner + 1, mesh.vertices.size()));
+}
+
+/// Welds rims that nearly meet, if that makes the surface better.
+void weldSeams(TriangleMesh& mesh, std::vector<std::string>& repairs)
+{
+    TriangleMesh welded = mesh;
+    const std::size_t before = EdgeTable(mesh).badEdges();
+    const std::size_t count = weldRims(welded, kWeldDistance * boundingBox(mesh).diagonal().norm());
+    if (count == 0 || EdgeTable(welded).badEdges() >= before)
+        return;
+    mesh = std::move(welded);
+    repairs.push_back(fmt::format("joined {} vert{} along open seams to others within {:g} of the "
+                                  "object's size",
+                                  count, count == 1 ? "ex" : "ices", kWeldDistance));
+}
+
+void cleanTriangles(TriangleMesh& mesh, std::vector<std::string>& repairs)
+{
+    if (const std::size_t count = dropFlatTriangles(mesh))
+        repairs.push_back("removed " + counted(count, "triangle") + " without area");
+    if (const std::size_t count = dropDuplicateTriangles(mesh))
+        repairs.push_back("removed " + counted(count, "duplicate triangle"));
+}
+
+void straightenWinding(TriangleMesh& mesh, std::vector<std::string>& repairs)
+{
+    std::size_t turned = makeWindingConsistent(mesh);
+    if (const std::size_t count = separateTouchingEdges(mesh))
+    {
+        turned += makeWindingConsistent(mesh);
+        repairs.push_back("separated the surface along " + counted(count, "edge") +
+                          " where it touched itself");
+    }
+    if (turned > 0)
+        repairs.push_back("turned " + counted(turned, "triangle") +
+                          " to agree with the neighbours");
+}
+
+/// Returns the largest hole that is left, with no edges when there is none.
+Hole closeAndReport(TriangleMesh& mesh, std::vector<std::string>& repairs)
+{
+    Hole largestLeft;
+    std::size_t closed = 0;
+    for (const Hole& hole : closeHoles(mesh))
+    {
+        if (!hole.closed)
+            largestLeft = hole.edges > largestLeft.edges ? hole : largestLeft;
+        else if (++closed <= kMostHolesListed)
+            repairs.push_back(
+                fmt::format("closed a hole of {} edges near {}", hole.edges, place(hole.middle)));
+    }
+    if (closed > kMostHolesListed)
+        repairs.push_back(
+            fmt::format("closed {} more", counted(closed - kMostHolesListed, "hole")));
+    return largestLeft;
+}
+
+void refuseDefects(const MeshReport& report, const Hole& hole, std::string_view name)
+{
+    if (report.nonManifoldEdges > 0)
+        refuse(name, fmt::format("{} shared by more than two triangles, the first near {}; remove "
+                                 "inner walls and loose flaps there in a mesh editor",
+                                 report.nonManifoldEdges == 1
+                                     ? "an edge is"
+                                     : counted(report.nonManifoldEdges, "edge") + " are",
+                                 place(report.firstDefect)));
+    if (report.inconsistentEdges > 0)
+        refuse(name,
+               fmt::format("its surface is one-sided, like a Moebius strip, near {}; model it "
+                           "as the skin of a solid",
+                           place(report.firstDefect)));
+    if (report.boundaryEdges > 0 && hole.share > 0)
+        refuse(name, fmt::format("a hole of {} edges near {} is too large to be closed without "
+                                 "guessing (a lid would be {:.0f} % of the surface); close it in a "
+                                 "mesh editor",
+                                 hole.edges, place(hole.middle), 100 * hole.share));
+    if (report.boundaryEdges > 0)
+        refuse(name,
+               fmt::format("it is open near {}, {} in all, and no lid fits there; close it in "
+                           "a mesh editor",
+                           hole.edges > 0 ? place(hole.middle) : place(report.firstDefect),
+                           counted(report.boundaryEdges, "open edge")));
+    if (report.degenerateTriangles > 0)
+        refuse(name, counted(report.degenerateTriangles, "triangle") +
+                         " without area cannot be removed; clean the mesh in a mesh editor");
+}
+
+void refuseUnfillable(const TriangleMesh& mesh, const MeshReport& report, std::string_view name)
+{
+    const auto crossing =
+        report.components > 1 ? findCrossingPieces(mesh) : std::optional<Eigen::Vector3d>();
+    if (crossing)
+        refuse(name,
+               fmt::format("it consists of {} pieces, and two of them pass through each other "
+                           "near {}; unite them in a mesh editor (a Boolean union)",
+                           report.components, place(*crossing)));
+    const double size = report.box.diagonal().norm();
+    if (!(report.volume > kNoVolume * size * size * size))
+        refuse(name, "it encloses no volume; model it as the skin of a solid");
+}
+
+} // namespace
+
+LoadedMesh repairMesh(TriangleMesh mesh, std::string_view name)
+{
+    refuseNonsense(mesh, name);
+    LoadedMesh result;
+    result.asRead = inspectMesh(mesh);
+    if (result.asRead.boundaryEdges > 0)
+        weldSeams(mesh, result.repairs);
+    cleanTriangles(mesh, result.repairs);
+    if (mesh.triangles.empty())
+        refuse(name, "none of its triangles has an area");
+    straightenWinding(mesh, result.repairs);
+    const Hole largestLeft = closeAndReport(mesh, result.repairs);
+    if (const std::size_t count = dropUnusedVertices(mesh))
+        result.repairs.push_back(
+            fmt::format("removed {} unused vert{}", count, count == 1 ? "ex" : "ices"));
+    refuseDefects(inspectMesh(mesh), largestLeft, name);
+
+    if (const std::size_t count = turnPiecesOutward(mesh))
+        result.repairs.push_back(fmt::format("turned {} that {} wound the wrong way round",
+                                             counted(count, "piece"), count == 1 ? "was" : "were"));
+    result.report = inspectMesh(mesh);
+    refuseUnfillable(mesh, result.report, name);
+    result.mesh = std::move(mesh);
+    return result;
+}
+
+} // namespace frostfill

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <frostfill/renderer.hpp>
+
+#include <memory>
+#include <string>
+
+namespace frostfill
+{
+
+using GlProcedure = void (*)();
+
+/// An OpenGL 3.3 core context that needs no screen. It is used by one thread at a time.
+class Context
+{
+public:
+    Context() = default;
+    Context(const Context&) = delete;
+    Context& operator=(const Context&) = delete;
+    virtual ~Context() = default;
+
+    /// The backend, as a user names it.
+    [[nodiscard]] virtual const char* name() const = 0;
+    /// Null when there is no such function.
+    [[nodiscard]] virtual GlProcedure procedure(const char* name) const = 0;
+    /// Directs the calls of this thread to this context. Throws Error noOpenGl.
+    void makeCurrent();
+
+protected:
+    /// To be called first by the destructor of a context: it must not be current while it goes.
+    void wake();
+
+private:
+    /// Tells the library. Throws Error noOpenGl.
+    virtual void bind() = 0;
+    virtual void unbind() = 0;
+
+    /// Of this thread, across all libraries: those of Mesa share one table of functions, so a
+    /// context has to be unbound in its own library before one of another is bound.
+    static thread_local Context* current;
+};
+
+/// Opens the library and creates a context, current to this thread. Throws Error noOpenGl.
+[[nodiscard]] std::unique_ptr<Context> openOsmesa();
+/// The same through EGL: on a graphics card, on Mesa's software device, or on no device at all.
+[[nodiscard]] std::unique_ptr<Context> openEglHardware();
+[[nodiscard]] std::unique_ptr<Context> openEglSoftware();
+[[nodiscard]] std::unique_ptr<Context> openEglSurfaceless();
+
+/// A backend that can be asked for.
+struct BackendChoice
+{
+    Backend backend;
+    const char* name;
+    std::unique_ptr<Context> (*open)();
+    const char* remedy; ///< the command that installs it
+};
+/// In the order in which they are tried. OSMesa comes first even where there is a graphics card, so
+/// that a run gives the same pictures everywhere unless it is told otherwise.
+[[nodiscard]] const std::vector<BackendChoice>& backendChoices();
+
+/// The first of the backend's choices that works. Throws Error noOpenGl, which lists every attempt
+/// and its remedy.
+[[nodiscard]] std::unique_ptr<Context> openContext(Backend backend);
+
+} // namespace frostfill

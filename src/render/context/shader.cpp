@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "render/context/shader.hpp"
+
+#include "render/embedded.hpp"
+
+#include <frostfill/error.hpp>
+
+#include <array>
+
+namespace frostfill
+{
+namespace
+{
+
+constexpr std::string_view kVersion = "#version 330 core\n";
+
+GLuint compile(const GlFunctions& gl, GLenum stage, std::string_view definitions,
+               std::string_view source)
+{
+    const std::array parts = {kVersion, definitions, embedded::shader_common_glsl(), source};
+    std::array<const GLchar*, parts.size()> strings{};
+    std::array<GLint, parts.size()> lengths{};
+    for (std::size_t i = 0; i < parts.size(); ++i)
+    {
+        strings[i] = parts[i].data();
+        lengths[i] = static_cast<GLint>(parts[i].size());
+    }
+    const GLuint shader = gl.createShader(stage);
+    gl.shaderSource(shader, static_cast<GLsizei>(parts.size()), strings.data(), lengths.data());
+    gl.compileShader(shader);
+
+    GLint compiled = GL_FALSE;
+    gl.getShaderiv(shader, GL_COMPILE_STATUS, &compiled);
+    if (compiled == GL_FALSE)
+    {
+        std::array<GLchar, 2048> log{};
+        gl.getShaderInfoLog(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
+        gl.deleteShader(shader);
+        throw Error(ErrorCode::noOpenGl, std::string("a shader does not compile: ") + log.data());
+    }
+    return shader;
+}
+
+} // namespace
+
+ShaderProgram::ShaderProgram(const GlFunctions& gl, std::string_view definitions,
+                             std::string_view vertex, std::string_view fragment)
+    : gl_(gl)
+{
+    const GLuint vertexShader = compile(gl, GL_VERTEX_SHADER, definitions, vertex);
+    const GLuint fragmentShader = compile(gl, GL_FRAGMENT_SHADER, definitions, fragment);
+    program_ = gl.createProgram();
+    gl.attachShader(program_, vertexShader);
+    gl.attachShader(program_, fragmentShader);
+    gl.linkProgram(program_);
+    gl.deleteShader(vertexShader);
+    gl.deleteShader(fragmentShader);
+
+    GLint linked = GL_FALSE;
+    gl.getProgramiv(program_, GL_LINK_STATUS, &linked);
+    if (linked == GL_FALSE)
+    {
+        std::array<GLchar, 2048> log{};
+        gl.getProgramInfoLog(program_, static_cast<GLsizei>(log.size()), nullptr, log.data());
+        gl.deleteProgram(program_);
+        throw Error(ErrorCode::noOpenGl, std::string("the shaders do not link: ") + log.data());
+    }
+}
+
+ShaderProgram::~ShaderProgram()
+{
+    gl_.deleteProgram(program_);
+}
+
+GLint ShaderProgram::location(const char* name) const
+{
+    return gl_.getUniformLocation(program_, name);
+}
+
+void ShaderProgram::set(const char* name, int value) const
+{
+    gl_.uniform1i(location(name), value);
+}
+
+void ShaderProgram::set(const char* name, float value) const
+{
+    gl_.uniform1f(location(name), value);
+}
+
+void ShaderProgram::set(const char* name, const glm::vec3& value) const
+{
+    gl_.uniform3fv(location(name), 1, &value[0]);
+}
+
+void ShaderProgram::set(const char* name, std::span<const glm::vec2> values) const
+{
+    gl_.uniform2fv(location(name), static_cast<GLsizei>(values.size()), &values[0][0]);
+}
+
+void ShaderProgram::set(const char* name, std::span<const glm::vec4> values) const
+{
+    gl_.uniform4fv(location(name), static_cast<GLsizei>(values.size()), &values[0][0]);
+}
+
+void ShaderProgram::set(const char* name, const glm::mat4& value) const
+{
+    gl_.uniformMatrix4fv(location(name), 1, GL_FALSE, &value[0][0]);
+}
+
+} // namespace frostfill

@@ -1,0 +1,352 @@
+// SPDX-License-Identifier: MIT
+#include "render/layer/scene_painter.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+
+namespace frostfill
+{
+namespace
+{
+
+/// Share of the background in the furthest spheres.
+constexpr float kHaze = 0.26F;
+
+/// A sphere that is smaller by this covers a pixel's centre only where the full one covers all
+/// samples of the pixel, and lies in front of the small one there. [pixel]
+constexpr float kOccluderShrink = 1.25F;
+
+/// Strokes grow with the picture, so that a large one looks like a small one, only sharper.
+MeshStrokes strokesFor(const RenderSettings& settings)
+{
+    const auto edge = static_cast<float>(std::min(settings.size.width, settings.size.height));
+    const auto pixel = static_cast<float>(settings.supersample); // of the picture made small
+    return {std::max(0.75F * pixel, edge / 720), std::max(6.0F * pixel, edge / 72)};
+}
+
+/// From pixels, y downwards, to clip space. Swatches lie at the very front of the depth range.
+glm::mat4 pixelProjection(const PictureSize& size)
+{
+    glm::mat4 projection(0);
+    projection[0][0] = 2.0F / static_cast<float>(size.width);
+    projection[1][1] = 2.0F / static_cast<float>(size.height);
+    projection[2][2] = -1e-5F;
+    projection[3] = {-1, -1, -0.99F, 1};
+    return projection;
+}
+
+/// A square a swatch, as two triangles that face the viewer, y upwards.
+TriangleMesh squares(const std::vector<Legend::Swatch>& swatches, double height)
+{
+    TriangleMesh mesh;
+    for (const Legend::Swatch& swatch : swatches)
+    {
+        const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+        for (const auto& [x, y] : {std::array{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})
+        {
+            mesh.vertices.emplace_back(swatch.x + x * swatch.halfSize,
+                                       height - swatch.y + y * swatch.halfSize, 0);
+        }
+        mesh.triangles.push_back({first, first + 1, first + 2});
+        mesh.triangles.push_back({first, first + 2, first + 3});
+    }
+    return mesh;
+}
+
+std::vector<glm::vec3> positionsOf(const TriangleMesh& mesh)
+{
+    std::vector<glm::vec3> positions;
+    for (const Eigen::Vector3d& vertex : mesh.vertices)
+    {
+        positions.emplace_back(vertex.x(), vertex.y(), vertex.z());
+    }
+    return positions;
+}
+
+SphereUniforms uniformsOf(const Framing& framing, const PictureSize& size)
+{
+    SphereUniforms uniforms;
+    uniforms.view = framing.view;
+    uniforms.projection = framing.projection;
+    uniforms.depthAtInfinity = static_cast<float>(framing.depthAtInfinity);
+    uniforms.depthSlope = static_cast<float>(framing.depthSlope);
+    uniforms.pixelScale =
+        0.5F * static_cast<float>(framing.projection[1][1]) * static_cast<float>(size.height);
+    uniforms.heightPlane = framing.heightPlane;
+    uniforms.distancePlane = framing.distancePlane;
+    return uniforms;
+}
+
+ShaderVariant variantOf(const RenderSettings& settings)
+{
+    return {settings.camera.orthographic, settings.style.cutaway.kind != Cutaway::Kind::none,
+            settings.style.look == Look::paper};
+}
+
+} // namespace
+
+ScenePainter::ScenePainter(const GlFunctions& gl, const TriangleMesh& mesh,
+                           const RenderSettings& settings, const Legend& legend,
+                           const SphereColours& colours, const Framing& framing,
+                           std::span<const glm::vec2> samplePositions)
+    : gl_(gl), legend_(legend), colours_(colours), size_(settings.size), style_(settings.style),
+      variant_(variantOf(settings)),
+      spherePass_(gl, variant_, samplePositions, style_, strokesFor(settings).lineWidth),
+      meshPass_(gl, variant_, style_.palette, strokesFor(settings)), spheres_(gl),
+      regions_(settings.size.width, settings.size.height)
+{
+    if (variant_.cutaway)
+    {
+        cutPlanes_ = cutPlanes(style_.cutaway, framing, settings.up);
+    }
+    setView(framing);
+    if (settings.style.shell)
+    {
+        uploadMesh(mesh);
+    }
+    if (legend_.visible())
+    {
+        const ShaderVariant flat{true, false, variant_.outlines};
+        if (!variant_.orthographic || variant_.cutaway)
+        {
+            flatSpherePass_.emplace(gl_, flat, samplePositions, style_,
+                                    strokesFor(settings).lineWidth);
+        }
+        if (variant_.cutaway)
+        {
+            wholeMeshPass_.emplace(gl_, flat, style_.palette, strokesFor(settings));
+        }
+        uploadSwatches();
+    }
+    if (samplePositions.size() > 1)
+    {
+        plainSpherePass_.emplace(gl_, variant_, std::span<const glm::vec2>(), style_,
+                                 strokesFor(settings).lineWidth);
+    }
+}
+
+void ScenePainter::uploadMesh(const TriangleMesh& mesh)
+{
+    std::vector<glm::vec3> positions;
+    positions.reserve(mesh.vertices.size());
+    for (const Eigen::Vector3d& vertex : mesh.vertices)
+    {
+        positions.emplace_back(framing_.toUnit(vertex));
+    }
+    shaded_ = shadeMesh(mesh, positions);
+    shell_ = std::make_unique<MeshBuffer>(
+        gl_, shaded_, edgeStrengths(shaded_, glm::vec3(framing_.eye), framing_.orthographic));
+    tiles_.emplace(shaded_, framing_, size_);
+}
+
+void ScenePainter::uploadSwatches()
+{
+    const double height = size_.height;
+    const TriangleMesh mesh = squares(legend_.polygons(), height);
+    const ShadedMesh shaded = shadeMesh(mesh, positionsOf(mesh));
+    auto strengths = edgeStrengths(shaded, {0, 0, 1}, true);
+    strengths[0][1] = strengths[1][2] = strengths[2][1] = strengths[3][2] = 0; // the diagonals
+    swatches_.reset(new Swatches{SphereBuffer(gl_), MeshBuffer(gl_, shaded, strengths)});
+
+    std::vector<SphereInstance> spheres;
+    for (const Legend::Swatch& swatch : legend_.spheres())
+    {
+        spheres.push_back({static_cast<float>(swatch.x), static_cast<float>(height - swatch.y), 0,
+                           static_cast<float>(swatch.halfSize),
+                           static_cast<std::uint32_t>(swatch.state),
+                           colours_.ofSwatch(static_cast<SphereState>(swatch.state))});
+    }
+    swatches_->spheres.update(spheres);
+    std::vector<PolygonState> states;
+    for (const Legend::Swatch& swatch : legend_.polygons())
+    {
+        states.insert(states.end(), 2, static_cast<PolygonState>(swatch.state));
+    }
+    swatches_->polygons.update(states);
+    flatUniforms_.projection = pixelProjection(size_);
+    flatUniforms_.depthSlope = -0.5F * flatUniforms_.projection[2][2];
+}
+
+void ScenePainter::setView(const Framing& framing)
+{
+    framing_ = framing;
+    uniforms_ = uniformsOf(framing, size_);
+    uniforms_.haze = style_.look == Look::paper ? 0 : kHaze;
+    if (cutPlanes_)
+    {
+        uniforms_.cutPlanes = toEyeSpace(*cutPlanes_, framing);
+        meshPass_.setCutPlanes(uniforms_.cutPlanes);
+    }
+}
+
+void ScenePainter::lookFrom(const Framing& framing)
+{
+    setView(framing);
+    if (shell_)
+    {
+        shell_->setEdges(edgeStrengths(shaded_, glm::vec3(framing_.eye), framing_.orthographic));
+        tiles_.emplace(shaded_, framing_, size_);
+    }
+}
+
+std::span<const PixelRectangle> ScenePainter::setPolygons(std::span<const PolygonState> states)
+{
+    changed_.clear();
+    if (shell_)
+    {
+        for (const std::uint32_t triangle : shell_->update(states))
+        {
+            changed_.push_back(tiles_->bounds(triangle));
+        }
+    }
+    return changed_;
+}
+
+void ScenePainter::clear()
+{
+    const glm::vec4 background = toVector(style_.palette.background);
+    // Colours are premultiplied by alpha until they are read.
+    gl_.clearColor(background.r * background.a, background.g * background.a,
+                   background.b * background.a, background.a);
+    gl_.clearStencil(0);
+    gl_.clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+}
+
+void ScenePainter::clearMarks()
+{
+    gl_.clearStencil(0);
+    gl_.clear(GL_STENCIL_BUFFER_BIT);
+}
+
+void ScenePainter::confine(const PixelRectangle& part)
+{
+    gl_.enable(GL_SCISSOR_TEST);
+    gl_.scissor(part.left, part.bottom, part.width(), part.height());
+}
+
+void ScenePainter::confineNoMore()
+{
+    gl_.disable(GL_SCISSOR_TEST);
+}
+
+void ScenePainter::paintSpheres(std::span<const SphereInstance> spheres)
+{
+    if (!spheres.empty())
+    {
+        spheres_.update(spheres);
+        spherePass_.draw(spheres_, uniforms_);
+    }
+}
+
+void ScenePainter::paintOccluders(std::span<const SphereInstance> spheres,
+                                  const SphereProjector& projector)
+{
+    shrunk_.clear();
+    if (variant_.cutaway)
+    {
+        return; // what a cut leaves of a small sphere may be nearer than what it leaves of the full
+    }
+    for (SphereInstance sphere : spheres)
+    {
+        const float ahead = framing_.orthographic ? 1 : projector.project(sphere).ahead;
+        sphere.radius -= kOccluderShrink * ahead / uniforms_.pixelScale;
+        if (sphere.radius > 0 && ahead > 0)
+        {
+            shrunk_.push_back(sphere);
+        }
+    }
+    if (!shrunk_.empty())
+    {
+        spheres_.update(shrunk_);
+        plainSpherePass_->draw(spheres_, uniforms_);
+    }
+}
+
+void ScenePainter::paintShell()
+{
+    if (shell_)
+    {
+        meshPass_.draw(*shell_, uniforms_.view, uniforms_.projection);
+    }
+}
+
+void ScenePainter::paintShell(std::span<const TriangleTiles::Part> parts)
+{
+    if (shell_)
+    {
+        tiles_->find(parts);
+        shell_->choose(tiles_->backs(), tiles_->fronts());
+        meshPass_.draw(*shell_, uniforms_.view, uniforms_.projection, MeshPass::Triangles::chosen);
+    }
+}
+
+void ScenePainter::paintShellPerRegion(std::span<const TriangleTiles::Part> parts)
+{
+    if (!shell_)
+    {
+        return;
+    }
+    // A triangle reaches far beyond a sphere that it covers a piece of, and with several samples
+    // Mesa shades it there too before it finds no mark. The regions are disjoint, so that no pixel
+    // gets the film twice.
+    regions_.clear();
+    for (const TriangleTiles::Part& part : parts)
+    {
+        regions_.add(grown(part.pixels, kScissorMargin));
+    }
+    for (const PixelRectangle& region : regions_.joined())
+    {
+        regionParts_.clear();
+        std::copy_if(parts.begin(), parts.end(), std::back_inserter(regionParts_),
+                     [&](const TriangleTiles::Part& part) { return part.pixels.overlaps(region); });
+        confine(region);
+        paintShell(regionParts_);
+    }
+    confineNoMore();
+}
+
+void ScenePainter::paintLegend()
+{
+    if (swatches_)
+    {
+        (flatSpherePass_ ? *flatSpherePass_ : spherePass_).draw(swatches_->spheres, flatUniforms_);
+        paintSwatchPolygons();
+    }
+}
+
+void ScenePainter::paintSwatchPolygons()
+{
+    (wholeMeshPass_ ? *wholeMeshPass_ : meshPass_)
+        .draw(swatches_->polygons, flatUniforms_.view, flatUniforms_.projection);
+}
+
+void ScenePainter::addSpheres(std::span<const SphereInstance> spheres,
+                              std::span<const TriangleTiles::Part> parts)
+{
+    if (spheres.empty())
+    {
+        return;
+    }
+    ++mark_;
+    gl_.enable(GL_STENCIL_TEST);
+    gl_.stencilFunc(GL_ALWAYS, mark_, 0xff);
+    gl_.stencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+    paintSpheres(spheres);
+    // Only what shows a new sphere has lost the film over it; elsewhere it must not lie twice.
+    gl_.stencilFunc(GL_EQUAL, mark_, 0xff);
+    gl_.stencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+    paintShellPerRegion(parts);
+    const PixelRectangle legend = {0, size_.height - static_cast<int>(legend_.height()) - 1,
+                                   static_cast<int>(legend_.width()) + 1, size_.height};
+    if (swatches_ &&
+        std::any_of(parts.begin(), parts.end(),
+                    [&](const TriangleTiles::Part& part) { return part.pixels.overlaps(legend); }))
+    {
+        paintSwatchPolygons();
+    }
+    gl_.disable(GL_STENCIL_TEST);
+}
+
+} // namespace frostfill

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "render/framing/cutaway_planes.hpp"
+#include "render/framing/framing.hpp"
+#include "render/framing/pixel_rectangle.hpp"
+#include "render/layer/dirty_rectangles.hpp"
+#include "render/layer/projected_sphere.hpp"
+#include "render/layer/triangle_tiles.hpp"
+#include "render/overlay/colour_scale.hpp"
+#include "render/overlay/legend.hpp"
+#include "render/passes/mesh_pass.hpp"
+#include "render/passes/sphere_pass.hpp"
+
+#include <frostfill/renderer.hpp>
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace frostfill
+{
+
+/// With several samples a pixel Mesa leaves some of them out along the inside of a scissor
+/// rectangle's edges and draws some along the outside, so that it has to be larger than what is
+/// used of it, and what is not to be drawn to has to be still further away. [pixel]
+inline constexpr int kScissorMargin = 2;
+
+/// Paints parts of the scene into the framebuffer that is bound. The order that makes a picture is
+/// clear, spheres, shell, legend.
+class ScenePainter
+{
+public:
+    /// `samplePositions` are those of the framebuffers that are painted [pixel]; one for no
+    /// multisampling.
+    ScenePainter(const GlFunctions& gl, const TriangleMesh& mesh, const RenderSettings& settings,
+                 const Legend& legend, const SphereColours& colours, const Framing& framing,
+                 std::span<const glm::vec2> samplePositions);
+
+    void lookFrom(const Framing& framing);
+    /// Returns the parts of the picture where the shell has changed, until the next call.
+    std::span<const PixelRectangle> setPolygons(std::span<const PolygonState> states);
+
+    void clear();
+    /// Everything that is painted from now on, clearing too, is confined to the rectangle.
+    void confine(const PixelRectangle& part);
+    void confineNoMore();
+
+    void paintSpheres(std::span<const SphereInstance> spheres);
+    /// Depth only, and only where a sphere covers a whole pixel and all around it; for a
+    /// framebuffer without multisampling. What is behind these depths is hidden at every sample.
+    void paintOccluders(std::span<const SphereInstance> spheres, const SphereProjector& projector);
+    void paintShell();
+    void paintShell(std::span<const TriangleTiles::Part> parts);
+    void paintLegend();
+
+    [[nodiscard]] const SphereUniforms& uniforms() const { return uniforms_; }
+    [[nodiscard]] const ShaderVariant& variant() const { return variant_; }
+
+    /// Adds spheres to a finished picture as if they had been painted before the shell. `parts` are
+    /// where they may be seen.
+    void addSpheres(std::span<const SphereInstance> spheres,
+                    std::span<const TriangleTiles::Part> parts);
+    /// addSpheres marks what it has painted with a new number each time. When there is none left
+    /// clearMarks has to be called on every framebuffer that it was used on, then startMarks.
+    [[nodiscard]] bool outOfMarks() const { return mark_ == 255; }
+    void clearMarks();
+    void startMarks() { mark_ = 0; }
+
+private:
+    /// The legend's swatches, drawn by the same programs as the scene.
+    struct Swatches
+    {
+        SphereBuffer spheres;
+        MeshBuffer polygons;
+    };
+
+    void uploadMesh(const TriangleMesh& mesh);
+    void uploadSwatches();
+    void paintSwatchPolygons();
+    /// paintShell, only in and closely around the parts.
+    void paintShellPerRegion(std::span<const TriangleTiles::Part> parts);
+    void setView(const Framing& framing);
+
+    const GlFunctions& gl_;
+    const Legend& legend_;
+    const SphereColours& colours_;
+    PictureSize size_;
+    Style style_;
+    ShaderVariant variant_;
+    std::optional<CutPlanes> cutPlanes_;
+    Framing framing_;
+    SphereUniforms uniforms_;
+    SphereUniforms flatUniforms_; ///< of the swatches
+    SpherePass spherePass_;
+    std::optional<SpherePass> flatSpherePass_;  ///< not in perspective, not cut, for the swatches
+    std::optional<SpherePass> plainSpherePass_; ///< without multisampling, for occluders
+    MeshPass meshPass_;
+    std::optional<MeshPass> wholeMeshPass_; ///< not cut, for the swatches
+    SphereBuffer spheres_;
+    ShadedMesh shaded_;
+    std::unique_ptr<MeshBuffer> shell_;
+    std::optional<TriangleTiles> tiles_;
+    std::unique_ptr<Swatches> swatches_;
+    std::vector<PixelRectangle> changed_;
+    std::vector<SphereInstance> shrunk_;
+    DirtyRectangles regions_;
+    std::vector<TriangleTiles::Part> regionParts_;
+    int mark_ = 0;
+};
+
+} // namespace frostfill

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "render/framing/framing.hpp"
+#include "render/overlay/colour_scale.hpp"
+#include "render/passes/sphere_pass.hpp"
+
+#include <frostfill/snapshot.hpp>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace frostfill
+{
+
+/// The spheres of the last snapshot in the order in which they are drawn: those at rest first, in
+/// the order in which they came to rest, then those that run, by id. Where two surfaces have the
+/// same depth the one that is drawn first stays, so that pictures depend on the order; and it has
+/// to be one in which what came to rest later can be added to what is drawn already.
+class SphereLedger
+{
+public:
+    /// What is different from the snapshot before.
+    struct Changes
+    {
+        bool everything = false;             ///< spheres at rest have moved or gone: start again
+        std::size_t firstArrival = 0;        ///< resting() from here on came to rest just now
+        std::vector<std::size_t> recoloured; ///< others of resting() that look different
+    };
+
+    /// Takes a snapshot. Looks only at the spheres in its list of changes where that list is known
+    /// to be complete, otherwise at all.
+    const Changes& update(const Snapshot& snapshot, const Framing& framing,
+                          const SphereColours& colours);
+
+    /// Orders the spheres at rest by their distance from the viewer, the nearest first.
+    void sortFrontToBack(const Framing& framing);
+
+    [[nodiscard]] std::span<const SphereInstance> resting() const { return resting_; }
+    [[nodiscard]] std::span<const SphereInstance> running() const { return running_; }
+
+private:
+    /// In `places_`: the sphere runs.
+    static constexpr std::uint32_t kRuns = 0xffffffffU;
+
+    [[nodiscard]] bool knowsWhatChanged(const Snapshot& snapshot) const;
+    [[nodiscard]] SphereInstance instance(const Snapshot& snapshot, std::uint32_t id) const;
+    void lookAt(const Snapshot& snapshot, std::uint32_t id);
+    void startAgain(const Snapshot& snapshot);
+
+    const SphereColours* colours_ = nullptr; ///< during update()
+    Eigen::Vector3f offset_ = Eigen::Vector3f::Zero();
+    float scale_ = 1;
+    std::uint64_t source_ = 0; ///< of the last snapshot
+    std::uint64_t step_ = 0;
+    std::vector<std::uint32_t> places_;     ///< [#S] index in resting_, or kRuns
+    std::vector<std::uint32_t> restingIds_; ///< [resting]
+    std::vector<SphereInstance> resting_;
+    std::vector<std::uint32_t> runningIds_; ///< ascending
+    std::vector<SphereInstance> running_;
+    Changes changes_;
+};
+
+} // namespace frostfill

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "render/layer/static_layer.hpp"
+
+#include <algorithm>
+
+namespace frostfill
+{
+namespace
+{
+
+/// Spheres are drawn in batches, and what the earlier ones hide is left out of the later ones. To
+/// look at the depths costs as much as to draw some hundred spheres.
+constexpr std::size_t kFirstBatch = 400;
+constexpr std::size_t kBatchShare = 24;
+
+} // namespace
+
+StaticLayer::StaticLayer(const GlFunctions& gl, const PictureSize& size, int samples)
+    : framebuffer_(gl, size.width, size.height, samples), occlusion_(size.width, size.height)
+{
+    if (framebuffer_.samples() > 1)
+    {
+        occluders_.emplace(gl, size.width, size.height, 1);
+    }
+}
+
+void StaticLayer::look(const SphereProjector& projector, std::span<const SphereInstance> resting,
+                       std::size_t first, std::size_t end)
+{
+    spheres_.clear();
+    parts_.clear();
+    for (std::size_t i = first; i < end; ++i)
+    {
+        const ProjectedSphere sphere = projector.project(resting[i]);
+        if (!hides(sphere))
+        {
+            drawn_ = around(drawn_, sphere.pixels);
+            seen_.push_back({static_cast<std::uint32_t>(i), sphere.pixels});
+            parts_.push_back({sphere.pixels, sphere.furthestDepth});
+            spheres_.push_back(resting[i]);
+        }
+    }
+}
+
+void StaticLayer::findHidden(ScenePainter& painter, const SphereProjector& projector)
+{
+    if (!occluders_)
+    {
+        framebuffer_.readDepth(drawn_, depths_);
+    }
+    else
+    {
+        occluders_->bind();
+        painter.paintOccluders(spheres_, projector);
+        occluders_->readDepth(drawn_, depths_);
+        framebuffer_.bind();
+    }
+    occlusion_.build(drawn_, depths_);
+}
+
+void StaticLayer::rebuild(ScenePainter& painter, const SphereProjector& projector,
+                          std::span<const SphereInstance> resting)
+{
+    occlusion_.clear();
+    seen_.clear();
+    drawn_ = {};
+    if (occluders_)
+    {
+        occluders_->bind();
+        painter.clear();
+    }
+    framebuffer_.bind();
+    painter.clear();
+    std::size_t batch = std::max(kFirstBatch, resting.size() / kBatchShare);
+    for (std::size_t first = 0; first < resting.size();)
+    {
+        const std::size_t end = std::min(first + batch, resting.size());
+        look(projector, resting, first, end);
+        painter.paintSpheres(spheres_);
+        first = end;
+        batch += batch / 2;
+        if (first < resting.size())
+        {
+            findHidden(painter, projector);
+        }
+    }
+    painter.paintShell();
+    painter.paintLegend();
+}
+
+void StaticLayer::add(ScenePainter& painter, const SphereProjector& projector,
+                      std::span<const SphereInstance> resting, std::size_t first,
+                      DirtyRectangles& dirty)
+{
+    look(projector, resting, first, resting.size());
+    framebuffer_.bind();
+    painter.addSpheres(spheres_, parts_);
+    for (const TriangleTiles::Part& part : parts_)
+    {
+        dirty.add(part.pixels);
+    }
+}
+
+void StaticLayer::repaint(ScenePainter& painter, std::span<const SphereInstance> resting,
+                          std::span<const PixelRectangle> parts, const Framebuffer& scratch,
+                          DirtyRectangles& dirty)
+{
+    for (const PixelRectangle& wanted : parts)
+    {
+        const PixelRectangle part = grown(wanted, kScissorMargin);
+        dirty.add(grown(part, kScissorMargin));
+        spheres_.clear();
+        for (const Seen& seen : seen_)
+        {
+            if (seen.pixels.overlaps(part))
+            {
+                spheres_.push_back(resting[seen.index]);
+            }
+        }
+        scratch.bind();
+        painter.confine(part);
+        painter.clear();
+        painter.paintSpheres(spheres_);
+        const TriangleTiles::Part all{part};
+        painter.paintShell({&all, 1});
+        painter.paintLegend();
+        painter.confineNoMore();
+        framebuffer_.restore(scratch, {&wanted, 1});
+    }
+}
+
+PixelRectangle StaticLayer::whereSeen(std::size_t resting) const
+{
+    const auto place =
+        std::lower_bound(seen_.begin(), seen_.end(), resting,
+                         [](const Seen& seen, std::size_t index) { return seen.index < index; });
+    return place != seen_.end() && place->index == resting ? place->pixels : PixelRectangle{};
+}
+
+} // namespace frostfill

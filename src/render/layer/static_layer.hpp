@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "render/context/framebuffer.hpp"
+#include "render/layer/dirty_rectangles.hpp"
+#include "render/layer/occlusion_map.hpp"
+#include "render/layer/projected_sphere.hpp"
+#include "render/layer/scene_painter.hpp"
+#include "render/layer/sphere_ledger.hpp"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace frostfill
+{
+
+/// The picture without the spheres that run: background, spheres at rest, shell and legend, with
+/// their depths. Every frame starts from it, so that what cannot change is not drawn again.
+class StaticLayer
+{
+public:
+    StaticLayer(const GlFunctions& gl, const PictureSize& size, int samples);
+
+    /// Draws it anew. `resting` is in the order in which depths that are equal are decided; the
+    /// nearer the first of them are, the more is found to be hidden and left out.
+    void rebuild(ScenePainter& painter, const SphereProjector& projector,
+                 std::span<const SphereInstance> resting);
+    /// Draws `resting` from `first` on over what is there, and adds to `dirty` where.
+    void add(ScenePainter& painter, const SphereProjector& projector,
+             std::span<const SphereInstance> resting, std::size_t first, DirtyRectangles& dirty);
+    /// Draws these parts anew. `scratch` is a framebuffer of the same shape that is drawn to, in
+    /// the parts that are added to `dirty`.
+    void repaint(ScenePainter& painter, std::span<const SphereInstance> resting,
+                 std::span<const PixelRectangle> parts, const Framebuffer& scratch,
+                 DirtyRectangles& dirty);
+
+    /// Where one of the spheres at rest may be seen; empty when it is hidden or out of view.
+    [[nodiscard]] PixelRectangle whereSeen(std::size_t resting) const;
+    /// Hidden by what is at rest, and out of view for as long as the camera is still.
+    [[nodiscard]] bool hides(const ProjectedSphere& sphere) const
+    {
+        return sphere.pixels.empty() || occlusion_.hides(sphere);
+    }
+
+    [[nodiscard]] const Framebuffer& framebuffer() const { return framebuffer_; }
+
+private:
+    /// One of the spheres at rest that may be seen.
+    struct Seen
+    {
+        std::uint32_t index;
+        PixelRectangle pixels;
+    };
+
+    void look(const SphereProjector& projector, std::span<const SphereInstance> resting,
+              std::size_t first, std::size_t end);
+    void findHidden(ScenePainter& painter, const SphereProjector& projector);
+
+    Framebuffer framebuffer_;              ///< of the layer
+    std::optional<Framebuffer> occluders_; ///< depths without multisampling
+    OcclusionMap occlusion_;
+    std::vector<Seen> seen_;                 ///< ascending
+    std::vector<SphereInstance> spheres_;    ///< that are being drawn
+    std::vector<TriangleTiles::Part> parts_; ///< [spheres_] where
+    PixelRectangle drawn_;                   ///< around all that is in the layer
+    std::vector<std::uint32_t> depths_;
+};
+
+} // namespace frostfill

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+#include "render/passes/mesh_pass.hpp"
+
+#include "render/embedded.hpp"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace frostfill
+{
+namespace
+{
+
+struct Vertex
+{
+    glm::vec3 position;
+    glm::vec3 normal;
+};
+
+std::vector<Vertex> verticesOf(const ShadedMesh& mesh)
+{
+    std::vector<Vertex> vertices;
+    vertices.reserve(mesh.corners.size() * 3);
+    for (std::size_t t = 0; t < mesh.corners.size(); ++t)
+    {
+        for (std::size_t corner = 0; corner < 3; ++corner)
+        {
+            vertices.push_back({mesh.corners[t][corner], mesh.normals[t][corner]});
+        }
+    }
+    return vertices;
+}
+
+/// Darker than the surface on a light ground, lighter on a dark one.
+glm::vec3 inkFor(const Colour& surface, const Colour& background)
+{
+    const glm::vec3 own(toVector(surface));
+    const bool dark = background[3] > 127 && background[0] + background[1] + background[2] < 3 * 96;
+    return dark ? glm::mix(own, glm::vec3(1), 0.12F) : 0.38F * own;
+}
+
+const void* offset(std::size_t bytes)
+{
+    return reinterpret_cast<const void*>(bytes);
+}
+
+} // namespace
+
+MeshBuffer::MeshBuffer(const GlFunctions& gl, const ShadedMesh& mesh,
+                       const std::vector<std::array<std::uint8_t, 3>>& edgeStrengths)
+    : gl_(gl), triangles_(mesh.corners.size()), held_(triangles_, PolygonState::active)
+{
+    const std::vector<Vertex> vertices = verticesOf(mesh);
+    gl.genVertexArrays(1, &array_);
+    gl.genBuffers(4, buffers_.data());
+    gl.bindVertexArray(array_);
+    gl.bindBuffer(GL_ARRAY_BUFFER, buffers_[0]);
+    gl.bufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(Vertex)),
+                  vertices.data(), GL_STATIC_DRAW);
+    gl.vertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex), nullptr);
+    gl.vertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex),
+                           offset(offsetof(Vertex, normal)));
+    gl.bindBuffer(GL_ARRAY_BUFFER, buffers_[2]);
+    gl.vertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, 4, nullptr);
+    gl.bindBuffer(GL_ARRAY_BUFFER, buffers_[1]);
+    staged_.assign(triangles_ * 3, static_cast<std::uint8_t>(PolygonState::active));
+    gl.bufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(staged_.size()), staged_.data(),
+                  GL_DYNAMIC_DRAW);
+    gl.vertexAttribIPointer(3, 1, GL_UNSIGNED_BYTE, 1, nullptr);
+    for (GLuint attribute = 0; attribute < 4; ++attribute)
+    {
+        gl.enableVertexAttribArray(attribute);
+    }
+    gl.bindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers_[3]);
+    setEdges(edgeStrengths);
+}
+
+MeshBuffer::~MeshBuffer()
+{
+    gl_.deleteBuffers(4, buffers_.data());
+    gl_.deleteVertexArrays(1, &array_);
+}
+
+void MeshBuffer::setEdges(const std::vector<std::array<std::uint8_t, 3>>& edgeStrengths)
+{
+    std::vector<std::array<std::uint8_t, 4>> corners;
+    corners.reserve(triangles_ * 3);
+    for (const auto& [a, b, c] : edgeStrengths)
+    {
+        corners.insert(corners.end(), 3, {a, b, c, 0});
+    }
+    gl_.bindBuffer(GL_ARRAY_BUFFER, buffers_[2]);
+    gl_.bufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners.size() * 4), corners.data(),
+                   GL_DYNAMIC_DRAW);
+}
+
+std::span<const std::uint32_t> MeshBuffer::update(std::span<const PolygonState> states)
+{
+    changed_.clear();
+    const std::size_t given = std::min(states.size(), triangles_);
+    for (std::size_t t = 0; t < triangles_; ++t)
+    {
+        const PolygonState state = t < given ? states[t] : PolygonState::active;
+        if (state != held_[t])
+        {
+            held_[t] = state;
+            std::fill_n(staged_.begin() + static_cast<std::ptrdiff_t>(3 * t), 3,
+                        static_cast<std::uint8_t>(state));
+            changed_.push_back(static_cast<std::uint32_t>(t));
+        }
+    }
+    if (!changed_.empty())
+    {
+        gl_.bindBuffer(GL_ARRAY_BUFFER, buffers_[1]);
+        gl_.bufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(staged_.size()),
+                          staged_.data());
+    }
+    return changed_;
+}
+
+void MeshBuffer::choose(std::span<const std::uint32_t> backs, std::span<const std::uint32_t> fronts)
+{
+    indices_.clear();
+    for (const auto& triangles : {backs, fronts})
+    {
+        for (const std::uint32_t t : triangles)
+        {
+            indices_.insert(indices_.end(), {3 * t, 3 * t + 1, 3 * t + 2});
+        }
+    }
+    chosen_ = {backs.size(), fronts.size()};
+    gl_.bindVertexArray(array_);
+    gl_.bufferData(GL_ELEMENT_ARRAY_BUFFER,
+                   static_cast<GLsizeiptr>(indices_.size() * sizeof(std::uint32_t)),
+                   indices_.data(), GL_STREAM_DRAW);
+}
+
+void MeshBuffer::draw() const
+{
+    gl_.bindVertexArray(array_);
+    gl_.drawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(triangles_ * 3));
+}
+
+void MeshBuffer::drawChosen(bool fronts) const
+{
+    const std::size_t first = fronts ? chosen_[0] * 3 : 0;
+    const std::size_t count = chosen_[fronts ? 1 : 0] * 3;
+    if (count > 0)
+    {
+        gl_.bindVertexArray(array_);
+        gl_.drawElements(GL_TRIANGLES, static_cast<GLsizei>(count), GL_UNSIGNED_INT,
+                         offset(first * sizeof(std::uint32_t)));
+    }
+}
+
+MeshPass::MeshPass(const GlFunctions& gl, const ShaderVariant& variant, const Palette& palette,
+                   const MeshStrokes& strokes)
+    : gl_(gl), program_(gl, variant.definitions(), embedded::shader_mesh_vert(),
+                        embedded::shader_mesh_frag())
+{
+    program_.use();
+    const std::array active = {toVector(palette.activePolygon)};
+    const std::array discarded = {toVector(palette.discardedPolygon)};
+    program_.set("activeInk", inkFor(palette.activePolygon, palette.background));
+    program_.set("discardedInk", inkFor(palette.discardedPolygon, palette.background));
+    program_.set("activeColour", active);
+    program_.set("discardedColour", discarded);
+    program_.set("lineWidth", strokes.lineWidth);
+    program_.set("hatchPeriod", strokes.hatchPeriod);
+}
+
+void MeshPass::setCutPlanes(const std::array<glm::vec4, 2>& planes) const
+{
+    program_.use();
+    program_.set("cutPlanes", planes);
+}
+
+void MeshPass::draw(const MeshBuffer& mesh, const glm::mat4& view, const glm::mat4& projection,
+                    Triangles which) const
+{
+    program_.use();
+    program_.set("view", view);
+    program_.set("projection", projection);
+    gl_.enable(GL_DEPTH_TEST);
+    gl_.depthMask(GL_FALSE);
+    gl_.enable(GL_BLEND);
+    gl_.blendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    gl_.enable(GL_CULL_FACE);
+    for (const bool fronts : {false, true})
+    {
+        gl_.cullFace(fronts ? GL_BACK : GL_FRONT);
+        if (which == Triangles::all)
+        {
+            mesh.draw();
+        }
+        else
+        {
+            mesh.drawChosen(fronts);
+        }
+    }
+    gl_.disable(GL_CULL_FACE);
+    gl_.depthMask(GL_TRUE);
+}
+
+} // namespace frostfill

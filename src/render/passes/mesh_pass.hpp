@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "render/context/gl.hpp"
+#include "render/context/shader.hpp"
+#include "render/framing/framing.hpp"
+#include "render/passes/mesh_shading.hpp"
+#include "render/passes/sphere_pass.hpp"
+
+#include <frostfill/snapshot.hpp>
+
+#include <span>
+#include <vector>
+
+namespace frostfill
+{
+
+/// The shell in the memory of OpenGL. Owns what it creates.
+class MeshBuffer
+{
+public:
+    MeshBuffer(const GlFunctions& gl, const ShadedMesh& mesh,
+               const std::vector<std::array<std::uint8_t, 3>>& edgeStrengths);
+    ~MeshBuffer();
+    MeshBuffer(const MeshBuffer&) = delete;
+    MeshBuffer& operator=(const MeshBuffer&) = delete;
+
+    /// How strongly edges are drawn, which depends on where they are looked at from.
+    void setEdges(const std::vector<std::array<std::uint8_t, 3>>& edgeStrengths);
+    /// Takes the states of the triangles; those beyond the span's end are active. Returns which
+    /// triangles have changed, until the next call.
+    std::span<const std::uint32_t> update(std::span<const PolygonState> states);
+    /// The triangles that drawChosen draws: those that may turn their backs to the viewer and those
+    /// that may face the viewer.
+    void choose(std::span<const std::uint32_t> backs, std::span<const std::uint32_t> fronts);
+    void draw() const;
+    void drawChosen(bool fronts) const;
+
+private:
+    const GlFunctions& gl_;
+    std::size_t triangles_;
+    std::array<std::size_t, 2> chosen_{}; ///< backs, fronts
+    GLuint array_ = 0;
+    std::array<GLuint, 4> buffers_{};  ///< shape; states; edges; indices of the chosen
+    std::vector<PolygonState> held_;   ///< [#T] what OpenGL has
+    std::vector<std::uint8_t> staged_; ///< [#T x 3]
+    std::vector<std::uint32_t> changed_;
+    std::vector<std::uint32_t> indices_;
+};
+
+/// Lengths in the picture [pixel].
+struct MeshStrokes
+{
+    float lineWidth = 1;
+    float hatchPeriod = 8;
+};
+
+/// The program that draws the shell.
+class MeshPass
+{
+public:
+    MeshPass(const GlFunctions& gl, const ShaderVariant& variant, const Palette& palette,
+             const MeshStrokes& strokes);
+
+    /// Planes in eye space; see CutPlanes.
+    void setCutPlanes(const std::array<glm::vec4, 2>& planes) const;
+
+    enum class Triangles
+    {
+        all,
+        chosen,
+    };
+    /// Blends back faces, then front faces, over what is there; depth is tested and not written, so
+    /// the spheres stay in charge.
+    void draw(const MeshBuffer& mesh, const glm::mat4& view, const glm::mat4& projection,
+              Triangles which = Triangles::all) const;
+
+private:
+    const GlFunctions& gl_;
+    ShaderProgram program_;
+};
+
+} // namespace frostfill

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+#include "render/passes/mesh_shading.hpp"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace frostfill
+{
+namespace
+{
+
+/// Edges that are bent by more than 35 degrees are drawn, and not smoothed over. A round thing of
+/// twelve sides, which bends by 30, is meant to be smooth.
+constexpr float kCreaseCosine = 0.819F;
+
+constexpr std::uint8_t kStrong = 190;
+constexpr std::uint8_t kFaint = 60;
+
+/// A crease is drawn in full from a bend of 65 degrees on.
+constexpr float kSharpCosine = 0.423F;
+
+/// How strongly a crease between two faces is drawn; 0 when they go smoothly into each other.
+std::uint8_t creaseStrength(const glm::vec3& a, const glm::vec3& b)
+{
+    const float cosine = glm::dot(a, b);
+    if (cosine >= kCreaseCosine)
+    {
+        return 0;
+    }
+    const float sharpness =
+        std::min((kCreaseCosine - cosine) / (kCreaseCosine - kSharpCosine), 1.0F);
+    return static_cast<std::uint8_t>(std::lround(kFaint + sharpness * (kStrong - kFaint)));
+}
+
+glm::vec3 unitOrZero(const glm::vec3& v)
+{
+    const float length = glm::length(v);
+    return length > 0 ? v / length : glm::vec3(0);
+}
+
+/// Triangle and corner in one number, so that corners can be sorted by vertex.
+struct VertexCorner
+{
+    std::uint32_t vertex;
+    std::uint32_t triangle;
+    std::uint8_t corner;
+};
+
+float angleAt(const std::array<glm::vec3, 3>& triangle, std::size_t corner)
+{
+    const glm::vec3 a = unitOrZero(triangle[(corner + 1) % 3] - triangle[corner]);
+    const glm::vec3 b = unitOrZero(triangle[(corner + 2) % 3] - triangle[corner]);
+    return std::acos(std::clamp(glm::dot(a, b), -1.0F, 1.0F));
+}
+
+/// Sum over the triangles around each corner's vertex, weighted by their angle there
+/// [Thuermer & Wuethrich 1998], of those that are not bent away by a crease.
+void smoothNormals(const TriangleMesh& mesh, ShadedMesh& shaded)
+{
+    std::vector<VertexCorner> order;
+    order.reserve(mesh.triangles.size() * 3);
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+    {
+        for (std::uint8_t c = 0; c < 3; ++c)
+        {
+            order.push_back({mesh.triangles[t][c], t, c});
+        }
+    }
+    std::stable_sort(order.begin(), order.end(),
+                     [](const VertexCorner& a, const VertexCorner& b)
+                     { return a.vertex < b.vertex; });
+    shaded.normals.resize(mesh.triangles.size());
+    for (auto first = order.begin(); first != order.end();)
+    {
+        const auto end =
+            std::find_if(first, order.end(),
+                         [&](const VertexCorner& other) { return other.vertex != first->vertex; });
+        for (auto own = first; own != end; ++own)
+        {
+            const glm::vec3& face = shaded.faceNormals[own->triangle];
+            glm::vec3 sum(0);
+            for (auto other = first; other != end; ++other)
+            {
+                const glm::vec3& neighbour = shaded.faceNormals[other->triangle];
+                if (glm::dot(face, neighbour) >= kCreaseCosine)
+                {
+                    sum += neighbour * angleAt(shaded.corners[other->triangle], other->corner);
+                }
+            }
+            shaded.normals[own->triangle][own->corner] =
+                sum == glm::vec3(0) ? face : unitOrZero(sum);
+        }
+        first = end;
+    }
+}
+
+void findEdges(const TriangleMesh& mesh, ShadedMesh& shaded)
+{
+    struct Side
+    {
+        std::array<std::uint32_t, 2> ends;
+        std::uint32_t triangle;
+        std::uint8_t corner;
+    };
+    std::vector<Side> sides;
+    sides.reserve(mesh.triangles.size() * 3);
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+    {
+        for (std::uint8_t c = 0; c < 3; ++c)
+        {
+            const auto [low, high] =
+                std::minmax(mesh.triangles[t][(c + 1) % 3], mesh.triangles[t][(c + 2) % 3]);
+            sides.push_back({{low, high}, t, c});
+        }
+    }
+    std::stable_sort(sides.begin(), sides.end(),
+                     [](const Side& a, const Side& b) { return a.ends < b.ends; });
+    for (std::size_t i = 0; i < sides.size();)
+    {
+        const bool paired = i + 1 < sides.size() && sides[i].ends == sides[i + 1].ends;
+        ShadedMesh::Edge edge;
+        edge.triangles[0] = sides[i].triangle;
+        edge.corners[0] = sides[i].corner;
+        edge.crease = paired ? 0 : kStrong;
+        if (paired)
+        {
+            edge.triangles[1] = sides[i + 1].triangle;
+            edge.corners[1] = sides[i + 1].corner;
+            edge.crease = creaseStrength(shaded.faceNormals[edge.triangles[0]],
+                                         shaded.faceNormals[edge.triangles[1]]);
+        }
+        shaded.edges.push_back(edge);
+        i += paired ? 2 : 1;
+    }
+}
+
+} // namespace
+
+ShadedMesh shadeMesh(const TriangleMesh& mesh, const std::vector<glm::vec3>& positions)
+{
+    ShadedMesh shaded;
+    for (const auto& triangle : mesh.triangles)
+    {
+        const std::array<glm::vec3, 3> corners = {positions[triangle[0]], positions[triangle[1]],
+                                                  positions[triangle[2]]};
+        shaded.corners.push_back(corners);
+        shaded.faceNormals.push_back(
+            unitOrZero(glm::cross(corners[1] - corners[0], corners[2] - corners[0])));
+    }
+    smoothNormals(mesh, shaded);
+    findEdges(mesh, shaded);
+    return shaded;
+}
+
+std::vector<std::array<std::uint8_t, 3>> edgeStrengths(const ShadedMesh& mesh, const glm::vec3& eye,
+                                                       bool orthographic)
+{
+    const auto facesViewer = [&](std::uint32_t triangle)
+    {
+        const glm::vec3 towards = orthographic ? eye : eye - mesh.corners[triangle][0];
+        return glm::dot(mesh.faceNormals[triangle], towards) > 0;
+    };
+    std::vector<std::array<std::uint8_t, 3>> strengths(mesh.corners.size());
+    for (const ShadedMesh::Edge& edge : mesh.edges)
+    {
+        const bool paired = edge.triangles[1] != ShadedMesh::Edge::kNone;
+        const bool outline =
+            paired && facesViewer(edge.triangles[0]) != facesViewer(edge.triangles[1]);
+        const std::uint8_t strength = outline ? kStrong : std::max(edge.crease, kFaint);
+        for (std::size_t side = 0; side < (paired ? 2U : 1U); ++side)
+        {
+            strengths[edge.triangles[side]][edge.corners[side]] = strength;
+        }
+    }
+    return strengths;
+}
+
+} // namespace frostfill

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include "render/passes/sphere_pass.hpp"
+
+#include "render/embedded.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace frostfill
+{
+namespace
+{
+
+std::string sampleDefinitions(std::size_t samples)
+{
+    return samples > 1 ? fmt::format("#extension GL_ARB_sample_shading : require\n"
+                                     "#define SAMPLES {}\n",
+                                     samples)
+                       : "";
+}
+
+/// Drawn at once: as many as indices of 16 bits can tell apart.
+constexpr std::size_t kSquares = 65536 / 4;
+
+/// Two triangles a square.
+std::vector<std::uint16_t> indicesOfSquares()
+{
+    std::vector<std::uint16_t> indices;
+    indices.reserve(6 * kSquares);
+    for (std::size_t square = 0; square < kSquares; ++square)
+    {
+        for (const std::size_t corner : {0, 1, 2, 2, 1, 3})
+        {
+            indices.push_back(static_cast<std::uint16_t>(4 * square + corner));
+        }
+    }
+    return indices;
+}
+
+} // namespace
+
+std::string ShaderVariant::definitions() const
+{
+    std::string lines;
+    lines += orthographic ? "#define ORTHOGRAPHIC\n" : "";
+    lines += cutaway ? "#define CUTAWAY\n" : "";
+    lines += outlines ? "#define OUTLINES\n" : "";
+    return lines;
+}
+
+glm::vec4 toVector(const Colour& colour)
+{
+    return glm::vec4(colour[0], colour[1], colour[2], colour[3]) / 255.0F;
+}
+
+SphereBuffer::SphereBuffer(const GlFunctions& gl) : gl_(gl)
+{
+    gl.genVertexArrays(1, &array_);
+    gl.genBuffers(2, buffers_.data());
+    gl.bindVertexArray(array_);
+    gl.bindBuffer(GL_ARRAY_BUFFER, buffers_[0]);
+    gl.vertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, sizeof(SphereInstance), nullptr);
+    gl.vertexAttribIPointer(1, 1, GL_UNSIGNED_INT, sizeof(SphereInstance),
+                            reinterpret_cast<const void*>(offsetof(SphereInstance, state)));
+    gl.vertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(SphereInstance),
+                           reinterpret_cast<const void*>(offsetof(SphereInstance, colour)));
+    for (GLuint attribute = 0; attribute < 3; ++attribute)
+    {
+        gl.enableVertexAttribArray(attribute);
+    }
+    const std::vector<std::uint16_t> indices = indicesOfSquares();
+    gl.bindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers_[1]);
+    gl.bufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size() * 2),
+                  indices.data(), GL_STATIC_DRAW);
+}
+
+SphereBuffer::~SphereBuffer()
+{
+    gl_.deleteBuffers(2, buffers_.data());
+    gl_.deleteVertexArrays(1, &array_);
+}
+
+void SphereBuffer::update(std::span<const SphereInstance> spheres)
+{
+    corners_.resize(spheres.size() * 4);
+    for (std::size_t i = 0; i < spheres.size(); ++i)
+    {
+        std::fill_n(corners_.begin() + static_cast<std::ptrdiff_t>(4 * i), 4, spheres[i]);
+    }
+    // A new store each time: OpenGL may still be drawing from the old one.
+    gl_.bindBuffer(GL_ARRAY_BUFFER, buffers_[0]);
+    gl_.bufferData(GL_ARRAY_BUFFER,
+                   static_cast<GLsizeiptr>(corners_.size() * sizeof(SphereInstance)),
+                   corners_.data(), GL_STREAM_DRAW);
+    count_ = spheres.size();
+}
+
+void SphereBuffer::draw() const
+{
+    gl_.bindVertexArray(array_);
+    for (std::size_t first = 0; first < count_; first += kSquares)
+    {
+        gl_.drawElementsBaseVertex(GL_TRIANGLES,
+                                   static_cast<GLsizei>(6 * std::min(kSquares, count_ - first)),
+                                   GL_UNSIGNED_SHORT, nullptr, static_cast<GLint>(4 * first));
+    }
+}
+
+SpherePass::SpherePass(const GlFunctions& gl, const ShaderVariant& variant,
+                       std::span<const glm::vec2> samplePositions, const Style& style,
+                       float lineWidth)
+    : gl_(gl), program_(gl, sampleDefinitions(samplePositions.size()) + variant.definitions(),
+                        embedded::shader_sphere_vert(), embedded::shader_sphere_frag())
+{
+    program_.use();
+    const std::array background = {toVector(style.palette.background)};
+    program_.set("background", background);
+    program_.set("outlineWidth", lineWidth);
+    program_.set("gloss", style.look == Look::paper ? 0.0F : 1.0F);
+    if (samplePositions.size() > 1)
+    {
+        program_.set("samplePositions", samplePositions);
+    }
+}
+
+void SpherePass::draw(const SphereBuffer& spheres, const SphereUniforms& uniforms) const
+{
+    program_.use();
+    program_.set("view", uniforms.view);
+    program_.set("projection", uniforms.projection);
+    program_.set("depthAtInfinity", uniforms.depthAtInfinity);
+    program_.set("depthSlope", uniforms.depthSlope);
+    program_.set("pixelScale", uniforms.pixelScale);
+    program_.set("heightPlane", std::span(&uniforms.heightPlane, 1));
+    program_.set("distancePlane", std::span(&uniforms.distancePlane, 1));
+    program_.set("haze", uniforms.haze);
+    program_.set("cutPlanes", uniforms.cutPlanes);
+    gl_.enable(GL_DEPTH_TEST);
+    gl_.depthMask(GL_TRUE);
+    gl_.disable(GL_BLEND);
+    spheres.draw();
+}
+
+} // namespace frostfill

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include "run/fill_run.hpp"
+
+#include "run/contact_sheet.hpp"
+#include "run/frame_recorder.hpp"
+#include "run/run_directory.hpp"
+#include "run/run_files.hpp"
+#include "run/run_hash.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace frostfill
+{
+namespace
+{
+
+/// Memory for looking at what the spheres can reach: enough for some 500,000 spheres. Beyond that
+/// it would take longer than a run should.
+constexpr std::size_t kReachBytes = std::size_t{8} << 20;
+
+FillPlan makePlan(const Scene& scene, const LoadedMesh& mesh, const Simulation& simulation,
+                  const FrameTiming& timing, const ReachInspection& reach)
+{
+    FillPlan plan;
+    plan.repairs = mesh.repairs;
+    plan.triangles = mesh.report.triangles;
+    plan.spheres = simulation.expectedSpheres();
+    plan.smallestRadius = simulation.smallestRadius();
+    plan.largestRadius = simulation.radius();
+    plan.timeStep = simulation.timeStep();
+    plan.timing = timing;
+    plan.volume = mesh.report.volume;
+    plan.reach = reach;
+    plan.estimate = estimateFrames(scene, mesh.report, plan.spheres, plan.largestRadius);
+    return plan;
+}
+
+/// Steps to the end, or until the caller wants to stop; returns whether it did.
+bool simulate(Simulation& simulation, FrameRecorder* recorder, const FillObserver& observer)
+{
+    const std::size_t expected = simulation.expectedSpheres();
+    if (recorder)
+        recorder->record(simulation);
+    while (simulation.step())
+    {
+        if (recorder)
+            recorder->record(simulation);
+        if (observer.progressed)
+            observer.progressed({simulation.sphereCount(), simulation.restingCount(), expected,
+                                 recorder ? recorder->count() : 0, simulation.time()});
+        if (observer.stopRequested && observer.stopRequested())
+            return true;
+    }
+    return false;
+}
+
+std::optional<std::string> failedPostcondition(const QualityReport& quality, bool blank)
+{
+    if (quality.notFinite > 0)
+        return fmt::format("{} spheres have positions that are not numbers; try a smaller --dt",
+                           quality.notFinite);
+    if (quality.centresOutside > 0)
+        return fmt::format("{} spheres ended outside the object; try a smaller --dt or "
+                           "--discard none",
+                           quality.centresOutside);
+    if (blank)
+        return "the pictures are blank: the camera does not see the object";
+    return std::nullopt;
+}
+
+/// Of what the colours of spheres mean over the whole run, so that a colour never changes its
+/// meaning. Sets and groups are counted from 0. [1], for speeds [m/s]
+ColourRange colourRange(const Scene& scene, const LoadedMesh& mesh, const Simulation& simulation)
+{
+    const auto groups = std::max(1.0, std::ceil(static_cast<double>(simulation.expectedSpheres()) /
+                                                static_cast<double>(simulation.groupSize())));
+    switch (scene.style.colourBy)
+    {
+    case ColourBy::set:
+        return {0, std::max(1.0, std::ceil(groups / scene.spheres.groupsPerSet) - 1)};
+    case ColourBy::group:
+        return {0, std::max(1.0, groups - 1)};
+    case ColourBy::speed: // of a fall through the object
+        return {0, scene.motion.gravity * fallTime(scene, mesh.report)};
+    case ColourBy::state:
+    case ColourBy::height: // the renderer knows
+        break;
+    }
+    return {};
+}
+
+void writeContactSheet(const FillRequest& request, const FrameRecorder& recorder,
+                       const FrameTiming& timing, double end)
+{
+    const auto& [left, top, right, bottom] = recorder.objectRegion();
+    ContactSheetRequest sheet;
+    sheet.frames = request.directory / "frames";
+    sheet.count = recorder.count();
+    sheet.interval = timing.interval * static_cast<double>(recorder.stride());
+    sheet.end = end;
+    sheet.title = request.scene.name;
+    sheet.palette = request.scene.style.palette;
+    sheet.crop = {left, top, right, bottom};
+    savePng(makeContactSheet(sheet), request.directory / "contact_sheet.png",
+            {{"Software", "Frostfill"}, {"Title", request.scene.name}});
+}
+
+} // namespace
+
+FillResult runFill(const FillRequest& request, const FillObserver& observer)
+{
+    if (!request.scene.frames.enabled && (!request.video.empty() || request.contactSheet))
+        throw Error(ErrorCode::usage, "a video or contact sheet is made of frames: leave out "
+                                      "--frames none, or --video and --contact-sheet");
+    const auto start = std::chrono::steady_clock::now();
+    validateScene(request.scene);
+    const LoadedMesh mesh = loadMesh(request.scene.object.mesh);
+    Simulation simulation(request.scene, mesh.mesh);
+    prepareRunDirectory(request.directory, request.overwrite);
+
+    const FrameTiming timing = frameTiming(request.scene, mesh.report);
+    std::unique_ptr<FrameRecorder> recorder;
+    if (request.scene.frames.enabled)
+        recorder = std::make_unique<FrameRecorder>(
+            mesh.mesh, request.scene, timing.interval, colourRange(request.scene, mesh, simulation),
+            request.directory, runHash(request.scene, mesh.mesh), request.video,
+            simulation.poses());
+    FillResult result;
+    result.reach = simulation.inspectReach(kReachBytes);
+    if (observer.planned)
+        observer.planned(makePlan(request.scene, mesh, simulation, timing, result.reach));
+
+    result.directory = request.directory;
+    result.stopped = simulate(simulation, recorder.get(), observer);
+    StageTimes times = simulation.times();
+    if (recorder)
+    {
+        recorder->finish(simulation);
+        result.frames = recorder->count();
+        result.videoFailure = recorder->videoFailure();
+        if (request.contactSheet)
+            writeContactSheet(request, *recorder, timing, simulation.time());
+        result.setFrames = recorder->sets();
+        result.renderer = recorder->description();
+        times += recorder->times();
+    }
+    result.sets = simulation.sets();
+    result.spheres = simulation.sphereCount();
+    result.wanted = simulation.expectedSpheres();
+    result.smallestRadius = simulation.smallestRadius();
+    result.largestRadius = simulation.radius();
+    result.full = simulation.full();
+    result.stateHash = simulation.stateHash();
+    result.quality = simulation.quality();
+    result.failure = failedPostcondition(result.quality, recorder && recorder->blank());
+    result.wallSeconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+
+    const RunRecord run{
+        request, mesh, simulation, timing, result, times, recorder ? recorder->stride() : 1};
+    result.summary = summaryText(run);
+    writeRunFiles(run);
+    return result;
+}
+
+} // namespace frostfill

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "run/frame_timing.hpp"
+#include "run/set_table.hpp"
+
+#include <frostfill/error.hpp>
+#include <frostfill/scene.hpp>
+#include <frostfill/simulation.hpp>
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace frostfill
+{
+
+struct FillRequest
+{
+    Scene scene;
+    std::filesystem::path directory;
+    bool overwrite = false;      ///< replace the run that the directory holds
+    std::filesystem::path video; ///< .mp4, .webm or .gif; empty for none
+    bool contactSheet = false;   ///< contact_sheet.png in the directory
+};
+
+/// What is known before the first step.
+struct FillPlan
+{
+    std::vector<std::string> repairs; ///< of the mesh
+    std::size_t triangles = 0;
+    std::size_t spheres = 0;
+    double smallestRadius = 0; ///< [mesh unit]
+    double largestRadius = 0;  ///< [mesh unit]
+    double timeStep = 0;       ///< [s]
+    FrameTiming timing;
+    FrameEstimate estimate;
+    double volume = 0;     ///< [unit^3] of the object
+    ReachInspection reach; ///< of the smallest radius
+};
+
+struct FillProgress
+{
+    std::size_t spheres = 0; ///< that have appeared
+    std::size_t resting = 0;
+    std::size_t expected = 0;
+    std::size_t frames = 0;
+    double time = 0; ///< [s] simulated
+};
+
+/// What the caller wants to hear. Every function may be empty.
+struct FillObserver
+{
+    std::function<void(const FillPlan&)> planned;
+    std::function<void(const FillProgress&)> progressed; ///< after every step
+    std::function<bool()> stopRequested;                 ///< asked after every step
+};
+
+struct FillResult
+{
+    std::filesystem::path directory;
+    std::vector<SetRecord> sets;
+    std::vector<SetFrames> setFrames;
+    std::size_t frames = 0;
+    std::size_t spheres = 0;
+    std::size_t wanted = 0;    ///< spheres that the run aimed at
+    double smallestRadius = 0; ///< [mesh unit]
+    double largestRadius = 0;  ///< [mesh unit]
+    bool full = false;
+    bool stopped = false;   ///< by stopRequested
+    double wallSeconds = 0; ///< of the whole run
+    std::string renderer;   ///< empty when nothing was drawn
+    std::string stateHash;
+    std::string summary; ///< the text of summary.json
+    QualityReport quality;
+    /// What went wrong with the video, in a sentence; all other files are there.
+    std::optional<std::string> videoFailure;
+    ReachInspection reach; ///< of the smallest radius, in the empty object
+    /// A postcondition that failed, in a sentence; the files are written all the same.
+    std::optional<std::string> failure;
+};
+
+/// Loads the mesh, fills it, draws frames and writes every file of a run into the directory.
+/// Throws Error; see ErrorCode.
+[[nodiscard]] FillResult runFill(const FillRequest& request, const FillObserver& observer = {});
+
+} // namespace frostfill

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "run/frame_writer.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace frostfill
+{
+
+FrameWriter::FrameWriter(const std::filesystem::path& directory, std::size_t limit, PngText text)
+    : sequence_(directory, limit, std::move(text))
+{
+}
+
+void FrameWriter::put(std::size_t number, const Image& image,
+                      std::span<const std::uint8_t> changedRows, std::size_t set, PngText text)
+{
+    // With one job at most waiting and one being done, the third parcel is free.
+    Parcel& parcel = parcels_[next_];
+    next_ = (next_ + 1) % parcels_.size();
+    parcel.number = number;
+    parcel.set = set;
+    parcel.width = image.width;
+    parcel.height = image.height;
+    parcel.channels = image.channels;
+    parcel.text = std::move(text);
+    parcel.changedRows.assign(changedRows.begin(), changedRows.end());
+    parcel.pixels.clear();
+    const std::size_t row =
+        static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.channels);
+    for (std::size_t y = 0; y < changedRows.size(); ++y)
+        if (changedRows[y] != 0)
+        {
+            const auto from = image.pixels.begin() + static_cast<std::ptrdiff_t>(y * row);
+            parcel.pixels.insert(parcel.pixels.end(), from,
+                                 from + static_cast<std::ptrdiff_t>(row));
+        }
+    worker_.push([this, &parcel] { write(parcel); });
+}
+
+void FrameWriter::write(const Parcel& parcel)
+{
+    const std::size_t row =
+        static_cast<std::size_t>(parcel.width) * static_cast<std::size_t>(parcel.channels);
+    image_.width = parcel.width;
+    image_.height = parcel.height;
+    image_.channels = parcel.channels;
+    image_.pixels.resize(row * static_cast<std::size_t>(parcel.height));
+    auto from = parcel.pixels.begin();
+    for (std::size_t y = 0; y < parcel.changedRows.size(); ++y)
+        if (parcel.changedRows[y] != 0)
+        {
+            std::copy_n(from, row, image_.pixels.begin() + static_cast<std::ptrdiff_t>(y * row));
+            from += static_cast<std::ptrdiff_t>(row);
+        }
+
+    const auto spent = [&]
+    { return sequence_.times()[Stage::encoding] + sequence_.times()[Stage::writing]; };
+    const double before = spent();
+    sequence_.put(parcel.number, image_, parcel.changedRows, parcel.text);
+    if (milliseconds_.size() <= parcel.set)
+        milliseconds_.resize(parcel.set + 1);
+    milliseconds_[parcel.set].push_back(1000 * (spent() - before));
+}
+
+void FrameWriter::finish()
+{
+    worker_.finish();
+}
+
+} // namespace frostfill

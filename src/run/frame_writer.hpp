@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/ordered_worker.hpp"
+
+#include <frostfill/output.hpp>
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <vector>
+
+namespace frostfill
+{
+
+/// Encodes and writes pictures in a thread of its own, in order. Of each picture it takes only the
+/// rows that differ from the one before.
+class FrameWriter
+{
+public:
+    /// Throws Error cannotCreate.
+    FrameWriter(const std::filesystem::path& directory, std::size_t limit, PngText text);
+
+    /// Copies what it needs; may wait for earlier pictures. `changedRows` as Renderer tells them,
+    /// all 0 for the same picture once more. `set` is the one that the time is counted for. Throws
+    /// what has gone wrong with an earlier picture.
+    void put(std::size_t number, const Image& image, std::span<const std::uint8_t> changedRows,
+             std::size_t set, PngText text);
+    /// Waits until everything is written. Throws what has gone wrong.
+    void finish();
+
+    /// After finish().
+    [[nodiscard]] const StageTimes& times() const { return sequence_.times(); }
+    /// After finish(). [set][picture of the set] encoding and writing [ms]
+    [[nodiscard]] const std::vector<std::vector<double>>& milliseconds() const
+    {
+        return milliseconds_;
+    }
+
+private:
+    /// Rows of one picture on their way to the other thread.
+    struct Parcel
+    {
+        std::size_t number = 0;
+        std::size_t set = 0;
+        int width = 0, height = 0, channels = 3;
+        PngText text;
+        std::vector<std::uint8_t> changedRows; ///< [height]
+        std::vector<std::uint8_t> pixels;      ///< of the changed rows, one after the other
+    };
+
+    void write(const Parcel& parcel);
+
+    PngSequence sequence_;
+    Image image_;
+    std::vector<std::vector<double>> milliseconds_;
+    std::array<Parcel, 3> parcels_; ///< one is filled, one waits, one is being written
+    std::size_t next_ = 0;
+    OrderedWorker worker_{1}; ///< last: it uses all the others
+};
+
+} // namespace frostfill

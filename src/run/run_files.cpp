@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+#include "run/run_files.hpp"
+
+#include "output/atomic_file.hpp"
+#include "output/scene_json.hpp"
+#include "run/machine_json.hpp"
+#include "run/run_hash.hpp"
+
+#include <frostfill/output.hpp>
+
+#include <algorithm>
+
+namespace frostfill
+{
+namespace
+{
+
+using Json = nlohmann::ordered_json;
+
+Json meshJson(const LoadedMesh& mesh)
+{
+    return {{"vertices", mesh.report.vertices},
+            {"triangles", mesh.report.triangles},
+            {"repairs", mesh.repairs}};
+}
+
+Json spheresJson(const Simulation& simulation)
+{
+    std::size_t counts[3] = {};
+    double smallest = simulation.radius();
+    double sum = 0;
+    for (std::size_t id = 0; id < simulation.sphereCount(); ++id)
+    {
+        const SphereRecord sphere = simulation.sphere(id);
+        ++counts[static_cast<std::size_t>(sphere.state)];
+        smallest = std::min(smallest, sphere.radius);
+        sum += sphere.radius;
+    }
+    const bool equal = simulation.smallestRadius() == simulation.radius();
+    const auto total = static_cast<double>(std::max<std::size_t>(1, simulation.sphereCount()));
+    return {{"running", counts[0]},
+            {"frozen", counts[1]},
+            {"discarded", counts[2]},
+            {"total", simulation.sphereCount()},
+            {"radius", simulation.radius()},
+            {"smallest_radius", smallest},
+            {"mean_radius", equal ? simulation.radius() : sum / total}};
+}
+
+Json polygonsJson(const std::vector<PolygonState>& polygons)
+{
+    const auto active = std::count(polygons.begin(), polygons.end(), PolygonState::active);
+    return {{"active", active},
+            {"discarded", static_cast<std::ptrdiff_t>(polygons.size()) - active},
+            {"total", polygons.size()}};
+}
+
+Json errorJson(const QualityReport& quality)
+{
+    return {{"max_overlap_over_radius", quality.maxOverlap},
+            {"mean_overlap_over_radius", quality.meanOverlap},
+            {"max_wall_overlap_over_radius", quality.maxWallOverlap},
+            {"centres_outside", quality.centresOutside},
+            {"not_finite", quality.notFinite},
+            {"unsupported_frozen", quality.unsupported},
+            {"energy_gain", quality.energyGain},
+            {"energy_above_start", quality.energyExcess},
+            {"restored_discards", quality.restoredDiscards},
+            {"volume_mesh", quality.meshVolume},
+            {"volume_spheres", quality.sphereVolume},
+            {"packing_fraction",
+             quality.meshVolume > 0 ? quality.sphereVolume / quality.meshVolume : 0},
+            {"volume_estimate", quality.volumeEstimate},
+            {"volume_estimate_error", quality.volumeEstimateError}};
+}
+
+Json timeJson(const RunRecord& run)
+{
+    Json json;
+    for (std::size_t i = 0; i < kStageCount; ++i)
+        json[stageName(static_cast<Stage>(i))] = run.times.seconds[i];
+    json["wall"] = run.result.wallSeconds;
+    json["simulated"] = run.simulation.time();
+    json["steps"] = run.simulation.steps();
+    json["step"] = run.simulation.timeStep();
+    return json;
+}
+
+Json operationsJson(const OperationCounts& counts)
+{
+    return {{"tests",
+             {{"running_running", counts.runningRunningTests},
+              {"running_frozen", counts.runningFrozenTests},
+              {"sphere_polygon", counts.spherePolygonTests}}},
+            {"responses",
+             {{"running_running", counts.runningRunningResponses},
+              {"running_frozen", counts.runningFrozenResponses},
+              {"sphere_polygon", counts.spherePolygonResponses}}}};
+}
+
+Json pointJson(const Eigen::Vector3d& p)
+{
+    return {p.x(), p.y(), p.z()};
+}
+
+/// null where nothing is known.
+Json reachJson(const ReachInspection& reach)
+{
+    if (!reach.known)
+        return nullptr;
+    Json json = {{"leak", reach.leak ? pointJson(*reach.leak) : Json()},
+                 {"volume_unreachable", reach.unreachable},
+                 {"resolution", reach.resolution},
+                 {"parts", Json::array()}};
+    for (const UnreachableVolume& part : reach.parts)
+        json["parts"].push_back({{"volume", part.volume},
+                                 {"centre", pointJson(part.centre)},
+                                 {"low", pointJson(part.box.min())},
+                                 {"high", pointJson(part.box.max())}});
+    return json;
+}
+
+const char* outcome(const FillResult& result)
+{
+    if (result.failure)
+        return "failed";
+    if (result.stopped)
+        return "stopped";
+    return result.full ? "full" : "count reached";
+}
+
+} // namespace
+
+std::string summaryText(const RunRecord& run)
+{
+    Json json;
+    json["outcome"] = outcome(run.result);
+    if (run.result.failure)
+        json["failure"] = *run.result.failure;
+    json["scene"] = sceneToJson(run.request.scene);
+    json["machine"] = machineJson(run.result.renderer);
+    json["mesh"] = meshJson(run.mesh);
+    json["spheres"] = spheresJson(run.simulation);
+    json["polygons"] = polygonsJson(run.simulation.polygonStates());
+    json["reach"] = reachJson(run.result.reach);
+    json["error"] = errorJson(run.result.quality);
+    json["time"] = timeJson(run);
+    json["operations"] = operationsJson(run.simulation.operations());
+    json["run_hash"] = runHash(run.request.scene, run.mesh.mesh);
+    json["state_hash"] = run.result.stateHash;
+    json["frames"] = run.result.frames;
+    json["frame_interval"] = run.timing.interval * static_cast<double>(run.frameStride);
+    json["slow_motion"] = run.timing.slowMotion;
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void writeRunFiles(const RunRecord& run)
+{
+    const std::filesystem::path& directory = run.request.directory;
+    savePly(run.mesh.mesh, directory / "mesh.ply");
+    writeSpheresCsv(
+        run.simulation.sphereCount(), [&](std::size_t id) { return run.simulation.sphere(id); },
+        directory / "spheres.csv");
+    writePolygonsCsv(run.simulation.polygonStates(), directory / "polygons.csv");
+    writeSetsCsv(run.result.sets, run.result.setFrames, directory / "sets.csv");
+    AtomicFile summary(directory / "summary.json");
+    summary.write(run.result.summary);
+    summary.commit();
+}
+
+} // namespace frostfill

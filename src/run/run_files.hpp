@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "run/fill_run.hpp"
+
+#include <frostfill/mesh.hpp>
+
+#include <string>
+
+namespace frostfill
+{
+
+/// All that the files of a run are made from.
+struct RunRecord
+{
+    const FillRequest& request;
+    const LoadedMesh& mesh;
+    const Simulation& simulation;
+    const FrameTiming& timing;
+    const FillResult& result;
+    StageTimes times;            ///< of simulation and pictures together
+    std::size_t frameStride = 1; ///< every so manieth frame was kept
+};
+
+/// The text of summary.json.
+[[nodiscard]] std::string summaryText(const RunRecord& run);
+
+/// Writes every file but the frames. Throws Error cannotCreate or writeFailed.
+void writeRunFiles(const RunRecord& run);
+
+} // namespace frostfill

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "run/run_hash.hpp"
+
+#include "output/scene_json.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <string_view>
+
+namespace frostfill
+{
+namespace
+{
+
+/// FNV-1a with 64 bits. [Fowler, Noll, Vo 1991]
+class Hash
+{
+public:
+    void add(std::string_view bytes)
+    {
+        for (const char byte : bytes)
+            state_ = (state_ ^ static_cast<std::uint8_t>(byte)) * 0x100000001b3ULL;
+    }
+    template <class Value>
+    void add(const std::vector<Value>& values)
+    {
+        add(std::string_view(reinterpret_cast<const char*>(values.data()),
+                             values.size() * sizeof(Value)));
+    }
+    [[nodiscard]] std::uint64_t value() const { return state_; }
+
+private:
+    std::uint64_t state_ = 0xcbf29ce484222325ULL;
+};
+
+} // namespace
+
+std::string runHash(const Scene& scene, const TriangleMesh& mesh)
+{
+    // How many threads there are, and how pictures are kept, changes no result.
+    Scene same = scene;
+    same.threads = 0;
+    same.staticLayer = true;
+    same.backend = Backend::automatic;
+    Hash hash;
+    hash.add(
+        sceneToJson(same).dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+    hash.add(mesh.vertices);
+    hash.add(mesh.triangles);
+    return fmt::format("{:016x}", hash.value());
+}
+
+} // namespace frostfill

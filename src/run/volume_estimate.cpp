@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "run/volume_estimate.hpp"
+
+#include "scene/packing_estimate.hpp"
+
+#include <frostfill/error.hpp>
+#include <frostfill/simulation.hpp>
+
+#include <cmath>
+
+namespace frostfill
+{
+namespace
+{
+
+/// Of the coarse spheres, when the scene has no radius. The calibration is for up to 0.3.
+constexpr double kRadiusTimesAreaOverVolume = 0.2;
+/// Coarse fillings, which cost an eighth of a fine one each and scatter more.
+constexpr std::size_t kCoarseFillings = 4;
+
+std::size_t fitting(Scene scene, const TriangleMesh& mesh, double radius)
+{
+    scene.spheres.radius = radius;
+    scene.spheres.count.reset();
+    Simulation simulation(scene, mesh);
+    while (simulation.step())
+    {
+    }
+    return simulation.sphereCount();
+}
+
+} // namespace
+
+VolumeEstimate estimateVolume(const Scene& scene)
+{
+    validateScene(scene);
+    if (scene.spheres.radius && !scene.spheres.radius->equal())
+        throw Error(ErrorCode::usage, "--estimate-volume needs one radius, for only equal spheres "
+                                      "have a packing fraction that is known beforehand");
+    const LoadedMesh mesh = loadMesh(scene.object.mesh);
+    VolumeEstimate estimate;
+    estimate.meshVolume = mesh.report.volume;
+    const double depth = mesh.report.volume / mesh.report.area;
+    estimate.radius =
+        scene.spheres.radius ? scene.spheres.radius->largest : kRadiusTimesAreaOverVolume * depth;
+    estimate.radiusTimesAreaOverVolume = estimate.radius / depth;
+    for (std::size_t filling = 0; filling < kCoarseFillings; ++filling)
+    {
+        Scene coarse = scene;
+        coarse.seed += filling;
+        estimate.coarse += fitting(coarse, mesh.mesh, estimate.radius);
+    }
+    estimate.fine = fitting(scene, mesh.mesh, estimate.radius / 2);
+
+    const PackingCalibration packing = packingCalibration(scene);
+    const double coarse = static_cast<double>(estimate.coarse) / kCoarseFillings;
+    estimate.coarse = static_cast<std::size_t>(std::lround(coarse));
+    const auto fine = static_cast<double>(estimate.fine);
+    const double one = 4.0 / 3.0 * M_PI * std::pow(estimate.radius, 3) / packing.ruleFraction;
+    estimate.volume = one * (fine / 4 - coarse);
+    const double ofShape =
+        estimate.volume * packing.ruleError * growthOfError(estimate.radiusTimesAreaOverVolume);
+    const double ofFine = one * fine / 4 * scatterOfCount(fine);
+    const double ofCoarse = one * coarse * scatterOfCount(coarse * kCoarseFillings);
+    estimate.error = std::hypot(ofShape, ofFine, ofCoarse);
+    return estimate;
+}
+
+} // namespace frostfill

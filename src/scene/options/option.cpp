@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+#include "scene/options/option.hpp"
+
+#include "scene/options/table_builder.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace frostfill
+{
+namespace
+{
+
+template <typename T>
+std::optional<T> readNumber(std::string_view text)
+{
+    T value{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size())
+        return std::nullopt;
+    return value;
+}
+
+std::optional<Eigen::Vector3d> readVector(std::string_view text)
+{
+    Eigen::Vector3d vector;
+    for (int i = 0; i < 3; ++i)
+    {
+        const std::size_t comma = i < 2 ? text.find(',') : text.size();
+        if (comma == std::string_view::npos)
+            return std::nullopt;
+        const auto value = readNumber<double>(text.substr(0, comma));
+        if (!value)
+            return std::nullopt;
+        vector[i] = *value;
+        text.remove_prefix(std::min(comma + 1, text.size()));
+    }
+    return vector;
+}
+
+bool inRange(const OptionRange& range, double value)
+{
+    return std::isfinite(value) && value <= range.high &&
+           (range.withoutLow ? value > range.low : value >= range.low);
+}
+
+std::string describeRange(const OptionRange& range)
+{
+    const OptionRange all;
+    const std::string low = range.low == all.low ? "" : fmt::format("{}", range.low);
+    const std::string high = range.high == all.high ? "" : fmt::format("{}", range.high);
+    const char* above = range.withoutLow ? "above" : "from";
+    if (low.empty())
+        return high.empty() ? "" : fmt::format(" up to {}", high);
+    if (high.empty())
+        return range.withoutLow ? fmt::format(" above {}", low)
+                                : fmt::format(" of at least {}", low);
+    return fmt::format(" {} {} to {}", above, low, high);
+}
+
+/// A whole number will do where a number is asked for, and a word where one stands for a number.
+OptionValue converted(const Option& option, OptionValue value)
+{
+    if (const auto* text = std::get_if<std::string>(&value))
+    {
+        if (!option.nothing.empty() && *text == option.nothing)
+            return std::monostate{};
+        for (const auto& [word, number] : option.words)
+            if (*text == word)
+                return number;
+    }
+    if (const auto* whole = std::get_if<std::int64_t>(&value);
+        whole && (option.type == OptionType::number || option.type == OptionType::radii))
+        return static_cast<double>(*whole);
+    return value;
+}
+
+bool allowed(const Option& option, const OptionValue& value)
+{
+    if (std::holds_alternative<std::monostate>(value))
+        return !option.nothing.empty();
+    switch (option.type)
+    {
+    case OptionType::boolean:
+        return std::holds_alternative<bool>(value);
+    case OptionType::integer:
+        return std::holds_alternative<std::int64_t>(value) &&
+               inRange(option.range, static_cast<double>(std::get<std::int64_t>(value)));
+    case OptionType::number:
+        return std::holds_alternative<double>(value) &&
+               inRange(option.range, std::get<double>(value));
+    case OptionType::vector:
+        return std::holds_alternative<Eigen::Vector3d>(value) &&
+               std::get<Eigen::Vector3d>(value).allFinite();
+    case OptionType::radii:
+        return std::holds_alternative<std::string>(value) ||
+               (std::holds_alternative<double>(value) &&
+                inRange(option.range, std::get<double>(value)));
+    case OptionType::text:
+        break;
+    }
+    const auto* text = std::get_if<std::string>(&value);
+    return text &&
+           (option.choices.empty() ||
+            std::find(option.choices.begin(), option.choices.end(), *text) != option.choices.end());
+}
+
+} // namespace
+
+std::span<const Option> sceneOptions()
+{
+    static const std::vector<Option> kTable = []
+    {
+        TableBuilder table;
+        addRunOptions(table);
+        addPictureOptions(table);
+        return table.take();
+    }();
+    return kTable;
+}
+
+const Option* findOption(std::string_view key)
+{
+    for (const Option& option : sceneOptions())
+        if (option.key == key)
+            return &option;
+    return nullptr;
+}
+
+std::string describeAllowed(const Option& option)
+{
+    std::string what;
+    switch (option.type)
+    {
+    case OptionType::boolean:
+        what = "true or false";
+        break;
+    case OptionType::integer:
+        what = "a whole number" + describeRange(option.range);
+        break;
+    case OptionType::number:
+        what = "a number" + describeRange(option.range);
+        break;
+    case OptionType::vector:
+        what = "three numbers x,y,z";
+        break;
+    case OptionType::radii:
+        what = "a number" + describeRange(option.range) +
+               ", a range such as 0.02..0.05, a file with a radius a line";
+        break;
+    case OptionType::text:
+        what = option.choices.empty() ? option.form
+                                      : fmt::format("{}", fmt::join(option.choices, ", "));
+        break;
+    }
+    for (const auto& [word, number] : option.words)
+        what += ", " + word;
+    if (!option.nothing.empty())
+        what += " or " + option.nothing;
+    return what;
+}
+
+bool setOption(const Option& option, Scene& scene, OptionValue value)
+{
+    value = converted(option, std::move(value));
+    return allowed(option, value) && option.set(scene, value);
+}
+
+std::optional<OptionValue> readOptionText(const Option& option, std::string_view text)
+{
+    const OptionValue word = converted(option, std::string(text));
+    if (!std::holds_alternative<std::string>(word))
+        return word;
+    const auto wrap = [](const auto& value) -> std::optional<OptionValue>
+    { return value ? std::optional<OptionValue>(*value) : std::nullopt; };
+    switch (option.type)
+    {
+    case OptionType::boolean:
+        if (text == "true" || text == "false")
+            return text == "true";
+        return std::nullopt;
+    case OptionType::integer:
+        return wrap(readNumber<std::int64_t>(text));
+    case OptionType::number:
+        return wrap(readNumber<double>(text));
+    case OptionType::vector:
+        return wrap(readVector(text));
+    case OptionType::radii:
+        if (const auto number = readNumber<double>(text))
+            return *number;
+        break;
+    case OptionType::text:
+        break;
+    }
+    return word;
+}
+
+std::string optionText(const Option& option, const OptionValue& value)
+{
+    if (std::holds_alternative<std::monostate>(value))
+        return option.nothing;
+    if (const auto* yes = std::get_if<bool>(&value))
+        return *yes ? "true" : "false";
+    if (const auto* whole = std::get_if<std::int64_t>(&value))
+        return fmt::format("{}", *whole);
+    if (const auto* number = std::get_if<double>(&value))
+        return fmt::format("{}", *number);
+    if (const auto* vector = std::get_if<Eigen::Vector3d>(&value))
+        return fmt::format("{},{},{}", vector->x(), vector->y(), vector->z());
+    return std::get<std::string>(value);
+}
+
+} // namespace frostfill

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+#include "scene/options/nearest_name.hpp"
+#include "scene/options/option.hpp"
+
+#include <frostfill/error.hpp>
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <fstream>
+#include <map>
+#include <sstream>
+
+namespace frostfill
+{
+namespace
+{
+
+struct FileValue
+{
+    OptionValue value;
+    std::uint32_t line = 0;
+    bool readable = true; ///< of a type that some option has
+};
+using FileValues = std::map<std::string, FileValue>;
+
+[[noreturn]] void refuse(std::string_view file, std::uint32_t line, const std::string& what)
+{
+    throw Error(ErrorCode::badData, fmt::format("{}, line {}: {}", file, line, what));
+}
+
+FileValue readNode(const toml::node& node)
+{
+    FileValue read{{}, node.source().begin.line};
+    if (const auto* boolean = node.as_boolean())
+        read.value = boolean->get();
+    else if (const auto* whole = node.as_integer())
+        read.value = whole->get();
+    else if (const auto* number = node.as_floating_point())
+        read.value = number->get();
+    else if (const auto* text = node.as_string())
+        read.value = text->get();
+    else if (const auto* array = node.as_array(); array && array->size() == 3)
+    {
+        Eigen::Vector3d vector;
+        for (int i = 0; i < 3; ++i)
+        {
+            const auto element = (*array)[static_cast<std::size_t>(i)].value<double>();
+            read.readable = read.readable && element.has_value();
+            vector[i] = element.value_or(0);
+        }
+        read.value = vector;
+    }
+    else
+        read.readable = false;
+    return read;
+}
+
+void collect(const toml::table& table, const std::string& prefix, FileValues& values)
+{
+    for (const auto& [key, node] : table)
+    {
+        const std::string name = prefix + std::string(key.str());
+        if (const auto* inner = node.as_table())
+            collect(*inner, name + ".", values);
+        else
+            values[name] = readNode(node);
+    }
+}
+
+void refuseUnknownKeys(const FileValues& values, std::string_view file)
+{
+    std::vector<std::string> known;
+    for (const Option& option : sceneOptions())
+        known.push_back(option.key);
+    for (const auto& [key, value] : values)
+    {
+        if (findOption(key))
+            continue;
+        const std::string nearest = nearestName(key, known);
+        refuse(file, value.line,
+               fmt::format("unknown key '{}'{}", key,
+                           nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest)));
+    }
+}
+
+void apply(const std::string& key, const FileValues& values, Scene& scene, std::string_view file)
+{
+    const auto found = values.find(key);
+    if (found == values.end())
+        return;
+    const Option& option = *findOption(key);
+    if (!found->second.readable || !setOption(option, scene, found->second.value))
+        refuse(file, found->second.line,
+               fmt::format("'{}' must be {}", key, describeAllowed(option)));
+}
+
+Scene sceneFromValues(const FileValues& values, std::string_view file)
+{
+    refuseUnknownKeys(values, file);
+    Scene named;
+    apply("preset", values, named, file);
+    apply("object.mesh", values, named, file);
+
+    Scene scene = presetScene(named.preset, named.object.mesh);
+    for (const Option& option : sceneOptions())
+        apply(option.key, values, scene, file);
+    // A radius alone asks to be filled until no sphere fits, whatever the preset's count.
+    if (values.contains("spheres.radius") && !values.contains("spheres.count"))
+        scene.spheres.count.reset();
+    return scene;
+}
+
+std::string tomlText(const std::string& text)
+{
+    std::ostringstream out;
+    out << toml::toml_formatter(toml::value<std::string>(text),
+                                toml::toml_formatter::default_flags &
+                                    ~toml::format_flags::allow_literal_strings);
+    return out.str();
+}
+
+/// The fewest digits that give the same number back, with something that tells it from an integer.
+std::string tomlNumber(double number)
+{
+    std::string digits = fmt::format("{}", number);
+    if (digits.find_first_of(".en") == std::string::npos)
+        digits += ".0";
+    return digits;
+}
+
+std::string tomlValue(const Option& option, const OptionValue& value)
+{
+    if (const auto* number = std::get_if<double>(&value))
+        return tomlNumber(*number);
+    if (const auto* vector = std::get_if<Eigen::Vector3d>(&value))
+        return fmt::format("[{}, {}, {}]", tomlNumber(vector->x()), tomlNumber(vector->y()),
+                           tomlNumber(vector->z()));
+    const std::string text = optionText(option, value);
+    const bool quoted =
+        std::holds_alternative<std::string>(value) || std::holds_alternative<std::monostate>(value);
+    return quoted ? tomlText(text) : text;
+}
+
+} // namespace
+
+Scene parseScene(std::string_view toml, std::string_view nameForMessages)
+{
+    FileValues values;
+    try
+    {
+        collect(toml::parse(toml), "", values);
+    }
+    catch (const toml::parse_error& error)
+    {
+        refuse(nameForMessages, error.source().begin.line, std::string(error.description()));
+    }
+    return sceneFromValues(values, nameForMessages);
+}
+
+Scene loadScene(const std::filesystem::path& file)
+{
+    std::ifstream in(file, std::ios::binary);
+    if (!std::filesystem::is_regular_file(file) || !in)
+        throw Error(
+            ErrorCode::inputMissing,
+            fmt::format("cannot read the scene {}: no such file, or not readable", file.string()));
+    const std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+    Scene scene = parseScene(text, file.string());
+    if (!isBuiltInMesh(scene.object.mesh) && std::filesystem::path(scene.object.mesh).is_relative())
+        scene.object.mesh = (file.parent_path() / scene.object.mesh).string();
+    if (scene.spheres.radius && !scene.spheres.radius->file.empty() &&
+        std::filesystem::path(scene.spheres.radius->file).is_relative())
+        scene.spheres.radius->file = (file.parent_path() / scene.spheres.radius->file).string();
+    return scene;
+}
+
+std::string sceneToToml(const Scene& scene)
+{
+    // Keys without a table have to come first: after a heading they would belong to it.
+    std::map<std::string, std::string> tables;
+    std::vector<std::string> order;
+    for (const Option& option : sceneOptions())
+    {
+        const std::size_t dot = option.key.find('.');
+        const bool inTable = dot != std::string::npos;
+        const std::string table = inTable ? option.key.substr(0, dot) : "";
+        if (inTable && !tables.contains(table))
+            order.push_back(table);
+        tables[table] += fmt::format("{} = {}\n", inTable ? option.key.substr(dot + 1) : option.key,
+                                     tomlValue(option, option.get(scene)));
+    }
+    std::string text = tables[""];
+    for (const std::string& table : order)
+        text += fmt::format("\n[{}]\n{}", table, tables[table]);
+    return text;
+}
+
+} // namespace frostfill

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "scene/options/option_fields.hpp"
+
+namespace frostfill
+{
+
+/// Whole numbers beyond this are not exact in every reader of JSON, so a run could not be repeated.
+inline constexpr double kLargestWhole = 9007199254740992;
+
+/// Collects options; what is said last concerns the option that was added last.
+class TableBuilder
+{
+public:
+    void heading(const char* group) { group_ = group; }
+
+    template <typename Access>
+    TableBuilder& add(const char* key, const char* flag, const char* help, Access access)
+    {
+        return add(fieldOption({.key = key, .flag = flag, .group = group_, .help = help}, access));
+    }
+    TableBuilder& add(Option option)
+    {
+        table_.push_back(std::move(option));
+        return *this;
+    }
+    TableBuilder& orNothing(const char* word)
+    {
+        table_.back().nothing = word;
+        return *this;
+    }
+    TableBuilder& range(double low, double high)
+    {
+        table_.back().range = {low, high, false};
+        return *this;
+    }
+    TableBuilder& above(double low, double high = std::numeric_limits<double>::max())
+    {
+        table_.back().range = {low, high, true};
+        return *this;
+    }
+    /// Only this preset uses it.
+    TableBuilder& of(Preset preset)
+    {
+        table_.back().preset = preset;
+        return *this;
+    }
+    TableBuilder& words(std::vector<std::pair<std::string, double>> words)
+    {
+        table_.back().words = std::move(words);
+        return *this;
+    }
+
+    std::vector<Option> take() { return std::move(table_); }
+    [[nodiscard]] const std::string& group() const { return group_; }
+
+private:
+    std::string group_;
+    std::vector<Option> table_;
+};
+
+/// The table's two parts: what is simulated, and what is drawn.
+void addRunOptions(TableBuilder& table);
+void addPictureOptions(TableBuilder& table);
+
+} // namespace frostfill
+
+// clang-format off
+// Reference to a field of a scene, const or not.
+#define FROSTFILL_FIELD(name) [](auto& scene) -> auto& { return scene.name; }
+// clang-format on

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "simulation/contact/neighbour_list.hpp"
+
+namespace frostfill
+{
+
+void NeighbourList::ensure(const World& world, const Eigen::Vector3d& p, double radius,
+                           double ahead)
+{
+    if (world.scene.search.neighbourLists && radius_ == radius && room(p) >= ahead)
+    {
+        return;
+    }
+    centre_ = p;
+    radius_ = radius;
+    x.clear();
+    y.clear();
+    z.clear();
+    reach.clear();
+    world.resting.forEachNear(p, radius + 1 + kSkin,
+                              [&](std::uint32_t id)
+                              {
+                                  const GridSphere& other = world.resting[id];
+                                  const double contact = radius + other.radius;
+                                  const double limit = contact + kSkin;
+                                  if (!other.discarded &&
+                                      (other.position() - p).squaredNorm() < limit * limit)
+                                  {
+                                      x.push_back(other.x);
+                                      y.push_back(other.y);
+                                      z.push_back(other.z);
+                                      reach.push_back(contact);
+                                  }
+                              });
+    triangles_.clear();
+    for (const std::uint32_t triangle : world.triangles.near(p))
+    {
+        if (world.polygons[triangle] == PolygonState::active &&
+            world.surface.bound(triangle).mayBeWithin(radius + kSkin, p))
+        {
+            triangles_.push_back(triangle);
+        }
+    }
+}
+
+bool NeighbourList::add(const Eigen::Vector3d& p, double radius)
+{
+    const double contact = radius_ + radius;
+    const double limit = contact + kSkin;
+    if (radius_ < 0 || (p - centre_).squaredNorm() >= limit * limit)
+    {
+        return false;
+    }
+    x.push_back(p.x());
+    y.push_back(p.y());
+    z.push_back(p.z());
+    reach.push_back(contact);
+    return true;
+}
+
+} // namespace frostfill

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "simulation/world/world.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace frostfill
+{
+
+/// What a moving sphere may meet: a private copy of the spheres at rest around it, and the
+/// triangles near it. Spheres at rest never move, so the copy serves until this one sphere has
+/// moved by the skin [Verlet 1967], and no grid is touched meanwhile.
+class NeighbourList
+{
+public:
+    /// Makes sure that everything a sphere of `radius` centred within `ahead` of p may touch is
+    /// listed. `ahead` is at most the skin.
+    void ensure(const World& world, const Eigen::Vector3d& p, double radius, double ahead);
+
+    /// Forgets everything: the sphere is elsewhere now.
+    void invalidate() { radius_ = -1; }
+
+    /// To be called when a sphere has come to rest since: lists it, too, if it is near enough.
+    /// Returns whether it is.
+    bool add(const Eigen::Vector3d& p, double radius);
+
+    /// How far a sphere may go from p before ensure has to be called again.
+    [[nodiscard]] double room(const Eigen::Vector3d& p) const
+    {
+        return kSkin - (p - centre_).norm();
+    }
+
+    [[nodiscard]] std::size_t spheres() const { return x.size(); }
+    [[nodiscard]] std::span<const std::uint32_t> triangles() const { return triangles_; }
+
+    std::vector<double> x, y, z;         ///< [#N] centres of the spheres at rest
+    std::vector<double> reach;           ///< [#N] sum of the two radii
+    static constexpr double kSkin = 0.5; ///< [r]
+
+private:
+    Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();
+    double radius_ = -1;
+    std::vector<std::uint32_t> triangles_;
+};
+
+} // namespace frostfill

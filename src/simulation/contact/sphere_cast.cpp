@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "simulation/contact/sphere_cast.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace frostfill
+{
+namespace
+{
+
+/// A wall counts as reached when the gap is below this. [r]
+constexpr double kReached = 1e-10;
+/// A triangle whose back is turned this far belongs to another sheet of a thin wall. [r]
+constexpr double kOtherSheet = -0.5;
+/// One minus the cosine up to which a plane's normal and the direction to its edge agree.
+constexpr double kBelow = 1e-13;
+/// Newton's method converges quadratically; more steps than this mean a grazing approach.
+constexpr int kNewtonSteps = 40;
+
+// Exact: the first root of |p + t direction - centre| = reach.
+double castAtSpheres(const NeighbourList& around, const Eigen::Vector3d& p,
+                     const Eigen::Vector3d& direction, double limit)
+{
+    for (std::size_t k = 0; k < around.spheres(); ++k)
+    {
+        const double dx = around.x[k] - p.x();
+        const double dy = around.y[k] - p.y();
+        const double dz = around.z[k] - p.z();
+        const double along = dx * direction.x() + dy * direction.y() + dz * direction.z();
+        const double squared = dx * dx + dy * dy + dz * dz;
+        const double reach = around.reach[k];
+        const double discriminant = reach * reach - (squared - along * along);
+        if (along < kSlides * reach || discriminant <= 0)
+        {
+            continue;
+        }
+        limit = std::min(limit, std::max(0.0, along - std::sqrt(discriminant)));
+    }
+    return limit;
+}
+
+} // namespace
+
+// The distance to a triangle is a convex function of the way gone, so it never falls below its
+// tangent: Newton's steps approach the contact from in front and never pass it.
+double castAtTriangle(const SurfaceTriangle& triangle, const Eigen::Vector3d& p, double radius,
+                      const Eigen::Vector3d& direction, double limit)
+{
+    double path = 0;
+    for (int step = 0; step < kNewtonSteps && path < limit; ++step)
+    {
+        const Eigen::Vector3d here = p + path * direction;
+        const SignedDistance wall = signedDistance(triangle, here);
+        // Along a plane the next triangle of the same plane is no obstacle, though the edge between
+        // them comes nearer.
+        if (wall.value <= kOtherSheet || (triangle.flat[static_cast<int>(wall.feature)] &&
+                                          std::abs(triangle.normal.dot(direction)) < kSlides))
+        {
+            return limit;
+        }
+        const double gap = std::abs(wall.value) - radius;
+        const double approach = (wall.closest - here).dot(direction) / std::abs(wall.value);
+        if (approach < kSlides)
+        {
+            return limit;
+        }
+        if (gap < kReached)
+        {
+            return path;
+        }
+        path += gap / approach;
+    }
+    return std::min(path, limit);
+}
+
+double sphereCast(const Surface& surface, const NeighbourList& around, const Eigen::Vector3d& p,
+                  double radius, const Eigen::Vector3d& direction, double limit)
+{
+    double path = castAtSpheres(around, p, direction, limit);
+    for (const std::uint32_t triangle : around.triangles())
+    {
+        if (surface.bound(triangle).mayBeWithin(radius + path, p))
+        {
+            path = castAtTriangle(surface[triangle], p, radius, direction, path);
+        }
+    }
+    return path;
+}
+
+void contactNormals(const Surface& surface, const NeighbourList& around, const Eigen::Vector3d& p,
+                    double radius, double gap, std::vector<Eigen::Vector3d>& normals)
+{
+    normals.clear();
+    for (std::size_t k = 0; k < around.spheres(); ++k)
+    {
+        const Eigen::Vector3d d(p.x() - around.x[k], p.y() - around.y[k], p.z() - around.z[k]);
+        const double touching = around.reach[k] + gap;
+        const double squared = d.squaredNorm();
+        if (squared < touching * touching)
+        {
+            normals.push_back(d / std::sqrt(squared));
+        }
+    }
+    for (const std::uint32_t id : around.triangles())
+    {
+        if (!surface.bound(id).mayBeWithin(radius + gap, p))
+        {
+            continue;
+        }
+        const SignedDistance wall = signedDistance(surface[id], p);
+        if (wall.value <= 0 || wall.value > radius + gap)
+        {
+            continue;
+        }
+        // On a plane only the triangle below counts, or those that meet exactly below; all of them
+        // give the same normal.
+        const Eigen::Vector3d normal = (p - wall.closest) / wall.value;
+        if (surface[id].flat[static_cast<int>(wall.feature)] &&
+            normal.dot(surface[id].normal) < 1 - kBelow)
+        {
+            continue;
+        }
+        const auto same = [&](const Eigen::Vector3d& n) { return n.dot(normal) > 1 - 1e-14; };
+        if (std::none_of(normals.begin(), normals.end(), same))
+        {
+            normals.push_back(normal);
+        }
+    }
+}
+
+} // namespace frostfill

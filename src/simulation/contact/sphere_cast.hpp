@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "mesh/interior/surface.hpp"
+#include "simulation/contact/neighbour_list.hpp"
+
+#include <vector>
+
+namespace frostfill
+{
+
+/// A direction that leads into a contact by less than this slides along it.
+inline constexpr double kSlides = 1e-7;
+
+/// How far a sphere of `radius` at p can move along the unit vector `direction`, at most `limit`,
+/// until it first touches something of the neighbourhood. Contacts that it touches already and that
+/// the direction does not lead into don't count. The result never leads into an overlap.
+[[nodiscard]] double sphereCast(const Surface& surface, const NeighbourList& around,
+                                const Eigen::Vector3d& p, double radius,
+                                const Eigen::Vector3d& direction, double limit);
+
+/// The same for a single triangle, whose distance from p is at most a few radii.
+[[nodiscard]] double castAtTriangle(const SurfaceTriangle& triangle, const Eigen::Vector3d& p,
+                                    double radius, const Eigen::Vector3d& direction, double limit);
+
+/// Unit vectors to p from everything that a sphere there touches: gaps of at most `gap`.
+void contactNormals(const Surface& surface, const NeighbourList& around, const Eigen::Vector3d& p,
+                    double radius, double gap, std::vector<Eigen::Vector3d>& normals);
+
+} // namespace frostfill

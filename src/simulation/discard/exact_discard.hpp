@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "simulation/contact/runner.hpp"
+#include "simulation/reach/clear_search.hpp"
+#include "simulation/reach/reach_map.hpp"
+#include "simulation/world/world.hpp"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace frostfill
+{
+
+/// Discards what no sphere can touch any more, and nothing else: the result is the same bit for bit
+/// as without. See ReachMap for the rule and its proof. A sphere may yet be released wherever one
+/// fits, in a hole of the pile as well as above it, so releases need no check of their own.
+///
+/// What was discarded at the end of a run is what a further sphere could not touch: nowhere that
+/// one still fits, whether or not the run would have released it. When the object is full, so that
+/// none fits anywhere, it is what the last sphere could not touch any more just before it came to
+/// rest.
+class ExactDiscard
+{
+public:
+    explicit ExactDiscard(World& world);
+
+    /// To be called for each sphere that has come to rest.
+    void addResting(std::uint32_t id);
+    /// To be called when a sphere has got another id.
+    void renumber(std::uint32_t from, std::uint32_t to);
+
+    /// To be called after each step. Checks that every runner is within the reached set; when one
+    /// is not, everything discarded comes back and the runners forget what they know of it. Drops
+    /// what is out of reach, once enough spheres have come to rest since the last time; that is
+    /// decided from counts, never from the clock.
+    void afterStep(std::span<Runner> runners);
+
+    /// To be called when nothing runs any more. `full`: no further sphere fits.
+    void finish(bool full);
+
+    /// How often a guard has tripped.
+    [[nodiscard]] std::size_t violations() const { return violations_; }
+
+private:
+    struct Kept
+    {
+        std::uint32_t id;
+        ReachMap::Cursor cursor;
+    };
+
+    void build();
+    void update(std::span<const Eigen::Vector3d> running);
+    void dropSpheres(std::size_t count);
+    void dropPolygons();
+    [[nodiscard]] bool sphereDroppable(Kept& kept);
+    [[nodiscard]] bool polygonDroppable(std::uint32_t triangle);
+    [[nodiscard]] bool holdsPlace(int x, int y, int z);
+    void restoreAll();
+
+    World& world_;
+    std::unique_ptr<ReachMap> map_;
+    std::unique_ptr<ClearSearch> clear_;
+    std::size_t violations_ = 0;
+    std::vector<std::uint32_t> pending_; ///< at rest, but not yet in the map
+    std::size_t restedSincePolygons_ = 0;
+    std::vector<Kept> kept_; ///< spheres at rest in the map that are not dropped
+    std::vector<Eigen::Vector3d> centres_;
+    VoxelBits holding_; ///< cubes that may hold a place, as was found in this update
+};
+
+} // namespace frostfill

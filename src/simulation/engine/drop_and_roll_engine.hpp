@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "simulation/discard/exact_discard.hpp"
+#include "simulation/motion/drop_and_roll.hpp"
+#include "simulation/motion/fall_index.hpp"
+#include "simulation/release/releases.hpp"
+#include "simulation/world/set_recorder.hpp"
+#include "simulation/world/world.hpp"
+
+namespace frostfill
+{
+
+/// Instant fill: spheres rain one by one from the object's ceilings and come down without dynamics,
+/// each to a place that carries it. Once nothing can be released at a ceiling, every other place
+/// that is still free is used, so that "full" means that no place is left.
+class DropAndRollEngine : public Engine
+{
+public:
+    explicit DropAndRollEngine(World& world);
+    void releaseAt(std::span<const PlacedSphere> spheres) override;
+    bool step() override;
+
+private:
+    bool placeOne();
+    bool settle(Eigen::Vector3d place, double radius);
+
+    World& world_;
+    Threads threads_;
+    FallIndex falls_;
+    Releases release_;
+    DropAndRoll dropAndRoll_;
+    std::unique_ptr<ExactDiscard> discard_; ///< empty when nothing is to be discarded
+    SetRecorder clock_;
+    std::size_t setSize_ = 1;
+};
+
+} // namespace frostfill

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#include "simulation/engine/make_engine.hpp"
+
+#include "simulation/engine/drop_and_roll_engine.hpp"
+#include "simulation/engine/fast_engine.hpp"
+#include "simulation/paper/paper_engine.hpp"
+
+namespace frostfill
+{
+
+std::unique_ptr<Engine> makeEngine(World& world)
+{
+    if (world.scene.preset == Preset::paper)
+    {
+        return std::make_unique<PaperEngine>(world);
+    }
+    if (world.scene.motion.mode == Motion::descend)
+    {
+        return std::make_unique<DropAndRollEngine>(world);
+    }
+    return std::make_unique<FastEngine>(world);
+}
+
+} // namespace frostfill

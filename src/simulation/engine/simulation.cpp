@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: MIT
+#include "simulation/engine/make_engine.hpp"
+#include "simulation/quality/quality.hpp"
+#include "simulation/reach/reach_inspection.hpp"
+#include "simulation/world/state_hash.hpp"
+#include "simulation/world/world.hpp"
+
+#include <frostfill/error.hpp>
+#include <frostfill/simulation.hpp>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <numbers>
+
+namespace frostfill
+{
+
+namespace
+{
+
+/// A number for each simulation of this process, from 1.
+std::uint64_t nextSource()
+{
+    static std::atomic<std::uint64_t> last = 0;
+    return ++last;
+}
+
+} // namespace
+
+struct Simulation::Implementation
+{
+    Implementation(const Scene& scene, const TriangleMesh& mesh)
+        : world(scene, mesh), engine(makeEngine(world))
+    {
+    }
+
+    World world;
+    std::unique_ptr<Engine> engine;
+    std::uint64_t source = nextSource();
+};
+
+namespace
+{
+
+/// `time` after the object's motion has begun.
+Pose poseOf(const World& world, double time)
+{
+    const Eigen::Isometry3d pose = world.motion.poseAt(time);
+    return {world.frame.toMeshRotation(pose.linear()),
+            world.frame.toMeshOffset(pose.translation())};
+}
+
+const Scene& validated(const Scene& scene)
+{
+    validateScene(scene);
+    return scene;
+}
+
+} // namespace
+
+Simulation::Simulation(const Scene& scene, const TriangleMesh& mesh)
+    : implementation_(std::make_unique<Implementation>(validated(scene), mesh))
+{
+}
+Simulation::~Simulation() = default;
+Simulation::Simulation(Simulation&&) noexcept = default;
+Simulation& Simulation::operator=(Simulation&&) noexcept = default;
+
+bool Simulation::step()
+{
+    return implementation_->engine->step();
+}
+bool Simulation::finished() const
+{
+    return implementation_->world.finished;
+}
+bool Simulation::full() const
+{
+    return implementation_->world.full;
+}
+double Simulation::time() const
+{
+    return implementation_->world.time * implementation_->world.frame.time;
+}
+double Simulation::timeStep() const
+{
+    return implementation_->world.dt * implementation_->world.frame.time;
+}
+double Simulation::radius() const
+{
+    return implementation_->world.frame.length;
+}
+double Simulation::smallestRadius() const
+{
+    return implementation_->world.frame.length * implementation_->world.radii.smallest();
+}
+std::uint64_t Simulation::steps() const
+{
+    return implementation_->world.steps;
+}
+std::size_t Simulation::sphereCount() const
+{
+    return implementation_->world.spheres.size();
+}
+std::size_t Simulation::restingCount() const
+{
+    return implementation_->world.restingCount;
+}
+
+std::size_t Simulation::expectedSpheres() const
+{
+    return expectedCount(implementation_->world);
+}
+
+SphereRecord Simulation::sphere(std::size_t id) const
+{
+    const World& world = implementation_->world;
+    return {world.frame.toMesh(world.spheres.position(id)),
+            world.spheres.radius[id] * world.frame.length, world.spheres.group[id],
+            world.spheres.state[id]};
+}
+
+std::vector<PolygonState> Simulation::polygonStates() const
+{
+    return implementation_->world.polygons;
+}
+const OperationCounts& Simulation::operations() const
+{
+    return implementation_->world.operations;
+}
+const StageTimes& Simulation::times() const
+{
+    return implementation_->world.times;
+}
+const std::vector<SetRecord>& Simulation::sets() const
+{
+    return implementation_->world.sets;
+}
+std::size_t Simulation::groupSize() const
+{
+    return frostfill::groupSize(implementation_->world);
+}
+QualityReport Simulation::quality() const
+{
+    return examine(implementation_->world);
+}
+ReachInspection Simulation::inspectReach(std::size_t bytes) const
+{
+    return frostfill::inspectReach(implementation_->world, bytes);
+}
+std::string Simulation::stateHash() const
+{
+    return hashState(implementation_->world.spheres);
+}
+
+std::vector<Pose> Simulation::poses() const
+{
+    constexpr int kPoses = 48;
+    const World& world = implementation_->world;
+    std::vector<Pose> poses;
+    for (int k = 0; world.motion.duration() > 0 && k <= kPoses; ++k)
+    {
+        poses.push_back(poseOf(world, world.motion.duration() * k / kPoses));
+    }
+    return poses;
+}
+
+void Simulation::capture(Snapshot& snapshot) const
+{
+    const World& world = implementation_->world;
+    const std::size_t count = world.spheres.size();
+    if (snapshot.source != implementation_->source)
+    {
+        snapshot = {};
+        snapshot.source = implementation_->source;
+    }
+    snapshot.changedSince = snapshot.step;
+    const std::size_t known = std::min(snapshot.centres.size(), count);
+
+    // What may differ from the last capture: new spheres, those that ran then, those that changed
+    // their state since.
+    auto& changed = snapshot.changed;
+    changed.clear();
+    for (std::size_t k = snapshot.stateChangesSeen; k < world.stateChanges.size(); ++k)
+    {
+        if (world.stateChanges[k] < known)
+        {
+            changed.push_back(world.stateChanges[k]);
+        }
+    }
+    for (const std::uint32_t id : world.runningIds)
+    {
+        changed.push_back(id);
+    }
+    for (std::size_t id = known; id < count; ++id)
+    {
+        changed.push_back(static_cast<std::uint32_t>(id));
+    }
+    std::sort(changed.begin(), changed.end());
+    changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+
+    snapshot.centres.resize(count);
+    snapshot.radii.resize(count);
+    snapshot.states.resize(count);
+    snapshot.groups.resize(count);
+    snapshot.speeds.resize(count);
+    for (const std::uint32_t id : changed)
+    {
+        snapshot.centres[id] = world.frame.toMeshOffset(world.spheres.position(id)).cast<float>();
+        snapshot.radii[id] = static_cast<float>(world.spheres.radius[id] * world.frame.length);
+        snapshot.states[id] = world.spheres.state[id];
+        snapshot.groups[id] = world.spheres.group[id];
+        snapshot.speeds[id] = world.spheres.state[id] == SphereState::running
+                                  ? static_cast<float>(world.spheres.velocity(id).norm() *
+                                                       world.frame.length / world.frame.time)
+                                  : 0.0F;
+    }
+
+    snapshot.polygonsChanged = snapshot.polygons.size() != world.polygons.size() ||
+                               snapshot.discardedPolygons != world.discardedPolygons;
+    if (snapshot.polygonsChanged)
+    {
+        snapshot.polygons = world.polygons;
+    }
+    snapshot.origin = world.frame.origin;
+    snapshot.pose = poseOf(world, std::max(0.0, world.time - world.motionStart));
+    snapshot.stateChangesSeen = world.stateChanges.size();
+    snapshot.time = time();
+    snapshot.step = world.steps;
+    snapshot.set = world.sets.empty() ? 0 : static_cast<std::uint32_t>(world.sets.size() - 1);
+    snapshot.running = world.running();
+    snapshot.frozen = world.restingCount - world.discardedCount;
+    snapshot.discarded = world.discardedCount;
+    snapshot.discardedPolygons = world.discardedPolygons;
+}
+
+} // namespace frostfill

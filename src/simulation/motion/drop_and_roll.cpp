@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "simulation/motion/drop_and_roll.hpp"
+
+#include "simulation/contact/contact_cone.hpp"
+#include "simulation/contact/sphere_cast.hpp"
+#include "simulation/motion/vertical_drop.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace frostfill
+{
+namespace
+{
+
+constexpr double kTouch = 1e-7;   // gap below which a contact carries [r]
+constexpr double kSettled = 0.01; // share of the weight that may remain uncarried
+// Here r is the radius of the sphere that slides.
+constexpr double kLongestSlide = 0.3;   // straight part of a path that follows a curve [r]
+constexpr double kShortestSlide = 1e-4; // a path that advances by less is stuck [r]
+constexpr double kShortestLook = 0.1;   // a neighbourhood that reaches less far is renewed
+constexpr double kRegain = 0.2;         // how far behind a straight part the contact may be [r]
+
+} // namespace
+
+bool DropAndRoll::settle(Eigen::Vector3d& p, double radius, NeighbourList& around,
+                         double farthest) const
+{
+    const Eigen::Vector3d start = p;
+    double longest = kLongestSlide * radius;
+    thread_local std::vector<Eigen::Vector3d> normals; // keeps its memory
+    // A path loses height with every step, so it ends; the bound is for wedges that Newton's method
+    // enters ever more slowly.
+    const auto bound = static_cast<std::uint64_t>(2000 + 200 * world_.height / radius);
+    for (std::uint64_t step = 0; step < bound; ++step)
+    {
+        around.ensure(world_, p, radius, kShortestLook);
+        contactNormals(world_.surface, around, p, radius, kTouch, normals);
+        const Eigen::Vector3d down = world_.pull.direction(p);
+        const Eigen::Vector3d pull = projectToFree(down, normals);
+        const double weight = pull.norm();
+        if (weight < kSettled)
+        {
+            return true;
+        }
+        if (normals.empty())
+        {
+            fall(p, radius, around, down);
+        }
+        else if (!slide(p, radius, around, down, pull, longest))
+        {
+            return false;
+        }
+        if ((p - start).squaredNorm() > farthest * farthest)
+        {
+            return false;
+        }
+    }
+    return false;
+}
+
+void DropAndRoll::fall(Eigen::Vector3d& p, double radius, const NeighbourList& around,
+                       const Eigen::Vector3d& down) const
+{
+    if (down.y() == -1)
+    {
+        drop(p, radius);
+        return;
+    }
+    p += sphereCast(world_.surface, around, p, radius, down, around.room(p)) * down;
+}
+
+void DropAndRoll::drop(Eigen::Vector3d& p, double radius) const
+{
+    p.y() = contactBelow(world_, falls_, p, radius);
+}
+
+// A straight part along the pull, then back to the contact that curves away from it. Both lose
+// height: the second leads against the contacts' forces, whose sum points up.
+bool DropAndRoll::slide(Eigen::Vector3d& p, double radius, NeighbourList& around,
+                        const Eigen::Vector3d& down, const Eigen::Vector3d& pull,
+                        double& longest) const
+{
+    const double weight = pull.norm();
+    const Eigen::Vector3d along = pull / weight;
+    // Near the bottom of a curve the pull fades with the distance to it.
+    const double length = std::min({longest, 1.5 * weight * radius, around.room(p)});
+    const double path = sphereCast(world_.surface, around, p, radius, along, length);
+    p += path * along;
+
+    const Eigen::Vector3d forces = pull - down;
+    const double force = forces.norm();
+    if (force > kSettled)
+    {
+        // A contact that curves away is behind by about the square of the part.
+        around.ensure(world_, p, radius, path * path / radius);
+        const Eigen::Vector3d back = -forces / force;
+        const double limit = std::min(kRegain * radius, around.room(p));
+        const double regained = sphereCast(world_.surface, around, p, radius, back, limit);
+        if (regained < limit)
+        {
+            p += regained * back;
+        }
+    }
+    if (path < kShortestSlide * weight * radius)
+    {
+        longest /= 2;
+        return longest > kShortestSlide * radius;
+    }
+    longest = kLongestSlide * radius;
+    return true;
+}
+
+} // namespace frostfill

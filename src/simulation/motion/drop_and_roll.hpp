@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "simulation/contact/neighbour_list.hpp"
+#include "simulation/motion/fall_index.hpp"
+#include "simulation/world/world.hpp"
+
+#include <limits>
+#include <vector>
+
+namespace frostfill
+{
+
+/// Takes one sphere at a time down to a place where it stays, without dynamics: it falls, then
+/// slides in the direction in which gravity moves it among its contacts, until they carry its
+/// weight. Drop and roll [Visscher & Bolsterli 1972] for spheres at rest and triangles alike. The
+/// sphere always stays clear of everything, so its final overlap is rounding.
+class DropAndRoll
+{
+public:
+    DropAndRoll(const World& world, const FallIndex& falls) : world_(world), falls_(falls) {}
+
+    /// `p` is a place that is clear of everything. Returns true when a place was found that carries
+    /// the sphere: what gravity has left of its weight is below the tolerance. False when the
+    /// sphere got stuck in a wedge on the way.
+    [[nodiscard]] bool settle(Eigen::Vector3d& p, double radius)
+    {
+        around_.invalidate();
+        return settle(p, radius, around_);
+    }
+    /// The same with a neighbourhood of the caller's, which is up to date or invalid. False also
+    /// when the place would be farther than `farthest` from p. Several threads may settle spheres
+    /// at once, each with a neighbourhood of its own.
+    [[nodiscard]] bool settle(Eigen::Vector3d& p, double radius, NeighbourList& around,
+                              double farthest = std::numeric_limits<double>::infinity()) const;
+
+    /// Takes p straight down to its first contact.
+    void drop(Eigen::Vector3d& p, double radius) const;
+
+private:
+    void fall(Eigen::Vector3d& p, double radius, const NeighbourList& around,
+              const Eigen::Vector3d& down) const;
+    bool slide(Eigen::Vector3d& p, double radius, NeighbourList& around,
+               const Eigen::Vector3d& down, const Eigen::Vector3d& pull, double& longest) const;
+
+    const World& world_;
+    const FallIndex& falls_;
+    NeighbourList around_;
+};
+
+} // namespace frostfill

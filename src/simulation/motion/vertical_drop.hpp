@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "simulation/motion/fall_index.hpp"
+#include "simulation/world/world.hpp"
+
+namespace frostfill
+{
+
+/// Height at which a sphere of `radius` (at most 1) that falls straight down from p, where it is
+/// clear of everything, first touches something at rest. Exact for spheres; walls to 1e-10 r.
+[[nodiscard]] double contactBelow(const World& world, const FallIndex& falls,
+                                  const Eigen::Vector3d& p, double radius);
+
+} // namespace frostfill

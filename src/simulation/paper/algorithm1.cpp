@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: MIT
+#include "simulation/paper/algorithm1.hpp"
+
+#include "base/instruction_sets.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace frostfill
+{
+namespace
+{
+
+/// A centre that a step leaves nearer to the surface than this is put back to where it was. [r]
+constexpr double kSmallestDepth = 0.25;
+/// A push that is not worth that check. [r]
+constexpr double kShallow = 0.1;
+/// Frozen spheres that are tested at once.
+constexpr std::size_t kBlock = 8;
+/// How far from a centre a polygon may be to be looked at again by that check. [r]
+constexpr double kNearby = 2;
+/// How far from a sphere's surface others' centres may be to be looked at by way of a grid: the
+/// largest radius, and as much again for what the spheres before may have pushed.
+constexpr double kGridReach = 2;
+
+/// Direction from b to a and the penetration depth of two spheres whose centres are d apart.
+Eigen::Vector3d directionApart(const Eigen::Vector3d& d, double distance)
+{
+    // Two spheres in the same place leave each other along the vertical.
+    return distance > 0 ? Eigen::Vector3d(d / distance) : Eigen::Vector3d(0, 1, 0);
+}
+
+using Four = double __attribute__((vector_size(32)));
+using FourFlags = std::int64_t __attribute__((vector_size(32)));
+
+// Written to an argument: what a vector is returned in would depend on the instruction set.
+inline void loadFour(Four& four, const double* values)
+{
+    std::memcpy(&four, values, sizeof four);
+}
+
+// Where the first whole block begins that has a sphere in contact with sphere i; past the last
+// whole block when none has. The sign of a difference is exact, so this finds the contacts that a
+// test one by one does.
+FROSTFILL_INSTRUCTION_SETS
+std::size_t firstBlockInContact(const Spheres& s, std::size_t i, std::size_t begin, std::size_t end)
+{
+    const double x = s.x[i];
+    const double y = s.y[i];
+    const double z = s.z[i];
+    const double r = s.radius[i];
+    for (; begin + kBlock <= end; begin += kBlock)
+    {
+        FourFlags any = {};
+        for (const std::size_t at : {begin, begin + 4})
+        {
+            Four dx, dy, dz, contact;
+            loadFour(dx, s.x.data() + at);
+            loadFour(dy, s.y.data() + at);
+            loadFour(dz, s.z.data() + at);
+            loadFour(contact, s.radius.data() + at);
+            dx -= x;
+            dy -= y;
+            dz -= z;
+            contact += r;
+            any |= dx * dx + dy * dy + dz * dz - contact * contact < 0;
+        }
+        if ((any[0] | any[1] | any[2] | any[3]) != 0)
+        {
+            return begin;
+        }
+    }
+    return begin;
+}
+
+} // namespace
+
+Algorithm1::Algorithm1(Spheres& spheres, const Surface& surface, const PolygonTests& polygons,
+                       const Settings& settings, const SphereGrid* frozen)
+    : spheres_(spheres), surface_(surface), polygons_(polygons), settings_(settings),
+      frozen_(frozen)
+{
+}
+
+void Algorithm1::runningRunning(std::size_t runningBegin, OperationCounts& counts)
+{
+    Spheres& s = spheres_;
+    const std::size_t end = s.size();
+    const std::uint64_t running = end - runningBegin;
+    std::uint64_t responses = 0;
+    for (std::size_t i = runningBegin; i < end; ++i)
+    {
+        for (std::size_t j = i + 1; j < end; ++j)
+        {
+            const double dx = s.x[i] - s.x[j];
+            const double dy = s.y[i] - s.y[j];
+            const double dz = s.z[i] - s.z[j];
+            const double contact = s.radius[i] + s.radius[j];
+            const double squared = dx * dx + dy * dy + dz * dz;
+            if (squared >= contact * contact)
+            {
+                continue;
+            }
+            const double distance = std::sqrt(squared);
+            const Eigen::Vector3d normal = directionApart({dx, dy, dz}, distance);
+            const double mi = std::pow(s.radius[i], 3);
+            const double mj = std::pow(s.radius[j], 3);
+            const double shareOfI = mj / (mi + mj);
+            const double depth = contact - distance;
+            s.setPosition(i, s.position(i) + normal * (depth * shareOfI));
+            s.setPosition(j, s.position(j) - normal * (depth * (1 - shareOfI)));
+            const double approach = (s.velocity(i) - s.velocity(j)).dot(normal);
+            if (approach < 0)
+            {
+                const double e = -approach > settings_.bounceSpeed ? settings_.restitution : 0;
+                const double change = -(1 + e) * approach;
+                s.setVelocity(i, s.velocity(i) + normal * (change * shareOfI));
+                s.setVelocity(j, s.velocity(j) - normal * (change * (1 - shareOfI)));
+            }
+            touched_[i - runningBegin] = true;
+            touched_[j - runningBegin] = true;
+            responses += 2;
+        }
+    }
+    counts.runningRunningTests += running * (running - std::min<std::uint64_t>(running, 1)) / 2;
+    counts.runningRunningResponses += responses;
+}
+
+void Algorithm1::runningFrozen(std::size_t frozenBegin, std::size_t runningBegin,
+                               OperationCounts& counts)
+{
+    for (std::size_t i = runningBegin; i < spheres_.size(); ++i)
+    {
+        const std::uint64_t responses = frozen_ ? respondToFrozenNear(i, frozenBegin)
+                                                : respondToAllFrozen(i, frozenBegin, runningBegin);
+        counts.runningFrozenTests += frozen_ ? nearby_.size() : runningBegin - frozenBegin;
+        counts.runningFrozenResponses += responses;
+        touched_[i - runningBegin] = touched_[i - runningBegin] || responses > 0;
+    }
+}
+
+std::uint64_t Algorithm1::respondToAllFrozen(std::size_t i, std::size_t begin, std::size_t end)
+{
+    std::uint64_t responses = 0;
+    std::size_t j = begin;
+    while ((j = firstBlockInContact(spheres_, i, j, end)) + kBlock <= end)
+    {
+        responses += respondToFrozen(i, j, j + kBlock);
+        j += kBlock;
+    }
+    return responses + respondToFrozen(i, j, end);
+}
+
+// In ascending order, as all pairs are visited.
+std::uint64_t Algorithm1::respondToFrozenNear(std::size_t i, std::size_t begin)
+{
+    nearby_.clear();
+    frozen_->forEachNear(spheres_.position(i), spheres_.radius[i] + kGridReach,
+                         [&](std::uint32_t id)
+                         {
+                             if (id >= begin)
+                             {
+                                 nearby_.push_back(id);
+                             }
+                         });
+    std::sort(nearby_.begin(), nearby_.end());
+    std::uint64_t responses = 0;
+    for (const std::uint32_t j : nearby_)
+    {
+        responses += respondToFrozen(i, j, j + 1);
+    }
+    return responses;
+}
+
+std::uint64_t Algorithm1::respondToFrozen(std::size_t i, std::size_t begin, std::size_t end)
+{
+    std::uint64_t responses = 0;
+    for (std::size_t j = begin; j < end; ++j)
+    {
+        const Eigen::Vector3d d = spheres_.position(i) - spheres_.position(j);
+        const double contact = spheres_.radius[i] + spheres_.radius[j];
+        const double squared = d.squaredNorm();
+        if (squared >= contact * contact)
+        {
+            continue;
+        }
+        const double distance = std::sqrt(squared);
+        const Eigen::Vector3d normal = directionApart(d, distance);
+        spheres_.setPosition(i, spheres_.position(i) + normal * (contact - distance));
+        reflect(i, normal);
+        ++responses;
+    }
+    return responses;
+}
+
+void Algorithm1::runningPolygons(std::size_t runningBegin,
+                                 const std::vector<Eigen::Vector3d>& before,
+                                 OperationCounts& counts)
+{
+    for (std::size_t i = runningBegin; i < spheres_.size(); ++i)
+    {
+        const std::uint64_t responses = collideWithPolygons(i, before[i - runningBegin], counts);
+        counts.spherePolygonResponses += responses;
+        touched_[i - runningBegin] = touched_[i - runningBegin] || responses > 0;
+        // One shallow push off one wall cannot lead through another.
+        if (responses > 1 || deepest_ > kShallow * spheres_.radius[i])
+        {
+            keepInside(i, before[i - runningBegin]);
+        }
+    }
+}
+
+std::uint64_t Algorithm1::collideWithPolygons(std::size_t i, const Eigen::Vector3d& before,
+                                              OperationCounts& counts)
+{
+    Eigen::Vector3d p = spheres_.position(i);
+    const double radius = spheres_.radius[i];
+    std::uint64_t tests = 0;
+    std::uint64_t responses = 0;
+    nearby_.clear();
+    deepest_ = 0;
+    polygons_.forEach(p,
+                      [&](std::uint32_t polygon)
+                      {
+                          ++tests;
+                          if (!surface_.bound(polygon).mayBeWithin(kNearby * radius, p))
+                          {
+                              return;
+                          }
+                          nearby_.push_back(polygon);
+                          Push push;
+                          if (surface_.bound(polygon).mayBeWithin(radius, p) &&
+                              wallPush(surface_[polygon], p, before, radius, push))
+                          {
+                              p += push.direction * push.depth;
+                              reflect(i, push.direction);
+                              deepest_ = std::max(deepest_, push.depth);
+                              ++responses;
+                          }
+                      });
+    spheres_.setPosition(i, p);
+    counts.spherePolygonTests += tests;
+    return responses;
+}
+
+// One-sided contact. In front of the wall the sphere is pushed away from the closest point. Behind
+// it, it is pulled back through the closest point, provided that it was in front before this step:
+// otherwise it belongs to another sheet of a thin wall.
+bool Algorithm1::wallPush(const SurfaceTriangle& triangle, const Eigen::Vector3d& p,
+                          const Eigen::Vector3d& before, double radius, Push& push)
+{
+    const SignedDistance here = signedDistance(triangle, p);
+    if (std::abs(here.value) >= radius)
+    {
+        return false;
+    }
+    const Eigen::Vector3d& outward = triangle.pseudonormal[static_cast<int>(here.feature)];
+    if (here.value >= 0)
+    {
+        const Eigen::Vector3d away = p - here.closest;
+        push.direction = here.value > 0 ? Eigen::Vector3d(away / here.value) : outward.normalized();
+        push.depth = radius - here.value;
+        return true;
+    }
+    if ((before - here.closest).dot(outward) < 0)
+    {
+        return false;
+    }
+    push.direction = (p - here.closest) / here.value;
+    push.depth = radius - here.value;
+    return true;
+}
+
+void Algorithm1::reflect(std::size_t i, const Eigen::Vector3d& normal)
+{
+    const Eigen::Vector3d velocity = spheres_.velocity(i);
+    const double approach = velocity.dot(normal);
+    if (approach < 0)
+    {
+        const double e = -approach > settings_.bounceSpeed ? settings_.restitution : 0;
+        spheres_.setVelocity(i, velocity - normal * ((1 + e) * approach));
+    }
+}
+
+// Several walls, or walls and spheres, can push a centre through a wall that it had already been
+// tested with: in a wedge narrower than the sphere every polygon undoes the other's work. Walls
+// always win: such a step is taken back, and the sphere starts again from rest.
+void Algorithm1::keepInside(std::size_t i, const Eigen::Vector3d& before)
+{
+    if (nearby_.empty())
+    {
+        return;
+    }
+    const double depth = nearestDistance(surface_, nearby_, spheres_.position(i)).value;
+    const double smallest = kSmallestDepth * spheres_.radius[i];
+    if (depth < smallest && nearestDistance(surface_, nearby_, before).value >= smallest)
+    {
+        spheres_.setPosition(i, before);
+        spheres_.setVelocity(i, Eigen::Vector3d::Zero());
+    }
+}
+
+} // namespace frostfill

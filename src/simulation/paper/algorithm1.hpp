@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "mesh/interior/surface.hpp"
+#include "simulation/paper/polygon_search.hpp"
+#include "simulation/world/sphere_grid.hpp"
+#include "simulation/world/spheres.hpp"
+
+#include <frostfill/measure.hpp>
+
+#include <vector>
+
+namespace frostfill
+{
+
+/// The paper's Algorithm 1: one time step's collision tests and responses. Spheres are stored in
+/// order of appearance, so the groups FFG..LFG are the ids [frozenBegin, runningBegin) and the
+/// groups start..end all after them. Times in sqrt(r/g), lengths in r.
+class Algorithm1
+{
+public:
+    struct Settings
+    {
+        double restitution = 0.2;
+        double bounceSpeed =
+            0; ///< approaches slower than this do not bounce, or nothing ever rests
+    };
+
+    /// With `frozen`, a grid of all spheres at rest, cycle 2 looks only at those in the cells near
+    /// a running sphere; without it at all of them, as the paper does. Both give the same bits.
+    Algorithm1(Spheres& spheres, const Surface& surface, const PolygonTests& polygons,
+               const Settings& settings, const SphereGrid* frozen = nullptr);
+
+    /// Cycle 1, running with running: both respond.
+    void runningRunning(std::size_t runningBegin, OperationCounts& counts);
+    /// Cycle 2, running with frozen: the running one responds.
+    void runningFrozen(std::size_t frozenBegin, std::size_t runningBegin, OperationCounts& counts);
+    /// Cycle 3, running with polygons that are not discarded. `before` has the centres of the
+    /// running spheres before the step; they tell on which side of a wall a centre belongs.
+    void runningPolygons(std::size_t runningBegin, const std::vector<Eigen::Vector3d>& before,
+                         OperationCounts& counts);
+
+    /// Whether a running sphere (counted from runningBegin) has responded since clearTouched.
+    [[nodiscard]] const std::vector<bool>& touched() const { return touched_; }
+    void clearTouched(std::size_t running) { touched_.assign(running, false); }
+
+private:
+    struct Push
+    {
+        Eigen::Vector3d direction; ///< unit vector, into the object
+        double depth = 0;          ///< penetration depth [r]
+    };
+    std::uint64_t respondToFrozen(std::size_t i, std::size_t begin, std::size_t end);
+    std::uint64_t respondToAllFrozen(std::size_t i, std::size_t begin, std::size_t end);
+    std::uint64_t respondToFrozenNear(std::size_t i, std::size_t begin);
+    void reflect(std::size_t i, const Eigen::Vector3d& normal);
+    [[nodiscard]] bool wallPush(const SurfaceTriangle& triangle, const Eigen::Vector3d& p,
+                                const Eigen::Vector3d& before, double radius, Push& push);
+    std::uint64_t collideWithPolygons(std::size_t i, const Eigen::Vector3d& before,
+                                      OperationCounts& counts);
+    void keepInside(std::size_t i, const Eigen::Vector3d& before);
+
+    Spheres& spheres_;
+    const Surface& surface_;
+    const PolygonTests& polygons_;
+    Settings settings_;
+    const SphereGrid* frozen_;
+    std::vector<bool> touched_;
+    std::vector<std::uint32_t> nearby_; ///< polygons, or frozen spheres, near the sphere in hand
+    double deepest_ = 0;                ///< deepest push off a polygon of the sphere in hand
+};
+
+} // namespace frostfill

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: MIT
+#include "simulation/quality/quality.hpp"
+
+#include "base/threads.hpp"
+#include "scene/packing_estimate.hpp"
+#include "simulation/contact/contact_cone.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+namespace frostfill
+{
+namespace
+{
+
+constexpr double kContactGap =
+    0.01; // [own radius] below which a gap counts as a contact that carries
+constexpr double kUnsupported = 0.1;   // [g] of weight that may remain uncarried
+constexpr std::size_t kInPart = 4096;  // spheres that one thread looks at in one go
+constexpr double kWindingBudget = 2e6; // winding numbers: spheres times triangles worth computing
+
+/// Of the spheres at rest and of those that run.
+SphereGrid gatherAll(const World& world)
+{
+    SphereGrid all(world.resting.frame());
+    for (std::uint32_t id = 0; id < world.spheres.size(); ++id)
+    {
+        if (world.spheres.position(id).allFinite())
+        {
+            all.insert(id, world.spheres.position(id), world.spheres.radius[id]);
+        }
+    }
+    return all;
+}
+
+/// Looks at some of the spheres.
+class Examination
+{
+public:
+    /// `all`: every sphere of the world.
+    Examination(const World& world, const SphereGrid& all) : world_(world), all_(all)
+    {
+        const double work =
+            static_cast<double>(world.spheres.size()) * static_cast<double>(world.surface.size());
+        exactWinding_ = work <= kWindingBudget;
+    }
+
+    void look(std::uint32_t begin, std::uint32_t end)
+    {
+        for (std::uint32_t id = begin; id < end; ++id)
+        {
+            examineSphere(id);
+        }
+    }
+
+    /// Takes over what another one has seen.
+    void add(const Examination& other)
+    {
+        report_.notFinite += other.report_.notFinite;
+        report_.centresOutside += other.report_.centresOutside;
+        report_.unsupported += other.report_.unsupported;
+        report_.maxOverlap = std::max(report_.maxOverlap, other.report_.maxOverlap);
+        report_.maxWallOverlap = std::max(report_.maxWallOverlap, other.report_.maxWallOverlap);
+        overlapSum_ += other.overlapSum_;
+        pairs_ += other.pairs_;
+        sumOfCubes_ += other.sumOfCubes_;
+    }
+
+    QualityReport report()
+    {
+        report_.meanOverlap = pairs_ > 0 ? overlapSum_ / static_cast<double>(pairs_) : 0;
+        report_.energyGain = world_.energy.largestGain();
+        report_.energyExcess = world_.energy.excess();
+        report_.restoredDiscards = world_.restoredDiscards;
+        estimateVolume();
+        return report_;
+    }
+
+private:
+    void examineSphere(std::uint32_t id)
+    {
+        const Eigen::Vector3d p = world_.spheres.position(id);
+        if (!p.allFinite())
+        {
+            ++report_.notFinite;
+            return;
+        }
+        const bool outside = exactWinding_ ? windingNumber(world_.surface.mesh(), p) < 0.5
+                                           : !world_.inside.contains(p);
+        report_.centresOutside += outside ? 1 : 0;
+
+        const bool resting = world_.spheres.state[id] != SphereState::running;
+        normals_.clear();
+        meetSpheres(id, p, resting);
+        meetWalls(id, p);
+        if (resting && projectToFree(world_.pull.direction(p), normals_).norm() > kUnsupported)
+        {
+            ++report_.unsupported;
+        }
+        sumOfCubes_ += std::pow(world_.spheres.radius[id], 3);
+    }
+
+    void meetSpheres(std::uint32_t id, const Eigen::Vector3d& p, bool resting)
+    {
+        const Spheres& s = world_.spheres;
+        const double gap = kContactGap * s.radius[id];
+        const double reach = s.radius[id] + 1 + gap;
+        all_.forEachNear(p, reach,
+                         [&](std::uint32_t other)
+                         {
+                             if (other == id)
+                             {
+                                 return;
+                             }
+                             const Eigen::Vector3d d = p - s.position(other);
+                             const double distance = d.norm();
+                             const double depth = s.radius[id] + s.radius[other] - distance;
+                             if (depth >= 0 && other > id)
+                             {
+                                 const double share =
+                                     depth / std::min(s.radius[id], s.radius[other]);
+                                 report_.maxOverlap = std::max(report_.maxOverlap, share);
+                                 overlapSum_ += share;
+                                 ++pairs_;
+                             }
+                             if (depth > -gap && distance > 0 && resting &&
+                                 s.state[other] != SphereState::running)
+                             {
+                                 normals_.push_back(d / distance);
+                             }
+                         });
+    }
+
+    void meetWalls(std::uint32_t id, const Eigen::Vector3d& p)
+    {
+        const double radius = world_.spheres.radius[id];
+        for (const std::uint32_t t : world_.triangles.near(p))
+        {
+            const SignedDistance wall = signedDistance(world_.surface[t], p);
+            if (wall.value < 0 || wall.value > radius + kContactGap * radius || wall.value == 0)
+            {
+                continue;
+            }
+            report_.maxWallOverlap =
+                std::max(report_.maxWallOverlap, (radius - wall.value) / radius);
+            const Eigen::Vector3d normal = (p - wall.closest) / wall.value;
+            const auto same = [&](const Eigen::Vector3d& n) { return n.dot(normal) > 1 - 1e-12; };
+            if (std::none_of(normals_.begin(), normals_.end(), same))
+            {
+                normals_.push_back(normal);
+            }
+        }
+    }
+
+    void estimateVolume()
+    {
+        const double unit = std::pow(world_.frame.length, 3);
+        report_.meshVolume = world_.report.volume;
+        report_.sphereVolume = 4.0 / 3.0 * std::numbers::pi * sumOfCubes_ * unit;
+        if (!world_.full || !world_.radii.equal())
+        {
+            // The fit is for objects into which no more equal spheres fit.
+            report_.volumeEstimate = std::numeric_limits<double>::quiet_NaN();
+            report_.volumeEstimateError = report_.volumeEstimate;
+            return;
+        }
+        const PackingCalibration packing = packingCalibration(world_.scene);
+        const double taken = report_.sphereVolume / packing.fraction;
+        const double layer = world_.frame.length * world_.report.area;
+        report_.volumeEstimate = taken + packing.wallLayer * layer;
+        const double ofShape = report_.volumeEstimate * packing.formulaError *
+                               growthOfError(layer / world_.report.volume);
+        const double ofCount = taken * scatterOfCount(static_cast<double>(world_.spheres.size()));
+        report_.volumeEstimateError = std::hypot(ofShape, ofCount);
+    }
+
+    const World& world_;
+    const SphereGrid& all_;
+    bool exactWinding_ = true;
+    QualityReport report_;
+    std::vector<Eigen::Vector3d> normals_;
+    double overlapSum_ = 0;
+    std::size_t pairs_ = 0;
+    double sumOfCubes_ = 0;
+};
+
+} // namespace
+
+// In parts of a fixed size, so that sums do not depend on the number of threads.
+QualityReport examine(const World& world)
+{
+    std::optional<SphereGrid> gathered;
+    if (world.running() > 0)
+    {
+        gathered = gatherAll(world);
+    }
+    const std::size_t count = world.spheres.size();
+    std::vector<Examination> parts(count / kInPart + 1,
+                                   Examination(world, gathered ? *gathered : world.resting));
+    Threads(world.scene.threads)
+        .forEachLarge(parts.size(),
+                      [&](std::size_t i)
+                      {
+                          const auto end = std::min(count, (i + 1) * kInPart);
+                          parts[i].look(static_cast<std::uint32_t>(i * kInPart),
+                                        static_cast<std::uint32_t>(end));
+                      });
+    for (std::size_t i = 1; i < parts.size(); ++i)
+    {
+        parts.front().add(parts[i]);
+    }
+    return parts.front().report();
+}
+
+} // namespace frostfill

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "simulation/reach/clear_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace frostfill
+{
+namespace
+{
+
+constexpr double kRounding = 1e-9; // [r], above the rounding of any coordinate, on the safe side
+
+} // namespace
+
+void ClearSearch::gather(const Eigen::Vector3d& middle, double edge)
+{
+    walls_.clear();
+    for (const std::uint32_t id : triangles_.near(middle))
+    {
+        if (surface_.bound(id).mayBeWithin(probe_ + kHalfDiagonal * edge, middle))
+        {
+            walls_.push_back(id);
+        }
+    }
+    balls_.clear();
+    const double reach = kHalfDiagonal * edge;
+    resting_.forEachNear(middle, 1 + probe_ + reach,
+                         [&](std::uint32_t id)
+                         {
+                             const GridSphere& s = resting_[id];
+                             const double radius = s.radius + probe_ - overlap_ - kRounding;
+                             const Eigen::Vector3d centre = s.position();
+                             if (id != ignored_ && (centre - middle).squaredNorm() <
+                                                       (radius + reach) * (radius + reach))
+                             {
+                                 balls_.push_back({centre, radius * radius, radius});
+                             }
+                         });
+}
+
+bool ClearSearch::search(const Eigen::Vector3d& middle, double edge, int halvings,
+                         const Obstacles& from)
+{
+    Obstacles here{balls_.size(), 0};
+    Middle state;
+    bool found = false;
+    if (!select(middle, edge / 2, from, state) && !walled(middle, edge, state))
+    {
+        here.end = balls_.size();
+        found = halvings == 0 || state.clear;
+        // The part first that lies the way out, the opposite one last.
+        const int first = (state.wayOut.x() < 0 ? 1 : 0) | (state.wayOut.y() < 0 ? 2 : 0) |
+                          (state.wayOut.z() < 0 ? 4 : 0);
+        for (int k = 0; k < 8 && !found; ++k)
+        {
+            const int part = first ^ k;
+            const Eigen::Vector3d shift(0.5 - (part & 1), 0.5 - (part >> 1 & 1),
+                                        0.5 - (part >> 2 & 1));
+            found = search(middle + edge / 2 * shift, edge / 2, halvings - 1, here);
+        }
+    }
+    balls_.resize(here.begin);
+    return found;
+}
+
+bool ClearSearch::select(const Eigen::Vector3d& middle, double half, const Obstacles& from,
+                         Middle& state)
+{
+    const double reach = 2 * kHalfDiagonal * half;
+    for (std::size_t k = from.begin; k < from.end; ++k)
+    {
+        const Exclusion ball = balls_[k];
+        const Eigen::Array3d apart = (ball.centre - middle).array().abs();
+        if ((apart + half).square().sum() < ball.square)
+        {
+            return true;
+        }
+        const double square = apart.square().sum();
+        if (square < ball.square)
+        {
+            state.clear = false;
+            state.wayOut += middle - ball.centre;
+        }
+        if (square < (ball.radius + reach) * (ball.radius + reach))
+        {
+            balls_.push_back(ball);
+        }
+    }
+    return false;
+}
+
+bool ClearSearch::walled(const Eigen::Vector3d& middle, double edge, Middle& state) const
+{
+    const double exclusion = probe_ - overlap_ - kRounding;
+    const double whole = std::max(0.0, exclusion - kHalfDiagonal * edge);
+    for (const std::uint32_t id : walls_)
+    {
+        if (!surface_.bound(id).mayBeWithin(state.clear ? exclusion : whole, middle))
+        {
+            continue;
+        }
+        const auto& [a, b, c] = surface_[id].corner;
+        const Eigen::Vector3d apart = middle - closestPointOnTriangle(middle, a, b, c).point;
+        const double square = apart.squaredNorm();
+        if (square < whole * whole)
+        {
+            return true;
+        }
+        if (square < exclusion * exclusion)
+        {
+            state.clear = false;
+            state.wayOut += apart;
+        }
+    }
+    return false;
+}
+
+} // namespace frostfill

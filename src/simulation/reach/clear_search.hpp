@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "mesh/interior/triangle_grid.hpp"
+#include "simulation/world/sphere_grid.hpp"
+
+#include <vector>
+
+namespace frostfill
+{
+
+/// Tells whether a cube holds a place for the centre of a sphere, one that is clear of the walls
+/// and of all spheres at rest together: ReachMap alone blocks a cube only when a single obstacle
+/// excludes all of it. The cube is halved again and again until each part lies in one exclusion, or
+/// a clear point is found, or the parts are so small that they count as clear.
+class ClearSearch
+{
+public:
+    /// The searches live as long as this. `probe`: radius of the smallest sphere that runs or will
+    /// run; `overlap`: by which a running sphere may overlap what is at rest [r].
+    ClearSearch(const SphereGrid& resting, const Surface& surface, const TriangleGrid& triangles,
+                double probe, double overlap)
+        : resting_(resting), surface_(surface), triangles_(triangles), probe_(probe),
+          overlap_(overlap)
+    {
+    }
+
+    /// Looks as if this sphere were not at rest.
+    void ignore(std::uint32_t id) { ignored_ = id; }
+
+    /// False only when no point of the cube is clear.
+    [[nodiscard]] bool mayBeClear(const Eigen::Vector3d& middle, double edge)
+    {
+        gather(middle, edge);
+        return search(middle, edge, kHalvings, {0, balls_.size()});
+    }
+
+private:
+    static constexpr int kHalvings = 2;
+    static constexpr double kHalfDiagonal = 0.8660254037844387; // of a unit cube
+
+    struct Exclusion
+    {
+        Eigen::Vector3d centre;
+        double square; ///< of the radius
+        double radius;
+    };
+    /// What may exclude a part besides the walls: balls_[begin, end).
+    struct Obstacles
+    {
+        std::size_t begin;
+        std::size_t end;
+    };
+
+    /// What is found out about the middle of a part.
+    struct Middle
+    {
+        bool clear = true;
+        Eigen::Vector3d wayOut = Eigen::Vector3d::Zero(); ///< of all that excludes it
+    };
+
+    void gather(const Eigen::Vector3d& middle, double edge);
+    /// What of `from` is near the part goes to the end of balls_. True when one excludes it all.
+    bool select(const Eigen::Vector3d& middle, double half, const Obstacles& from, Middle& state);
+
+    bool search(const Eigen::Vector3d& middle, double edge, int halvings, const Obstacles& from);
+    /// The same for walls.
+    bool walled(const Eigen::Vector3d& middle, double edge, Middle& state) const;
+
+    const SphereGrid& resting_;
+    const Surface& surface_;
+    const TriangleGrid& triangles_;
+    double probe_;
+    double overlap_;
+    std::uint32_t ignored_ = 0xffffffff;
+    std::vector<Exclusion> balls_;     ///< of the cube, then of the part of it in hand, and so on
+    std::vector<std::uint32_t> walls_; ///< triangles near the cube
+};
+
+} // namespace frostfill

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "simulation/reach/reach_inspection.hpp"
+
+#include "mesh/interior/inside_test.hpp"
+#include "simulation/reach/clear_search.hpp"
+#include "simulation/reach/reach_map.hpp"
+#include "simulation/reach/reach_report.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace frostfill
+{
+namespace
+{
+
+constexpr double kOneSphere = 4.0 / 3.0 * std::numbers::pi; // [r^3]
+constexpr double kTriangleReach = 1.5;                      // [r]
+constexpr double kVoxel = 0.6;                              // [r]
+constexpr double kRounding = 1e-9;                          // [r]
+
+/// In radii, about the middle of the mesh's box.
+TriangleMesh inRadii(TriangleMesh mesh, const Eigen::Vector3d& origin, double radius)
+{
+    for (Eigen::Vector3d& vertex : mesh.vertices)
+    {
+        vertex = (vertex - origin) / radius;
+    }
+    return mesh;
+}
+
+// A cube is blocked when one triangle excludes all of it; here those go, too, that several exclude
+// together. A cube whose middle is a place for a sphere is none of them.
+void closeCoveredCubes(ReachMap& map, ClearSearch& search)
+{
+    const VoxelLayout& layout = map.layout();
+    const VoxelBits open = map.reached();
+    const VoxelBits clear = map.cubesFartherThan(map.radii().smallest);
+    for (std::size_t word = 0; word < open.size(); ++word)
+    {
+        layout.forEachCube({word, open[word] & ~clear[word]},
+                           [&](int x, int y, int z)
+                           {
+                               const Eigen::Vector3d middle = layout.frame.centre(x, y, z);
+                               if (!search.mayBeClear(middle, layout.frame.cell))
+                               {
+                                   map.closeCube(x, y, z);
+                               }
+                           });
+    }
+    (void)map.flood({});
+}
+
+/// The edges of an object are too narrow for a sphere all along, and make one thin part.
+bool isThin(const UnreachablePart& part)
+{
+    constexpr double kShareOfBox = 0.05;
+    return part.volume < kShareOfBox * part.box.volume();
+}
+
+ReachInspection inspect(const Surface& surface, const TriangleGrid& triangles,
+                        const InsideTest& inside, double radius, std::size_t bytes)
+{
+    ReachInspection result;
+    ReachMap map(surface, inside, {radius, radius}, {kRounding, 0, 0}, {kVoxel, bytes});
+    result.known = map.active() || map.leak();
+    result.leak = map.leak();
+    if (!map.active())
+    {
+        return result;
+    }
+    const SphereGrid nothing(GridFrame{});
+    ClearSearch search(nothing, surface, triangles, radius, kRounding);
+    closeCoveredCubes(map, search);
+    const ReachReport report = reportReach(map, inside, kOneSphere * radius * radius * radius);
+    result.fits = map.reachedCount() > 0;
+    result.unreachable = report.unreachedVolume;
+    result.resolution = report.resolution;
+    for (const UnreachablePart& part : report.parts)
+    {
+        if (!isThin(part))
+        {
+            result.parts.push_back({part.volume, part.centre, part.box});
+        }
+    }
+    return result;
+}
+
+/// From units of `length` about `origin`.
+ReachInspection inMeshUnits(ReachInspection result, const Eigen::Vector3d& origin, double length)
+{
+    const double volume = length * length * length;
+    if (result.leak)
+    {
+        result.leak = origin + length * *result.leak;
+    }
+    result.unreachable *= volume;
+    result.resolution *= length;
+    for (UnreachableVolume& part : result.parts)
+    {
+        part.volume *= volume;
+        part.centre = origin + length * part.centre;
+        part.box =
+            Eigen::AlignedBox3d(origin + length * part.box.min(), origin + length * part.box.max());
+    }
+    return result;
+}
+
+} // namespace
+
+ReachInspection inspectReach(const TriangleMesh& mesh, double radius, std::size_t bytes)
+{
+    const Eigen::Vector3d origin = boundingBox(mesh).center();
+    const Surface surface(inRadii(mesh, origin, radius));
+    // Cells of a radius take some bytes each.
+    if ((surface.box().sizes().array() + 4).prod() * 8 > static_cast<double>(bytes))
+    {
+        return {};
+    }
+    const TriangleGrid triangles(surface, GridFrame::cover(surface.box(), 1, 2), kTriangleReach);
+    const InsideTest inside(surface, triangles);
+    return inMeshUnits(inspect(surface, triangles, inside, 1, bytes), origin, radius);
+}
+
+ReachInspection inspectReach(const World& world, std::size_t bytes)
+{
+    return inMeshUnits(
+        inspect(world.surface, world.triangles, world.inside, world.radii.smallest(), bytes),
+        world.frame.toMesh(Eigen::Vector3d::Zero()), world.frame.length);
+}
+
+} // namespace frostfill

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "mesh/interior/inside_test.hpp"
+#include "simulation/reach/voxel_flood.hpp"
+#include "simulation/reach/voxel_rows.hpp"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace frostfill
+{
+
+/// Where the centre of a running sphere can still get to, as a set of cubes. The set is never too
+/// small, so an obstacle (a sphere at rest, a triangle) that is out of its reach can be dropped for
+/// good without changing one bit of the arithmetic.
+///
+/// Why it is right. An obstacle is a set of points p with a contact distance R: the centre of a
+/// sphere at rest with the sum of the radii, or every point of a triangle with the radius. Overlaps
+/// of up to tau are allowed for.
+///  1. The centre of a running sphere is always at least R - tau from every p: it moves along paths
+///     that are swept against the obstacles kept, and appears only where it is clear of all, the
+///     dropped ones included. A simulation in jumps, with both ends of each that far away and no
+///     more than D apart, does so with R' for R - tau: the point of a chord nearest to p halves it,
+///     so it is at least R' = sqrt((R - tau)^2 - (D/2)^2) away.
+///  2. A cube is blocked only when no point of it is R' away from all p: when all of it lies in the
+///     ball of one obstacle, or, by ClearSearch, in the balls of several. So a centre is always in
+///     an open cube. A path leaves a cube through a face, an edge or a corner; the point where it
+///     does is free, so all cubes that touch there are open, and the path can be followed from face
+///     to face: six neighbours suffice.
+///  3. A surface of triangles does not leak: two neighbouring open cubes on both sides of it would
+///     have their middles, h apart, at least R' - h sqrt(3)/2 from the point in between, which is
+///     more than h/2 for h < 0.7 R'. A larger h makes the map inactive: it then drops nothing.
+///  4. Contact queries look no farther than R + Q from where a centre is. An obstacle that is
+///     farther than R + Q from every reached cube that leaves anything free is in none of them.
+///  5. A dropped obstacle stops no path, and need not: whatever blocks a cube beside a reached one
+///     is within R' of that and so is kept, and the sweep ends there.
+///  6. Freezing adds obstacles, so the set only shrinks, and what was dropped stays dropped.
+///
+/// What the engine checks, always: contains() for the centre of every running sphere at the end of
+/// each step, and what flood() and update() return. When one fails, it takes back all that it
+/// dropped before it goes on, builds a new map with wider margins, adds the spheres at rest and
+/// floods.
+///
+/// Seeds are where a sphere may yet appear: everywhere unless withdrawn, for a place is searched
+/// for everywhere before the object counts as full.
+///
+/// One thread at a time may change a map.
+class ReachMap
+{
+public:
+    struct Margins
+    {
+        double overlap = 0.05; ///< tau, by which a running sphere may overlap what is at rest [r]
+        double step = 0.5;     ///< D, the longest move of a centre that is not swept [r]
+        double query = 0.3;    ///< Q, from a contact within which obstacles are looked for [r]
+    };
+    /// Of the spheres that run or will run [r].
+    struct Radii
+    {
+        double smallest = 1;
+        double largest = 1;
+    };
+    struct Resolution
+    {
+        double voxel = 0.5;                         ///< edge of a cube, in smallest radii
+        std::size_t bytes = std::size_t{512} << 20; ///< above which cubes are made larger
+    };
+
+    /// Rasterises the surface, which lives as long as this, and keeps the open cubes inside.
+    ReachMap(const Surface& surface, const InsideTest& inside, const Radii& radii,
+             const Margins& margins, const Resolution& resolution);
+    ReachMap(const Surface& surface, const InsideTest& inside, const Radii& radii,
+             const Margins& margins)
+        : ReachMap(surface, inside, radii, margins, Resolution{})
+    {
+    }
+
+    /// Without a leak, and with cubes that are small enough. Otherwise everything counts as within
+    /// reach and nothing can be dropped.
+    [[nodiscard]] bool active() const { return active_; }
+    /// A point in a hole that is wider than the smallest sphere.
+    [[nodiscard]] const std::optional<Eigen::Vector3d>& leak() const { return leak_; }
+
+    // Seeds: the cubes where a sphere may yet be released, everywhere at first. Each call replaces
+    // those set before. Once flooded, seeds out of reach count for nothing. A cube that is blocked
+    // stops being a seed by itself.
+    void seedEverywhere();
+    void seedAbove(double height); ///< cubes that reach above y = height
+    /// Cubes that come within `distance` of one of the points.
+    void setSeeds(std::span<const Eigen::Vector3d> points, double distance);
+    /// No sphere will be released anywhere any more.
+    void withdrawSeeds();
+    /// No sphere will be released in the cube of p any more.
+    void withdrawSeed(const Eigen::Vector3d& p);
+
+    /// A sphere has come to rest; takes effect with the next flood or update. It may be added
+    /// before the first flood.
+    void addResting(const Eigen::Vector3d& centre, double radius);
+
+    /// Reaches what is connected with a seed or the centre of a running sphere. To be called once.
+    /// Like update, returns false when a running centre is out of reach: a guard has failed.
+    bool flood(std::span<const Eigen::Vector3d> running);
+    /// The same after spheres have come to rest, seeds were changed or running spheres have moved;
+    /// `running` are all of them. Looks only at what may have been cut off: the time grows with the
+    /// number of cubes blocked or lost, however large the rest.
+    bool update(std::span<const Eigen::Vector3d> running);
+
+    /// p is in a reached cube.
+    [[nodiscard]] bool contains(const Eigen::Vector3d& p) const;
+    /// Some reached cube comes within `distance` of p.
+    [[nodiscard]] bool reaches(const Eigen::Vector3d& p, double distance) const;
+    [[nodiscard]] std::size_t reachedCount() const { return reachedCount_; }
+
+    /// Where the search for a reached cube near an obstacle has got to. As the set only shrinks, a
+    /// search goes on where the last one ended: all tests of an obstacle together cost one search.
+    using Cursor = std::uint32_t;
+    /// No reached cube for which confirm(x, y, z) holds comes within contact and Q of a sphere at
+    /// rest. What is not confirmed once is not asked for again.
+    template <class Confirm>
+    [[nodiscard]] bool sphereDroppable(const Eigen::Vector3d& centre, double radius, Cursor& cursor,
+                                       Confirm&& confirm) const
+    {
+        return active_ && !findNearSphere(centre, sphereReach(radius), cursor, confirm);
+    }
+    [[nodiscard]] bool sphereDroppable(const Eigen::Vector3d& centre, double radius) const
+    {
+        Cursor fromTheTop = 0;
+        return sphereDroppable(centre, radius, fromTheTop, [](int, int, int) { return true; });
+    }
+    /// The same for a triangle. The map keeps the cursors of triangles.
+    template <class Confirm>
+    [[nodiscard]] bool polygonDroppable(std::uint32_t triangle, Confirm&& confirm)
+    {
+        return active_ && !findNearTriangle(triangle, confirm);
+    }
+    [[nodiscard]] bool polygonDroppable(std::uint32_t triangle)
+    {
+        return polygonDroppable(triangle, [](int, int, int) { return true; });
+    }
+    /// R': how near a centre may come to an obstacle with a contact distance; 0 when the margins
+    /// leave nothing [r].
+    [[nodiscard]] double exclusion(double contact) const;
+
+    /// Nothing in the cube is free; takes effect like addResting.
+    void closeCube(int x, int y, int z) { block(layout_.at(x, y, z)); }
+
+    /// Cubes that the last flood or update took out of the set, blocked or cut off: visit(middle).
+    /// Only obstacles near one of them can have become droppable.
+    template <class Visit>
+    void forEachLost(Visit&& visit) const
+    {
+        for (const VoxelWord lost : lost_)
+        {
+            layout_.forEachCube(lost,
+                                [&](int x, int y, int z) { visit(layout_.frame.centre(x, y, z)); });
+        }
+    }
+    /// Boxes of four cubes a side that hold the lost cubes, each box once.
+    [[nodiscard]] std::vector<Eigen::AlignedBox3d> lostBlocks() const;
+
+    /// Cubes, inside or outside, whose middle is farther than this from the surface; of an active
+    /// map.
+    [[nodiscard]] VoxelBits cubesFartherThan(double distance) const;
+    /// The same that the surface alone does not block.
+    [[nodiscard]] VoxelBits unblockedCubes() const
+    {
+        return cubesFartherThan(exclusion(radii_.smallest) - kHalfDiagonal * layout_.frame.cell);
+    }
+
+    [[nodiscard]] const VoxelLayout& layout() const { return layout_; }
+    [[nodiscard]] const VoxelBits& reached() const { return open_; }
+    [[nodiscard]] const Radii& radii() const { return radii_; }
+    [[nodiscard]] const Margins& margins() const { return margins_; }
+
+private:
+    static constexpr double kHalfDiagonal = 0.8660254037844387; // of a unit cube
+    static constexpr double kRounding = 1e-9; // [r], above the rounding of any coordinate
+
+    /// How far from an obstacle a free place counts, distances in contact included [r].
+    [[nodiscard]] double sphereReach(double radius) const
+    {
+        return radius + radii_.largest + margins_.query + kRounding;
+    }
+    [[nodiscard]] double polygonReach() const
+    {
+        return radii_.largest + margins_.query + kRounding;
+    }
+    void keepInside(const InsideTest& inside);
+    void replaceSeeds(VoxelBits seeds);
+    void block(VoxelWord cubes);
+    void takeBlocked();
+    bool anchorRunning(std::span<const Eigen::Vector3d> running);
+    void settle(VoxelWord suspects);
+    void mark(VoxelWord cubes);
+    template <class Confirm>
+    bool findInRow(int y, int z, VoxelRun run, Confirm&& confirm) const;
+    template <class Confirm>
+    bool findNearSphere(const Eigen::Vector3d& p, double distance, Cursor& cursor,
+                        Confirm&& confirm) const;
+    template <class Confirm>
+    bool findNearTriangle(std::uint32_t triangle, Confirm&& confirm);
+
+    const Surface& surface_;
+    Radii radii_;
+    Margins margins_;
+    VoxelLayout layout_;
+    bool active_ = false;
+    bool flooded_ = false;
+    std::optional<Eigen::Vector3d> leak_;
+    std::size_t reachedCount_ = 0;
+    VoxelBits open_;  ///< not blocked and inside; once flooded, the reached cubes
+    VoxelBits seeds_; ///< where spheres may be released; some may be blocked by now
+    /// Between updates the cubes that were reached until spheres came to rest there; during an
+    /// update those that are known to be connected with a seed.
+    VoxelBits marks_;
+    std::vector<std::size_t> markedWords_; ///< words of marks_ that are not empty
+    VoxelFlood search_;
+    std::vector<VoxelWord> unseeded_;     ///< no seeds any more
+    std::vector<VoxelWord> runningCubes_; ///< seeds of the last update
+    std::vector<VoxelWord> lost_;
+    std::vector<Cursor> triangleCursor_; ///< [#T]
+};
+
+template <class Confirm>
+bool ReachMap::findInRow(int y, int z, VoxelRun run, Confirm&& confirm) const
+{
+    if (run.first > run.last || !layout_.any(open_, y, z, run.first, run.last))
+    {
+        return false;
+    }
+    for (int x = run.first; x <= run.last; ++x)
+    {
+        const VoxelWord cube = layout_.at(x, y, z);
+        if ((open_[cube.word] & cube.bits) != 0 && confirm(x, y, z))
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+// From row `cursor` on.
+template <class Confirm>
+bool ReachMap::findNearSphere(const Eigen::Vector3d& p, double distance, Cursor& cursor,
+                              Confirm&& confirm) const
+{
+    const BallRows rows(layout_.frame, p, distance, kMeetsBall);
+    const VoxelRun widest = rows.widest();
+    return widest.first <= widest.last &&
+           rows.window().find(cursor,
+                              [&](int y, int z)
+                              {
+                                  return layout_.any(open_, y, z, widest.first, widest.last) &&
+                                         findInRow(y, z, rows.run(y, z), confirm);
+                              });
+}
+
+template <class Confirm>
+bool ReachMap::findNearTriangle(std::uint32_t triangle, Confirm&& confirm)
+{
+    const double distance = polygonReach() + kHalfDiagonal * layout_.frame.cell;
+    const TriangleRows rows(layout_.frame, surface_[triangle], distance);
+    const VoxelRun widest = rows.widest();
+    const auto isNear = [&](int x, int y, int z) { return rows.near(x, y, z) && confirm(x, y, z); };
+    return widest.first <= widest.last &&
+           rows.window().find(triangleCursor_[triangle],
+                              [&](int y, int z)
+                              {
+                                  return layout_.any(open_, y, z, widest.first, widest.last) &&
+                                         findInRow(y, z, rows.run(y, z), isNear);
+                              });
+}
+
+} // namespace frostfill

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+#include "simulation/reach/reach_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace frostfill
+{
+namespace
+{
+
+// Cubes up to `reach` to the left and right of a word's, those of the words beside it included.
+// They are of the same row: reached cubes keep more than a radius from both ends of theirs.
+std::uint64_t widened(const VoxelBits& set, std::size_t word, int reach)
+{
+    std::uint64_t result = set[word];
+    for (int shift = 1; shift <= reach; ++shift)
+    {
+        result |= set[word] << shift | set[word] >> shift | set[word - 1] >> (64 - shift) |
+                  set[word + 1] << (64 - shift);
+    }
+    return result;
+}
+
+/// Cubes whose middle comes within `radius` of a cube of the set, radius in cubes.
+class Dilation
+{
+public:
+    Dilation(const VoxelLayout& layout, const VoxelBits& set, double radius)
+        : layout_(layout), set_(set), radius_(radius), reach_(static_cast<int>(radius + 0.5))
+    {
+    }
+
+    [[nodiscard]] std::uint64_t word(int y, int z, std::size_t inRow) const
+    {
+        std::uint64_t result = 0;
+        for (int dy = -reach_; dy <= reach_; ++dy)
+        {
+            for (int dz = -reach_; dz <= reach_; ++dz)
+            {
+                const auto& count = layout_.frame.count;
+                const double rest = radius_ * radius_ - square(dy) - square(dz);
+                if (rest < 0 || y + dy < 0 || y + dy >= count[1] || z + dz < 0 ||
+                    z + dz >= count[2])
+                {
+                    continue;
+                }
+                result |= widened(set_, layout_.row(y + dy, z + dz) + inRow,
+                                  std::min(63, static_cast<int>(std::sqrt(rest) + 0.5)));
+            }
+        }
+        return result;
+    }
+
+private:
+    // Distance from the middle of a cube to the cube so many farther on.
+    static double square(int cubes)
+    {
+        const double distance = std::max(0.0, std::abs(cubes) - 0.5);
+        return distance * distance;
+    }
+
+    const VoxelLayout& layout_;
+    const VoxelBits& set_;
+    double radius_;
+    int reach_;
+};
+
+bool isInside(const VoxelLayout& layout, const InsideTest& inside, VoxelWord cube)
+{
+    bool result = false;
+    layout.forEachCube(cube, [&](int x, int y, int z)
+                       { result = inside.contains(layout.frame.centre(x, y, z)); });
+    return result;
+}
+
+// Those of `open` that are inside: each connected component lies on one side.
+VoxelBits openInside(const VoxelLayout& layout, VoxelBits open, const InsideTest& inside)
+{
+    VoxelBits result(layout.words, 0);
+    VoxelFlood flood(layout);
+    for (std::size_t word = 0; word < open.size(); ++word)
+    {
+        while (open[word] != 0)
+        {
+            const VoxelWord first{word, open[word] & -open[word]};
+            const bool within = isInside(layout, inside, first);
+            flood.run(open, first, [](VoxelWord) { return false; });
+            flood.drain(
+                [&](VoxelWord w)
+                {
+                    open[w.word] &= ~w.bits;
+                    result[w.word] |= within ? w.bits : 0;
+                });
+        }
+    }
+    return result;
+}
+
+// Cubes inside that no sphere covers. Only of the few that are blocked and that no sphere covers,
+// wherever they are, each is asked for its side.
+VoxelBits uncoveredCubes(const ReachMap& map, const InsideTest& inside)
+{
+    const VoxelLayout& layout = map.layout();
+    const auto& count = layout.frame.count;
+    const Dilation covered(layout, map.reached(), map.radii().smallest / layout.frame.cell);
+    const VoxelBits unblocked = map.unblockedCubes();
+    const VoxelBits within = openInside(layout, unblocked, inside);
+    VoxelBits result(layout.words, 0);
+    const auto look = [&](int y, int z, VoxelWord w)
+    {
+        const std::uint64_t blocked = w.bits & ~unblocked[w.word];
+        const std::uint64_t maybe = (blocked | within[w.word]) & ~map.reached()[w.word];
+        if (maybe == 0)
+        {
+            return;
+        }
+        const std::uint64_t here = maybe & ~covered.word(y, z, w.word - layout.row(y, z));
+        result[w.word] = here & within[w.word];
+        for (std::uint64_t left = here & blocked; left != 0; left &= left - 1)
+        {
+            const VoxelWord cube{w.word, left & -left};
+            result[w.word] |= isInside(layout, inside, cube) ? cube.bits : 0;
+        }
+    };
+    for (int y = 0; y < count[1]; ++y)
+    {
+        for (int z = 0; z < count[2]; ++z)
+        {
+            layout.forEachWord(y, z, 0, count[0] - 1, [&](VoxelWord w) { look(y, z, w); });
+        }
+    }
+    return result;
+}
+
+std::vector<UnreachablePart> findParts(const VoxelLayout& layout, VoxelBits cubes,
+                                       double smallestPart)
+{
+    std::vector<UnreachablePart> parts;
+    VoxelFlood flood(layout);
+    const double edge = layout.frame.cell;
+    for (std::size_t word = 0; word < cubes.size(); ++word)
+    {
+        while (cubes[word] != 0)
+        {
+            flood.run(cubes, {word, cubes[word] & -cubes[word]}, [](VoxelWord) { return false; });
+            std::size_t count = 0;
+            UnreachablePart part;
+            Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+            flood.drain(
+                [&](VoxelWord w)
+                {
+                    cubes[w.word] &= ~w.bits;
+                    layout.forEachCube(w,
+                                       [&](int x, int y, int z)
+                                       {
+                                           const auto p = layout.frame.centre(x, y, z);
+                                           ++count;
+                                           sum += p;
+                                           part.box.extend(Eigen::Vector3d(p.array() - edge / 2));
+                                           part.box.extend(Eigen::Vector3d(p.array() + edge / 2));
+                                       });
+                });
+            part.volume = static_cast<double>(count) * edge * edge * edge;
+            part.centre = sum / static_cast<double>(count);
+            if (part.volume >= smallestPart)
+            {
+                parts.push_back(part);
+            }
+        }
+    }
+    std::stable_sort(parts.begin(), parts.end(),
+                     [](const auto& a, const auto& b) { return a.volume > b.volume; });
+    return parts;
+}
+
+} // namespace
+
+ReachReport reportReach(const ReachMap& map, const InsideTest& inside, double smallestPart)
+{
+    ReachReport report;
+    if (!map.active())
+    {
+        return report;
+    }
+    VoxelBits uncovered = uncoveredCubes(map, inside);
+    std::size_t missed = 0;
+    for (const std::uint64_t word : uncovered)
+    {
+        missed += static_cast<std::size_t>(std::popcount(word));
+    }
+    const double edge = map.layout().frame.cell;
+    report.resolution = edge;
+    report.unreachedVolume = static_cast<double>(missed) * (edge * edge * edge);
+    report.parts = findParts(map.layout(), std::move(uncovered), smallestPart);
+    return report;
+}
+
+} // namespace frostfill

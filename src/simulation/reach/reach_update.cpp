@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+#include "simulation/reach/reach_map.hpp"
+
+#include <algorithm>
+
+/// How the reached cubes are found, and kept up to date.
+namespace frostfill
+{
+
+bool ReachMap::flood(std::span<const Eigen::Vector3d> running)
+{
+    if (!active_)
+    {
+        return true;
+    }
+    bool trusted = true;
+    const auto everything = [](VoxelWord) { return false; };
+    for (std::size_t word = 0; word < layout_.words; ++word)
+    {
+        if ((seeds_[word] & open_[word]) != 0)
+        {
+            search_.run(open_, {word, seeds_[word]}, everything);
+        }
+    }
+    runningCubes_.clear();
+    for (const Eigen::Vector3d& centre : running)
+    {
+        const VoxelWord cube = layout_.at(centre);
+        trusted = trusted && (open_[cube.word] & cube.bits) != 0;
+        search_.run(open_, cube, everything);
+        runningCubes_.push_back(cube);
+    }
+
+    VoxelBits reached(layout_.words, 0);
+    reachedCount_ = 0;
+    search_.drain(
+        [&](VoxelWord w)
+        {
+            reached[w.word] = w.bits;
+            reachedCount_ += static_cast<std::size_t>(std::popcount(w.bits));
+        });
+    takeBlocked();
+    unseeded_.clear();
+    for (std::size_t word = 0; word < layout_.words; ++word)
+    {
+        if ((open_[word] & ~reached[word]) != 0)
+        {
+            lost_.push_back({word, open_[word] & ~reached[word]});
+        }
+    }
+    open_ = std::move(reached);
+    search_.giveMemoryBack();
+    flooded_ = true;
+    return trusted;
+}
+
+// A cube can only be cut off when a neighbour was blocked, a seed was taken away or a running
+// sphere has left. From each such suspect a flood looks for a seed or for a cube that is known to
+// be connected with one. When it finds one, all it has seen is connected too; when it ends without,
+// all it has seen is lost. No cube is visited twice, so one update costs at most one flood, and
+// what lies beyond the nearest seed is not looked at.
+bool ReachMap::update(std::span<const Eigen::Vector3d> running)
+{
+    if (!active_)
+    {
+        return true;
+    }
+    takeBlocked();
+    const std::vector<VoxelWord> left = std::move(runningCubes_);
+    const bool trusted = anchorRunning(running);
+
+    const std::size_t blockedWords = lost_.size();
+    for (std::size_t i = 0; i < blockedWords; ++i)
+    {
+        const VoxelWord blocked = lost_[i];
+        settle({blocked.word, blocked.bits << 1 | blocked.bits >> 1});
+        forEachNeighbour(layout_, blocked, [&](VoxelWord next) { settle(next); });
+    }
+    for (const VoxelWord suspects : unseeded_)
+    {
+        settle(suspects);
+    }
+    unseeded_.clear();
+    for (const VoxelWord suspects : left)
+    {
+        settle(suspects);
+    }
+    for (const std::size_t word : markedWords_)
+    {
+        marks_[word] = 0;
+    }
+    markedWords_.clear();
+
+    for (const VoxelWord lost : lost_)
+    {
+        reachedCount_ -= static_cast<std::size_t>(std::popcount(lost.bits));
+    }
+    return trusted;
+}
+
+void ReachMap::takeBlocked()
+{
+    lost_.clear();
+    for (const std::size_t word : markedWords_)
+    {
+        lost_.push_back({word, marks_[word]});
+        marks_[word] = 0;
+    }
+    markedWords_.clear();
+}
+
+void ReachMap::mark(VoxelWord cubes)
+{
+    if (marks_[cubes.word] == 0)
+    {
+        markedWords_.push_back(cubes.word);
+    }
+    marks_[cubes.word] |= cubes.bits;
+}
+
+bool ReachMap::anchorRunning(std::span<const Eigen::Vector3d> running)
+{
+    bool trusted = true;
+    runningCubes_.clear();
+    for (const Eigen::Vector3d& centre : running)
+    {
+        const VoxelWord cube = layout_.at(centre);
+        if ((open_[cube.word] & cube.bits) == 0)
+        {
+            trusted = false;
+            continue;
+        }
+        runningCubes_.push_back(cube);
+        mark(cube);
+    }
+    return trusted;
+}
+
+void ReachMap::settle(VoxelWord suspects)
+{
+    const std::size_t word = suspects.word;
+    while (true)
+    {
+        const std::uint64_t unsettled = suspects.bits & open_[word] & ~marks_[word];
+        if (unsettled == 0)
+        {
+            return;
+        }
+        const bool connected = search_.run(
+            open_, {word, unsettled & -unsettled},
+            [&](VoxelWord w) { return (w.bits & (marks_[w.word] | seeds_[w.word])) != 0; });
+        search_.drain(
+            [&](VoxelWord w)
+            {
+                if (connected)
+                {
+                    mark(w);
+                }
+                else
+                {
+                    open_[w.word] &= ~w.bits;
+                    lost_.push_back(w);
+                }
+            });
+    }
+}
+
+std::vector<Eigen::AlignedBox3d> ReachMap::lostBlocks() const
+{
+    constexpr int kSide = 4; // cubes
+    std::vector<std::array<int, 3>> blocks;
+    for (const VoxelWord lost : lost_)
+    {
+        const auto c = layout_.coordinates(lost.word);
+        for (int x = 0; x < 64; x += kSide)
+        {
+            if ((lost.bits >> x & ((1u << kSide) - 1)) != 0)
+            {
+                blocks.push_back({(c[0] + x) / kSide, c[1] / kSide, c[2] / kSide});
+            }
+        }
+    }
+    std::sort(blocks.begin(), blocks.end());
+    blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
+
+    std::vector<Eigen::AlignedBox3d> boxes;
+    boxes.reserve(blocks.size());
+    const double side = kSide * layout_.frame.cell;
+    for (const auto& b : blocks)
+    {
+        const Eigen::Vector3d low = layout_.frame.origin + side * Eigen::Vector3d(b[0], b[1], b[2]);
+        boxes.emplace_back(low, low.array() + side);
+    }
+    return boxes;
+}
+
+} // namespace frostfill

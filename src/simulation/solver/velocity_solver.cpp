@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include "simulation/solver/velocity_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace frostfill
+{
+namespace
+{
+
+constexpr int kRounds = 8;     // over all pairs
+constexpr double kSoon = 0.05; // gap that an approach may close within a step [r]
+constexpr double kSlow = 1e-3; // approach that is left to those on others [sqrt(g r)]
+
+// Approach to what is at rest is lost.
+void stopAtRest(Runner& runner)
+{
+    for (const Eigen::Vector3d& normal : runner.normals)
+    {
+        const double approach = normal.dot(runner.velocity);
+        if (approach < 0)
+        {
+            runner.velocity -= approach * normal;
+        }
+    }
+}
+
+} // namespace
+
+double shareOf(const Runner& a, const Runner& b, const Eigen::Vector3d& down)
+{
+    if (a.yields != b.yields)
+    {
+        return a.yields ? 1 : 0;
+    }
+    if (!a.yields)
+    {
+        const double ya = -a.position.dot(down);
+        const double yb = -b.position.dot(down);
+        return ya < yb || (ya == yb && a.id < b.id) ? 0 : 1;
+    }
+    const double ma = a.radius * a.radius * a.radius;
+    const double mb = b.radius * b.radius * b.radius;
+    return mb / (ma + mb);
+}
+
+// One pair after another, the lowest first, and each with what is at rest. A few rounds carry the
+// floor's reaction up a pile.
+void VelocitySolver::resolve(std::span<Runner> runners, std::span<const std::uint32_t> crowd,
+                             const Eigen::Vector3d& down, double dt)
+{
+    down_ = down;
+    findContacts(runners, crowd, dt);
+    for (int round = 0; round < kRounds; ++round)
+    {
+        for (const Contact& contact : contacts_)
+        {
+            collide(runners[contact.upper], runners[contact.lower], contact);
+        }
+    }
+    if (settings_.stiff)
+    {
+        stopOnLower(runners);
+    }
+}
+
+// Shock propagation [Guendelman et al. 2003]: what the rounds have left of an approach is lost, as
+// if the lower ones could not give way. No faster than it was, since what carries it may move.
+void VelocitySolver::stopOnLower(std::span<Runner> runners)
+{
+    for (auto first = contacts_.begin(); first != contacts_.end();)
+    {
+        const auto last =
+            std::find_if(first, contacts_.end(),
+                         [&](const Contact& contact) { return contact.upper != first->upper; });
+        Runner& runner = runners[first->upper];
+        const double before = runner.velocity.squaredNorm();
+        bool approaches = true;
+        for (int k = 0; k < kRounds && approaches; ++k)
+        {
+            approaches = false;
+            for (auto contact = first; contact != last; ++contact)
+            {
+                const double approach =
+                    (runner.velocity - runners[contact->lower].velocity).dot(contact->normal);
+                if (approach < -contact->allowed - kSlow)
+                {
+                    runner.velocity -= (approach + contact->allowed) * contact->normal;
+                    approaches = true;
+                }
+            }
+            stopAtRest(runner);
+        }
+        const double after = runner.velocity.squaredNorm();
+        if (after > before)
+        {
+            runner.velocity *= std::sqrt(before / after);
+        }
+        first = last;
+    }
+}
+
+// Of those that overlap or soon will, the lowest first.
+void VelocitySolver::findContacts(std::span<const Runner> runners,
+                                  std::span<const std::uint32_t> crowd, double dt)
+{
+    contacts_.clear();
+    for (const std::uint32_t k : crowd)
+    {
+        const Runner& upper = runners[k];
+        for (const std::uint32_t other : upper.nearby)
+        {
+            const Runner& lower = runners[other];
+            const Eigen::Vector3d d = upper.position - lower.position;
+            const double contact = upper.radius + lower.radius;
+            const double limit = contact + kSoon;
+            const double squared = d.squaredNorm();
+            if (lower.rank < upper.rank && squared < limit * limit && squared > 0)
+            {
+                const double distance = std::sqrt(squared);
+                contacts_.push_back(
+                    {k, other, d / distance, std::max(0.0, (distance - contact) / dt)});
+            }
+        }
+    }
+}
+
+void VelocitySolver::collide(Runner& a, Runner& b, const Contact& contact) const
+{
+    const double approach = (a.velocity - b.velocity).dot(contact.normal);
+    const bool bounces = approach < -settings_.bounceSpeed;
+    if (approach >= -contact.allowed || (bounces && contact.allowed > 0))
+    {
+        return;
+    }
+    const double change =
+        bounces ? -(1 + settings_.restitution) * approach : -contact.allowed - approach;
+    a.velocity += contact.normal * (change * shareOf(a, b, down_));
+    b.velocity -= contact.normal * (change * shareOf(b, a, down_));
+    stopAtRest(a);
+    stopAtRest(b);
+}
+
+} // namespace frostfill

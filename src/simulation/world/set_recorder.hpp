@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "simulation/world/world.hpp"
+
+#include <vector>
+
+namespace frostfill
+{
+
+/// Keeps the record of the newest set: what the world's counters gained while it was the newest.
+class SetRecorder
+{
+public:
+    /// Closes the record of the set before, if any, with the world as it is now.
+    void close(World& world);
+    /// Opens a record for a set of `spheres` spheres.
+    void open(World& world, std::size_t spheres);
+    /// Takes in one step's milliseconds.
+    void observe(double sphereSphereMs, double spherePolygonMs);
+    void markTimedOut() { timedOut_ = true; }
+
+private:
+    bool isOpen_ = false;
+    bool timedOut_ = false;
+    StageTimes timesAtStart_;
+    OperationCounts operationsAtStart_;
+    std::uint64_t stepsAtStart_ = 0;
+    double timeAtStart_ = 0;
+    std::vector<double> sphereSphereMs_;
+    std::vector<double> spherePolygonMs_;
+};
+
+} // namespace frostfill

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: MIT
+#include "simulation/world/world.hpp"
+
+#include "scene/packing_estimate.hpp"
+
+#include <frostfill/error.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace frostfill
+{
+namespace
+{
+
+RadiusDistribution radiiOf(const Scene& scene, const MeshReport& mesh)
+{
+    return RadiusDistribution(scene.spheres.radius.value_or(sphereRadius(scene, mesh)));
+}
+
+/// Cells a radius wide: the lists of triangles stay short, and 27 of them hold every sphere near.
+constexpr double kTriangleCell = 1;
+constexpr double kTriangleReach = 1.5;
+constexpr double kSphereCell = 2;
+/// Memory is set aside for so many times the spheres that fit by the estimate.
+constexpr double kRoomForSpheres = 1.1;
+/// A centre that is nearer to a wall lies on it, but for rounding. [r]
+constexpr double kOnTheWall = 1e-9;
+/// Share of the object's mean cross-section that a set covers when its size is not given.
+constexpr double kFootprint = 0.1;
+
+GridFrame gridOver(const Surface& surface, double cell)
+{
+    return GridFrame::cover(surface.box(), cell, 2);
+}
+
+/// By the estimate that sphereRadius uses, the other way round.
+std::size_t countThatFits(const World& world)
+{
+    const double r = world.frame.length;
+    const double layer = kWallLayer * r * world.radii.meanPower(1);
+    const double room = std::max(0.0, world.report.volume - layer * world.report.area);
+    const double one = 4.0 / 3.0 * std::numbers::pi * r * r * r * world.radii.meanPower(3);
+    return static_cast<std::size_t>(std::max(1.0, kPackingFraction * room / one));
+}
+
+} // namespace
+
+World::World(const Scene& sceneOfRun, const TriangleMesh& mesh)
+    : scene(sceneOfRun), report(inspectMesh(mesh)), radii(radiiOf(scene, report)),
+      frame(scene, report.box, radii.largest()), surface(frame.toRun(mesh)),
+      triangles(surface, gridOver(surface, kTriangleCell), kTriangleReach),
+      inside(surface, triangles), height(surface.box().sizes().y()),
+      motion(scene.move, frame, height), pull{.uniform = {0, -frame.gravity, 0}},
+      resting(gridOver(surface, kSphereCell)), polygons(mesh.triangles.size(), PolygonState::active)
+{
+    radii = radii.inLargest();
+    if (scene.spheres.count && !scene.spheres.untilFull)
+    {
+        targetCount = *scene.spheres.count;
+    }
+    // A little more than will appear, so that the arrays of a large run are never copied.
+    const auto room =
+        static_cast<std::size_t>(kRoomForSpheres * static_cast<double>(countThatFits(*this)));
+    const std::size_t most = targetCount > 0 ? std::min(targetCount, room) : room;
+    spheres.reserve(most);
+    resting.reserve(most);
+    stateChanges.reserve(scene.discard.rule == DiscardRule::none ? most : 2 * most);
+}
+
+std::uint32_t World::release(const Eigen::Vector3d& place, double radius, std::uint32_t group)
+{
+    const std::uint32_t id = spheres.add(place, radius, group);
+    runningIds.push_back(id);
+    return id;
+}
+
+void World::forgetFrozen()
+{
+    std::erase_if(runningIds,
+                  [this](std::uint32_t id) { return spheres.state[id] != SphereState::running; });
+}
+
+void World::freeze(std::uint32_t id)
+{
+    spheres.setState(id, SphereState::frozen);
+    resting.insert(id, spheres.position(id), spheres.radius[id]);
+    ++restingCount;
+    stateChanges.push_back(id);
+}
+
+void World::unfreeze(std::uint32_t id)
+{
+    discardedCount -= spheres.state[id] == SphereState::discarded ? 1 : 0;
+    spheres.setState(id, SphereState::running);
+    resting.remove(id);
+    --restingCount;
+    stateChanges.push_back(id);
+    runningIds.insert(std::lower_bound(runningIds.begin(), runningIds.end(), id), id);
+}
+
+std::uint32_t World::withdraw(std::uint32_t id)
+{
+    std::erase(runningIds, id);
+    const auto last = static_cast<std::uint32_t>(spheres.size() - 1);
+    if (last != id)
+    {
+        if (spheres.state[last] == SphereState::running)
+        {
+            std::erase(runningIds, last);
+            runningIds.insert(std::lower_bound(runningIds.begin(), runningIds.end(), id), id);
+        }
+        else
+        {
+            resting.remove(last);
+            resting.insert(id, spheres.position(last), spheres.radius[last]);
+            resting.setDiscarded(id, spheres.state[last] == SphereState::discarded);
+        }
+        spheres.moveTo(last, id);
+        stateChanges.push_back(id);
+    }
+    spheres.removeLast();
+    return last;
+}
+
+void World::discard(std::uint32_t id)
+{
+    spheres.setState(id, SphereState::discarded);
+    resting.setDiscarded(id, true);
+    ++discardedCount;
+    stateChanges.push_back(id);
+}
+
+void World::restoreDiscarded()
+{
+    for (std::uint32_t id = 0; id < spheres.size(); ++id)
+    {
+        if (spheres.state[id] == SphereState::discarded)
+        {
+            spheres.setState(id, SphereState::frozen);
+            resting.setDiscarded(id, false);
+            stateChanges.push_back(id);
+        }
+    }
+    ++restoredDiscards;
+    discardedCount = 0;
+    std::fill(polygons.begin(), polygons.end(), PolygonState::active);
+    discardedPolygons = 0;
+}
+
+void World::discardPolygon(std::uint32_t polygon)
+{
+    polygons[polygon] = PolygonState::discarded;
+    ++discardedPolygons;
+}
+
+std::size_t groupSize(const World& world)
+{
+    const SphereSettings& spheres = world.scene.spheres;
+    if (spheres.groupSize > 0)
+    {
+        return spheres.groupSize;
+    }
+    const auto inSet = static_cast<std::size_t>(kFootprint * spheresInLayer(world));
+    return std::max<std::size_t>(10, inSet / spheres.groupsPerSet);
+}
+
+double spheresInLayer(const World& world)
+{
+    const double volume = world.report.volume / std::pow(world.frame.length, 3);
+    // A sphere covers 2 r times 2 r.
+    return volume / world.height / (4 * world.radii.meanPower(2));
+}
+
+void requireInside(const World& world, std::span<const PlacedSphere> spheres)
+{
+    for (std::size_t k = 0; k < spheres.size(); ++k)
+    {
+        const Eigen::Vector3d& p = spheres[k].place;
+        const auto isInside = [&]
+        {
+            const auto near = world.triangles.near(p);
+            return world.inside.contains(p) &&
+                   (near.empty() || nearestDistance(world.surface, near, p).value > kOnTheWall);
+        };
+        if (!p.allFinite() || !isInside())
+        {
+            const Eigen::Vector3d q = world.frame.toMesh(p);
+            throw Error(ErrorCode::badData,
+                        fmt::format("sphere {} cannot be released at ({:g}, {:g}, {:g}): that is "
+                                    "not inside {}",
+                                    k, q.x(), q.y(), q.z(), world.scene.object.mesh));
+        }
+    }
+}
+
+void refuseCrowdedPlace(const World& world, const PlacedSphere& sphere)
+{
+    const Eigen::Vector3d p = world.frame.toMesh(sphere.place);
+    throw Error(ErrorCode::badData,
+                fmt::format("there is no room for a sphere of radius {:g} near ({:g}, {:g}, {:g}), "
+                            "where it is to be released",
+                            sphere.radius * world.frame.length, p.x(), p.y(), p.z()));
+}
+
+void refuseTooLarge(const World& world)
+{
+    throw Error(ErrorCode::badData,
+                fmt::format("not one sphere of radius {:g} fits into {}: choose a smaller --radius "
+                            "or a larger --count",
+                            world.frame.length * world.radii.smallest(), world.scene.object.mesh));
+}
+
+std::size_t expectedCount(const World& world)
+{
+    if (world.targetCount > 0)
+    {
+        return world.targetCount;
+    }
+    return countThatFits(world);
+}
+
+} // namespace frostfill

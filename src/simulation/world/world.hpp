@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "mesh/interior/inside_test.hpp"
+#include "mesh/interior/triangle_grid.hpp"
+#include "scene/radius_distribution.hpp"
+#include "simulation/world/energy_balance.hpp"
+#include "simulation/world/frame_of_run.hpp"
+#include "simulation/world/object_motion.hpp"
+#include "simulation/world/sphere_grid.hpp"
+#include "simulation/world/spheres.hpp"
+
+#include <frostfill/simulation.hpp>
+
+#include <limits>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace frostfill
+{
+
+/// What there is, whoever moves it: the object, the spheres and the counters. An Engine changes it,
+/// everyone else only looks. Coordinates of the run.
+struct World
+{
+    World(const Scene& sceneOfRun, const TriangleMesh& mesh);
+    World(const World&) = delete;
+    World& operator=(const World&) = delete;
+
+    // The object.
+    Scene scene;
+    MeshReport report;        ///< of the mesh as given
+    RadiusDistribution radii; ///< in the largest radius, which is the run's unit of length
+    FrameOfRun frame;
+    Surface surface;
+    TriangleGrid triangles; ///< within reach 1.5 of each cell
+    InsideTest inside;
+    double height = 0;   ///< of the object [r]
+    ObjectMotion motion; ///< of the object, from motionStart on
+    double motionStart = std::numeric_limits<double>::infinity();
+    Pull pull; ///< at this time
+
+    // What is in it.
+    Spheres spheres;
+    SphereGrid resting; ///< frozen and discarded spheres
+    std::vector<PolygonState> polygons;
+    std::size_t restingCount = 0;
+    std::size_t discardedCount = 0;
+    std::size_t discardedPolygons = 0;
+    std::size_t restoredDiscards = 0; ///< times that all discards were taken back
+    std::size_t overdue = 0; ///< spheres frozen only because they would not come to rest in time
+
+    // How far the run has come.
+    double dt = 0;
+    double time = 0;
+    std::uint64_t steps = 0;
+    bool finished = false;
+    bool full = false;
+    std::size_t targetCount = 0; ///< spheres after which no set appears any more; 0: until full
+
+    // What it took.
+    OperationCounts operations;
+    StageTimes times;
+    std::vector<SetRecord> sets;
+    EnergyBalance energy; ///< of the spheres that run; stays empty with Motion::descend
+
+    /// Ids in the order in which their state changed: what Simulation::capture reads.
+    std::vector<std::uint32_t> stateChanges;
+    std::vector<std::uint32_t> runningIds; ///< ascending
+
+    [[nodiscard]] std::size_t running() const { return spheres.size() - restingCount; }
+    std::uint32_t release(const Eigen::Vector3d& place, double radius, std::uint32_t group);
+    void freeze(std::uint32_t id);
+    /// To be called after freezing: takes the frozen ones out of runningIds.
+    void forgetFrozen();
+    /// Lets a sphere at rest run again.
+    void unfreeze(std::uint32_t id);
+    /// Takes out a running sphere for which there is no room. The sphere with the highest id takes
+    /// over its id; returns that sphere's old id.
+    std::uint32_t withdraw(std::uint32_t id);
+    void discard(std::uint32_t id);
+    void discardPolygon(std::uint32_t polygon);
+    /// Takes all discards back.
+    void restoreDiscarded();
+};
+
+/// Spheres that the run aims at: the count, or the wall-corrected estimate of how many fit.
+[[nodiscard]] std::size_t expectedCount(const World& world);
+
+/// PAPER: gamma. Spheres in a group: the scene's, or, when that is 0, 10 or as many as make a set
+/// cover a tenth of the object's mean cross-section.
+[[nodiscard]] std::size_t groupSize(const World& world);
+
+/// Spheres side by side that cover the object's mean cross-section.
+[[nodiscard]] double spheresInLayer(const World& world);
+
+/// Throws Error badData: not one sphere of the run's smallest radius fits into the object.
+[[noreturn]] void refuseTooLarge(const World& world);
+
+/// A sphere that appears where it is told to. Units of the run.
+struct PlacedSphere
+{
+    Eigen::Vector3d place;
+    double radius = 1;
+};
+
+/// Throws Error badData, naming the first, when a centre is not inside the object.
+void requireInside(const World& world, std::span<const PlacedSphere> spheres);
+/// Throws Error badData: there is no room for the sphere near its place.
+[[noreturn]] void refuseCrowdedPlace(const World& world, const PlacedSphere& sphere);
+
+/// Moves a world. One time step of the paper's method, or of ours.
+class Engine
+{
+public:
+    virtual ~Engine() = default;
+    /// Before the first step: one set of spheres that appear where they are told to, whatever is
+    /// there. Throws Error badData for a centre that is not inside the object.
+    virtual void releaseAt(std::span<const PlacedSphere> spheres) = 0;
+    /// See Simulation::step.
+    virtual bool step() = 0;
+};
+
+} // namespace frostfill

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "study/stability/stress_run.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace frostfill
+{
+
+/// Who is put under stress.
+struct StressMethod
+{
+    const char* name;
+    Preset preset;
+    Integrator integrator;
+    Motion motion;
+};
+[[nodiscard]] const std::vector<StressMethod>& stressMethods();
+
+/// What a sound method does with a cell.
+enum class Expectation : std::uint8_t
+{
+    passes,
+    refuses, ///< there is nothing that it could do
+    either,  ///< passes, or says why not
+};
+
+/// One cell of the matrix, for every method.
+struct StressCell
+{
+    std::string axis;  ///< what is varied
+    std::string label; ///< its value
+    Expectation expected = Expectation::passes;
+    /// The run for a method.
+    std::function<StressRun(const StressMethod&)> make;
+    /// Spheres that run at once and that the paper's method tests all against all.
+    std::size_t atOnce = 40;
+};
+
+/// The matrix. `quick`: without what takes long.
+[[nodiscard]] std::vector<StressCell> stressMatrix(bool quick);
+
+} // namespace frostfill

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include "study/stability/stress_run.hpp"
+
+#include "simulation/engine/make_engine.hpp"
+#include "simulation/quality/quality.hpp"
+#include "simulation/world/state_hash.hpp"
+
+#include <frostfill/error.hpp>
+
+#include <algorithm>
+#include <array>
+#include <ctime>
+
+namespace frostfill
+{
+namespace
+{
+
+constexpr std::uint64_t kStepsPerLook = 8; // at where centres are
+constexpr double kRoundingOfPlace = 1e-9;  // [r] a centre that is outside by less is on the wall
+
+/// Of this thread's processor, so that a limit does not depend on what else the machine does.
+double secondsOfThread()
+{
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// Looks at the running spheres while they run.
+class Watch
+{
+public:
+    explicit Watch(const World& world) : world_(world) {}
+
+    void look()
+    {
+        std::size_t outside = 0;
+        for (const std::uint32_t id : world_.runningIds)
+        {
+            const Eigen::Vector3d p = world_.spheres.position(id);
+            finite_ = finite_ && p.allFinite() && world_.spheres.velocity(id).allFinite();
+            if (finite_ && isOutside(p))
+                ++outside;
+        }
+        outside_ = std::max(outside_, outside);
+    }
+    [[nodiscard]] bool finite() const { return finite_; }
+    [[nodiscard]] std::size_t outside() const { return outside_; }
+
+private:
+    [[nodiscard]] bool isOutside(const Eigen::Vector3d& p) const
+    {
+        if (world_.surface.box().exteriorDistance(p) > kRoundingOfPlace)
+            return true;
+        return !world_.inside.contains(p);
+    }
+
+    const World& world_;
+    bool finite_ = true;
+    std::size_t outside_ = 0;
+};
+
+void placeSpheres(const StressRun& run, const World& world, Engine& engine)
+{
+    std::vector<PlacedSphere> placed = run.placed;
+    for (PlacedSphere& one : placed)
+        one = {world.frame.toRun(one.place), one.radius / world.frame.length};
+    if (!placed.empty())
+        engine.releaseAt(placed);
+}
+
+Verdict judge(const StressRun& run, const StressOutcome& outcome, const World& world, bool finite)
+{
+    if (!finite)
+        return Verdict::notFinite;
+    if (outcome.outside > 0)
+        return Verdict::leaks;
+    if (!world.finished)
+        return Verdict::unfinished;
+    if (run.mustRest && outcome.overdue > 0)
+        return Verdict::restless;
+    return outcome.energyExcess > kEnergyTolerance ? Verdict::gainsEnergy : Verdict::passes;
+}
+
+void runWorld(const StressRun& run, StressOutcome& outcome)
+{
+    const double start = secondsOfThread();
+    const TriangleMesh mesh = repairMesh(run.mesh, run.scene.object.mesh).mesh;
+    validateScene(run.scene);
+    World world(run.scene, mesh);
+    const std::unique_ptr<Engine> engine = makeEngine(world);
+    placeSpheres(run, world, *engine);
+    Watch watch(world);
+    while (watch.finite() && secondsOfThread() - start < run.secondsLimit && engine->step())
+        if (world.steps % kStepsPerLook == 1)
+            watch.look();
+    watch.look();
+    outcome.spheres = world.spheres.size();
+    outcome.steps = world.steps;
+    outcome.overdue = world.overdue;
+    outcome.outside = watch.outside();
+    bool finite = watch.finite();
+    if (finite)
+    {
+        const QualityReport quality = examine(world);
+        finite = quality.notFinite == 0;
+        outcome.outside = std::max(outcome.outside, quality.centresOutside);
+        outcome.maxOverlap = quality.maxOverlap;
+        outcome.unsupported = quality.unsupported;
+        outcome.energyGain = quality.energyGain;
+        outcome.energyExcess = quality.energyExcess;
+    }
+    outcome.hash = hashState(world.spheres);
+    outcome.verdict = judge(run, outcome, world, finite);
+    outcome.seconds = secondsOfThread() - start;
+}
+
+} // namespace
+
+const char* verdictName(Verdict verdict)
+{
+    constexpr std::array kNames = {"passes",     "refused",        "gains energy",
+                                   "restless",   "irreproducible", "leaks",
+                                   "not finite", "unfinished",     "not run"};
+    return kNames.at(static_cast<std::size_t>(verdict));
+}
+
+StressOutcome runUnderStress(const StressRun& run)
+{
+    StressOutcome outcome;
+    try
+    {
+        runWorld(run, outcome);
+    }
+    catch (const Error& error)
+    {
+        outcome.verdict = Verdict::refused;
+        outcome.message = error.what();
+    }
+    return outcome;
+}
+
+StressOutcome runUnderStressTwice(StressRun run)
+{
+    run.scene.threads = 1;
+    StressOutcome first = runUnderStress(run);
+    if (first.verdict == Verdict::refused || first.verdict == Verdict::unfinished)
+        return first;
+    run.scene.threads = 2;
+    const StressOutcome second = runUnderStress(run);
+    const bool mild = first.verdict < Verdict::irreproducible;
+    if (mild && (second.verdict != first.verdict || second.hash != first.hash))
+        first.verdict = Verdict::irreproducible;
+    return first;
+}
+
+} // namespace frostfill

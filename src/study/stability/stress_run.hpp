@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "simulation/world/world.hpp"
+
+#include <frostfill/mesh.hpp>
+#include <frostfill/scene.hpp>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace frostfill
+{
+
+/// How a run under stress ends; the worst that happened to it. The numbers are those of the files.
+enum class Verdict : std::uint8_t
+{
+    passes = 0,
+    refused = 1,        ///< ended with a clear message before anything moved
+    gainsEnergy = 2,    ///< more than it began with plus the work done on it
+    restless = 3,       ///< something did not come to rest in time
+    irreproducible = 4, ///< a second run ended in another state
+    leaks = 5,          ///< a centre was outside the object
+    notFinite = 6,
+    unfinished = 7, ///< did not end within the time it was given
+    notRun = 8,     ///< would take too long
+};
+[[nodiscard]] const char* verdictName(Verdict verdict);
+
+/// A run under stress.
+struct StressRun
+{
+    Scene scene;
+    TriangleMesh mesh;                ///< as it comes: it is repaired first
+    std::vector<PlacedSphere> placed; ///< mesh coordinates; when empty, spheres appear as usual
+    bool mustRest = true;             ///< false where nothing takes the energy away
+    double secondsLimit = 60;         ///< of processor time
+};
+
+struct StressOutcome
+{
+    Verdict verdict = Verdict::passes;
+    std::string message; ///< of the refusal
+    std::size_t spheres = 0;
+    std::uint64_t steps = 0;
+    double seconds = 0;      ///< of processor time, of the thread that leads
+    std::size_t outside = 0; ///< most centres that were outside at once
+    std::size_t overdue = 0; ///< spheres that did not come to rest in time
+    double energyGain = 0;   ///< see QualityReport
+    double energyExcess = 0; ///< see QualityReport
+    double maxOverlap = 0;   ///< [r] at the end
+    std::size_t unsupported = 0;
+    std::string hash;
+};
+
+/// Growth of the energy that rounding may cause, relative to that of a fall through the object.
+inline constexpr double kEnergyTolerance = 1e-9;
+
+/// Makes the run and judges it.
+[[nodiscard]] StressOutcome runUnderStress(const StressRun& run);
+
+/// Makes it twice, with one thread and with two: the second must end in the same state.
+[[nodiscard]] StressOutcome runUnderStressTwice(StressRun run);
+
+} // namespace frostfill

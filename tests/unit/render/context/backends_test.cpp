@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "support/pictures.hpp"
+
+#include <frostfill/error.hpp>
+#include <frostfill/renderer.hpp>
+
+#include <dlfcn.h>
+#include <gtest/gtest.h>
+
+namespace frostfill
+{
+namespace
+{
+
+using namespace testing_support;
+
+bool hasEgl()
+{
+    return ::dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL) != nullptr;
+}
+
+/// Vendor and version of a description, without the backend: "NAME: RENDERER, VENDOR, ...".
+std::string driverOf(const std::string& description)
+{
+    return description.substr(description.find(": ") + 2);
+}
+
+class Backends : public testing::Test
+{
+protected:
+    Backends()
+    {
+        Numbers numbers;
+        for (int i = 0; i < 40; ++i)
+            addSphere(snapshot,
+                      {2 * numbers.next() - 1, 2 * numbers.next() - 1, 2 * numbers.next() - 1},
+                      0.1 + 0.1 * numbers.next(), static_cast<SphereState>(i % 3));
+        settings.size = {320, 180};
+        settings.title = "backends";
+    }
+
+    [[nodiscard]] Image draw(Backend backend, std::string& driver) const
+    {
+        RenderSettings own = settings;
+        own.backend = backend;
+        Renderer renderer(mesh, own);
+        driver = driverOf(renderer.description());
+        Image image;
+        renderer.render(snapshot, image);
+        return image;
+    }
+
+    TriangleMesh mesh = boxMesh({1, 1, 1});
+    Snapshot snapshot;
+    RenderSettings settings;
+};
+
+TEST_F(Backends, EglDrawsTheBytesOfOsmesaOnTheSameMesa)
+{
+    if (!hasEgl())
+        GTEST_SKIP() << "there is no libEGL";
+    std::string driver;
+    const Image reference = draw(Backend::osmesa, driver);
+    for (const Backend backend : {Backend::eglSoftware, Backend::eglSurfaceless})
+    {
+        std::string own;
+        const Image image = draw(backend, own);
+        EXPECT_EQ(own, driver);
+        EXPECT_EQ(image.pixels, reference.pixels);
+    }
+}
+
+TEST_F(Backends, ContextsOfTwoLibrariesTakeTurnsInOneThread)
+{
+    if (!hasEgl())
+        GTEST_SKIP() << "there is no libEGL";
+    RenderSettings other = settings;
+    settings.backend = Backend::osmesa;
+    other.backend = Backend::eglSurfaceless;
+    Image alone;
+    Renderer(mesh, settings).render(snapshot, alone);
+
+    Renderer first(mesh, settings);
+    Renderer second(mesh, other);
+    Renderer third(mesh, other);
+    for (Renderer* renderer : {&first, &second, &third, &first, &second})
+    {
+        Image image;
+        renderer->render(snapshot, image);
+        EXPECT_EQ(image.pixels, alone.pixels);
+    }
+}
+
+TEST_F(Backends, ProbingTriesEveryOneAndSaysWhatIsMissing)
+{
+    const std::vector<BackendAttempt> attempts = probeBackends();
+    ASSERT_EQ(attempts.size(), 4U);
+    EXPECT_EQ(attempts[0].name, "osmesa");
+    EXPECT_EQ(attempts[1].name, "egl-hardware");
+    EXPECT_EQ(attempts[2].name, "egl-software");
+    EXPECT_EQ(attempts[3].name, "egl-surfaceless");
+    EXPECT_TRUE(attempts[0].works) << attempts[0].description;
+    for (const BackendAttempt& attempt : attempts)
+    {
+        EXPECT_EQ(attempt.works, attempt.remedy.empty());
+        if (attempt.works)
+            EXPECT_NE(attempt.description.find("OpenGL"), std::string::npos);
+        else
+            EXPECT_NE(attempt.description.find(attempt.name), std::string::npos);
+    }
+}
+
+TEST_F(Backends, ABackendThatIsNotThereNamesEveryAttempt)
+{
+    settings.backend = Backend::eglHardware;
+    try
+    {
+        const Renderer renderer(mesh, settings);
+        GTEST_SKIP() << "there is a graphics card";
+    }
+    catch (const Error& error)
+    {
+        EXPECT_EQ(error.code(), ErrorCode::noOpenGl);
+        EXPECT_NE(std::string(error.what()).find("egl-hardware"), std::string::npos);
+        EXPECT_EQ(std::string(error.what()).find("osmesa"), std::string::npos);
+    }
+}
+
+} // namespace
+} // namespace frostfill

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "render/passes/mesh_shading.hpp"
+
+#include "support/pictures.hpp"
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace frostfill
+{
+namespace
+{
+
+using namespace testing_support;
+
+ShadedMesh shade(const TriangleMesh& mesh)
+{
+    std::vector<glm::vec3> positions;
+    for (const Eigen::Vector3d& vertex : mesh.vertices)
+    {
+        positions.emplace_back(vertex.x(), vertex.y(), vertex.z());
+    }
+    return shadeMesh(mesh, positions);
+}
+
+TEST(MeshShading, BoxKeepsItsTwelveEdgesAndItsFlatFaces)
+{
+    const ShadedMesh box = shade(boxMesh({1, 2, 3}));
+    EXPECT_EQ(box.edges.size(), 18U);
+    EXPECT_EQ(std::count_if(box.edges.begin(), box.edges.end(),
+                            [](const ShadedMesh::Edge& edge) { return edge.crease; }),
+              12);
+    for (std::size_t t = 0; t < box.corners.size(); ++t)
+    {
+        for (const glm::vec3& normal : box.normals[t])
+        {
+            EXPECT_GT(glm::dot(normal, box.faceNormals[t]), 0.99999F);
+            EXPECT_GT(glm::dot(normal, box.corners[t][0]), 0.0F) << "points inwards";
+        }
+    }
+}
+
+TEST(MeshShading, TorusIsSmoothAndHasNoCrease)
+{
+    const ShadedMesh torus = shade(torusMesh(1, 0.4, 48, 12));
+    for (const ShadedMesh::Edge& edge : torus.edges)
+    {
+        ASSERT_FALSE(edge.crease);
+    }
+    for (std::size_t t = 0; t < torus.corners.size(); ++t)
+    {
+        for (std::size_t c = 0; c < 3; ++c)
+        {
+            const glm::vec3& p = torus.corners[t][c];
+            const glm::vec3 ring = glm::normalize(glm::vec3(p.x, p.y, 0));
+            ASSERT_GT(glm::dot(torus.normals[t][c], glm::normalize(p - ring)), 0.99F);
+        }
+    }
+}
+
+TEST(MeshShading, OutlineIsDrawnAndDependsOnTheEye)
+{
+    const ShadedMesh torus = shade(torusMesh(1, 0.4, 48, 12));
+    const auto strong = [&](const glm::vec3& eye)
+    {
+        std::size_t count = 0;
+        for (const auto& triangle : edgeStrengths(torus, eye, true))
+        {
+            count += static_cast<std::size_t>(
+                std::count_if(triangle.begin(), triangle.end(), [](int s) { return s > 100; }));
+        }
+        return count;
+    };
+    // Along the axis the outline is two rings of 48 edges, each seen in two triangles. The widest
+    // ring lies between two strips of which one faces the viewer.
+    EXPECT_EQ(strong({0, 0, 1}), 2U * 2U * 48U);
+    EXPECT_NE(strong({1, 0.1F, 0.2F}), strong({0, 0, 1}));
+}
+
+TEST(MeshShading, RimOfAHoleIsDrawn)
+{
+    TriangleMesh mesh = boxMesh({1, 1, 1});
+    mesh.triangles.resize(1);
+    const ShadedMesh single = shade(mesh);
+    EXPECT_EQ(single.edges.size(), 3U);
+    const auto strengths = edgeStrengths(single, {0, 0, 5}, false);
+    for (const std::uint8_t strength : strengths[0])
+    {
+        EXPECT_GT(strength, 100);
+    }
+}
+
+TEST(MeshShading, TriangleWithoutAreaGivesFiniteNormals)
+{
+    TriangleMesh mesh = boxMesh({1, 1, 1});
+    mesh.triangles.push_back({0, 0, 1});
+    for (const auto& normals : shade(mesh).normals)
+    {
+        for (const glm::vec3& normal : normals)
+        {
+            EXPECT_TRUE(std::isfinite(glm::length(normal)));
+        }
+    }
+}
+
+} // namespace
+} // namespace frostfill

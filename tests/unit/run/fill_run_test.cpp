@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "run/fill_run.hpp"
+
+#include "output/scene_json.hpp"
+#include "support/expect_error.hpp"
+#include "support/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace frostfill
+{
+namespace
+{
+
+using test::readFile;
+using test::TemporaryFolder;
+
+/// Two sets of four spheres in a cube: over in a moment.
+FillRequest smallRequest(const std::filesystem::path& directory)
+{
+    FillRequest request;
+    request.scene = presetScene(Preset::paper, "cube");
+    request.scene.spheres = {0.3, 8, false, 2, 2};
+    request.scene.frames.enabled = false;
+    request.directory = directory;
+    return request;
+}
+
+std::size_t rowsOf(const std::filesystem::path& file)
+{
+    const std::string text = readFile(file);
+    return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) - 1;
+}
+
+std::size_t filesIn(const std::filesystem::path& directory)
+{
+    std::size_t count = 0;
+    for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(directory))
+        ++count;
+    return count;
+}
+
+TEST(FillRun, writesEveryFileOfARun)
+{
+    const TemporaryFolder folder;
+    const FillResult result = runFill(smallRequest(folder / "run"));
+    EXPECT_FALSE(result.failure) << *result.failure;
+    EXPECT_EQ(result.spheres, 8u);
+    EXPECT_EQ(rowsOf(folder / "run/spheres.csv"), 8u);
+    EXPECT_EQ(rowsOf(folder / "run/polygons.csv"), 768u);
+    EXPECT_EQ(rowsOf(folder / "run/sets.csv"), result.sets.size());
+    EXPECT_TRUE(std::filesystem::exists(folder / "run/mesh.ply"));
+    EXPECT_EQ(readFile(folder / "run/summary.json"), result.summary);
+    EXPECT_EQ(filesIn(folder / "run"), 5u);
+}
+
+TEST(FillRun, summarisesWhatRepeatsTheRun)
+{
+    const TemporaryFolder folder;
+    FillRequest request = smallRequest(folder / "a");
+    const FillResult first = runFill(request);
+    const auto summary = nlohmann::ordered_json::parse(first.summary);
+    for (const char* key : {"scene", "machine", "spheres", "polygons", "error", "time",
+                            "operations", "state_hash", "frames"})
+        EXPECT_TRUE(summary.contains(key)) << key;
+    EXPECT_EQ(summary["spheres"]["total"], 8);
+    EXPECT_EQ(summary["polygons"]["total"], 768);
+
+    request.scene = sceneFromJson(summary["scene"], "summary.json");
+    request.directory = folder / "b";
+    EXPECT_EQ(runFill(request).stateHash, first.stateHash);
+    for (const char* file : {"spheres.csv", "polygons.csv", "mesh.ply"})
+        EXPECT_EQ(readFile(folder / "a" / file), readFile(folder / "b" / file)) << file;
+}
+
+TEST(FillRun, writesEverythingWhenItIsStopped)
+{
+    const TemporaryFolder folder;
+    int steps = 0;
+    FillObserver observer;
+    observer.stopRequested = [&] { return ++steps == 5; };
+    const FillResult result = runFill(smallRequest(folder / "run"), observer);
+    EXPECT_TRUE(result.stopped);
+    EXPECT_EQ(steps, 5);
+    EXPECT_EQ(filesIn(folder / "run"), 5u);
+    EXPECT_EQ(nlohmann::json::parse(result.summary)["outcome"], "stopped");
+}
+
+TEST(FillRun, leavesAnEarlierRunAlone)
+{
+    const TemporaryFolder folder;
+    (void)runFill(smallRequest(folder / "run"));
+    const std::string before = readFile(folder / "run/summary.json");
+    test::expectError(
+        ErrorCode::cannotCreate, [&] { (void)runFill(smallRequest(folder / "run")); },
+        "--overwrite");
+    EXPECT_EQ(readFile(folder / "run/summary.json"), before);
+}
+
+TEST(FillRun, simulatesTheSameWithAndWithoutFrames)
+{
+    const TemporaryFolder folder;
+    FillRequest request = smallRequest(folder / "a");
+    const FillResult without = runFill(request);
+    request.directory = folder / "b";
+    request.scene.frames.enabled = true;
+    request.scene.frames.limit = 6;
+    request.scene.size = {96, 64};
+    request.scene.samples = 1;
+    const FillResult with = runFill(request);
+    EXPECT_EQ(with.stateHash, without.stateHash);
+    EXPECT_FALSE(with.failure) << *with.failure;
+    EXPECT_GE(with.frames, 3u);
+    EXPECT_LE(with.frames, 6u);
+    EXPECT_EQ(filesIn(folder / "b/frames"), with.frames);
+    EXPECT_TRUE(std::filesystem::exists(folder / "b/frames/frame_00000.png"));
+    EXPECT_EQ(nlohmann::json::parse(with.summary)["frames"], with.frames);
+}
+
+TEST(FillRun, refusesBlankPicturesButKeepsTheFiles)
+{
+    const TemporaryFolder folder;
+    FillRequest request = smallRequest(folder / "run");
+    request.scene.frames.enabled = true;
+    request.scene.frames.limit = 2;
+    request.scene.size = {96, 64};
+    request.scene.camera.target = Eigen::Vector3d(1e6, 0, 0);
+    const FillResult result = runFill(request);
+    ASSERT_TRUE(result.failure);
+    EXPECT_NE(result.failure->find("blank"), std::string::npos);
+    EXPECT_EQ(filesIn(folder / "run"), 6u);
+}
+
+} // namespace
+} // namespace frostfill

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "scene/options/nearest_name.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace frostfill
+{
+namespace
+{
+
+TEST(NearestName, editDistanceCountsInsertionsDeletionsAndSubstitutions)
+{
+    EXPECT_EQ(editDistance("", ""), 0u);
+    EXPECT_EQ(editDistance("", "abc"), 3u);
+    EXPECT_EQ(editDistance("abc", "abc"), 0u);
+    EXPECT_EQ(editDistance("kitten", "sitting"), 3u);
+    EXPECT_EQ(editDistance("sitting", "kitten"), 3u);
+}
+
+TEST(NearestName, findsATypingErrorAndNothingForAForeignWord)
+{
+    const std::vector<std::string> names = {"spheres.radius", "spheres.count", "motion.dt"};
+    EXPECT_EQ(nearestName("spheres.raduis", names), "spheres.radius");
+    EXPECT_EQ(nearestName("sphere.count", names), "spheres.count");
+    EXPECT_EQ(nearestName("zzzzzzzz", names), "");
+}
+
+} // namespace
+} // namespace frostfill

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "simulation/contact/depenetration.hpp"
+
+#include "simulation/world/world.hpp"
+
+#include <gtest/gtest.h>
+
+namespace frostfill
+{
+namespace
+{
+
+// A cube of 20 radii with one sphere at rest in its middle.
+class DepenetrationTest : public ::testing::Test
+{
+protected:
+    DepenetrationTest()
+    {
+        world.freeze(world.release({0, 0, 0}, 1, 0));
+        world.forgetFrozen();
+    }
+
+    static Scene scene()
+    {
+        Scene result = presetScene(Preset::fast, "cube");
+        result.spheres.count.reset();
+        result.spheres.radius = 0.1;
+        return result;
+    }
+
+    World world{scene(), builtInMesh("cube")};
+    Eigen::Vector3d place = {0, 0, 0};
+};
+
+TEST_F(DepenetrationTest, IsFoundFromTheVeryPlaceOfAnother)
+{
+    ASSERT_TRUE(depenetrate(world, place, 1, 3));
+    EXPECT_GE(place.norm(), 2);
+    EXPECT_LT(place.norm(), 2.1);
+}
+
+TEST_F(DepenetrationTest, IsClearOfANewcomerAsIfThatWereAtRest)
+{
+    const PlacedSphere newcomer{{0, 2, 0}, 1};
+    place = {0.2, 1.1, 0.1};
+    Eigen::Vector3d same = place;
+    ASSERT_TRUE(depenetrate(world, newcomer, place, 1, 3, 100));
+    EXPECT_GE(place.norm(), 2);
+    EXPECT_GE((place - newcomer.place).norm(), 2);
+    EXPECT_EQ(world.restingCount, 1U);
+
+    world.freeze(world.release(newcomer.place, newcomer.radius, 0));
+    ASSERT_TRUE(depenetrate(world, same, 1, 3, 100));
+    EXPECT_LT((place - same).norm(), 1e-12);
+}
+
+TEST_F(DepenetrationTest, IsNotFoundWithinTooShortAWay)
+{
+    EXPECT_FALSE(depenetrate(world, place, 1, 1));
+}
+
+} // namespace
+} // namespace frostfill

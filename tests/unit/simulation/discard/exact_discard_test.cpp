@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: MIT
+#include "simulation/discard/exact_discard.hpp"
+
+#include "support/discard_objects.hpp"
+#include "support/paths.hpp"
+#include "support/small_world.hpp"
+
+#include <frostfill/simulation.hpp>
+
+#include <gtest/gtest.h>
+
+#include <tuple>
+
+namespace frostfill
+{
+namespace
+{
+
+struct Outcome
+{
+    std::string hash;
+    std::size_t spheres = 0;
+    std::size_t dropped = 0;
+    std::size_t droppedPolygons = 0;
+};
+
+Outcome runScene(const Scene& scene, const TriangleMesh& mesh)
+{
+    Simulation simulation(scene, mesh);
+    while (simulation.step())
+    {
+    }
+    const SetRecord& last = simulation.sets().back();
+    return {simulation.stateHash(), simulation.sphereCount(), last.discarded,
+            last.discardedPolygons};
+}
+
+Scene sceneOf(const std::string& object, Motion motion, std::uint64_t seed, std::size_t spheres)
+{
+    Scene scene = presetScene(Preset::fast, object);
+    scene.motion.mode = motion;
+    scene.seed = seed;
+    scene.spheres.radius.reset();
+    scene.spheres.count = spheres;
+    scene.threads = 1;
+    return scene;
+}
+
+class ExactDiscards : public ::testing::TestWithParam<std::tuple<std::string, Motion>>
+{
+};
+
+// With many seeds and spheres: tests/benchmark/exact_discard.cpp.
+TEST_P(ExactDiscards, ChangeNoBitUntilFull)
+{
+    const auto& [name, motion] = GetParam();
+    const auto mesh = discardObject(name, testing_support::sharedMeshes().string());
+    if (!mesh)
+    {
+        GTEST_SKIP() << name << " is not there";
+    }
+    for (std::uint64_t seed = 1; seed <= 2; ++seed)
+    {
+        Scene scene = sceneOf(name, motion, seed, 60);
+        scene.spheres.untilFull = true;
+        scene.discard.rule = DiscardRule::none;
+        const Outcome without = runScene(scene, *mesh);
+        scene.discard.rule = DiscardRule::exact;
+        const Outcome with = runScene(scene, *mesh);
+        EXPECT_EQ(with.hash, without.hash) << "seed " << seed;
+        EXPECT_EQ(without.dropped, 0u);
+        EXPECT_GT(with.dropped, with.spheres / 2);
+        if (seed == 1)
+        {
+            scene.threads = 2;
+            EXPECT_EQ(runScene(scene, *mesh).hash, with.hash);
+        }
+    }
+}
+
+std::string nameOf(const ::testing::TestParamInfo<std::tuple<std::string, Motion>>& info)
+{
+    return std::get<0>(info.param) + (std::get<1>(info.param) == Motion::fall ? "_fall" : "_skip");
+}
+
+INSTANTIATE_TEST_SUITE_P(EveryObject, ExactDiscards,
+                         ::testing::Combine(::testing::ValuesIn(discardObjectNames()),
+                                            ::testing::Values(Motion::fall, Motion::skip)),
+                         nameOf);
+
+// Counted where a further sphere still fits on top of the pile, not in an object that is full.
+TEST(ExactDiscard, DropsMostOfWhatAPileCovers)
+{
+    for (const char* object : {"torus", "cube"})
+    {
+        Scene scene = sceneOf(object, Motion::skip, 1, 1000);
+        scene.discard.rule = DiscardRule::exact;
+        const TriangleMesh mesh = builtInMesh(object);
+        const Outcome run = runScene(scene, mesh);
+        EXPECT_GE(static_cast<double>(run.dropped), 0.8 * static_cast<double>(run.spheres));
+        EXPECT_GE(static_cast<double>(run.droppedPolygons),
+                  0.6 * static_cast<double>(mesh.triangles.size()));
+    }
+}
+
+/// A box full of a face-centred cubic packing that nothing more fits into, but for a hole where one
+/// sphere is missing.
+class FullBox : public ::testing::Test
+{
+protected:
+    FullBox() : world_(smallWorld(shapes::box({-7, -7, -7}, {7, 7, 7}, 4)))
+    {
+        constexpr double kEdge = 2.8284272; // of the cell, spheres just apart
+        for (int i = -4; i <= 4; ++i)
+        {
+            for (int j = -4; j <= 4; ++j)
+            {
+                for (int k = -4; k <= 4; ++k)
+                {
+                    const Eigen::Vector3d p = kEdge / 2 * Eigen::Vector3d(i, j, k);
+                    if ((i + j + k) % 2 == 0 && (i != 0 || j != 0 || k != 0))
+                    {
+                        ids_.push_back(addResting(*world_, p));
+                    }
+                }
+            }
+        }
+    }
+
+    void rest(ExactDiscard& discard)
+    {
+        for (const std::uint32_t id : ids_)
+        {
+            discard.addResting(id);
+        }
+    }
+
+    static Runner runnerAt(const Eigen::Vector3d& p)
+    {
+        Runner runner;
+        runner.restart(0, p, 1);
+        return runner;
+    }
+
+    std::unique_ptr<World> world_;
+    std::vector<std::uint32_t> ids_;
+};
+
+TEST_F(FullBox, OnlyTheNeighboursOfTheHoleAreKept)
+{
+    ExactDiscard discard(*world_);
+    rest(discard);
+    std::vector<Runner> runners = {runnerAt({0, 0, 0})};
+    discard.afterStep(runners);
+    discard.afterStep(runners);
+    discard.finish(false);
+    EXPECT_EQ(discard.violations(), 0u);
+    EXPECT_EQ(world_->discardedCount, ids_.size() - 12);
+    EXPECT_EQ(world_->discardedPolygons, world_->polygons.size());
+    for (const std::uint32_t id : ids_)
+    {
+        const bool beside = world_->spheres.position(id).norm() < 2.1;
+        EXPECT_EQ(world_->spheres.state[id], beside ? SphereState::frozen : SphereState::discarded);
+    }
+}
+
+// A running sphere is put where the map says that none can be.
+TEST_F(FullBox, EverythingComesBackWhenASphereIsWhereNoneCanBe)
+{
+    ExactDiscard discard(*world_);
+    rest(discard);
+    std::vector<Runner> runners = {runnerAt({0, 0, 0})};
+    discard.afterStep(runners);
+    discard.finish(false);
+    ASSERT_GT(world_->discardedCount, ids_.size() / 2);
+
+    runners.push_back(runnerAt(world_->spheres.position(ids_.front()) * 0.95));
+    runners.back().around.ensure(*world_, runners.back().position, 1, 0);
+    EXPECT_EQ(runners.back().around.spheres(), 0u) << "the neighbours are dropped";
+    discard.afterStep(runners);
+    EXPECT_GT(discard.violations(), 0u);
+    EXPECT_EQ(world_->discardedCount, 0u);
+    EXPECT_EQ(world_->discardedPolygons, 0u);
+    EXPECT_EQ(std::count(world_->polygons.begin(), world_->polygons.end(), PolygonState::discarded),
+              0);
+    runners.back().around.ensure(*world_, runners.back().position, 1, 0);
+    EXPECT_GT(runners.back().around.spheres(), 0u) << "what it knew of them is forgotten";
+    // And it carries on.
+    discard.afterStep(runners);
+    discard.finish(false);
+    EXPECT_LE(discard.violations(), 2u);
+}
+
+// An overlap that the wider margins allow for: the rule goes on with these.
+TEST_F(FullBox, DropsAgainWithWiderMarginsAfterASmallOverlap)
+{
+    ExactDiscard discard(*world_);
+    rest(discard);
+    std::vector<Runner> runners = {runnerAt({0, 0, 0})};
+    discard.afterStep(runners);
+    discard.finish(false);
+    ASSERT_GT(world_->discardedCount, ids_.size() / 2);
+    // Beside the hole, into a cube that only several spheres cover together.
+    for (double away = 0.1; discard.violations() == 0 && away < 1; away += 0.1)
+    {
+        for (int side = 0; side < 6 && discard.violations() == 0; ++side)
+        {
+            runners.front().position.setZero();
+            runners.front().position[side / 2] = side % 2 == 0 ? away : -away;
+            discard.afterStep(runners);
+        }
+    }
+    ASSERT_EQ(discard.violations(), 1u);
+    EXPECT_EQ(world_->discardedCount, 0u);
+    runners.front().position.setZero();
+    discard.afterStep(runners);
+    discard.finish(false);
+    EXPECT_EQ(discard.violations(), 1u);
+    EXPECT_GT(world_->discardedCount, ids_.size() / 3);
+}
+
+TEST_F(FullBox, NothingIsDroppedTwiceOrLostWhenASphereIsRenumbered)
+{
+    ExactDiscard discard(*world_);
+    rest(discard);
+    // The last one takes over the id of a sphere that is withdrawn.
+    const std::uint32_t running = world_->release({0, 0, 0}, 1, 1);
+    const std::uint32_t last = addResting(*world_, {0, 0, 0});
+    discard.addResting(last);
+    discard.renumber(world_->withdraw(running), running);
+    std::vector<Runner> none;
+    discard.afterStep(none);
+    discard.finish(false);
+    EXPECT_EQ(discard.violations(), 0u);
+    EXPECT_GT(world_->discardedCount, ids_.size() / 2);
+}
+
+} // namespace
+} // namespace frostfill

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "support/shapes.hpp"
+
+#include <frostfill/simulation.hpp>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <memory>
+#include <string>
+
+namespace frostfill
+{
+namespace
+{
+
+struct Case
+{
+    Motion motion;
+    bool torus;
+};
+
+class FastEngines : public ::testing::TestWithParam<Case>
+{
+protected:
+    [[nodiscard]] Scene scene(std::uint64_t seed) const
+    {
+        Scene result = presetScene(Preset::fast, "torus");
+        result.motion.mode = GetParam().motion;
+        result.spheres.count.reset();
+        result.spheres.radius = GetParam().torus ? 0.11 : 0.15;
+        result.seed = seed;
+        return result;
+    }
+    [[nodiscard]] TriangleMesh mesh() const
+    {
+        return GetParam().torus ? shapes::torus() : shapes::box({-1, -1, -1}, {1, 1, 1}, 8);
+    }
+};
+
+TEST_P(FastEngines, FillUntilFullWithoutOverlapAndWithoutASphereInTheAir)
+{
+    for (std::uint64_t seed = 1; seed <= 3; ++seed)
+    {
+        Simulation simulation(scene(seed), mesh());
+        while (simulation.step())
+        {
+            ASSERT_LT(simulation.steps(), 200000u) << "seed " << seed << " does not end";
+        }
+        EXPECT_TRUE(simulation.full());
+        EXPECT_EQ(simulation.restingCount(), simulation.sphereCount());
+        const QualityReport quality = simulation.quality();
+        EXPECT_LT(quality.maxOverlap, 1e-9) << "seed " << seed;
+        EXPECT_LT(quality.maxWallOverlap, 1e-7) << "seed " << seed;
+        EXPECT_EQ(quality.unsupported, 0u) << "seed " << seed;
+        EXPECT_EQ(quality.centresOutside, 0u) << "seed " << seed;
+        EXPECT_EQ(quality.notFinite, 0u) << "seed " << seed;
+        EXPECT_GT(quality.sphereVolume / quality.meshVolume, 0.4) << "seed " << seed;
+    }
+}
+
+TEST_P(FastEngines, EqualScenesGiveEqualBits)
+{
+    const auto hash = [this]
+    {
+        Simulation simulation(scene(7), mesh());
+        while (simulation.step())
+        {
+        }
+        return simulation.stateHash();
+    };
+    EXPECT_EQ(hash(), hash());
+}
+
+TEST_P(FastEngines, GiveTheSameBitsWithAndWithoutExactDiscards)
+{
+    const auto run = [this](DiscardRule rule)
+    {
+        Scene chosen = scene(5);
+        chosen.discard.rule = rule;
+        auto simulation = std::make_unique<Simulation>(chosen, mesh());
+        while (simulation->step())
+        {
+        }
+        return simulation;
+    };
+    const auto with = run(DiscardRule::exact);
+    const auto without = run(DiscardRule::none);
+    EXPECT_EQ(with->stateHash(), without->stateHash());
+    EXPECT_GT(with->sets().back().discarded, with->sphereCount() / 8);
+    EXPECT_EQ(without->sets().back().discarded, 0u);
+}
+
+TEST_P(FastEngines, GiveTheSameBitsWithAnyNumberOfThreads)
+{
+    const auto hash = [this](int threads)
+    {
+        Scene chosen = scene(3);
+        chosen.threads = threads;
+        chosen.spheres.groupSize = 50; // enough at once to be shared out
+        Simulation simulation(chosen, mesh());
+        while (simulation.step())
+        {
+        }
+        return simulation.stateHash();
+    };
+    const std::string one = hash(1);
+    EXPECT_EQ(hash(2), one);
+    EXPECT_EQ(hash(8), one);
+}
+
+TEST_P(FastEngines, StopAtTheCount)
+{
+    Scene some = scene(1);
+    some.spheres.count = 50;
+    Simulation simulation(some, mesh());
+    while (simulation.step())
+    {
+    }
+    EXPECT_EQ(simulation.sphereCount(), 50u);
+    EXPECT_FALSE(simulation.full());
+}
+
+TEST_P(FastEngines, IncrementalCaptureEqualsAFreshOne)
+{
+    Simulation simulation(scene(2), mesh());
+    Snapshot kept;
+    bool more = true;
+    while (more)
+    {
+        for (int k = 0; k < 9 && more; ++k)
+        {
+            more = simulation.step();
+        }
+        simulation.capture(kept);
+        Snapshot fresh;
+        simulation.capture(fresh);
+        ASSERT_EQ(kept.centres, fresh.centres);
+        ASSERT_EQ(kept.states, fresh.states);
+        ASSERT_EQ(kept.groups, fresh.groups);
+    }
+}
+
+std::string nameOf(const ::testing::TestParamInfo<Case>& info)
+{
+    constexpr std::array<const char*, 3> kNames = {"Fall", "Skip", "Descend"};
+    return std::string(kNames[static_cast<std::size_t>(info.param.motion)]) +
+           (info.param.torus ? "Torus" : "Cube");
+}
+
+INSTANTIATE_TEST_SUITE_P(EveryMotion, FastEngines,
+                         ::testing::Values(Case{Motion::fall, true}, Case{Motion::fall, false},
+                                           Case{Motion::skip, true}, Case{Motion::skip, false},
+                                           Case{Motion::descend, true},
+                                           Case{Motion::descend, false}),
+                         nameOf);
+
+} // namespace
+} // namespace frostfill

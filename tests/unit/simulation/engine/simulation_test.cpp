@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: MIT
+#include "support/shapes.hpp"
+
+#include <frostfill/error.hpp>
+#include <frostfill/simulation.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+namespace frostfill
+{
+namespace
+{
+
+Scene smallTorus()
+{
+    Scene scene = presetScene(Preset::paper, "torus");
+    scene.spheres.radius = 0.13;
+    scene.spheres.count = 80;
+    scene.search.polygons = PolygonSearch::loop;
+    return scene;
+}
+
+void runToEnd(Simulation& simulation)
+{
+    while (simulation.step())
+    {
+    }
+}
+
+std::string finalHash(const Scene& scene)
+{
+    Simulation simulation(scene, shapes::torus());
+    runToEnd(simulation);
+    return simulation.stateHash();
+}
+
+std::uint64_t pairs(std::uint64_t n)
+{
+    return n * (n - std::min<std::uint64_t>(n, 1)) / 2;
+}
+
+// PAPER, operation counts: R running, K frozen and not discarded, m' polygons not discarded.
+void expectClosedFormAtEveryStep(const Scene& scene)
+{
+    const TriangleMesh mesh = shapes::torus();
+    Simulation simulation(scene, mesh);
+    Snapshot snapshot;
+    OperationCounts before;
+    while (simulation.step())
+    {
+        simulation.capture(snapshot);
+        const OperationCounts made = simulation.operations() - before;
+        before = simulation.operations();
+        const std::uint64_t running = snapshot.running;
+        const std::uint64_t polygons = mesh.triangles.size() - snapshot.discardedPolygons;
+        ASSERT_EQ(made.runningRunningTests, pairs(running));
+        ASSERT_EQ(made.runningFrozenTests, running * snapshot.frozen);
+        ASSERT_EQ(made.spherePolygonTests, running * polygons);
+        ASSERT_LE(made.runningRunningResponses, 2 * made.runningRunningTests);
+        ASSERT_LE(made.runningFrozenResponses, made.runningFrozenTests);
+        ASSERT_LE(made.spherePolygonResponses, made.spherePolygonTests);
+    }
+    EXPECT_EQ(simulation.sphereCount(), 80u);
+}
+
+TEST(Simulation, TestsEqualTheClosedFormAtEveryStepWithoutDiscards)
+{
+    Scene scene = smallTorus();
+    scene.discard.rule = DiscardRule::none;
+    expectClosedFormAtEveryStep(scene);
+}
+
+TEST(Simulation, TestsEqualTheClosedFormAtEveryStepWithDiscards)
+{
+    Scene scene = smallTorus();
+    scene.discard.rule = DiscardRule::paper;
+    expectClosedFormAtEveryStep(scene);
+}
+
+// PAPER, Lemmas 1 and 2: with a freeze after every set, the last set makes (beta/k - 1)(k gamma)^2
+// + k gamma (k gamma - 1) / 2 sphere-sphere tests a step. Lemma 1 is the case k = 1.
+void expectLemmaInEveryStep(std::uint32_t groupSize, std::uint32_t groupsPerSet)
+{
+    Scene scene = smallTorus();
+    scene.discard.rule = DiscardRule::none;
+    scene.freezing.everySets = 1;
+    scene.spheres.groupSize = groupSize;
+    scene.spheres.groupsPerSet = groupsPerSet;
+    Simulation simulation(scene, shapes::torus());
+    const std::uint64_t inSet = groupSize * groupsPerSet;
+    OperationCounts before;
+    while (simulation.step())
+    {
+        const OperationCounts made = simulation.operations() - before;
+        before = simulation.operations();
+        const std::uint64_t beta = simulation.sphereCount() / groupSize;
+        const std::uint64_t earlierSets = beta / groupsPerSet - 1;
+        ASSERT_EQ(made.runningRunningTests + made.runningFrozenTests,
+                  earlierSets * inSet * inSet + pairs(inSet));
+        ASSERT_LE(made.runningRunningResponses + made.runningFrozenResponses,
+                  earlierSets * inSet * inSet + inSet * (inSet - 1));
+    }
+}
+
+TEST(Simulation, OneGroupASetMakesTheTestsOfLemma1)
+{
+    expectLemmaInEveryStep(10, 1);
+}
+TEST(Simulation, SeveralGroupsASetMakeTheTestsOfLemma2)
+{
+    expectLemmaInEveryStep(5, 4);
+}
+
+// PAPER, Lemma 3: over one step of each set the polygon tests add up to n m at the most.
+TEST(Simulation, PolygonTestsOfOneStepASetMatchLemma3)
+{
+    Scene scene = smallTorus();
+    scene.freezing.everySets = 1;
+    const TriangleMesh mesh = shapes::torus();
+    Simulation simulation(scene, mesh);
+    std::uint64_t measured = 0;
+    std::uint64_t predicted = 0;
+    std::size_t setsSeen = 0;
+    std::uint64_t before = 0;
+    Snapshot snapshot;
+    while (simulation.step())
+    {
+        const std::uint64_t made = simulation.operations().spherePolygonTests - before;
+        before = simulation.operations().spherePolygonTests;
+        if (simulation.sets().size() > setsSeen)
+        {
+            setsSeen = simulation.sets().size();
+            simulation.capture(snapshot);
+            measured += made;
+            predicted += 20 * (mesh.triangles.size() - snapshot.discardedPolygons);
+        }
+    }
+    EXPECT_EQ(setsSeen, 4u);
+    EXPECT_EQ(measured, predicted);
+    EXPECT_LE(measured, 80 * mesh.triangles.size());
+}
+
+TEST(Simulation, EqualScenesGiveEqualBits)
+{
+    EXPECT_EQ(finalHash(smallTorus()), finalHash(smallTorus()));
+}
+
+TEST(Simulation, SeedsGiveDifferentResults)
+{
+    Scene other = smallTorus();
+    other.seed = 2;
+    EXPECT_NE(finalHash(smallTorus()), finalHash(other));
+}
+
+TEST(Simulation, PolygonSearchesAgreeToTheBit)
+{
+    Scene list = smallTorus();
+    list.search.polygons = PolygonSearch::list;
+    Scene quadtree = smallTorus();
+    quadtree.search.polygons = PolygonSearch::quadtree;
+    const std::string loop = finalHash(smallTorus());
+    EXPECT_EQ(finalHash(list), loop);
+    EXPECT_EQ(finalHash(quadtree), loop);
+}
+
+TEST(Simulation, GridsAgreeWithAllPairsToTheBitAndTestFewer)
+{
+    const TriangleMesh mesh = shapes::torus();
+    for (const std::uint64_t seed : {1, 2, 3})
+    {
+        Scene pairsScene = smallTorus();
+        pairsScene.seed = seed;
+        Scene gridScene = pairsScene;
+        gridScene.search = {SphereSearch::grid, PolygonSearch::grid};
+        Simulation allPairs(pairsScene, mesh);
+        Simulation grid(gridScene, mesh);
+        runToEnd(allPairs);
+        runToEnd(grid);
+        EXPECT_EQ(grid.stateHash(), allPairs.stateHash()) << seed;
+        const OperationCounts& few = grid.operations();
+        const OperationCounts& many = allPairs.operations();
+        EXPECT_EQ(few.responses(), many.responses());
+        EXPECT_EQ(few.runningRunningTests, many.runningRunningTests);
+        EXPECT_LT(few.runningFrozenTests, many.runningFrozenTests / 2);
+        EXPECT_LT(few.spherePolygonTests, many.spherePolygonTests / 2);
+        // A response is a test that found a contact.
+        EXPECT_GE(few.runningFrozenTests, few.runningFrozenResponses);
+        EXPECT_GE(few.spherePolygonTests, few.spherePolygonResponses);
+    }
+}
+
+TEST(Simulation, ScaleByAPowerOfTwoChangesNoBit)
+{
+    Scene scaled = smallTorus();
+    scaled.spheres.radius = 8 * scaled.spheres.radius->largest;
+    scaled.object.unitsPerMetre = 8;
+    Simulation large(scaled, shapes::torus(8, 3.2));
+    runToEnd(large);
+    EXPECT_EQ(large.stateHash(), finalHash(smallTorus()));
+}
+
+TEST(Simulation, ReleasedSpheresOverlapNothing)
+{
+    Simulation simulation(smallTorus(), shapes::torus());
+    std::size_t known = 0;
+    while (simulation.step())
+    {
+        // A step moves a sphere that has just appeared by nothing (explicit Euler, no speed).
+        for (std::size_t i = known; i < simulation.sphereCount(); ++i)
+        {
+            for (std::size_t j = 0; j < i; ++j)
+            {
+                const double distance =
+                    (simulation.sphere(i).centre - simulation.sphere(j).centre).norm();
+                ASSERT_GE(distance, 2 * simulation.radius() * (1 - 1e-12)) << i << " and " << j;
+            }
+        }
+        known = simulation.sphereCount();
+    }
+}
+
+TEST(Simulation, FillsUntilFullAndSaysSo)
+{
+    Scene scene = smallTorus();
+    scene.spheres.count.reset();
+    Simulation simulation(scene, shapes::torus());
+    runToEnd(simulation);
+    EXPECT_TRUE(simulation.full());
+    EXPECT_EQ(simulation.restingCount(), simulation.sphereCount());
+    const QualityReport quality = simulation.quality();
+    EXPECT_GT(quality.sphereVolume / quality.meshVolume, 0.35);
+    EXPECT_EQ(quality.centresOutside, 0u);
+    EXPECT_EQ(quality.notFinite, 0u);
+}
+
+TEST(Simulation, StopsAtTheCount)
+{
+    Simulation simulation(smallTorus(), shapes::torus());
+    runToEnd(simulation);
+    EXPECT_TRUE(simulation.finished());
+    EXPECT_FALSE(simulation.full());
+    EXPECT_EQ(simulation.sphereCount(), 80u);
+    EXPECT_FALSE(simulation.step());
+    EXPECT_EQ(simulation.sets().size(), 4u);
+}
+
+TEST(Simulation, RefusesAnObjectIntoWhichNoSphereFits)
+{
+    Scene scene = smallTorus();
+    scene.spheres.radius = 0.45;
+    try
+    {
+        Simulation simulation(scene, shapes::torus());
+        FAIL() << "a sphere of 0.45 cannot fit into a tube of 0.4";
+    }
+    catch (const Error& error)
+    {
+        EXPECT_EQ(error.code(), ErrorCode::badData);
+    }
+}
+
+TEST(Simulation, StatesFollowTheOrderOfAppearance)
+{
+    Simulation simulation(smallTorus(), shapes::torus());
+    Snapshot snapshot;
+    while (simulation.step())
+    {
+        simulation.capture(snapshot);
+        const auto order = [](SphereState a, SphereState b)
+        { return static_cast<int>(a) > static_cast<int>(b); };
+        ASSERT_TRUE(std::is_sorted(snapshot.states.begin(), snapshot.states.end(), order));
+    }
+}
+
+TEST(Capture, IncrementalEqualsFresh)
+{
+    Simulation simulation(smallTorus(), shapes::torus());
+    Snapshot kept;
+    std::uint64_t steps = 0;
+    bool more = true;
+    while (more)
+    {
+        more = simulation.step();
+        if (more && ++steps % 7 != 0)
+        {
+            continue;
+        }
+        simulation.capture(kept);
+        Snapshot fresh;
+        simulation.capture(fresh);
+        ASSERT_EQ(kept.centres, fresh.centres);
+        ASSERT_EQ(kept.states, fresh.states);
+        ASSERT_EQ(kept.radii, fresh.radii);
+        ASSERT_EQ(kept.groups, fresh.groups);
+        ASSERT_EQ(kept.polygons, fresh.polygons);
+        ASSERT_EQ(kept.running, fresh.running);
+    }
+}
+
+TEST(Capture, ListsOnlyWhatChanged)
+{
+    Scene scene = smallTorus();
+    scene.freezing.everySets = 1;
+    Simulation simulation(scene, shapes::torus());
+    Snapshot snapshot;
+    std::set<std::uint32_t> ever;
+    while (simulation.step())
+    {
+        simulation.capture(snapshot);
+        ever.insert(snapshot.changed.begin(), snapshot.changed.end());
+        ASSERT_LE(snapshot.changed.size(), 60u);
+    }
+    EXPECT_EQ(ever.size(), 80u);
+}
+
+} // namespace
+} // namespace frostfill

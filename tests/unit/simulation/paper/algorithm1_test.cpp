@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include "simulation/paper/algorithm1.hpp"
+
+#include "support/shapes.hpp"
+
+#include <gtest/gtest.h>
+
+namespace frostfill
+{
+namespace
+{
+
+// A room of 20 radii, spheres of radius 1, restitution 0.5.
+class Algorithm1Test : public ::testing::Test
+{
+protected:
+    std::uint32_t add(const Eigen::Vector3d& p, const Eigen::Vector3d& v = {0, 0, 0})
+    {
+        const auto id = spheres.add(p, 1, 0);
+        spheres.setVelocity(id, v);
+        return id;
+    }
+    void runAll(std::size_t frozenBegin, std::size_t runningBegin)
+    {
+        std::vector<Eigen::Vector3d> before;
+        for (std::size_t i = runningBegin; i < spheres.size(); ++i)
+        {
+            before.push_back(spheres.position(i));
+        }
+        algorithm.clearTouched(before.size());
+        algorithm.runningRunning(runningBegin, counts);
+        algorithm.runningFrozen(frozenBegin, runningBegin, counts);
+        algorithm.runningPolygons(runningBegin, before, counts);
+    }
+
+    Spheres spheres;
+    Surface surface{shapes::box({-10, -10, -10}, {10, 10, 10}, 2)};
+    std::vector<PolygonState> polygons = std::vector<PolygonState>(48, PolygonState::active);
+    PolygonTests tests{PolygonSearch::loop, surface, polygons, 2};
+    Algorithm1 algorithm{spheres, surface, tests, {0.5, 0.01}};
+    OperationCounts counts;
+};
+
+TEST_F(Algorithm1Test, HeadOnPairSeparatesWithTheClosedFormSpeeds)
+{
+    const auto a = add({-0.9, 0, 0}, {2, 0, 0});
+    const auto b = add({0.9, 0, 0});
+    runAll(0, 0);
+    EXPECT_DOUBLE_EQ(spheres.velocity(a).x(), 2 * (1 - 0.5) / 2);
+    EXPECT_DOUBLE_EQ(spheres.velocity(b).x(), 2 * (1 + 0.5) / 2);
+    EXPECT_DOUBLE_EQ(spheres.x[a], -1);
+    EXPECT_DOUBLE_EQ(spheres.x[b], 1);
+    EXPECT_EQ(counts.runningRunningTests, 1u);
+    EXPECT_EQ(counts.runningRunningResponses, 2u);
+}
+
+TEST_F(Algorithm1Test, PairKeepsItsMomentumAndTangentialSpeed)
+{
+    const auto a = add({-0.6, -0.6, 0}, {1, 2, 3});
+    const auto b = add({0.6, 0.6, 0}, {-2, -1, 0.5});
+    const Eigen::Vector3d momentum = spheres.velocity(a) + spheres.velocity(b);
+    runAll(0, 0);
+    EXPECT_LT((spheres.velocity(a) + spheres.velocity(b) - momentum).norm(), 1e-14);
+    EXPECT_DOUBLE_EQ(spheres.velocity(a).z(), 3);
+    EXPECT_DOUBLE_EQ(spheres.velocity(b).z(), 0.5);
+}
+
+TEST_F(Algorithm1Test, FrozenSphereNeverMovesByOneBit)
+{
+    const auto frozen = add({0.1, 0.2, 0.3});
+    const auto running = add({0.1, 1.7, 0.3}, {0, -1, 0});
+    runAll(0, 1);
+    EXPECT_EQ(spheres.position(frozen), Eigen::Vector3d(0.1, 0.2, 0.3));
+    EXPECT_EQ(spheres.velocity(frozen), Eigen::Vector3d(0, 0, 0));
+    EXPECT_NEAR(spheres.y[running], 2.2, 1e-14);
+    EXPECT_NEAR(spheres.velocity(running).y(), 0.5, 1e-14);
+    EXPECT_EQ(counts.runningFrozenTests, 1u);
+    EXPECT_EQ(counts.runningFrozenResponses, 1u);
+}
+
+TEST_F(Algorithm1Test, WallReflectsWithRestitution)
+{
+    const auto id = add({3, -9.5, 2}, {1, -2, 0});
+    runAll(0, 0);
+    EXPECT_NEAR(spheres.y[id], -9, 1e-14);
+    EXPECT_NEAR(spheres.velocity(id).y(), 1, 1e-14);
+    EXPECT_NEAR(spheres.velocity(id).x(), 1, 1e-14);
+    EXPECT_EQ(counts.spherePolygonTests, 48u);
+}
+
+TEST_F(Algorithm1Test, SlowApproachDoesNotBounce)
+{
+    const auto id = add({3, -9.05, 2}, {0, -0.009, 0});
+    runAll(0, 0);
+    EXPECT_NEAR(spheres.velocity(id).y(), 0, 1e-16);
+}
+
+TEST_F(Algorithm1Test, CornerHoldsASphereAtItsRadiusFromThreeWalls)
+{
+    const auto id = add({-9.3, -9.3, -9.3});
+    runAll(0, 0);
+    EXPECT_LT((spheres.position(id) - Eigen::Vector3d(-9, -9, -9)).norm(), 1e-12);
+}
+
+TEST_F(Algorithm1Test, CentreThatCrossedTheWallIsPulledBack)
+{
+    const auto id = add({3, -9.6, 2});
+    const std::vector<Eigen::Vector3d> before = {spheres.position(id)};
+    spheres.y[id] = -10.4;
+    algorithm.clearTouched(1);
+    algorithm.runningPolygons(0, before, counts);
+    EXPECT_NEAR(spheres.y[id], -9, 1e-12);
+}
+
+TEST_F(Algorithm1Test, CoincidentSpheresAreSeparated)
+{
+    const auto a = add({0, 0, 0});
+    const auto b = add({0, 0, 0});
+    runAll(0, 0);
+    EXPECT_NEAR((spheres.position(a) - spheres.position(b)).norm(), 2, 1e-14);
+}
+
+TEST_F(Algorithm1Test, DiscardedPolygonsAreNotTested)
+{
+    polygons.assign(48, PolygonState::discarded);
+    const auto id = add({3, -9.5, 2}, {0, -1, 0});
+    runAll(0, 0);
+    EXPECT_EQ(counts.spherePolygonTests, 0u);
+    EXPECT_EQ(spheres.y[id], -9.5);
+}
+
+} // namespace
+} // namespace frostfill

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "base/random.hpp"
+#include "simulation/contact/contact_cone.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace frostfill
+{
+namespace
+{
+
+using Normals = std::vector<Eigen::Vector3d>;
+
+/// Share of its weight that contacts cannot carry: 0 when supported, 1 in free fall.
+double unsupportedWeight(const Normals& normals)
+{
+    return projectToFree({0, -1, 0}, normals).norm();
+}
+
+TEST(Support, SphereWithoutContactsCarriesNothing)
+{
+    EXPECT_EQ(unsupportedWeight(Normals{}), 1);
+}
+
+TEST(Support, FloorCarriesEverything)
+{
+    EXPECT_NEAR(unsupportedWeight(Normals{{0, 1, 0}}), 0, 1e-15);
+}
+
+TEST(Support, CeilingCarriesNothing)
+{
+    EXPECT_EQ(unsupportedWeight(Normals{{0, -1, 0}}), 1);
+}
+
+TEST(Support, InclineLeavesTheSineOfItsAngle)
+{
+    const double angle = 0.3;
+    EXPECT_NEAR(unsupportedWeight(Normals{{std::sin(angle), std::cos(angle), 0}}), std::sin(angle),
+                1e-15);
+}
+
+TEST(Support, GrooveCarriesEverything)
+{
+    EXPECT_NEAR(unsupportedWeight(Normals{{0.6, 0.8, 0}, {-0.6, 0.8, 0}}), 0, 1e-15);
+}
+
+TEST(Support, GrooveThatDescendsLeavesItsSlope)
+{
+    // Walls at 45 degrees of a groove whose bottom falls along x by the angle a.
+    const double a = 0.2;
+    const double c = std::sqrt(0.5);
+    const Normals normals = {{c * std::sin(a), c * std::cos(a), c},
+                             {c * std::sin(a), c * std::cos(a), -c}};
+    EXPECT_NEAR(unsupportedWeight(normals), std::sin(a), 1e-14);
+}
+
+TEST(Support, ThreeSpheresBelowCarryEverything)
+{
+    const double h = std::sqrt(2.0 / 3.0);
+    const double s = 1 / std::sqrt(3.0);
+    Normals normals;
+    for (int k = 0; k < 3; ++k)
+    {
+        const double a = 2 * 3.14159265358979 * k / 3;
+        normals.emplace_back(s * std::cos(a), h, s * std::sin(a));
+    }
+    EXPECT_EQ(unsupportedWeight(normals), 0);
+}
+
+TEST(Support, AgreesWithProjectedGradientsOnRandomContacts)
+{
+    for (std::uint64_t trial = 0; trial < 200; ++trial)
+    {
+        Normals normals;
+        const auto count = 1 + mixBits(trial) % 6;
+        for (std::uint64_t k = 0; k < count; ++k)
+        {
+            const auto random = [&](std::uint64_t d)
+            { return 2 * uniformRandom(3, trial, 3 * k + d) - 1; };
+            normals.push_back(Eigen::Vector3d(random(0), random(1), random(2)).normalized());
+        }
+        // Oracle: minimise |up - sum lambda n| over lambda >= 0 by coordinate descent.
+        std::vector<double> lambda(count, 0);
+        Eigen::Vector3d rest = Eigen::Vector3d::UnitY();
+        for (int sweep = 0; sweep < 20000; ++sweep)
+        {
+            for (std::size_t k = 0; k < count; ++k)
+            {
+                const double better = std::max(0.0, lambda[k] + rest.dot(normals[k]));
+                rest -= (better - lambda[k]) * normals[k];
+                lambda[k] = better;
+            }
+        }
+        EXPECT_NEAR(unsupportedWeight(normals), rest.norm(), 1e-3) << "trial " << trial;
+    }
+}
+
+} // namespace
+} // namespace frostfill

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/random.hpp"
+#include "mesh/interior/inside_test.hpp"
+#include "simulation/reach/reach_map.hpp"
+#include "support/shapes.hpp"
+
+#include <array>
+#include <map>
+#include <set>
+#include <vector>
+
+namespace frostfill::reach
+{
+
+/// A mesh with its searches, in radii of the spheres.
+struct Object
+{
+    explicit Object(const TriangleMesh& mesh)
+        : surface(mesh), grid(surface, GridFrame::cover(surface.box(), 1, 2), 1.5),
+          inside(surface, grid)
+    {
+    }
+    Object(const Object&) = delete;
+    Object& operator=(const Object&) = delete;
+
+    Surface surface;
+    TriangleGrid grid;
+    InsideTest inside;
+};
+
+struct Ball
+{
+    Eigen::Vector3d centre;
+    double radius = 1;
+};
+
+class Random
+{
+public:
+    explicit Random(std::uint64_t seed) : seed_(seed) {}
+    double uniform(double low, double high)
+    {
+        return low + (high - low) * uniformRandom(seed_, 0, draws_++);
+    }
+    Eigen::Vector3d point(double low, double high)
+    {
+        const double x = uniform(low, high);
+        const double y = uniform(low, high);
+        return {x, y, uniform(low, high)};
+    }
+    /// On a sphere of the given radius.
+    Eigen::Vector3d direction(double length)
+    {
+        while (true)
+        {
+            const Eigen::Vector3d p = point(-1, 1);
+            if (p.squaredNorm() <= 1 && p.squaredNorm() > 0.01)
+            {
+                return p.normalized() * length;
+            }
+        }
+    }
+
+private:
+    std::uint64_t seed_;
+    std::uint64_t draws_ = 0;
+};
+
+/// A cube about the origin.
+inline TriangleMesh cubeOfSide(double side, int n = 2)
+{
+    return shapes::box(Eigen::Vector3d::Constant(-side / 2), Eigen::Vector3d::Constant(side / 2),
+                       n);
+}
+
+/// The surface of a union of unit cubes, given by their lower corners. No two of them may touch in
+/// an edge or a corner alone.
+inline TriangleMesh cubes(const std::set<std::array<int, 3>>& cells)
+{
+    TriangleMesh mesh;
+    std::map<std::array<int, 3>, std::uint32_t> numbers;
+    const auto vertex = [&](const std::array<int, 3>& c)
+    {
+        const auto [entry, isNew] =
+            numbers.try_emplace(c, static_cast<std::uint32_t>(mesh.vertices.size()));
+        if (isNew)
+        {
+            mesh.vertices.emplace_back(c[0], c[1], c[2]);
+        }
+        return entry->second;
+    };
+    for (const auto& cell : cells)
+    {
+        for (int face = 0; face < 6; ++face)
+        {
+            const int axis = face / 2;
+            const int side = face % 2;
+            auto next = cell;
+            next[axis] += side == 0 ? -1 : 1;
+            if (cells.count(next) != 0)
+            {
+                continue;
+            }
+            std::array<std::uint32_t, 4> quad{};
+            for (int k = 0; k < 4; ++k)
+            {
+                auto c = cell;
+                c[axis] += side;
+                c[(axis + 1) % 3] += (k == 1 || k == 2) ? 1 : 0;
+                c[(axis + 2) % 3] += k / 2;
+                quad[k] = vertex(c);
+            }
+            if (side == 0)
+            {
+                std::swap(quad[1], quad[3]);
+            }
+            mesh.triangles.push_back({quad[0], quad[1], quad[2]});
+            mesh.triangles.push_back({quad[0], quad[2], quad[3]});
+        }
+    }
+    return mesh;
+}
+
+inline void addBlock(std::set<std::array<int, 3>>& cells, const std::array<int, 3>& low,
+                     const std::array<int, 3>& high)
+{
+    for (int x = low[0]; x < high[0]; ++x)
+    {
+        for (int y = low[1]; y < high[1]; ++y)
+        {
+            for (int z = low[2]; z < high[2]; ++z)
+            {
+                cells.insert({x, y, z});
+            }
+        }
+    }
+}
+
+/// Distance to the nearest triangle, by trying all.
+inline double distanceToSurface(const Surface& surface, const Eigen::Vector3d& p)
+{
+    double nearest = 1e300;
+    for (const SurfaceTriangle& t : surface.triangles())
+    {
+        nearest = std::min(
+            nearest,
+            (closestPointOnTriangle(p, t.corner[0], t.corner[1], t.corner[2]).point - p).norm());
+    }
+    return nearest;
+}
+
+/// Calls visit(x, y, z, reached) for every cube of the map.
+template <class Visit>
+void forEachCubeOf(const ReachMap& map, Visit&& visit)
+{
+    const auto& count = map.layout().frame.count;
+    for (int y = 0; y < count[1]; ++y)
+    {
+        for (int z = 0; z < count[2]; ++z)
+        {
+            for (int x = 0; x < count[0]; ++x)
+            {
+                const VoxelWord w = map.layout().at(x, y, z);
+                visit(x, y, z, (map.reached()[w.word] & w.bits) != 0);
+            }
+        }
+    }
+}
+
+} // namespace frostfill::reach

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "study/figures/figure.hpp"
+#include "study/figures/pair_table.hpp"
+#include "study/figures/panels.hpp"
+#include "study/figures/section.hpp"
+#include "support/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+namespace frostfill
+{
+namespace
+{
+
+using test::readFile;
+using test::TemporaryFolder;
+
+std::size_t testsIn(const Table& table)
+{
+    std::size_t tests = 0;
+    for (const auto& row : table.rows)
+        tests += std::stoul(row[3]);
+    return tests;
+}
+
+TEST(Figures, haveNamesOfTheirOwn)
+{
+    std::set<std::string> names;
+    for (const Figure& figure : allFigures())
+    {
+        EXPECT_TRUE(names.insert(figure.name).second) << figure.name;
+        if (!figure.script)
+            continue;
+        EXPECT_NE(figure.script().find("name = \"" + std::string(figure.name) + "\""),
+                  std::string_view::npos)
+            << figure.name;
+    }
+    EXPECT_GE(names.size(), 9u);
+}
+
+TEST(Figures, measuredTimesAreTakenFromWhereTheyWereRecorded)
+{
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "before");
+    std::filesystem::create_directory(folder / "now");
+    test::writeFile(folder / "before/times.csv", "recorded\n");
+    FigureRequest request;
+    request.directory = folder / "now";
+    request.recorded = folder / "before";
+    EXPECT_TRUE(FigureFolder(request).reuse("times.csv"));
+    EXPECT_EQ(readFile(folder / "now/times.csv"), "recorded\n");
+    EXPECT_FALSE(FigureFolder(request).reuse("other.csv"));
+    request.measure = true;
+    EXPECT_FALSE(FigureFolder(request).reuse("times.csv"));
+}
+
+TEST(Figures, measuredTimesMayLieWhereTheyAreWritten)
+{
+    const TemporaryFolder folder;
+    test::writeFile(folder / "times.csv", "recorded\n");
+    FigureRequest request;
+    request.directory = request.recorded = folder.path();
+    EXPECT_TRUE(FigureFolder(request).reuse("times.csv"));
+    EXPECT_EQ(readFile(folder / "times.csv"), "recorded\n");
+}
+
+// The pairs of groups hold the tests that Algorithm 1 counts.
+TEST(PairTable, holdsAsManyTestsAsAStepMakes)
+{
+    Scene scene = presetScene(Preset::paper, "torus");
+    scene.spheres.count = 120;
+    scene.freezing.everySets = 1;
+    scene.search = {SphereSearch::allPairs, PolygonSearch::grid};
+    const std::size_t spheres[] = {40, 100};
+    for (const Moment& moment : momentsOf(scene, builtInMesh("torus"), spheres))
+    {
+        EXPECT_GT(moment.snapshot.running, 0u);
+        EXPECT_EQ(testsIn(pairTable(moment.snapshot)), moment.sphereTests);
+    }
+}
+
+TEST(Section, cutsASphereInTheCircleOfPythagoras)
+{
+    Snapshot snapshot;
+    snapshot.origin = {10, 0, 0};
+    snapshot.centres = {{0, 0, 0.6f}, {0, 3, 5}};
+    snapshot.radii = {1, 1};
+    snapshot.states = {SphereState::frozen, SphereState::running};
+    const SectionPlane plane = {{9, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    const Table table = circlesOf(snapshot, plane, 2);
+    ASSERT_EQ(table.rows.size(), 1u);
+    EXPECT_EQ(table.rows[0], (std::vector<std::string>{"frozen", "0.50000", "0.00000", "0.40000"}));
+}
+
+TEST(Section, cutsACubeInASquare)
+{
+    const TriangleMesh mesh = builtInMesh("cube");
+    const std::vector<PolygonState> states(mesh.triangles.size(), PolygonState::active);
+    const SectionPlane plane = {
+        boundingBox(mesh).center() + Eigen::Vector3d(0, 0, 0.1), {1, 0, 0}, {0, 1, 0}};
+    double length = 0;
+    for (const auto& row : tracesOf(mesh, states, plane, 1).rows)
+        length += std::hypot(std::stod(row[4]), std::stod(row[5]));
+    EXPECT_NEAR(length, 8, 1e-3);
+}
+
+TEST(Panels, lieSideBySideAboveTheirStrips)
+{
+    std::vector<Image> panels(3);
+    for (std::size_t i = 0; i < panels.size(); ++i)
+        panels[i] = {2, 1, 3, std::vector<std::uint8_t>(6, static_cast<std::uint8_t>(i + 1))};
+    const Image joined = joinPanels(panels, 2, 1);
+    EXPECT_EQ(joined.width, 4);
+    EXPECT_EQ(joined.height, 4);
+    EXPECT_EQ(joined.at(0, 0)[0], 1);
+    EXPECT_EQ(joined.at(2, 0)[0], 2);
+    EXPECT_EQ(joined.at(0, 2)[0], 3);
+    EXPECT_EQ(joined.at(2, 2)[0], 255);
+    EXPECT_EQ(joined.at(0, 1)[0], 255);
+}
+
+} // namespace
+} // namespace frostfill

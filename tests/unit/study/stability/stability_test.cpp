@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+#include "study/error/closed_forms.hpp"
+#include "study/error/error_finish.hpp"
+#include "study/error/error_study.hpp"
+#include "study/peers/pouring.hpp"
+#include "study/peers/rest_watch.hpp"
+#include "study/stability/stability_study.hpp"
+#include "study/stability/stress_meshes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace frostfill
+{
+namespace
+{
+
+TEST(StressMeshes, EncloseTheVolumeTheyShould)
+{
+    const TriangleMesh box = boxMesh({-1, -2, -3}, {1, 2, 3}, 4);
+    EXPECT_NEAR(signedVolume(box), 48, 1e-12);
+    EXPECT_TRUE(inspectMesh(box).closed());
+    EXPECT_NEAR(signedVolume(insideOut(box)), -48, 1e-12);
+    EXPECT_NEAR(signedVolume(withSlivers(box, 1e-3)), 48, 1e-12);
+    const int sides = 200;
+    EXPECT_NEAR(signedVolume(needleCylinder(sides)), sides * std::sin(2 * M_PI / sides), 1e-12);
+    EXPECT_TRUE(inspectMesh(needleCylinder(sides)).closed());
+    EXPECT_FALSE(inspectMesh(withTJunctions(box, 5)).closed());
+    EXPECT_EQ(inspectMesh(withDuplicates(box, 7)).duplicateTriangles, 7u);
+}
+
+TEST(StressMatrix, OurMethodDoesWithHardMeshesAndUnitsWhatASoundOneDoes)
+{
+    const StressMethod& fast = stressMethods().front();
+    std::size_t tried = 0;
+    for (const StressCell& cell : stressMatrix(true))
+    {
+        if (cell.axis != "mesh" && cell.axis != "scale" && cell.axis != "radius")
+        {
+            continue;
+        }
+        ++tried;
+        const StabilityResult result{fast.name,     fast.preset,
+                                     cell.axis,     cell.label,
+                                     cell.expected, runUnderStressTwice(cell.make(fast))};
+        EXPECT_TRUE(result.sound())
+            << cell.axis << " " << cell.label << ": " << verdictName(result.outcome.verdict) << " "
+            << result.outcome.message;
+    }
+    EXPECT_GT(tried, 15u);
+}
+
+TEST(StressRun, TellsALeakAndAGainOfEnergy)
+{
+    const StressMethod& paper = stressMethods()[2];
+    for (const StressCell& cell : stressMatrix(true))
+    {
+        if (cell.axis == "step [s] at e = 1" && cell.label == "0.1")
+        {
+            EXPECT_EQ(runUnderStress(cell.make(paper)).verdict, Verdict::leaks);
+        }
+        if (cell.axis == "step [s]" && cell.label == "0.001")
+        {
+            EXPECT_EQ(runUnderStress(cell.make(paper)).verdict, Verdict::gainsEnergy);
+        }
+    }
+}
+
+TEST(ClosedForms, AllThatIsClaimedHolds)
+{
+    for (const ClosedFormPoint& point : measureClosedForms(true))
+    {
+        EXPECT_TRUE(point.holds())
+            << point.problem << ", " << point.method << ", " << point.parameter << " "
+            << point.value << ": " << point.error << " against " << point.expected;
+    }
+}
+
+TEST(ParetoFront, HoldsWhatNothingElseBeatsInBothWays)
+{
+    std::vector<ErrorPoint> points(4);
+    const double times[] = {1, 2, 2, 3};
+    const double errors[] = {5, 3, 4, std::numeric_limits<double>::infinity()};
+    for (std::size_t k = 0; k < points.size(); ++k)
+    {
+        points[k].study = std::string(1, 'a'); // a literal makes GCC 12 warn, wrongly
+        points[k].seconds = times[k];
+        points[k].error = errors[k];
+    }
+    markFront(points, "a");
+    EXPECT_TRUE(points[0].onFront);
+    EXPECT_TRUE(points[1].onFront);
+    EXPECT_FALSE(points[2].onFront);
+    EXPECT_FALSE(points[3].onFront);
+}
+
+TEST(ParetoFront, ComparesOnlyRivalsAndTakesRoundingForNothing)
+{
+    std::vector<ErrorPoint> points(4);
+    const double times[] = {1, 2, 2, 1.01};
+    const double errors[] = {1e-15, 0, 5, 1e-16};
+    const char rivals[] = {'a', 'a', 'b', 'a'};
+    for (std::size_t k = 0; k < points.size(); ++k)
+    {
+        points[k].study = std::string(1, 's');
+        points[k].rivals = std::string(1, rivals[k]);
+        points[k].seconds = times[k];
+        points[k].error = errors[k];
+    }
+    markFront(points, "s");
+    EXPECT_TRUE(points[0].onFront);
+    EXPECT_FALSE(points[1].onFront);
+    EXPECT_TRUE(points[2].onFront);
+    EXPECT_TRUE(points[3].onFront);
+}
+
+TEST(FreezingBySet, PacksMoreDenselyTheMoreLayersASetHas)
+{
+    const TriangleMesh mesh = boxMesh({-6, -6, -6}, {6, 6, 6}, 4);
+    double last = 0;
+    for (const std::uint32_t setSize : {4u, 60u, 240u})
+    {
+        Scene scene = studyScene(Preset::fast, "cube", 0.5);
+        scene.motion.restitution = 0;
+        scene.freezing.bySet = true;
+        scene.spheres.groupSize = setSize;
+        scene.spheres.groupsPerSet = 1;
+        const Finished run = finishRun(scene, mesh);
+        const double fraction = run.quality.sphereVolume / run.quality.meshVolume;
+        EXPECT_GT(fraction, last);
+        EXPECT_LT(run.quality.maxOverlap, 1e-7);
+        // Where many carry each other, one may be frozen that another then gives way from.
+        EXPECT_LE(run.quality.unsupported, run.world->spheres.size() / 200);
+        last = fraction;
+    }
+}
+
+TEST(ContactSweeps, TakeRunningSpheresFartherApart)
+{
+    const TriangleMesh mesh = builtInMesh("cube");
+    double overlap[2] = {};
+    for (std::uint64_t seed = 1; seed <= 8; ++seed)
+    {
+        for (const int many : {0, 1})
+        {
+            Scene scene = studyScene(Preset::fast, "cube", 0.1);
+            scene.seed = seed;
+            scene.spheres.count = 100;
+            scene.motion.mode = Motion::skip;
+            scene.motion.sweeps = many == 1 ? 16 : 1;
+            overlap[many] += finishRun(scene, mesh, 0.5).meanMovingOverlap;
+        }
+    }
+    EXPECT_LT(overlap[1], 0.5 * overlap[0]);
+}
+
+TEST(Peers, PourSpheresClearOfEachOtherAndOfTheWalls)
+{
+    PeerTask task;
+    task.mesh = boxMesh({-6, -6, -6}, {6, 6, 6}, 1);
+    task.count = 60;
+    Pouring pouring(task);
+    std::vector<Eigen::Vector3d> all = pouring.next({});
+    const std::size_t atOnce = all.size();
+    EXPECT_GT(atOnce, 10u);
+    EXPECT_TRUE(pouring.next(all).empty()); // nothing has made room
+    for (Eigen::Vector3d& p : all)
+        p.y() -= 8;
+    for (const Eigen::Vector3d& p : pouring.next(all))
+        all.push_back(p);
+    EXPECT_GT(all.size(), atOnce);
+    EXPECT_LE(all.size(), task.count);
+    for (std::size_t i = 0; i < all.size(); ++i)
+    {
+        EXPECT_LE(std::max(std::abs(all[i].x()), std::abs(all[i].z())), 5);
+        for (std::size_t j = i + 1; j < all.size(); ++j)
+            EXPECT_GE((all[i] - all[j]).norm(), 2);
+    }
+}
+
+TEST(Peers, ComeToRestByTheCommonRule)
+{
+    RestWatch watch;
+    std::vector<Eigen::Vector3d> places(10, Eigen::Vector3d::Zero());
+    EXPECT_FALSE(watch.look(places)); // there was nothing to compare with
+    EXPECT_TRUE(watch.look(places));
+    places[3].x() += 2 * kPeerStill;
+    EXPECT_FALSE(watch.look(places));
+}
+
+} // namespace
+} // namespace frostfill
