@@ -50,13 +50,17 @@ std::vector<OperationsCase> operationsCases(bool quick)
 {
     std::vector<OperationsCase> cases;
     for (const std::uint64_t k : {1, 4})
+    {
         for (const bool discards : {false, true})
+        {
             cases.push_back({.object = "torus",
                              .gamma = 10,
                              .k = k,
                              .discards = discards,
                              .groups = quick ? kQuickGroups : kGroups,
                              .room = kGroups});
+        }
+    }
     return cases;
 }
 
@@ -110,7 +114,9 @@ void draw(const BenchArguments& arguments, const Figure& figure)
     catch (const Error& error)
     {
         if (error.code() != ErrorCode::missingProgram)
+        {
             throw;
+        }
         say(fmt::format("no figure: {}\n", error.what()));
     }
 }
@@ -126,8 +132,12 @@ int benchStability(const BenchArguments& arguments)
     draw(arguments, stabilityFigure());
     fmt::print("{}\n", formatText(stabilityTable(results)));
     for (const Preset preset : {Preset::paper, Preset::fast})
+    {
         if (const Table unsound = unsoundTable(results, preset); !unsound.rows.empty())
+        {
             fmt::print("{}\n", formatText(unsound));
+        }
+    }
     const bool sound = unsoundTable(results, Preset::fast).rows.empty();
     fmt::print("verdict: the preset fast {}\n",
                sound ? "passes every cell that makes sense, and says why it refuses the others"
@@ -141,13 +151,21 @@ std::vector<std::string> brokenClaims(const std::vector<ClosedFormPoint>& closed
 {
     std::vector<std::string> broken;
     for (const ClosedFormPoint& point : closed)
+    {
         if (!point.holds())
+        {
             broken.push_back(fmt::format("{}, {}, {} {:g}: error {:.2e}, but {:.2e} is claimed",
                                          point.problem, point.method, point.parameter, point.value,
                                          point.error, point.expected));
+        }
+    }
     for (const ErrorPoint& point : points)
+    {
         if (point.study == "discards" && point.curve == "exact" && point.error != 0)
+        {
             broken.push_back(fmt::format("{}: exact discards change the result", point.setting));
+        }
+    }
     return broken;
 }
 
@@ -163,26 +181,36 @@ void comparePeers(const BenchArguments& arguments, std::vector<std::string>& bro
     fmt::print("{}\n", formatText(peersTable(points)));
     draw(arguments, peersFigure());
     for (const char* motion : {"fall", "skip", "descend"})
+    {
         fmt::print("the fastest other engine takes {:.0f} times as long as ours with {}\n",
                    peerRatio(points, motion), motion);
+    }
     fmt::print("\n");
     const double ratio = peerRatio(points, "skip");
     if (!arguments.quick && ratio < kLeastPeerRatio)
+    {
         broken.push_back(
             fmt::format("only {:.0f} times as fast as the fastest other engine; {:.0f} "
                         "times is claimed",
                         ratio, kLeastPeerRatio));
+    }
     for (const PeerPoint& point : points)
+    {
         if (point.ours && (point.missing + point.outside > 0 || point.worst() > kMostOverlap))
+        {
             broken.push_back(fmt::format("ours, {}: {} lost or outside, overlap {:.1e}",
                                          point.setting, point.missing + point.outside,
                                          point.worst()));
+        }
+    }
 }
 
 int benchError(const BenchArguments& arguments)
 {
     if (arguments.peers)
+    {
         requirePeers();
+    }
     TaskBar bar;
     const std::vector<ClosedFormPoint> closed = measureClosedForms(arguments.quick);
     const std::vector<ErrorPoint> points =
@@ -202,9 +230,13 @@ int benchError(const BenchArguments& arguments)
     draw(arguments, errorFigure());
     std::vector<std::string> broken = brokenClaims(closed, points);
     if (arguments.peers)
+    {
         comparePeers(arguments, broken);
+    }
     for (const std::string& claim : broken)
+    {
         fmt::print("{}\n", claim);
+    }
     fmt::print("verdict: {}\n", broken.empty() ? "errors are as claimed" : "claims do not hold");
     return broken.empty() ? 0 : static_cast<int>(ErrorCode::thresholdFailed);
 }

@@ -30,7 +30,9 @@ std::string findProgram(const std::string& name)
     {
         const std::filesystem::path file = std::filesystem::path(folder) / name;
         if (std::filesystem::is_regular_file(file) && access(file.c_str(), X_OK) == 0)
+        {
             return file.string();
+        }
     }
     return {};
 }
@@ -42,7 +44,9 @@ void printMachine()
     fmt::print("machine   {}, {} cores, {:.1f} GiB, {}\n", machine.cpu, machine.cores,
                machine.memoryGib, machine.system);
     for (const auto& [library, version] : libraryVersions())
+    {
         fmt::print("library   {} {}\n", library, version);
+    }
     fmt::print("font      compiled in\n");
 }
 
@@ -54,9 +58,13 @@ void printPrograms()
     {
         const std::string file = findProgram(program);
         if (file.empty())
+        {
             fmt::print("program   {} is missing; optional: apt-get install {}\n", program, package);
+        }
         else
+        {
             fmt::print("program   {}\n", file);
+        }
     }
 }
 
@@ -69,14 +77,18 @@ int examine()
         fmt::print("OpenGL    {}: {}{}\n", attempt.name,
                    attempt.works ? "" : "does not work: ", attempt.description);
         if (!attempt.works && !attempt.remedy.empty())
+        {
             fmt::print("          remedy: {}\n", attempt.remedy);
+        }
     }
     printPrograms();
     const bool works = std::any_of(attempts.begin(), attempts.end(),
                                    [](const BackendAttempt& attempt) { return attempt.works; });
     if (!works)
+    {
         throw Error(ErrorCode::noOpenGl,
                     "no OpenGL to be had, so frames cannot be drawn; --frames none still works");
+    }
     fmt::print("all is well\n");
     return 0;
 }

@@ -37,8 +37,10 @@ struct FiguresArguments
 int listFigures()
 {
     for (const Figure& figure : allFigures())
+    {
         fmt::print("{:12} {}{}\n", figure.name, figure.title,
                    figure.measured ? " (measured times)" : "");
+    }
     return 0;
 }
 
@@ -51,7 +53,9 @@ bool wanted(const FiguresArguments& arguments, const Figure& figure)
 int figures(FiguresArguments& arguments)
 {
     if (arguments.list)
+    {
         return listFigures();
+    }
     FigureRequest& request = arguments.request;
     request.directory = arguments.directory;
     request.recorded = arguments.recorded;
@@ -62,7 +66,9 @@ int figures(FiguresArguments& arguments)
     { return figure.measured && !request.measure ? 1 : figure.seconds; };
     double all = 0;
     for (const Figure& figure : chosen)
+    {
         all += secondsOf(figure);
+    }
 
     TaskBar bar;
     double before = 0;
@@ -97,7 +103,9 @@ Command addFiguresCommand(CLI::App& program)
     command->footer(kExamples);
     std::vector<std::string> names;
     for (const Figure& figure : allFigures())
+    {
         names.emplace_back(figure.name);
+    }
     command->add_option("--only", arguments->only, "Only these; see --list")
         ->delimiter(',')
         ->check(CLI::IsMember(names))

@@ -66,13 +66,19 @@ struct FillArguments
 Scene sceneFromFile(const std::string& file)
 {
     if (!file.ends_with(".json"))
+    {
         return loadScene(file);
+    }
     std::ifstream in(file);
     if (!in)
+    {
         throw Error(ErrorCode::inputMissing, fmt::format("cannot read {}", file));
+    }
     const auto summary = nlohmann::ordered_json::parse(in, nullptr, false);
     if (!summary.is_object() || !summary.contains("scene"))
+    {
         throw Error(ErrorCode::badData, fmt::format("{} is not the summary of a run", file));
+    }
     return sceneFromJson(summary["scene"], file);
 }
 
@@ -81,7 +87,9 @@ Preset requestedPreset(const GivenOptions& given)
 {
     GivenOptions presetAlone;
     if (const auto found = given.find("preset"); found != given.end())
+    {
         presetAlone.insert(*found);
+    }
     Scene scene;
     applyGivenOptions(presetAlone, scene);
     return scene.preset;
@@ -90,9 +98,11 @@ Preset requestedPreset(const GivenOptions& given)
 Scene requestedScene(const FillArguments& arguments)
 {
     if (arguments.mesh.empty() && arguments.sceneFile.empty())
+    {
         throw Error(ErrorCode::usage,
                     "give a MESH (torus, sphere, cube, human or a file) or a --scene; see "
                     "frostfill fill --help");
+    }
     Scene scene = arguments.sceneFile.empty()
                       ? presetScene(requestedPreset(arguments.given), arguments.mesh)
                       : sceneFromFile(arguments.sceneFile);
@@ -105,7 +115,9 @@ Scene requestedScene(const FillArguments& arguments)
     // A radius alone asks to be filled until no sphere fits, whatever the preset's count.
     if (arguments.sceneFile.empty() && arguments.given.contains("spheres.radius") &&
         !arguments.given.contains("spheres.count"))
+    {
         scene.spheres.count.reset();
+    }
     return scene;
 }
 
@@ -114,7 +126,9 @@ void warnOfIgnored(const FillArguments& arguments, Preset preset)
 {
     const std::string ignored = ignoredOptionsText(arguments.given, preset);
     if (!ignored.empty() && !arguments.quiet)
+    {
         say(fmt::format("frostfill: warning: {}\n", ignored));
+    }
 }
 
 std::string bytesText(double bytes)
@@ -134,15 +148,19 @@ std::string radiiText(double smallest, double largest)
 void printPlan(const FillRequest& request, const FillPlan& plan)
 {
     for (const std::string& repair : plan.repairs)
+    {
         say(fmt::format("repaired: {}\n", repair));
+    }
     say(fmt::format("{}: {} triangles, about {} spheres of {}, steps of {:.3g} s\n",
                     request.scene.name, plan.triangles, plan.spheres,
                     radiiText(plan.smallestRadius, plan.largestRadius), plan.timeStep));
     say(reachText(plan.reach, plan.smallestRadius, plan.volume));
     if (request.scene.frames.enabled)
+    {
         say(fmt::format("expecting about {} frames of {}x{}, {}, {:.3g} times slowed down\n",
                         plan.estimate.frames, request.scene.size.width, request.scene.size.height,
                         bytesText(plan.estimate.bytes), plan.timing.slowMotion));
+    }
 }
 
 void printResult(const FillResult& result)
@@ -150,9 +168,13 @@ void printResult(const FillResult& result)
     const auto rows = setTable(result.sets, result.setFrames, kRowsOfTable);
     fmt::print("{}", formatSetTable(rows));
     if (result.stopped)
+    {
         fmt::print("stopped early, with {} of {} spheres\n", result.spheres, result.wanted);
+    }
     else if (result.full)
+    {
         fmt::print("full: no sphere fits any more after {}\n", result.spheres);
+    }
     fmt::print("{} spheres of {} take {:.1f} % of the volume; {} frames; {:.1f} s; in "
                "{}\n",
                result.spheres, radiiText(result.smallestRadius, result.largestRadius),
@@ -167,7 +189,9 @@ int printVolume(const FillArguments& arguments)
     // Nobody watches, so the quickest way will do.
     if (scene.preset == Preset::fast && arguments.sceneFile.empty() &&
         !arguments.given.contains("motion.mode"))
+    {
         scene.motion.mode = Motion::descend;
+    }
     const VolumeEstimate estimate = estimateVolume(scene);
     if (arguments.json)
     {
@@ -192,7 +216,9 @@ int printVolume(const FillArguments& arguments)
 int fill(const FillArguments& arguments)
 {
     if (arguments.estimateVolume)
+    {
         return printVolume(arguments);
+    }
     FillRequest request;
     request.scene = requestedScene(arguments);
     warnOfIgnored(arguments, request.scene.preset);
@@ -216,17 +242,25 @@ int fill(const FillArguments& arguments)
     bar.close();
 
     if (arguments.json)
+    {
         fmt::print("{}", result.summary);
+    }
     else if (!arguments.quiet)
+    {
         printResult(result);
+    }
     if (result.failure)
+    {
         throw Error(
             ErrorCode::postcondition,
             fmt::format("{}; the files are in {}", *result.failure, result.directory.string()));
+    }
     if (result.videoFailure)
+    {
         throw Error(ErrorCode::writeFailed,
                     fmt::format("{}; the frames are in {}", *result.videoFailure,
                                 result.directory.string()));
+    }
     return result.stopped ? static_cast<int>(ErrorCode::stoppedEarly) : 0;
 }
 

@@ -48,9 +48,13 @@ Scene sceneOf(const std::string& name, std::uint64_t count)
 {
     Scene scene = name.ends_with(".toml") ? loadScene(name) : presetScene(Preset::paper, name);
     if (scene.spheres.groupSize == 0)
+    {
         scene.spheres.groupSize = kGroupSize;
+    }
     if (count > 0)
+    {
         scene.spheres.count = count;
+    }
     return scene;
 }
 
@@ -59,14 +63,18 @@ FpsRequest requestOf(const FpsArguments& arguments)
     FpsRequest request;
     const std::vector<std::string> all = builtInMeshNames();
     for (const std::string& name : arguments.scenes.empty() ? all : arguments.scenes)
+    {
         request.scenes.push_back(sceneOf(name, arguments.count));
+    }
     if (!arguments.searches.empty())
+    {
         std::erase_if(request.methods,
                       [&](FpsMethod method)
                       {
                           return std::find(arguments.searches.begin(), arguments.searches.end(),
                                            methodName(method)) == arguments.searches.end();
                       });
+    }
     request.repeats = arguments.repeats;
     request.warmUpSteps = arguments.warmUp;
     request.pictures = !arguments.noRender;
@@ -77,11 +85,15 @@ nlohmann::ordered_json readOlder(const std::string& file)
 {
     std::ifstream in(file);
     if (!in)
+    {
         throw Error(ErrorCode::inputMissing, fmt::format("cannot read {}", file));
+    }
     auto older = nlohmann::ordered_json::parse(in, nullptr, false);
     if (!older.is_object())
+    {
         throw Error(ErrorCode::badData,
                     fmt::format("{} was not written by frostfill fps --json", file));
+    }
     return older;
 }
 
@@ -99,7 +111,9 @@ void print(const FpsArguments& arguments, const FpsResult& result,
         return;
     }
     for (const Table& table : fpsTables(result))
+    {
         fmt::print("{}\n", arguments.markdown ? formatMarkdown(table) : formatText(table));
+    }
     fmt::print("{}", fpsCircumstances(result));
 }
 
@@ -113,17 +127,25 @@ int printComparison(const FpsComparison& comparison, double threshold, bool onSt
     table.words = 3;
     table.headings = {"object", "search", "quantity", "before", "now", "change %", ""};
     for (const FpsChange& change : comparison.changes)
+    {
         table.rows.push_back(
             {change.object, change.search, change.quantity.substr(0, change.quantity.find("_ms")),
              fmt::format("{:.4f}", change.before), fmt::format("{:.4f}", change.now),
              fmt::format("{:+.1f}", change.percent()), change.regressed ? "regressed" : ""});
+    }
     std::string text = formatText(table);
     if (!comparison.sameMachine)
+    {
         text += "measured on another machine: the difference may be the machine's\n";
+    }
     if (onStandardOutput)
+    {
         fmt::print("\n{}", text);
+    }
     else
+    {
         say(text);
+    }
     return comparison.regressed() ? static_cast<int>(ErrorCode::thresholdFailed) : 0;
 }
 
@@ -132,17 +154,23 @@ int fps(const FpsArguments& arguments)
     // What cannot be compared is found before the measurement, not after.
     nlohmann::ordered_json older;
     if (!arguments.older.empty())
+    {
         older = readOlder(arguments.older);
+    }
     const FpsResult result = measureFps(requestOf(arguments),
                                         [&](const std::string& what)
                                         {
                                             if (!arguments.quiet)
+                                            {
                                                 say(what + "\n");
+                                            }
                                         });
     const nlohmann::ordered_json json = fpsJson(result);
     print(arguments, result, json);
     if (arguments.older.empty())
+    {
         return 0;
+    }
     const FpsComparison comparison = compareFps(older, json, arguments.threshold, arguments.older);
     return printComparison(comparison, arguments.threshold, !arguments.json && !arguments.csv);
 }
@@ -187,7 +215,9 @@ Command addFpsCommand(CLI::App& program)
     const char* measurement = "Measurement";
     std::vector<std::string> names;
     for (const FpsMethod method : kFpsMethods)
+    {
         names.emplace_back(methodName(method));
+    }
     command
         ->add_option("--searches", arguments->searches,
                      "Some of loop, list, tree, grid and fast (all)")

@@ -53,9 +53,15 @@ std::string didYouMean(const CLI::App& program, const std::string& argument)
 {
     std::vector<std::string> known;
     for (const CLI::App* command : program.get_subcommands())
+    {
         for (const CLI::Option* option : command->get_options())
+        {
             for (const std::string& name : option->get_lnames())
+            {
                 known.push_back("--" + name);
+            }
+        }
+    }
     const std::string nearest = nearestName(argument.substr(0, argument.find('=')), known);
     return nearest.empty() ? "" : "; did you mean " + nearest + "?";
 }
@@ -64,13 +70,21 @@ int reportParseError(const CLI::App& program, const CLI::ParseError& error)
 {
     // Help and version arrive as exceptions too.
     if (error.get_exit_code() == 0)
+    {
         return program.exit(error);
+    }
     constexpr int kUsageError = static_cast<int>(ErrorCode::usage);
     if (dynamic_cast<const CLI::ExtrasError*>(&error))
+    {
         for (const CLI::App* command : program.get_subcommands())
+        {
             for (const std::string& rest : command->remaining())
+            {
                 return report(kUsageError, fmt::format("unexpected argument '{}'{}", rest,
                                                        didYouMean(program, rest)));
+            }
+        }
+    }
     return report(kUsageError, fmt::format("{}; see frostfill --help", error.what()));
 }
 
@@ -99,8 +113,12 @@ int run(int argumentCount, char** arguments)
         return reportParseError(program, error);
     }
     for (const auto& [name, command] : commands)
+    {
         if (program.got_subcommand(name))
+        {
             return command();
+        }
+    }
     return 0;
 }
 
@@ -113,8 +131,10 @@ int main(int argumentCount, char** arguments)
         const int code = run(argumentCount, arguments);
         // What was printed may not have arrived: standard output can be a full disk.
         if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+        {
             return report(static_cast<int>(ErrorCode::writeFailed),
                           "cannot write to standard output");
+        }
         return code;
     }
     catch (const Error& error)

@@ -36,17 +36,23 @@ void printReport(const std::string& name, const MeshReport& report)
     fmt::print("{}: {} triangles, {} vertices, {} {}\n", name, report.triangles, report.vertices,
                report.components, report.components == 1 ? "piece" : "pieces");
     if (report.triangles == 0)
+    {
         return;
+    }
     fmt::print("  size        {:.6g} x {:.6g} x {:.6g}\n", size.x(), size.y(), size.z());
     fmt::print("  area        {:.6g}\n", report.area);
     fmt::print("  closed      {}\n", report.closed() ? "yes" : "no");
     if (report.closed())
+    {
         fmt::print("  volume      {:.6g}\n  genus       {}\n", report.volume, report.genus);
+    }
 
     const auto defect = [](const char* what, std::size_t count)
     {
         if (count > 0)
+        {
             fmt::print("  defect      {}: {}\n", what, count);
+        }
     };
     defect("edges at a hole", report.boundaryEdges);
     defect("edges with more than two triangles", report.nonManifoldEdges);
@@ -55,8 +61,10 @@ void printReport(const std::string& name, const MeshReport& report)
     defect("duplicate triangles", report.duplicateTriangles);
     defect("unused vertices", report.unusedVertices);
     if (!report.closed())
+    {
         fmt::print("  first at    {:.6g} {:.6g} {:.6g}\n", report.firstDefect.x(),
                    report.firstDefect.y(), report.firstDefect.z());
+    }
 }
 
 int inspect(const MeshArguments& arguments)
@@ -66,18 +74,26 @@ int inspect(const MeshArguments& arguments)
     const MeshReport asRead = inspectMesh(mesh);
     printReport(arguments.mesh, asRead);
     if (arguments.radius > 0 && !asRead.closed() && asRead.triangles > 0)
+    {
         fmt::print("as it is, {}", reachText(inspectReach(mesh, arguments.radius), arguments.radius,
                                              asRead.volume));
+    }
     // Throws with the reason when the mesh cannot be filled.
     const LoadedMesh loaded = repairMesh(std::move(mesh), arguments.mesh);
     for (const std::string& repair : loaded.repairs)
+    {
         fmt::print("  repair      {}\n", repair);
+    }
     if (!loaded.repairs.empty())
+    {
         printReport("after repair", loaded.report);
+    }
     fmt::print("can be filled\n");
     if (arguments.radius > 0)
+    {
         fmt::print("{}", reachText(inspectReach(loaded.mesh, arguments.radius), arguments.radius,
                                    loaded.report.volume));
+    }
     if (!arguments.repaired.empty())
     {
         savePly(loaded.mesh, arguments.repaired);

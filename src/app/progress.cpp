@@ -44,7 +44,9 @@ bool TimedLine::isDue()
     const auto now = Clock::now();
     const double sinceShown = std::chrono::duration<double>(now - shown_).count();
     if (sinceShown < (terminal_ ? kSecondsPerBar : kSecondsPerLine))
+    {
         return false;
+    }
     shown_ = now;
     return true;
 }
@@ -58,23 +60,31 @@ std::string TimedLine::left(double share) const
 void TimedLine::show(double share, const std::string& text)
 {
     if (terminal_)
+    {
         showBar(share, text);
+    }
     else
+    {
         say(text + "\n");
+    }
     open_ = terminal_;
 }
 
 void TimedLine::close()
 {
     if (open_)
+    {
         say("\n");
+    }
     open_ = false;
 }
 
 void ProgressBar::update(const FillProgress& progress)
 {
     if (++calls_ % kStepsPerLook != 0 || !line_.isDue())
+    {
         return;
+    }
     const double expected = static_cast<double>(std::max<std::size_t>(progress.expected, 1));
     const double done = std::min(1.0, static_cast<double>(progress.spheres) / expected);
     line_.show(done, fmt::format("{}/{} spheres, {:.2f} s simulated, {} frames, {} left",
@@ -91,7 +101,9 @@ void TaskBar::update(std::size_t done, std::size_t all, const std::string& what)
 void TaskBar::update(double share, const std::string& text, const std::string& what)
 {
     if (line_.isDue())
+    {
         line_.show(share, fmt::format("{}, {} left, {}", text, line_.left(share), what));
+    }
 }
 
 } // namespace frostfill

@@ -17,15 +17,21 @@ constexpr std::size_t kMostParts = 5;
 std::string reachText(const ReachInspection& reach, double radius, double volume)
 {
     if (!reach.known)
+    {
         return fmt::format(
             "reach of radius {:.5g}: not looked at, the object is too large for it\n", radius);
+    }
     if (reach.leak)
+    {
         return fmt::format("leak: a sphere of radius {:.5g} gets out near {:.5g} {:.5g} {:.5g}; "
                            "close the hole or choose a larger radius\n",
                            radius, reach.leak->x(), reach.leak->y(), reach.leak->z());
+    }
     if (!reach.fits)
+    {
         return fmt::format("reach: no sphere of radius {:.5g} fits; choose a smaller radius\n",
                            radius);
+    }
     std::string text =
         fmt::format("reach: no leak; at least {:.3g} % of the volume is too narrow for radius "
                     "{:.5g}, {} {} larger than a sphere\n",
@@ -41,7 +47,9 @@ std::string reachText(const ReachInspection& reach, double radius, double volume
                             size.x(), size.y(), size.z());
     }
     if (reach.parts.size() > kMostParts)
+    {
         text += fmt::format("  and {} more\n", reach.parts.size() - kMostParts);
+    }
     return text;
 }
 

@@ -40,7 +40,9 @@ std::string placeholder(const Option& option)
         break;
     }
     for (const auto& [word, number] : option.words)
+    {
         what += "|" + word;
+    }
     return option.nothing.empty() ? what : what + "|" + option.nothing;
 }
 
@@ -68,20 +70,26 @@ void addSceneOptions(CLI::App& command, GivenOptions& given)
     for (const Option& option : sceneOptions())
     {
         if (option.flag.empty())
+        {
             continue;
+        }
         const auto keep = [&given, key = option.key](const std::string& text)
         { given[key] = text; };
         CLI::Option* added = nullptr;
         if (option.type == OptionType::boolean)
+        {
             added = command.add_flag_function(
                 fmt::format("{},!--no-{}", option.flag, option.flag.substr(2)),
                 [keep](std::int64_t times) { keep(times > 0 ? "true" : "false"); },
                 helpWithDefault(option));
+        }
         else
+        {
             added =
                 command
                     .add_option_function<std::string>(option.flag, keep, helpWithDefault(option))
                     ->type_name(placeholder(option));
+        }
         added->group(option.group);
     }
 }
@@ -93,12 +101,16 @@ void applyGivenOptions(const GivenOptions& given, Scene& scene)
     {
         const auto found = given.find(option.key);
         if (found == given.end())
+        {
             continue;
+        }
         const std::string& text = found->second;
         const auto value = readOptionText(option, text);
         if (!value || !setOption(option, scene, *value))
+        {
             throw Error(ErrorCode::usage, fmt::format("{} is '{}', but it must be {}", option.flag,
                                                       text, describeAllowed(option)));
+        }
     }
 }
 
@@ -106,10 +118,16 @@ std::string ignoredOptionsText(const GivenOptions& given, Preset preset)
 {
     std::vector<std::string> ignored;
     for (const Option& option : sceneOptions())
+    {
         if (option.preset && option.preset != preset && given.contains(option.key))
+        {
             ignored.push_back(option.flag);
+        }
+    }
     if (ignored.empty())
+    {
         return "";
+    }
     const Preset other = preset == Preset::fast ? Preset::paper : Preset::fast;
     return fmt::format("the preset {} does not use {}; the preset {} does", presetName(preset),
                        fmt::join(ignored, ", "), presetName(other));

@@ -24,7 +24,9 @@ OrderedWorker::~OrderedWorker()
 void OrderedWorker::rethrow()
 {
     if (failure_)
+    {
         std::rethrow_exception(failure_);
+    }
 }
 
 void OrderedWorker::push(std::function<void()> job)
@@ -51,7 +53,9 @@ void OrderedWorker::work()
     {
         changed_.wait(lock, [&] { return !jobs_.empty() || closing_; });
         if (closing_)
+        {
             return;
+        }
         const std::function<void()> job = std::move(jobs_.front());
         jobs_.pop_front();
         busy_ = true;

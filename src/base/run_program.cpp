@@ -24,7 +24,9 @@ ProgramRun runProgram(const std::filesystem::path& folder, std::vector<std::stri
     }
     std::vector<char*> raw;
     for (std::string& argument : arguments)
+    {
         raw.push_back(argument.data());
+    }
     raw.push_back(nullptr);
 
     posix_spawn_file_actions_t actions;
@@ -46,9 +48,13 @@ ProgramRun runProgram(const std::filesystem::path& folder, std::vector<std::stri
         {
             const ssize_t size = read(ends[0], buffer.data(), buffer.size());
             if (size > 0)
+            {
                 ran.said.append(buffer.data(), static_cast<std::size_t>(size));
+            }
             else if (size == 0 || errno != EINTR)
+            {
                 break;
+            }
         }
         int status = 0;
         while (waitpid(child, &status, 0) < 0 && errno == EINTR)

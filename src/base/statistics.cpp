@@ -30,7 +30,9 @@ double mean(std::span<const double> values)
 double percentile(std::vector<double>& values, double share)
 {
     if (values.empty())
+    {
         return 0;
+    }
     const auto rank = static_cast<std::size_t>(
         std::max(1.0, std::ceil(share * static_cast<double>(values.size()))));
     const auto nth = values.begin() + static_cast<std::ptrdiff_t>(rank - 1);
@@ -42,7 +44,9 @@ Distribution describe(std::vector<double> values)
 {
     Distribution result;
     if (values.empty())
+    {
         return result;
+    }
     result.count = values.size();
     result.mean = mean(values);
     result.median = percentile(values, 0.5);
@@ -59,13 +63,19 @@ RepeatedMean meanOfRepeats(std::span<const double> runs)
     RepeatedMean result;
     result.mean = mean(runs);
     if (runs.empty())
+    {
         return result;
+    }
     result.least = *std::min_element(runs.begin(), runs.end());
     if (runs.size() < 2)
+    {
         return result;
+    }
     double squares = 0;
     for (const double run : runs)
+    {
         squares += (run - result.mean) * (run - result.mean);
+    }
     const auto freedom = static_cast<double>(runs.size() - 1);
     const double t = runs.size() - 2 < kStudent.size() ? kStudent[runs.size() - 2] : kNormal;
     result.halfWidth = t * std::sqrt(squares / freedom / static_cast<double>(runs.size()));

@@ -17,8 +17,10 @@ AtomicFile::AtomicFile(std::filesystem::path file) : file_(std::move(file)), par
     part_ += ".part";
     stream_.reset(std::fopen(part_.c_str(), "wb"));
     if (!stream_)
+    {
         throw Error(ErrorCode::cannotCreate,
                     fmt::format("cannot create {}: {}", part_.string(), std::strerror(errno)));
+    }
 }
 
 AtomicFile::~AtomicFile()
@@ -26,26 +28,36 @@ AtomicFile::~AtomicFile()
     std::error_code ignored;
     stream_.reset();
     if (!part_.empty())
+    {
         std::filesystem::remove(part_, ignored);
+    }
 }
 
 void AtomicFile::write(std::string_view text)
 {
     if (std::fwrite(text.data(), 1, text.size(), stream_.get()) != text.size())
+    {
         fail(errno);
+    }
 }
 
 void AtomicFile::commit()
 {
     // A full disk may show only when the buffer is flushed or the file is closed.
     if (std::fflush(stream_.get()) != 0)
+    {
         fail(errno);
+    }
     if (std::fclose(stream_.release()) != 0)
+    {
         fail(errno);
+    }
     std::error_code error;
     std::filesystem::rename(part_, file_, error);
     if (error)
+    {
         fail(error.value());
+    }
     part_.clear();
 }
 
@@ -60,9 +72,11 @@ void createDirectory(const std::filesystem::path& directory)
     std::error_code error;
     std::filesystem::create_directories(directory, error);
     if (error || !std::filesystem::is_directory(directory))
+    {
         throw Error(ErrorCode::cannotCreate,
                     fmt::format("cannot create the directory {}: {}", directory.string(),
                                 error ? error.message() : "a file of that name is in the way"));
+    }
 }
 
 } // namespace frostfill

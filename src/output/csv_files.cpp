@@ -56,8 +56,10 @@ void writePolygonsCsv(std::span<const PolygonState> polygons, const std::filesys
     AtomicFile out(file);
     out.write("id,state\n");
     for (std::size_t id = 0; id < polygons.size(); ++id)
+    {
         out.write(fmt::format("{},{}\n", id,
                               polygons[id] == PolygonState::active ? "active" : "discarded"));
+    }
     out.commit();
 }
 

@@ -30,7 +30,9 @@ FrameThinning::Decision FrameThinning::take(std::size_t number)
 {
     Decision decision;
     if (!wants(number))
+    {
         return decision;
+    }
     if (limit_ > 0 && count_ >= limit_)
     {
         decision.thin = true;
@@ -69,14 +71,20 @@ void PngSequence::put(std::size_t number, const Image& image,
     // Pictures that are not kept leave their changes to the next one that is.
     changedRows_.resize(static_cast<std::size_t>(image.height), 1);
     for (std::size_t y = 0; y < changedRows_.size(); ++y)
+    {
         changedRows_[y] |= y < changedRows.size() ? changedRows[y] : std::uint8_t{1};
+    }
 
     const std::size_t before = thinning_.count();
     const FrameThinning::Decision decision = thinning_.take(number);
     if (decision.thin)
+    {
         thin(before);
+    }
     if (!decision.keep)
+    {
         return;
+    }
 
     const auto encoding = Clock::now();
     PngText all = text_;
@@ -97,13 +105,19 @@ void PngSequence::thin(std::size_t count)
     for (std::size_t index = 1; index < count && !error; ++index)
     {
         if (index % 2 == 1)
+        {
             std::filesystem::remove(file(index), error);
+        }
         else
+        {
             std::filesystem::rename(file(index), file(index / 2), error);
+        }
     }
     if (error)
+    {
         throw Error(ErrorCode::writeFailed, fmt::format("cannot thin out the frames in {}: {}",
                                                         directory_.string(), error.message()));
+    }
     times_[Stage::writing] += secondsSince(start);
 }
 

@@ -18,23 +18,37 @@ Json::json_pointer pointerTo(const std::string& key)
 {
     std::string path = "/" + key;
     for (char& letter : path)
+    {
         if (letter == '.')
+        {
             letter = '/';
+        }
+    }
     return Json::json_pointer(path);
 }
 
 Json valueToJson(const OptionValue& value)
 {
     if (const auto* yes = std::get_if<bool>(&value))
+    {
         return *yes;
+    }
     if (const auto* whole = std::get_if<std::int64_t>(&value))
+    {
         return *whole;
+    }
     if (const auto* number = std::get_if<double>(&value))
+    {
         return *number;
+    }
     if (const auto* text = std::get_if<std::string>(&value))
+    {
         return *text;
+    }
     if (const auto* vector = std::get_if<Eigen::Vector3d>(&value))
+    {
         return {vector->x(), vector->y(), vector->z()};
+    }
     return nullptr;
 }
 
@@ -42,16 +56,26 @@ Json valueToJson(const OptionValue& value)
 OptionValue valueFromJson(const Json& json)
 {
     if (json.is_null())
+    {
         return std::monostate{};
+    }
     if (json.is_boolean())
+    {
         return json.get<bool>();
+    }
     if (json.is_number_integer())
+    {
         return json.get<std::int64_t>();
+    }
     if (json.is_number())
+    {
         return json.get<double>();
+    }
     if (json.is_array() && json.size() == 3 && json[0].is_number() && json[1].is_number() &&
         json[2].is_number())
+    {
         return Eigen::Vector3d(json[0], json[1], json[2]);
+    }
     return json.is_string() ? json.get<std::string>() : std::string();
 }
 
@@ -61,7 +85,9 @@ Json sceneToJson(const Scene& scene)
 {
     Json json;
     for (const Option& option : sceneOptions())
+    {
         json[pointerTo(option.key)] = valueToJson(option.get(scene));
+    }
     return json;
 }
 
@@ -72,9 +98,11 @@ Scene sceneFromJson(const Json& json, std::string_view nameForMessages)
     {
         const auto pointer = pointerTo(option.key);
         if (!json.contains(pointer) || !setOption(option, scene, valueFromJson(json[pointer])))
+        {
             throw Error(ErrorCode::badData,
                         fmt::format("{}: 'scene.{}' must be {}", nameForMessages, option.key,
                                     describeAllowed(option)));
+        }
     }
     return scene;
 }

@@ -28,7 +28,9 @@ std::array<double, 3> pixelOver(const Image& image, int x, int y, const Colour& 
     const double alpha = image.channels == 4 ? pixel[3] / 255.0 : 1;
     std::array<double, 3> result{};
     for (std::size_t c = 0; c < 3; ++c)
+    {
         result[c] = alpha * pixel[c] + (1 - alpha) * ground[c];
+    }
     return result;
 }
 
@@ -39,6 +41,7 @@ void drawSmaller(const Image& from, const Crop& crop, Image& sheet, const Crop& 
     const double step =
         static_cast<double>(crop.right - crop.left) / std::max(1, place.right - place.left);
     for (int y = place.top; y < place.bottom; ++y)
+    {
         for (int x = place.left; x < place.right; ++x)
         {
             const auto first = [&](int at, int start)
@@ -50,16 +53,23 @@ void drawSmaller(const Image& from, const Crop& crop, Image& sheet, const Crop& 
             std::array<double, 3> sum{};
             int count = 0;
             for (int v = v0; v < std::min(v1, from.height); ++v)
+            {
                 for (int u = u0; u < std::min(u1, from.width); ++u, ++count)
                 {
                     const auto pixel = pixelOver(from, u, v, ground);
                     for (std::size_t c = 0; c < 3; ++c)
+                    {
                         sum[c] += pixel[c];
+                    }
                 }
+            }
             std::uint8_t* to = sheet.pixels.data() + (sheet.at(x, y) - sheet.at(0, 0));
             for (std::size_t c = 0; count > 0 && c < 3; ++c)
+            {
                 to[c] = static_cast<std::uint8_t>(std::lround(sum[c] / count));
+            }
         }
+    }
 }
 
 Image emptySheet(int width, int height, const Colour& ground)
@@ -69,7 +79,9 @@ Image emptySheet(int width, int height, const Colour& ground)
     sheet.height = height;
     sheet.pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3);
     for (std::size_t i = 0; i < sheet.pixels.size(); ++i)
+    {
         sheet.pixels[i] = ground[i % 3];
+    }
     return sheet;
 }
 
@@ -80,7 +92,9 @@ Image makeContactSheet(const ContactSheetRequest& request)
     // A sheet without frames is a title on nothing; a transparent ground becomes white paper.
     Colour ground = request.palette.background;
     if (ground[3] < 255)
+    {
         ground = {255, 255, 255, 255};
+    }
     const auto tiles = static_cast<int>(std::min(kMostTiles, request.count));
     const int columns = std::clamp(tiles, 1, kColumns);
     const int rows = (tiles + columns - 1) / columns;

@@ -44,16 +44,24 @@ bool simulate(Simulation& simulation, FrameRecorder* recorder, const FillObserve
 {
     const std::size_t expected = simulation.expectedSpheres();
     if (recorder)
+    {
         recorder->record(simulation);
+    }
     while (simulation.step())
     {
         if (recorder)
+        {
             recorder->record(simulation);
+        }
         if (observer.progressed)
+        {
             observer.progressed({simulation.sphereCount(), simulation.restingCount(), expected,
                                  recorder ? recorder->count() : 0, simulation.time()});
+        }
         if (observer.stopRequested && observer.stopRequested())
+        {
             return true;
+        }
     }
     return false;
 }
@@ -61,14 +69,20 @@ bool simulate(Simulation& simulation, FrameRecorder* recorder, const FillObserve
 std::optional<std::string> failedPostcondition(const QualityReport& quality, bool blank)
 {
     if (quality.notFinite > 0)
+    {
         return fmt::format("{} spheres have positions that are not numbers; try a smaller --dt",
                            quality.notFinite);
+    }
     if (quality.centresOutside > 0)
+    {
         return fmt::format("{} spheres ended outside the object; try a smaller --dt or "
                            "--discard none",
                            quality.centresOutside);
+    }
     if (blank)
+    {
         return "the pictures are blank: the camera does not see the object";
+    }
     return std::nullopt;
 }
 
@@ -114,8 +128,10 @@ void writeContactSheet(const FillRequest& request, const FrameRecorder& recorder
 FillResult runFill(const FillRequest& request, const FillObserver& observer)
 {
     if (!request.scene.frames.enabled && (!request.video.empty() || request.contactSheet))
+    {
         throw Error(ErrorCode::usage, "a video or contact sheet is made of frames: leave out "
                                       "--frames none, or --video and --contact-sheet");
+    }
     const auto start = std::chrono::steady_clock::now();
     validateScene(request.scene);
     const LoadedMesh mesh = loadMesh(request.scene.object.mesh);
@@ -125,14 +141,18 @@ FillResult runFill(const FillRequest& request, const FillObserver& observer)
     const FrameTiming timing = frameTiming(request.scene, mesh.report);
     std::unique_ptr<FrameRecorder> recorder;
     if (request.scene.frames.enabled)
+    {
         recorder = std::make_unique<FrameRecorder>(
             mesh.mesh, request.scene, timing.interval, colourRange(request.scene, mesh, simulation),
             request.directory, runHash(request.scene, mesh.mesh), request.video,
             simulation.poses());
+    }
     FillResult result;
     result.reach = simulation.inspectReach(kReachBytes);
     if (observer.planned)
+    {
         observer.planned(makePlan(request.scene, mesh, simulation, timing, result.reach));
+    }
 
     result.directory = request.directory;
     result.stopped = simulate(simulation, recorder.get(), observer);
@@ -143,7 +163,9 @@ FillResult runFill(const FillRequest& request, const FillObserver& observer)
         result.frames = recorder->count();
         result.videoFailure = recorder->videoFailure();
         if (request.contactSheet)
+        {
             writeContactSheet(request, *recorder, timing, simulation.time());
+        }
         result.setFrames = recorder->sets();
         result.renderer = recorder->description();
         times += recorder->times();

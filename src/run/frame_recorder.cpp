@@ -92,7 +92,9 @@ void FrameRecorder::takeNext(const Simulation& simulation)
     if (selection_.has(next_))
     {
         if (wants(selected_))
+        {
             take(simulation, selected_);
+        }
         ++selected_;
     }
     ++next_;
@@ -102,7 +104,9 @@ void FrameRecorder::record(const Simulation& simulation)
 {
     // A step may be longer than the time between frames: then several frames show it.
     while (simulation.time() >= static_cast<double>(next_) * interval_)
+    {
         takeNext(simulation);
+    }
 }
 
 void FrameRecorder::take(const Simulation& simulation, std::size_t number)
@@ -137,7 +141,9 @@ void FrameRecorder::draw(const Order& order)
         image_ = &renderer_->draw(snapshot);
         const StageTimes& after = renderer_->times();
         if (sets_.size() <= snapshot.set)
+        {
             sets_.resize(snapshot.set + 1);
+        }
         const auto spent = [&](Stage stage) { return 1000 * (after[stage] - before[stage]); };
         sets_[snapshot.set].renderMs.push_back(spent(Stage::rendering));
         sets_[snapshot.set].readbackMs.push_back(spent(Stage::readback));
@@ -155,7 +161,9 @@ void FrameRecorder::finish(const Simulation& simulation)
 {
     const auto end = next_ + static_cast<std::size_t>(std::llround(frames_.hold * frames_.fps));
     while (next_ < end)
+    {
         takeNext(simulation);
+    }
     if (selection_.hasLast() && takenStep_ != simulation.steps())
     {
         // Thinning may double the stride under our hands; the last state has to survive it.
@@ -174,7 +182,9 @@ void FrameRecorder::finish(const Simulation& simulation)
             times_ = renderer_->times();
             renderer_.reset();
             if (!last.centres.empty())
+            {
                 lookForSpheres(last);
+            }
         });
     drawing_.finish();
     writer_.finish();
@@ -182,7 +192,9 @@ void FrameRecorder::finish(const Simulation& simulation)
     const auto& encoding = writer_.milliseconds();
     sets_.resize(std::max(sets_.size(), encoding.size()));
     for (std::size_t set = 0; set < encoding.size(); ++set)
+    {
         sets_[set].encodeMs = encoding[set];
+    }
 }
 
 void FrameRecorder::lookForSpheres(const Snapshot& snapshot)

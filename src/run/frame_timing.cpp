@@ -42,7 +42,9 @@ FrameEstimate estimateFrames(const Scene& scene, const MeshReport& mesh, std::si
 {
     FrameEstimate estimate;
     if (!scene.frames.enabled)
+    {
         return estimate;
+    }
     const double sets =
         std::ceil(static_cast<double>(spheres) / (std::max(kGroup, 1.0 * scene.spheres.groupSize) *
                                                   static_cast<double>(scene.spheres.groupsPerSet)));
@@ -52,11 +54,15 @@ FrameEstimate estimateFrames(const Scene& scene, const MeshReport& mesh, std::si
     // Thinning halves the number until it is within the limit.
     double kept = frames;
     while (scene.frames.limit > 1 && kept > static_cast<double>(scene.frames.limit))
+    {
         kept /= 2;
+    }
     estimate.frames = static_cast<std::size_t>(
         scene.frames.limit == 1 ? 1.0 : std::min(kept, 9e15)); // 9e15: exact and in range
     if (const auto selection = FrameSelection::parse(scene.frames.selection))
+    {
         estimate.frames = selection->countOf(estimate.frames);
+    }
     estimate.bytes = static_cast<double>(estimate.frames) * kBytesPerPixel * scene.size.width *
                      scene.size.height;
     return estimate;

@@ -29,12 +29,14 @@ void FrameWriter::put(std::size_t number, const Image& image,
     const std::size_t row =
         static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.channels);
     for (std::size_t y = 0; y < changedRows.size(); ++y)
+    {
         if (changedRows[y] != 0)
         {
             const auto from = image.pixels.begin() + static_cast<std::ptrdiff_t>(y * row);
             parcel.pixels.insert(parcel.pixels.end(), from,
                                  from + static_cast<std::ptrdiff_t>(row));
         }
+    }
     worker_.push([this, &parcel] { write(parcel); });
 }
 
@@ -48,18 +50,22 @@ void FrameWriter::write(const Parcel& parcel)
     image_.pixels.resize(row * static_cast<std::size_t>(parcel.height));
     auto from = parcel.pixels.begin();
     for (std::size_t y = 0; y < parcel.changedRows.size(); ++y)
+    {
         if (parcel.changedRows[y] != 0)
         {
             std::copy_n(from, row, image_.pixels.begin() + static_cast<std::ptrdiff_t>(y * row));
             from += static_cast<std::ptrdiff_t>(row);
         }
+    }
 
     const auto spent = [&]
     { return sequence_.times()[Stage::encoding] + sequence_.times()[Stage::writing]; };
     const double before = spent();
     sequence_.put(parcel.number, image_, parcel.changedRows, parcel.text);
     if (milliseconds_.size() <= parcel.set)
+    {
         milliseconds_.resize(parcel.set + 1);
+    }
     milliseconds_[parcel.set].push_back(1000 * (spent() - before));
 }
 

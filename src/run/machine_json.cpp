@@ -20,7 +20,9 @@ nlohmann::ordered_json machineJson(const std::string& renderer)
                                    {"renderer", renderer},
                                    {"frostfill", machine.version}};
     for (const auto& [library, version] : libraryVersions())
+    {
         json["versions"][library] = version;
+    }
     return json;
 }
 

@@ -31,14 +31,28 @@ std::vector<std::filesystem::path> filesOfRun(const std::filesystem::path& direc
 {
     std::vector<std::filesystem::path> files;
     for (const char* name : kFiles)
+    {
         for (const char* ending : {"", ".part"})
+        {
             if (std::filesystem::exists(directory / (std::string(name) + ending)))
+            {
                 files.push_back(directory / (std::string(name) + ending));
+            }
+        }
+    }
     for (const char* folder : kFrameFolders)
+    {
         if (std::filesystem::is_directory(directory / folder))
+        {
             for (const auto& entry : std::filesystem::directory_iterator(directory / folder))
+            {
                 if (isFrame(entry.path().filename().string()))
+                {
                     files.push_back(entry.path());
+                }
+            }
+        }
+    }
     return files;
 }
 
@@ -51,15 +65,21 @@ void prepareRunDirectory(const std::filesystem::path& directory, bool overwrite)
     {
         const auto files = filesOfRun(directory);
         if (!files.empty() && !overwrite)
+        {
             throw Error(ErrorCode::cannotCreate,
                         fmt::format("{} already holds a run; give --overwrite to replace it, or "
                                     "another directory with --out",
                                     directory.string()));
+        }
         for (const auto& file : files)
+        {
             std::filesystem::remove(file);
+        }
         std::error_code notEmpty;
         for (const char* folder : kFrameFolders)
+        {
             std::filesystem::remove(directory / folder, notEmpty);
+        }
     }
     catch (const std::filesystem::filesystem_error& error)
     {

@@ -78,7 +78,9 @@ Json timeJson(const RunRecord& run)
 {
     Json json;
     for (std::size_t i = 0; i < kStageCount; ++i)
+    {
         json[stageName(static_cast<Stage>(i))] = run.times.seconds[i];
+    }
     json["wall"] = run.result.wallSeconds;
     json["simulated"] = run.simulation.time();
     json["steps"] = run.simulation.steps();
@@ -107,25 +109,33 @@ Json pointJson(const Eigen::Vector3d& p)
 Json reachJson(const ReachInspection& reach)
 {
     if (!reach.known)
+    {
         return nullptr;
+    }
     Json json = {{"leak", reach.leak ? pointJson(*reach.leak) : Json()},
                  {"volume_unreachable", reach.unreachable},
                  {"resolution", reach.resolution},
                  {"parts", Json::array()}};
     for (const UnreachableVolume& part : reach.parts)
+    {
         json["parts"].push_back({{"volume", part.volume},
                                  {"centre", pointJson(part.centre)},
                                  {"low", pointJson(part.box.min())},
                                  {"high", pointJson(part.box.max())}});
+    }
     return json;
 }
 
 const char* outcome(const FillResult& result)
 {
     if (result.failure)
+    {
         return "failed";
+    }
     if (result.stopped)
+    {
         return "stopped";
+    }
     return result.full ? "full" : "count reached";
 }
 
@@ -136,7 +146,9 @@ std::string summaryText(const RunRecord& run)
     Json json;
     json["outcome"] = outcome(run.result);
     if (run.result.failure)
+    {
         json["failure"] = *run.result.failure;
+    }
     json["scene"] = sceneToJson(run.request.scene);
     json["machine"] = machineJson(run.result.renderer);
     json["mesh"] = meshJson(run.mesh);

@@ -20,7 +20,9 @@ public:
     void add(std::string_view bytes)
     {
         for (const char byte : bytes)
+        {
             state_ = (state_ ^ static_cast<std::uint8_t>(byte)) * 0x100000001b3ULL;
+        }
     }
     template <class Value>
     void add(const std::vector<Value>& values)

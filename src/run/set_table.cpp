@@ -62,10 +62,14 @@ SetTiming summed(std::span<const SetRecord> sets, std::span<const SetFrames> fra
 
     const auto pictures = static_cast<double>(row.frames > 0 ? row.frames : row.steps);
     if (pictures > 0)
+    {
         for (double* ms :
              {&row.sphereSphereMs, &row.spherePolygonMs, &row.freezingMs, &row.discardingMs,
               &row.otherMs, &row.renderMs, &row.readbackMs, &row.encodeMs})
+        {
             *ms /= pictures;
+        }
+    }
     row.framesPerSecond = milliseconds > 0 ? 1000 * pictures / milliseconds : 0;
     return row;
 }
@@ -76,9 +80,13 @@ std::string csvRow(const SetRecord& set, const SetFrames& drawn, double framesPe
                                   drawn.renderMs.size(), set.steps, set.simulatedSeconds);
     for (double ms : {set.meanSphereSphereMs, set.p95SphereSphereMs, set.meanSpherePolygonMs,
                       set.p95SpherePolygonMs})
+    {
         row += fmt::format("{:.6g},", ms);
+    }
     for (const auto* ms : {&drawn.renderMs, &drawn.readbackMs, &drawn.encodeMs})
+    {
         row += fmt::format("{:.6g},{:.6g},", mean(*ms), percentile95(*ms));
+    }
     row +=
         fmt::format("{:.6g},{:.6g},{:.6g},{},{},{},{},{},{},{}\n",
                     1000 * set.times[Stage::freezing], 1000 * set.times[Stage::discarding],
@@ -120,7 +128,9 @@ std::vector<SetTiming> setTable(std::span<const SetRecord> sets, std::span<const
 std::string formatSetTable(std::span<const SetTiming> rows)
 {
     if (rows.empty())
+    {
         return {};
+    }
     const bool drawn = rows.back().frames > 0;
     std::string text = fmt::format(
         "{:>9} {:>7} {:>6} {:>9} | {:^62} | {:^22}\n", "", "", "", drawn ? "frames/s" : "steps/s",
@@ -131,12 +141,14 @@ std::string formatSetTable(std::span<const SetTiming> rows)
                         "freeze", "discard", "other", "render", "read", "encode", "run", "frozen",
                         "discard");
     for (const SetTiming& row : rows)
+    {
         text += fmt::format("{:>9} {:>7} {:>6} {:>9.1f} | {:>7.3f} {:>7.3f} {:>7.3f} {:>7.3f} "
                             "{:>7.3f} {:>7.2f} {:>7.2f} {:>7.2f}| {:>6} {:>7} {:>7}\n",
                             row.name, row.spheres, drawn ? row.frames : row.steps,
                             row.framesPerSecond, row.sphereSphereMs, row.spherePolygonMs,
                             row.freezingMs, row.discardingMs, row.otherMs, row.renderMs,
                             row.readbackMs, row.encodeMs, row.running, row.frozen, row.discarded);
+    }
     return text;
 }
 
@@ -146,7 +158,9 @@ void writeSetsCsv(std::span<const SetRecord> sets, std::span<const SetFrames> fr
     AtomicFile out(file);
     out.write(kCsvHeading);
     for (const SetRecord& set : sets)
+    {
         out.write(csvRow(set, framesOf(frames, set), summed({&set, 1}, frames).framesPerSecond));
+    }
     out.commit();
 }
 

@@ -15,16 +15,22 @@ SideOutputs::SideOutputs(const Scene& scene, std::filesystem::path directory,
     : passes_(scene.frames.passes), limit_(scene.frames.limit), directory_(std::move(directory))
 {
     if (!video.empty())
+    {
         video_.emplace(video, scene.frames.fps);
+    }
 }
 
 void SideOutputs::put(std::size_t number, bool kept, Renderer& renderer, const Snapshot& snapshot,
                       const Image& image)
 {
     if (video_)
+    {
         video_->put(number, image);
+    }
     if (kept && passes_.any())
+    {
         putPasses(number, renderer, snapshot);
+    }
 }
 
 void SideOutputs::putPasses(std::size_t number, Renderer& renderer, const Snapshot& snapshot)
@@ -38,9 +44,13 @@ void SideOutputs::putPasses(std::size_t number, Renderer& renderer, const Snapsh
         [&](bool wanted, std::optional<PngSequence>& sequence, const char* name, const Image& image)
     {
         if (wanted && !sequence)
+        {
             sequence.emplace(directory_ / name, limit_, range);
+        }
         if (wanted)
+        {
             sequence->put(number, image);
+        }
     };
     keep(passes_.depth, depth_, "depth", pictures_.depth);
     keep(passes_.normal, normal_, "normal", pictures_.normal);
@@ -52,7 +62,9 @@ std::optional<std::string> SideOutputs::finish()
     try
     {
         if (video_)
+        {
             video_->finish();
+        }
     }
     catch (const Error& error)
     {

@@ -35,8 +35,10 @@ VolumeEstimate estimateVolume(const Scene& scene)
 {
     validateScene(scene);
     if (scene.spheres.radius && !scene.spheres.radius->equal())
+    {
         throw Error(ErrorCode::usage, "--estimate-volume needs one radius, for only equal spheres "
                                       "have a packing fraction that is known beforehand");
+    }
     const LoadedMesh mesh = loadMesh(scene.object.mesh);
     VolumeEstimate estimate;
     estimate.meshVolume = mesh.report.volume;

@@ -27,7 +27,9 @@ std::optional<std::size_t> wholeNumber(std::string_view text)
     std::size_t value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size())
+    {
         return std::nullopt;
+    }
     return value;
 }
 
@@ -37,7 +39,9 @@ std::optional<FrameSelection> FrameSelection::parse(std::string_view text)
 {
     FrameSelection selection;
     if (text == "none")
+    {
         return selection;
+    }
     if (text == "all")
     {
         selection.ranges_.push_back({0, kEndless, 1});
@@ -45,7 +49,9 @@ std::optional<FrameSelection> FrameSelection::parse(std::string_view text)
         return selection;
     }
     if (text.empty() || text.back() == ',')
+    {
         return std::nullopt;
+    }
     while (!text.empty())
     {
         std::string_view part = takePart(text, ',');
@@ -56,7 +62,9 @@ std::optional<FrameSelection> FrameSelection::parse(std::string_view text)
         }
         const auto parts = std::count(part.begin(), part.end(), ':') + 1;
         if (parts > 3 || (!part.empty() && part.back() == ':' && parts != 2))
+        {
             return std::nullopt;
+        }
         const auto start = wholeNumber(takePart(part, ':'));
         // "100:" goes on to the end.
         const auto end = parts == 1     ? std::optional(kEndless)
@@ -64,7 +72,9 @@ std::optional<FrameSelection> FrameSelection::parse(std::string_view text)
                                         : wholeNumber(takePart(part, ':'));
         const auto step = parts == 3 ? wholeNumber(part) : std::optional<std::size_t>(1);
         if (!start || !end || !step || *step == 0)
+        {
             return std::nullopt;
+        }
         selection.ranges_.push_back({*start, parts == 1 ? *start + 1 : *end, *step});
     }
     return selection;

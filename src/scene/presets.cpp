@@ -38,8 +38,12 @@ constexpr PaperObject kAnyObject = {"", 300, 10, 2, 2};
 PaperObject paperObject(std::string_view mesh)
 {
     for (const PaperObject& object : kPaperObjects)
+    {
         if (object.mesh == mesh)
+        {
             return object;
+        }
+    }
     return kAnyObject;
 }
 
@@ -82,10 +86,14 @@ double gravityInMeshUnits(const Scene& scene)
 double sphereRadius(const Scene& scene, const MeshReport& mesh)
 {
     if (scene.spheres.radius)
+    {
         return RadiusDistribution(*scene.spheres.radius).largest();
+    }
     if (!scene.spheres.count)
+    {
         throw Error(ErrorCode::usage, "neither a radius nor a count of spheres is given; give "
                                       "--radius, --count or both");
+    }
 
     // N v(r) = 0.9 phi (V - c r S): the left side grows with r from 0 and the right side falls from
     // a positive value to 0 at c r S = V, so there is exactly one root between.

@@ -21,7 +21,9 @@ std::string_view withoutSpaces(std::string_view text)
     constexpr const char* kSpaces = " \t\r";
     const std::size_t first = text.find_first_not_of(kSpaces);
     if (first == std::string_view::npos)
+    {
         return {};
+    }
     return text.substr(first, text.find_last_not_of(kSpaces) + 1 - first);
 }
 
@@ -29,8 +31,10 @@ std::vector<double> readFile(const std::string& file)
 {
     std::ifstream in(file);
     if (!std::filesystem::is_regular_file(file) || !in)
+    {
         throw Error(ErrorCode::inputMissing,
                     fmt::format("cannot read the radii {}: no such file, or not readable", file));
+    }
     std::vector<double> radii;
     std::string line;
     for (std::size_t number = 1; std::getline(in, line); ++number)
@@ -38,18 +42,24 @@ std::vector<double> readFile(const std::string& file)
         const std::string_view text =
             withoutSpaces(std::string_view(line).substr(0, line.find('#')));
         if (text.empty())
+        {
             continue;
+        }
         double radius = 0;
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), radius);
         if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(radius) ||
             radius <= 0)
+        {
             throw Error(ErrorCode::badData,
                         fmt::format("{}, line {}: '{}' must be a radius, a number above 0", file,
                                     number, text));
+        }
         radii.push_back(radius);
     }
     if (radii.empty())
+    {
         throw Error(ErrorCode::badData, fmt::format("{} has no radii; give one a line", file));
+    }
     return radii;
 }
 
@@ -66,26 +76,36 @@ RadiusDistribution::RadiusDistribution(const Radii& radii)
         largest_ = values_.back();
     }
     if (equal())
+    {
         values_.clear();
+    }
 }
 
 double RadiusDistribution::meanPower(int power) const
 {
     if (equal())
+    {
         return std::pow(largest_, power);
+    }
     if (values_.empty())
+    {
         return (std::pow(largest_, power + 1) - std::pow(smallest_, power + 1)) /
                ((power + 1) * (largest_ - smallest_));
+    }
     double sum = 0;
     for (const double radius : values_)
+    {
         sum += std::pow(radius, power);
+    }
     return sum / static_cast<double>(values_.size());
 }
 
 double RadiusDistribution::draw(double uniform, double limit) const
 {
     if (values_.empty())
+    {
         return smallest_ + uniform * (std::clamp(limit, smallest_, largest_) - smallest_);
+    }
     const auto end = std::upper_bound(values_.begin(), values_.end(), limit);
     const auto among = std::max<std::ptrdiff_t>(1, end - values_.begin());
     return values_[static_cast<std::size_t>(uniform * static_cast<double>(among))];
@@ -94,11 +114,15 @@ double RadiusDistribution::draw(double uniform, double limit) const
 std::vector<double> RadiusDistribution::distinct(std::size_t most) const
 {
     if (equal())
+    {
         return {largest_};
+    }
     std::vector<double> different = values_;
     different.erase(std::unique(different.begin(), different.end()), different.end());
     if (different.size() > most)
+    {
         different.clear();
+    }
     return different;
 }
 
@@ -106,7 +130,9 @@ RadiusDistribution RadiusDistribution::inLargest() const
 {
     RadiusDistribution scaled = *this;
     for (double& radius : scaled.values_)
+    {
         radius /= largest_;
+    }
     scaled.smallest_ = smallest_ / largest_;
     scaled.largest_ = 1;
     return scaled;

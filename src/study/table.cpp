@@ -28,8 +28,10 @@ std::string textRow(const Table& table, const std::vector<std::string>& cells,
 {
     std::string line;
     for (std::size_t column = 0; column < cells.size(); ++column)
+    {
         line +=
             (column > 0 ? "  " : "") + padded(cells[column], widths[column], column >= table.words);
+    }
     line.erase(line.find_last_not_of(' ') + 1);
     return line + "\n";
 }
@@ -37,10 +39,14 @@ std::string textRow(const Table& table, const std::vector<std::string>& cells,
 std::string csvCell(const std::string& text)
 {
     if (text.find_first_of(",\"\n") == std::string::npos)
+    {
         return text;
+    }
     std::string quoted = "\"";
     for (const char c : text)
+    {
         quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    }
     return quoted + "\"";
 }
 
@@ -53,11 +59,15 @@ std::string formatText(const Table& table)
     {
         widths.push_back(widthOf(table.headings[column]));
         for (const auto& row : table.rows)
+        {
             widths.back() = std::max(widths.back(), widthOf(row[column]));
+        }
     }
     std::string text = table.title + "\n" + textRow(table, table.headings, widths);
     for (const auto& row : table.rows)
+    {
         text += textRow(table, row, widths);
+    }
     return text;
 }
 
@@ -67,15 +77,21 @@ std::string formatMarkdown(const Table& table)
     {
         std::string text = "|";
         for (const std::string& cell : cells)
+        {
             text += " " + cell + " |";
+        }
         return text + "\n";
     };
     std::string text = "**" + table.title + "**\n\n" + line(table.headings) + "|";
     for (std::size_t column = 0; column < table.headings.size(); ++column)
+    {
         text += column < table.words ? "---|" : "---:|";
+    }
     text += "\n";
     for (const auto& row : table.rows)
+    {
         text += line(row);
+    }
     return text;
 }
 
@@ -85,12 +101,16 @@ std::string formatCsv(const Table& table)
     {
         std::string text;
         for (std::size_t column = 0; column < cells.size(); ++column)
+        {
             text += (column > 0 ? "," : "") + csvCell(cells[column]);
+        }
         return text + "\n";
     };
     std::string text = line(table.headings);
     for (const auto& row : table.rows)
+    {
         text += line(row);
+    }
     return text;
 }
 

@@ -28,13 +28,15 @@ protected:
     test::TemporaryFolder folder_;
 };
 
-TEST_F(FillCommand, writesEveryFileIntoItsDirectoryByDefault)
+TEST_F(FillCommand, WritesEveryFileIntoItsDirectoryByDefault)
 {
     const Answer answer = run(kSmall + "--size 64x48 --max-frames 4");
     EXPECT_EQ(answer.code, 0) << answer.errors;
     for (const char* file : {"spheres.csv", "polygons.csv", "sets.csv", "summary.json", "mesh.ply",
                              "frames/frame_00000.png"})
+    {
         EXPECT_TRUE(std::filesystem::exists(folder_ / "output/cube" / file)) << file;
+    }
     EXPECT_NE(answer.output.find("frames/s"), std::string::npos) << answer.output;
     EXPECT_NE(answer.errors.find("expecting about"), std::string::npos) << answer.errors;
 
@@ -43,7 +45,7 @@ TEST_F(FillCommand, writesEveryFileIntoItsDirectoryByDefault)
     EXPECT_FALSE(std::filesystem::exists(folder_ / "output/cube/frames"));
 }
 
-TEST_F(FillCommand, takesOptionsInAnyOrder)
+TEST_F(FillCommand, TakesOptionsInAnyOrder)
 {
     const Answer answer = run("fill --quiet --count 4 --frames none --out a cube --radius 0.3");
     EXPECT_EQ(answer.code, 0) << answer.errors;
@@ -51,7 +53,7 @@ TEST_F(FillCommand, takesOptionsInAnyOrder)
     EXPECT_TRUE(std::filesystem::exists(folder_ / "a/summary.json"));
 }
 
-TEST_F(FillCommand, saysWhichGivenOptionsThePresetDoesNotUse)
+TEST_F(FillCommand, SaysWhichGivenOptionsThePresetDoesNotUse)
 {
     const std::string none = kSmall + "--frames none --overwrite ";
     const auto linesOfWarning = [](const Answer& answer)
@@ -60,7 +62,9 @@ TEST_F(FillCommand, saysWhichGivenOptionsThePresetDoesNotUse)
         std::string lines;
         for (std::size_t at = answer.errors.find("warning: "); at != std::string::npos;
              at = answer.errors.find("warning: ", at + 1))
+        {
             lines += answer.errors.substr(at, answer.errors.find('\n', at) - at) + "\n";
+        }
         return lines;
     };
     EXPECT_EQ(linesOfWarning(run(none + "--integrator explicit --freeze-every 3 --threads 1")),
@@ -75,7 +79,7 @@ TEST_F(FillCommand, saysWhichGivenOptionsThePresetDoesNotUse)
     EXPECT_EQ(linesOfWarning(run("fill --scene output/cube/summary.json --out b")), "");
 }
 
-TEST_F(FillCommand, printsOneJsonDocumentOnStandardOutput)
+TEST_F(FillCommand, PrintsOneJsonDocumentOnStandardOutput)
 {
     const Answer answer = run(kSmall + "--frames none --json");
     ASSERT_EQ(answer.code, 0) << answer.errors;
@@ -87,7 +91,7 @@ TEST_F(FillCommand, printsOneJsonDocumentOnStandardOutput)
     EXPECT_EQ(answer.output, readFile(folder_ / "output/cube/summary.json"));
 }
 
-TEST_F(FillCommand, repeatsARunFromItsSummaryOrASceneFile)
+TEST_F(FillCommand, RepeatsARunFromItsSummaryOrASceneFile)
 {
     ASSERT_EQ(run(kSmall + "--seed 7 --frames none --quiet --out a").code, 0);
     ASSERT_EQ(run("fill --scene a/summary.json --quiet --out b").code, 0);
@@ -100,14 +104,14 @@ TEST_F(FillCommand, repeatsARunFromItsSummaryOrASceneFile)
     EXPECT_EQ(readFile(folder_ / "a/spheres.csv"), readFile(folder_ / "c/spheres.csv"));
 }
 
-TEST_F(FillCommand, fillsUntilFullWhenOnlyARadiusIsGiven)
+TEST_F(FillCommand, FillsUntilFullWhenOnlyARadiusIsGiven)
 {
     const Answer answer = run("fill cube --radius 0.45 --frames none --quiet --json");
     ASSERT_EQ(answer.code, 0) << answer.errors;
     EXPECT_EQ(nlohmann::json::parse(answer.output)["outcome"], "full");
 }
 
-TEST_F(FillCommand, tellsThatItsDirectoryCannotBeCreated)
+TEST_F(FillCommand, TellsThatItsDirectoryCannotBeCreated)
 {
     writeFile(folder_ / "file", "");
     EXPECT_EQ(run(kSmall + "--frames none --out file").code, 73);
@@ -123,7 +127,7 @@ TEST_F(FillCommand, tellsThatItsDirectoryCannotBeCreated)
     }
 }
 
-TEST_F(FillCommand, tellsThatTheDiskIsFull)
+TEST_F(FillCommand, TellsThatTheDiskIsFull)
 {
     std::filesystem::create_directory(folder_ / "full");
     std::filesystem::create_symlink("/dev/full", folder_ / "full/sets.csv.part");
@@ -133,7 +137,7 @@ TEST_F(FillCommand, tellsThatTheDiskIsFull)
     EXPECT_EQ(run(kSmall + "--frames none --out c --json >/dev/full").code, 74);
 }
 
-TEST_F(FillCommand, blankPicturesFailWith70AndKeepTheFiles)
+TEST_F(FillCommand, BlankPicturesFailWith70AndKeepTheFiles)
 {
     const Answer answer = run(kSmall + "--size 64x48 --max-frames 2 --target 1e6,0,0 --quiet");
     EXPECT_EQ(answer.code, 70);
@@ -141,7 +145,7 @@ TEST_F(FillCommand, blankPicturesFailWith70AndKeepTheFiles)
     EXPECT_TRUE(std::filesystem::exists(folder_ / "output/cube/spheres.csv"));
 }
 
-TEST_F(FillCommand, stopsWith75WhenAskedToAndWritesEverything)
+TEST_F(FillCommand, StopsWith75WhenAskedToAndWritesEverything)
 {
     // The shell sends the signal a moment after the start; the run would take far longer.
     const Answer answer = run("fill cube --count 20000 --frames none --quiet --out a & "
@@ -154,7 +158,7 @@ TEST_F(FillCommand, stopsWith75WhenAskedToAndWritesEverything)
     EXPECT_TRUE(std::filesystem::exists(folder_ / "a/spheres.csv"));
 }
 
-TEST_F(FillCommand, makesPassesSheetAndTurntableOfTheSameFrames)
+TEST_F(FillCommand, MakesPassesSheetAndTurntableOfTheSameFrames)
 {
     const Answer answer = run(kSmall + "--size 64x48 --max-frames 3 --hold 0.2 --turntable 1 "
                                        "--passes all --contact-sheet --background transparent "
@@ -166,19 +170,23 @@ TEST_F(FillCommand, makesPassesSheetAndTurntableOfTheSameFrames)
         std::size_t count = 0;
         for (const auto& entry :
              std::filesystem::directory_iterator(folder_ / "output/cube" / folder))
+        {
             count += entry.path().extension() == ".png" ? 1 : 0;
+        }
         return count;
     };
     EXPECT_GT(frames("frames"), 1U);
     for (const char* folder : {"depth", "normal", "identity"})
+    {
         EXPECT_EQ(frames(folder), frames("frames")) << folder;
+    }
     EXPECT_TRUE(std::filesystem::exists(folder_ / "output/cube/contact_sheet.png"));
     EXPECT_EQ(run(kSmall + "--size 64x48 --max-frames 2 --overwrite").code, 0);
     EXPECT_FALSE(std::filesystem::exists(folder_ / "output/cube/depth"));
     EXPECT_FALSE(std::filesystem::exists(folder_ / "output/cube/contact_sheet.png"));
 }
 
-TEST_F(FillCommand, losesNoFrameWhenTheVideoFails)
+TEST_F(FillCommand, LosesNoFrameWhenTheVideoFails)
 {
     std::filesystem::create_directory(folder_ / "bin");
     writeFile(folder_ / "bin/ffmpeg", "#!/bin/sh\necho broken >&2\nexit 1\n");

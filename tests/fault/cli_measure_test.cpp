@@ -33,17 +33,19 @@ std::ptrdiff_t lines(const std::string& text)
     return std::count(text.begin(), text.end(), '\n');
 }
 
-TEST_F(MeasureCommands, fpsPrintsThePaperBesideOurs)
+TEST_F(MeasureCommands, FpsPrintsThePaperBesideOurs)
 {
     const Answer answer = run(kFps);
     ASSERT_EQ(answer.code, 0) << answer.errors;
     for (const char* word : {"paper", "loop", "list", "tree", "grid", "fast", "17", "35", "0.8",
                              "nothing drawn", "2 runs each"})
+    {
         EXPECT_NE(answer.output.find(word), std::string::npos) << word << "\n" << answer.output;
+    }
     EXPECT_EQ(answer.errors, "");
 }
 
-TEST_F(MeasureCommands, fpsPrintsMarkdownCsvAndJson)
+TEST_F(MeasureCommands, FpsPrintsMarkdownCsvAndJson)
 {
     EXPECT_NE(run(kFps + "--markdown").output.find("|---|"), std::string::npos);
 
@@ -66,7 +68,7 @@ TEST_F(MeasureCommands, fpsPrintsMarkdownCsvAndJson)
     EXPECT_EQ(run(kFps + "--searches octree").code, 64);
 }
 
-TEST_F(MeasureCommands, fpsMeasuresPicturesToo)
+TEST_F(MeasureCommands, FpsMeasuresPicturesToo)
 {
     const Answer answer = run("fps cube --count 21 --repeats 1 --quiet --searches grid --json");
     ASSERT_EQ(answer.code, 0) << answer.errors;
@@ -79,7 +81,7 @@ TEST_F(MeasureCommands, fpsMeasuresPicturesToo)
     EXPECT_NE(document["machine"]["renderer"], "");
 }
 
-TEST_F(MeasureCommands, fpsComparesAndEndsWithTwoForARegression)
+TEST_F(MeasureCommands, FpsComparesAndEndsWithTwoForARegression)
 {
     ASSERT_EQ(run(kFps + "--searches loop --json >before.json").code, 0);
     const Answer same = run(kFps + "--searches loop --compare before.json --threshold 100000");
@@ -98,7 +100,7 @@ TEST_F(MeasureCommands, fpsComparesAndEndsWithTwoForARegression)
     EXPECT_EQ(run(kFps + "--searches loop --compare broken.json").code, 65);
 }
 
-TEST_F(MeasureCommands, fpsReadsScenesAndMeshFiles)
+TEST_F(MeasureCommands, FpsReadsScenesAndMeshFiles)
 {
     writeFile(folder_ / "small.toml", "preset = \"paper\"\n[object]\nmesh = \"torus\"\n"
                                       "[spheres]\ncount = 20\ngroup_size = 5\n");
@@ -110,7 +112,7 @@ TEST_F(MeasureCommands, fpsReadsScenesAndMeshFiles)
     EXPECT_EQ(run("fps missing.stl --no-render --quiet").code, 66);
 }
 
-TEST_F(MeasureCommands, benchOperationsAgreesWithTheLemmas)
+TEST_F(MeasureCommands, BenchOperationsAgreesWithTheLemmas)
 {
     const Answer answer = run("bench operations --quick --out here");
     ASSERT_EQ(answer.code, 0) << answer.output << answer.errors;
@@ -120,17 +122,19 @@ TEST_F(MeasureCommands, benchOperationsAgreesWithTheLemmas)
     EXPECT_EQ(run("bench").code, 64);
 }
 
-TEST_F(MeasureCommands, figuresListsThemAndRefusesOthers)
+TEST_F(MeasureCommands, FiguresListsThemAndRefusesOthers)
 {
     const Answer answer = run("figures --list");
     EXPECT_EQ(answer.code, 0);
     for (const char* name : {"volume", "interaction", "times", "claim", "operations", "filling",
                              "cutaways", "discarded", "density"})
+    {
         EXPECT_NE(answer.output.find(name), std::string::npos) << name;
+    }
     EXPECT_EQ(run("figures --only nothing").code, 64);
 }
 
-TEST_F(MeasureCommands, figuresAreTheSameByteForByte)
+TEST_F(MeasureCommands, FiguresAreTheSameByteForByte)
 {
     const std::string which = "figures --quick --quiet --only operations,interaction,volume ";
     ASSERT_EQ(run(which + "--out a").code, 0);
@@ -147,7 +151,7 @@ TEST_F(MeasureCommands, figuresAreTheSameByteForByte)
     EXPECT_GE(files, 4u + 6 + 3);
 }
 
-TEST_F(MeasureCommands, figuresDrawRecordedTimesAgain)
+TEST_F(MeasureCommands, FiguresDrawRecordedTimesAgain)
 {
     std::filesystem::create_directory(folder_ / "recorded");
     writeFile(folder_ / "recorded/times.csv", "number,object,series,ms,low,high\n"
@@ -161,7 +165,7 @@ TEST_F(MeasureCommands, figuresDrawRecordedTimesAgain)
     EXPECT_TRUE(std::filesystem::exists(folder_ / "new/times.svg"));
 }
 
-TEST_F(MeasureCommands, figuresSayHowToGetGnuplot)
+TEST_F(MeasureCommands, FiguresSayHowToGetGnuplot)
 {
     const Answer missing = test::runProgram("figures --quick --only operations --out b",
                                             folder_.path(), "PATH=/nowhere");

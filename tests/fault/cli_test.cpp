@@ -37,7 +37,7 @@ protected:
     test::TemporaryFolder folder_;
 };
 
-TEST_F(CommandLine, helpOfEveryCommandIsCompleteAndHasExamples)
+TEST_F(CommandLine, HelpOfEveryCommandIsCompleteAndHasExamples)
 {
     for (const char* command : {"", "fill", "mesh", "doctor"})
     {
@@ -81,17 +81,19 @@ TEST_F(CommandLine, helpOfEveryCommandIsCompleteAndHasExamples)
                              "--quiet",
                              "--json",
                              "Examples:"})
+    {
         EXPECT_NE(help.find(part), std::string::npos) << part;
+    }
 }
 
-TEST_F(CommandLine, versionIsTold)
+TEST_F(CommandLine, VersionIsTold)
 {
     const Answer answer = run("--version");
     EXPECT_EQ(answer.code, 0);
     EXPECT_EQ(answer.output.rfind("frostfill ", 0), 0u) << answer.output;
 }
 
-TEST_F(CommandLine, wrongUseIsRefusedWith64AndOneLine)
+TEST_F(CommandLine, WrongUseIsRefusedWith64AndOneLine)
 {
     expectRefused("", 64, "--help");
     expectRefused("fly", 64, "");
@@ -109,7 +111,7 @@ TEST_F(CommandLine, wrongUseIsRefusedWith64AndOneLine)
     expectRefused("mesh", 64, "FILE");
 }
 
-TEST_F(CommandLine, missingInputIsRefusedWith66)
+TEST_F(CommandLine, MissingInputIsRefusedWith66)
 {
     expectRefused("fill no-such-file.obj", 66, "no-such-file.obj");
     expectRefused("mesh no-such-file.obj", 66, "no-such-file.obj");
@@ -117,7 +119,7 @@ TEST_F(CommandLine, missingInputIsRefusedWith66)
     expectRefused("fill --scene no-such-file.json", 66, "no-such-file.json");
 }
 
-TEST_F(CommandLine, badSceneIsRefusedWith65NamingLineAndNearestKey)
+TEST_F(CommandLine, BadSceneIsRefusedWith65NamingLineAndNearestKey)
 {
     writeFile(folder_ / "a.toml", "[spheres]\ncuont = 5\n");
     expectRefused("fill --scene a.toml", 65,
@@ -133,7 +135,7 @@ TEST_F(CommandLine, badSceneIsRefusedWith65NamingLineAndNearestKey)
     expectRefused("fill --scene e.json", 65, "e.json");
 }
 
-TEST_F(CommandLine, meshThatCannotBeFilledIsRefusedWith65)
+TEST_F(CommandLine, MeshThatCannotBeFilledIsRefusedWith65)
 {
     writeFile(folder_ / "empty.obj", "");
     expectRefused("fill empty.obj", 65, "empty.obj");
@@ -144,7 +146,7 @@ TEST_F(CommandLine, meshThatCannotBeFilledIsRefusedWith65)
     EXPECT_EQ(run("mesh flat.obj").code, 65);
 }
 
-TEST_F(CommandLine, meshTellsWhatARadiusCannotReach)
+TEST_F(CommandLine, MeshTellsWhatARadiusCannotReach)
 {
     const Answer hands = run("mesh human --radius 0.05");
     EXPECT_EQ(hands.code, 0);
@@ -155,7 +157,7 @@ TEST_F(CommandLine, meshTellsWhatARadiusCannotReach)
     EXPECT_EQ(run("mesh sphere --radius 0").code, 64);
 }
 
-TEST_F(CommandLine, meshTellsWhatItFoundAndWritesTheRepair)
+TEST_F(CommandLine, MeshTellsWhatItFoundAndWritesTheRepair)
 {
     const Answer answer = run("mesh torus --repair out.ply");
     EXPECT_EQ(answer.code, 0) << answer.errors;
@@ -165,17 +167,19 @@ TEST_F(CommandLine, meshTellsWhatItFoundAndWritesTheRepair)
     EXPECT_EQ(run("mesh torus --repair no/such/folder/out.ply").code, 73);
 }
 
-TEST_F(CommandLine, fullStandardOutputIsAFailedWrite)
+TEST_F(CommandLine, FullStandardOutputIsAFailedWrite)
 {
     EXPECT_EQ(run("mesh torus >/dev/full").code, 74);
 }
 
-TEST_F(CommandLine, doctorTellsVersionsAndOpenGl)
+TEST_F(CommandLine, DoctorTellsVersionsAndOpenGl)
 {
     const Answer answer = run("doctor");
     EXPECT_TRUE(answer.code == 0 || answer.code == 69) << answer.errors;
     for (const char* part : {"Eigen", "assimp", "OpenGL", "ffmpeg", "gnuplot"})
+    {
         EXPECT_NE(answer.output.find(part), std::string::npos) << part << "\n" << answer.output;
+    }
 }
 
 } // namespace

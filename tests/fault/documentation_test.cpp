@@ -28,8 +28,12 @@ std::vector<std::filesystem::path> pages()
 {
     std::vector<std::filesystem::path> found = {kSource / "README.md"};
     for (const auto& file : std::filesystem::directory_iterator(kSource / "docs"))
+    {
         if (file.path().extension() == ".md")
+        {
             found.push_back(file.path());
+        }
+    }
     std::sort(found.begin() + 1, found.end());
     return found;
 }
@@ -42,9 +46,15 @@ std::vector<std::string> commandsOf(const std::string& text)
         "[^`\\n]*)`|(?:^|\\n)    (gnuplot [^\\n]*)");
     std::vector<std::string> commands;
     for (std::sregex_iterator it(text.begin(), text.end(), kCommand), end; it != end; ++it)
+    {
         for (std::size_t group = 1; group <= 3; ++group)
+        {
             if ((*it)[group].matched)
+            {
                 commands.push_back((*it)[group].str());
+            }
+        }
+    }
     return commands;
 }
 
@@ -58,7 +68,9 @@ std::string argumentsOf(std::string command)
                                                           {"\\b(FILE|MESH)\\b", "part.stl"},
                                                           {"\\bDIR\\b", "somewhere"},
                                                           {"\\bOPTIONS\\.\\.\\.", ""}})
+    {
         command = std::regex_replace(command, std::regex(from), to);
+    }
     return command;
 }
 
@@ -66,7 +78,9 @@ std::string argumentsOf(std::string command)
 std::string madeSmall(std::string arguments)
 {
     if (arguments.find("--help") != std::string::npos)
+    {
         return arguments;
+    }
     const std::string name = arguments.substr(0, arguments.find(' '));
     const auto without = [&](const std::string& option)
     { arguments = std::regex_replace(arguments, std::regex(" --" + option + "[ =][^ ]+"), ""); };
@@ -74,11 +88,15 @@ std::string madeSmall(std::string arguments)
     if (name == "fill")
     {
         for (const char* option : {"count", "radius", "size", "max-frames"})
+        {
             without(option);
+        }
         const bool draws = arguments.find("--frames none") == std::string::npos;
         small = draws ? " --count 6 --size 64x48 --max-frames 2" : " --count 6";
         if (arguments.find("--overwrite") == std::string::npos)
+        {
             small += " --overwrite";
+        }
     }
     else if (name == "fps")
     {
@@ -87,13 +105,17 @@ std::string madeSmall(std::string arguments)
         small = " --count 12 --repeats 1";
         // The times of so few frames differ by anything.
         if (arguments.find("--compare") != std::string::npos)
+        {
             small += " --threshold 1000000";
+        }
         without("threshold");
     }
     else if ((name == "bench" || name == "figures") &&
              arguments.find("--quick") == std::string::npos &&
              arguments.find("--list") == std::string::npos)
+    {
         return arguments + " --quick";
+    }
     return name + small + arguments.substr(name.size());
 }
 
@@ -118,13 +140,14 @@ void prepare(const std::filesystem::path& folder)
     ASSERT_EQ(test::runProgram("fill torus --count 6 --frames none --quiet", folder).code, 0);
 }
 
-TEST(Documentation, everyCommandThatIsShownWorks)
+TEST(Documentation, EveryCommandThatIsShownWorks)
 {
     const test::TemporaryFolder folder;
     prepare(folder.path());
     std::set<std::string> run;
     std::set<std::string> names;
     for (const auto& page : pages())
+    {
         for (const std::string& command : commandsOf(readFile(page)))
         {
             if (command.rfind("gnuplot ", 0) == 0)
@@ -136,7 +159,9 @@ TEST(Documentation, everyCommandThatIsShownWorks)
             const std::string arguments = madeSmall(argumentsOf(command));
             // What several pages show is run once.
             if (!run.insert(arguments).second)
+            {
                 continue;
+            }
             const Answer answer = test::runProgram(arguments, folder.path());
             // Without other engines to compare with, there is nothing to run.
             const bool needsEngines = arguments.find("--peers") != std::string::npos;
@@ -145,11 +170,14 @@ TEST(Documentation, everyCommandThatIsShownWorks)
                 << answer.errors;
             names.insert(arguments.substr(0, arguments.find(' ')));
         }
+    }
     for (const char* name : {"fill", "fps", "bench", "figures", "mesh", "doctor"})
+    {
         EXPECT_EQ(names.count(name), 1u) << "no page shows frostfill " << name;
+    }
 }
 
-TEST(Documentation, everyLinkLeadsToAFile)
+TEST(Documentation, EveryLinkLeadsToAFile)
 {
     static const std::regex kLink("\\]\\(([^)#]+)");
     std::size_t links = 0;
@@ -160,7 +188,9 @@ TEST(Documentation, everyLinkLeadsToAFile)
         {
             const std::string target = (*it)[1].str();
             if (target.find("://") != std::string::npos)
+            {
                 continue;
+            }
             EXPECT_TRUE(std::filesystem::exists(page.parent_path() / target))
                 << page.filename() << " links to " << target;
             ++links;

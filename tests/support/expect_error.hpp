@@ -24,8 +24,10 @@ void expectError(ErrorCode code, Action action, const Parts&... parts)
         EXPECT_EQ(error.code(), code) << error.what();
         const std::string message = error.what();
         for (const std::string& part : {std::string(parts)...})
+        {
             EXPECT_NE(message.find(part), std::string::npos)
                 << "'" << part << "' is not in: " << message;
+        }
         EXPECT_EQ(message.find('\n'), std::string::npos) << message;
     }
 }

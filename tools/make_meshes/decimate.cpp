@@ -31,11 +31,15 @@ public:
             const Eigen::Vector3d cross = mesh_.cross(face);
             const double area = cross.norm();
             if (area == 0)
+            {
                 continue;
+            }
             Eigen::Vector4d plane;
             plane << cross / area, -cross.dot(mesh_.vertices[face[0]]) / area;
             for (const int corner : face)
+            {
                 quadrics_[corner] += area * plane * plane.transpose();
+            }
         }
     }
 
@@ -48,7 +52,9 @@ public:
             {
                 // What was refused before may be possible now that its surroundings have changed.
                 if (left_ == leftWhenOffered)
+                {
                     throw std::runtime_error("no edge is left that may be collapsed");
+                }
                 leftWhenOffered = left_;
                 offerAll();
                 continue;
@@ -77,16 +83,24 @@ private:
     void offerAll()
     {
         for (const std::array<int, 3>& face : mesh_.faces)
+        {
             for (int i = 0; i < 3; ++i)
+            {
                 if (face[i] < face[(i + 1) % 3])
+                {
                     offer(face[i], face[(i + 1) % 3]);
+                }
+            }
+        }
     }
 
     void offer(int a, int b)
     {
         const double length = (mesh_.vertices[a] - mesh_.vertices[b]).squaredNorm();
         if (length > kLongestEdge * kLongestEdge)
+        {
             return;
+        }
         const Eigen::Vector4d point = target(a, b).homogeneous();
         const double error = point.dot((quadrics_[a] + quadrics_[b]) * point);
         const double cost = std::max(error, 0.0) + kLengthWeight * length * length;
@@ -100,7 +114,9 @@ private:
         const auto edge = std::minmax(a, b);
         const auto known = costs_.find(edge);
         if (known == costs_.end())
+        {
             return;
+        }
         queue_.erase({known->second, edge.first, edge.second});
         costs_.erase(known);
     }
@@ -109,7 +125,9 @@ private:
     {
         std::size_t common = 0;
         for (const int vertex : ofA)
+        {
             common += ofB.count(vertex);
+        }
         return common == 2 && ofA.size() + ofB.size() > 8;
     }
 
@@ -118,7 +136,9 @@ private:
         for (const int face : mesh_.facesAround(vertex))
         {
             if (MeshEdit::has(mesh_.faces[face], other))
+            {
                 continue;
+            }
             std::array<Eigen::Vector3d, 3> old;
             std::array<Eigen::Vector3d, 3> corners;
             for (int i = 0; i < 3; ++i)
@@ -130,10 +150,14 @@ private:
             const Eigen::Vector3d after = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
             const double quality = triangleQuality(corners[0], corners[1], corners[2]);
             if (quality < std::min(kWorstQuality, triangleQuality(old[0], old[1], old[2])))
+            {
                 return false;
+            }
             if (before.norm() > 1e-9 &&
                 before.dot(after) < kWorstTurn * before.norm() * after.norm())
+            {
                 return false;
+            }
         }
         return true;
     }
@@ -143,24 +167,38 @@ private:
         const std::set<int> ofA = mesh_.neighbours(a);
         const std::set<int> ofB = mesh_.neighbours(b);
         if (!keepsTopology(ofA, ofB))
+        {
             return;
+        }
         const Eigen::Vector3d point = projectToSurface(field_, target(a, b));
         if (!keepsShape(a, b, point) || !keepsShape(b, a, point))
+        {
             return;
+        }
         for (const int vertex : ofA)
+        {
             drop(a, vertex);
+        }
         for (const int vertex : ofB)
+        {
             drop(b, vertex);
+        }
         for (const int face : mesh_.facesAtEdge(a, b))
+        {
             mesh_.removeFace(face);
+        }
         const std::vector<int> moved = mesh_.facesAround(b);
         for (const int face : moved)
+        {
             mesh_.replaceCorner(face, b, a);
+        }
         mesh_.vertices[a] = point;
         quadrics_[a] += quadrics_[b];
         --left_;
         for (const int vertex : mesh_.neighbours(a))
+        {
             offer(a, vertex);
+        }
     }
 
     MeshEdit mesh_;
@@ -177,7 +215,9 @@ Triangles decimate(const Triangles& fine, const Field& field, std::size_t vertex
 {
     Triangles start = fine;
     for (Eigen::Vector3d& vertex : start.vertices)
+    {
         vertex = projectToSurface(field, vertex);
+    }
     Decimation decimation(start, field);
     decimation.reduceTo(vertexCount);
     return decimation.finish();

@@ -13,8 +13,12 @@ constexpr double kStride = 0.4;       // [1] part of the way to the neighbours' 
 int oppositeCorner(const std::array<int, 3>& face, int a, int b)
 {
     for (const int corner : face)
+    {
         if (corner != a && corner != b)
+        {
             return corner;
+        }
+    }
     return -1;
 }
 
@@ -23,7 +27,9 @@ void flipIfBetter(MeshEdit& mesh, int a, int b)
 {
     const std::vector<int> pair = mesh.facesAtEdge(a, b);
     if (pair.size() != 2)
+    {
         return;
+    }
     // Let `left` be the face that runs from a to b.
     const std::array<int, 3>& first = mesh.faces[pair[0]];
     const bool inOrder = (first[0] == a && first[1] == b) || (first[1] == a && first[2] == b) ||
@@ -34,7 +40,9 @@ void flipIfBetter(MeshEdit& mesh, int a, int b)
     const int d = oppositeCorner(mesh.faces[right], a, b);
     if (mesh.facesAround(a).size() < 4 || mesh.facesAround(b).size() < 4 ||
         !mesh.facesAtEdge(c, d).empty())
+    {
         return;
+    }
 
     const auto& v = mesh.vertices;
     const double before =
@@ -42,14 +50,18 @@ void flipIfBetter(MeshEdit& mesh, int a, int b)
     const double after =
         std::min(triangleQuality(v[a], v[d], v[c]), triangleQuality(v[d], v[b], v[c]));
     if (after <= before + 1e-6)
+    {
         return;
+    }
     const Eigen::Vector3d old = mesh.cross(mesh.faces[left]).normalized();
     const Eigen::Vector3d other = mesh.cross(mesh.faces[right]).normalized();
     const Eigen::Vector3d one = mesh.cross({a, d, c}).normalized();
     const Eigen::Vector3d two = mesh.cross({d, b, c}).normalized();
     if (old.dot(other) < kFlattestFold || one.dot(two) < kFlattestFold ||
         one.dot(old + other) <= 0 || two.dot(old + other) <= 0)
+    {
         return;
+    }
     mesh.replaceCorner(left, b, d);
     mesh.replaceCorner(right, a, c);
 }
@@ -59,11 +71,15 @@ void slide(MeshEdit& mesh, const Field& field, int vertex)
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();
     const std::set<int> neighbours = mesh.neighbours(vertex);
     for (const int neighbour : neighbours)
+    {
         middle += mesh.vertices[neighbour];
+    }
     middle /= static_cast<double>(neighbours.size());
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();
     for (const int face : mesh.facesAround(vertex))
+    {
         normal += mesh.cross(mesh.faces[face]);
+    }
     normal.normalize();
 
     const Eigen::Vector3d old = mesh.vertices[vertex];
@@ -83,7 +99,9 @@ void slide(MeshEdit& mesh, const Field& field, int vertex)
     const double before = worst();
     mesh.vertices[vertex] = projectToSurface(field, old + step);
     if (worst() < before)
+    {
         mesh.vertices[vertex] = old;
+    }
 }
 
 } // namespace
@@ -95,11 +113,19 @@ void evenOut(Triangles& mesh, const Field& field, int rounds)
     for (int round = 0; round < rounds; ++round)
     {
         for (int a = 0; a < count; ++a)
+        {
             for (const int b : edit.neighbours(a))
+            {
                 if (a < b)
+                {
                     flipIfBetter(edit, a, b);
+                }
+            }
+        }
         for (int vertex = 0; vertex < count; ++vertex)
+        {
             slide(edit, field, vertex);
+        }
     }
     mesh = edit.finish();
 }

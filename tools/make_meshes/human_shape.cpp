@@ -29,9 +29,13 @@ double roundCone(const Vector& p, const Vector& a, const Vector& b, double ra, d
     const double cosine = std::sqrt(1 - slope * slope);
     const double foot = along + across * slope / cosine; // where the normal meets the axis
     if (foot <= 0)
+    {
         return (p - a).norm() - ra;
+    }
     if (foot >= length)
+    {
         return (p - b).norm() - rb;
+    }
     return along * slope + across * cosine - ra;
 }
 

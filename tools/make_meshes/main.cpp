@@ -30,15 +30,21 @@ Surface makeHuman()
     // Feet on the ground, exactly 1.8 m tall.
     Eigen::AlignedBox3d bounds;
     for (const Eigen::Vector3d& vertex : mesh.vertices)
+    {
         bounds.extend(vertex);
+    }
     const double scale = kHeight / bounds.sizes().y();
     Surface surface;
     for (const Eigen::Vector3d& vertex : mesh.vertices)
+    {
         surface.vertices.emplace_back(scale * (vertex.x() - bounds.center().x()),
                                       scale * (vertex.y() - bounds.min().y()),
                                       scale * (vertex.z() - bounds.center().z()));
+    }
     for (const std::array<int, 3>& face : mesh.faces)
+    {
         surface.faces.push_back({face[0], face[1], face[2]});
+    }
     return surface;
 }
 
@@ -46,7 +52,9 @@ Surface makeHuman()
 std::string number(double value)
 {
     if (std::abs(value) < 1e-12)
+    {
         return "0";
+    }
     char text[32];
     std::snprintf(text, sizeof text, "%.9g", value);
     return text;
@@ -56,21 +64,29 @@ void write(const Surface& surface, const std::string& title, const std::string& 
 {
     std::string text = "# Frostfill: " + title + "\n";
     for (const Eigen::Vector3d& vertex : surface.vertices)
+    {
         text +=
             "v " + number(vertex.x()) + " " + number(vertex.y()) + " " + number(vertex.z()) + "\n";
+    }
     for (const std::vector<int>& face : surface.faces)
     {
         text += "f";
         for (const int corner : face)
+        {
             text += " " + std::to_string(corner + 1);
+        }
         text += "\n";
     }
     std::FILE* output = std::fopen(file.c_str(), "wb");
     if (output == nullptr)
+    {
         throw std::runtime_error("cannot create " + file);
+    }
     const bool written = std::fwrite(text.data(), 1, text.size(), output) == text.size();
     if (std::fclose(output) != 0 || !written)
+    {
         throw std::runtime_error("cannot write " + file);
+    }
 }
 
 } // namespace

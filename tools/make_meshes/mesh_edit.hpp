@@ -15,8 +15,12 @@ public:
         : vertices(mesh.vertices), faces(mesh.faces), around_(mesh.vertices.size())
     {
         for (int face = 0; face < static_cast<int>(faces.size()); ++face)
+        {
             for (const int corner : faces[face])
+            {
                 around_[corner].push_back(face);
+            }
+        }
     }
 
     std::vector<Eigen::Vector3d> vertices;
@@ -34,7 +38,9 @@ public:
     {
         std::set<int> found;
         for (const int face : around_[vertex])
+        {
             found.insert(faces[face].begin(), faces[face].end());
+        }
         found.erase(vertex);
         return found;
     }
@@ -43,8 +49,12 @@ public:
     {
         std::vector<int> found;
         for (const int face : around_[a])
+        {
             if (has(faces[face], b))
+            {
                 found.push_back(face);
+            }
+        }
         return found;
     }
 
@@ -59,7 +69,9 @@ public:
     void removeFace(int face)
     {
         for (const int corner : faces[face])
+        {
             std::erase(around_[corner], face);
+        }
         faces[face] = {0, 0, 0};
     }
 
@@ -74,14 +86,20 @@ public:
         Triangles result;
         std::vector<int> place(vertices.size(), -1);
         for (std::size_t vertex = 0; vertex < vertices.size(); ++vertex)
+        {
             if (!around_[vertex].empty())
             {
                 place[vertex] = static_cast<int>(result.vertices.size());
                 result.vertices.push_back(vertices[vertex]);
             }
+        }
         for (const std::array<int, 3>& face : faces)
+        {
             if (face[0] != face[1])
+            {
                 result.faces.push_back({place[face[0]], place[face[1]], place[face[2]]});
+            }
+        }
         return result;
     }
 

@@ -32,9 +32,15 @@ public:
     {
         values_.reserve(static_cast<std::size_t>(counts_.prod()));
         for (int z = 0; z < counts_.z(); ++z)
+        {
             for (int y = 0; y < counts_.y(); ++y)
+            {
                 for (int x = 0; x < counts_.x(); ++x)
+                {
                     values_.push_back(field(position(index(x, y, z))));
+                }
+            }
+        }
     }
 
     Triangles run()
@@ -43,16 +49,24 @@ public:
         constexpr int kTetrahedra[6][4] = {{0, 1, 3, 7}, {0, 3, 2, 7}, {0, 2, 6, 7},
                                            {0, 6, 4, 7}, {0, 4, 5, 7}, {0, 5, 1, 7}};
         for (int z = 0; z + 1 < counts_.z(); ++z)
+        {
             for (int y = 0; y + 1 < counts_.y(); ++y)
+            {
                 for (int x = 0; x + 1 < counts_.x(); ++x)
+                {
                     for (const auto& corners : kTetrahedra)
                     {
                         std::array<int, 4> nodes{};
                         for (int i = 0; i < 4; ++i)
+                        {
                             nodes[i] = index(x + (corners[i] & 1), y + (corners[i] >> 1 & 1),
                                              z + (corners[i] >> 2));
+                        }
                         addTetrahedron(nodes);
                     }
+                }
+            }
+        }
         return std::move(mesh_);
     }
 
@@ -100,13 +114,21 @@ private:
         std::vector<int> in;
         std::vector<int> out;
         for (const int node : nodes)
+        {
             (values_[node] < 0 ? in : out).push_back(node);
+        }
         if (in.empty() || out.empty())
+        {
             return;
+        }
         if (in.size() == 1)
+        {
             addFace({in[0], out[0]}, {in[0], out[1]}, {in[0], out[2]});
+        }
         else if (out.size() == 1)
+        {
             addFace({in[0], out[0]}, {in[1], out[0]}, {in[2], out[0]});
+        }
         else
         {
             addFace({in[0], out[0]}, {in[0], out[1]}, {in[1], out[1]});
@@ -136,7 +158,9 @@ Eigen::Vector3d projectToSurface(const Field& field, Eigen::Vector3d point)
         const Eigen::Vector3d slope = gradient(field, point);
         const double steepness = slope.squaredNorm();
         if (steepness > kMeaningfulGradient)
+        {
             point -= field(point) * slope / steepness;
+        }
     }
     return point;
 }

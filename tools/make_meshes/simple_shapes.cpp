@@ -22,6 +22,7 @@ Surface makeTorus(double radius, double tube, int around, int across)
 {
     Surface surface;
     for (int i = 0; i < around; ++i)
+    {
         for (int j = 0; j < across; ++j)
         {
             const double alongRing = kTurn * i / around;
@@ -31,10 +32,15 @@ Surface makeTorus(double radius, double tube, int around, int across)
                                           distance * std::sin(alongRing),
                                           tube * std::sin(alongTube));
         }
+    }
     const auto index = [&](int i, int j) { return (i % around) * across + j % across; };
     for (int i = 0; i < around; ++i)
+    {
         for (int j = 0; j < across; ++j)
+        {
             addQuad(surface, index(i, j), index(i + 1, j), index(i + 1, j + 1), index(i, j + 1));
+        }
+    }
     return surface;
 }
 
@@ -43,6 +49,7 @@ Surface makeSphere(double radius, int around, int rings)
     Surface surface;
     surface.vertices.emplace_back(0, radius, 0);
     for (int i = 1; i < rings; ++i)
+    {
         for (int j = 0; j < around; ++j)
         {
             const double fromPole = 0.5 * kTurn * i / rings;
@@ -51,17 +58,26 @@ Surface makeSphere(double radius, int around, int rings)
                                           radius * std::cos(fromPole),
                                           radius * std::sin(fromPole) * std::cos(longitude));
         }
+    }
     surface.vertices.emplace_back(0, -radius, 0);
 
     const int south = static_cast<int>(surface.vertices.size()) - 1;
     const auto index = [&](int i, int j) { return 1 + (i - 1) * around + j % around; };
     for (int j = 0; j < around; ++j)
+    {
         surface.faces.push_back({0, index(1, j), index(1, j + 1)});
+    }
     for (int i = 1; i + 1 < rings; ++i)
+    {
         for (int j = 0; j < around; ++j)
+        {
             addQuad(surface, index(i, j), index(i + 1, j), index(i + 1, j + 1), index(i, j + 1));
+        }
+    }
     for (int j = 0; j < around; ++j)
+    {
         surface.faces.push_back({south, index(rings - 1, j + 1), index(rings - 1, j)});
+    }
     return surface;
 }
 
@@ -74,18 +90,22 @@ Surface makeCube(double edge, int quadsAlongEdge)
         const auto [place, isNew] = known.try_emplace({grid.x(), grid.y(), grid.z()},
                                                       static_cast<int>(surface.vertices.size()));
         if (isNew)
+        {
             surface.vertices.push_back(
                 edge * (grid.cast<double>() / quadsAlongEdge - Eigen::Vector3d::Constant(0.5)));
+        }
         return place->second;
     };
     // Of each axis the near and the far face; the two other axes in the order that turns outwards.
     for (int axis = 0; axis < 3; ++axis)
+    {
         for (const bool far : {false, true})
         {
             const Eigen::Vector3i u = Eigen::Vector3i::Unit((axis + (far ? 1 : 2)) % 3);
             const Eigen::Vector3i v = Eigen::Vector3i::Unit((axis + (far ? 2 : 1)) % 3);
             const Eigen::Vector3i base = Eigen::Vector3i::Unit(axis) * (far ? quadsAlongEdge : 0);
             for (int i = 0; i < quadsAlongEdge; ++i)
+            {
                 for (int j = 0; j < quadsAlongEdge; ++j)
                 {
                     const Eigen::Vector3i corner = base + i * u + j * v;
@@ -96,6 +116,8 @@ Surface makeCube(double edge, int quadsAlongEdge)
                     const int d = vertex(corner + v);
                     addQuad(surface, a, b, c, d);
                 }
+            }
         }
+    }
     return surface;
 }

@@ -46,7 +46,9 @@ Number takeNumber(std::string_view& line)
     Number number{};
     const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), number);
     if (error != std::errc())
+    {
         throw std::logic_error("a built-in mesh is malformed");
+    }
     line.remove_prefix(static_cast<std::size_t>(end - line.data()));
     return number;
 }
@@ -65,13 +67,17 @@ TriangleMesh parsePlainObj(std::string_view text)
             line.remove_prefix(2);
             Eigen::Vector3d& vertex = mesh.vertices.emplace_back();
             for (int axis = 0; axis < 3; ++axis)
+            {
                 vertex[axis] = takeNumber<double>(line);
+            }
         }
         else if (line.starts_with("f "))
         {
             line.remove_prefix(2);
             for (std::uint32_t& corner : mesh.triangles.emplace_back())
+            {
                 corner = takeNumber<std::uint32_t>(line) - 1;
+            }
         }
     }
     return mesh;
@@ -88,7 +94,9 @@ std::vector<std::string> builtInMeshNames()
 {
     std::vector<std::string> names;
     for (const BuiltIn& object : kBuiltIns)
+    {
         names.emplace_back(object.name);
+    }
     return names;
 }
 
@@ -96,9 +104,11 @@ TriangleMesh builtInMesh(std::string_view name)
 {
     const BuiltIn* object = findBuiltIn(name);
     if (object == nullptr)
+    {
         throw Error(ErrorCode::badData, fmt::format("there is no built-in mesh '{}': choose torus, "
                                                     "sphere, cube or human",
                                                     name));
+    }
     return parsePlainObj(object->text());
 }
 

@@ -28,7 +28,9 @@ bool OneFileIo::isAllowed(const char* name) const
     std::error_code failure;
     const std::filesystem::path wanted = std::filesystem::weakly_canonical(name, failure);
     if (failure)
+    {
         return false;
+    }
     return wanted == file_ || (hasBuffers_ && wanted.extension() == ".bin" &&
                                wanted.parent_path() == file_.parent_path());
 }

@@ -37,18 +37,24 @@ void refuseUnreadable(const std::filesystem::path& file)
     std::error_code ignored;
     const std::string name = file.string();
     if (!std::filesystem::exists(file, ignored))
+    {
         throw Error(
             ErrorCode::inputMissing,
             fmt::format("there is no file '{}', and the built-in objects are torus, sphere, "
                         "cube and human",
                         name));
+    }
     if (!std::filesystem::is_regular_file(file, ignored) || !std::ifstream(file))
+    {
         throw Error(ErrorCode::inputMissing, fmt::format("'{}' is no file that can be read", name));
+    }
     if (kFormats.count(extensionOf(file)) == 0)
+    {
         throw Error(ErrorCode::badData,
                     fmt::format("'{}' does not end in .obj, .stl, .ply, .off, .gltf or .glb: "
                                 "convert the mesh to one of these",
                                 name));
+    }
 }
 
 /// Assimp knows some fifty formats and chooses by content too. What is not needed is removed, so
@@ -63,7 +69,9 @@ void removeOtherImporters(Assimp::Importer& importer)
         const bool wanted = std::any_of(extensions.begin(), extensions.end(),
                                         [](const auto& e) { return kFormats.count(e) > 0; });
         if (wanted)
+        {
             continue;
+        }
         importer.UnregisterLoader(reader);
         delete reader; // assimp hands it over
     }
@@ -87,9 +95,13 @@ public:
     {
         const Eigen::Matrix4d placed = parent * toEigen(node.mTransformation);
         for (unsigned i = 0; i < node.mNumMeshes; ++i)
+        {
             addMesh(*scene_.mMeshes[node.mMeshes[i]], placed);
+        }
         for (unsigned i = 0; i < node.mNumChildren; ++i)
+        {
             addNode(*node.mChildren[i], placed);
+        }
     }
 
     TriangleMesh take() { return std::move(mesh_); }
@@ -107,17 +119,23 @@ private:
         for (unsigned i = 0; i < part.mNumFaces; ++i)
         {
             const aiFace& face = part.mFaces[i];
-            if (face.mNumIndices != 3) // points and lines
+            if (face.mNumIndices != 3)
+            { // points and lines
                 continue;
+            }
             std::array<std::uint32_t, 3> triangle;
             for (unsigned corner = 0; corner < 3; ++corner)
             {
                 if (face.mIndices[corner] >= part.mNumVertices)
+                {
                     throw Error(ErrorCode::badData, "a triangle names a vertex that is not there");
+                }
                 triangle[corner] = first + face.mIndices[corner];
             }
             if (mirrored)
+            {
                 std::swap(triangle[1], triangle[2]);
+            }
             mesh_.triangles.push_back(triangle);
         }
     }
@@ -136,21 +154,29 @@ TriangleMesh readMesh(const std::filesystem::path& file)
     removeOtherImporters(importer);
     const aiScene* scene = importer.ReadFile(file.string(), aiProcess_Triangulate);
     if (scene == nullptr || scene->mRootNode == nullptr)
+    {
         throw Error(ErrorCode::badData, fmt::format("'{}' cannot be read as a mesh: {}",
                                                     file.string(), importer.GetErrorString()));
+    }
     Collector collector(*scene);
     collector.addNode(*scene->mRootNode, Eigen::Matrix4d::Identity());
     TriangleMesh mesh = collector.take();
     if (mesh.triangles.empty())
+    {
         throw Error(
             ErrorCode::badData,
             fmt::format("'{}' holds no triangles, so there is nothing to fill", file.string()));
+    }
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
+    {
         if (!mesh.vertices[i].allFinite())
+        {
             throw Error(ErrorCode::badData,
                         fmt::format("'{}' has a vertex (number {}) that is infinite or no number: "
                                     "export the mesh again",
                                     file.string(), i + 1));
+        }
+    }
     weldEqualVertices(mesh);
     return mesh;
 }

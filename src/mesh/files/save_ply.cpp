@@ -39,13 +39,19 @@ std::string encode(const TriangleMesh& mesh)
                                     mesh.vertices.size(), mesh.triangles.size());
     bytes.reserve(bytes.size() + 24 * mesh.vertices.size() + 13 * mesh.triangles.size());
     for (const Eigen::Vector3d& vertex : mesh.vertices)
+    {
         for (int axis = 0; axis < 3; ++axis)
+        {
             append(bytes, vertex[axis]);
+        }
+    }
     for (const auto& triangle : mesh.triangles)
     {
         append(bytes, std::uint8_t{3});
         for (const std::uint32_t corner : triangle)
+        {
             append(bytes, corner);
+        }
     }
     return bytes;
 }
@@ -58,8 +64,10 @@ void savePly(const TriangleMesh& mesh, const std::filesystem::path& file)
     const std::filesystem::path unfinished = file.string() + ".part";
     std::FILE* output = std::fopen(unfinished.c_str(), "wb");
     if (output == nullptr)
+    {
         throw Error(ErrorCode::cannotCreate,
                     fmt::format("cannot create '{}': {}", file.string(), std::strerror(errno)));
+    }
     bool written = std::fwrite(bytes.data(), 1, bytes.size(), output) == bytes.size();
     int reason = errno;
     if (std::fclose(output) != 0 && written)

@@ -35,8 +35,12 @@ Eigen::AlignedBox3d boundingBox(const TriangleMesh& mesh)
 {
     Eigen::AlignedBox3d box;
     for (const auto& t : mesh.triangles)
+    {
         for (const std::uint32_t corner : t)
+        {
             box.extend(mesh.vertices[corner]);
+        }
+    }
     return box;
 }
 

@@ -48,7 +48,9 @@ double windingNumber(const TriangleMesh& mesh, const Eigen::Vector3d& point)
 {
     CarefulSum sum;
     for (const auto& triangle : mesh.triangles)
+    {
         sum.add(solidAngle(mesh, triangle, point));
+    }
     return sum.value();
 }
 
@@ -57,7 +59,9 @@ double windingNumber(const TriangleMesh& mesh, std::span<const std::uint32_t> tr
 {
     CarefulSum sum;
     for (const std::uint32_t triangle : triangles)
+    {
         sum.add(solidAngle(mesh, mesh.triangles[triangle], point));
+    }
     return sum.value();
 }
 

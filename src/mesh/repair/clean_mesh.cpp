@@ -32,7 +32,9 @@ std::size_t longestSide(const TriangleMesh& mesh, const Triangle& t)
 {
     std::array<double, 3> squares{};
     for (std::size_t i = 0; i < 3; ++i)
+    {
         squares[i] = (mesh.vertices[t[(i + 1) % 3]] - mesh.vertices[t[i]]).squaredNorm();
+    }
     return static_cast<std::size_t>(std::max_element(squares.begin(), squares.end()) -
                                     squares.begin());
 }
@@ -49,12 +51,16 @@ bool handOver(TriangleMesh& mesh, const EdgeTable& edges, std::uint32_t triangle
     // A needle: the two corners at its short end are one.
     const double longest = (mesh.vertices[b] - mesh.vertices[a]).norm();
     for (const std::uint32_t end : {a, b})
+    {
         if ((mesh.vertices[end] - mesh.vertices[c]).norm() <= kTinyEdge * longest)
         {
             for (Triangle& other : mesh.triangles)
+            {
                 std::replace(other.begin(), other.end(), c, end);
+            }
             return true;
         }
+    }
 
     const auto uses = edges.find(a, b);
     if (uses.size() == 1)
@@ -63,10 +69,14 @@ bool handOver(TriangleMesh& mesh, const EdgeTable& edges, std::uint32_t triangle
         return true;
     }
     if (uses.size() != 2)
+    {
         return false;
+    }
     const std::uint32_t neighbour = uses[uses[0].triangle == triangle ? 1 : 0].triangle;
     if (touched[neighbour])
+    {
         return false;
+    }
     Triangle first = mesh.triangles[neighbour];
     Triangle second = first;
     std::replace(first.begin(), first.end(), b, c);
@@ -107,7 +117,9 @@ TriangleMesh withoutDuplicates(const TriangleMesh& mesh, bool cancelOpposites)
     {
         const Same& same = groups.at(sortedCorners(mesh.triangles[i]));
         if (same.first == i && (!cancelOpposites || same.facing != 0))
+        {
             result.triangles.push_back(mesh.triangles[i]);
+        }
     }
     return result;
 }
@@ -124,10 +136,16 @@ std::size_t dropFlatTriangles(TriangleMesh& mesh)
         std::vector<bool> touched(mesh.triangles.size(), false);
         bool changed = false;
         for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i)
+        {
             if (!touched[i] && !repeatsCorner(mesh.triangles[i]) && isFlat(mesh, mesh.triangles[i]))
+            {
                 changed = handOver(mesh, edges, i, touched) || changed;
+            }
+        }
         if (!changed)
+        {
             break;
+        }
     }
     eraseGone(mesh);
     return before - countFlat(mesh);
@@ -138,7 +156,9 @@ std::size_t dropDuplicateTriangles(TriangleMesh& mesh)
     const std::size_t before = mesh.triangles.size();
     TriangleMesh single = withoutDuplicates(mesh, false);
     if (single.triangles.size() == before)
+    {
         return 0;
+    }
     TriangleMesh cancelled = withoutDuplicates(mesh, true);
     const bool better = EdgeTable(cancelled).badEdges() < EdgeTable(single).badEdges();
     mesh = std::move(better ? cancelled : single);
@@ -150,20 +170,30 @@ std::size_t dropUnusedVertices(TriangleMesh& mesh)
     constexpr std::uint32_t kUnused = 0xffffffff;
     std::vector<std::uint32_t> place(mesh.vertices.size(), kUnused);
     for (const Triangle& t : mesh.triangles)
+    {
         for (const std::uint32_t corner : t)
+        {
             place[corner] = 0;
+        }
+    }
     std::uint32_t next = 0;
     for (std::size_t i = 0; i < place.size(); ++i)
+    {
         if (place[i] != kUnused)
         {
             mesh.vertices[next] = mesh.vertices[i];
             place[i] = next++;
         }
+    }
     const std::size_t gone = mesh.vertices.size() - next;
     mesh.vertices.resize(next);
     for (Triangle& t : mesh.triangles)
+    {
         for (std::uint32_t& corner : t)
+        {
             corner = place[corner];
+        }
+    }
     return gone;
 }
 

@@ -30,7 +30,9 @@ std::vector<Rim> findRims(const EdgeTable& edges)
         [&](std::span<const EdgeUse> uses)
         {
             if (uses.size() != 1)
+            {
                 return;
+            }
             const EdgeUse& use = uses[0]; // the lid runs against the triangle
             next.emplace(use.forward ? use.high : use.low, use.forward ? use.low : use.high);
         });
@@ -46,7 +48,9 @@ std::vector<Rim> findRims(const EdgeTable& edges)
             // Where the path meets itself, a rim is complete.
             const auto loop = std::find(path.begin(), path.end(), vertex);
             if (loop == path.end())
+            {
                 path.push_back(vertex);
+            }
             else
             {
                 rims.emplace_back(loop, path.end());
@@ -71,10 +75,16 @@ public:
           cost_(count_ * count_, kImpossible), middle_(count_ * count_, 0)
     {
         for (std::size_t i = 0; i + 1 < count_; ++i)
+        {
             cost_[i * count_ + i + 1] = 0;
+        }
         for (std::size_t span = 2; span < count_; ++span)
+        {
             for (std::size_t i = 0; i + span < count_; ++i)
+            {
                 solve(i, i + span);
+            }
+        }
     }
 
     /// Empty when there is no lid.
@@ -82,14 +92,18 @@ public:
     {
         std::vector<Triangle> result;
         if (count_ < 3 || cost_[count_ - 1] == kImpossible)
+        {
             return result;
+        }
         std::vector<std::array<std::size_t, 2>> chords = {{0, count_ - 1}};
         while (!chords.empty())
         {
             const auto [i, j] = chords.back();
             chords.pop_back();
             if (j < i + 2)
+            {
                 continue;
+            }
             const std::size_t k = middle_[i * count_ + j];
             result.push_back({rim_[i], rim_[k], rim_[j]});
             chords.push_back({i, k});
@@ -104,13 +118,17 @@ private:
     {
         const bool isChord = j - i + 1 < count_;
         if (isChord && !edges_.find(rim_[i], rim_[j]).empty())
+        {
             return;
+        }
         double& best = cost_[i * count_ + j];
         for (std::size_t k = i + 1; k < j; ++k)
         {
             const double parts = cost_[i * count_ + k] + cost_[k * count_ + j];
             if (parts >= best)
+            {
                 continue;
+            }
             const double whole = parts + weight(i, k, j);
             if (whole < best)
             {
@@ -126,7 +144,9 @@ private:
         const Eigen::Vector3d& b = mesh_.vertices[rim_[k]];
         const Eigen::Vector3d& c = mesh_.vertices[rim_[j]];
         if (isFlat(a, b, c))
+        {
             return kImpossible;
+        }
         const double squares =
             (b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm();
         return 0.5 * (b - a).cross(c - a).norm() + kShortChords * squares;
@@ -153,15 +173,21 @@ std::vector<Hole> closeHoles(TriangleMesh& mesh)
         Hole hole;
         hole.edges = rim.size();
         for (const std::uint32_t vertex : rim)
+        {
             hole.middle += mesh.vertices[vertex] / static_cast<double>(rim.size());
+        }
         if (rim.size() <= kMostEdges)
         {
             const std::vector<Triangle> lid = Lid(mesh, edges, rim).triangles();
             for (const Triangle& t : lid)
+            {
                 hole.share += area(mesh, t) / surface;
+            }
             hole.closed = !lid.empty() && hole.share <= kLargestShare;
             if (hole.closed)
+            {
                 lids.insert(lids.end(), lid.begin(), lid.end());
+            }
         }
         holes.push_back(hole);
     }

@@ -14,7 +14,9 @@ std::vector<std::vector<std::uint32_t>> connectedPieces(const TriangleMesh& mesh
         [&](std::span<const EdgeUse> uses)
         {
             for (const EdgeUse& use : uses.subspan(1))
+            {
                 sets.join(uses[0].triangle, use.triangle);
+            }
         });
 
     std::vector<std::vector<std::uint32_t>> pieces;
@@ -22,7 +24,9 @@ std::vector<std::vector<std::uint32_t>> connectedPieces(const TriangleMesh& mesh
     for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle)
     {
         if (repeatsCorner(mesh.triangles[triangle]))
+        {
             continue;
+        }
         const std::size_t root = sets.find(triangle); // the smallest, so it has been met already
         if (root == triangle)
         {

@@ -20,7 +20,9 @@ public:
     std::size_t find(std::size_t i)
     {
         while (parent_[i] != i)
+        {
             i = parent_[i] = parent_[parent_[i]];
+        }
         return i;
     }
 

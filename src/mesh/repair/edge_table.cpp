@@ -16,7 +16,9 @@ EdgeTable::EdgeTable(const TriangleMesh& mesh)
     {
         const Triangle& t = mesh.triangles[triangle];
         if (repeatsCorner(t))
+        {
             continue;
+        }
         for (std::uint8_t corner = 0; corner < 3; ++corner)
         {
             const auto [low, high] = std::minmax(t[corner], t[(corner + 1) % 3]);
@@ -35,7 +37,9 @@ std::size_t EdgeTable::endOfEdge(std::size_t begin) const
     std::size_t end = begin + 1;
     while (end < uses_.size() && uses_[end].low == uses_[begin].low &&
            uses_[end].high == uses_[begin].high)
+    {
         ++end;
+    }
     return end;
 }
 
@@ -46,7 +50,9 @@ std::span<const EdgeUse> EdgeTable::find(std::uint32_t a, std::uint32_t b) const
                                         [](const EdgeUse& use, const auto& edge)
                                         { return std::pair(use.low, use.high) < edge; });
     if (first == uses_.end() || first->low != low || first->high != high)
+    {
         return {};
+    }
     const auto begin = static_cast<std::size_t>(first - uses_.begin());
     return {uses_.data() + begin, endOfEdge(begin) - begin};
 }

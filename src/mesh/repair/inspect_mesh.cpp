@@ -14,8 +14,12 @@ std::size_t countDuplicates(const TriangleMesh& mesh)
     std::vector<Triangle> sorted;
     sorted.reserve(mesh.triangles.size());
     for (const Triangle& t : mesh.triangles)
+    {
         if (!repeatsCorner(t))
+        {
             sorted.push_back(sortedCorners(t));
+        }
+    }
     std::sort(sorted.begin(), sorted.end());
     const auto end = std::unique(sorted.begin(), sorted.end());
     return static_cast<std::size_t>(sorted.end() - end);
@@ -25,8 +29,12 @@ std::size_t countUnused(const TriangleMesh& mesh)
 {
     std::vector<bool> used(mesh.vertices.size(), false);
     for (const Triangle& t : mesh.triangles)
+    {
         for (const std::uint32_t corner : t)
+        {
             used[corner] = true;
+        }
+    }
     return static_cast<std::size_t>(std::count(used.begin(), used.end(), false));
 }
 
@@ -43,7 +51,9 @@ void inspectEdges(MeshReport& report, const TriangleMesh& mesh, const EdgeTable&
             report.nonManifoldEdges += nonManifold ? 1U : 0U;
             report.inconsistentEdges += inconsistent ? 1U : 0U;
             if ((boundary || nonManifold || inconsistent) && !firstDefect)
+            {
                 firstDefect = 0.5 * (mesh.vertices[uses[0].low] + mesh.vertices[uses[0].high]);
+            }
         });
     report.firstDefect = firstDefect.value_or(Eigen::Vector3d::Zero());
 }
@@ -59,17 +69,23 @@ int countHandles(const TriangleMesh& mesh, const EdgeTable& edges, std::size_t p
         {
             ++edgeCount;
             for (const EdgeUse& use : uses.subspan(1))
+            {
                 joinCorners(corners, mesh, uses[0], use);
+            }
         });
     long vertexCount = 0;
     long faceCount = 0;
     for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle)
     {
         if (repeatsCorner(mesh.triangles[triangle]))
+        {
             continue;
+        }
         ++faceCount;
         for (std::size_t corner = 3 * triangle; corner < 3 * triangle + 3; ++corner)
+        {
             vertexCount += corners.find(corner) == corner ? 1 : 0;
+        }
     }
     return static_cast<int>(static_cast<long>(pieces) - (vertexCount - edgeCount + faceCount) / 2);
 }

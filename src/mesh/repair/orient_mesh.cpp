@@ -71,7 +71,9 @@ std::optional<Eigen::Vector3d> findCrossing(const TriangleMesh& mesh, const Piec
         someOutside = someOutside || winding < kSurely;
         someInside = someInside || winding > 1 - kSurely;
         if (someInside && someOutside)
+        {
             return vertex;
+        }
     }
     return std::nullopt;
 }
@@ -91,7 +93,9 @@ std::size_t makeWindingConsistent(TriangleMesh& mesh)
         [&](std::span<const EdgeUse> uses)
         {
             if (uses.size() != 2)
+            {
                 return;
+            }
             const bool agrees = uses[0].forward != uses[1].forward;
             links[uses[0].triangle].push_back({uses[1].triangle, agrees});
             links[uses[1].triangle].push_back({uses[0].triangle, agrees});
@@ -103,12 +107,16 @@ std::size_t makeWindingConsistent(TriangleMesh& mesh)
     for (std::uint32_t seed = 0; seed < mesh.triangles.size(); ++seed)
     {
         if (seen[seed])
+        {
             continue;
+        }
         std::vector<std::uint32_t> flood = {seed};
         seen[seed] = true;
         std::size_t against = 0;
         for (std::size_t i = 0; i < flood.size(); ++i)
+        {
             for (const Link& link : links[flood[i]])
+            {
                 if (!seen[link.triangle])
                 {
                     seen[link.triangle] = true;
@@ -116,13 +124,17 @@ std::size_t makeWindingConsistent(TriangleMesh& mesh)
                     against += turns[link.triangle] ? 1U : 0U;
                     flood.push_back(link.triangle);
                 }
+            }
+        }
         const bool turnOthers = 2 * against > flood.size();
         for (const std::uint32_t triangle : flood)
+        {
             if (turns[triangle] != turnOthers)
             {
                 turn(mesh.triangles[triangle]);
                 ++turned;
             }
+        }
     }
     return turned;
 }
@@ -136,18 +148,26 @@ std::size_t turnPiecesOutward(TriangleMesh& mesh)
         const Eigen::Vector3d& point = mesh.vertices[mesh.triangles[pieces[i].triangles[0]][0]];
         std::size_t depth = 0;
         for (std::size_t j = 0; j < pieces.size(); ++j)
+        {
             if (j != i && surrounds(mesh, pieces[j], point))
+            {
                 ++depth;
+            }
+        }
         turns[i] = (depth % 2 == 0) != (pieces[i].volume > 0);
     }
     std::size_t turned = 0;
     for (std::size_t i = 0; i < pieces.size(); ++i)
+    {
         if (turns[i])
         {
             ++turned;
             for (const std::uint32_t triangle : pieces[i].triangles)
+            {
                 turn(mesh.triangles[triangle]);
+            }
         }
+    }
     return turned;
 }
 
@@ -155,10 +175,18 @@ std::optional<Eigen::Vector3d> findCrossingPieces(const TriangleMesh& mesh)
 {
     const std::vector<Piece> pieces = describePieces(mesh);
     for (std::size_t i = 0; i < pieces.size(); ++i)
+    {
         for (std::size_t j = 0; j < pieces.size(); ++j)
+        {
             if (i != j && pieces[i].box.intersects(pieces[j].box))
+            {
                 if (const auto place = findCrossing(mesh, pieces[i], pieces[j]))
+                {
                     return place;
+                }
+            }
+        }
+    }
     return std::nullopt;
 }
 

@@ -43,16 +43,28 @@ std::string counted(std::size_t count, std::string_view noun)
 void refuseNonsense(const TriangleMesh& mesh, std::string_view name)
 {
     if (mesh.triangles.empty())
+    {
         refuse(name, "it has no triangles");
+    }
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
+    {
         if (!mesh.vertices[i].allFinite())
+        {
             refuse(name,
                    fmt::format("vertex {} is infinite or no number; export the mesh again", i + 1));
+        }
+    }
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    {
         for (const std::uint32_t corner : mesh.triangles[i])
+        {
             if (corner >= mesh.vertices.size())
+            {
                 refuse(name, fmt::format("triangle {} names vertex {} of {}; export the mesh again",
                                          i + 1, corner + 1, mesh.vertices.size()));
+            }
+        }
+    }
 }
 
 /// Welds rims that nearly meet, if that makes the surface better.
@@ -62,7 +74,9 @@ void weldSeams(TriangleMesh& mesh, std::vector<std::string>& repairs)
     const std::size_t before = EdgeTable(mesh).badEdges();
     const std::size_t count = weldRims(welded, kWeldDistance * boundingBox(mesh).diagonal().norm());
     if (count == 0 || EdgeTable(welded).badEdges() >= before)
+    {
         return;
+    }
     mesh = std::move(welded);
     repairs.push_back(fmt::format("joined {} vert{} along open seams to others within {:g} of the "
                                   "object's size",
@@ -72,9 +86,13 @@ void weldSeams(TriangleMesh& mesh, std::vector<std::string>& repairs)
 void cleanTriangles(TriangleMesh& mesh, std::vector<std::string>& repairs)
 {
     if (const std::size_t count = dropFlatTriangles(mesh))
+    {
         repairs.push_back("removed " + counted(count, "triangle") + " without area");
+    }
     if (const std::size_t count = dropDuplicateTriangles(mesh))
+    {
         repairs.push_back("removed " + counted(count, "duplicate triangle"));
+    }
 }
 
 void straightenWinding(TriangleMesh& mesh, std::vector<std::string>& repairs)
@@ -87,8 +105,10 @@ void straightenWinding(TriangleMesh& mesh, std::vector<std::string>& repairs)
                           " where it touched itself");
     }
     if (turned > 0)
+    {
         repairs.push_back("turned " + counted(turned, "triangle") +
                           " to agree with the neighbours");
+    }
 }
 
 /// Returns the largest hole that is left, with no edges when there is none.
@@ -99,45 +119,61 @@ Hole closeAndReport(TriangleMesh& mesh, std::vector<std::string>& repairs)
     for (const Hole& hole : closeHoles(mesh))
     {
         if (!hole.closed)
+        {
             largestLeft = hole.edges > largestLeft.edges ? hole : largestLeft;
+        }
         else if (++closed <= kMostHolesListed)
+        {
             repairs.push_back(
                 fmt::format("closed a hole of {} edges near {}", hole.edges, place(hole.middle)));
+        }
     }
     if (closed > kMostHolesListed)
+    {
         repairs.push_back(
             fmt::format("closed {} more", counted(closed - kMostHolesListed, "hole")));
+    }
     return largestLeft;
 }
 
 void refuseDefects(const MeshReport& report, const Hole& hole, std::string_view name)
 {
     if (report.nonManifoldEdges > 0)
+    {
         refuse(name, fmt::format("{} shared by more than two triangles, the first near {}; remove "
                                  "inner walls and loose flaps there in a mesh editor",
                                  report.nonManifoldEdges == 1
                                      ? "an edge is"
                                      : counted(report.nonManifoldEdges, "edge") + " are",
                                  place(report.firstDefect)));
+    }
     if (report.inconsistentEdges > 0)
+    {
         refuse(name,
                fmt::format("its surface is one-sided, like a Moebius strip, near {}; model it "
                            "as the skin of a solid",
                            place(report.firstDefect)));
+    }
     if (report.boundaryEdges > 0 && hole.share > 0)
+    {
         refuse(name, fmt::format("a hole of {} edges near {} is too large to be closed without "
                                  "guessing (a lid would be {:.0f} % of the surface); close it in a "
                                  "mesh editor",
                                  hole.edges, place(hole.middle), 100 * hole.share));
+    }
     if (report.boundaryEdges > 0)
+    {
         refuse(name,
                fmt::format("it is open near {}, {} in all, and no lid fits there; close it in "
                            "a mesh editor",
                            hole.edges > 0 ? place(hole.middle) : place(report.firstDefect),
                            counted(report.boundaryEdges, "open edge")));
+    }
     if (report.degenerateTriangles > 0)
+    {
         refuse(name, counted(report.degenerateTriangles, "triangle") +
                          " without area cannot be removed; clean the mesh in a mesh editor");
+    }
 }
 
 void refuseUnfillable(const TriangleMesh& mesh, const MeshReport& report, std::string_view name)
@@ -145,13 +181,17 @@ void refuseUnfillable(const TriangleMesh& mesh, const MeshReport& report, std::s
     const auto crossing =
         report.components > 1 ? findCrossingPieces(mesh) : std::optional<Eigen::Vector3d>();
     if (crossing)
+    {
         refuse(name,
                fmt::format("it consists of {} pieces, and two of them pass through each other "
                            "near {}; unite them in a mesh editor (a Boolean union)",
                            report.components, place(*crossing)));
+    }
     const double size = report.box.diagonal().norm();
     if (!(report.volume > kNoVolume * size * size * size))
+    {
         refuse(name, "it encloses no volume; model it as the skin of a solid");
+    }
 }
 
 } // namespace
@@ -162,20 +202,28 @@ LoadedMesh repairMesh(TriangleMesh mesh, std::string_view name)
     LoadedMesh result;
     result.asRead = inspectMesh(mesh);
     if (result.asRead.boundaryEdges > 0)
+    {
         weldSeams(mesh, result.repairs);
+    }
     cleanTriangles(mesh, result.repairs);
     if (mesh.triangles.empty())
+    {
         refuse(name, "none of its triangles has an area");
+    }
     straightenWinding(mesh, result.repairs);
     const Hole largestLeft = closeAndReport(mesh, result.repairs);
     if (const std::size_t count = dropUnusedVertices(mesh))
+    {
         result.repairs.push_back(
             fmt::format("removed {} unused vert{}", count, count == 1 ? "ex" : "ices"));
+    }
     refuseDefects(inspectMesh(mesh), largestLeft, name);
 
     if (const std::size_t count = turnPiecesOutward(mesh))
+    {
         result.repairs.push_back(fmt::format("turned {} that {} wound the wrong way round",
                                              counted(count, "piece"), count == 1 ? "was" : "were"));
+    }
     result.report = inspectMesh(mesh);
     refuseUnfillable(mesh, result.report, name);
     result.mesh = std::move(mesh);

@@ -39,9 +39,13 @@ std::optional<Pairs> solidWedges(const TriangleMesh& mesh, std::span<const EdgeU
         const EdgeUse& here = around[i].second;
         const EdgeUse& next = around[(i + 1) % around.size()].second;
         if (here.forward == next.forward)
+        {
             return std::nullopt;
+        }
         if (next.forward)
+        {
             pairs.push_back({here, next});
+        }
     }
     return pairs;
 }
@@ -61,16 +65,24 @@ std::size_t separateTouchingEdges(TriangleMesh& mesh)
             if (wedges)
             {
                 for (const auto& [one, other] : *wedges)
+                {
                     joinCorners(corners, mesh, one, other);
+                }
                 atCut[uses[0].low] = atCut[uses[0].high] = true;
                 ++cuts;
             }
             else
+            {
                 for (const EdgeUse& use : uses.subspan(1))
+                {
                     joinCorners(corners, mesh, uses[0], use);
+                }
+            }
         });
     if (cuts == 0)
+    {
         return 0;
+    }
 
     // The first fan at a vertex keeps it, every other one gets a copy.
     constexpr std::uint32_t kNone = 0xffffffff;
@@ -81,7 +93,9 @@ std::size_t separateTouchingEdges(TriangleMesh& mesh)
         std::uint32_t& vertex = mesh.triangles[corner / 3][corner % 3];
         std::uint32_t& fan = vertexOf[corners.find(corner)];
         if (!atCut[vertex])
+        {
             continue;
+        }
         if (fan == kNone)
         {
             fan = vertex;

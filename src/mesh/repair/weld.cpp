@@ -33,7 +33,9 @@ Cell bitsOf(const Eigen::Vector3d& position)
 {
     Cell bits;
     for (std::size_t axis = 0; axis < 3; ++axis)
+    {
         bits[axis] = std::bit_cast<std::int64_t>(position[static_cast<int>(axis)] + 0.0);
+    }
     return bits;
 }
 
@@ -44,7 +46,9 @@ std::vector<bool> verticesOnRims(const TriangleMesh& mesh)
         [&](std::span<const EdgeUse> uses)
         {
             if (uses.size() == 1)
+            {
                 onRim[uses[0].low] = onRim[uses[0].high] = true;
+            }
         });
     return onRim;
 }
@@ -61,12 +65,18 @@ void weldEqualVertices(TriangleMesh& mesh)
         const auto [entry, isNew] =
             known.try_emplace(bitsOf(vertex), static_cast<std::uint32_t>(kept.size()));
         if (isNew)
+        {
             kept.push_back(vertex);
+        }
         place.push_back(entry->second);
     }
     for (auto& triangle : mesh.triangles)
+    {
         for (std::uint32_t& corner : triangle)
+        {
             corner = place[corner];
+        }
+    }
     mesh.vertices = std::move(kept);
 }
 
@@ -91,7 +101,9 @@ std::size_t weldRims(TriangleMesh& mesh, double distance)
     for (std::size_t vertex = 0; vertex < mesh.vertices.size(); ++vertex)
     {
         if (!onRim[vertex])
+        {
             continue;
+        }
         const Cell cell = cellOf(vertex);
         for (int neighbour = 0; neighbour < 27; ++neighbour)
         {
@@ -99,20 +111,28 @@ std::size_t weldRims(TriangleMesh& mesh, double distance)
                 grid.find({cell[0] + neighbour % 3 - 1, cell[1] + neighbour / 3 % 3 - 1,
                            cell[2] + neighbour / 9 - 1});
             if (found == grid.end())
+            {
                 continue;
+            }
             for (const std::size_t other : found->second)
+            {
                 if (sets.find(other) != sets.find(vertex) &&
                     (mesh.vertices[other] - mesh.vertices[vertex]).norm() <= distance)
                 {
                     sets.join(other, vertex);
                     ++gone;
                 }
+            }
         }
         grid[cell].push_back(vertex);
     }
     for (auto& triangle : mesh.triangles)
+    {
         for (std::uint32_t& corner : triangle)
+        {
             corner = static_cast<std::uint32_t>(sets.find(corner));
+        }
+    }
     return gone;
 }
 

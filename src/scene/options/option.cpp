@@ -21,7 +21,9 @@ std::optional<T> readNumber(std::string_view text)
     T value{};
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc{} || end != text.data() + text.size())
+    {
         return std::nullopt;
+    }
     return value;
 }
 
@@ -32,10 +34,14 @@ std::optional<Eigen::Vector3d> readVector(std::string_view text)
     {
         const std::size_t comma = i < 2 ? text.find(',') : text.size();
         if (comma == std::string_view::npos)
+        {
             return std::nullopt;
+        }
         const auto value = readNumber<double>(text.substr(0, comma));
         if (!value)
+        {
             return std::nullopt;
+        }
         vector[i] = *value;
         text.remove_prefix(std::min(comma + 1, text.size()));
     }
@@ -55,10 +61,14 @@ std::string describeRange(const OptionRange& range)
     const std::string high = range.high == all.high ? "" : fmt::format("{}", range.high);
     const char* above = range.withoutLow ? "above" : "from";
     if (low.empty())
+    {
         return high.empty() ? "" : fmt::format(" up to {}", high);
+    }
     if (high.empty())
+    {
         return range.withoutLow ? fmt::format(" above {}", low)
                                 : fmt::format(" of at least {}", low);
+    }
     return fmt::format(" {} {} to {}", above, low, high);
 }
 
@@ -68,21 +78,31 @@ OptionValue converted(const Option& option, OptionValue value)
     if (const auto* text = std::get_if<std::string>(&value))
     {
         if (!option.nothing.empty() && *text == option.nothing)
+        {
             return std::monostate{};
+        }
         for (const auto& [word, number] : option.words)
+        {
             if (*text == word)
+            {
                 return number;
+            }
+        }
     }
     if (const auto* whole = std::get_if<std::int64_t>(&value);
         whole && (option.type == OptionType::number || option.type == OptionType::radii))
+    {
         return static_cast<double>(*whole);
+    }
     return value;
 }
 
 bool allowed(const Option& option, const OptionValue& value)
 {
     if (std::holds_alternative<std::monostate>(value))
+    {
         return !option.nothing.empty();
+    }
     switch (option.type)
     {
     case OptionType::boolean:
@@ -126,8 +146,12 @@ std::span<const Option> sceneOptions()
 const Option* findOption(std::string_view key)
 {
     for (const Option& option : sceneOptions())
+    {
         if (option.key == key)
+        {
             return &option;
+        }
+    }
     return nullptr;
 }
 
@@ -158,9 +182,13 @@ std::string describeAllowed(const Option& option)
         break;
     }
     for (const auto& [word, number] : option.words)
+    {
         what += ", " + word;
+    }
     if (!option.nothing.empty())
+    {
         what += " or " + option.nothing;
+    }
     return what;
 }
 
@@ -174,14 +202,18 @@ std::optional<OptionValue> readOptionText(const Option& option, std::string_view
 {
     const OptionValue word = converted(option, std::string(text));
     if (!std::holds_alternative<std::string>(word))
+    {
         return word;
+    }
     const auto wrap = [](const auto& value) -> std::optional<OptionValue>
     { return value ? std::optional<OptionValue>(*value) : std::nullopt; };
     switch (option.type)
     {
     case OptionType::boolean:
         if (text == "true" || text == "false")
+        {
             return text == "true";
+        }
         return std::nullopt;
     case OptionType::integer:
         return wrap(readNumber<std::int64_t>(text));
@@ -191,7 +223,9 @@ std::optional<OptionValue> readOptionText(const Option& option, std::string_view
         return wrap(readVector(text));
     case OptionType::radii:
         if (const auto number = readNumber<double>(text))
+        {
             return *number;
+        }
         break;
     case OptionType::text:
         break;
@@ -202,15 +236,25 @@ std::optional<OptionValue> readOptionText(const Option& option, std::string_view
 std::string optionText(const Option& option, const OptionValue& value)
 {
     if (std::holds_alternative<std::monostate>(value))
+    {
         return option.nothing;
+    }
     if (const auto* yes = std::get_if<bool>(&value))
+    {
         return *yes ? "true" : "false";
+    }
     if (const auto* whole = std::get_if<std::int64_t>(&value))
+    {
         return fmt::format("{}", *whole);
+    }
     if (const auto* number = std::get_if<double>(&value))
+    {
         return fmt::format("{}", *number);
+    }
     if (const auto* vector = std::get_if<Eigen::Vector3d>(&value))
+    {
         return fmt::format("{},{},{}", vector->x(), vector->y(), vector->z());
+    }
     return std::get<std::string>(value);
 }
 

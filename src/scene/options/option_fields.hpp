@@ -141,31 +141,47 @@ bool fromValue(Field& field, const OptionValue& value)
     {
         const auto& names = EnumNames<Field>::kNames;
         for (std::size_t i = 0; i < names.size(); ++i)
+        {
             if (std::get<std::string>(value) == names[i])
             {
                 field = static_cast<Field>(i);
                 return true;
             }
+        }
         return false;
     }
     else if constexpr (std::is_same_v<Field, Colour>)
+    {
         return readColour(std::get<std::string>(value), field);
+    }
     else if constexpr (std::is_same_v<Field, PictureSize>)
+    {
         return readPictureSize(std::get<std::string>(value), field);
+    }
     else if constexpr (std::is_same_v<Field, Radii>)
     {
         if (const auto* text = std::get_if<std::string>(&value))
+        {
             return readRadii(*text, field);
+        }
         field = Radii(std::get<double>(value));
     }
     else if constexpr (std::is_same_v<Field, Cutaway>)
+    {
         return readCutaway(std::get<std::string>(value), field);
+    }
     else if constexpr (std::is_same_v<Field, Passes>)
+    {
         return readPasses(std::get<std::string>(value), field);
+    }
     else if constexpr (std::integral<Field> && !std::is_same_v<Field, bool>)
+    {
         field = static_cast<Field>(std::get<std::int64_t>(value));
+    }
     else
+    {
         field = std::get<Field>(value);
+    }
     return true;
 }
 template <typename Field>
@@ -178,7 +194,9 @@ bool fromValue(std::optional<Field>& field, const OptionValue& value)
     }
     Field some{};
     if (!fromValue(some, value))
+    {
         return false;
+    }
     field = std::move(some);
     return true;
 }
@@ -207,15 +225,25 @@ Option fieldOption(Option option, Access access)
     using Field = std::remove_cvref_t<decltype(access(std::declval<Scene&>()))>;
     option.type = OptionTypeOf<Field>::kType;
     if constexpr (std::is_enum_v<Field>)
+    {
         option.choices.assign(EnumNames<Field>::kNames.begin(), EnumNames<Field>::kNames.end());
+    }
     if constexpr (std::is_same_v<Field, Colour>)
+    {
         option.placeholder = "#RRGGBB";
+    }
     if constexpr (std::is_same_v<Field, PictureSize>)
+    {
         option.placeholder = "WxH";
+    }
     if constexpr (std::is_same_v<Field, Colour>)
+    {
         option.form = "a colour such as #ffcc00 or, with alpha, #ffcc0080, or the word transparent";
+    }
     if constexpr (std::is_same_v<Field, PictureSize>)
+    {
         option.form = "a size such as 1280x720, from 1x1 to 16384x16384";
+    }
     if constexpr (std::is_same_v<Field, Cutaway>)
     {
         option.placeholder = "none|plane:X,Y,Z[,OFFSET]|wedge:FROM,TO";

@@ -24,7 +24,9 @@ void addFrames(TableBuilder& table)
                      {
                          const auto& text = std::get<std::string>(value);
                          if (!FrameSelection::parse(text))
+                         {
                              return false;
+                         }
                          scene.frames.enabled = text != "none";
                          scene.frames.selection = scene.frames.enabled ? text : "all";
                          return true;

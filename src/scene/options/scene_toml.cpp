@@ -33,13 +33,21 @@ FileValue readNode(const toml::node& node)
 {
     FileValue read{{}, node.source().begin.line};
     if (const auto* boolean = node.as_boolean())
+    {
         read.value = boolean->get();
+    }
     else if (const auto* whole = node.as_integer())
+    {
         read.value = whole->get();
+    }
     else if (const auto* number = node.as_floating_point())
+    {
         read.value = number->get();
+    }
     else if (const auto* text = node.as_string())
+    {
         read.value = text->get();
+    }
     else if (const auto* array = node.as_array(); array && array->size() == 3)
     {
         Eigen::Vector3d vector;
@@ -52,7 +60,9 @@ FileValue readNode(const toml::node& node)
         read.value = vector;
     }
     else
+    {
         read.readable = false;
+    }
     return read;
 }
 
@@ -62,9 +72,13 @@ void collect(const toml::table& table, const std::string& prefix, FileValues& va
     {
         const std::string name = prefix + std::string(key.str());
         if (const auto* inner = node.as_table())
+        {
             collect(*inner, name + ".", values);
+        }
         else
+        {
             values[name] = readNode(node);
+        }
     }
 }
 
@@ -72,11 +86,15 @@ void refuseUnknownKeys(const FileValues& values, std::string_view file)
 {
     std::vector<std::string> known;
     for (const Option& option : sceneOptions())
+    {
         known.push_back(option.key);
+    }
     for (const auto& [key, value] : values)
     {
         if (findOption(key))
+        {
             continue;
+        }
         const std::string nearest = nearestName(key, known);
         refuse(file, value.line,
                fmt::format("unknown key '{}'{}", key,
@@ -88,11 +106,15 @@ void apply(const std::string& key, const FileValues& values, Scene& scene, std::
 {
     const auto found = values.find(key);
     if (found == values.end())
+    {
         return;
+    }
     const Option& option = *findOption(key);
     if (!found->second.readable || !setOption(option, scene, found->second.value))
+    {
         refuse(file, found->second.line,
                fmt::format("'{}' must be {}", key, describeAllowed(option)));
+    }
 }
 
 Scene sceneFromValues(const FileValues& values, std::string_view file)
@@ -104,10 +126,14 @@ Scene sceneFromValues(const FileValues& values, std::string_view file)
 
     Scene scene = presetScene(named.preset, named.object.mesh);
     for (const Option& option : sceneOptions())
+    {
         apply(option.key, values, scene, file);
+    }
     // A radius alone asks to be filled until no sphere fits, whatever the preset's count.
     if (values.contains("spheres.radius") && !values.contains("spheres.count"))
+    {
         scene.spheres.count.reset();
+    }
     return scene;
 }
 
@@ -125,17 +151,23 @@ std::string tomlNumber(double number)
 {
     std::string digits = fmt::format("{}", number);
     if (digits.find_first_of(".en") == std::string::npos)
+    {
         digits += ".0";
+    }
     return digits;
 }
 
 std::string tomlValue(const Option& option, const OptionValue& value)
 {
     if (const auto* number = std::get_if<double>(&value))
+    {
         return tomlNumber(*number);
+    }
     if (const auto* vector = std::get_if<Eigen::Vector3d>(&value))
+    {
         return fmt::format("[{}, {}, {}]", tomlNumber(vector->x()), tomlNumber(vector->y()),
                            tomlNumber(vector->z()));
+    }
     const std::string text = optionText(option, value);
     const bool quoted =
         std::holds_alternative<std::string>(value) || std::holds_alternative<std::monostate>(value);
@@ -162,16 +194,22 @@ Scene loadScene(const std::filesystem::path& file)
 {
     std::ifstream in(file, std::ios::binary);
     if (!std::filesystem::is_regular_file(file) || !in)
+    {
         throw Error(
             ErrorCode::inputMissing,
             fmt::format("cannot read the scene {}: no such file, or not readable", file.string()));
+    }
     const std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
     Scene scene = parseScene(text, file.string());
     if (!isBuiltInMesh(scene.object.mesh) && std::filesystem::path(scene.object.mesh).is_relative())
+    {
         scene.object.mesh = (file.parent_path() / scene.object.mesh).string();
+    }
     if (scene.spheres.radius && !scene.spheres.radius->file.empty() &&
         std::filesystem::path(scene.spheres.radius->file).is_relative())
+    {
         scene.spheres.radius->file = (file.parent_path() / scene.spheres.radius->file).string();
+    }
     return scene;
 }
 
@@ -186,13 +224,17 @@ std::string sceneToToml(const Scene& scene)
         const bool inTable = dot != std::string::npos;
         const std::string table = inTable ? option.key.substr(0, dot) : "";
         if (inTable && !tables.contains(table))
+        {
             order.push_back(table);
+        }
         tables[table] += fmt::format("{} = {}\n", inTable ? option.key.substr(dot + 1) : option.key,
                                      tomlValue(option, option.get(scene)));
     }
     std::string text = tables[""];
     for (const std::string& table : order)
+    {
         text += fmt::format("\n[{}]\n{}", table, tables[table]);
+    }
     return text;
 }
 

@@ -33,10 +33,14 @@ bool readNumbers(std::string_view text, std::vector<double>& numbers)
         double value = 0;
         const auto [end, error] = std::from_chars(item.data(), item.data() + item.size(), value);
         if (error != std::errc{} || end != item.data() + item.size() || !std::isfinite(value))
+        {
             return false;
+        }
         numbers.push_back(value);
         if (item.size() == text.size())
+        {
             return true;
+        }
         text.remove_prefix(item.size() + 1);
     }
 }
@@ -60,11 +64,17 @@ bool readColour(std::string_view text, Colour& colour)
         return true;
     }
     if ((text.size() != 7 && text.size() != 9) || text[0] != '#')
+    {
         return false;
+    }
     Colour read = {0, 0, 0, 255};
     for (std::size_t i = 0; 2 * i + 2 < text.size(); ++i)
+    {
         if (!readWhole(text.substr(2 * i + 1, 2), read[i], 16))
+        {
             return false;
+        }
+    }
     colour = read;
     return true;
 }
@@ -75,10 +85,14 @@ bool readPictureSize(std::string_view text, PictureSize& size)
     PictureSize read;
     if (cross == std::string_view::npos || !readWhole(text.substr(0, cross), read.width, 10) ||
         !readWhole(text.substr(cross + 1), read.height, 10))
+    {
         return false;
+    }
     const auto fits = [](int side) { return side >= 1 && side <= kLargestPictureSide; };
     if (!fits(read.width) || !fits(read.height))
+    {
         return false;
+    }
     size = read;
     return true;
 }
@@ -91,13 +105,17 @@ std::string radiiText(const Radii& radii)
 bool readRadii(std::string_view text, Radii& radii)
 {
     if (text.empty())
+    {
         return false;
+    }
     const bool likeNumber = text.find_first_of("0123456789+-") == 0 ||
                             (text.size() > 1 && text[0] == '.' && std::isdigit(text[1]) != 0);
     if (!likeNumber)
     {
         if (text.find_first_of("./") == std::string_view::npos)
+        {
             return false;
+        }
         radii = Radii::fromFile(std::string(text));
         return true;
     }
@@ -105,9 +123,13 @@ bool readRadii(std::string_view text, Radii& radii)
     Radii read;
     if (dots == std::string_view::npos || !readWhole(text.substr(0, dots), read.smallest) ||
         !readWhole(text.substr(dots + 2), read.largest))
+    {
         return false;
+    }
     if (!(read.smallest > 0 && read.largest >= read.smallest && std::isfinite(read.largest)))
+    {
         return false;
+    }
     radii = read;
     return true;
 }
@@ -134,14 +156,18 @@ bool readCutaway(std::string_view text, Cutaway& cutaway)
     const std::string_view kind = text.substr(0, text.find(':'));
     if (text != "none" &&
         (kind.size() == text.size() || !readNumbers(text.substr(kind.size() + 1), numbers)))
+    {
         return false;
+    }
     if (kind == "plane" && (numbers.size() == 3 || numbers.size() == 4))
     {
         read.kind = Cutaway::Kind::plane;
         read.normal = {numbers[0], numbers[1], numbers[2]};
         read.offset = numbers.size() == 4 ? numbers[3] : 0;
         if (!(read.normal.norm() > 1e-9))
+        {
             return false;
+        }
     }
     else if (kind == "wedge" && numbers.size() == 2)
     {
@@ -149,10 +175,14 @@ bool readCutaway(std::string_view text, Cutaway& cutaway)
         read.from = numbers[0];
         read.to = numbers[1];
         if (!(read.to > read.from && read.to <= read.from + 180))
+        {
             return false;
+        }
     }
     else if (text != "none")
+    {
         return false;
+    }
     cutaway = read;
     return true;
 }
@@ -161,8 +191,12 @@ std::string passesText(const Passes& passes)
 {
     std::string text;
     for (const auto& [name, member] : kPasses)
+    {
         if (passes.*member)
+        {
             text.append(text.empty() ? "" : ",").append(name);
+        }
+    }
     return text.empty() ? "none" : text;
 }
 
@@ -170,21 +204,33 @@ bool readPasses(std::string_view text, Passes& passes)
 {
     Passes read;
     if (text == "all")
+    {
         read = {true, true, true};
+    }
     else if (text != "none")
+    {
         while (true)
         {
             const std::string_view item = text.substr(0, text.find(','));
             bool known = false;
             for (const auto& [name, member] : kPasses)
+            {
                 if (item == name)
+                {
                     known = read.*member = true;
+                }
+            }
             if (!known)
+            {
                 return false;
+            }
             if (item.size() == text.size())
+            {
                 break;
+            }
             text.remove_prefix(item.size() + 1);
         }
+    }
     passes = read;
     return true;
 }

@@ -18,17 +18,23 @@ double shareInside(const Eigen::Vector3d& centre, double radius, const Eigen::Al
     int inSphere = 0;
     int inBoth = 0;
     for (int i = 0; i < kSlices; ++i)
+    {
         for (int j = 0; j < kSlices; ++j)
+        {
             for (int k = 0; k < kSlices; ++k)
             {
                 const Eigen::Vector3d q =
                     Eigen::Vector3d(2 * i + 1, 2 * j + 1, 2 * k + 1) / kSlices -
                     Eigen::Vector3d::Ones();
                 if (q.squaredNorm() > 1)
+                {
                     continue;
+                }
                 ++inSphere;
                 inBoth += box.contains(centre + radius * q) ? 1 : 0;
             }
+        }
+    }
     return static_cast<double>(inBoth) / inSphere;
 }
 
@@ -42,7 +48,9 @@ BulkPacking bulkPacking(const World& world, double margin)
     const Spheres& s = world.spheres;
     BulkPacking bulk;
     if (box.isEmpty())
+    {
         return bulk;
+    }
     double filled = 0;
     std::size_t contacts = 0;
     for (std::uint32_t id = 0; id < s.size(); ++id)
@@ -52,10 +60,14 @@ BulkPacking bulkPacking(const World& world, double margin)
         const double volume = 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
         const Eigen::Vector3d clearance = (p - box.min()).cwiseMin(box.max() - p);
         if (clearance.minCoeff() <= -radius)
+        {
             continue;
+        }
         filled += volume * (clearance.minCoeff() >= radius ? 1 : shareInside(p, radius, box));
         if (clearance.minCoeff() < 0)
+        {
             continue;
+        }
         ++bulk.spheres;
         const double gap = 0.01 * 2 * radius;
         world.resting.forEachNear(p, radius + 1 + gap,
@@ -63,7 +75,9 @@ BulkPacking bulkPacking(const World& world, double margin)
                                   {
                                       const double distance = (s.position(other) - p).norm();
                                       if (other != id && distance < radius + s.radius[other] + gap)
+                                      {
                                           ++contacts;
+                                      }
                                   });
     }
     bulk.fraction = filled / box.volume();

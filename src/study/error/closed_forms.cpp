@@ -75,9 +75,13 @@ public:
             headOn(dt);
         }
         for (const int cuts : {1, 3, 10, quick_ ? 20 : 100})
+        {
             incline(cuts);
+        }
         for (const int segments : {24, 48, 96, quick_ ? 96 : 192})
+        {
             bowl(segments, 0.005);
+        }
         grooves();
         cones();
         corner();
@@ -108,7 +112,9 @@ private:
             const PlacedSphere one{{0, 20, 0}, 1};
             engine->releaseAt({&one, 1});
             for (int step = 0; step < steps; ++step)
+            {
                 engine->step();
+            }
             const double error = world->spheres.y[0] - (20 - kTime * kTime / 2);
             points_.push_back({"free fall", isExplicit ? "explicit Euler" : "semi-implicit Euler",
                                "step", dt, error, (isExplicit ? 1 : -1) * kTime * dt / 2, true});
@@ -118,7 +124,9 @@ private:
         Runner runner;
         runner.restart(0, {0, 20, 0}, 1);
         for (int step = 0; step < steps; ++step)
+        {
             flight.advance(runner, dt);
+        }
         points_.push_back({"free fall", "exact step", "step", dt,
                            runner.position.y() - (20 - kTime * kTime / 2), 0, true});
     }
@@ -158,9 +166,13 @@ private:
                 const auto [height, speed] = advance();
                 bounced = bounced || speed > 0;
                 if (bounced)
+                {
                     apex = std::max(apex, height + (speed > 0 ? speed * speed / 2 : 0));
+                }
                 if (bounced && speed < 0)
+                {
                     break;
+                }
             }
             return apex;
         };
@@ -214,7 +226,9 @@ private:
         {
             flight.advance(runner, dt);
             if (runner.position.y() + 29 > kLow)
+            {
                 lastMotion = t;
+            }
         }
         // Bounces that take less than a step are not told apart, and those below the height at
         // which they are no longer looked at are left out.
@@ -243,7 +257,9 @@ private:
         for (double t = 0; t < 4; t += dt)
         {
             for (Runner& runner : pair)
+            {
                 flight.advance(runner, dt);
+            }
             positionSolver.resolve(pair, dt);
         }
         const double error =
@@ -268,7 +284,9 @@ private:
         runner.restart(0, start, 1);
         const int steps = 80;
         for (int step = 0; step < steps; ++step)
+        {
             flight.advance(runner, kTime / steps);
+        }
         const Eigen::Vector3d expected =
             start - tilt * Eigen::Vector3d(std::sin(kAngle) * kTime * kTime / 2, 0, 0);
         add("incline", "exact step", "triangles", 2.0 * cuts * cuts,
@@ -284,6 +302,7 @@ private:
         const int rings = segments / 2;
         mesh.vertices.emplace_back(0, 0, -kBowl);
         for (int i = 1; i < rings; ++i)
+        {
             for (int j = 0; j < segments; ++j)
             {
                 const double a = std::numbers::pi * i / rings;
@@ -293,25 +312,38 @@ private:
                                            -kBowl * std::sin(a) * std::cos(b),
                                            -kBowl * std::cos(a));
             }
+        }
         mesh.vertices.emplace_back(0, 0, kBowl);
         const auto at = [&](int i, int j)
         {
             if (i == 0)
+            {
                 return std::uint32_t{0};
+            }
             if (i == rings)
+            {
                 return static_cast<std::uint32_t>(mesh.vertices.size() - 1);
+            }
             return static_cast<std::uint32_t>(1 + (i - 1) * segments + j % segments);
         };
         for (int i = 0; i < rings; ++i)
+        {
             for (int j = 0; j < segments; ++j)
             {
                 if (i > 0)
+                {
                     mesh.triangles.push_back({at(i, j), at(i, j + 1), at(i + 1, j + 1)});
+                }
                 if (i + 1 < rings)
+                {
                     mesh.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i + 1, j)});
+                }
             }
+        }
         if (signedVolume(mesh) < 0)
+        {
             mesh = insideOut(mesh);
+        }
         const auto world = room(mesh);
         const FreeFlight flight(*world, lossless(0));
         Runner runner;
@@ -325,7 +357,9 @@ private:
             flight.advance(runner, dt);
             const double now = runner.position.x();
             if ((before > 0) != (now > 0))
+            {
                 crossings.push_back(t + dt * before / (before - now));
+            }
         }
         // T(A) = T0 (1 + A^2 / 16 + 11 A^4 / 3072): the ball loses amplitude at every crease, so
         // only the first quarter and half swing are used.
@@ -367,7 +401,9 @@ private:
         Runner runner;
         runner.restart(0, start, 1);
         for (int step = 0; step < 2000; ++step)
+        {
             flight.advance(runner, 0.1);
+        }
         return (runner.position - expected).head<2>().norm();
     }
 
@@ -405,7 +441,9 @@ private:
                 mesh.triangles.push_back({1, b, a});
             }
             if (signedVolume(mesh) < 0)
+            {
                 mesh = insideOut(mesh);
+            }
             const Eigen::Vector3d expected(0, -kHeight / 2 + 1 / std::sin(angle), 0);
             const Eigen::Vector3d start(0.1, 2.4, 0.1);
             const double degrees = angle * 180 / std::numbers::pi;

@@ -18,7 +18,9 @@ double orderOf(const std::vector<const ClosedFormPoint*>& points)
     for (const ClosedFormPoint* point : points)
     {
         if (std::abs(point->error) < kClosedFormRounding)
+        {
             continue;
+        }
         const double x = std::log(point->value);
         const double y = std::log(std::abs(point->error));
         ++n;
@@ -45,10 +47,12 @@ Table closedFormsCsv(const std::vector<ClosedFormPoint>& points)
     table.headings = {"problem", "method",    "parameter", "value",
                       "error",   "magnitude", "expected",  "holds"};
     for (const ClosedFormPoint& point : points)
+    {
         table.rows.push_back({point.problem, point.method, point.parameter,
                               fmt::format("{:g}", point.value), fmt::format("{:.6e}", point.error),
                               fmt::format("{:.6e}", std::abs(point.error)),
                               fmt::format("{:.6e}", point.expected), point.holds() ? "1" : "0"});
+    }
     return table;
 }
 
@@ -65,11 +69,17 @@ Table closedFormsTable(const std::vector<ClosedFormPoint>& points)
         { return other.problem == points[k].problem && other.method == points[k].method; };
         if (std::find_if(points.begin(), points.end(), same) - points.begin() !=
             static_cast<std::ptrdiff_t>(k))
+        {
             continue;
+        }
         std::vector<const ClosedFormPoint*> curve;
         for (const ClosedFormPoint& other : points)
+        {
             if (same(other))
+            {
                 curve.push_back(&other);
+            }
+        }
         const bool holds = std::all_of(curve.begin(), curve.end(),
                                        [](const auto* point) { return point->holds(); });
         const double order = orderOf(curve);

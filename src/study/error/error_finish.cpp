@@ -27,9 +27,13 @@ public:
             const std::uint32_t id = world.runningIds[k];
             const Eigen::Vector3d p = s.position(id);
             if (!p.allFinite())
+            {
                 continue;
+            }
             for (std::size_t l = k + 1; l < world.runningIds.size(); ++l)
+            {
                 meet(s, id, world.runningIds[l]);
+            }
             world.resting.forEachNear(p, s.radius[id] + 1,
                                       [&](std::uint32_t other) { meet(s, id, other); });
         }
@@ -46,7 +50,9 @@ private:
         const double distance = (s.position(a) - s.position(b)).norm();
         const double depth = s.radius[a] + s.radius[b] - distance;
         if (depth <= 0)
+        {
             return;
+        }
         const double share = depth / std::min(s.radius[a], s.radius[b]);
         largest_ = std::max(largest_, share);
         sum_ += share;
@@ -70,7 +76,9 @@ Scene studyScene(Preset preset, const std::string& mesh, double radius)
     scene.spheres.count.reset();
     scene.threads = 1;
     if (preset == Preset::paper)
+    {
         scene.search = {SphereSearch::grid, PolygonSearch::grid};
+    }
     return scene;
 }
 
@@ -83,6 +91,7 @@ Finished finishRun(const Scene& scene, const TriangleMesh& mesh, double lookEver
     const auto engine = makeEngine(*run.world);
     double nextLook = lookEvery;
     while (engine->step())
+    {
         if (lookEvery > 0 && run.world->time >= nextLook)
         {
             const double before = ProcessorClock::now();
@@ -90,6 +99,7 @@ Finished finishRun(const Scene& scene, const TriangleMesh& mesh, double lookEver
             nextLook += lookEvery;
             clock.leaveOut(before);
         }
+    }
     run.seconds = clock.seconds();
     run.quality = examine(*run.world);
     run.movingOverlap = overlaps.meanLargest();

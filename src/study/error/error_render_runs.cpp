@@ -70,8 +70,10 @@ public:
     [[nodiscard]] ErrorPoint tessellated(int subdivisions, int samples)
     {
         if (tessellatedReference_.pixels.empty())
+        {
             TessellatedSpheres(settings_.size, 1, kReference, kFinest, kScale)
                 .draw(snapshot_, tessellatedReference_);
+        }
         TessellatedSpheres spheres(settings_.size, samples, 1, subdivisions, kScale);
         const int triangles = 20 << (2 * subdivisions);
         return measure(
@@ -117,16 +119,26 @@ void addRenderRuns(std::vector<ErrorTask>& tasks, bool quick)
     const auto made = [=]() -> Subject&
     {
         if (!*subject)
+        {
             *subject = std::make_unique<Subject>(quick);
+        }
         return **subject;
     };
-    for (const int samples : {1, 2, 4}) // the most that Mesa's software has
+    for (const int samples : {1, 2, 4})
+    { // the most that Mesa's software has
         tasks.emplace_back([=] { return made().exact(samples, 1); });
+    }
     for (const int supersample : {2, 3, 4})
+    {
         tasks.emplace_back([=] { return made().exact(1, supersample); });
+    }
     for (const int subdivisions : {1, 2, 3, 4})
+    {
         for (const int samples : {1, 4})
+        {
             tasks.emplace_back([=] { return made().tessellated(subdivisions, samples); });
+        }
+    }
 }
 
 } // namespace frostfill

@@ -25,10 +25,14 @@ constexpr std::uint32_t kUsualSet = 70; // what the preset fast takes in a cube 
 double deviation(const World& a, const World& b)
 {
     if (a.spheres.size() != b.spheres.size())
+    {
         return std::numeric_limits<double>::infinity();
+    }
     double farthest = 0;
     for (std::size_t id = 0; id < a.spheres.size(); ++id)
+    {
         farthest = std::max(farthest, (a.spheres.position(id) - b.spheres.position(id)).norm());
+    }
     return farthest;
 }
 
@@ -99,6 +103,7 @@ void addDiscardRuns(std::vector<ErrorTask>& tasks, bool quick)
                               std::initializer_list<double> values)
     {
         for (const double value : values)
+        {
             tasks.emplace_back(
                 [=]
                 {
@@ -111,10 +116,12 @@ void addDiscardRuns(std::vector<ErrorTask>& tasks, bool quick)
                         },
                         fmt::format("{} {:g} r", name, value));
                 });
+        }
     };
     addPaper("epsilon", &DiscardSettings::epsilon, {0.5, 1.0, 2.0, 4.0, 8.0});
     addPaper("closeness", &DiscardSettings::closeness, {0.1, 1.0, 2.0, 4.0});
     for (const char* object : {"torus", "sphere", "cube", "human"})
+    {
         tasks.emplace_back(
             [=]
             {
@@ -123,15 +130,22 @@ void addDiscardRuns(std::vector<ErrorTask>& tasks, bool quick)
                     [](Scene& scene) { scene.discard.rule = DiscardRule::exact; },
                     fmt::format("exact, {}", object));
             });
+    }
 }
 
 void addLayerRuns(std::vector<ErrorTask>& tasks, bool quick)
 {
     const double diameters = quick ? 14 : 25;
     for (const bool bySet : {true, false})
+    {
         for (const std::uint32_t setSize : {7u, 20u, 70u, 210u, 400u, 700u, 1400u, 2100u})
+        {
             if (!quick || setSize == 7 || setSize == 70 || setSize == 210)
+            {
                 tasks.emplace_back([=] { return layerRun(bySet, setSize, diameters); });
+            }
+        }
+    }
 }
 
 } // namespace frostfill

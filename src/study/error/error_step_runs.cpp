@@ -47,7 +47,9 @@ ErrorPoint stepRun(const StepMethod& method, double factor, int sweeps, std::uin
         (void)makeEngine(world); // chooses the default step
         step = factor * world.dt;
         if (factor != 1)
+        {
             scene.motion.dt = step * world.frame.time;
+        }
     }
     // What a single sphere does by chance would decide the time of a single run.
     std::array<double, 8> sums{};
@@ -70,7 +72,9 @@ ErrorPoint stepRun(const StepMethod& method, double factor, int sweeps, std::uin
                                   q.energyExcess,
                                   static_cast<double>(q.centresOutside)};
         for (std::size_t k = 0; k < std::size(numbers); ++k)
+        {
             sums[k] += numbers[k] / runs;
+        }
     }
     const bool fast = method.preset == Preset::fast;
     return {"steps",
@@ -93,7 +97,9 @@ void addStepRuns(std::vector<ErrorTask>& tasks, bool quick)
 {
     const std::uint64_t count = quick ? 100 : 600;
     for (const StepMethod& method : kStepMethods)
+    {
         for (const double factor : {0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0})
+        {
             for (const int sweeps : {1, 2, 4, 8, 16})
             {
                 const bool fast = method.preset == Preset::fast;
@@ -102,8 +108,12 @@ void addStepRuns(std::vector<ErrorTask>& tasks, bool quick)
                                         : factor >= 0.25 && sweeps == kDefaultSweeps;
                 if (ofUse &&
                     (!quick || (factor >= 0.5 && factor <= 4 && sweeps != 2 && sweeps != 8)))
+                {
                     tasks.emplace_back([=] { return stepRun(method, factor, sweeps, count); });
+                }
             }
+        }
+    }
 }
 
 } // namespace frostfill

@@ -42,7 +42,9 @@ void markFront(std::vector<ErrorPoint>& points, const std::string& study)
         return (faster && wrong(a) <= wrong(b)) || (a.seconds <= b.seconds && wrong(a) < wrong(b));
     };
     for (ErrorPoint& point : points)
+    {
         if (point.study == study)
+        {
             point.onFront = std::isfinite(point.error) &&
                             std::none_of(points.begin(), points.end(),
                                          [&](const ErrorPoint& other) {
@@ -50,6 +52,8 @@ void markFront(std::vector<ErrorPoint>& points, const std::string& study)
                                                     other.rivals == point.rivals &&
                                                     beats(other, point);
                                          });
+        }
+    }
 }
 
 std::vector<ErrorPoint> measureErrors(bool quick, const std::vector<std::string>& objects,
@@ -70,7 +74,9 @@ std::vector<ErrorPoint> measureErrors(bool quick, const std::vector<std::string>
                              points.back().setting));
     }
     for (const ErrorStudyInfo& study : errorStudies())
+    {
         markFront(points, study.name);
+    }
     return points;
 }
 
@@ -82,7 +88,9 @@ Table errorCsv(const std::vector<ErrorPoint>& points, const ErrorStudyInfo& stud
     for (const ErrorPoint& point : points)
     {
         if (point.study != study.name)
+        {
             continue;
+        }
         std::vector<std::string> row = {point.curve,
                                         point.setting,
                                         point.rivals,
@@ -91,7 +99,9 @@ Table errorCsv(const std::vector<ErrorPoint>& points, const ErrorStudyInfo& stud
                                         point.isDefault ? "1" : "0",
                                         point.onFront ? "1" : "0"};
         for (const double detail : point.details)
+        {
             row.push_back(fmt::format("{:.6g}", detail));
+        }
         table.rows.push_back(row);
     }
     return table;
@@ -105,11 +115,15 @@ Table errorTable(const std::vector<ErrorPoint>& points, const ErrorStudyInfo& st
     table.words = 2;
     table.headings = {"method", "setting", "seconds", "error", "front"};
     for (const ErrorPoint& point : points)
+    {
         if (point.study == study.name)
+        {
             table.rows.push_back({point.curve,
                                   point.setting + (point.isDefault ? " (default)" : ""),
                                   fmt::format("{:.3f}", point.seconds),
                                   fmt::format("{:.2e}", point.error), point.onFront ? "*" : ""});
+        }
+    }
     return table;
 }
 

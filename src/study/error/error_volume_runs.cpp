@@ -110,6 +110,7 @@ void addFilling(std::vector<ErrorTask>& tasks, const std::shared_ptr<Fillings>& 
             return volumePoint(object, "wall-corrected", one, one.corrected, one.seconds);
         });
     if (finer)
+    {
         tasks.emplace_back(
             [=]
             {
@@ -119,6 +120,7 @@ void addFilling(std::vector<ErrorTask>& tasks, const std::shared_ptr<Fillings>& 
                 return volumePoint(object, "two radii", one, (2 * half.taken - one.taken) / phi - 1,
                                    one.seconds + half.seconds);
             });
+    }
 }
 
 /// What --estimate-volume does when it is told nothing else.
@@ -159,12 +161,16 @@ void addVolumeRuns(std::vector<ErrorTask>& tasks, const std::vector<std::string>
             const double x =
                 kCoarsest * std::ldexp(k % 2 == 0 ? 1.0 : std::numbers::sqrt2 / 2, -(k / 2));
             if (Fillings::expected(object, x) > limit)
+            {
                 break;
+            }
             addFilling(tasks, fillings, object, x, Fillings::expected(object, x / 2) <= limit);
         }
         // It takes a run with half of a fifth of V/S.
         if (!quick || Fillings::expected(object, 0.1) <= kMostWhenQuick)
+        {
             tasks.emplace_back([=] { return defaultEstimate(object); });
+        }
     }
 }
 

@@ -32,24 +32,32 @@ void addPoints(Table& points, Table& growth, const char* method,
                const std::vector<GrowthPoint>& measured)
 {
     for (const GrowthPoint& point : measured)
+    {
         points.rows.push_back({method, fmt::format("{}", point.spheres),
                                fmt::format("{:.6g}", point.tests), fmt::format("{:.6g}", point.ms),
                                fmt::format("{:.6g}", point.testsOfSphere),
                                fmt::format("{:.6g}", point.msOfSphere)});
+    }
     const Growth grown = firstToLastTenth(measured);
     const GrowthPoint& last = measured.back();
     std::vector<std::string> row = {method, fmt::format("{}", last.spheres)};
     for (const double cost : {last.tests, last.ms, last.testsOfSphere, last.msOfSphere})
+    {
         row.push_back(fmt::format("{:.6g}", cost));
+    }
     for (const double percent : {grown.tests, grown.ms, grown.testsOfSphere, grown.msOfSphere})
+    {
         row.push_back(fmt::format("{:.1f}", percent));
+    }
     growth.rows.push_back(row);
 }
 
 void makeData(const FigureFolder& folder)
 {
     if (folder.reuse("claim.csv") && folder.reuse("claim-growth.csv"))
+    {
         return;
+    }
     const std::uint64_t spheres = folder.quick() ? kQuickSpheres : kSpheres;
     const TriangleMesh mesh = builtInMesh("torus");
     Scene freezing = torusScene(Preset::paper, spheres);
@@ -64,7 +72,9 @@ void makeData(const FigureFolder& folder)
     Table growth;
     growth.headings = points.headings;
     for (std::size_t i = 2; i < points.headings.size(); ++i)
+    {
         growth.headings.push_back(points.headings[i] + "_growth_percent");
+    }
     constexpr std::size_t kCurves = 5;
     std::size_t curves = 0;
     folder.progress(curves++, kCurves, "all pairs without freezing");

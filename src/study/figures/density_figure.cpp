@@ -57,18 +57,22 @@ void makeData(const FigureFolder& folder)
     Table table;
     table.headings = {"method", "set_size", "packing_percent", "half_width_95", "runs"};
     for (const Part& part : kParts)
+    {
         for (const std::uint32_t setSize : kSetSizes)
         {
             folder.progress(table.rows.size(), std::size(kParts) * std::size(kSetSizes),
                             fmt::format("{}, sets of {}", part.name, setSize));
             std::vector<double> runs;
             for (std::uint64_t seed = 1; seed <= seeds; ++seed)
+            {
                 runs.push_back(packing(part, setSize, seed, spheres, mesh, report));
+            }
             const RepeatedMean found = meanOfRepeats(runs);
             table.rows.push_back(
                 {part.name, fmt::format("{}", setSize), fmt::format("{:.4f}", found.mean),
                  fmt::format("{:.4f}", found.halfWidth), fmt::format("{}", runs.size())});
         }
+    }
     folder.write("density.csv", table);
 }
 

@@ -21,7 +21,9 @@ Scene sceneOf(const std::string& object, Preset preset, std::uint64_t spheres)
     scene.spheres.groupSize = 10;
     scene.spheres.groupsPerSet = 2;
     if (preset == Preset::paper)
+    {
         scene.search = {SphereSearch::grid, PolygonSearch::grid};
+    }
     return scene;
 }
 
@@ -57,8 +59,12 @@ void makeData(const FigureFolder& folder)
                       "discarded_spheres_percent",
                       "discarded_polygons_percent"};
     for (const std::string object : {"torus", "sphere", "cube", "human"})
+    {
         for (const Preset preset : {Preset::paper, Preset::fast})
+        {
             addRun(table, object, preset, folder.quick() ? kQuickSpheres : kSpheres);
+        }
+    }
     folder.write("discarded.csv", table);
 }
 

@@ -21,12 +21,16 @@ void makeData(const FigureFolder& folder)
 {
     const auto recorded = [&](const ErrorStudyInfo& study) { return folder.reuse(fileOf(study)); };
     if (std::all_of(errorStudies().begin(), errorStudies().end(), recorded))
+    {
         return;
+    }
     const auto progress = [&](std::size_t done, std::size_t all, const std::string& what)
     { folder.progress(done, all, what); };
     const std::vector<ErrorPoint> points = measureErrors(folder.quick(), {}, progress);
     for (const ErrorStudyInfo& study : errorStudies())
+    {
         folder.write(fileOf(study), errorCsv(points, study));
+    }
 }
 
 } // namespace

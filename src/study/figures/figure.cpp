@@ -56,16 +56,24 @@ bool FigureFolder::reuse(const std::string& name) const
     const std::filesystem::path before = request_.recorded / name;
     const std::filesystem::path here = request_.directory / name;
     if (request_.measure || request_.quick || !std::filesystem::exists(before))
+    {
         return false;
+    }
     std::error_code error;
     if (!std::filesystem::equivalent(before, here, error))
+    {
         std::filesystem::copy_file(before, here, std::filesystem::copy_options::overwrite_existing,
                                    error);
+    }
     else
+    {
         error.clear();
+    }
     if (error)
+    {
         throw Error(ErrorCode::cannotCreate,
                     fmt::format("cannot create {}: {}", here.string(), error.message()));
+    }
     say(fmt::format("{}: times from {}; --measure takes new ones", name, before.string()));
     return true;
 }
@@ -73,13 +81,17 @@ bool FigureFolder::reuse(const std::string& name) const
 void makeFigure(const Figure& figure, const FigureRequest& request)
 {
     if (figure.script)
+    {
         requireGnuplot();
+    }
     createDirectory(request.directory);
     const FigureFolder folder(request);
     request.say(fmt::format("{}: {}", figure.name, figure.title));
     figure.makeData(folder);
     if (figure.script)
+    {
         drawFigure(figure, request);
+    }
 }
 
 void drawFigure(const Figure& figure, const FigureRequest& request)
@@ -89,7 +101,9 @@ void drawFigure(const Figure& figure, const FigureRequest& request)
     folder.write("style.gp", std::string(embedded::figure_style()) + paletteScript());
     folder.write(script, figure.script());
     for (const char* format : {"svg", "png"})
+    {
         runGnuplot(request.directory, script, format);
+    }
 }
 
 } // namespace frostfill

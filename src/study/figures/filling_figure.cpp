@@ -26,11 +26,15 @@ void makeData(const FigureFolder& folder)
         Scene scene = presetScene(Preset::paper, object);
         scene.search = {SphereSearch::grid, PolygonSearch::grid};
         if (folder.quick())
+        {
             scene.spheres.count = 40;
+        }
         makePanel(scene, kSide);
         std::vector<std::size_t> spheres;
         for (std::size_t column = 1; column < kColumns; ++column)
+        {
             spheres.push_back(*scene.spheres.count * column / kColumns);
+        }
         const TriangleMesh mesh = builtInMesh(object);
         std::vector<Moment> moments = momentsOf(scene, mesh, spheres);
         moments.push_back(endOf(scene, mesh));
@@ -44,7 +48,9 @@ void makeData(const FigureFolder& folder)
                                   fmt::format("{}", state.discardedPolygons)});
         }
         for (Image& image : drawMoments(scene, mesh, moments))
+        {
             panels.push_back(std::move(image));
+        }
         ++row;
     }
     folder.write("filling.csv", table);

@@ -17,10 +17,12 @@ namespace
 void throwIfMissing(const ProgramRun& ran)
 {
     if (ran.error != 0)
+    {
         throw Error(ErrorCode::missingProgram,
                     fmt::format("gnuplot cannot be run: {}; install it with: apt-get install "
                                 "gnuplot-nox",
                                 std::strerror(ran.error)));
+    }
 }
 
 } // namespace
@@ -37,8 +39,10 @@ void runGnuplot(const std::filesystem::path& folder, const std::string& script,
         runProgram(folder, {"gnuplot", "-e", fmt::format("format='{}'", format), script});
     throwIfMissing(ran);
     if (ran.code != 0)
+    {
         throw Error(ErrorCode::writeFailed,
                     fmt::format("gnuplot failed on {}: {}", (folder / script).string(), ran.said));
+    }
 }
 
 } // namespace frostfill

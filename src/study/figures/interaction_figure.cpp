@@ -26,8 +26,12 @@ std::optional<std::uint32_t> lowestCovered(const Surface& surface,
         return corner[0].y() + corner[1].y() + corner[2].y();
     };
     for (std::uint32_t t = 0; t < states.size(); ++t)
+    {
         if (states[t] == PolygonState::discarded && (!lowest || height(t) < height(*lowest)))
+        {
             lowest = t;
+        }
+    }
     return lowest;
 }
 
@@ -95,7 +99,9 @@ void makeData(const FigureFolder& folder)
     Scene scene = presetScene(Preset::paper, "torus");
     scene.search = {SphereSearch::grid, PolygonSearch::grid};
     if (folder.quick())
+    {
         scene.spheres.count = 60;
+    }
     const TriangleMesh mesh = builtInMesh("torus");
     writeSections(folder, scene, mesh);
 

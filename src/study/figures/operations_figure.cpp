@@ -15,11 +15,13 @@ void makeData(const FigureFolder& folder)
 {
     std::vector<OperationsResult> results;
     for (const bool discards : {false, true})
+    {
         results.push_back(measureOperations({.object = "torus",
                                              .gamma = 10,
                                              .k = 1,
                                              .discards = discards,
                                              .groups = folder.quick() ? kQuickGroups : kGroups}));
+    }
     folder.write("operations.csv", operationsCsv(results));
 }
 

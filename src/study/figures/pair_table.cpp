@@ -33,9 +33,13 @@ std::vector<Group> groupsOf(const Snapshot& snapshot)
 const char* kindOf(const Group& a, const Group& b)
 {
     if (a.state == SphereState::discarded || b.state == SphereState::discarded)
+    {
         return "discarded";
+    }
     if (a.state == SphereState::running && b.state == SphereState::running)
+    {
         return "running";
+    }
     return a.state == b.state ? "none" : "frozen";
 }
 
@@ -47,16 +51,20 @@ Table pairTable(const Snapshot& snapshot)
     table.headings = {"i", "j", "kind", "tests"};
     const std::vector<Group> groups = groupsOf(snapshot);
     for (std::size_t j = 0; j < groups.size(); ++j)
+    {
         for (std::size_t i = 0; i <= j; ++i)
         {
             const std::string kind = kindOf(groups[i], groups[j]);
             std::size_t tests = 0;
             if (kind == "running" || kind == "frozen")
+            {
                 tests = i == j ? groups[i].spheres * (groups[i].spheres - 1) / 2
                                : groups[i].spheres * groups[j].spheres;
+            }
             table.rows.push_back({fmt::format("{}", i + 1), fmt::format("{}", j + 1), kind,
                                   fmt::format("{}", tests)});
         }
+    }
     return table;
 }
 

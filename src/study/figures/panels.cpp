@@ -24,7 +24,9 @@ ColourRange rangeOf(std::span<const Moment> moments)
 {
     double last = 1;
     for (const Moment& moment : moments)
+    {
         last = std::max(last, static_cast<double>(moment.snapshot.set));
+    }
     return {0, last};
 }
 
@@ -50,12 +52,18 @@ std::vector<Moment> momentsOf(const Scene& scene, const TriangleMesh& mesh,
         now.sphereTests = sphereTests(simulation.operations() - before);
         before = simulation.operations();
         if (reached < 0 && simulation.sphereCount() >= spheres[moments.size()])
+        {
             reached = simulation.time();
+        }
         if (reached >= 0 && simulation.time() - reached >= wait)
+        {
             take();
+        }
     }
     while (moments.size() < spheres.size())
+    {
         take();
+    }
     return moments;
 }
 
@@ -76,7 +84,9 @@ std::vector<Image> drawMoments(const Scene& scene, const TriangleMesh& mesh,
     Renderer renderer(mesh, renderSettings(scene, rangeOf(moments)));
     std::vector<Image> images(moments.size());
     for (std::size_t i = 0; i < moments.size(); ++i)
+    {
         renderer.render(moments[i].snapshot, images[i]);
+    }
     return images;
 }
 
@@ -92,6 +102,7 @@ Image joinPanels(std::span<const Image> panels, std::size_t columns, int strip)
     const auto bytes = static_cast<std::size_t>(first.width) * first.channels;
     joined.pixels.assign(bytes * columns * rowHeight * rows, 255);
     for (std::size_t i = 0; i < panels.size(); ++i)
+    {
         for (int y = 0; y < first.height; ++y)
         {
             const std::size_t row = i / columns * rowHeight + y;
@@ -99,6 +110,7 @@ Image joinPanels(std::span<const Image> panels, std::size_t columns, int strip)
                         joined.pixels.begin() +
                             static_cast<std::ptrdiff_t>((row * columns + i % columns) * bytes));
         }
+    }
     return joined;
 }
 

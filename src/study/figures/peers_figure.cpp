@@ -11,7 +11,9 @@ namespace
 void makeData(const FigureFolder& folder)
 {
     if (folder.reuse("peers.csv"))
+    {
         return;
+    }
     requirePeers();
     const auto progress = [&](std::size_t done, std::size_t all, const std::string& what)
     { folder.progress(done, all, what); };

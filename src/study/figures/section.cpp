@@ -29,7 +29,9 @@ std::vector<Eigen::Vector2d> cutsOf(const std::array<Eigen::Vector3d, 3>& corner
         const double da = plane.distance(a);
         const double db = plane.distance(b);
         if ((da < 0) != (db < 0))
+        {
             cuts.push_back(plane.project(a + (b - a) * (da / (da - db))));
+        }
     }
     return cuts;
 }
@@ -46,7 +48,9 @@ Table circlesOf(const Snapshot& snapshot, const SectionPlane& plane, double unit
         const double radius = snapshot.radii[id];
         const double away = plane.distance(centre);
         if (std::abs(away) >= radius)
+        {
             continue;
+        }
         const Eigen::Vector2d p = plane.project(centre) / unit;
         table.rows.push_back(
             {nameOf(snapshot.states[id]), fmt::format("{:.5f}", p.x()),
@@ -65,10 +69,14 @@ Table tracesOf(const TriangleMesh& mesh, const std::vector<PolygonState>& states
     {
         std::array<Eigen::Vector3d, 3> corners;
         for (std::size_t k = 0; k < 3; ++k)
+        {
             corners[k] = mesh.vertices[mesh.triangles[t][k]];
+        }
         const auto cuts = cutsOf(corners, plane);
         if (cuts.size() != 2)
+        {
             continue;
+        }
         const Eigen::Vector2d from = cuts[0] / unit;
         const Eigen::Vector2d way = cuts[1] / unit - from;
         table.rows.push_back({states[t] == PolygonState::discarded ? "discarded" : "active",

@@ -14,7 +14,9 @@ void makeData(const FigureFolder& folder)
 {
     // A matter of minutes, so it is taken from the record like measured times.
     if (folder.reuse("stability.csv"))
+    {
         return;
+    }
     const auto progress = [&](std::size_t done, std::size_t all, const std::string& what)
     { folder.progress(done, all, what); };
     folder.write("stability.csv", stabilityCsv(measureStability(folder.quick(), progress)));

@@ -53,10 +53,14 @@ Table timesTable(const FpsResult& result)
         for (const FpsMethodResult& method : object.methods)
         {
             if (method.places.empty())
+            {
                 continue;
+            }
             std::vector<double> places;
             for (const FpsPlace& place : method.places)
+            {
                 places.push_back(place.spherePolygon.mean);
+            }
             addRow(table, i, object.scene.name, methodName(method.method),
                    method.spherePolygonMean.mean, *std::min_element(places.begin(), places.end()),
                    *std::max_element(places.begin(), places.end()));
@@ -68,7 +72,9 @@ Table timesTable(const FpsResult& result)
 void makeData(const FigureFolder& folder)
 {
     if (folder.reuse("times.csv") && folder.reuse("fps.csv") && folder.reuse("fps.md"))
+    {
         return;
+    }
     FpsRequest request;
     for (const std::string name : {"torus", "sphere", "cube", "human"})
     {
@@ -87,7 +93,9 @@ void makeData(const FigureFolder& folder)
         measureFps(request, [&](const std::string& what) { folder.progress(begun++, all, what); });
     std::string markdown;
     for (const Table& table : fpsTables(result))
+    {
         markdown += formatMarkdown(table) + "\n";
+    }
     folder.write("times.csv", timesTable(result));
     folder.write("fps.csv", fpsSetTable(result));
     folder.write("fps.md", "# Frames a second, the paper's and ours\n\n" + markdown +

@@ -19,7 +19,9 @@ void makeData(const FigureFolder& folder)
     scene.search = {SphereSearch::allPairs, PolygonSearch::grid};
     scene.freezing.everySets = 1;
     if (folder.quick())
+    {
         scene.spheres.count = 60;
+    }
     makePanel(scene, kSide);
     const TriangleMesh mesh = builtInMesh("torus");
     const std::size_t spheres[] = {*scene.spheres.count * 3 / 4};
@@ -36,12 +38,14 @@ void makeData(const FigureFolder& folder)
     Table table;
     table.headings = {"panel", "spheres", "running", "frozen", "discarded", "tests_a_step"};
     for (const Moment* moment : {&frozen.front(), &discarded.front()})
+    {
         table.rows.push_back({moment == &frozen.front() ? "frozen" : "discarded",
                               fmt::format("{}", moment->snapshot.states.size()),
                               fmt::format("{}", moment->snapshot.running),
                               fmt::format("{}", moment->snapshot.frozen),
                               fmt::format("{}", moment->snapshot.discarded),
                               fmt::format("{}", moment->sphereTests)});
+    }
     folder.write("volume.csv", table);
 }
 

@@ -31,11 +31,15 @@ void compareObject(const Json& before, const Json& now, double threshold,
     {
         const Json* older = findBy(before.at("searches"), "search", search.at("search"));
         if (!older)
+        {
             continue;
+        }
         for (const char* quantity : kQuantities)
         {
             if (!search.contains(quantity) || !older->contains(quantity))
+            {
                 continue;
+            }
             FpsChange change;
             change.object = now.at("object").get<std::string>();
             change.search = search.at("search").get<std::string>();
@@ -69,15 +73,21 @@ FpsComparison compareFps(const Json& before, const Json& now, double threshold,
                          const std::string& name)
 {
     if (!before.is_object() || before.value("format", "") != now.value("format", ""))
+    {
         throw Error(ErrorCode::badData,
                     fmt::format("{} was not written by frostfill fps --json", name));
+    }
     FpsComparison comparison;
     try
     {
         for (const Json& object : now.at("objects"))
+        {
             if (const Json* older = findBy(before.at("objects"), "object", object.at("object"));
                 older && sameWork(*older, object))
+            {
                 compareObject(*older, object, threshold, comparison.changes);
+            }
+        }
         comparison.sameMachine = before.at("machine").at("cpu") == now.at("machine").at("cpu") &&
                                  before.at("machine").at("cores") == now.at("machine").at("cores");
     }
@@ -86,10 +96,12 @@ FpsComparison compareFps(const Json& before, const Json& now, double threshold,
         throw Error(ErrorCode::badData, fmt::format("{} is damaged: {}", name, error.what()));
     }
     if (comparison.changes.empty())
+    {
         throw Error(ErrorCode::badData,
                     fmt::format("{} has no object in common with this measurement, with the same "
                                 "spheres and groups",
                                 name));
+    }
     return comparison;
 }
 

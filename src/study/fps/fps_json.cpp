@@ -27,7 +27,9 @@ Json rateJson(double stepMs, const PictureMs* picture)
     const FramesPerSecond fps = framesPerSecond(stepMs, picture);
     Json json = {{"simulation", fps.simulation}};
     if (picture)
+    {
         json.update({{"drawing", fps.drawing}, {"readback", fps.readback}, {"png", fps.png}});
+    }
     return json;
 }
 
@@ -73,26 +75,34 @@ Json methodJson(const FpsMethodResult& method, const FpsObject& object)
         json["sphere_sphere_ms_of_runs"] = repeatedJson(method.sphereSphereMean);
     }
     for (const FpsPlace& place : method.places)
+    {
         json["places"].push_back({{"place", place.place},
                                   {"running", place.running},
                                   {"sphere_polygon_ms", repeatedJson(place.spherePolygon)},
                                   {"sphere_sphere_ms", repeatedJson(place.sphereSphere)}});
+    }
     json["frozen"] = method.frozen;
     json["discarded"] = method.discarded;
     json["polygons_discarded"] = method.discardedPolygons;
     json["state_hash"] = method.stateHash;
     for (const FpsSet& set : method.sets)
+    {
         json["sets"].push_back(setJson(set, pictures));
+    }
     return json;
 }
 
 Json paperJson(const PaperNumbers* paper)
 {
     if (!paper)
+    {
         return nullptr;
+    }
     Json json;
     for (const PaperRange& range : paper->spherePolygonMs)
+    {
         json["sphere_polygon_ms"].push_back({range.low, range.high});
+    }
     json["polygons_discarded_percent"] = paper->polygonsDiscarded;
     return json;
 }
@@ -108,6 +118,7 @@ Json objectJson(const FpsObject& object)
                  {"freeze_every", object.scene.freezing.everySets},
                  {"paper", paperJson(paperNumbers(object.scene.object.mesh))}};
     for (const FpsMethod method : {FpsMethod::grid, FpsMethod::fast})
+    {
         if (const FpsPictures* pictures = object.picturesOf(method))
         {
             Json& picture = json["pictures"][method == FpsMethod::fast ? "fast" : "paper"];
@@ -117,8 +128,11 @@ Json objectJson(const FpsObject& object)
             picture["height"] = object.scene.size.height;
             picture["samples"] = object.scene.samples;
         }
+    }
     for (const FpsMethodResult& method : object.methods)
+    {
         json["searches"].push_back(methodJson(method, object));
+    }
     return json;
 }
 
@@ -131,7 +145,9 @@ Json fpsJson(const FpsResult& result)
                  {"runs", result.request.repeats},
                  {"warm_up_steps", result.request.warmUpSteps}};
     for (const FpsObject& object : result.objects)
+    {
         json["objects"].push_back(objectJson(object));
+    }
     return json;
 }
 

@@ -27,7 +27,9 @@ std::string withInterval(const RepeatedMean& value)
 std::string rate(double framesPerSecond)
 {
     if (framesPerSecond <= 0)
+    {
         return kNotSeparate;
+    }
     return fmt::format("{:.{}f}", framesPerSecond, framesPerSecond < 100 ? 1 : 0);
 }
 
@@ -42,16 +44,24 @@ std::vector<FpsMethod> methodsWithPlaces(const FpsResult& result)
 {
     std::vector<FpsMethod> methods;
     for (const FpsMethod method : result.request.methods)
+    {
         if (method != FpsMethod::fast)
+        {
             methods.push_back(method);
+        }
+    }
     return methods;
 }
 
 const FpsMethodResult* find(const FpsObject& object, FpsMethod method)
 {
     for (const FpsMethodResult& result : object.methods)
+    {
         if (result.method == method)
+        {
             return &result;
+        }
+    }
     return nullptr;
 }
 
@@ -64,7 +74,9 @@ Table paperTable(const FpsResult& result)
     table.headings = {"object", "set", "running", "paper"};
     const auto methods = methodsWithPlaces(result);
     for (const FpsMethod method : methods)
+    {
         table.headings.emplace_back(methodName(method));
+    }
     for (const FpsObject& object : result.objects)
     {
         const PaperNumbers* paper = paperNumbers(object.scene.object.mesh);
@@ -77,7 +89,9 @@ Table paperTable(const FpsResult& result)
                               ? rangeText(paper->spherePolygonMs[i])
                               : kNotSeparate);
             for (const FpsMethod method : methods)
+            {
                 row.push_back(withInterval(find(object, method)->places[i].spherePolygon));
+            }
             table.rows.push_back(row);
         }
     }
@@ -93,6 +107,7 @@ Table runTable(const FpsResult& result)
     table.headings = {"object", "search", "sph-pol", "median",   "p95",       "p99", "sph-sph",
                       "all",    "p99",    "alone",   "+drawing", "+readback", "+PNG"};
     for (const FpsObject& object : result.objects)
+    {
         for (const FpsMethodResult& method : object.methods)
         {
             const bool apart = method.method != FpsMethod::fast;
@@ -109,6 +124,7 @@ Table runTable(const FpsResult& result)
                  withInterval(method.stepMean), ms(method.step.p99), rate(fps.simulation),
                  rate(fps.drawing), rate(fps.readback), rate(fps.png)});
         }
+    }
     return table;
 }
 
@@ -122,11 +138,14 @@ Table pictureTable(const FpsResult& result)
     table.headings = {"object",  "method",   "pixels", "samples",  "running",
                       "spheres", "+samples", "+shell", "readback", "PNG"};
     for (const FpsObject& object : result.objects)
+    {
         for (const FpsMethod method : {FpsMethod::grid, FpsMethod::fast})
         {
             const FpsPictures* pictures = object.picturesOf(method);
             if (!pictures)
+            {
                 continue;
+            }
             const PictureMs& mean = pictures->mean;
             std::vector<std::string> row = {
                 object.scene.name, method == FpsMethod::fast ? "fast" : "paper",
@@ -134,9 +153,12 @@ Table pictureTable(const FpsResult& result)
                 fmt::format("{}", object.scene.samples), fmt::format("{:.1f}", pictures->running)};
             for (const double value :
                  {mean.spheres, mean.samples, mean.render, mean.readback, mean.encode})
+            {
                 row.push_back(fmt::format("{:.3f}", value));
+            }
             table.rows.push_back(row);
         }
+    }
     return table;
 }
 
@@ -173,7 +195,9 @@ Table endTable(const FpsResult& result)
         table.rows.push_back(endRow(object, first));
         const FpsMethodResult* fast = find(object, FpsMethod::fast);
         if (fast && fast != &first)
+        {
             table.rows.push_back(endRow(object, *fast));
+        }
     }
     return table;
 }
@@ -181,7 +205,9 @@ Table endTable(const FpsResult& result)
 void addDistribution(std::vector<std::string>& row, const Distribution& values)
 {
     for (const double value : {values.mean, values.median, values.p95, values.p99})
+    {
         row.push_back(fmt::format("{:.6g}", value));
+    }
 }
 
 } // namespace
@@ -200,13 +226,21 @@ Table fpsSetTable(const FpsResult& result)
     table.headings = {"object",  "search", "set",       "place",
                       "running", "frozen", "discarded", "polygons_discarded_percent"};
     for (const char* stage : {"sphere_polygon", "sphere_sphere", "step"})
+    {
         for (const char* what : {"mean", "median", "p95", "p99"})
+        {
             table.headings.push_back(fmt::format("{}_{}_ms", stage, what));
+        }
+    }
     for (const char* what : {"render_ms", "readback_ms", "png_ms", "fps_simulation", "fps_drawing",
                              "fps_readback", "fps_png"})
+    {
         table.headings.emplace_back(what);
+    }
     for (const FpsObject& object : result.objects)
+    {
         for (const FpsMethodResult& method : object.methods)
+        {
             for (const FpsSet& set : method.sets)
             {
                 const FpsPictures* pictures = object.picturesOf(method.method);
@@ -231,9 +265,13 @@ Table fpsSetTable(const FpsResult& result)
                 addDistribution(row, set.step);
                 for (const double value : {picture.render, picture.readback, picture.encode,
                                            fps.simulation, fps.drawing, fps.readback, fps.png})
+                {
                     row.push_back(fmt::format("{:.6g}", value));
+                }
                 table.rows.push_back(row);
             }
+        }
+    }
     return table;
 }
 

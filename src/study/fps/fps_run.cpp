@@ -19,7 +19,9 @@ FpsRun timeRun(const Scene& scene, const TriangleMesh& mesh)
     {
         const auto start = Clock::now();
         if (!simulation.step())
+        {
             break;
+        }
         const double ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
         const StageTimes& now = simulation.times();
         const auto spent = [&](Stage stage) { return 1000 * (now[stage] - before[stage]); };

@@ -21,8 +21,12 @@ void append(const FpsRun& run, std::size_t warmUp, double FpsStep::*quantity,
             std::vector<double>& values, const Wanted& wanted)
 {
     for (std::size_t i = std::min(warmUp, run.steps.size()); i < run.steps.size(); ++i)
+    {
         if (wanted(run.steps[i]))
+        {
             values.push_back(run.steps[i].*quantity);
+        }
+    }
 }
 
 constexpr auto kAll = [](const FpsStep&) { return true; };
@@ -33,7 +37,9 @@ Distribution overRuns(const std::vector<FpsRun>& runs, std::size_t warmUp,
 {
     std::vector<double> values;
     for (const FpsRun& run : runs)
+    {
         append(run, warmUp, quantity, values, wanted);
+    }
     return describe(std::move(values));
 }
 
@@ -90,8 +96,12 @@ std::vector<FpsPlace> placesOf(const std::vector<FpsRun>& runs, std::size_t warm
         FpsPlace result;
         result.place = place;
         for (const FpsSet& set : sets)
+        {
             if (set.place == place)
+            {
                 result.running = std::max(result.running, set.running);
+            }
+        }
         result.spherePolygon = meanOverRuns(runs, warmUp, &FpsStep::spherePolygonMs, there);
         result.sphereSphere = meanOverRuns(runs, warmUp, &FpsStep::sphereSphereMs, there);
         places.push_back(result);
@@ -112,7 +122,9 @@ FpsMethodResult summarise(FpsMethod method, const std::vector<FpsRun>& runs, std
     result.stepMean = meanOverRuns(runs, warmUp, &FpsStep::stepMs, kAll);
     result.sets = setsOf(runs, warmUp, scene);
     if (method != FpsMethod::fast)
+    {
         result.places = placesOf(runs, warmUp, scene, result.sets);
+    }
     const FpsRun& last = runs.back();
     result.frozen = last.frozen;
     result.discarded = last.discarded;
@@ -131,9 +143,13 @@ void timeObjectPictures(const FpsRequest& request, const TriangleMesh& mesh, Fps
     // The paper's method has the same states whatever its search: the grid is there soonest.
     if (std::any_of(methods.begin(), methods.end(),
                     [](FpsMethod method) { return method != FpsMethod::fast; }))
+    {
         object.paperPictures = timing.timeRun(sceneFor(object.scene, FpsMethod::grid));
+    }
     if (std::find(methods.begin(), methods.end(), FpsMethod::fast) != methods.end())
+    {
         object.fastPictures = timing.timeRun(sceneFor(object.scene, FpsMethod::fast));
+    }
 }
 
 FpsObject measureObject(const Scene& scene, const FpsRequest& request, std::string& renderer,
@@ -150,11 +166,15 @@ FpsObject measureObject(const Scene& scene, const FpsRequest& request, std::stri
     {
         say(fmt::format("{}: run {} of {}", scene.name, repeat + 1, request.repeats));
         for (std::size_t i = 0; i < request.methods.size(); ++i)
+        {
             runs[i].push_back(timeRun(sceneFor(scene, request.methods[i]), mesh.mesh));
+        }
     }
     for (std::size_t i = 0; i < request.methods.size(); ++i)
+    {
         object.methods.push_back(
             summarise(request.methods[i], runs[i], request.warmUpSteps, scene));
+    }
     object.spheres = runs.front().front().spheres;
     object.radius = runs.front().front().radius;
 
@@ -203,11 +223,15 @@ Scene sceneFor(const Scene& scene, FpsMethod method)
     if (method == FpsMethod::fast)
     {
         if (result.discard.rule == DiscardRule::paper)
+        {
             result.discard.rule = DiscardRule::exact;
+        }
         return result;
     }
     if (result.discard.rule == DiscardRule::exact)
+    {
         result.discard.rule = DiscardRule::paper;
+    }
     const SphereSearch spheres =
         method == FpsMethod::grid ? SphereSearch::grid : SphereSearch::allPairs;
     constexpr PolygonSearch kPolygons[] = {PolygonSearch::loop, PolygonSearch::list,
@@ -235,7 +259,9 @@ FpsResult measureFps(const FpsRequest& request, const std::function<void(const s
     FpsResult result;
     result.request = request;
     for (const Scene& scene : request.scenes)
+    {
         result.objects.push_back(measureObject(scene, request, result.renderer, say));
+    }
     return result;
 }
 

@@ -21,8 +21,12 @@ const PaperNumbers* paperNumbers(std::string_view object)
         {"human", {{13, 13}, {26, 26}, {39, 39}}, 0.6, {5, 10}},
     };
     for (const PaperNumbers& numbers : kPaper)
+    {
         if (numbers.object == object)
+        {
             return &numbers;
+        }
+    }
     return nullptr;
 }
 

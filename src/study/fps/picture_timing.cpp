@@ -79,7 +79,9 @@ private:
         const double before = renderer.times()[Stage::rendering];
         const Image& drawn = renderer.draw(snapshot_);
         if (image)
+        {
             *image = &drawn;
+        }
         return 1000 * (renderer.times()[Stage::rendering] - before);
     }
 

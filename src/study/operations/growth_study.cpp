@@ -58,7 +58,9 @@ GrowthPoint oneStep(const Spheres& state, const Surface& surface, const PolygonT
 {
     std::vector<Eigen::Vector3d> before;
     for (std::size_t id = 0; id < state.size(); ++id)
+    {
         before.push_back(state.position(id));
+    }
     GrowthPoint point;
     point.spheres = state.size();
     for (int repeat = 0; repeat < kRepeats; ++repeat)
@@ -97,7 +99,9 @@ std::vector<GrowthPoint> growthOfRun(const Scene& scene, const TriangleMesh& mes
     {
         const auto some = sets.subspan(first, std::min(perPoint, sets.size() - first));
         for (const SetRecord& set : some)
+        {
             present += set.spheres;
+        }
         result.push_back(meanOf(some, present));
     }
     return result;
@@ -114,15 +118,21 @@ std::vector<GrowthPoint> growthWithoutFreezing(const Scene& scene, const Triangl
     const std::size_t apart = std::max<std::size_t>(simulation.expectedSpheres() / points, 1);
     std::vector<GrowthPoint> result;
     while (simulation.step())
+    {
         if (simulation.sphereCount() >= (result.size() + 1) * apart)
+        {
             result.push_back(oneStep(spheresOf(simulation, frame), surface, polygons));
+        }
+    }
     return result;
 }
 
 Growth firstToLastTenth(const std::vector<GrowthPoint>& points)
 {
     if (points.empty())
+    {
         return {};
+    }
     const std::size_t tenth = std::max<std::size_t>(points.size() / 10, 1);
     const auto growth = [&](double GrowthPoint::*cost)
     {

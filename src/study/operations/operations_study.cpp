@@ -39,7 +39,9 @@ public:
     void observe(const Simulation& simulation)
     {
         if (rows_.size() < simulation.sets().size())
+        {
             openSet(simulation);
+        }
         const OperationCounts made = simulation.operations() - before_;
         before_ = simulation.operations();
         OperationsRow& row = rows_.back();
@@ -75,7 +77,9 @@ private:
         row.spheres = what_.k == 1 ? lemma1(row.beta, what_.gamma, row.alpha)
                                    : lemma2(row.beta, what_.gamma, what_.k, row.alpha);
         if (!rows_.empty())
+        {
             discardedAfter_.back() = rows_.back().polygons - row.polygons;
+        }
         discardedAfter_.push_back(0);
         row.polygonsSoFar = lemma3(what_.gamma, what_.k, polygons_, discardedAfter_);
         row.withoutFreezing = bruteForce(snapshot_.centres.size());
@@ -97,8 +101,12 @@ private:
 bool isRound(std::uint64_t beta)
 {
     for (std::uint64_t power = 1; power <= beta; power *= 10)
+    {
         if (beta == power || beta == 2 * power || beta == 5 * power)
+        {
             return true;
+        }
+    }
     return false;
 }
 
@@ -121,7 +129,9 @@ OperationsResult measureOperations(const OperationsCase& what)
     Simulation simulation(sceneOf(what, loaded.report), mesh);
     OperationsWatch watch(what, result.polygons);
     while (simulation.step())
+    {
         watch.observe(simulation);
+    }
     result.rows = watch.take();
     return result;
 }
@@ -149,21 +159,27 @@ Table operationsCsv(const std::vector<OperationsResult>& results)
                       "polygon_responses_greatest",
                       "agrees"};
     for (const OperationsResult& result : results)
+    {
         for (const OperationsRow& row : result.rows)
         {
             std::vector<std::string> cells = {result.what.object};
             for (const std::uint64_t number :
                  {result.what.gamma, result.what.k, std::uint64_t{result.what.discards}, row.beta,
                   row.alpha, row.beta * result.what.gamma, row.sphereTests, row.spheres.tests})
+            {
                 cells.push_back(fmt::format("{}", number));
+            }
             cells.push_back(fmt::format("{:.6g}", row.meanSphereResponses));
             for (const std::uint64_t number :
                  {row.greatestSphereResponses, row.spheres.responses, row.withoutFreezing.tests,
                   row.polygons, row.polygonTests, row.polygonTestsSoFar, row.polygonsSoFar.tests,
                   row.greatestPolygonResponses, std::uint64_t{row.agrees()}})
+            {
                 cells.push_back(fmt::format("{}", number));
+            }
             table.rows.push_back(cells);
         }
+    }
     return table;
 }
 
@@ -180,13 +196,17 @@ Table operationsTable(const OperationsResult& result)
     for (const OperationsRow& row : result.rows)
     {
         if (!isRound(row.beta) && &row != &result.rows.back())
+        {
             continue;
+        }
         std::vector<std::string> cells;
         for (const std::uint64_t number :
              {row.beta, row.alpha, row.sphereTests, row.spheres.tests, row.greatestSphereResponses,
               row.spheres.responses, row.withoutFreezing.tests, row.polygonTests,
               row.polygonTestsSoFar, row.polygonsSoFar.tests})
+        {
             cells.push_back(fmt::format("{}", number));
+        }
         table.rows.push_back(cells);
     }
     return table;

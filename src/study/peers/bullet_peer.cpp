@@ -44,7 +44,9 @@ public:
     ~BulletWorld()
     {
         for (const auto& body : bodies_)
+        {
             world_.removeRigidBody(body.get());
+        }
     }
     BulletWorld(const BulletWorld&) = delete;
     BulletWorld& operator=(const BulletWorld&) = delete;
@@ -74,9 +76,11 @@ private:
     void addMesh(const PeerTask& task)
     {
         for (const auto& t : task.mesh.triangles)
+        {
             triangles_.addTriangle(toBullet(task.mesh.vertices[t[0]]),
                                    toBullet(task.mesh.vertices[t[1]]),
                                    toBullet(task.mesh.vertices[t[2]]));
+        }
         walls_ = std::make_unique<btBvhTriangleMeshShape>(&triangles_, true);
         walls_->setMargin(0);
         addBody(0, walls_.get(), {0, 0, 0}, task.restitution);
@@ -131,7 +135,9 @@ PeerResult runBullet(const PeerTask& task, double step)
         if (world.size() < task.count && result.simulated >= nextPour)
         {
             for (const Eigen::Vector3d& place : pouring.next(world.places()))
+            {
                 world.addSphere(place, task.restitution);
+            }
             nextPour = result.simulated + kPeerPourEvery;
         }
         world.step(step);

@@ -64,8 +64,10 @@ std::string stlOf(const TriangleMesh& mesh)
             (mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a).normalized();
         fmt::format_to(out, "facet normal {} {} {}\nouter loop\n", n.x(), n.y(), n.z());
         for (const std::uint32_t v : t)
+        {
             fmt::format_to(out, "vertex {} {} {}\n", mesh.vertices[v].x(), mesh.vertices[v].y(),
                            mesh.vertices[v].z());
+        }
         text += "endloop\nendfacet\n";
     }
     return text + "endsolid object\n";
@@ -164,7 +166,9 @@ std::vector<Eigen::Vector3d> readPlaces(const fs::path& file)
     long id = 0;
     Eigen::Vector3d p;
     while (in >> id >> p.x() >> p.y() >> p.z())
+    {
         places.push_back(p);
+    }
     return places;
 }
 
@@ -213,10 +217,12 @@ PeerResult runLiggghts(const PeerTask& task, double stiffness)
     }
     result.places = readPlaces(workplace.folder() / "places.txt");
     if (result.places.empty())
+    {
         throw Error(
             ErrorCode::missingProgram,
             fmt::format("LIGGGHTS ended with code {} and left no spheres: {}", run.code,
                         said.substr(said.size() - std::min<std::size_t>(said.size(), 300))));
+    }
     return result;
 }
 

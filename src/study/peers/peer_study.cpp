@@ -43,7 +43,9 @@ TriangleMesh cubeOf(std::uint64_t count)
     const double radius =
         std::cbrt(0.5 * 8 * 3 / (4 * std::numbers::pi * static_cast<double>(count)));
     for (Eigen::Vector3d& v : mesh.vertices)
+    {
         v /= radius;
+    }
     return mesh;
 }
 
@@ -52,7 +54,9 @@ void judge(const TriangleMesh& mesh, const std::vector<Eigen::Vector3d>& places,
 {
     World world(cubeScene(places.size(), Motion::fall), mesh);
     for (const Eigen::Vector3d& place : places)
+    {
         world.freeze(world.release(world.frame.toRun(place), 1, 0));
+    }
     world.forgetFrozen();
     const QualityReport quality = examine(world);
     point.outside = quality.centresOutside + quality.notFinite;
@@ -79,7 +83,9 @@ PeerPoint ours(const PeerTask& task, Motion motion)
     point.missing = task.count - world.spheres.size();
     std::vector<Eigen::Vector3d> places;
     for (std::uint32_t id = 0; id < world.spheres.size(); ++id)
+    {
         places.push_back(world.frame.toMesh(world.spheres.position(id)));
+    }
     judge(task.mesh, places, point);
     return point;
 }
@@ -101,6 +107,7 @@ PeerPoint theirs(const PeerTask& task, const char* engine, const std::string& se
 void markPeerFront(std::vector<PeerPoint>& points)
 {
     for (PeerPoint& one : points)
+    {
         one.onFront =
             std::none_of(points.begin(), points.end(),
                          [&](const PeerPoint& other)
@@ -108,6 +115,7 @@ void markPeerFront(std::vector<PeerPoint>& points)
                              return other.seconds <= one.seconds && other.worst() <= one.worst() &&
                                     (other.seconds < one.seconds || other.worst() < one.worst());
                          });
+    }
 }
 
 using PeerRun = std::function<PeerPoint()>;
@@ -115,20 +123,28 @@ using PeerRun = std::function<PeerPoint()>;
 void addOthers(std::vector<PeerRun>& runs, const PeerTask& task)
 {
     if (hasBullet())
+    {
         for (const double step : {0.12, 0.06})
+        {
             runs.emplace_back(
                 [&task, step] {
                     return theirs(task, "Bullet", fmt::format("step {:g}", step),
                                   runBullet(task, step));
                 });
+        }
+    }
     if (hasLiggghts())
+    {
         for (const double stiffness : {4.5e3, 4.5e4})
+        {
             runs.emplace_back(
                 [&task, stiffness]
                 {
                     return theirs(task, "LIGGGHTS", fmt::format("stiffness {:g}", stiffness),
                                   runLiggghts(task, stiffness));
                 });
+        }
+    }
 }
 
 } // namespace
@@ -136,9 +152,11 @@ void addOthers(std::vector<PeerRun>& runs, const PeerTask& task)
 void requirePeers()
 {
     if (!hasBullet() && !hasLiggghts())
+    {
         throw Error(ErrorCode::missingProgram,
                     "no other engine to compare with: apt-get install libbullet-dev and configure "
                     "with -DFROSTFILL_PEERS=ON, or apt-get install liggghts");
+    }
 }
 
 std::vector<PeerPoint> measurePeers(bool quick, const StudyProgress& progress)
@@ -151,7 +169,9 @@ std::vector<PeerPoint> measurePeers(bool quick, const StudyProgress& progress)
     task.secondsLimit = quick ? 15 : 60;
     std::vector<PeerRun> runs;
     for (const Motion motion : {Motion::fall, Motion::skip, Motion::descend})
+    {
         runs.emplace_back([&task, motion] { return ours(task, motion); });
+    }
     addOthers(runs, task);
     std::vector<PeerPoint> points;
     for (const PeerRun& run : runs)
@@ -170,9 +190,13 @@ double peerRatio(const std::vector<PeerPoint>& points, const std::string& motion
     for (const PeerPoint& point : points)
     {
         if (!point.ours)
+        {
             other = std::min(other, point.seconds);
+        }
         else if (point.setting == motion)
+        {
             own = point.seconds;
+        }
     }
     return other / own;
 }
@@ -184,12 +208,14 @@ Table peersCsv(const std::vector<PeerPoint>& points)
                       "missing", "outside", "max_overlap", "mean_overlap", "wall_overlap",
                       "worst",   "ours",    "front"};
     for (const PeerPoint& p : points)
+    {
         table.rows.push_back(
             {p.engine, p.setting, fmt::format("{:.4f}", p.seconds),
              fmt::format("{:.2f}", p.simulated), p.atRest ? "1" : "0", fmt::format("{}", p.missing),
              fmt::format("{}", p.outside), fmt::format("{:.4e}", p.maxOverlap),
              fmt::format("{:.4e}", p.meanOverlap), fmt::format("{:.4e}", p.wallOverlap),
              fmt::format("{:.4e}", p.worst()), p.ours ? "1" : "0", p.onFront ? "1" : "0"});
+    }
     return table;
 }
 
@@ -202,11 +228,13 @@ Table peersTable(const std::vector<PeerPoint>& points)
                       "at rest",          "lost or outside", "largest overlap [r]",
                       "mean overlap [r]", "in walls [r]",    "front"};
     for (const PeerPoint& p : points)
+    {
         table.rows.push_back({p.engine, p.setting, fmt::format("{:.2f}", p.seconds),
                               p.atRest ? "yes" : "no", fmt::format("{}", p.missing + p.outside),
                               fmt::format("{:.1e}", p.maxOverlap),
                               fmt::format("{:.1e}", p.meanOverlap),
                               fmt::format("{:.1e}", p.wallOverlap), p.onFront ? "*" : ""});
+    }
     return table;
 }
 

@@ -20,7 +20,9 @@ Eigen::AlignedBox3d boxOf(const TriangleMesh& mesh)
 {
     Eigen::AlignedBox3d box;
     for (const Eigen::Vector3d& v : mesh.vertices)
+    {
         box.extend(v);
+    }
     return box;
 }
 
@@ -33,9 +35,15 @@ Pouring::Pouring(const PeerTask& task) : count_(task.count)
     low.y() = std::max(low.y(), box.max().y() - kPeerBand + 1);
     band_ = low.y() - 2 - kShift;
     for (double y = low.y(); y <= high.y(); y += kSpacing)
+    {
         for (double x = low.x(); x <= high.x(); x += kSpacing)
+        {
             for (double z = low.z(); z <= high.z(); z += kSpacing)
+            {
                 sites_.emplace_back(x, y, z);
+            }
+        }
+    }
 }
 
 std::vector<Eigen::Vector3d> Pouring::next(const std::vector<Eigen::Vector3d>& present)
@@ -43,19 +51,27 @@ std::vector<Eigen::Vector3d> Pouring::next(const std::vector<Eigen::Vector3d>& p
     ++times_;
     std::vector<Eigen::Vector3d> near;
     for (const Eigen::Vector3d& p : present)
+    {
         if (p.y() > band_)
+        {
             near.push_back(p);
+        }
+    }
     std::vector<Eigen::Vector3d> found;
     for (std::size_t k = 0; k < sites_.size() && present.size() + found.size() < count_; ++k)
     {
         Eigen::Vector3d site = sites_[k];
         for (int axis = 0; axis < 3; ++axis)
+        {
             site[axis] +=
                 kShift * (2 * uniformRandom(times_, k, static_cast<std::uint64_t>(axis)) - 1);
+        }
         const auto inTheWay = [&](const Eigen::Vector3d& p)
         { return (p - site).squaredNorm() < kClear * kClear; };
         if (std::none_of(near.begin(), near.end(), inTheWay))
+        {
             found.push_back(site);
+        }
     }
     return found;
 }

@@ -20,7 +20,9 @@ public:
         last_.resize(now.size(),
                      Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity()));
         for (std::size_t k = 0; k < now.size(); ++k)
+        {
             calm += (now[k] - last_[k]).squaredNorm() < kPeerStill * kPeerStill ? 1 : 0;
+        }
         last_ = std::move(now);
         return static_cast<double>(calm) >= kPeerStillShare * static_cast<double>(last_.size());
     }

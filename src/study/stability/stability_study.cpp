@@ -62,9 +62,13 @@ std::vector<StabilityResult> measureStability(bool quick, const StudyProgress& p
     const std::vector<StressCell> cells = stressMatrix(quick);
     std::vector<StabilityResult> results;
     for (const StressMethod& method : stressMethods())
+    {
         for (const StressCell& cell : cells)
+        {
             results.push_back(
                 {method.name, method.preset, cell.axis, cell.label, cell.expected, {}});
+        }
+    }
 
     std::atomic<std::size_t> next = 0;
     std::mutex mutex;
@@ -83,10 +87,14 @@ std::vector<StabilityResult> measureStability(bool quick, const StudyProgress& p
     };
     std::vector<std::thread> threads;
     for (unsigned k = 1; k < std::max(1u, std::thread::hardware_concurrency()); ++k)
+    {
         threads.emplace_back(work);
+    }
     work();
     for (std::thread& thread : threads)
+    {
         thread.join();
+    }
     return results;
 }
 
@@ -135,20 +143,26 @@ Table stabilityTable(const std::vector<StabilityResult>& results)
     table.headings = {"method", "cells", "sound"};
     constexpr int kVerdicts = static_cast<int>(Verdict::notRun) + 1;
     for (int verdict = 0; verdict < kVerdicts; ++verdict)
+    {
         table.headings.emplace_back(verdictName(static_cast<Verdict>(verdict)));
+    }
     for (const StressMethod& method : stressMethods())
     {
         std::vector<std::size_t> counts(kVerdicts + 2);
         for (const StabilityResult& one : results)
+        {
             if (one.method == method.name)
             {
                 ++counts[0];
                 counts[1] += one.sound() ? 1 : 0;
                 ++counts[2 + static_cast<std::size_t>(one.outcome.verdict)];
             }
+        }
         std::vector<std::string> row = {method.name};
         for (const std::size_t count : counts)
+        {
             row.push_back(fmt::format("{}", count));
+        }
         table.rows.push_back(row);
     }
     return table;
@@ -161,11 +175,15 @@ Table unsoundTable(const std::vector<StabilityResult>& results, Preset preset)
     table.words = 4;
     table.headings = {"method", "axis", "value", "verdict", "outside", "overdue", "energy excess"};
     for (const StabilityResult& one : results)
+    {
         if (one.preset == preset && !one.sound())
+        {
             table.rows.push_back({one.method, one.axis, one.label, verdictName(one.outcome.verdict),
                                   fmt::format("{}", one.outcome.outside),
                                   fmt::format("{}", one.outcome.overdue),
                                   fmt::format("{:.2e}", one.outcome.energyExcess)});
+        }
+    }
     return table;
 }
 

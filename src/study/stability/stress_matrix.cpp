@@ -77,10 +77,15 @@ private:
 void addSteps(Matrix& matrix, bool quick)
 {
     for (const double dt : {1e-4, 1e-3, 1e-2, 3e-2, 1e-1})
+    {
         if (dt > 1e-4 || !quick)
+        {
             matrix.add("step [s]", fmt::format("{:g}", dt),
                        [dt](StressRun& run) { run.scene.motion.dt = dt; });
+        }
+    }
     for (const double dt : {1e-3, 1e-2, 3e-2, 1e-1})
+    {
         matrix.add("step [s] at e = 1", fmt::format("{:g}", dt),
                    [dt](StressRun& run)
                    {
@@ -88,13 +93,16 @@ void addSteps(Matrix& matrix, bool quick)
                        run.scene.motion.restitution = 1;
                        run.mustRest = false;
                    });
+    }
     for (const double e : {0.0, 0.2, 0.5, 0.8, 0.95, 1.0})
+    {
         matrix.add("restitution", fmt::format("{:g}", e),
                    [e](StressRun& run)
                    {
                        run.scene.motion.restitution = e;
                        run.mustRest = e < 1;
                    });
+    }
 }
 
 // Centres of so many spheres in the cube from -1 to 1, on a grid that is shaken a little, so that
@@ -126,7 +134,9 @@ void addCrowds(Matrix& matrix, bool quick)
     for (const std::uint32_t count : {10u, 100u, 1000u, 10000u, 100000u})
     {
         if (quick && count > 1000)
+        {
             continue;
+        }
         const double volume = 8 * kShare / count;
         const double radius = std::cbrt(volume / (4.0 / 3.0 * std::numbers::pi));
         matrix.add("running at once", fmt::format("{}", count),
@@ -141,13 +151,16 @@ void addCrowds(Matrix& matrix, bool quick)
         matrix.last().atOnce = count;
     }
     for (const std::uint32_t size : {1u, 5u, 20u, 40u})
+    {
         matrix.add("spheres in a group", fmt::format("{}", size),
                    [size](StressRun& run)
                    {
                        run.scene.spheres.groupSize = size;
                        run.scene.spheres.groupsPerSet = 1;
                    });
+    }
     for (const double ratio : {1.0, 2.0, 5.0, 10.0, 20.0})
+    {
         matrix.add("size ratio", fmt::format("1:{:g}", ratio),
                    [ratio](StressRun& run)
                    {
@@ -155,30 +168,40 @@ void addCrowds(Matrix& matrix, bool quick)
                        run.mesh = boxMesh({-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5});
                        run.scene.spheres.radius = Radii(0.2 / ratio, 0.2);
                    });
+    }
 }
 
 void addUnits(Matrix& matrix)
 {
     const Eigen::Matrix3d same = Eigen::Matrix3d::Identity();
     for (const double scale : {1e-6, 1e-3, 1.0, 1e3, 1e6})
+    {
         matrix.add("scale", fmt::format("{:g}", scale),
                    [=](StressRun& run)
                    {
                        run.mesh = moved(run.mesh, scale, same, Eigen::Vector3d::Zero());
                        run.scene.spheres.radius = scale * kRadius;
                    });
+    }
     for (const double offset : {0.0, 1e2, 1e4, 1e6})
+    {
         matrix.add("offset", fmt::format("{:g}", offset),
                    [=](StressRun& run)
                    { run.mesh = moved(run.mesh, 1, same, offset * Eigen::Vector3d(1, -1, 0.5)); });
+    }
     for (const double factor : {0.0, 1e-3, 1.0, 1e3})
+    {
         matrix.add("gravity", fmt::format("x{:g}", factor),
                    factor > 0 ? Expectation::passes : Expectation::refuses,
                    [factor](StressRun& run) { run.scene.motion.gravity = factor * kGravity; });
+    }
     for (const auto& [axis, name] : {std::pair(Axis::x, "x up"), std::pair(Axis::z, "z up")})
+    {
         matrix.add("direction", name,
                    [axis = axis](StressRun& run) { run.scene.object.up = axis; });
+    }
     for (const double degrees : {30.0, 45.0, 90.0, 180.0})
+    {
         matrix.add("direction", fmt::format("{:g} deg", degrees),
                    [=](StressRun& run)
                    {
@@ -188,14 +211,17 @@ void addUnits(Matrix& matrix)
                            moved(run.mesh, 1, Eigen::AngleAxisd(angle, axis).toRotationMatrix(),
                                  Eigen::Vector3d::Zero());
                    });
+    }
 }
 
 void addMeshes(Matrix& matrix)
 {
     for (const int exponent : {-3, -7, -12, -16})
+    {
         matrix.add("mesh", fmt::format("sliver 1e{}", exponent),
                    [=](StressRun& run)
                    { run.mesh = withSlivers(run.mesh, std::pow(10, exponent)); });
+    }
     matrix.add("mesh", "duplicates",
                [](StressRun& run) { run.mesh = withDuplicates(run.mesh, 200); });
     matrix.add("mesh", "T-junctions", Expectation::either,

@@ -31,8 +31,10 @@ public:
         {
             Eigen::Vector3d p;
             for (int axis = 0; axis < 3; ++axis)
+            {
                 p[axis] =
                     corner[axis] == cuts_ ? high_[axis] : low_[axis] + step_[axis] * corner[axis];
+            }
             mesh_.vertices.push_back(p);
         }
         return entry->second;
@@ -52,7 +54,9 @@ TriangleMesh boxMesh(const Eigen::Vector3d& low, const Eigen::Vector3d& high, in
     TriangleMesh mesh;
     BoxVertices vertices(low, high, cuts, mesh);
     for (int face = 0; face < 6; ++face)
+    {
         for (int u = 0; u < cuts; ++u)
+        {
             for (int v = 0; v < cuts; ++v)
             {
                 const auto corner = [&](int du, int dv)
@@ -66,10 +70,14 @@ TriangleMesh boxMesh(const Eigen::Vector3d& low, const Eigen::Vector3d& high, in
                 std::array<std::uint32_t, 4> q = {corner(0, 0), corner(1, 0), corner(1, 1),
                                                   corner(0, 1)};
                 if (face % 2 == 0)
+                {
                     std::swap(q[1], q[3]);
+                }
                 mesh.triangles.push_back({q[0], q[1], q[2]});
                 mesh.triangles.push_back({q[0], q[2], q[3]});
             }
+        }
+    }
     return mesh;
 }
 
@@ -92,7 +100,9 @@ TriangleMesh withSlivers(const TriangleMesh& mesh, double height)
 TriangleMesh withDuplicates(TriangleMesh mesh, std::size_t count)
 {
     for (std::size_t k = 0; k < count; ++k)
+    {
         mesh.triangles.push_back(std::array(mesh.triangles[k]));
+    }
     return mesh;
 }
 
@@ -119,7 +129,9 @@ TriangleMesh withTJunctions(const TriangleMesh& mesh, std::size_t every)
 TriangleMesh insideOut(TriangleMesh mesh)
 {
     for (auto& triangle : mesh.triangles)
+    {
         std::swap(triangle[1], triangle[2]);
+    }
     return mesh;
 }
 
@@ -130,7 +142,9 @@ TriangleMesh needleCylinder(int sides)
     {
         const double angle = 2 * std::numbers::pi * k / sides;
         for (const double y : {-1.0, 1.0})
+        {
             mesh.vertices.emplace_back(std::cos(angle), y, std::sin(angle));
+        }
     }
     const auto at = [&](int k, int top)
     { return static_cast<std::uint32_t>(2 * (k % sides) + top); };
@@ -139,7 +153,9 @@ TriangleMesh needleCylinder(int sides)
         mesh.triangles.push_back({at(k, 0), at(k, 1), at(k + 1, 1)});
         mesh.triangles.push_back({at(k, 0), at(k + 1, 1), at(k + 1, 0)});
         if (k == 0 || k + 1 == sides)
+        {
             continue; // the caps are fans about the first vertex
+        }
         mesh.triangles.push_back({at(0, 0), at(k, 0), at(k + 1, 0)});
         mesh.triangles.push_back({at(0, 1), at(k + 1, 1), at(k, 1)});
     }
@@ -150,7 +166,9 @@ TriangleMesh moved(TriangleMesh mesh, double scale, const Eigen::Matrix3d& rotat
                    const Eigen::Vector3d& offset)
 {
     for (Eigen::Vector3d& vertex : mesh.vertices)
+    {
         vertex = scale * (rotation * vertex) + offset;
+    }
     return mesh;
 }
 

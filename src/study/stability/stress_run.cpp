@@ -41,7 +41,9 @@ public:
             const Eigen::Vector3d p = world_.spheres.position(id);
             finite_ = finite_ && p.allFinite() && world_.spheres.velocity(id).allFinite();
             if (finite_ && isOutside(p))
+            {
                 ++outside;
+            }
         }
         outside_ = std::max(outside_, outside);
     }
@@ -52,7 +54,9 @@ private:
     [[nodiscard]] bool isOutside(const Eigen::Vector3d& p) const
     {
         if (world_.surface.box().exteriorDistance(p) > kRoundingOfPlace)
+        {
             return true;
+        }
         return !world_.inside.contains(p);
     }
 
@@ -65,21 +69,33 @@ void placeSpheres(const StressRun& run, const World& world, Engine& engine)
 {
     std::vector<PlacedSphere> placed = run.placed;
     for (PlacedSphere& one : placed)
+    {
         one = {world.frame.toRun(one.place), one.radius / world.frame.length};
+    }
     if (!placed.empty())
+    {
         engine.releaseAt(placed);
+    }
 }
 
 Verdict judge(const StressRun& run, const StressOutcome& outcome, const World& world, bool finite)
 {
     if (!finite)
+    {
         return Verdict::notFinite;
+    }
     if (outcome.outside > 0)
+    {
         return Verdict::leaks;
+    }
     if (!world.finished)
+    {
         return Verdict::unfinished;
+    }
     if (run.mustRest && outcome.overdue > 0)
+    {
         return Verdict::restless;
+    }
     return outcome.energyExcess > kEnergyTolerance ? Verdict::gainsEnergy : Verdict::passes;
 }
 
@@ -93,8 +109,12 @@ void runWorld(const StressRun& run, StressOutcome& outcome)
     placeSpheres(run, world, *engine);
     Watch watch(world);
     while (watch.finite() && secondsOfThread() - start < run.secondsLimit && engine->step())
+    {
         if (world.steps % kStepsPerLook == 1)
+        {
             watch.look();
+        }
+    }
     watch.look();
     outcome.spheres = world.spheres.size();
     outcome.steps = world.steps;
@@ -146,12 +166,16 @@ StressOutcome runUnderStressTwice(StressRun run)
     run.scene.threads = 1;
     StressOutcome first = runUnderStress(run);
     if (first.verdict == Verdict::refused || first.verdict == Verdict::unfinished)
+    {
         return first;
+    }
     run.scene.threads = 2;
     const StressOutcome second = runUnderStress(run);
     const bool mild = first.verdict < Verdict::irreproducible;
     if (mild && (second.verdict != first.verdict || second.hash != first.hash))
+    {
         first.verdict = Verdict::irreproducible;
+    }
     return first;
 }
 

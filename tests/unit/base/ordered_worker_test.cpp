@@ -14,19 +14,23 @@ namespace frostfill
 namespace
 {
 
-TEST(OrderedWorker, doesJobsInTheirOrder)
+TEST(OrderedWorker, DoesJobsInTheirOrder)
 {
     std::vector<int> done;
     OrderedWorker worker(2);
     for (int i = 0; i < 500; ++i)
+    {
         worker.push([&done, i] { done.push_back(i); });
+    }
     worker.finish();
     ASSERT_EQ(done.size(), 500u);
     for (int i = 0; i < 500; ++i)
+    {
         EXPECT_EQ(done[static_cast<std::size_t>(i)], i);
+    }
 }
 
-TEST(OrderedWorker, letsNoMoreJobsWaitThanItsLimit)
+TEST(OrderedWorker, LetsNoMoreJobsWaitThanItsLimit)
 {
     std::atomic<int> open = 0;
     std::atomic<int> most = 0;
@@ -47,7 +51,7 @@ TEST(OrderedWorker, letsNoMoreJobsWaitThanItsLimit)
     EXPECT_GE(most, 1);
 }
 
-TEST(OrderedWorker, tellsWhatHasGoneWrongAndDoesNoMore)
+TEST(OrderedWorker, TellsWhatHasGoneWrongAndDoesNoMore)
 {
     OrderedWorker worker(1);
     std::atomic<int> later = 0;
@@ -55,25 +59,29 @@ TEST(OrderedWorker, tellsWhatHasGoneWrongAndDoesNoMore)
     EXPECT_THROW(
         {
             for (int i = 0; i < 10; ++i)
+            {
                 worker.push([&] { ++later; });
+            }
         },
         std::runtime_error);
     EXPECT_THROW(worker.finish(), std::runtime_error);
     EXPECT_EQ(later, 0);
 }
 
-TEST(OrderedWorker, canBeGivenUpWhileJobsWait)
+TEST(OrderedWorker, CanBeGivenUpWhileJobsWait)
 {
     std::atomic<int> done = 0;
     {
         OrderedWorker worker(50);
         for (int i = 0; i < 50; ++i)
+        {
             worker.push(
                 [&]
                 {
                     std::this_thread::sleep_for(std::chrono::milliseconds(1));
                     ++done;
                 });
+        }
     }
     EXPECT_LT(done, 50);
 }

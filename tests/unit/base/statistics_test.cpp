@@ -11,7 +11,7 @@ namespace frostfill
 namespace
 {
 
-TEST(Statistics, percentilesAreNearestRanks)
+TEST(Statistics, PercentilesAreNearestRanks)
 {
     std::vector<double> values(200);
     std::iota(values.rbegin(), values.rend(), 1.0);
@@ -25,7 +25,7 @@ TEST(Statistics, percentilesAreNearestRanks)
     EXPECT_EQ(described.greatest, 200);
 }
 
-TEST(Statistics, aSingleValueIsAllOfItsPercentiles)
+TEST(Statistics, ASingleValueIsAllOfItsPercentiles)
 {
     const Distribution described = describe({7});
     EXPECT_EQ(described.median, 7);
@@ -35,7 +35,7 @@ TEST(Statistics, aSingleValueIsAllOfItsPercentiles)
 }
 
 // Worked by hand: mean 5, sample deviation sqrt(20/3), t for three degrees of freedom 3.182.
-TEST(Statistics, theConfidenceIntervalIsStudents)
+TEST(Statistics, TheConfidenceIntervalIsStudents)
 {
     const RepeatedMean found = meanOfRepeats(std::vector<double>{2, 4, 6, 8});
     EXPECT_DOUBLE_EQ(found.mean, 5);
@@ -43,7 +43,7 @@ TEST(Statistics, theConfidenceIntervalIsStudents)
     EXPECT_EQ(found.least, 2);
 }
 
-TEST(Statistics, oneRunHasNoInterval)
+TEST(Statistics, OneRunHasNoInterval)
 {
     const RepeatedMean found = meanOfRepeats(std::vector<double>{3});
     EXPECT_EQ(found.mean, 3);

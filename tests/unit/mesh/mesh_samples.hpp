@@ -22,9 +22,11 @@ inline TriangleMesh box(const Eigen::Vector3d& low, const Eigen::Vector3d& high)
 {
     TriangleMesh mesh;
     for (int corner = 0; corner < 8; ++corner)
+    {
         mesh.vertices.emplace_back((corner & 1) != 0 ? high.x() : low.x(),
                                    (corner & 2) != 0 ? high.y() : low.y(),
                                    (corner & 4) != 0 ? high.z() : low.z());
+    }
     mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
                       {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
     return mesh;
@@ -40,7 +42,9 @@ inline void append(TriangleMesh& mesh, const TriangleMesh& other)
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
     mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
     for (const auto& t : other.triangles)
+    {
         mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+    }
 }
 
 inline void flip(std::array<std::uint32_t, 3>& triangle)
@@ -61,7 +65,9 @@ inline TriangleMesh soup(const TriangleMesh& mesh)
     {
         const auto first = static_cast<std::uint32_t>(result.vertices.size());
         for (const std::uint32_t corner : t)
+        {
             result.vertices.push_back(Eigen::Vector3d(mesh.vertices[corner]));
+        }
         result.triangles.push_back({first, first + 1, first + 2});
     }
     return result;
@@ -85,11 +91,15 @@ inline std::string objText(const TriangleMesh& mesh)
 {
     std::string text;
     for (const auto& v : mesh.vertices)
+    {
         text += "v " + std::to_string(v.x()) + " " + std::to_string(v.y()) + " " +
                 std::to_string(v.z()) + "\n";
+    }
     for (const auto& t : mesh.triangles)
+    {
         text += "f " + std::to_string(t[0] + 1) + " " + std::to_string(t[1] + 1) + " " +
                 std::to_string(t[2] + 1) + "\n";
+    }
     return text;
 }
 

@@ -16,7 +16,7 @@ using test::expectError;
 using test::readFile;
 using test::TemporaryFolder;
 
-TEST(SpheresCsv, hasARowASphereWithAsManyDigitsAsBringItBack)
+TEST(SpheresCsv, HasARowASphereWithAsManyDigitsAsBringItBack)
 {
     const TemporaryFolder folder;
     const std::vector<SphereRecord> spheres = {
@@ -31,7 +31,7 @@ TEST(SpheresCsv, hasARowASphereWithAsManyDigitsAsBringItBack)
                                                 "2,4,1,2,3,0.25,running\n");
 }
 
-TEST(PolygonsCsv, hasARowAPolygon)
+TEST(PolygonsCsv, HasARowAPolygon)
 {
     const TemporaryFolder folder;
     writePolygonsCsv(std::vector{PolygonState::active, PolygonState::discarded},
@@ -39,7 +39,7 @@ TEST(PolygonsCsv, hasARowAPolygon)
     EXPECT_EQ(readFile(folder / "polygons.csv"), "id,state\n0,active\n1,discarded\n");
 }
 
-TEST(AtomicFile, appearsOnlyWhenItIsComplete)
+TEST(AtomicFile, AppearsOnlyWhenItIsComplete)
 {
     const TemporaryFolder folder;
     {
@@ -58,13 +58,13 @@ TEST(AtomicFile, appearsOnlyWhenItIsComplete)
     EXPECT_FALSE(std::filesystem::exists(folder / "a.part"));
 }
 
-TEST(AtomicFile, tellsThatItCannotBeCreated)
+TEST(AtomicFile, TellsThatItCannotBeCreated)
 {
     expectError(
         ErrorCode::cannotCreate, [] { AtomicFile file("no/such/folder/a"); }, "no/such/folder/a");
 }
 
-TEST(AtomicFile, tellsThatTheDiskIsFull)
+TEST(AtomicFile, TellsThatTheDiskIsFull)
 {
     const TemporaryFolder folder;
     // A part that is really the device which is always full.
@@ -81,7 +81,7 @@ TEST(AtomicFile, tellsThatTheDiskIsFull)
     EXPECT_FALSE(std::filesystem::exists(folder / "a"));
 }
 
-TEST(CreateDirectory, tellsThatAFileIsInTheWay)
+TEST(CreateDirectory, TellsThatAFileIsInTheWay)
 {
     const TemporaryFolder folder;
     test::writeFile(folder / "file", "");

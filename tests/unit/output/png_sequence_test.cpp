@@ -24,26 +24,33 @@ std::size_t numberOf(const std::filesystem::path& file)
     return loadPng(file).pixels.at(0);
 }
 
-TEST(PngSequence, numbersPicturesFromZero)
+TEST(PngSequence, NumbersPicturesFromZero)
 {
     const test::TemporaryFolder folder;
     PngSequence sequence(folder / "frames", 0);
     for (std::size_t i = 0; i < 3; ++i)
+    {
         sequence.put(i, numberedImage(i));
+    }
     EXPECT_EQ(sequence.count(), 3u);
     for (std::size_t i = 0; i < 3; ++i)
+    {
         EXPECT_EQ(numberOf(folder / fmt::format("frames/frame_{:05}.png", i)), i);
+    }
 }
 
-TEST(PngSequence, keepsEveryNthWhenThereAreTooMany)
+TEST(PngSequence, KeepsEveryNthWhenThereAreTooMany)
 {
     for (const std::size_t limit : {1u, 2u, 3u, 5u, 8u})
+    {
         for (const std::size_t total : {1u, 2u, 5u, 9u, 33u, 100u})
         {
             const test::TemporaryFolder folder;
             PngSequence sequence(folder.path(), limit);
             for (std::size_t i = 0; i < total; ++i)
+            {
                 sequence.put(i, numberedImage(i));
+            }
 
             EXPECT_LE(sequence.count(), limit);
             EXPECT_TRUE(sequence.count() == limit || limit == 1 || 2 * sequence.count() >= limit ||
@@ -51,15 +58,20 @@ TEST(PngSequence, keepsEveryNthWhenThereAreTooMany)
                 << limit << " of " << total;
             std::set<std::string> names;
             for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+            {
                 names.insert(entry.path().filename());
+            }
             EXPECT_EQ(names.size(), sequence.count());
             for (std::size_t i = 0; i < sequence.count(); ++i)
+            {
                 EXPECT_EQ(numberOf(folder / fmt::format("frame_{:05}.png", i)),
                           i * sequence.stride());
+            }
         }
+    }
 }
 
-TEST(PngSequence, tellsThatItsDirectoryCannotBeCreated)
+TEST(PngSequence, TellsThatItsDirectoryCannotBeCreated)
 {
     const test::TemporaryFolder folder;
     test::writeFile(folder / "file", "");

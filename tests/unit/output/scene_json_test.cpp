@@ -8,7 +8,7 @@ namespace frostfill
 namespace
 {
 
-TEST(SceneJson, givesBackTheScene)
+TEST(SceneJson, GivesBackTheScene)
 {
     for (const char* mesh : {"torus", "human", "some/file.obj"})
     {
@@ -21,7 +21,7 @@ TEST(SceneJson, givesBackTheScene)
     }
 }
 
-TEST(SceneJson, hasTheKeysOfASceneFile)
+TEST(SceneJson, HasTheKeysOfASceneFile)
 {
     const auto json = sceneToJson(presetScene(Preset::paper, "torus"));
     EXPECT_EQ(json["spheres"]["count"], 320);
@@ -29,7 +29,7 @@ TEST(SceneJson, hasTheKeysOfASceneFile)
     EXPECT_EQ(json["motion"]["integrator"], "explicit");
 }
 
-TEST(SceneJson, namesAKeyThatIsMissingOrWrong)
+TEST(SceneJson, NamesAKeyThatIsMissingOrWrong)
 {
     auto json = sceneToJson(presetScene(Preset::paper, "torus"));
     json["motion"]["restitution"] = 7;

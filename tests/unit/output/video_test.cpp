@@ -48,7 +48,9 @@ protected:
     {
         std::size_t count = 0;
         for (const auto& entry : fs::directory_iterator(folder_.path()))
+        {
             count += entry.is_regular_file() ? 1 : 0;
+        }
         return count;
     }
 
@@ -64,7 +66,9 @@ TEST_F(VideoTest, HandsEveryByteOfEveryFrameToFfmpegInOrder)
     {
         Video video(file, 30);
         for (int i = 0; i < 5; ++i)
+        {
             video.put(static_cast<std::size_t>(i), grey(400, 300, 3, static_cast<std::uint8_t>(i)));
+        }
         EXPECT_FALSE(fs::exists(file)) << "it must not be there before it is complete";
         video.finish();
     }
@@ -72,7 +76,9 @@ TEST_F(VideoTest, HandsEveryByteOfEveryFrameToFfmpegInOrder)
     const std::string bytes((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
     ASSERT_EQ(bytes.size(), 5U * 400 * 300 * 3);
     for (std::size_t i = 0; i < bytes.size(); i += 9973)
+    {
         ASSERT_EQ(static_cast<std::size_t>(bytes[i]), i / (400 * 300 * 3));
+    }
     EXPECT_EQ(filesHere(), 1U);
 }
 
@@ -82,7 +88,9 @@ TEST_F(VideoTest, TellsWhatFfmpegSaidWhenItFailsAndLeavesNothing)
     {
         Video video(folder_ / "film.webm", 30);
         for (std::size_t i = 0; i < 20; ++i)
+        {
             EXPECT_NO_THROW(video.put(i, grey(400, 300, 4, 1))); // beyond what a socket holds
+        }
         try
         {
             video.finish();
@@ -131,12 +139,16 @@ TEST_F(VideoTest, IsRefusedAtOnceWithoutFfmpegOrWithAnUnknownEnding)
 TEST_F(VideoTest, RealFfmpegMakesEveryKind)
 {
     if (std::system("command -v ffmpeg >/dev/null 2>&1") != 0)
+    {
         GTEST_SKIP() << "there is no ffmpeg";
+    }
     for (const char* name : {"a.mp4", "b.webm", "c.gif"})
     {
         Video video(folder_ / name, 25);
         for (std::size_t i = 0; i < 6; ++i)
+        {
             video.put(i, grey(63, 35, 3, static_cast<std::uint8_t>(40 * i))); // odd sides
+        }
         video.finish();
         EXPECT_GT(fs::file_size(folder_ / name), 200U) << name;
     }

@@ -75,12 +75,14 @@ Image over(const Image& image, int ground)
     result.channels = 3;
     result.pixels.clear();
     for (std::size_t i = 0; i < image.pixels.size(); i += 4)
+    {
         for (std::size_t c = 0; c < 3; ++c)
         {
             const double alpha = image.pixels[i + 3] / 255.0;
             result.pixels.push_back(static_cast<std::uint8_t>(
                 std::lround(alpha * image.pixels[i + c] + (1 - alpha) * ground)));
         }
+    }
     return result;
 }
 
@@ -212,14 +214,18 @@ TEST(Looks, TextOnNothingKeepsItsColourAndIsOutlinedInTheOther)
     int ink = 0;
     int outline = 0;
     for (int y = 0; y < 45; ++y)
+    {
         for (int x = 0; x < 120; ++x)
         {
             const auto* pixel = image.at(x, y);
             if (pixel[3] < 250)
+            {
                 continue;
+            }
             ink += std::abs(pixel[0] - 90) < 6 && pixel[1] < 16 ? 1 : 0;
             outline += pixel[0] > 250 && pixel[1] > 250 ? 1 : 0;
         }
+    }
     EXPECT_GT(ink, 15);
     EXPECT_GT(outline, 30);
 }
@@ -241,6 +247,7 @@ TEST(Looks, PassesShowTheNearestSphereItsDistanceAndItsNormal)
         const double half = orthographic ? 1 / 0.96 : std::tan(35 * M_PI / 360);
         int checked = 0;
         for (int y = 5; y < 200; y += 7)
+        {
             for (int x = 5; x < 200; x += 7)
             {
                 const double u = (2 * (x + 0.5) / 200 - 1) * half;
@@ -266,7 +273,9 @@ TEST(Looks, PassesShowTheNearestSphereItsDistanceAndItsNormal)
                     }
                 }
                 if (edge)
+                {
                     continue;
+                }
                 const auto* identity = passes.identity.at(x, y);
                 ASSERT_EQ(identity[0] + 256U * identity[1] + 65536U * identity[2], id);
                 const auto* depth = passes.depth.at(x, y);
@@ -281,7 +290,9 @@ TEST(Looks, PassesShowTheNearestSphereItsDistanceAndItsNormal)
                 const Eigen::Vector3d normal =
                     (hit - snapshot.centres[id - 1].cast<double>()) / 0.3;
                 for (int c = 0; c < 3; ++c)
+                {
                     EXPECT_NEAR(passes.normal.at(x, y)[c], 127.5 + 127.5 * normal[c], 1.5);
+                }
                 if (!orthographic) // without perspective distances are from a plane of our choice
                 {
                     EXPECT_NEAR(passes.nearest +
@@ -289,6 +300,7 @@ TEST(Looks, PassesShowTheNearestSphereItsDistanceAndItsNormal)
                                 5 - hit.z(), 0.001);
                 }
             }
+        }
         EXPECT_GT(checked, 100) << "the scene proves little";
     }
 }
@@ -304,10 +316,12 @@ TEST(Looks, ACutSphereShowsTheDiscOfTheCut)
     Renderer(mesh, settings).renderPasses(snapshot, passes);
     int disc = 0;
     for (std::size_t i = 0; i < passes.normal.pixels.size(); i += 3)
+    {
         disc += passes.identity.pixels[i] == 1 && passes.normal.pixels[i] == 128 &&
                         passes.normal.pixels[i + 1] == 128 && passes.normal.pixels[i + 2] == 255
                     ? 1
                     : 0;
+    }
     // Its radius is sqrt(0.9^2 - 0.3^2), and a length of 1 is 96 pixels.
     EXPECT_NEAR(disc, M_PI * (0.81 - 0.09) * 96 * 96, 300);
 

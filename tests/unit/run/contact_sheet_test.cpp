@@ -38,7 +38,9 @@ std::set<int> redsOn(const Image& sheet)
     {
         EXPECT_FALSE(sheet.pixels[i] < 20 && sheet.pixels[i + 1] > 240) << "what is cropped shows";
         if (sheet.pixels[i] >= 100 && sheet.pixels[i + 1] == 0 && sheet.pixels[i + 2] == 0)
+        {
             reds.insert(sheet.pixels[i] - 100);
+        }
     }
     return reds;
 }

@@ -38,11 +38,13 @@ std::size_t filesIn(const std::filesystem::path& directory)
 {
     std::size_t count = 0;
     for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(directory))
+    {
         ++count;
+    }
     return count;
 }
 
-TEST(FillRun, writesEveryFileOfARun)
+TEST(FillRun, WritesEveryFileOfARun)
 {
     const TemporaryFolder folder;
     const FillResult result = runFill(smallRequest(folder / "run"));
@@ -56,7 +58,7 @@ TEST(FillRun, writesEveryFileOfARun)
     EXPECT_EQ(filesIn(folder / "run"), 5u);
 }
 
-TEST(FillRun, summarisesWhatRepeatsTheRun)
+TEST(FillRun, SummarisesWhatRepeatsTheRun)
 {
     const TemporaryFolder folder;
     FillRequest request = smallRequest(folder / "a");
@@ -64,7 +66,9 @@ TEST(FillRun, summarisesWhatRepeatsTheRun)
     const auto summary = nlohmann::ordered_json::parse(first.summary);
     for (const char* key : {"scene", "machine", "spheres", "polygons", "error", "time",
                             "operations", "state_hash", "frames"})
+    {
         EXPECT_TRUE(summary.contains(key)) << key;
+    }
     EXPECT_EQ(summary["spheres"]["total"], 8);
     EXPECT_EQ(summary["polygons"]["total"], 768);
 
@@ -72,10 +76,12 @@ TEST(FillRun, summarisesWhatRepeatsTheRun)
     request.directory = folder / "b";
     EXPECT_EQ(runFill(request).stateHash, first.stateHash);
     for (const char* file : {"spheres.csv", "polygons.csv", "mesh.ply"})
+    {
         EXPECT_EQ(readFile(folder / "a" / file), readFile(folder / "b" / file)) << file;
+    }
 }
 
-TEST(FillRun, writesEverythingWhenItIsStopped)
+TEST(FillRun, WritesEverythingWhenItIsStopped)
 {
     const TemporaryFolder folder;
     int steps = 0;
@@ -88,7 +94,7 @@ TEST(FillRun, writesEverythingWhenItIsStopped)
     EXPECT_EQ(nlohmann::json::parse(result.summary)["outcome"], "stopped");
 }
 
-TEST(FillRun, leavesAnEarlierRunAlone)
+TEST(FillRun, LeavesAnEarlierRunAlone)
 {
     const TemporaryFolder folder;
     (void)runFill(smallRequest(folder / "run"));
@@ -99,7 +105,7 @@ TEST(FillRun, leavesAnEarlierRunAlone)
     EXPECT_EQ(readFile(folder / "run/summary.json"), before);
 }
 
-TEST(FillRun, simulatesTheSameWithAndWithoutFrames)
+TEST(FillRun, SimulatesTheSameWithAndWithoutFrames)
 {
     const TemporaryFolder folder;
     FillRequest request = smallRequest(folder / "a");
@@ -119,7 +125,7 @@ TEST(FillRun, simulatesTheSameWithAndWithoutFrames)
     EXPECT_EQ(nlohmann::json::parse(with.summary)["frames"], with.frames);
 }
 
-TEST(FillRun, refusesBlankPicturesButKeepsTheFiles)
+TEST(FillRun, RefusesBlankPicturesButKeepsTheFiles)
 {
     const TemporaryFolder folder;
     FillRequest request = smallRequest(folder / "run");

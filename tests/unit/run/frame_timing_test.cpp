@@ -17,7 +17,7 @@ MeshReport meshOfHeight(double height)
     return mesh;
 }
 
-TEST(FrameTiming, showsAFallThroughTheObjectInOneAndAHalfSecondsWhateverItsSize)
+TEST(FrameTiming, ShowsAFallThroughTheObjectInOneAndAHalfSecondsWhateverItsSize)
 {
     for (const double height : {0.15, 2.8, 500.0})
     {
@@ -29,7 +29,7 @@ TEST(FrameTiming, showsAFallThroughTheObjectInOneAndAHalfSecondsWhateverItsSize)
     }
 }
 
-TEST(FrameTiming, knowsUnitsAndTheUpAxis)
+TEST(FrameTiming, KnowsUnitsAndTheUpAxis)
 {
     Scene scene = presetScene(Preset::paper, "torus");
     scene.object.unitsPerMetre = 1000;
@@ -38,7 +38,7 @@ TEST(FrameTiming, knowsUnitsAndTheUpAxis)
     EXPECT_NEAR(fallTime(scene, meshOfHeight(77)), std::sqrt(2 / 9810.0), 1e-12);
 }
 
-TEST(FrameTiming, takesTheSlowMotionThatIsGiven)
+TEST(FrameTiming, TakesTheSlowMotionThatIsGiven)
 {
     Scene scene = presetScene(Preset::paper, "torus");
     scene.frames.slowMotion = 4;
@@ -46,7 +46,7 @@ TEST(FrameTiming, takesTheSlowMotionThatIsGiven)
     EXPECT_DOUBLE_EQ(frameTiming(scene, meshOfHeight(1)).interval, 0.01);
 }
 
-TEST(FrameEstimate, staysWithinTheLimitAndIsNothingWithoutFrames)
+TEST(FrameEstimate, StaysWithinTheLimitAndIsNothingWithoutFrames)
 {
     Scene scene = presetScene(Preset::paper, "torus");
     for (const std::size_t limit : {1u, 2u, 10u, 1000u})

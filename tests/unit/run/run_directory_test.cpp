@@ -13,7 +13,7 @@ using test::expectError;
 using test::TemporaryFolder;
 using test::writeFile;
 
-TEST(RunDirectory, isCreatedWithWhatIsMissingAboveIt)
+TEST(RunDirectory, IsCreatedWithWhatIsMissingAboveIt)
 {
     const TemporaryFolder folder;
     prepareRunDirectory(folder / "a/b", false);
@@ -21,7 +21,7 @@ TEST(RunDirectory, isCreatedWithWhatIsMissingAboveIt)
     prepareRunDirectory(folder / "a/b", false);
 }
 
-TEST(RunDirectory, isRefusedWhenItHoldsARun)
+TEST(RunDirectory, IsRefusedWhenItHoldsARun)
 {
     const TemporaryFolder folder;
     writeFile(folder / "spheres.csv", "");
@@ -31,26 +31,30 @@ TEST(RunDirectory, isRefusedWhenItHoldsARun)
     EXPECT_TRUE(std::filesystem::exists(folder / "spheres.csv"));
 }
 
-TEST(RunDirectory, losesTheFilesOfARunAndNothingElseWhenOverwritten)
+TEST(RunDirectory, LosesTheFilesOfARunAndNothingElseWhenOverwritten)
 {
     const TemporaryFolder folder;
     std::filesystem::create_directory(folder / "frames");
     for (const char* name : {"spheres.csv", "polygons.csv", "sets.csv", "summary.json", "mesh.ply",
                              "frames/frame_00000.png", "frames/frame_00001.png.part"})
+    {
         writeFile(folder / name, "old");
+    }
     writeFile(folder / "notes.txt", "mine");
     writeFile(folder / "frames/frame.txt", "mine");
 
     prepareRunDirectory(folder.path(), true);
     std::size_t left = 0;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path()))
+    {
         left += entry.is_regular_file() ? 1 : 0;
+    }
     EXPECT_EQ(left, 2u);
     EXPECT_EQ(test::readFile(folder / "notes.txt"), "mine");
     EXPECT_EQ(test::readFile(folder / "frames/frame.txt"), "mine");
 }
 
-TEST(RunDirectory, isRefusedWhenAFileIsInTheWay)
+TEST(RunDirectory, IsRefusedWhenAFileIsInTheWay)
 {
     const TemporaryFolder folder;
     writeFile(folder / "file", "");

@@ -33,7 +33,7 @@ std::vector<SetFrames> makeFrames(std::size_t count)
     return std::vector<SetFrames>(count, {{10, 30}, {1, 1}, {2, 4}});
 }
 
-TEST(SetTable, tellsMillisecondsAFrameAndFramesASecond)
+TEST(SetTable, TellsMillisecondsAFrameAndFramesASecond)
 {
     const auto rows = setTable(makeSets(1), makeFrames(1), 24);
     ASSERT_EQ(rows.size(), 2u);
@@ -47,7 +47,7 @@ TEST(SetTable, tellsMillisecondsAFrameAndFramesASecond)
     EXPECT_EQ(rows[1].name, "all");
 }
 
-TEST(SetTable, tellsMillisecondsAStepWhenNothingIsDrawn)
+TEST(SetTable, TellsMillisecondsAStepWhenNothingIsDrawn)
 {
     const auto rows = setTable(makeSets(1), {}, 24);
     EXPECT_EQ(rows[0].frames, 0u);
@@ -55,7 +55,7 @@ TEST(SetTable, tellsMillisecondsAStepWhenNothingIsDrawn)
     EXPECT_DOUBLE_EQ(rows[0].framesPerSecond, 4 / 0.006);
 }
 
-TEST(SetTable, sharesRowsWhenThereAreManySets)
+TEST(SetTable, SharesRowsWhenThereAreManySets)
 {
     for (const std::uint32_t count : {0u, 1u, 23u, 24u, 25u, 100u, 1000u})
     {
@@ -63,7 +63,9 @@ TEST(SetTable, sharesRowsWhenThereAreManySets)
         ASSERT_LE(rows.size(), 25u);
         std::size_t spheres = 0;
         for (std::size_t i = 0; i + 1 < rows.size(); ++i)
+        {
             spheres += rows[i].spheres;
+        }
         EXPECT_EQ(spheres, 20u * count);
         EXPECT_EQ(rows.empty(), count == 0);
         if (!rows.empty())
@@ -76,7 +78,7 @@ TEST(SetTable, sharesRowsWhenThereAreManySets)
     }
 }
 
-TEST(SetsCsv, hasARowASetAndAsManyCellsAsColumns)
+TEST(SetsCsv, HasARowASetAndAsManyCellsAsColumns)
 {
     const test::TemporaryFolder folder;
     writeSetsCsv(makeSets(30), makeFrames(7), folder / "sets.csv");
@@ -86,7 +88,9 @@ TEST(SetsCsv, hasARowASetAndAsManyCellsAsColumns)
     const auto commas = std::count(heading.begin(), heading.end(), ',');
     int rows = 0;
     for (std::string line; std::getline(text, line); ++rows)
+    {
         EXPECT_EQ(std::count(line.begin(), line.end(), ','), commas) << line;
+    }
     EXPECT_EQ(rows, 30);
 }
 

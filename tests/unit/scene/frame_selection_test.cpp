@@ -13,14 +13,18 @@ std::vector<std::size_t> chosen(const char* text, std::size_t frames)
     const FrameSelection selection = FrameSelection::parse(text).value();
     std::vector<std::size_t> numbers;
     for (std::size_t i = 0; i < frames; ++i)
+    {
         if (selection.has(i))
+        {
             numbers.push_back(i);
+        }
+    }
     return numbers;
 }
 
 using Numbers = std::vector<std::size_t>;
 
-TEST(FrameSelection, takesNumbersAndRangesWithoutTheirEnds)
+TEST(FrameSelection, TakesNumbersAndRangesWithoutTheirEnds)
 {
     EXPECT_EQ(chosen("7", 20), (Numbers{7}));
     EXPECT_EQ(chosen("0:30:10", 100), (Numbers{0, 10, 20}));
@@ -32,7 +36,7 @@ TEST(FrameSelection, takesNumbersAndRangesWithoutTheirEnds)
     EXPECT_EQ(chosen("none", 100), Numbers());
 }
 
-TEST(FrameSelection, knowsWhetherTheLastStateIsWanted)
+TEST(FrameSelection, KnowsWhetherTheLastStateIsWanted)
 {
     EXPECT_TRUE(FrameSelection::parse("all")->hasLast());
     EXPECT_TRUE(FrameSelection::parse("1,last")->hasLast());
@@ -40,14 +44,16 @@ TEST(FrameSelection, knowsWhetherTheLastStateIsWanted)
     EXPECT_FALSE(FrameSelection::parse("none")->hasLast());
 }
 
-TEST(FrameSelection, refusesWhatIsNotOfItsForm)
+TEST(FrameSelection, RefusesWhatIsNotOfItsForm)
 {
     for (const char* text : {"", ",", "1,", ",1", "x", "1:2:3:4", "1:2:0", "-1", "1.5", ":", "1::2",
                              "1:2:", "none,1", "all,1", " 1"})
+    {
         EXPECT_FALSE(FrameSelection::parse(text).has_value()) << "'" << text << "'";
+    }
 }
 
-TEST(FrameSelection, countsFramesForTheEstimate)
+TEST(FrameSelection, CountsFramesForTheEstimate)
 {
     EXPECT_EQ(FrameSelection::parse("all")->countOf(12), 12u);
     EXPECT_EQ(FrameSelection::parse("0:100:10")->countOf(35), 4u);

@@ -10,7 +10,7 @@ namespace frostfill
 namespace
 {
 
-TEST(Presets, areThePapersForItsObjects)
+TEST(Presets, AreThePapersForItsObjects)
 {
     const Scene torus = presetScene(Preset::paper, "torus");
     EXPECT_EQ(torus.spheres.count, 320u);
@@ -29,14 +29,14 @@ TEST(Presets, areThePapersForItsObjects)
     EXPECT_EQ(human.freezing.everySets, 3u);
 }
 
-TEST(Presets, nameARunAfterItsMesh)
+TEST(Presets, NameARunAfterItsMesh)
 {
     EXPECT_EQ(presetScene(Preset::paper, "torus").name, "torus");
     EXPECT_EQ(presetScene(Preset::paper, "some/where/bunny.fine.obj").name, "bunny.fine");
     EXPECT_FALSE(presetScene(Preset::paper, "some/where/").name.empty());
 }
 
-TEST(Gravity, isInUnitsOfTheMesh)
+TEST(Gravity, IsInUnitsOfTheMesh)
 {
     Scene scene;
     scene.object.unitsPerMetre = 1000;
@@ -44,7 +44,7 @@ TEST(Gravity, isInUnitsOfTheMesh)
     EXPECT_EQ(upVector(Axis::z), Eigen::Vector3d::UnitZ());
 }
 
-TEST(SphereRadius, solvesTheEstimateForTheCount)
+TEST(SphereRadius, SolvesTheEstimateForTheCount)
 {
     MeshReport sphere;
     sphere.volume = 4.0 / 3.0 * M_PI;
@@ -60,7 +60,7 @@ TEST(SphereRadius, solvesTheEstimateForTheCount)
     }
 }
 
-TEST(SphereRadius, isTheScenesOwnWhenGiven)
+TEST(SphereRadius, IsTheScenesOwnWhenGiven)
 {
     Scene scene;
     scene.spheres.radius = 0.125;

@@ -13,7 +13,7 @@ Table sample()
     return {"Title", {"object", "ms"}, {{"torus", "1.5"}, {"cube", "10 ± 2"}}, 1};
 }
 
-TEST(Table, alignsWordsLeftAndNumbersRightWhateverTheirBytes)
+TEST(Table, AlignsWordsLeftAndNumbersRightWhateverTheirBytes)
 {
     EXPECT_EQ(formatText(sample()), "Title\n"
                                     "object      ms\n"
@@ -21,7 +21,7 @@ TEST(Table, alignsWordsLeftAndNumbersRightWhateverTheirBytes)
                                     "cube    10 ± 2\n");
 }
 
-TEST(Table, isMarkdown)
+TEST(Table, IsMarkdown)
 {
     EXPECT_EQ(formatMarkdown(sample()), "**Title**\n\n"
                                         "| object | ms |\n"
@@ -30,7 +30,7 @@ TEST(Table, isMarkdown)
                                         "| cube | 10 ± 2 |\n");
 }
 
-TEST(Table, quotesWhatCsvHasToQuote)
+TEST(Table, QuotesWhatCsvHasToQuote)
 {
     Table table = sample();
     table.rows = {{"a,b", "say \"x\""}};

@@ -53,7 +53,9 @@ bool pierces(const Eigen::Vector3d& p, const Eigen::Vector3d& q, const TriangleM
     const Eigen::Vector3d &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]],
                           &c = mesh.vertices[t[2]];
     if (side(a, b, c, p) == side(a, b, c, q))
+    {
         return false;
+    }
     const bool turn = side(p, q, a, b);
     return side(p, q, b, c) == turn && side(p, q, c, a) == turn;
 }
@@ -66,14 +68,19 @@ TEST(BuiltInHuman, DoesNotPassThroughItself)
     {
         Eigen::AlignedBox3d bounds;
         for (const std::uint32_t corner : t)
+        {
             bounds.extend(human.vertices[corner]);
+        }
         boxes.push_back(bounds);
     }
     for (std::size_t i = 0; i < boxes.size(); ++i)
+    {
         for (std::size_t j = 0; j < boxes.size(); ++j)
         {
             if (i == j || !boxes[i].intersects(boxes[j]))
+            {
                 continue;
+            }
             const auto& t = human.triangles[i];
             const auto& other = human.triangles[j];
             for (std::size_t side = 0; side < 3; ++side)
@@ -86,6 +93,7 @@ TEST(BuiltInHuman, DoesNotPassThroughItself)
                     << "triangles " << i << " and " << j;
             }
         }
+    }
 }
 
 TEST(BuiltInHuman, StandsOnTheGroundAndHasNoNeedles)

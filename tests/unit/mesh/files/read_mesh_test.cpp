@@ -22,10 +22,16 @@ std::string binaryStl(const TriangleMesh& mesh)
     for (const auto& t : mesh.triangles)
     {
         for (int i = 0; i < 3; ++i)
+        {
             appendBytes(bytes, 0.0F);
+        }
         for (const std::uint32_t corner : t)
+        {
             for (int axis = 0; axis < 3; ++axis)
+            {
                 appendBytes(bytes, static_cast<float>(mesh.vertices[corner][axis]));
+            }
+        }
         appendBytes(bytes, std::uint16_t{0});
     }
     return bytes;
@@ -51,11 +57,19 @@ std::string gltfBuffer()
     const TriangleMesh mesh = test::box(0, 1);
     std::string bytes;
     for (const auto& vertex : mesh.vertices)
+    {
         for (int axis = 0; axis < 3; ++axis)
+        {
             appendBytes(bytes, static_cast<float>(vertex[axis]));
+        }
+    }
     for (const auto& t : mesh.triangles)
+    {
         for (const std::uint32_t corner : t)
+        {
             appendBytes(bytes, corner);
+        }
+    }
     return bytes;
 }
 
@@ -153,12 +167,14 @@ TEST(ReadMesh, RefusesFilesThatAreNoMesh)
 {
     for (const char* name :
          {"junk.obj", "junk.stl", "junk.ply", "junk.off", "junk.gltf", "junk.glb"})
+    {
         for (const std::string& content :
              {std::string(), std::string("hello there, no mesh here\n"), std::string(300, '\x7f')})
         {
             const auto file = test::writeFile(name, content);
             test::expectRefused(ErrorCode::badData, name, [&] { (void)readMesh(file); });
         }
+    }
 }
 
 TEST(ReadMesh, RefusesNumbersThatAreNotFinite)

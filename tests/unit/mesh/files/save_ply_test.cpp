@@ -53,7 +53,9 @@ TEST(SavePly, KeepsEveryBit)
     ASSERT_EQ(read.vertices.size(), mesh.vertices.size());
     EXPECT_EQ(read.triangles, mesh.triangles);
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
+    {
         EXPECT_EQ(std::memcmp(read.vertices[i].data(), mesh.vertices[i].data(), 24), 0) << i;
+    }
 }
 
 TEST(SavePly, WritesWhatReadMeshReads)

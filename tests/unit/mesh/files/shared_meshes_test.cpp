@@ -16,7 +16,9 @@ protected:
     void SetUp() override
     {
         if (!std::filesystem::exists(testing_support::sharedMeshes()))
+        {
             GTEST_SKIP() << "no folder " << testing_support::sharedMeshes();
+        }
     }
 
     static std::string file(const std::string& name)

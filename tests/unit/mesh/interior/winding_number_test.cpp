@@ -12,12 +12,14 @@ TEST(WindingNumber, IsOneInsideAndZeroOutsideTheCube)
 {
     const TriangleMesh cube = builtInMesh("cube");
     for (const double x : {-1.3, -0.9, -0.1, 0.37, 0.99, 1.01})
+    {
         for (const double y : {-1.1, -0.6, 0.02, 0.93})
         {
             const Eigen::Vector3d point(x, y, 0.21);
             const bool inside = point.cwiseAbs().maxCoeff() < 1;
             EXPECT_NEAR(windingNumber(cube, point), inside ? 1 : 0, 1e-9) << point.transpose();
         }
+    }
 }
 
 TEST(WindingNumber, IsZeroInTheHoleOfTheTorusAndOneInItsTube)

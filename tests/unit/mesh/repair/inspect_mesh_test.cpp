@@ -74,7 +74,9 @@ TEST(InspectMesh, CountsNoHandleWhereTwoPiecesTouchInAPoint)
     TriangleMesh other = test::box(1, 2);
     test::append(mesh, other);
     for (auto& t : mesh.triangles)
+    {
         std::replace(t.begin(), t.end(), std::uint32_t{8}, std::uint32_t{7});
+    }
     const MeshReport report = inspectMesh(mesh);
     EXPECT_TRUE(report.closed());
     EXPECT_EQ(report.components, 2U);

@@ -55,17 +55,25 @@ TEST(RepairHoles, ClosesHolesThatMeetInAVertex)
     const auto vertex = static_cast<std::uint32_t>(inner - mesh.vertices.begin());
     std::vector<std::size_t> around;
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    {
         if (std::count(mesh.triangles[i].begin(), mesh.triangles[i].end(), vertex) > 0)
+        {
             around.push_back(i);
+        }
+    }
     // Of the triangles around the vertex two that share no edge.
     for (const std::size_t other : around)
     {
         std::size_t shared = 0;
         for (const std::uint32_t corner : mesh.triangles[other])
+        {
             shared += static_cast<std::size_t>(std::count(mesh.triangles[around[0]].begin(),
                                                           mesh.triangles[around[0]].end(), corner));
+        }
         if (shared != 1)
+        {
             continue;
+        }
         mesh.triangles.erase(mesh.triangles.begin() + static_cast<std::ptrdiff_t>(other));
         mesh.triangles.erase(mesh.triangles.begin() + static_cast<std::ptrdiff_t>(around[0]));
         break;
@@ -96,11 +104,15 @@ TEST(RepairHoles, MakesAConsistentSurfaceOfManyDefectsAtOnce)
     TriangleMesh mesh = builtInMesh("human");
     const double volume = signedVolume(mesh);
     for (std::size_t i = 50; i < mesh.triangles.size(); i += 97)
+    {
         test::flip(mesh.triangles[i]);
+    }
     mesh.triangles.push_back(mesh.triangles[10]);
     mesh.triangles.push_back({4, 4, 9});
     for (std::size_t i = 2100; i > 100; i -= 131)
+    {
         mesh.triangles.erase(mesh.triangles.begin() + static_cast<std::ptrdiff_t>(i));
+    }
     test::flipAll(mesh);
     const LoadedMesh loaded = repairMesh(mesh, "human");
     EXPECT_TRUE(loaded.report.closed());

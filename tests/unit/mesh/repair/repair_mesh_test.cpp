@@ -33,7 +33,9 @@ TEST(RepairMesh, TurnsSingleTrianglesToAgreeWithTheirNeighbours)
     TriangleMesh mesh = builtInMesh("human");
     const double volume = signedVolume(mesh);
     for (const std::size_t i : {3, 77, 78, 2000})
+    {
         test::flip(mesh.triangles[i]);
+    }
     const LoadedMesh loaded = repairMesh(mesh, "human");
     test::expectOnlyRepair(loaded, "turned 4 triangles");
     EXPECT_DOUBLE_EQ(loaded.report.volume, volume);
@@ -89,8 +91,12 @@ TEST(RepairMesh, RemovesTheWallBetweenTwoSolidsThatShareIt)
     test::append(mesh, right);
     // The right box's low-x face gets the left one's vertices and the same diagonal.
     for (auto& t : mesh.triangles)
+    {
         for (const auto& [own, shared] : {std::pair{8U, 1U}, {10U, 3U}, {12U, 5U}, {14U, 7U}})
+        {
             std::replace(t.begin(), t.end(), own, shared);
+        }
+    }
     ASSERT_EQ(mesh.triangles[20], (std::array<std::uint32_t, 3>{1, 5, 7}));
     const LoadedMesh loaded = repairMesh(mesh, "boxes");
     EXPECT_EQ(loaded.report.components, 1U);
@@ -130,8 +136,12 @@ TEST(RepairMesh, RemovesUnusedVertices)
     TriangleMesh mesh = test::box(0, 1);
     mesh.vertices.insert(mesh.vertices.begin(), Eigen::Vector3d(9, 9, 9));
     for (auto& t : mesh.triangles)
+    {
         for (auto& corner : t)
+        {
             ++corner;
+        }
+    }
     const LoadedMesh loaded = repairMesh(mesh, "box");
     test::expectOnlyRepair(loaded, "1 unused vertex");
     EXPECT_EQ(loaded.mesh.vertices.size(), 8U);
@@ -142,7 +152,9 @@ TEST(RepairMesh, JoinsSeamsThatMissEachOtherByRounding)
 {
     TriangleMesh mesh = test::soup(builtInMesh("human"));
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
+    {
         mesh.vertices[i].x() += 1e-8 * static_cast<double>(i % 3);
+    }
     const LoadedMesh loaded = repairMesh(mesh, "human");
     EXPECT_EQ(loaded.report.vertices, 1111U);
     EXPECT_TRUE(loaded.report.closed());
@@ -155,8 +167,12 @@ TEST(RepairMesh, SeparatesSolidsThatTouchAlongAnEdge)
     TriangleMesh mesh = test::box({0, 0, 0}, {1, 1, 1});
     test::append(mesh, test::box({1, 1, 0}, {2, 2, 1}));
     for (auto& t : mesh.triangles)
+    {
         for (const auto& [own, shared] : {std::pair{8U, 3U}, {12U, 7U}})
+        {
             std::replace(t.begin(), t.end(), own, shared);
+        }
+    }
     ASSERT_EQ(inspectMesh(mesh).nonManifoldEdges, 1U);
     const LoadedMesh loaded = repairMesh(mesh, "boxes");
     ASSERT_FALSE(loaded.repairs.empty());
@@ -222,7 +238,9 @@ TEST(RepairMesh, RefusesAOneSidedSurface)
     // The six-vertex projective plane: every edge has two triangles, but no winding fits.
     TriangleMesh mesh;
     for (int i = 0; i < 6; ++i)
+    {
         mesh.vertices.emplace_back(std::cos(i), std::sin(2.0 * i), 0.3 * i * i);
+    }
     mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 1},
                       {1, 2, 4}, {2, 3, 5}, {3, 4, 1}, {4, 5, 2}, {5, 1, 3}};
     test::expectRefused(ErrorCode::badData, "one-sided", [&] { (void)repairMesh(mesh, "plane"); });

@@ -32,9 +32,11 @@ protected:
     {
         Numbers numbers;
         for (int i = 0; i < 40; ++i)
+        {
             addSphere(snapshot,
                       {2 * numbers.next() - 1, 2 * numbers.next() - 1, 2 * numbers.next() - 1},
                       0.1 + 0.1 * numbers.next(), static_cast<SphereState>(i % 3));
+        }
         settings.size = {320, 180};
         settings.title = "backends";
     }
@@ -58,7 +60,9 @@ protected:
 TEST_F(Backends, EglDrawsTheBytesOfOsmesaOnTheSameMesa)
 {
     if (!hasEgl())
+    {
         GTEST_SKIP() << "there is no libEGL";
+    }
     std::string driver;
     const Image reference = draw(Backend::osmesa, driver);
     for (const Backend backend : {Backend::eglSoftware, Backend::eglSurfaceless})
@@ -73,7 +77,9 @@ TEST_F(Backends, EglDrawsTheBytesOfOsmesaOnTheSameMesa)
 TEST_F(Backends, ContextsOfTwoLibrariesTakeTurnsInOneThread)
 {
     if (!hasEgl())
+    {
         GTEST_SKIP() << "there is no libEGL";
+    }
     RenderSettings other = settings;
     settings.backend = Backend::osmesa;
     other.backend = Backend::eglSurfaceless;
@@ -104,9 +110,13 @@ TEST_F(Backends, ProbingTriesEveryOneAndSaysWhatIsMissing)
     {
         EXPECT_EQ(attempt.works, attempt.remedy.empty());
         if (attempt.works)
+        {
             EXPECT_NE(attempt.description.find("OpenGL"), std::string::npos);
+        }
         else
+        {
             EXPECT_NE(attempt.description.find(attempt.name), std::string::npos);
+        }
     }
 }
 

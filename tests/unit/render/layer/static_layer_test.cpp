@@ -50,7 +50,9 @@ protected:
     void SetUp() override
     {
         if (settings.backend == Backend::automatic)
+        {
             return;
+        }
         try
         {
             const Renderer renderer(mesh, settings);

@@ -25,15 +25,20 @@ Eigen::Vector3d seen(const Eigen::Matrix3d& vision, double value)
 TEST(ColourScale, GetsLighterForEveryKindOfColourVision)
 {
     for (const Eigen::Matrix3d& vision : visions())
+    {
         for (int i = 0; i < kSteps; ++i)
+        {
             EXPECT_GT(seen(vision, (i + 1.0) / kSteps)[0], seen(vision, double{1} * i / kSteps)[0])
                 << "vision\n"
                 << vision << "\nstep " << i;
+        }
+    }
 }
 
 TEST(ColourScale, EqualStepsAreSeenForEveryKindOfColourVision)
 {
     for (const Eigen::Matrix3d& vision : visions())
+    {
         for (int i = 0; i < kSteps; ++i)
         {
             const double step =
@@ -41,6 +46,7 @@ TEST(ColourScale, EqualStepsAreSeenForEveryKindOfColourVision)
             EXPECT_GT(step, 3) << "vision\n" << vision << "\nstep " << i;
             EXPECT_LT(step, 20) << "vision\n" << vision << "\nstep " << i;
         }
+    }
 }
 
 TEST(ColourScale, ValuesBeyondItBecomeItsEnds)

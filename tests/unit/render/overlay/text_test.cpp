@@ -85,8 +85,10 @@ TEST(Font, BoundsHoldTheTextWithItsHaloAndNothingElse)
         for (int x = 0; x < 200; ++x)
         {
             if (image.at(x, y)[0] != 0)
+            {
                 drawn = {std::min(drawn[0], x), std::min(drawn[1], y), std::max(drawn[2], x + 1),
                          std::max(drawn[3], y + 1)};
+            }
         }
     }
     EXPECT_EQ(font.bounds(10.3, 30, " (Frostfill)"), drawn);

@@ -10,7 +10,7 @@ namespace frostfill
 namespace
 {
 
-TEST(NearestName, editDistanceCountsInsertionsDeletionsAndSubstitutions)
+TEST(NearestName, EditDistanceCountsInsertionsDeletionsAndSubstitutions)
 {
     EXPECT_EQ(editDistance("", ""), 0u);
     EXPECT_EQ(editDistance("", "abc"), 3u);
@@ -19,7 +19,7 @@ TEST(NearestName, editDistanceCountsInsertionsDeletionsAndSubstitutions)
     EXPECT_EQ(editDistance("sitting", "kitten"), 3u);
 }
 
-TEST(NearestName, findsATypingErrorAndNothingForAForeignWord)
+TEST(NearestName, FindsATypingErrorAndNothingForAForeignWord)
 {
     const std::vector<std::string> names = {"spheres.radius", "spheres.count", "motion.dt"};
     EXPECT_EQ(nearestName("spheres.raduis", names), "spheres.radius");

@@ -13,7 +13,7 @@ namespace
 
 using test::expectError;
 
-TEST(Options, haveNamesOfTheirOwnAndAllTheirParts)
+TEST(Options, HaveNamesOfTheirOwnAndAllTheirParts)
 {
     std::set<std::string> keys;
     std::set<std::string> flags;
@@ -28,7 +28,7 @@ TEST(Options, haveNamesOfTheirOwnAndAllTheirParts)
     EXPECT_EQ(findOption("no.such.key"), nullptr);
 }
 
-TEST(Options, giveBackOnTheCommandLineWhatTheyAre)
+TEST(Options, GiveBackOnTheCommandLineWhatTheyAre)
 {
     Scene scene = presetScene(Preset::paper, "torus");
     scene.camera.target = Eigen::Vector3d(0.1, -2, 1e-7);
@@ -43,7 +43,7 @@ TEST(Options, giveBackOnTheCommandLineWhatTheyAre)
     }
 }
 
-TEST(Options, takeWordsForNumbersAndForNothing)
+TEST(Options, TakeWordsForNumbersAndForNothing)
 {
     Scene scene;
     const Option& units = *findOption("object.units_per_metre");
@@ -58,7 +58,7 @@ TEST(Options, takeWordsForNumbersAndForNothing)
     EXPECT_FALSE(scene.motion.dt);
 }
 
-TEST(Options, refuseWhatIsNotOfTheirTypeOrRange)
+TEST(Options, RefuseWhatIsNotOfTheirTypeOrRange)
 {
     const auto refused = [](const char* key, const char* text)
     {
@@ -90,7 +90,7 @@ TEST(Options, refuseWhatIsNotOfTheirTypeOrRange)
     EXPECT_TRUE(refused("camera.target", "1,2,3,4"));
 }
 
-TEST(ValidateScene, namesTheFirstValueThatMakesNoSenseAndItsRange)
+TEST(ValidateScene, NamesTheFirstValueThatMakesNoSenseAndItsRange)
 {
     Scene scene = presetScene(Preset::paper, "torus");
     EXPECT_NO_THROW(validateScene(scene));
@@ -102,7 +102,7 @@ TEST(ValidateScene, namesTheFirstValueThatMakesNoSenseAndItsRange)
         ErrorCode::usage, [&] { validateScene(scene); }, "--restitution");
 }
 
-TEST(ValidateScene, asksForARadiusOrACount)
+TEST(ValidateScene, AsksForARadiusOrACount)
 {
     Scene scene = presetScene(Preset::paper, "torus");
     scene.spheres.count.reset();
@@ -123,7 +123,9 @@ TEST(PictureOptions, CutawaysAreReadAndWrittenAlike)
     EXPECT_EQ(scene.style.cutaway.offset, 0);
     for (const char* text : {"", "plane", "plane:1,0", "plane:0,0,0", "plane:1,0,0,1,1", "wedge:0",
                              "wedge:90,0", "wedge:0,181", "wedge:0,nan", "plane:1,,0", "ball:1"})
+    {
         EXPECT_FALSE(setOption(option, scene, std::string(text))) << text;
+    }
 }
 
 TEST(PictureOptions, PassesAreReadAndWrittenAlike)
@@ -131,13 +133,21 @@ TEST(PictureOptions, PassesAreReadAndWrittenAlike)
     const Option& option = *findOption("frames.passes");
     Scene scene;
     for (const char* text : {"none", "depth", "normal,identity", "depth,normal,identity"})
+    {
         if (setOption(option, scene, std::string(text)))
+        {
             EXPECT_EQ(std::get<std::string>(option.get(scene)), text);
+        }
         else
+        {
             ADD_FAILURE() << text;
+        }
+    }
     EXPECT_TRUE(setOption(option, scene, std::string("all")) && scene.frames.passes.identity);
     for (const char* text : {"", "colour", "depth,", "depth normal"})
+    {
         EXPECT_FALSE(setOption(option, scene, std::string(text))) << text;
+    }
 }
 
 TEST(PictureOptions, AStyleBringsItsColoursAndGivenOnesComeAfterIt)

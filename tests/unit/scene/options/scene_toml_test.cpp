@@ -15,7 +15,9 @@ using test::expectError;
 void expectEqual(const Scene& a, const Scene& b)
 {
     for (const Option& option : sceneOptions())
+    {
         EXPECT_EQ(option.get(a), option.get(b)) << option.key;
+    }
 }
 
 /// Every field differs from its default and is hard to write.
@@ -52,7 +54,7 @@ Scene unusualScene()
     return scene;
 }
 
-TEST(SceneToml, givesBackEveryValueExactly)
+TEST(SceneToml, GivesBackEveryValueExactly)
 {
     for (const char* mesh : {"torus", "sphere", "cube", "human", "file.obj"})
     {
@@ -62,7 +64,7 @@ TEST(SceneToml, givesBackEveryValueExactly)
     expectEqual(parseScene(sceneToToml(unusualScene()), "test"), unusualScene());
 }
 
-TEST(SceneToml, standsOnThePresetOfItsMesh)
+TEST(SceneToml, StandsOnThePresetOfItsMesh)
 {
     const Scene scene =
         parseScene("[object]\nmesh = \"cube\"\n[motion]\nrestitution = 1\n", "test");
@@ -72,13 +74,13 @@ TEST(SceneToml, standsOnThePresetOfItsMesh)
     expectEqual(parseScene("", "test"), presetScene(Preset::fast, "torus"));
 }
 
-TEST(SceneToml, fillsUntilFullWhenOnlyARadiusIsGiven)
+TEST(SceneToml, FillsUntilFullWhenOnlyARadiusIsGiven)
 {
     EXPECT_FALSE(parseScene("spheres.radius = 0.1", "test").spheres.count);
     EXPECT_EQ(parseScene("spheres = {radius = 0.1, count = 5}", "test").spheres.count, 5u);
 }
 
-TEST(SceneToml, namesFileLineAndNearestKeyForAnUnknownOne)
+TEST(SceneToml, NamesFileLineAndNearestKeyForAnUnknownOne)
 {
     expectError(
         ErrorCode::badData,
@@ -89,7 +91,7 @@ TEST(SceneToml, namesFileLineAndNearestKeyForAnUnknownOne)
         "spheres");
 }
 
-TEST(SceneToml, namesFileLineAndKeyForAWrongTypeOrRange)
+TEST(SceneToml, NamesFileLineAndKeyForAWrongTypeOrRange)
 {
     const auto refused = [](const char* text, const char* key)
     {
@@ -110,14 +112,14 @@ TEST(SceneToml, namesFileLineAndKeyForAWrongTypeOrRange)
     refused("picture.size = 2020-01-01", "picture.size");
 }
 
-TEST(SceneToml, namesTheLineOfASyntaxError)
+TEST(SceneToml, NamesTheLineOfASyntaxError)
 {
     expectError(
         ErrorCode::badData, [] { (void)parseScene("seed = 1\nname = \n", "my.toml"); }, "my.toml",
         "line 2");
 }
 
-TEST(LoadScene, takesMeshesRelativeToTheFile)
+TEST(LoadScene, TakesMeshesRelativeToTheFile)
 {
     const test::TemporaryFolder folder;
     test::writeFile(folder / "a.toml", "object.mesh = \"part.stl\"");
@@ -128,7 +130,7 @@ TEST(LoadScene, takesMeshesRelativeToTheFile)
     EXPECT_EQ(loadScene(folder / "c.toml").name, "torus");
 }
 
-TEST(LoadScene, tellsThatAFileIsMissing)
+TEST(LoadScene, TellsThatAFileIsMissing)
 {
     expectError(
         ErrorCode::inputMissing, [] { (void)loadScene("no/such/file.toml"); }, "no/such/file.toml");

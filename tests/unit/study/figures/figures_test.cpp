@@ -22,18 +22,22 @@ std::size_t testsIn(const Table& table)
 {
     std::size_t tests = 0;
     for (const auto& row : table.rows)
+    {
         tests += std::stoul(row[3]);
+    }
     return tests;
 }
 
-TEST(Figures, haveNamesOfTheirOwn)
+TEST(Figures, HaveNamesOfTheirOwn)
 {
     std::set<std::string> names;
     for (const Figure& figure : allFigures())
     {
         EXPECT_TRUE(names.insert(figure.name).second) << figure.name;
         if (!figure.script)
+        {
             continue;
+        }
         EXPECT_NE(figure.script().find("name = \"" + std::string(figure.name) + "\""),
                   std::string_view::npos)
             << figure.name;
@@ -41,7 +45,7 @@ TEST(Figures, haveNamesOfTheirOwn)
     EXPECT_GE(names.size(), 9u);
 }
 
-TEST(Figures, measuredTimesAreTakenFromWhereTheyWereRecorded)
+TEST(Figures, MeasuredTimesAreTakenFromWhereTheyWereRecorded)
 {
     const TemporaryFolder folder;
     std::filesystem::create_directory(folder / "before");
@@ -57,7 +61,7 @@ TEST(Figures, measuredTimesAreTakenFromWhereTheyWereRecorded)
     EXPECT_FALSE(FigureFolder(request).reuse("times.csv"));
 }
 
-TEST(Figures, measuredTimesMayLieWhereTheyAreWritten)
+TEST(Figures, MeasuredTimesMayLieWhereTheyAreWritten)
 {
     const TemporaryFolder folder;
     test::writeFile(folder / "times.csv", "recorded\n");
@@ -68,7 +72,7 @@ TEST(Figures, measuredTimesMayLieWhereTheyAreWritten)
 }
 
 // The pairs of groups hold the tests that Algorithm 1 counts.
-TEST(PairTable, holdsAsManyTestsAsAStepMakes)
+TEST(PairTable, HoldsAsManyTestsAsAStepMakes)
 {
     Scene scene = presetScene(Preset::paper, "torus");
     scene.spheres.count = 120;
@@ -82,7 +86,7 @@ TEST(PairTable, holdsAsManyTestsAsAStepMakes)
     }
 }
 
-TEST(Section, cutsASphereInTheCircleOfPythagoras)
+TEST(Section, CutsASphereInTheCircleOfPythagoras)
 {
     Snapshot snapshot;
     snapshot.origin = {10, 0, 0};
@@ -95,7 +99,7 @@ TEST(Section, cutsASphereInTheCircleOfPythagoras)
     EXPECT_EQ(table.rows[0], (std::vector<std::string>{"frozen", "0.50000", "0.00000", "0.40000"}));
 }
 
-TEST(Section, cutsACubeInASquare)
+TEST(Section, CutsACubeInASquare)
 {
     const TriangleMesh mesh = builtInMesh("cube");
     const std::vector<PolygonState> states(mesh.triangles.size(), PolygonState::active);
@@ -103,15 +107,19 @@ TEST(Section, cutsACubeInASquare)
         boundingBox(mesh).center() + Eigen::Vector3d(0, 0, 0.1), {1, 0, 0}, {0, 1, 0}};
     double length = 0;
     for (const auto& row : tracesOf(mesh, states, plane, 1).rows)
+    {
         length += std::hypot(std::stod(row[4]), std::stod(row[5]));
+    }
     EXPECT_NEAR(length, 8, 1e-3);
 }
 
-TEST(Panels, lieSideBySideAboveTheirStrips)
+TEST(Panels, LieSideBySideAboveTheirStrips)
 {
     std::vector<Image> panels(3);
     for (std::size_t i = 0; i < panels.size(); ++i)
+    {
         panels[i] = {2, 1, 3, std::vector<std::uint8_t>(6, static_cast<std::uint8_t>(i + 1))};
+    }
     const Image joined = joinPanels(panels, 2, 1);
     EXPECT_EQ(joined.width, 4);
     EXPECT_EQ(joined.height, 4);

@@ -36,14 +36,16 @@ protected:
     static const FpsObject& cube() { return result().objects.front(); }
 };
 
-TEST_F(FpsStudy, theSearchesOfThePaperEndInTheSameState)
+TEST_F(FpsStudy, TheSearchesOfThePaperEndInTheSameState)
 {
     ASSERT_EQ(cube().methods.size(), 5u);
     for (std::size_t i = 1; i < 4; ++i)
+    {
         EXPECT_EQ(cube().methods[i].stateHash, cube().methods[0].stateHash);
+    }
 }
 
-TEST_F(FpsStudy, theSecondSetRunsTogetherWithTheFirst)
+TEST_F(FpsStudy, TheSecondSetRunsTogetherWithTheFirst)
 {
     const FpsMethodResult& loop = cube().methods.front();
     ASSERT_EQ(loop.sets.size(), 4u);
@@ -54,37 +56,45 @@ TEST_F(FpsStudy, theSecondSetRunsTogetherWithTheFirst)
     EXPECT_EQ(loop.sets[2].frozen + loop.sets[2].discarded, 42u);
 }
 
-TEST_F(FpsStudy, warmUpStepsDoNotCount)
+TEST_F(FpsStudy, WarmUpStepsDoNotCount)
 {
     const FpsMethodResult& loop = cube().methods.front();
     std::size_t inSets = 0;
     for (const FpsSet& set : loop.sets)
+    {
         inSets += set.step.count;
+    }
     EXPECT_EQ(inSets, loop.step.count);
     EXPECT_EQ(loop.step.count % result().request.repeats, 0u);
     EXPECT_GE(loop.step.mean, loop.spherePolygon.mean);
 }
 
-TEST_F(FpsStudy, thePaperStandsBesideOurs)
+TEST_F(FpsStudy, ThePaperStandsBesideOurs)
 {
     const Table table = fpsTables(result()).front();
     ASSERT_EQ(table.rows.size(), 2u);
     EXPECT_EQ(table.rows[0][3], rangeText(paperNumbers("cube")->spherePolygonMs[0]));
     EXPECT_EQ(table.rows[1][3], "35");
     for (const auto& each : fpsTables(result()))
+    {
         for (const auto& row : each.rows)
+        {
             EXPECT_EQ(row.size(), each.headings.size()) << each.title;
+        }
+    }
 }
 
-TEST_F(FpsStudy, everySetIsARowOfTheCsv)
+TEST_F(FpsStudy, EverySetIsARowOfTheCsv)
 {
     const Table table = fpsSetTable(result());
     EXPECT_GE(table.rows.size(), 5u * 4 - 1);
     for (const auto& row : table.rows)
+    {
         ASSERT_EQ(row.size(), table.headings.size());
+    }
 }
 
-TEST_F(FpsStudy, framesASecondFallWithEveryStageAdded)
+TEST_F(FpsStudy, FramesASecondFallWithEveryStageAdded)
 {
     const PictureMs picture = {4, 7, 10, 2, 8};
     const FramesPerSecond fps = framesPerSecond(5, &picture);
@@ -96,7 +106,7 @@ TEST_F(FpsStudy, framesASecondFallWithEveryStageAdded)
     EXPECT_EQ(cube().picturesOf(FpsMethod::fast), nullptr);
 }
 
-TEST(FpsPictures, areThoseOfEachMethodAndTellTheirParts)
+TEST(FpsPictures, AreThoseOfEachMethodAndTellTheirParts)
 {
     FpsRequest request;
     request.scenes = {presetScene(Preset::paper, "cube")};
@@ -124,7 +134,7 @@ TEST(FpsPictures, areThoseOfEachMethodAndTellTheirParts)
     EXPECT_EQ(json["fast"]["render_ms"], cube.fastPictures.mean.render);
 }
 
-TEST_F(FpsStudy, aMeasurementHasNotRegressedAgainstItself)
+TEST_F(FpsStudy, AMeasurementHasNotRegressedAgainstItself)
 {
     const auto json = fpsJson(result());
     const FpsComparison comparison = compareFps(json, json, 0, "itself");
@@ -133,7 +143,7 @@ TEST_F(FpsStudy, aMeasurementHasNotRegressedAgainstItself)
     EXPECT_TRUE(comparison.sameMachine);
 }
 
-TEST_F(FpsStudy, whatTakesLongerThanTheThresholdHasRegressed)
+TEST_F(FpsStudy, WhatTakesLongerThanTheThresholdHasRegressed)
 {
     const auto now = fpsJson(result());
     auto before = now;
@@ -148,7 +158,7 @@ TEST_F(FpsStudy, whatTakesLongerThanTheThresholdHasRegressed)
     EXPECT_NEAR(change->percent(), 20, 1e-9);
 }
 
-TEST_F(FpsStudy, differentWorkIsNotCompared)
+TEST_F(FpsStudy, DifferentWorkIsNotCompared)
 {
     const auto now = fpsJson(result());
     auto before = now;
@@ -162,10 +172,12 @@ TEST_F(FpsStudy, differentWorkIsNotCompared)
         "was not written by");
 }
 
-TEST(PaperNumbers, areKnownForTheFourObjectsAlone)
+TEST(PaperNumbers, AreKnownForTheFourObjectsAlone)
 {
     for (const std::string& name : builtInMeshNames())
+    {
         ASSERT_NE(paperNumbers(name), nullptr) << name;
+    }
     EXPECT_EQ(paperNumbers("bunny.obj"), nullptr);
     EXPECT_EQ(rangeText({13, 25}), "13–25");
     EXPECT_EQ(paperNumbers("human")->spherePolygonMs.size(), 3u);

@@ -22,7 +22,7 @@ Scene fortySpheres()
     return scene;
 }
 
-TEST(GrowthStudy, testsOfARunAreThoseOfLemma1AndLeaveTheLastSetOut)
+TEST(GrowthStudy, TestsOfARunAreThoseOfLemma1AndLeaveTheLastSetOut)
 {
     const auto points = growthOfRun(fortySpheres(), builtInMesh("cube"), 100);
     ASSERT_EQ(points.size(), 7u);
@@ -33,7 +33,7 @@ TEST(GrowthStudy, testsOfARunAreThoseOfLemma1AndLeaveTheLastSetOut)
     }
 }
 
-TEST(GrowthStudy, whatASphereCostsIsThatOfItsStepsInAll)
+TEST(GrowthStudy, WhatASphereCostsIsThatOfItsStepsInAll)
 {
     const Scene scene = fortySpheres();
     Simulation simulation(scene, builtInMesh("cube"));
@@ -49,7 +49,7 @@ TEST(GrowthStudy, whatASphereCostsIsThatOfItsStepsInAll)
     }
 }
 
-TEST(GrowthStudy, withoutFreezingEveryPairIsTested)
+TEST(GrowthStudy, WithoutFreezingEveryPairIsTested)
 {
     const auto points = growthWithoutFreezing(fortySpheres(), builtInMesh("cube"), 4);
     ASSERT_EQ(points.size(), 4u);
@@ -62,11 +62,13 @@ TEST(GrowthStudy, withoutFreezingEveryPairIsTested)
     EXPECT_EQ(points.back().spheres, 40u);
 }
 
-TEST(GrowthStudy, growthComparesTheFirstTenthWithTheLast)
+TEST(GrowthStudy, GrowthComparesTheFirstTenthWithTheLast)
 {
     std::vector<GrowthPoint> points;
     for (int i = 0; i < 20; ++i)
+    {
         points.push_back({0, i < 2 ? 100.0 : 110.0, i < 2 ? 2.0 : 1.0, i < 2 ? 4.0 : 5.0, 1.0});
+    }
     EXPECT_NEAR(firstToLastTenth(points).tests, 10, 1e-9);
     EXPECT_NEAR(firstToLastTenth(points).ms, -50, 1e-9);
     EXPECT_NEAR(firstToLastTenth(points).testsOfSphere, 25, 1e-9);

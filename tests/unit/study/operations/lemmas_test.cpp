@@ -18,11 +18,13 @@ Operations countPairs(std::uint64_t n, std::uint64_t running, std::uint64_t disc
 {
     Operations counted;
     for (std::uint64_t i = n - running; i < n; ++i)
+    {
         for (std::uint64_t j = discarded; j < i; ++j)
         {
             ++counted.tests;
             counted.responses += j >= n - running ? 2 : 1;
         }
+    }
     return counted;
 }
 
@@ -32,14 +34,14 @@ void expectEqual(const Operations& a, const Operations& b)
     EXPECT_EQ(a.responses, b.responses);
 }
 
-TEST(Lemmas, bruteForceCountsEveryPair)
+TEST(Lemmas, BruteForceCountsEveryPair)
 {
     expectEqual(bruteForce(0), {0, 0});
     expectEqual(bruteForce(1), {0, 0});
     expectEqual(bruteForce(30), countPairs(30, 30, 0));
 }
 
-TEST(Lemmas, lemma1CountsTheLastGroupAgainstTheFrozenOnes)
+TEST(Lemmas, Lemma1CountsTheLastGroupAgainstTheFrozenOnes)
 {
     expectEqual(lemma1(1, 10, 0), countPairs(10, 10, 0));
     expectEqual(lemma1(7, 5, 0), countPairs(35, 5, 0));
@@ -48,14 +50,14 @@ TEST(Lemmas, lemma1CountsTheLastGroupAgainstTheFrozenOnes)
     EXPECT_NEAR(static_cast<double>(lemma1(10, 10000, 0).sum()) / 1e8, 19.5, 0.001);
 }
 
-TEST(Lemmas, lemma2CountsTheLastSetAgainstTheEarlierOnes)
+TEST(Lemmas, Lemma2CountsTheLastSetAgainstTheEarlierOnes)
 {
     expectEqual(lemma2(9, 4, 3, 0), countPairs(36, 12, 0));
     expectEqual(lemma2(9, 4, 3, 2), countPairs(36, 12, 8));
     expectEqual(lemma2(8, 4, 1, 0), lemma1(8, 4, 0));
 }
 
-TEST(Lemmas, lemma3TakesOffWhatEarlierSetsDiscarded)
+TEST(Lemmas, Lemma3TakesOffWhatEarlierSetsDiscarded)
 {
     const std::array<std::uint64_t, 3> discarded = {5, 0, 7};
     // 20 spheres a set: 100, then 95, then 95 polygons.

@@ -8,21 +8,25 @@ namespace frostfill
 namespace
 {
 
-TEST(OperationsStudy, everySetAgreesWithTheLemmas)
+TEST(OperationsStudy, EverySetAgreesWithTheLemmas)
 {
     for (const std::uint64_t k : {1, 2})
+    {
         for (const bool discards : {false, true})
         {
             const OperationsResult result = measureOperations(
                 {.object = "torus", .gamma = 5, .k = k, .discards = discards, .groups = 12});
             ASSERT_EQ(result.rows.size(), 12 / k);
             for (const OperationsRow& row : result.rows)
+            {
                 EXPECT_TRUE(row.agrees()) << "k " << k << ", beta " << row.beta;
+            }
             EXPECT_EQ(result.rows.back().beta, 12u);
         }
+    }
 }
 
-TEST(OperationsStudy, discardsAreSeenAndSaveTests)
+TEST(OperationsStudy, DiscardsAreSeenAndSaveTests)
 {
     const auto measured = [](bool discards)
     {
@@ -36,7 +40,7 @@ TEST(OperationsStudy, discardsAreSeenAndSaveTests)
     EXPECT_EQ(without.sphereTests - with.sphereTests, with.alpha * 25);
 }
 
-TEST(OperationsStudy, aMiscountIsNoticed)
+TEST(OperationsStudy, AMiscountIsNoticed)
 {
     OperationsRow row =
         measureOperations({.object = "cube", .gamma = 3, .k = 1, .discards = false, .groups = 2})

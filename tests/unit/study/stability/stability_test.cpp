@@ -168,16 +168,22 @@ TEST(Peers, PourSpheresClearOfEachOtherAndOfTheWalls)
     EXPECT_GT(atOnce, 10u);
     EXPECT_TRUE(pouring.next(all).empty()); // nothing has made room
     for (Eigen::Vector3d& p : all)
+    {
         p.y() -= 8;
+    }
     for (const Eigen::Vector3d& p : pouring.next(all))
+    {
         all.push_back(p);
+    }
     EXPECT_GT(all.size(), atOnce);
     EXPECT_LE(all.size(), task.count);
     for (std::size_t i = 0; i < all.size(); ++i)
     {
         EXPECT_LE(std::max(std::abs(all[i].x()), std::abs(all[i].z())), 5);
         for (std::size_t j = i + 1; j < all.size(); ++j)
+        {
             EXPECT_GE((all[i] - all[j]).norm(), 2);
+        }
     }
 }
 
