@@ -73,13 +73,17 @@ struct LoadedMesh
 /// folder. Throws Error inputMissing when there is no such file, badData when it cannot be read.
 [[nodiscard]] TriangleMesh readMesh(const std::filesystem::path& file);
 
+/// readMesh in a child process with limits on memory, processor time and files, which grow with the
+/// file's size: a file on which the reader crashes, hangs or fills the memory is an Error badData.
+[[nodiscard]] TriangleMesh readMeshInCage(const std::filesystem::path& file);
+
 /// Makes a mesh fit to be filled: joins seams, drops triangles without area and duplicates, makes
 /// windings consistent and outward (of cavities inward), closes holes of up to 5 % of the surface.
 /// `name` is used in messages. Throws Error badData when the mesh cannot be filled: no volume, open
 /// beyond repair, pieces that pass through each other, not finite.
 [[nodiscard]] LoadedMesh repairMesh(TriangleMesh mesh, std::string_view name);
 
-/// readMesh and repairMesh, or one of the built-in objects when `name` is one of their names.
+/// readMeshInCage and repairMesh, or one of the built-in objects when `name` is one of their names.
 [[nodiscard]] LoadedMesh loadMesh(const std::string& nameOrFile);
 
 /// The paper's objects, compiled into the library: "torus", "sphere", "cube", "human".

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <csignal>
+#include <ctime>
 #include <fstream>
 #include <memory>
 
@@ -32,20 +33,43 @@ constexpr const char* kExamples = R"(Examples:
 )";
 
 volatile std::sig_atomic_t stopSignal = 0;
+volatile std::sig_atomic_t stopTime = 0; ///< [s] of the first signal, on a clock that never jumps
 
-extern "C" void requestStop(int signal)
+/// For so long after the first signal more of them change nothing: `timeout` and job managers send
+/// the same one to a process and to its group. [s]
+constexpr std::sig_atomic_t kPatience = 3;
+
+std::sig_atomic_t secondsNow()
 {
-    stopSignal = signal;
+    timespec now = {};
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return static_cast<std::sig_atomic_t>(now.tv_sec);
 }
 
-/// The first signal stops after the step; a second one ends the program as usual.
+/// The first signal stops the run after the step; one that comes well after it kills.
+extern "C" void requestStop(int signal)
+{
+    if (stopSignal == 0)
+    {
+        stopTime = secondsNow();
+        stopSignal = signal;
+    }
+    else if (secondsNow() - stopTime > kPatience)
+    {
+        std::signal(signal, SIG_DFL);
+        std::raise(signal);
+    }
+}
+
 void catchSignals()
 {
     struct sigaction action = {};
     action.sa_handler = requestStop;
-    action.sa_flags = static_cast<int>(SA_RESETHAND);
-    sigaction(SIGINT, &action, nullptr);
-    sigaction(SIGTERM, &action, nullptr);
+    action.sa_flags = SA_RESTART; // a file that is being written does not fail for it
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+    {
+        sigaction(signal, &action, nullptr);
+    }
 }
 
 struct FillArguments

@@ -4,6 +4,7 @@
 #include <frostfill/error.hpp>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
@@ -15,7 +16,9 @@ namespace frostfill
 AtomicFile::AtomicFile(std::filesystem::path file) : file_(std::move(file)), part_(file_)
 {
     part_ += ".part";
-    stream_.reset(std::fopen(part_.c_str(), "wb"));
+    // What a killed run has left goes, and nothing is written through a symbolic link.
+    unlink(part_.c_str());
+    stream_.reset(std::fopen(part_.c_str(), "wbx"));
     if (!stream_)
     {
         throw Error(ErrorCode::cannotCreate,
@@ -44,7 +47,8 @@ void AtomicFile::write(std::string_view text)
 void AtomicFile::commit()
 {
     // A full disk may show only when the buffer is flushed or the file is closed.
-    if (std::fflush(stream_.get()) != 0)
+    // A name that outlives a power failure must not outlive its content.
+    if (std::fflush(stream_.get()) != 0 || fsync(fileno(stream_.get())) != 0)
     {
         fail(errno);
     }

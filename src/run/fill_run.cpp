@@ -136,7 +136,7 @@ FillResult runFill(const FillRequest& request, const FillObserver& observer)
     validateScene(request.scene);
     const LoadedMesh mesh = loadMesh(request.scene.object.mesh);
     Simulation simulation(request.scene, mesh.mesh);
-    prepareRunDirectory(request.directory, request.overwrite);
+    RunDirectory directory(request.directory, request.overwrite);
 
     const FrameTiming timing = frameTiming(request.scene, mesh.report);
     std::unique_ptr<FrameRecorder> recorder;
@@ -147,6 +147,7 @@ FillResult runFill(const FillRequest& request, const FillObserver& observer)
             request.directory, runHash(request.scene, mesh.mesh), request.video,
             simulation.poses());
     }
+    directory.begin(); // all that can fail before the first step has not
     FillResult result;
     result.reach = simulation.inspectReach(kReachBytes);
     if (observer.planned)

@@ -5,90 +5,214 @@
 
 #include <frostfill/error.hpp>
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <fstream>
 #include <string>
-#include <vector>
+#include <string_view>
+#include <utility>
 
 namespace frostfill
 {
 namespace
 {
 
-constexpr const char* kFiles[] = {"spheres.csv",  "polygons.csv", "sets.csv",
-                                  "summary.json", "mesh.ply",     "contact_sheet.png"};
+/// A file of a run, and what it has in its first bytes.
+struct KnownFile
+{
+    const char* name;
+    std::string_view sign;
+};
+constexpr KnownFile kFiles[] = {{"spheres.csv", "id,group,x,y,z,radius"},
+                                {"polygons.csv", "id,state"},
+                                {"sets.csv", "set,spheres"},
+                                {"summary.json", "\"outcome\""},
+                                {"mesh.ply", "Frostfill"},
+                                {"contact_sheet.png", "Frostfill"}};
 
 constexpr const char* kFrameFolders[] = {"frames", "depth", "normal", "identity"};
 
-/// frame_00000.png or a part of one that an interrupted run left behind.
-bool isFrame(const std::string& name)
+/// Signs of our own stand in a file's first bytes.
+constexpr std::size_t kHead = 2048;
+
+bool isDigit(char c)
 {
-    return name.starts_with("frame_") &&
-           (name.ends_with(".png") || name.find(".png.") != std::string::npos);
+    return std::isdigit(static_cast<unsigned char>(c)) != 0;
 }
 
-std::vector<std::filesystem::path> filesOfRun(const std::filesystem::path& directory)
+/// What follows the number of frame_00000.png, or nothing for any other name.
+std::string_view endingOfFrame(std::string_view name)
 {
-    std::vector<std::filesystem::path> files;
-    for (const char* name : kFiles)
+    constexpr std::string_view kPrefix = "frame_";
+    if (!name.starts_with(kPrefix))
     {
-        for (const char* ending : {"", ".part"})
-        {
-            if (std::filesystem::exists(directory / (std::string(name) + ending)))
-            {
-                files.push_back(directory / (std::string(name) + ending));
-            }
-        }
+        return {};
     }
-    for (const char* folder : kFrameFolders)
-    {
-        if (std::filesystem::is_directory(directory / folder))
-        {
-            for (const auto& entry : std::filesystem::directory_iterator(directory / folder))
-            {
-                if (isFrame(entry.path().filename().string()))
-                {
-                    files.push_back(entry.path());
-                }
-            }
-        }
-    }
-    return files;
+    name.remove_prefix(kPrefix.size());
+    const auto end = std::find_if_not(name.begin(), name.end(), isDigit);
+    const auto digits = static_cast<std::size_t>(end - name.begin());
+    return digits >= 5 ? name.substr(digits) : std::string_view();
+}
+
+/// ".png.1234.tmp" or ".png.part": what a run that was killed leaves behind.
+bool isLeftOver(std::string_view ending)
+{
+    return ending.starts_with(".png.") && (ending.ends_with(".tmp") || ending.ends_with(".part"));
+}
+
+bool holdsSign(const std::filesystem::path& file, std::string_view sign)
+{
+    std::string head(kHead, '\0');
+    std::ifstream stream(file, std::ios::binary);
+    stream.read(head.data(), static_cast<std::streamsize>(head.size()));
+    head.resize(static_cast<std::size_t>(stream.gcount()));
+    return head.find(sign) != std::string::npos;
+}
+
+[[noreturn]] void refuse(const std::string& why)
+{
+    throw Error(ErrorCode::cannotCreate, why);
 }
 
 } // namespace
 
-void prepareRunDirectory(const std::filesystem::path& directory, bool overwrite)
+RunDirectory::RunDirectory(std::filesystem::path directory, bool overwrite)
+    : path_(std::move(directory))
 {
-    createDirectory(directory);
+    createDirectory(path_);
+    lock();
     try
     {
-        const auto files = filesOfRun(directory);
-        if (!files.empty() && !overwrite)
-        {
-            throw Error(ErrorCode::cannotCreate,
-                        fmt::format("{} already holds a run; give --overwrite to replace it, or "
-                                    "another directory with --out",
-                                    directory.string()));
-        }
-        for (const auto& file : files)
-        {
-            std::filesystem::remove(file);
-        }
-        std::error_code notEmpty;
+        lookAtFiles();
         for (const char* folder : kFrameFolders)
         {
-            std::filesystem::remove(directory / folder, notEmpty);
+            lookAtFrames(path_ / folder);
         }
     }
     catch (const std::filesystem::filesystem_error& error)
     {
-        throw Error(ErrorCode::cannotCreate,
-                    fmt::format("cannot use the directory {}: {}", directory.string(),
-                                error.code().message()));
+        refuse(
+            fmt::format("cannot use the directory {}: {}", path_.string(), error.code().message()));
+    }
+    if (!old_.empty() && !overwrite)
+    {
+        refuse(fmt::format("{} already holds a run; give --overwrite to replace it, or another "
+                           "directory with --out",
+                           path_.string()));
     }
     // Whether files can be written is better known before the simulation than after it.
-    AtomicFile probe(directory / "summary.json");
+    AtomicFile probe(path_ / "summary.json");
+}
+
+RunDirectory::~RunDirectory()
+{
+    std::error_code notEmpty;
+    for (const char* folder : kFrameFolders)
+    {
+        if (!std::filesystem::is_symlink(path_ / folder, notEmpty))
+        {
+            std::filesystem::remove(path_ / folder, notEmpty);
+        }
+    }
+    if (lock_ >= 0)
+    {
+        close(lock_);
+    }
+}
+
+// On the directory itself: it leaves no file behind, and goes with the process however that ends.
+// Where file systems know no such locks the run goes on without.
+void RunDirectory::lock()
+{
+    lock_ = open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (lock_ >= 0 && flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    {
+        close(std::exchange(lock_, -1));
+        refuse(fmt::format("another run is writing to {}; wait for its end, or give another "
+                           "directory with --out",
+                           path_.string()));
+    }
+}
+
+void RunDirectory::lookAtFiles()
+{
+    for (const KnownFile& known : kFiles)
+    {
+        const std::filesystem::path file = path_ / known.name;
+        const std::filesystem::path part = file.string() + ".part";
+        if (std::filesystem::symlink_status(file).type() != std::filesystem::file_type::not_found)
+        {
+            takeOver(file, holdsSign(file, known.sign));
+        }
+        if (std::filesystem::is_regular_file(std::filesystem::symlink_status(part)))
+        {
+            left_.push_back(part);
+        }
+    }
+}
+
+void RunDirectory::lookAtFrames(const std::filesystem::path& folder)
+{
+    const std::filesystem::file_status status = std::filesystem::symlink_status(folder);
+    if (status.type() == std::filesystem::file_type::not_found)
+    {
+        return;
+    }
+    if (!std::filesystem::is_directory(status))
+    {
+        refuse(fmt::format("{} is in the way: a run makes a directory of that name; move it, or "
+                           "give another directory with --out",
+                           folder.string()));
+    }
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+    {
+        const std::string name = entry.path().filename().string();
+        const std::string_view ending = endingOfFrame(name);
+        if (ending == ".png")
+        {
+            takeOver(entry.path(), holdsSign(entry.path(), "Frostfill"));
+        }
+        else if (isLeftOver(ending) &&
+                 entry.symlink_status().type() == std::filesystem::file_type::regular)
+        {
+            left_.push_back(entry.path());
+        }
+    }
+}
+
+void RunDirectory::takeOver(const std::filesystem::path& file, bool isOurs)
+{
+    if (!std::filesystem::is_regular_file(std::filesystem::symlink_status(file)) || !isOurs)
+    {
+        refuse(fmt::format("{} was not written by a run, and this run would replace it; move it, "
+                           "or give another directory with --out",
+                           file.string()));
+    }
+    old_.push_back(file);
+}
+
+void RunDirectory::begin()
+{
+    std::error_code error;
+    for (const auto* files : {&left_, &old_})
+    {
+        for (const std::filesystem::path& file : *files)
+        {
+            std::filesystem::remove(file, error);
+            if (error)
+            {
+                refuse(fmt::format("cannot remove {}: {}", file.string(), error.message()));
+            }
+        }
+    }
+    left_.clear();
+    old_.clear();
 }
 
 } // namespace frostfill

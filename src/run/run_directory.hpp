@@ -2,13 +2,40 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 namespace frostfill
 {
 
-/// Makes a directory ready for a run: creates it, and with `overwrite` removes the files of an
-/// earlier run, but nothing else. Throws Error cannotCreate, also when there is an earlier run and
-/// `overwrite` is not set.
-void prepareRunDirectory(const std::filesystem::path& directory, bool overwrite);
+/// The directory that a run writes to. It is looked at, locked and found writable first; an earlier
+/// run in it goes only when the new one begins. Files that no run of ours has written are never
+/// touched, nor is anything behind a symbolic link.
+class RunDirectory
+{
+public:
+    /// Creates the directory with what is missing above it. Throws Error cannotCreate when it
+    /// cannot be written to, when another process runs in it, when it holds an earlier run and
+    /// `overwrite` is not set, and when something that is no file of a run has the name of one.
+    RunDirectory(std::filesystem::path directory, bool overwrite);
+    ~RunDirectory();
+    RunDirectory(const RunDirectory&) = delete;
+    RunDirectory& operator=(const RunDirectory&) = delete;
+
+    /// Removes the files of the earlier run. Throws Error cannotCreate.
+    void begin();
+
+    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+private:
+    void lock();
+    void lookAtFiles();
+    void lookAtFrames(const std::filesystem::path& folder);
+    void takeOver(const std::filesystem::path& file, bool isOurs);
+
+    std::filesystem::path path_;
+    int lock_ = -1;                           ///< the directory itself, opened
+    std::vector<std::filesystem::path> old_;  ///< of the earlier run
+    std::vector<std::filesystem::path> left_; ///< by one that was killed: not worth keeping
+};
 
 } // namespace frostfill

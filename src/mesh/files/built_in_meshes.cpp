@@ -114,7 +114,8 @@ TriangleMesh builtInMesh(std::string_view name)
 
 LoadedMesh loadMesh(const std::string& nameOrFile)
 {
-    return repairMesh(isBuiltInMesh(nameOrFile) ? builtInMesh(nameOrFile) : readMesh(nameOrFile),
+    return repairMesh(isBuiltInMesh(nameOrFile) ? builtInMesh(nameOrFile)
+                                                : readMeshInCage(nameOrFile),
                       nameOrFile);
 }
 

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cctype>
 #include <fstream>
+#include <optional>
 #include <set>
 
 namespace frostfill
@@ -77,6 +78,28 @@ void removeOtherImporters(Assimp::Importer& importer)
     }
 }
 
+/// The first face that names a vertex that is not there, as a sentence.
+std::optional<std::string> findBadIndex(const aiScene& scene)
+{
+    for (unsigned m = 0; m < scene.mNumMeshes; ++m)
+    {
+        const aiMesh& part = *scene.mMeshes[m];
+        for (unsigned f = 0; f < part.mNumFaces; ++f)
+        {
+            for (unsigned corner = 0; corner < part.mFaces[f].mNumIndices; ++corner)
+            {
+                const unsigned index = part.mFaces[f].mIndices[corner];
+                if (index >= part.mNumVertices)
+                {
+                    return fmt::format("face {} names vertex {} of {}; export the mesh again",
+                                       f + 1, index + 1, part.mNumVertices);
+                }
+            }
+        }
+    }
+    return std::nullopt;
+}
+
 Eigen::Matrix4d toEigen(const aiMatrix4x4& m)
 {
     Eigen::Matrix4d result;
@@ -126,10 +149,6 @@ private:
             std::array<std::uint32_t, 3> triangle;
             for (unsigned corner = 0; corner < 3; ++corner)
             {
-                if (face.mIndices[corner] >= part.mNumVertices)
-                {
-                    throw Error(ErrorCode::badData, "a triangle names a vertex that is not there");
-                }
                 triangle[corner] = first + face.mIndices[corner];
             }
             if (mirrored)
@@ -152,11 +171,25 @@ TriangleMesh readMesh(const std::filesystem::path& file)
     Assimp::Importer importer;
     importer.SetIOHandler(new OneFileIo(file)); // assimp takes ownership
     removeOtherImporters(importer);
-    const aiScene* scene = importer.ReadFile(file.string(), aiProcess_Triangulate);
+    const auto refuse = [&](const std::string& why)
+    {
+        throw Error(ErrorCode::badData,
+                    fmt::format("'{}' cannot be read as a mesh: {}", file.string(), why));
+    };
+    const aiScene* scene = importer.ReadFile(file.string(), 0);
     if (scene == nullptr || scene->mRootNode == nullptr)
     {
-        throw Error(ErrorCode::badData, fmt::format("'{}' cannot be read as a mesh: {}",
-                                                    file.string(), importer.GetErrorString()));
+        refuse(importer.GetErrorString());
+    }
+    // Triangulation trusts its indices.
+    if (const auto why = findBadIndex(*scene))
+    {
+        refuse(*why);
+    }
+    scene = importer.ApplyPostProcessing(aiProcess_Triangulate);
+    if (scene == nullptr)
+    {
+        refuse(importer.GetErrorString());
     }
     Collector collector(*scene);
     collector.addNode(*scene->mRootNode, Eigen::Matrix4d::Identity());

@@ -13,45 +13,132 @@ using test::expectError;
 using test::TemporaryFolder;
 using test::writeFile;
 
+/// What stands in the files of a run.
+void writeOldRun(const std::filesystem::path& folder)
+{
+    std::filesystem::create_directories(folder / "frames");
+    writeFile(folder / "spheres.csv", "id,group,x,y,z,radius,state\n");
+    writeFile(folder / "polygons.csv", "id,state\n");
+    writeFile(folder / "sets.csv", "set,spheres,frames\n");
+    writeFile(folder / "summary.json", "{\n  \"outcome\": \"full\"}");
+    writeFile(folder / "mesh.ply", "ply\ncomment Frostfill\n");
+    writeFile(folder / "frames/frame_00000.png", "\x89PNG tEXtSoftware Frostfill");
+}
+
+std::size_t countFiles(const std::filesystem::path& folder)
+{
+    std::size_t count = 0;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+    {
+        count += entry.is_regular_file() ? 1 : 0;
+    }
+    return count;
+}
+
 TEST(RunDirectory, IsCreatedWithWhatIsMissingAboveIt)
 {
     const TemporaryFolder folder;
-    prepareRunDirectory(folder / "a/b", false);
-    EXPECT_TRUE(std::filesystem::is_empty(folder / "a/b"));
-    prepareRunDirectory(folder / "a/b", false);
+    {
+        RunDirectory directory(folder / "a/b", false);
+        directory.begin();
+        EXPECT_TRUE(std::filesystem::is_empty(folder / "a/b"));
+    }
+    const RunDirectory again(folder / "a/b", false);
 }
 
 TEST(RunDirectory, IsRefusedWhenItHoldsARun)
 {
     const TemporaryFolder folder;
-    writeFile(folder / "spheres.csv", "");
+    writeOldRun(folder.path());
     expectError(
-        ErrorCode::cannotCreate, [&] { prepareRunDirectory(folder.path(), false); }, "--overwrite",
-        folder.path().string());
-    EXPECT_TRUE(std::filesystem::exists(folder / "spheres.csv"));
+        ErrorCode::cannotCreate, [&] { const RunDirectory directory(folder.path(), false); },
+        "--overwrite", folder.path().string());
+    EXPECT_EQ(countFiles(folder.path()), 6u);
 }
 
-TEST(RunDirectory, LosesTheFilesOfARunAndNothingElseWhenOverwritten)
+TEST(RunDirectory, KeepsTheOldRunUntilTheNewOneBegins)
+{
+    const TemporaryFolder folder;
+    writeOldRun(folder.path());
+    {
+        const RunDirectory directory(folder.path(), true); // and then something else fails
+    }
+    EXPECT_EQ(countFiles(folder.path()), 6u);
+    RunDirectory directory(folder.path(), true);
+    directory.begin();
+    EXPECT_EQ(countFiles(folder.path()), 0u);
+}
+
+TEST(RunDirectory, TouchesNoFileThatNoRunHasWritten)
+{
+    const TemporaryFolder folder;
+    writeOldRun(folder.path());
+    for (const char* mine : {"notes.txt", "frames/frame.txt", "frames/frame_holiday.png",
+                             "frames/frame_1.png", "frames/frame_00000.jpg"})
+    {
+        writeFile(folder / mine, "mine");
+    }
+    {
+        RunDirectory directory(folder.path(), true);
+        directory.begin();
+    }
+    EXPECT_EQ(countFiles(folder.path()), 5u);
+}
+
+TEST(RunDirectory, RefusesFilesOfOthersUnderItsOwnNames)
+{
+    const TemporaryFolder folder;
+    for (const char* mine : {"spheres.csv", "summary.json", "mesh.ply", "frames/frame_00007.png"})
+    {
+        std::filesystem::create_directory(folder / "frames");
+        writeFile(folder / mine, "mine");
+        expectError(
+            ErrorCode::cannotCreate, [&] { const RunDirectory directory(folder.path(), true); },
+            mine, "was not written by a run");
+        EXPECT_EQ(test::readFile(folder / mine), "mine");
+        std::filesystem::remove(folder / mine);
+    }
+}
+
+TEST(RunDirectory, FollowsNoSymbolicLink)
+{
+    const TemporaryFolder folder;
+    writeOldRun(folder / "elsewhere");
+    std::filesystem::create_directory(folder / "run");
+    std::filesystem::create_directory_symlink(folder / "elsewhere/frames", folder / "run/frames");
+    expectError(
+        ErrorCode::cannotCreate, [&] { const RunDirectory directory(folder / "run", true); },
+        "frames is in the way");
+    std::filesystem::remove(folder / "run/frames");
+    std::filesystem::create_symlink(folder / "elsewhere/mesh.ply", folder / "run/mesh.ply");
+    expectError(
+        ErrorCode::cannotCreate, [&] { const RunDirectory directory(folder / "run", true); },
+        "mesh.ply");
+    EXPECT_EQ(countFiles(folder / "elsewhere"), 6u);
+}
+
+TEST(RunDirectory, ClearsAwayWhatAKilledRunHasLeft)
 {
     const TemporaryFolder folder;
     std::filesystem::create_directory(folder / "frames");
-    for (const char* name : {"spheres.csv", "polygons.csv", "sets.csv", "summary.json", "mesh.ply",
-                             "frames/frame_00000.png", "frames/frame_00001.png.part"})
-    {
-        writeFile(folder / name, "old");
-    }
-    writeFile(folder / "notes.txt", "mine");
-    writeFile(folder / "frames/frame.txt", "mine");
+    writeFile(folder / "sets.csv.part", "se");
+    writeFile(folder / "frames/frame_00012.png.4711.tmp", "\x89P");
+    RunDirectory directory(folder.path(), false); // that is no run
+    directory.begin();
+    EXPECT_EQ(countFiles(folder.path()), 0u);
+}
 
-    prepareRunDirectory(folder.path(), true);
-    std::size_t left = 0;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path()))
+TEST(RunDirectory, IsRefusedWhileAnotherRunWritesToIt)
+{
+    const TemporaryFolder folder;
     {
-        left += entry.is_regular_file() ? 1 : 0;
+        const RunDirectory first(folder.path(), false);
+        expectError(
+            ErrorCode::cannotCreate, [&] { const RunDirectory second(folder.path(), true); },
+            "another run is writing to", folder.path().string());
     }
-    EXPECT_EQ(left, 2u);
-    EXPECT_EQ(test::readFile(folder / "notes.txt"), "mine");
-    EXPECT_EQ(test::readFile(folder / "frames/frame.txt"), "mine");
+    const RunDirectory third(folder.path(), false);
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
 TEST(RunDirectory, IsRefusedWhenAFileIsInTheWay)
@@ -59,7 +146,8 @@ TEST(RunDirectory, IsRefusedWhenAFileIsInTheWay)
     const TemporaryFolder folder;
     writeFile(folder / "file", "");
     expectError(
-        ErrorCode::cannotCreate, [&] { prepareRunDirectory(folder / "file", true); }, "file");
+        ErrorCode::cannotCreate, [&] { const RunDirectory directory(folder / "file", true); },
+        "file");
 }
 
 } // namespace

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+
+namespace frostfill
+{
+
+/// What a child process may use.
+struct CageLimits
+{
+    std::size_t bytes = std::size_t{1} << 30; ///< of address space, beyond what the parent has
+    unsigned seconds = 30;                    ///< of processor time
+};
+
+/// Runs `work` in a child process and returns the bytes that it returns. Whatever happens there, a
+/// crash, an endless loop, memory without end, stays there. The child opens at most a few files at
+/// a time and writes to none, leaves no core, and dies with its parent.
+///
+/// Throws Error as `work` throws it, and badData when the child dies or exceeds a limit; `subject`
+/// begins those sentences: "'a.ply' cannot be read".
+[[nodiscard]] std::string runInCage(const CageLimits& limits, const std::string& subject,
+                                    const std::function<std::string()>& work);
+
+} // namespace frostfill

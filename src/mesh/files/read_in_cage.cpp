@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// Reading a mesh that anybody may have made. Assimp 5.2.5, the reader in Debian 12, crashes, hangs
+// or fills the memory on damaged files; in a child process that costs a sentence.
+#include "mesh/files/cage.hpp"
+
+#include <frostfill/error.hpp>
+#include <frostfill/mesh.hpp>
+
+#include <fmt/format.h>
+
+#include <cstring>
+
+namespace frostfill
+{
+namespace
+{
+
+// A mesh takes some 30 times its file's size while it is read. Damaged files of a few hundred bytes
+// take without end.
+constexpr std::size_t kBytesAtLeast = std::size_t{768} << 20;
+constexpr std::size_t kBytesPerByte = 100;
+constexpr std::size_t kSecondsAtLeast = 2;
+constexpr std::size_t kBytesASecond = std::size_t{1} << 20;
+
+CageLimits limitsFor(const std::filesystem::path& file)
+{
+    std::error_code ignored; // a file that is not there is told by readMesh
+    const std::uintmax_t told = std::filesystem::file_size(file, ignored);
+    const std::size_t size = ignored ? 0 : static_cast<std::size_t>(told);
+    return {kBytesAtLeast + kBytesPerByte * size,
+            static_cast<unsigned>(kSecondsAtLeast + size / kBytesASecond)};
+}
+
+template <class Value>
+void append(std::string& bytes, const std::vector<Value>& values)
+{
+    const std::uint64_t count = values.size();
+    bytes.append(reinterpret_cast<const char*>(&count), sizeof count);
+    bytes.append(reinterpret_cast<const char*>(values.data()), count * sizeof(Value));
+}
+
+/// Takes values off the front. False when there are fewer than announced.
+template <class Value>
+bool take(std::string_view& bytes, std::vector<Value>& values)
+{
+    std::uint64_t count = 0;
+    if (bytes.size() < sizeof count)
+    {
+        return false;
+    }
+    std::memcpy(&count, bytes.data(), sizeof count);
+    bytes.remove_prefix(sizeof count);
+    if (count > bytes.size() / sizeof(Value))
+    {
+        return false;
+    }
+    values.resize(count);
+    std::memcpy(static_cast<void*>(values.data()), bytes.data(), count * sizeof(Value));
+    bytes.remove_prefix(count * sizeof(Value));
+    return true;
+}
+
+/// What came out of the cage is believed no more than the file: a reader that was led astray may
+/// have sent anything.
+bool isSound(const TriangleMesh& mesh)
+{
+    for (const Eigen::Vector3d& vertex : mesh.vertices)
+    {
+        if (!vertex.allFinite())
+        {
+            return false;
+        }
+    }
+    for (const auto& triangle : mesh.triangles)
+    {
+        for (const std::uint32_t corner : triangle)
+        {
+            if (corner >= mesh.vertices.size())
+            {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+} // namespace
+
+TriangleMesh readMeshInCage(const std::filesystem::path& file)
+{
+    const std::string subject = fmt::format("'{}' cannot be read as a mesh", file.string());
+    const std::string bytes = runInCage(limitsFor(file), subject,
+                                        [&]
+                                        {
+                                            const TriangleMesh mesh = readMesh(file);
+                                            std::string report;
+                                            append(report, mesh.vertices);
+                                            append(report, mesh.triangles);
+                                            return report;
+                                        });
+    TriangleMesh mesh;
+    std::string_view rest = bytes;
+    if (!take(rest, mesh.vertices) || !take(rest, mesh.triangles) || !rest.empty() ||
+        !isSound(mesh))
+    {
+        throw Error(ErrorCode::badData, subject + ": the reader made nonsense of it; export the "
+                                                  "mesh again, in another format if need be");
+    }
+    return mesh;
+}
+
+} // namespace frostfill

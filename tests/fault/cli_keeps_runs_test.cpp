@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// What was written already is not lost: by a run that cannot begin, by two signals at once, by two
+// runs in one directory.
+#include "fault/program.hpp"
+#include "support/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace frostfill
+{
+namespace
+{
+
+using test::Answer;
+using test::readFile;
+
+const std::string kSmall = "fill cube --radius 0.3 --count 8 --group-size 2 --size 64x48 ";
+// Takes far longer than any test waits.
+const std::string kLong = "fill cube --count 200000 --frames none --quiet --threads 1 ";
+
+class KeepsRuns : public ::testing::Test
+{
+protected:
+    [[nodiscard]] Answer run(const std::string& arguments) const
+    {
+        return test::runProgram(arguments, folder_.path());
+    }
+    test::TemporaryFolder folder_;
+};
+
+TEST_F(KeepsRuns, ARunThatCannotBeginLeavesTheOldOneAsItIs)
+{
+    ASSERT_EQ(run(kSmall + "--out keep --max-frames 2").code, 0);
+    const std::string before = readFile(folder_ / "keep/summary.json");
+    const std::string picture = readFile(folder_ / "keep/frames/frame_00000.png");
+    ASSERT_FALSE(picture.empty());
+    const std::string again = kSmall + "--out keep --overwrite ";
+    EXPECT_EQ(run(again + "--samples 64").code, 64);
+    EXPECT_EQ(run(again + "--radius 5").code, 65);
+    EXPECT_EQ(run(again + "--video /nonexistent/a.mp4").code, 73);
+    EXPECT_EQ(readFile(folder_ / "keep/summary.json"), before);
+    EXPECT_EQ(readFile(folder_ / "keep/frames/frame_00000.png"), picture);
+    EXPECT_EQ(run(again + "--max-frames 2 --seed 2").code, 0);
+    EXPECT_NE(readFile(folder_ / "keep/summary.json"), before);
+}
+
+TEST_F(KeepsRuns, SignalsThatComeTogetherStopTheRunAndLoseNothing)
+{
+    for (const std::string signal : {"TERM", "INT", "HUP"})
+    {
+        const Answer answer =
+            run(kLong + "--out " + signal + " & process=$!; sleep 0.7; kill -" + signal +
+                " $process; kill -TERM $process; kill -" + signal + " $process; wait $process");
+        EXPECT_EQ(answer.code, 75) << signal << answer.errors;
+        const auto summary =
+            nlohmann::json::parse(readFile(folder_ / signal / "summary.json"), nullptr, false);
+        ASSERT_TRUE(summary.is_object()) << signal;
+        EXPECT_EQ(summary["outcome"], "stopped");
+    }
+}
+
+TEST_F(KeepsRuns, ASecondRunInTheSameDirectoryIsRefused)
+{
+    const Answer answer = run(kLong + "--out a & process=$!; sleep 0.7; '" FROSTFILL_PROGRAM
+                                      "' fill cube --count 4 --frames none --overwrite --out a; "
+                                      "second=$?; kill -TERM $process; wait $process; "
+                                      "test $? -eq 75 && exit $second");
+    EXPECT_EQ(answer.code, 73);
+    EXPECT_NE(answer.errors.find("another run is writing to a"), std::string::npos)
+        << answer.errors;
+}
+
+} // namespace
+} // namespace frostfill
