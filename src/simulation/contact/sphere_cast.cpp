@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/contact/sphere_cast.hpp"
 
+#include "simulation/contact/contact.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,12 +11,8 @@ namespace frostfill
 namespace
 {
 
-/// A wall counts as reached when the gap is below this. [r]
-constexpr double kReached = 1e-10;
 /// A triangle whose back is turned this far belongs to another sheet of a thin wall. [r]
 constexpr double kOtherSheet = -0.5;
-/// One minus the cosine up to which a plane's normal and the direction to its edge agree.
-constexpr double kBelow = 1e-13;
 /// Newton's method converges quadratically; more steps than this mean a grazing approach.
 constexpr int kNewtonSteps = 40;
 
@@ -95,36 +93,16 @@ void contactNormals(const Surface& surface, const NeighbourList& around, const E
     for (std::size_t k = 0; k < around.spheres(); ++k)
     {
         const Eigen::Vector3d d(p.x() - around.x[k], p.y() - around.y[k], p.z() - around.z[k]);
-        const double touching = around.reach[k] + gap;
-        const double squared = d.squaredNorm();
-        if (squared < touching * touching)
+        if (const auto contact = sphereContact(d, around.reach[k], gap))
         {
-            normals.push_back(d / std::sqrt(squared));
+            normals.push_back(contact->normal);
         }
     }
-    for (const std::uint32_t id : around.triangles())
+    for (const std::uint32_t triangle : around.triangles())
     {
-        if (!surface.bound(id).mayBeWithin(radius + gap, p))
+        if (const auto contact = frontContact(surface, triangle, p, radius, gap))
         {
-            continue;
-        }
-        const SignedDistance wall = signedDistance(surface[id], p);
-        if (wall.value <= 0 || wall.value > radius + gap)
-        {
-            continue;
-        }
-        // On a plane only the triangle below counts, or those that meet exactly below; all of them
-        // give the same normal.
-        const Eigen::Vector3d normal = (p - wall.closest) / wall.value;
-        if (surface[id].flat[static_cast<int>(wall.feature)] &&
-            normal.dot(surface[id].normal) < 1 - kBelow)
-        {
-            continue;
-        }
-        const auto same = [&](const Eigen::Vector3d& n) { return n.dot(normal) > 1 - 1e-14; };
-        if (std::none_of(normals.begin(), normals.end(), same))
-        {
-            normals.push_back(normal);
+            addNormal(normals, contact->normal);
         }
     }
 }

@@ -13,8 +13,6 @@ namespace frostfill
 namespace
 {
 
-constexpr double kTouch = 1e-7;   // gap below which a contact carries [r]
-constexpr double kSettled = 0.01; // share of the weight that may remain uncarried
 // Here r is the radius of the sphere that slides.
 constexpr double kLongestSlide = 0.3;   // straight part of a path that follows a curve [r]
 constexpr double kShortestSlide = 1e-4; // a path that advances by less is stuck [r]
