@@ -48,8 +48,8 @@ class PolygonTests
 {
 public:
     /// Everything given outlives this. `reach`: how near to its quarter's edge a sphere's centre
-    /// may be to a polygon of the next quarter and still has to meet it. Only PolygonSearch::grid
-    /// needs a `grid`.
+    /// may be to a polygon of the next quarter and still has to be tested with it. Only
+    /// PolygonSearch::grid needs a `grid`.
     PolygonTests(PolygonSearch search, const Surface& surface,
                  const std::vector<PolygonState>& states, double reach,
                  const TriangleGrid* grid = nullptr);
