@@ -40,9 +40,6 @@ public:
     /// To be called when nothing runs any more. `full`: no further sphere fits.
     void finish(bool full);
 
-    /// How often a guard has tripped.
-    [[nodiscard]] std::size_t violations() const { return violations_; }
-
 private:
     struct Kept
     {
@@ -62,7 +59,7 @@ private:
     World& world_;
     std::unique_ptr<ReachMap> map_;
     std::unique_ptr<ClearSearch> clear_;
-    std::size_t violations_ = 0;
+    std::size_t violations_ = 0;         ///< guards that have tripped, each for wider margins
     std::vector<std::uint32_t> pending_; ///< at rest, but not yet in the map
     std::size_t restedSincePolygons_ = 0;
     std::vector<Kept> kept_; ///< spheres at rest in the map that are not dropped
