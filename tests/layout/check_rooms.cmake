@@ -39,7 +39,7 @@ room(simulation/discard ${core} simulation/contact simulation/reach)
 room(simulation/paper ${core} simulation/contact simulation/discard simulation/release)
 set(parts simulation/contact simulation/motion simulation/solver simulation/release simulation/reach
           simulation/discard simulation/paper)
-room(simulation/quality ${core} simulation/contact)
+room(simulation/quality ${core})
 room(simulation/engine ${core} ${parts} simulation/quality)
 room(simulation/freezing ${core} ${parts} simulation/engine)
 
