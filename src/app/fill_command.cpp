@@ -7,6 +7,7 @@
 #include "output/scene_json.hpp"
 #include "run/fill_run.hpp"
 #include "run/volume_estimate.hpp"
+#include "scene/options/radius_alone.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -112,11 +113,9 @@ Scene requestedScene(const FillArguments& arguments)
         scene.name = presetScene(scene.preset, arguments.mesh).name;
     }
     applyGivenOptions(arguments.given, scene);
-    // A radius alone asks to be filled until no sphere fits, whatever the preset's count.
-    if (arguments.sceneFile.empty() && arguments.given.contains("spheres.radius") &&
-        !arguments.given.contains("spheres.count"))
+    if (arguments.sceneFile.empty())
     {
-        scene.spheres.count.reset();
+        fillUntilFullForARadiusAlone(arguments.given, scene);
     }
     return scene;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene/options/nearest_name.hpp"
 #include "scene/options/option.hpp"
+#include "scene/options/radius_alone.hpp"
 
 #include <frostfill/error.hpp>
 
@@ -129,11 +130,7 @@ Scene sceneFromValues(const FileValues& values, std::string_view file)
     {
         apply(option.key, values, scene, file);
     }
-    // A radius alone asks to be filled until no sphere fits, whatever the preset's count.
-    if (values.contains("spheres.radius") && !values.contains("spheres.count"))
-    {
-        scene.spheres.count.reset();
-    }
+    fillUntilFullForARadiusAlone(values, scene);
     return scene;
 }
 
