@@ -6,10 +6,10 @@
 namespace frostfill
 {
 
-/// Whole numbers beyond this are not exact in every reader of JSON, so a run could not be repeated.
+/// Some JSON readers round larger whole numbers, so a run could not be repeated.
 inline constexpr double kLargestWhole = 9007199254740992;
 
-/// Collects options; what is said last concerns the option that was added last.
+/// Collects options. A call such as range() applies to the option that was added last.
 class TableBuilder
 {
 public:
@@ -40,7 +40,7 @@ public:
         table_.back().range = {low, high, true};
         return *this;
     }
-    /// Only this preset uses it.
+    /// Only this preset uses the option.
     TableBuilder& of(Preset preset)
     {
         table_.back().preset = preset;
@@ -60,7 +60,7 @@ private:
     std::vector<Option> table_;
 };
 
-/// The table's two parts: what is simulated, and what is drawn.
+/// The two parts of the table: the simulation, and the pictures.
 void addRunOptions(TableBuilder& table);
 void addPictureOptions(TableBuilder& table);
 
