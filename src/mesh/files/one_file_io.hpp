@@ -8,8 +8,8 @@
 namespace frostfill
 {
 
-/// Lets assimp open the mesh file and, for glTF, its .bin files in the same folder; nothing else,
-/// wherever a material library or a crafted reference may point.
+/// Lets assimp open the mesh file and, for glTF, .bin files in the same folder. It opens nothing
+/// else, wherever a material library or a malicious reference points.
 class OneFileIo : public Assimp::DefaultIOSystem
 {
 public:
