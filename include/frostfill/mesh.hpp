@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Room: triangle meshes, from a file to a closed surface that can be filled. Its inner rooms
+// read, repair and measure them.
 #pragma once
 
 #include <Eigen/Geometry>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Room: the simulation as a program uses it: construct, step, capture. Its inner rooms hold the
+// world and the parts of the engines.
 #pragma once
 
 #include <frostfill/measure.hpp>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Room: the state of a run at one moment, as a picture needs it. The simulation fills it and the
+// renderer reads it, so neither knows the other.
 #pragma once
 
 #include <Eigen/Core>

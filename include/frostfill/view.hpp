@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Room: how a picture looks, as plain values: camera, style, palette, size. Scenes hold these
+// values, and the renderer reads them.
 #pragma once
 
 #include <Eigen/Core>

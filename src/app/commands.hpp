@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Room: the command line: parse, call, report. It decides nothing about a run.
 #pragma once
 
 #include <CLI/App.hpp>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Room: geometry of single triangles, boxes and grids. Nothing here knows of a whole mesh.
 #pragma once
 
 #include <Eigen/Geometry>

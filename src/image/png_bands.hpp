@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Room: pictures in memory: comparing, encoding, reading and writing PNG. Nothing here knows
+// what a picture shows.
 #pragma once
 
 #include <frostfill/image.hpp>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Room: files that a run writes: frames, video, CSV, JSON. A file appears under its name only
+// when it is complete.
 #pragma once
 
 #include <cstdio>

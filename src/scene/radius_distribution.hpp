@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Room: the scene, a plain value that describes a run, with what follows from it alone: presets,
+// radii, frames. Nothing here runs anything.
 #pragma once
 
 #include <frostfill/scene.hpp>

@@ -236,6 +236,43 @@ TEST(Documentation, EveryCitationIsInTheListOfReferences)
     EXPECT_GT(cited.size(), 15u);
 }
 
+/// Whether a folder of src/ has headers of its own, not counting those of the rooms in it.
+bool hasHeaders(const std::filesystem::path& room)
+{
+    const std::filesystem::directory_iterator files(room);
+    return std::any_of(begin(files), end(files),
+                       [](const auto& file) { return file.path().extension() == ".hpp"; });
+}
+
+TEST(Documentation, TheFirstHeaderOfEachRoomSaysWhatTheRoomIs)
+{
+    const std::string page = readFile(kSource / "docs/architecture.md");
+    static const std::regex kRow("\n\\| `([a-z_/]+)` \\| `([a-z_/0-9]+\\.hpp)` \\|");
+    std::set<std::string> rooms;
+    for (std::sregex_iterator it(page.begin(), page.end(), kRow), end; it != end; ++it)
+    {
+        const std::string room = (*it)[1].str();
+        const std::string header = (*it)[2].str();
+        rooms.insert(room);
+        const bool isPublic = header.find('/') != std::string::npos;
+        if (!isPublic && !hasHeaders(kSource / "src" / room))
+        {
+            continue;
+        }
+        const auto file = isPublic ? kSource / "include" / header : kSource / "src" / room / header;
+        EXPECT_EQ(readFile(file).rfind("// SPDX-License-Identifier: MIT\n// Room: ", 0), 0u)
+            << file << " does not say what the room is";
+    }
+    // The rooms are those of the layout test.
+    const std::string layout = readFile(kSource / "tests/layout/check_rooms.cmake");
+    static const std::regex kRoom("\nroom\\(([a-z_/]+)");
+    for (std::sregex_iterator it(layout.begin(), layout.end(), kRoom), end; it != end; ++it)
+    {
+        EXPECT_EQ(rooms.count((*it)[1].str()), 1u)
+            << "docs/architecture.md lacks the room " << (*it)[1];
+    }
+}
+
 TEST(Documentation, EveryLinkLeadsToAFile)
 {
     static const std::regex kLink("\\]\\(([^)#]+)");

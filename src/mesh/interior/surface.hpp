@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Room: the closed surface as the simulation sees it: contacts, inside and outside, volume. It
+// assumes a mesh that has been repaired.
 #pragma once
 
 #include "geometry/closest_point.hpp"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Room: the table of options, the only place that names the settings of a scene. Command line,
+// help, scene files, summary.json and docs/options.md come from it.
 #pragma once
 
 #include "scene/options/option_fields.hpp"
