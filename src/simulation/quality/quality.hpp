@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Room: the judge of a state: overlaps, support, centres outside, energy. It shares no code with
+// what it judges except the closest point.
 #pragma once
 
 #include "simulation/world/world.hpp"
