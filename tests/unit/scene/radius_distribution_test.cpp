@@ -79,7 +79,7 @@ TEST(RadiusDistribution, RefusesAFileWithTheLineThatIsWrong)
     expectError(
         ErrorCode::badData, [&] { read(fileWith(folder, "# none\n")); }, "no radii", "radii.txt");
     expectError(
-        ErrorCode::inputMissing, [&] { read("not/there.txt"); }, "not/there.txt", "no such file");
+        ErrorCode::inputMissing, [&] { read("not/there.txt"); }, "not/there.txt", "does not exist");
 }
 
 TEST(RadiusDistribution, IsWrittenAsANumberARangeOrAFile)
