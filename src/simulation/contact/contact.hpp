@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Room: where spheres touch spheres and triangles: the contact kernel, sphere casts, contact cones,
+// neighbour lists. All contact geometry of the simulation is here.
 #pragma once
 
 // The contact kernel. Every part that asks where two things touch, and what follows from it, asks
