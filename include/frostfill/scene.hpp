@@ -21,6 +21,8 @@ enum class Axis : std::uint8_t
     y,
     z
 };
+// Each enumeration from here to ReleaseRule chooses a part. They are open: a part that a program
+// adds (docs/parts.md) has a value after the last one that is built in.
 enum class Integrator : std::uint8_t
 {
     explicitEuler,
@@ -43,6 +45,15 @@ enum class DiscardRule : std::uint8_t
     none,
     paper, ///< by height and covered vertices: heuristics, of the preset paper
     exact, ///< by reachability: same bits as without, of the preset fast
+};
+enum class FreezingRule : std::uint8_t
+{
+    oneByOne, ///< each sphere by itself, as soon as it is calm and carried
+    bySet,    ///< a set as a whole, once most of it is calm
+};
+enum class ReleaseRule : std::uint8_t
+{
+    ceilings, ///< at random below the object's ceilings, then wherever one still fits
 };
 enum class Preset : std::uint8_t
 {
@@ -97,6 +108,7 @@ struct SphereSettings
     std::uint32_t groupSize = 0;    ///< gamma: spheres in a group; 0 (fast only): 10, or more in an
                                     ///< object that is large against a sphere
     std::uint32_t groupsPerSet = 2; ///< k: groups that appear together
+    ReleaseRule release = ReleaseRule::ceilings; ///< where spheres appear
 };
 
 /// How a sphere moves. Lengths in r and times in sqrt(r/g) make defaults independent of units.
@@ -133,6 +145,8 @@ struct FreezingSettings
                                  ///< twice the time of a fall through the object's height
     bool bySet = false; ///< of the preset fast: a set freezes when all of it is calm, and the next
                         ///< appears then; off: each sphere by itself. Not with Motion::descend
+    /// Of the preset fast, not with Motion::descend; what bySet says when not given.
+    std::optional<FreezingRule> rule;
 };
 
 /// What is not tested any more (PAPER: equation 3 and covered polygons).

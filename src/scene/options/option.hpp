@@ -51,6 +51,8 @@ struct Option
     std::string placeholder = "TEXT";      ///< of a text in the help
     std::string form = "text";             ///< what a text looks like: "a size such as 1280x720"
     std::vector<std::string> choices = {}; ///< of a text; any when empty
+    /// The same where parts can be added later (see scene/part_names.hpp).
+    const std::vector<std::string>* parts = nullptr;
     std::vector<std::pair<std::string, double>> words = {}; ///< that stand for a number
     OptionRange range = {};
     std::optional<Preset> preset = {}; ///< the only one that uses it; nothing: each does
@@ -59,6 +61,9 @@ struct Option
     /// Takes what `get` gives or what `checked` lets pass. Returns false for a text that it cannot
     /// read.
     std::function<bool(Scene&, const OptionValue&)> set = {};
+
+    /// The texts that are allowed now; any when empty.
+    [[nodiscard]] const std::vector<std::string>& texts() const { return parts ? *parts : choices; }
 };
 
 /// Every setting, in the order of files and help.
@@ -67,6 +72,9 @@ struct Option
 
 /// What may be given, for messages: "a number from 0 to 1".
 [[nodiscard]] std::string describeAllowed(const Option& option);
+
+/// "; did you mean 'grid'?", or nothing when the value is no text that is nearly an allowed one.
+[[nodiscard]] std::string nearestAllowed(const Option& option, const OptionValue& value);
 
 /// Sets the value, or returns false and leaves the scene alone when it is not allowed.
 [[nodiscard]] bool setOption(const Option& option, Scene& scene, OptionValue value);

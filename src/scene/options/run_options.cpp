@@ -54,6 +54,7 @@ void addSpheres(TableBuilder& table)
         .add("spheres.groups_per_set", "--groups-per-set", "Groups that appear together",
              FROSTFILL_FIELD(spheres.groupsPerSet))
         .range(1, kLargestGroup);
+    table.add("spheres.release", "", "Where spheres appear", FROSTFILL_FIELD(spheres.release));
     table.add("seed", "--seed", "Seed of all randomness", FROSTFILL_FIELD(seed))
         .range(0, kLargestWhole);
 }
@@ -134,6 +135,11 @@ void addFreezing(TableBuilder& table)
         .add("freezing.by_set", "--freeze-by-set",
              "Sets freeze whole, once all of one is calm (fall or skip)",
              FROSTFILL_FIELD(freezing.bySet))
+        .of(Preset::fast);
+    table
+        .add("freezing.rule", "", "When spheres freeze; auto: as freezing.by_set says",
+             FROSTFILL_FIELD(freezing.rule))
+        .orNothing("auto")
         .of(Preset::fast);
     table
         .add("freezing.rest_speed", "--rest-speed",

@@ -3,7 +3,6 @@
 
 #include "base/stage_timer.hpp"
 #include "simulation/contact/depenetration.hpp"
-#include "simulation/discard/paper_discards.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -66,12 +65,12 @@ PaperEngine::PaperEngine(World& world)
                   {world.scene.motion.restitution,
                    kBounceSteps * world.frame.gravity * chooseTimeStep(world)},
                   world.scene.search.spheres == SphereSearch::grid ? &world.resting : nullptr),
-      release_(world, kTopBand, threads_),
+      release_(makeRelease(world, kTopBand, threads_)), discard_(makeDiscard(world)),
       rest_((world.dt = chooseTimeStep(world), windowSteps(world)),
             world.scene.freezing.restSpeed * world.scene.freezing.restWindow),
       setTimeLimit_(world.scene.freezing.setTimeLimit + 2 * fallTime(world.height))
 {
-    if (!release_.any())
+    if (!release_->any())
     {
         refuseTooLarge(world);
     }
@@ -137,11 +136,11 @@ bool PaperEngine::releaseSet()
     const std::size_t before = world_.spheres.size();
     {
         const StageTimer timer(world_.times, Stage::releasing);
-        const auto suits = [this](const Eigen::Vector3d& place, double radius)
-        { return clearOfRunning(place, radius); };
+        const ReleaseQuery query = {.suits = [this](const Eigen::Vector3d& place, double radius)
+                                    { return clearOfRunning(place, radius); }};
         while (world_.spheres.size() - before < wanted)
         {
-            const auto found = release_.find(suits);
+            const auto found = release_->next(query);
             if (!found)
             {
                 break;
@@ -205,20 +204,26 @@ void PaperEngine::freezeAndDiscard()
         {
             const auto id = static_cast<std::uint32_t>(world_.restingCount);
             world_.freeze(id);
-            release_.close(world_.spheres.position(id), world_.spheres.radius[id]);
+            release_->close(world_.spheres.position(id), world_.spheres.radius[id]);
+            if (discard_)
+            {
+                discard_->addResting(id);
+            }
         }
         world_.forgetFrozen();
         setsAtRest_ = 0;
     }
-    if (world_.scene.discard.rule == DiscardRule::paper)
+    if (discard_)
     {
         const StageTimer timer(world_.times, Stage::discarding);
-        firstFrozen_ = discardByHeight(world_, firstFrozen_, world_.restingCount,
-                                       world_.scene.discard.epsilon);
-        if (discardCoveredPolygons(world_, world_.scene.discard.closeness) > 0)
+        discard_->afterFreezing();
+        const auto isDiscarded = [this](std::size_t id)
+        { return world_.spheres.state[id] == SphereState::discarded; };
+        while (firstFrozen_ < world_.restingCount && isDiscarded(firstFrozen_))
         {
-            polygons_.update();
+            ++firstFrozen_;
         }
+        polygons_.update();
     }
 }
 
