@@ -20,9 +20,6 @@ constexpr double kShallow = 0.1;
 constexpr std::size_t kBlock = 8;
 /// How far from a centre a polygon may be to be looked at again by that check. [r]
 constexpr double kNearby = 2;
-/// How far from a sphere's surface others' centres may be to be looked at by way of a grid: the
-/// largest radius, and as much again for what the spheres before may have pushed.
-constexpr double kGridReach = 2;
 
 /// Direction from b to a and the penetration depth of two spheres whose centres are d apart.
 Eigen::Vector3d directionApart(const Eigen::Vector3d& d, double distance)
@@ -76,10 +73,10 @@ std::size_t firstBlockInContact(const Spheres& s, std::size_t i, std::size_t beg
 
 } // namespace
 
-Algorithm1::Algorithm1(Spheres& spheres, const Surface& surface, const PolygonTests& polygons,
-                       const Settings& settings, const SphereGrid* frozen)
+Algorithm1::Algorithm1(Spheres& spheres, const Surface& surface, const PolygonSearchPart& polygons,
+                       const Settings& settings, SphereSearchPart* search)
     : spheres_(spheres), surface_(surface), polygons_(polygons), settings_(settings),
-      frozen_(frozen)
+      search_(search)
 {
 }
 
@@ -130,11 +127,18 @@ void Algorithm1::runningRunning(std::size_t runningBegin, OperationCounts& count
 void Algorithm1::runningFrozen(std::size_t frozenBegin, std::size_t runningBegin,
                                OperationCounts& counts)
 {
+    const IdRange frozen = {frozenBegin, runningBegin};
     for (std::size_t i = runningBegin; i < spheres_.size(); ++i)
     {
-        const std::uint64_t responses = frozen_ ? respondToFrozenNear(i, frozenBegin)
-                                                : respondToAllFrozen(i, frozenBegin, runningBegin);
-        counts.runningFrozenTests += frozen_ ? nearby_.size() : runningBegin - frozenBegin;
+        std::uint64_t responses = 0;
+        for (const IdRange& near :
+             search_ ? search_->near(spheres_, i, frozen) : std::span<const IdRange>(&frozen, 1))
+        {
+            counts.runningFrozenTests += near.end - near.begin;
+            responses += near.end - near.begin < kBlock
+                             ? respondToFrozen(i, near.begin, near.end)
+                             : respondToAllFrozen(i, near.begin, near.end);
+        }
         counts.runningFrozenResponses += responses;
         touched_[i - runningBegin] = touched_[i - runningBegin] || responses > 0;
     }
@@ -150,27 +154,6 @@ std::uint64_t Algorithm1::respondToAllFrozen(std::size_t i, std::size_t begin, s
         j += kBlock;
     }
     return responses + respondToFrozen(i, j, end);
-}
-
-// In ascending order, as all pairs are visited.
-std::uint64_t Algorithm1::respondToFrozenNear(std::size_t i, std::size_t begin)
-{
-    nearby_.clear();
-    frozen_->forEachNear(spheres_.position(i), spheres_.radius[i] + kGridReach,
-                         [&](std::uint32_t id)
-                         {
-                             if (id >= begin)
-                             {
-                                 nearby_.push_back(id);
-                             }
-                         });
-    std::sort(nearby_.begin(), nearby_.end());
-    std::uint64_t responses = 0;
-    for (const std::uint32_t j : nearby_)
-    {
-        responses += respondToFrozen(i, j, j + 1);
-    }
-    return responses;
 }
 
 std::uint64_t Algorithm1::respondToFrozen(std::size_t i, std::size_t begin, std::size_t end)
@@ -216,31 +199,26 @@ std::uint64_t Algorithm1::collideWithPolygons(std::size_t i, const Eigen::Vector
 {
     Eigen::Vector3d p = spheres_.position(i);
     const double radius = spheres_.radius[i];
-    std::uint64_t tests = 0;
     std::uint64_t responses = 0;
     nearby_.clear();
     deepest_ = 0;
-    polygons_.forEach(p,
-                      [&](std::uint32_t polygon)
-                      {
-                          ++tests;
-                          if (!surface_.bound(polygon).mayBeWithin(kNearby * radius, p))
-                          {
-                              return;
-                          }
-                          nearby_.push_back(polygon);
-                          Push push;
-                          if (surface_.bound(polygon).mayBeWithin(radius, p) &&
-                              wallPush(surface_[polygon], p, before, radius, push))
-                          {
-                              p += push.direction * push.depth;
-                              reflect(i, push.direction);
-                              deepest_ = std::max(deepest_, push.depth);
-                              ++responses;
-                          }
-                      });
+    auto respond = [&](std::uint32_t polygon)
+    {
+        nearby_.push_back(polygon);
+        Push push;
+        if (surface_.bound(polygon).mayBeWithin(radius, p) &&
+            wallPush(surface_[polygon], p, before, radius, push))
+        {
+            p += push.direction * push.depth;
+            reflect(i, push.direction);
+            deepest_ = std::max(deepest_, push.depth);
+            ++responses;
+        }
+    };
+    PolygonVisitor visit(surface_, p, kNearby * radius, respond);
+    polygons_.search(p, visit);
     spheres_.setPosition(i, p);
-    counts.spherePolygonTests += tests;
+    counts.spherePolygonTests += visit.tests();
     return responses;
 }
 

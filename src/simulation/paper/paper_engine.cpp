@@ -59,12 +59,14 @@ std::uint32_t windowSteps(const World& world)
 } // namespace
 
 PaperEngine::PaperEngine(World& world)
-    : world_(world), polygons_(world.scene.search.polygons, world.surface, world.polygons,
-                               kQuarterReach, &world.triangles),
-      algorithm1_(world.spheres, world.surface, polygons_,
+    : world_(world), integrator_(integrators()[world.scene.motion.integrator]()),
+      spheres_(sphereSearches()[world.scene.search.spheres](world.resting)),
+      polygons_(polygonSearches()[world.scene.search.polygons](
+          {world.surface, world.polygons, &world.triangles, kQuarterReach})),
+      algorithm1_(world.spheres, world.surface, *polygons_,
                   {world.scene.motion.restitution,
                    kBounceSteps * world.frame.gravity * chooseTimeStep(world)},
-                  world.scene.search.spheres == SphereSearch::grid ? &world.resting : nullptr),
+                  spheres_.get()),
       release_(makeRelease(world, kTopBand, threads_)), discard_(makeDiscard(world)),
       rest_((world.dt = chooseTimeStep(world), windowSteps(world)),
             world.scene.freezing.restSpeed * world.scene.freezing.restWindow),
@@ -223,28 +225,25 @@ void PaperEngine::freezeAndDiscard()
         {
             ++firstFrozen_;
         }
-        polygons_.update();
+        polygons_->update();
     }
 }
 
 void PaperEngine::integrate()
 {
     const StageTimer timer(world_.times, Stage::motion);
-    Spheres& s = world_.spheres;
-    const double dt = world_.dt;
-    const double fall = world_.frame.gravity * dt;
-    const bool explicitEuler = world_.scene.motion.integrator == Integrator::explicitEuler;
-    before_.clear();
-    predicted_.clear();
-    for (std::size_t i = world_.restingCount; i < s.size(); ++i)
+    const Spheres& spheres = world_.spheres;
+    const auto collect = [&](std::vector<Eigen::Vector3d>& positions)
     {
-        before_.push_back(s.position(i));
-        const Eigen::Vector3d velocity = s.velocity(i);
-        const Eigen::Vector3d faster = velocity - Eigen::Vector3d(0, fall, 0);
-        predicted_.push_back(before_.back() + (explicitEuler ? velocity : faster) * dt);
-        s.setPosition(i, predicted_.back());
-        s.setVelocity(i, faster);
-    }
+        positions.clear();
+        for (std::size_t i = world_.restingCount; i < spheres.size(); ++i)
+        {
+            positions.push_back(spheres.position(i));
+        }
+    };
+    collect(before_);
+    integrator_->advance(world_.spheres, world_.restingCount, world_.frame.gravity, world_.dt);
+    collect(predicted_);
 }
 
 // PAPER, Algorithm 1: the three cycles of one time step.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "simulation/discard/discard_rule.hpp"
+#include "simulation/motion/integrator.hpp"
 #include "simulation/paper/algorithm1.hpp"
 #include "simulation/paper/rest_monitor.hpp"
 #include "simulation/release/release_rule.hpp"
@@ -34,7 +35,9 @@ private:
     [[nodiscard]] bool isLost(std::size_t id) const;
 
     World& world_;
-    PolygonTests polygons_;
+    std::unique_ptr<IntegratorPart> integrator_;
+    std::unique_ptr<SphereSearchPart> spheres_;
+    std::unique_ptr<PolygonSearchPart> polygons_;
     Algorithm1 algorithm1_;
     Threads threads_{1};
     std::unique_ptr<ReleasePart> release_;
