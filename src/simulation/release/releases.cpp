@@ -2,6 +2,7 @@
 #include "simulation/release/releases.hpp"
 
 #include "base/random.hpp"
+#include "simulation/release/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,10 +11,6 @@ namespace frostfill
 {
 namespace
 {
-
-constexpr std::size_t kMostClasses = 8;
-constexpr double kWidestClass = 1.1;     // ratio of radii, unless that makes too many classes
-constexpr std::uint64_t kRadiusDraw = 3; // 0 to 2 are those of the sites
 
 /// The largest radius of each class, ascending: the smallest of all, then by a constant ratio.
 std::vector<double> classLimits(const RadiusDistribution& radii)
