@@ -11,6 +11,9 @@
 namespace frostfill
 {
 
+/// From the middle of a unit cube to a corner.
+inline constexpr double kHalfDiagonal = 0.8660254037844387;
+
 /// A box cut into equal cubes. Cells are numbered with x fastest. Points outside the box belong to
 /// the nearest cell of its border, so that a lookup never leaves the array.
 struct GridFrame

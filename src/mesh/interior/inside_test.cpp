@@ -1,10 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/interior/inside_test.hpp"
 
+#include "mesh/interior/winding_number.hpp"
+
 #include <array>
 
 namespace frostfill
 {
+namespace
+{
+
+/// Share of the reach of a cell's triangles within which another point lies surely on the same
+/// side. Larger: rounding may put it beyond. Smaller: more points need a winding number.
+constexpr double kNearlyAll = 0.99;
+
+} // namespace
 
 InsideTest::InsideTest(const Surface& surface, const TriangleGrid& grid)
     : surface_(&surface), grid_(&grid), inside_(grid.frame().size(), false)
@@ -33,7 +43,7 @@ void InsideTest::classifyFrom(const std::array<int, 3>& seed, std::vector<bool>&
 {
     const GridFrame& frame = grid_->frame();
     const bool side =
-        windingNumber(surface_->mesh(), frame.centre(seed[0], seed[1], seed[2])) > 0.5;
+        windingNumber(surface_->mesh(), frame.centre(seed[0], seed[1], seed[2])) > kInsideFrom;
     const auto isNew = [&](int x, int y, int z)
     { return !known[frame.index(x, y, z)] && grid_->cell(x, y, z).empty(); };
     std::vector<std::array<int, 3>> waiting = {seed};
@@ -104,7 +114,7 @@ bool InsideTest::isInsideFarFromSurface(const Eigen::Vector3d& p) const
     for (int direction = 0; direction < 6; ++direction)
     {
         Eigen::Vector3d other = p;
-        other[direction / 2] += (direction % 2 == 0 ? -1 : 1) * 0.99 * grid_->reach();
+        other[direction / 2] += (direction % 2 == 0 ? -1 : 1) * kNearlyAll * grid_->reach();
         if (grid_->near(other).empty() && grid_->frame().contains(other))
         {
             return inside_[grid_->frame().index(other)];
@@ -116,7 +126,7 @@ bool InsideTest::isInsideFarFromSurface(const Eigen::Vector3d& p) const
     const auto [side, isNew] = farSides_.try_emplace(grid_->frame().index(p), false);
     if (isNew)
     {
-        side->second = windingNumber(surface_->mesh(), p) > 0.5;
+        side->second = windingNumber(surface_->mesh(), p) > kInsideFrom;
     }
     return side->second;
 }

@@ -12,7 +12,9 @@ namespace frostfill
 namespace
 {
 
-/// Share of their length that equal vectors keep when they are added; the rest is rounding.
+/// Share of their length that equal vectors keep when they are added; the rest is rounding. Larger:
+/// rounding makes edges of planes, on which spheres stumble. Smaller: a slight bend counts as flat,
+/// and spheres pass through its edge by as little.
 constexpr double kFlat = 1 - 1e-12;
 
 double cornerAngle(const Eigen::Vector3d& at, const Eigen::Vector3d& b, const Eigen::Vector3d& c)

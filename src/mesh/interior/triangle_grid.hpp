@@ -72,7 +72,7 @@ void forEachCellNear(const GridFrame& frame, const SurfaceTriangle& triangle, do
     const auto low = frame.coordinates(box.min().array() - reach);
     const auto high = frame.coordinates(box.max().array() + reach);
     // Half a cell's diagonal: how far the cell's points are from its centre.
-    const double radius = 0.8660254037844387 * frame.cell + reach;
+    const double radius = kHalfDiagonal * frame.cell + reach;
     for (int z = low[2]; z <= high[2]; ++z)
     {
         for (int y = low[1]; y <= high[1]; ++y)

@@ -32,9 +32,18 @@ struct Contact
     return (a - b).squaredNorm() < distance * distance;
 }
 
-/// The contact of two spheres with a gap below `gap`, none where they are farther apart. `d` leads
-/// from the other centre to the sphere's; `reach` is the sum of the radii. Two spheres in the same
-/// place have the normal zero: a contact that stops nothing, because every way out is as good.
+/// The contact of two spheres. `d` leads from the other centre to the sphere's, `squared` is its
+/// length squared, `reach` the sum of the radii. Two spheres in the same place have the normal
+/// zero: a contact that stops nothing, because every way out is as good.
+[[nodiscard]] inline Contact contactOfSpheres(const Eigen::Vector3d& d, double squared,
+                                              double reach)
+{
+    const double distance = std::sqrt(squared);
+    return {distance > 0 ? Eigen::Vector3d(d / distance) : Eigen::Vector3d::Zero(),
+            reach - distance};
+}
+
+/// The same where the gap is below `gap`, none where it is not.
 [[nodiscard]] inline std::optional<Contact> sphereContact(const Eigen::Vector3d& d, double reach,
                                                           double gap = 0)
 {
@@ -44,9 +53,7 @@ struct Contact
     {
         return std::nullopt;
     }
-    const double distance = std::sqrt(squared);
-    return Contact{distance > 0 ? Eigen::Vector3d(d / distance) : Eigen::Vector3d::Zero(),
-                   reach - distance};
+    return contactOfSpheres(d, squared, reach);
 }
 
 /// The way on which a sphere leaves a contact: its normal, or up where the two centres are one.

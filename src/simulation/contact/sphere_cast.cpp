@@ -11,11 +11,6 @@ namespace frostfill
 namespace
 {
 
-/// A triangle whose back is turned this far belongs to another sheet of a thin wall. [r]
-constexpr double kOtherSheet = -0.5;
-/// Newton's method converges quadratically; more steps than this mean a grazing approach.
-constexpr int kNewtonSteps = 40;
-
 // Exact: the first root of |p + t direction - centre| = reach.
 double castAtSpheres(const NeighbourList& around, const Eigen::Vector3d& p,
                      const Eigen::Vector3d& direction, double limit)
@@ -41,7 +36,8 @@ double castAtSpheres(const NeighbourList& around, const Eigen::Vector3d& p,
 } // namespace
 
 // The distance to a triangle is a convex function of the way gone, so it never falls below its
-// tangent: Newton's steps approach the contact from in front and never pass it.
+// tangent: Newton's steps approach the contact from in front and never pass it. No use for the
+// kernel's contact here: a cast asks from both sides of a wall, and only along its direction.
 double castAtTriangle(const SurfaceTriangle& triangle, const Eigen::Vector3d& p, double radius,
                       const Eigen::Vector3d& direction, double limit)
 {

@@ -65,4 +65,25 @@ inline constexpr double kBelow = 1e-13;
 /// contacts takes time with the square of its length.
 inline constexpr double kSameNormal = 1e-14;
 
+/// A direction may lead into a contact of the cone by this share of its length, which is rounding.
+/// Larger: what slides creeps into walls. Smaller: a direction along two contacts seems to lead
+/// into one of them, and the sphere sticks.
+inline constexpr double kLeadsInto = 1e-10;
+
+/// Two contacts whose normals' cross product is shorter than this act as one: the line between them
+/// would be rounding. Larger: a narrow wedge lets its sphere out at the wrong end. Smaller: it
+/// leads anywhere.
+inline constexpr double kParallel = 1e-9;
+
+// Sphere cast.
+
+/// A triangle whose back is turned to the centre from farther away than this belongs to another
+/// sheet of a thin wall. [r] Nearer to zero: a centre that is a little beyond a wall falls through
+/// it. Farther: walls thinner than that stop spheres on their other side.
+inline constexpr double kOtherSheet = -0.5;
+
+/// Newton's steps at most. The method converges quadratically; more steps than this mean a grazing
+/// approach. Smaller: spheres stop before they touch. Larger: time.
+inline constexpr int kNewtonSteps = 40;
+
 } // namespace frostfill

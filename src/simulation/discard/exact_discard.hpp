@@ -36,9 +36,6 @@ public:
 
     void finish(bool full) override;
 
-    /// How often a guard has tripped.
-    [[nodiscard]] std::size_t violations() const { return violations_; }
-
 private:
     struct Kept
     {
@@ -58,7 +55,7 @@ private:
     World& world_;
     std::unique_ptr<ReachMap> map_;
     std::unique_ptr<ClearSearch> clear_;
-    std::size_t violations_ = 0;
+    std::size_t violations_ = 0;         ///< guards that have tripped, each for wider margins
     std::vector<std::uint32_t> pending_; ///< at rest, but not yet in the map
     std::size_t restedSincePolygons_ = 0;
     std::vector<Kept> kept_; ///< spheres at rest in the map that are not dropped

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "mesh/interior/surface.hpp"
+#include "simulation/contact/contact.hpp"
 #include "simulation/paper/polygon_search.hpp"
 #include "simulation/paper/sphere_search.hpp"
 #include "simulation/world/spheres.hpp"
@@ -19,17 +19,10 @@ namespace frostfill
 class Algorithm1
 {
 public:
-    struct Settings
-    {
-        double restitution = 0.2;
-        double bounceSpeed =
-            0; ///< approaches slower than this do not bounce, or nothing ever rests
-    };
-
     /// With `search`, cycle 2 looks only at the spheres at rest that it finds; without it at all of
-    /// them, as the paper does. Everything but the settings outlives this.
+    /// them, as the paper does. Everything but the restitution outlives this.
     Algorithm1(Spheres& spheres, const Surface& surface, const PolygonSearchPart& polygons,
-               const Settings& settings, SphereSearchPart* search = nullptr);
+               const Restitution& restitution, SphereSearchPart* search = nullptr);
 
     /// Cycle 1, running with running: both respond.
     void runningRunning(std::size_t runningBegin, OperationCounts& counts);
@@ -45,16 +38,9 @@ public:
     void clearTouched(std::size_t running) { touched_.assign(running, false); }
 
 private:
-    struct Push
-    {
-        Eigen::Vector3d direction; ///< unit vector, into the object
-        double depth = 0;          ///< penetration depth [r]
-    };
     std::uint64_t respondToFrozen(std::size_t i, std::size_t begin, std::size_t end);
     std::uint64_t respondToAllFrozen(std::size_t i, std::size_t begin, std::size_t end);
     void reflect(std::size_t i, const Eigen::Vector3d& normal);
-    [[nodiscard]] bool wallPush(const SurfaceTriangle& triangle, const Eigen::Vector3d& p,
-                                const Eigen::Vector3d& before, double radius, Push& push);
     std::uint64_t collideWithPolygons(std::size_t i, const Eigen::Vector3d& before,
                                       OperationCounts& counts);
     void keepInside(std::size_t i, const Eigen::Vector3d& before);
@@ -62,7 +48,7 @@ private:
     Spheres& spheres_;
     const Surface& surface_;
     const PolygonSearchPart& polygons_;
-    Settings settings_;
+    Restitution restitution_;
     SphereSearchPart* search_;
     std::vector<bool> touched_;
     std::vector<std::uint32_t> nearby_; ///< polygons near the sphere in hand

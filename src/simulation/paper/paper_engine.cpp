@@ -3,6 +3,7 @@
 
 #include "base/stage_timer.hpp"
 #include "simulation/contact/depenetration.hpp"
+#include "simulation/paper/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,24 +12,6 @@ namespace frostfill
 {
 namespace
 {
-
-/// A centre's polygon may be this far beyond the edge of its quarter: its radius, and what it may
-/// be pushed while it is tested. [r]
-constexpr double kQuarterReach = 1.1;
-/// Contacts between spheres move a centre at most this far in a step, so that walls can win. [own
-/// radius]
-constexpr double kLongestPush = 0.5;
-/// No fall moves a sphere farther than this in a step by default. [smallest radius]
-constexpr double kLongestFall = 0.5;
-/// Largest default step, which matters for objects not much higher than a sphere. [sqrt(r/g) of the
-/// smallest]
-constexpr double kLongestStep = 0.1;
-/// Approaches slower than gravity makes in this many steps do not bounce.
-constexpr double kBounceSteps = 4;
-/// Spheres appear at most this far below the highest ceiling that has room. [r]
-constexpr double kTopBand = 4;
-/// A centre this far outside the box has leaked and will never rest. [r]
-constexpr double kLost = 4;
 
 double fallTime(double height)
 {
@@ -46,14 +29,16 @@ double chooseTimeStep(const World& world)
         return *world.scene.motion.dt / world.frame.time;
     }
     const double smallest = world.radii.smallest();
-    return std::min(kLongestStep * std::sqrt(smallest),
+    return std::min(kPaperLongestStep * std::sqrt(smallest),
                     kLongestFall * smallest / fallSpeed(world.height));
 }
 
-std::uint32_t windowSteps(const World& world)
+RestMonitor restMonitor(const World& world)
 {
-    const double steps = std::ceil(world.scene.freezing.restWindow / world.dt);
-    return static_cast<std::uint32_t>(std::clamp(steps, 1.0, 1e6));
+    const FreezingSettings& freezing = world.scene.freezing;
+    const double steps = std::ceil(freezing.restWindow / chooseTimeStep(world));
+    return {static_cast<std::uint32_t>(std::clamp(steps, 1.0, kLongestWindow)),
+            freezing.restSpeed * freezing.restWindow};
 }
 
 } // namespace
@@ -67,11 +52,11 @@ PaperEngine::PaperEngine(World& world)
                   {world.scene.motion.restitution,
                    kBounceSteps * world.frame.gravity * chooseTimeStep(world)},
                   spheres_.get()),
-      release_(makeRelease(world, kTopBand, threads_)), discard_(makeDiscard(world)),
-      rest_((world.dt = chooseTimeStep(world), windowSteps(world)),
-            world.scene.freezing.restSpeed * world.scene.freezing.restWindow),
+      release_(makeRelease(world, kPaperTopBand, threads_)), discard_(makeDiscard(world)),
+      rest_(restMonitor(world)),
       setTimeLimit_(world.scene.freezing.setTimeLimit + 2 * fallTime(world.height))
 {
+    world.dt = chooseTimeStep(world);
     if (!release_->any())
     {
         refuseTooLarge(world);
@@ -171,7 +156,7 @@ void PaperEngine::startSet(std::size_t spheres)
     fallEnergy_ = 0;
     for (std::size_t i = world_.restingCount; i < world_.spheres.size(); ++i)
     {
-        fallEnergy_ += world_.height * std::pow(world_.spheres.radius[i], 3);
+        fallEnergy_ += world_.height * massOf(world_.spheres.radius[i]);
     }
 }
 
@@ -189,8 +174,8 @@ bool PaperEngine::clearOfRunning(const Eigen::Vector3d& place, double radius) co
 {
     for (std::size_t id = world_.restingCount; id < world_.spheres.size(); ++id)
     {
-        const double contact = world_.spheres.radius[id] + radius + kClearance;
-        if ((world_.spheres.position(id) - place).squaredNorm() < contact * contact)
+        if (isWithin(world_.spheres.position(id), place,
+                     world_.spheres.radius[id] + radius + kClearance))
         {
             return false;
         }
@@ -275,7 +260,7 @@ void PaperEngine::limitPushes()
         const std::size_t id = world_.restingCount + k;
         const Eigen::Vector3d push = world_.spheres.position(id) - predicted_[k];
         const double length = push.norm();
-        const double longest = kLongestPush * world_.spheres.radius[id];
+        const double longest = kPaperLongestPush * world_.spheres.radius[id];
         if (length > longest)
         {
             world_.spheres.setPosition(id, predicted_[k] + push * (longest / length));
@@ -307,8 +292,8 @@ double PaperEngine::runningEnergy() const
     double energy = 0;
     for (std::size_t i = world_.restingCount; i < s.size(); ++i)
     {
-        const double mass = s.radius[i] * s.radius[i] * s.radius[i];
-        energy += mass * (s.velocity(i).squaredNorm() / 2 + world_.frame.gravity * s.y[i]);
+        energy +=
+            massOf(s.radius[i]) * (s.velocity(i).squaredNorm() / 2 + world_.frame.gravity * s.y[i]);
     }
     return energy;
 }

@@ -2,6 +2,7 @@
 #include "simulation/paper/polygon_search.hpp"
 
 #include <array>
+#include <span>
 
 namespace frostfill
 {
@@ -15,9 +16,10 @@ public:
     explicit Loop(const SearchedPolygons& polygons) : states_(polygons.states) {}
     void search(const Eigen::Vector3d&, PolygonVisitor& visit) const override
     {
-        for (std::uint32_t polygon = 0; polygon < states_.size(); ++polygon)
+        const std::span<const PolygonState> states = states_;
+        for (std::uint32_t polygon = 0; polygon < states.size(); ++polygon)
         {
-            if (states_[polygon] == PolygonState::active)
+            if (states[polygon] == PolygonState::active)
             {
                 visit(polygon);
             }
@@ -161,9 +163,10 @@ public:
     }
     void search(const Eigen::Vector3d& p, PolygonVisitor& visit) const override
     {
+        const std::span<const PolygonState> states = states_;
         for (const std::uint32_t polygon : grid_.near(p))
         {
-            if (states_[polygon] == PolygonState::active)
+            if (states[polygon] == PolygonState::active)
             {
                 visit(polygon);
             }

@@ -3,6 +3,7 @@
 
 #include "mesh/interior/surface.hpp"
 #include "mesh/interior/triangle_grid.hpp"
+#include "simulation/paper/tolerances.hpp"
 #include "simulation/world/part_table.hpp"
 
 #include <frostfill/snapshot.hpp>
@@ -18,10 +19,12 @@ namespace frostfill
 class PolygonVisitor
 {
 public:
-    /// Calls `respond(polygon)` for those that may be within `reach` of p, which it may move.
+    /// Lists in `nearby` those that may be within kNearby radii of p, and calls
+    /// `respond(polygon)`, which may move p, for those that may touch the sphere.
     template <class Respond>
-    PolygonVisitor(const Surface& surface, const Eigen::Vector3d& p, double reach, Respond& respond)
-        : surface_(surface), p_(p), reach_(reach), respond_(&respond),
+    PolygonVisitor(const Surface& surface, const Eigen::Vector3d& p, double radius,
+                   std::vector<std::uint32_t>& nearby, Respond& respond)
+        : surface_(surface), p_(p), radius_(radius), nearby_(nearby), respond_(&respond),
           call_([](void* function, std::uint32_t polygon)
                 { (*static_cast<Respond*>(function))(polygon); })
     {
@@ -30,7 +33,12 @@ public:
     void operator()(std::uint32_t polygon)
     {
         ++tests_;
-        if (surface_.bound(polygon).mayBeWithin(reach_, p_))
+        if (!surface_.bound(polygon).mayBeWithin(kNearby * radius_, p_))
+        {
+            return;
+        }
+        nearby_.push_back(polygon);
+        if (surface_.bound(polygon).mayBeWithin(radius_, p_))
         {
             call_(respond_, polygon);
         }
@@ -41,7 +49,8 @@ public:
 private:
     const Surface& surface_;
     const Eigen::Vector3d& p_;
-    double reach_;
+    double radius_;
+    std::vector<std::uint32_t>& nearby_;
     void* respond_;
     void (*call_)(void*, std::uint32_t);
     std::uint64_t tests_ = 0;
@@ -69,7 +78,7 @@ struct SearchedPolygons
     const std::vector<PolygonState>& states;
     const TriangleGrid* grid = nullptr; ///< may be missing where the search does not need it
     /// How near to the edge of its part of space a centre may be to a polygon of the next and still
-    /// has to meet it [r].
+    /// has to be tested with it [r].
     double reach = 0;
 };
 

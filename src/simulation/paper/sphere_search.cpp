@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/paper/sphere_search.hpp"
 
+#include "simulation/paper/tolerances.hpp"
+
 #include <algorithm>
 #include <vector>
 
@@ -8,10 +10,6 @@ namespace frostfill
 {
 namespace
 {
-
-/// How far from a sphere's surface others' centres may be to be looked at by way of a grid: the
-/// largest radius, and as much again for what the spheres before may have pushed. [r]
-constexpr double kGridReach = 2;
 
 /// PAPER: every pair.
 class AllPairs final : public SphereSearchPart
@@ -36,23 +34,32 @@ public:
     [[nodiscard]] std::span<const IdRange> near(const Spheres& spheres, std::size_t i,
                                                 IdRange frozen) override
     {
-        found_.clear();
+        ids_.clear();
         resting_.forEachNear(spheres.position(i), spheres.radius[i] + kGridReach,
                              [&](std::uint32_t id)
                              {
                                  if (id >= frozen.begin)
                                  {
-                                     found_.push_back({id, id + std::size_t{1}});
+                                     ids_.push_back(id);
                                  }
                              });
-        std::sort(found_.begin(), found_.end(),
-                  [](const IdRange& a, const IdRange& b) { return a.begin < b.begin; });
-        return found_;
+        std::sort(ids_.begin(), ids_.end());
+        ranges_.clear();
+        for (const std::size_t id : ids_)
+        {
+            if (ranges_.empty() || ranges_.back().end != id)
+            {
+                ranges_.push_back({id, id});
+            }
+            ++ranges_.back().end;
+        }
+        return ranges_;
     }
 
 private:
     const SphereGrid& resting_;
-    std::vector<IdRange> found_;
+    std::vector<std::uint32_t> ids_;
+    std::vector<IdRange> ranges_;
 };
 
 } // namespace
