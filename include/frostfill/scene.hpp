@@ -21,6 +21,8 @@ enum class Axis : std::uint8_t
     y,
     z
 };
+// Each enumeration from here to ReleaseRule chooses a part. They are open: a part that a program
+// adds (docs/parts.md) has a value after the last one that is built in.
 enum class Integrator : std::uint8_t
 {
     explicitEuler,
@@ -43,6 +45,15 @@ enum class DiscardRule : std::uint8_t
     none,
     paper, ///< by height and covered vertices: heuristics; preset paper only
     exact, ///< by reachability: same bits as none; preset fast only
+};
+enum class FreezingRule : std::uint8_t
+{
+    oneByOne, ///< each sphere by itself, as soon as it is calm and carried
+    bySet,    ///< a set as a whole, once most of it is calm
+};
+enum class ReleaseRule : std::uint8_t
+{
+    ceilings, ///< at random below the object's ceilings, then wherever one still fits
 };
 enum class Preset : std::uint8_t
 {
@@ -95,7 +106,8 @@ struct SphereSettings
     bool untilFull = false;             ///< continue after `count` until no sphere fits
     std::uint32_t groupSize = 0; ///< gamma: spheres in a group; 0 (fast only): 10, or more if the
                                  ///< object is large compared with a sphere
-    std::uint32_t groupsPerSet = 2; ///< k: groups that appear together
+    std::uint32_t groupsPerSet = 2;              ///< k: groups that appear together
+    ReleaseRule release = ReleaseRule::ceilings; ///< where spheres appear
 };
 
 /// How a sphere moves. Lengths in r and times in sqrt(r/g) keep the defaults independent of units.
@@ -132,6 +144,8 @@ struct FreezingSettings
                                  ///< twice the time of a fall through the object
     bool bySet = false; ///< preset fast: a set freezes as a whole once it is at rest, and then the
                         ///< next appears; off: one by one. Not with Motion::descend
+    /// Preset fast, not with Motion::descend. If not given, bySet decides.
+    std::optional<FreezingRule> rule;
 };
 
 /// What is no longer tested (PAPER: equation 3 and covered polygons).

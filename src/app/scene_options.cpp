@@ -35,8 +35,8 @@ std::string placeholder(const Option& option)
         what = "X|X..Y|FILE";
         break;
     case OptionType::text:
-        what = option.choices.empty() ? option.placeholder
-                                      : fmt::format("{}", fmt::join(option.choices, "|"));
+        what = option.texts().empty() ? option.placeholder
+                                      : fmt::format("{}", fmt::join(option.texts(), "|"));
         break;
     }
     for (const auto& [word, number] : option.words)
@@ -108,8 +108,9 @@ void applyGivenOptions(const GivenOptions& given, Scene& scene)
         const auto value = readOptionText(option, text);
         if (!value || !setOption(option, scene, *value))
         {
-            throw Error(ErrorCode::usage, fmt::format("{} is '{}', but it must be {}", option.flag,
-                                                      text, describeAllowed(option)));
+            throw Error(ErrorCode::usage,
+                        fmt::format("{} is '{}', but it must be {}{}", option.flag, text,
+                                    describeAllowed(option), nearestAllowed(option, text)));
         }
     }
 }

@@ -36,12 +36,14 @@ room(simulation/solver ${core} simulation/contact simulation/motion)
 room(simulation/release ${core} simulation/contact simulation/motion)
 room(simulation/reach ${core})
 room(simulation/discard ${core} simulation/contact simulation/reach)
-room(simulation/paper ${core} simulation/contact simulation/discard simulation/release)
 set(parts simulation/contact simulation/motion simulation/solver simulation/release simulation/reach
-          simulation/discard simulation/paper)
+          simulation/discard)
+room(simulation/freezing ${core} ${parts})
+room(simulation/paper ${core} simulation/contact simulation/motion simulation/discard
+     simulation/release)
+list(APPEND parts simulation/freezing simulation/paper)
 room(simulation/quality ${core})
 room(simulation/engine ${core} ${parts} simulation/quality)
-room(simulation/freezing ${core} ${parts} simulation/engine)
 
 room(image base)
 set(seen base snapshot mesh view image)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene/options/option.hpp"
 
+#include "scene/options/nearest_name.hpp"
 #include "scene/options/table_builder.hpp"
 
 #include <fmt/format.h>
@@ -125,9 +126,8 @@ bool allowed(const Option& option, const OptionValue& value)
         break;
     }
     const auto* text = std::get_if<std::string>(&value);
-    return text &&
-           (option.choices.empty() ||
-            std::find(option.choices.begin(), option.choices.end(), *text) != option.choices.end());
+    const std::vector<std::string>& texts = option.texts();
+    return text && (texts.empty() || std::find(texts.begin(), texts.end(), *text) != texts.end());
 }
 
 } // namespace
@@ -178,8 +178,8 @@ std::string describeAllowed(const Option& option)
                ", a range such as 0.02..0.05, a file with one radius per line";
         break;
     case OptionType::text:
-        what = option.choices.empty() ? option.form
-                                      : fmt::format("{}", fmt::join(option.choices, ", "));
+        what = option.texts().empty() ? option.form
+                                      : fmt::format("{}", fmt::join(option.texts(), ", "));
         break;
     }
     for (const auto& [word, number] : option.words)
@@ -191,6 +191,13 @@ std::string describeAllowed(const Option& option)
         what += " or " + option.nothing;
     }
     return what;
+}
+
+std::string nearestAllowed(const Option& option, const OptionValue& value)
+{
+    const auto* text = std::get_if<std::string>(&value);
+    const std::string nearest = text ? nearestName(*text, option.texts()) : "";
+    return nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest);
 }
 
 bool setOption(const Option& option, Scene& scene, OptionValue value)

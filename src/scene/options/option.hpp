@@ -51,6 +51,8 @@ struct Option
     std::string placeholder = "TEXT";      ///< of a text in the help
     std::string form = "text";             ///< description of a text: "a size such as 1280x720"
     std::vector<std::string> choices = {}; ///< of a text; empty: any text
+    /// The same where parts can be added later (see scene/part_names.hpp).
+    const std::vector<std::string>* parts = nullptr;
     std::vector<std::pair<std::string, double>> words = {}; ///< words for numbers
     OptionRange range = {};
     std::optional<Preset> preset = {}; ///< the only preset that uses it; empty: both do
@@ -59,6 +61,9 @@ struct Option
     /// Takes a value of `get` or one that setOption has checked. Returns false for a text that it
     /// cannot read.
     std::function<bool(Scene&, const OptionValue&)> set = {};
+
+    /// The texts that are allowed now; empty: any text.
+    [[nodiscard]] const std::vector<std::string>& texts() const { return parts ? *parts : choices; }
 };
 
 /// Every setting, in the order of the files and the help.
@@ -67,6 +72,9 @@ struct Option
 
 /// The allowed values, for messages: "a number from 0 to 1".
 [[nodiscard]] std::string describeAllowed(const Option& option);
+
+/// "; did you mean 'grid'?", or nothing if the value is no text that resembles an allowed one.
+[[nodiscard]] std::string nearestAllowed(const Option& option, const OptionValue& value);
 
 /// Sets the value. Returns false, and leaves the scene unchanged, if it is not allowed.
 [[nodiscard]] bool setOption(const Option& option, Scene& scene, OptionValue value);

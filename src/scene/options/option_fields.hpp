@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/options/option.hpp"
+#include "scene/part_names.hpp"
 
 #include <array>
 #include <concepts>
@@ -17,26 +18,6 @@ template <>
 struct EnumNames<Axis>
 {
     static constexpr std::array<const char*, 3> kNames = {"x", "y", "z"};
-};
-template <>
-struct EnumNames<Integrator>
-{
-    static constexpr std::array<const char*, 2> kNames = {"explicit", "semi-implicit"};
-};
-template <>
-struct EnumNames<SphereSearch>
-{
-    static constexpr std::array<const char*, 2> kNames = {"all-pairs", "grid"};
-};
-template <>
-struct EnumNames<PolygonSearch>
-{
-    static constexpr std::array<const char*, 4> kNames = {"loop", "list", "quadtree", "grid"};
-};
-template <>
-struct EnumNames<DiscardRule>
-{
-    static constexpr std::array<const char*, 3> kNames = {"none", "paper", "exact"};
 };
 template <>
 struct EnumNames<Preset>
@@ -66,6 +47,20 @@ struct EnumNames<Look>
 {
     static constexpr std::array<const char*, 3> kNames = {"clean", "paper", "dark"};
 };
+
+/// The names of an enumeration's values, those of parts that were added included.
+template <typename Enum>
+const auto& namesOf()
+{
+    if constexpr (PartChoice<Enum>)
+    {
+        return partNames<Enum>();
+    }
+    else
+    {
+        return EnumNames<Enum>::kNames;
+    }
+}
 
 [[nodiscard]] std::string colourText(const Colour& colour);
 [[nodiscard]] bool readColour(std::string_view text, Colour& colour);
@@ -126,7 +121,7 @@ OptionValue toValue(Field field)
 template <typename Enum>
 requires std::is_enum_v<Enum> OptionValue toValue(Enum field)
 {
-    return std::string(EnumNames<Enum>::kNames.at(static_cast<std::size_t>(field)));
+    return std::string(namesOf<Enum>().at(static_cast<std::size_t>(field)));
 }
 template <typename Field>
 OptionValue toValue(const std::optional<Field>& field)
@@ -139,7 +134,7 @@ bool fromValue(Field& field, const OptionValue& value)
 {
     if constexpr (std::is_enum_v<Field>)
     {
-        const auto& names = EnumNames<Field>::kNames;
+        const auto& names = namesOf<Field>();
         for (std::size_t i = 0; i < names.size(); ++i)
         {
             if (std::get<std::string>(value) == names[i])
@@ -204,6 +199,7 @@ bool fromValue(std::optional<Field>& field, const OptionValue& value)
 template <typename Field>
 struct OptionTypeOf
 {
+    using Inner = Field;
     static constexpr OptionType kType = std::is_same_v<Field, bool>  ? OptionType::boolean
                                         : std::integral<Field>       ? OptionType::integer
                                         : std::floating_point<Field> ? OptionType::number
@@ -224,9 +220,14 @@ Option fieldOption(Option option, Access access)
 {
     using Field = std::remove_cvref_t<decltype(access(std::declval<Scene&>()))>;
     option.type = OptionTypeOf<Field>::kType;
-    if constexpr (std::is_enum_v<Field>)
+    using Inner = typename OptionTypeOf<Field>::Inner;
+    if constexpr (PartChoice<Inner>)
     {
-        option.choices.assign(EnumNames<Field>::kNames.begin(), EnumNames<Field>::kNames.end());
+        option.parts = &partNames<Inner>();
+    }
+    else if constexpr (std::is_enum_v<Inner>)
+    {
+        option.choices.assign(EnumNames<Inner>::kNames.begin(), EnumNames<Inner>::kNames.end());
     }
     if constexpr (std::is_same_v<Field, Colour>)
     {

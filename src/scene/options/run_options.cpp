@@ -57,6 +57,7 @@ void addSpheres(TableBuilder& table)
         .add("spheres.groups_per_set", "--groups-per-set", "Groups in a set: they appear together",
              FROSTFILL_FIELD(spheres.groupsPerSet))
         .range(1, kLargestGroup);
+    table.add("spheres.release", "", "Where spheres appear", FROSTFILL_FIELD(spheres.release));
     table.add("seed", "--seed", "Seed of the random numbers", FROSTFILL_FIELD(seed))
         .range(0, kLargestWhole);
 }
@@ -142,6 +143,11 @@ void addFreezing(TableBuilder& table)
         .add("freezing.by_set", "--freeze-by-set",
              "Freeze each set as a whole, once it is at rest (fall or skip)",
              FROSTFILL_FIELD(freezing.bySet))
+        .of(Preset::fast);
+    table
+        .add("freezing.rule", "", "When spheres freeze; auto: freezing.by_set decides",
+             FROSTFILL_FIELD(freezing.rule))
+        .orNothing("auto")
         .of(Preset::fast);
     table
         .add("freezing.rest_speed", "--rest-speed",

@@ -114,7 +114,8 @@ void apply(const std::string& key, const FileValues& values, Scene& scene, std::
     if (!found->second.readable || !setOption(option, scene, found->second.value))
     {
         refuse(file, found->second.line,
-               fmt::format("'{}' must be {}", key, describeAllowed(option)));
+               fmt::format("'{}' must be {}{}", key, describeAllowed(option),
+                           nearestAllowed(option, found->second.value)));
     }
 }
 

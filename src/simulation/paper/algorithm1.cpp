@@ -88,10 +88,10 @@ std::size_t firstBlockInContact(const Spheres& s, std::size_t i, std::size_t beg
 
 } // namespace
 
-Algorithm1::Algorithm1(Spheres& spheres, const Surface& surface, const PolygonTests& polygons,
-                       const Restitution& restitution, const SphereGrid* frozen)
+Algorithm1::Algorithm1(Spheres& spheres, const Surface& surface, const PolygonSearchPart& polygons,
+                       const Restitution& restitution, SphereSearchPart* search)
     : spheres_(spheres), surface_(surface), polygons_(polygons), restitution_(restitution),
-      frozen_(frozen)
+      search_(search)
 {
 }
 
@@ -140,11 +140,18 @@ void Algorithm1::runningRunning(std::size_t runningBegin, OperationCounts& count
 void Algorithm1::runningFrozen(std::size_t frozenBegin, std::size_t runningBegin,
                                OperationCounts& counts)
 {
+    const IdRange frozen = {frozenBegin, runningBegin};
     for (std::size_t i = runningBegin; i < spheres_.size(); ++i)
     {
-        const std::uint64_t responses = frozen_ ? respondToFrozenNear(i, frozenBegin)
-                                                : respondToAllFrozen(i, frozenBegin, runningBegin);
-        counts.runningFrozenTests += frozen_ ? nearby_.size() : runningBegin - frozenBegin;
+        std::uint64_t responses = 0;
+        for (const IdRange& near :
+             search_ ? search_->near(spheres_, i, frozen) : std::span<const IdRange>(&frozen, 1))
+        {
+            counts.runningFrozenTests += near.end - near.begin;
+            responses += near.end - near.begin < kBlock
+                             ? respondToFrozen(i, near.begin, near.end)
+                             : respondToAllFrozen(i, near.begin, near.end);
+        }
         counts.runningFrozenResponses += responses;
         touched_[i - runningBegin] = touched_[i - runningBegin] || responses > 0;
     }
@@ -160,27 +167,6 @@ std::uint64_t Algorithm1::respondToAllFrozen(std::size_t i, std::size_t begin, s
         j += kBlock;
     }
     return responses + respondToFrozen(i, j, end);
-}
-
-// In ascending order, as all pairs are visited.
-std::uint64_t Algorithm1::respondToFrozenNear(std::size_t i, std::size_t begin)
-{
-    nearby_.clear();
-    frozen_->forEachNear(spheres_.position(i), spheres_.radius[i] + kGridReach,
-                         [&](std::uint32_t id)
-                         {
-                             if (id >= begin)
-                             {
-                                 nearby_.push_back(id);
-                             }
-                         });
-    std::sort(nearby_.begin(), nearby_.end());
-    std::uint64_t responses = 0;
-    for (const std::uint32_t j : nearby_)
-    {
-        responses += respondToFrozen(i, j, j + 1);
-    }
-    return responses;
 }
 
 std::uint64_t Algorithm1::respondToFrozen(std::size_t i, std::size_t begin, std::size_t end)
@@ -224,34 +210,23 @@ std::uint64_t Algorithm1::collideWithPolygons(std::size_t i, const Eigen::Vector
 {
     Eigen::Vector3d p = spheres_.position(i);
     const double radius = spheres_.radius[i];
-    std::uint64_t tests = 0;
     std::uint64_t responses = 0;
     nearby_.clear();
     deepest_ = 0;
-    polygons_.forEach(p,
-                      [&](std::uint32_t polygon)
-                      {
-                          ++tests;
-                          if (!surface_.bound(polygon).mayBeWithin(kNearby * radius, p))
-                          {
-                              return;
-                          }
-                          nearby_.push_back(polygon);
-                          if (!surface_.bound(polygon).mayBeWithin(radius, p))
-                          {
-                              return;
-                          }
-                          if (const auto contact =
-                                  oneSidedContact(surface_[polygon], p, before, radius))
-                          {
-                              p += contact->normal * contact->depth;
-                              reflect(i, contact->normal);
-                              deepest_ = std::max(deepest_, contact->depth);
-                              ++responses;
-                          }
-                      });
+    auto respond = [&](std::uint32_t polygon)
+    {
+        if (const auto contact = oneSidedContact(surface_[polygon], p, before, radius))
+        {
+            p += contact->normal * contact->depth;
+            reflect(i, contact->normal);
+            deepest_ = std::max(deepest_, contact->depth);
+            ++responses;
+        }
+    };
+    PolygonVisitor visit(surface_, p, radius, nearby_, respond);
+    polygons_.search(p, visit);
     spheres_.setPosition(i, p);
-    counts.spherePolygonTests += tests;
+    counts.spherePolygonTests += visit.tests();
     return responses;
 }
 

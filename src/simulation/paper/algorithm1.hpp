@@ -5,7 +5,7 @@
 
 #include "simulation/contact/contact.hpp"
 #include "simulation/paper/polygon_search.hpp"
-#include "simulation/world/sphere_grid.hpp"
+#include "simulation/paper/sphere_search.hpp"
 #include "simulation/world/spheres.hpp"
 
 #include <frostfill/measure.hpp>
@@ -21,10 +21,10 @@ namespace frostfill
 class Algorithm1
 {
 public:
-    /// With `frozen`, a grid of all spheres at rest, cycle 2 looks only at those in the cells near
-    /// a running sphere; without it at all of them, as the paper does. Both give the same bits.
-    Algorithm1(Spheres& spheres, const Surface& surface, const PolygonTests& polygons,
-               const Restitution& restitution, const SphereGrid* frozen = nullptr);
+    /// With `search`, cycle 2 looks only at the spheres at rest that it finds; without it at all of
+    /// them, as the paper does. Everything but the restitution outlives this.
+    Algorithm1(Spheres& spheres, const Surface& surface, const PolygonSearchPart& polygons,
+               const Restitution& restitution, SphereSearchPart* search = nullptr);
 
     /// Cycle 1, running with running: both respond.
     void runningRunning(std::size_t runningBegin, OperationCounts& counts);
@@ -42,7 +42,6 @@ public:
 private:
     std::uint64_t respondToFrozen(std::size_t i, std::size_t begin, std::size_t end);
     std::uint64_t respondToAllFrozen(std::size_t i, std::size_t begin, std::size_t end);
-    std::uint64_t respondToFrozenNear(std::size_t i, std::size_t begin);
     void reflect(std::size_t i, const Eigen::Vector3d& normal);
     std::uint64_t collideWithPolygons(std::size_t i, const Eigen::Vector3d& before,
                                       OperationCounts& counts);
@@ -50,11 +49,11 @@ private:
 
     Spheres& spheres_;
     const Surface& surface_;
-    const PolygonTests& polygons_;
+    const PolygonSearchPart& polygons_;
     Restitution restitution_;
-    const SphereGrid* frozen_;
+    SphereSearchPart* search_;
     std::vector<bool> touched_;
-    std::vector<std::uint32_t> nearby_; ///< polygons, or frozen spheres, near the sphere in hand
+    std::vector<std::uint32_t> nearby_; ///< polygons near the sphere in hand
     double deepest_ = 0;                ///< deepest push off a polygon of the sphere in hand
 };
 

@@ -3,7 +3,6 @@
 
 #include "base/stage_timer.hpp"
 #include "simulation/contact/depenetration.hpp"
-#include "simulation/discard/paper_discards.hpp"
 #include "simulation/paper/tolerances.hpp"
 
 #include <algorithm>
@@ -45,17 +44,20 @@ RestMonitor restMonitor(const World& world)
 } // namespace
 
 PaperEngine::PaperEngine(World& world)
-    : world_(world), polygons_(world.scene.search.polygons, world.surface, world.polygons,
-                               kQuarterReach, &world.triangles),
-      algorithm1_(world.spheres, world.surface, polygons_,
+    : world_(world), integrator_(integrators()[world.scene.motion.integrator]()),
+      spheres_(sphereSearches()[world.scene.search.spheres](world.resting)),
+      polygons_(polygonSearches()[world.scene.search.polygons](
+          {world.surface, world.polygons, &world.triangles, kQuarterReach})),
+      algorithm1_(world.spheres, world.surface, *polygons_,
                   {world.scene.motion.restitution,
                    kBounceSteps * world.frame.gravity * chooseTimeStep(world)},
-                  world.scene.search.spheres == SphereSearch::grid ? &world.resting : nullptr),
-      release_(world, kPaperTopBand, threads_), rest_(restMonitor(world)),
+                  spheres_.get()),
+      release_(makeRelease(world, kPaperTopBand, threads_)), discard_(makeDiscard(world)),
+      rest_(restMonitor(world)),
       setTimeLimit_(world.scene.freezing.setTimeLimit + 2 * fallTime(world.height))
 {
     world.dt = chooseTimeStep(world);
-    if (!release_.any())
+    if (!release_->any())
     {
         refuseTooLarge(world);
     }
@@ -121,11 +123,11 @@ bool PaperEngine::releaseSet()
     const std::size_t before = world_.spheres.size();
     {
         const StageTimer timer(world_.times, Stage::releasing);
-        const auto suits = [this](const Eigen::Vector3d& place, double radius)
-        { return clearOfRunning(place, radius); };
+        const ReleaseQuery query = {.suits = [this](const Eigen::Vector3d& place, double radius)
+                                    { return clearOfRunning(place, radius); }};
         while (world_.spheres.size() - before < wanted)
         {
-            const auto found = release_.find(suits);
+            const auto found = release_->next(query);
             if (!found)
             {
                 break;
@@ -189,41 +191,44 @@ void PaperEngine::freezeAndDiscard()
         {
             const auto id = static_cast<std::uint32_t>(world_.restingCount);
             world_.freeze(id);
-            release_.close(world_.spheres.position(id), world_.spheres.radius[id]);
+            release_->close(world_.spheres.position(id), world_.spheres.radius[id]);
+            if (discard_)
+            {
+                discard_->addResting(id);
+            }
         }
         world_.forgetFrozen();
         setsAtRest_ = 0;
     }
-    if (world_.scene.discard.rule == DiscardRule::paper)
+    if (discard_)
     {
         const StageTimer timer(world_.times, Stage::discarding);
-        firstFrozen_ = discardByHeight(world_, firstFrozen_, world_.restingCount,
-                                       world_.scene.discard.epsilon);
-        if (discardCoveredPolygons(world_, world_.scene.discard.closeness) > 0)
+        discard_->afterFreezing();
+        const auto isDiscarded = [this](std::size_t id)
+        { return world_.spheres.state[id] == SphereState::discarded; };
+        while (firstFrozen_ < world_.restingCount && isDiscarded(firstFrozen_))
         {
-            polygons_.update();
+            ++firstFrozen_;
         }
+        polygons_->update();
     }
 }
 
 void PaperEngine::integrate()
 {
     const StageTimer timer(world_.times, Stage::motion);
-    Spheres& s = world_.spheres;
-    const double dt = world_.dt;
-    const double fall = world_.frame.gravity * dt;
-    const bool explicitEuler = world_.scene.motion.integrator == Integrator::explicitEuler;
-    before_.clear();
-    predicted_.clear();
-    for (std::size_t i = world_.restingCount; i < s.size(); ++i)
+    const Spheres& spheres = world_.spheres;
+    const auto collect = [&](std::vector<Eigen::Vector3d>& positions)
     {
-        before_.push_back(s.position(i));
-        const Eigen::Vector3d velocity = s.velocity(i);
-        const Eigen::Vector3d faster = velocity - Eigen::Vector3d(0, fall, 0);
-        predicted_.push_back(before_.back() + (explicitEuler ? velocity : faster) * dt);
-        s.setPosition(i, predicted_.back());
-        s.setVelocity(i, faster);
-    }
+        positions.clear();
+        for (std::size_t i = world_.restingCount; i < spheres.size(); ++i)
+        {
+            positions.push_back(spheres.position(i));
+        }
+    };
+    collect(before_);
+    integrator_->advance(world_.spheres, world_.restingCount, world_.frame.gravity, world_.dt);
+    collect(predicted_);
 }
 
 // PAPER, Algorithm 1: the three cycles of one time step.

@@ -36,8 +36,9 @@ protected:
     Spheres spheres;
     Surface surface{shapes::box({-10, -10, -10}, {10, 10, 10}, 2)};
     std::vector<PolygonState> polygons = std::vector<PolygonState>(48, PolygonState::active);
-    PolygonTests tests{PolygonSearch::loop, surface, polygons, 2};
-    Algorithm1 algorithm{spheres, surface, tests, {0.5, 0.01}};
+    std::unique_ptr<PolygonSearchPart> search =
+        polygonSearches()[PolygonSearch::loop]({surface, polygons});
+    Algorithm1 algorithm{spheres, surface, *search, {0.5, 0.01}};
     OperationCounts counts;
 };
 
