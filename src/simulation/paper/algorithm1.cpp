@@ -20,29 +20,6 @@ double massInPaper(double radius)
     return std::pow(radius, 3);
 }
 
-// One-sided contact. In front of the wall the sphere is pushed away from the closest point. Behind
-// it, it is pulled back through the closest point, provided that it was in front before this step:
-// otherwise it belongs to another sheet of a thin wall.
-std::optional<Contact> oneSidedContact(const SurfaceTriangle& triangle, const Eigen::Vector3d& p,
-                                       const Eigen::Vector3d& before, double radius)
-{
-    const SignedDistance here = signedDistance(triangle, p);
-    if (std::abs(here.value) >= radius)
-    {
-        return std::nullopt;
-    }
-    const Eigen::Vector3d& inward = triangle.pseudonormal[static_cast<int>(here.feature)];
-    if (here.value == 0)
-    {
-        return Contact{inward.normalized(), radius};
-    }
-    if (here.value < 0 && (before - here.closest).dot(inward) < 0)
-    {
-        return std::nullopt;
-    }
-    return wallContact(here, p, radius);
-}
-
 using Four = double __attribute__((vector_size(32)));
 using FourFlags = std::int64_t __attribute__((vector_size(32)));
 
@@ -228,6 +205,30 @@ std::uint64_t Algorithm1::collideWithPolygons(std::size_t i, const Eigen::Vector
     spheres_.setPosition(i, p);
     counts.spherePolygonTests += visit.tests();
     return responses;
+}
+
+// One-sided contact. In front of the wall the sphere is pushed away from the closest point. Behind
+// it, it is pulled back through the closest point, provided that it was in front before this step:
+// otherwise it belongs to another sheet of a thin wall.
+std::optional<Contact> Algorithm1::oneSidedContact(const SurfaceTriangle& triangle,
+                                                   const Eigen::Vector3d& p,
+                                                   const Eigen::Vector3d& before, double radius)
+{
+    const SignedDistance here = signedDistance(triangle, p);
+    if (std::abs(here.value) >= radius)
+    {
+        return std::nullopt;
+    }
+    const Eigen::Vector3d& inward = triangle.pseudonormal[static_cast<int>(here.feature)];
+    if (here.value == 0)
+    {
+        return Contact{inward.normalized(), radius};
+    }
+    if (here.value < 0 && (before - here.closest).dot(inward) < 0)
+    {
+        return std::nullopt;
+    }
+    return wallContact(here, p, radius);
 }
 
 void Algorithm1::reflect(std::size_t i, const Eigen::Vector3d& normal)

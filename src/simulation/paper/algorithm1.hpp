@@ -45,6 +45,12 @@ private:
     void reflect(std::size_t i, const Eigen::Vector3d& normal);
     std::uint64_t collideWithPolygons(std::size_t i, const Eigen::Vector3d& before,
                                       OperationCounts& counts);
+    /// No function of the source's own: it would be made part of the loop over all polygons, which
+    /// then takes half as long again.
+    [[nodiscard]] static std::optional<Contact> oneSidedContact(const SurfaceTriangle& triangle,
+                                                                const Eigen::Vector3d& p,
+                                                                const Eigen::Vector3d& before,
+                                                                double radius);
     void keepInside(std::size_t i, const Eigen::Vector3d& before);
 
     Spheres& spheres_;
