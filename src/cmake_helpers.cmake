@@ -11,9 +11,34 @@ function(frostfill_configure target)
     endif()
 endfunction()
 
-# Compiles a file into a target, byte for byte. In C++:
+# Compiles files into a target, byte for byte, and writes the header that declares them:
+#   frostfill_embed(TARGET ROOM/HEADER.hpp NAME FILE NAME FILE ...)
+# In C++, with #include "ROOM/HEADER.hpp":
 #   namespace frostfill::embedded { std::string_view NAME(); }
-function(frostfill_embed target name file)
+function(frostfill_embed target header)
+    set(declarations "")
+    list(LENGTH ARGN words)
+    math(EXPR last "${words} - 1")
+    foreach(i RANGE 0 ${last} 2)
+        math(EXPR j "${i} + 1")
+        list(GET ARGN ${i} name)
+        list(GET ARGN ${j} file)
+        frostfill_embed_one(${target} ${name} ${file})
+        string(APPEND declarations "std::string_view ${name}();\n")
+    endforeach()
+    set(folder ${CMAKE_CURRENT_BINARY_DIR}/embedded)
+    file(CONFIGURE OUTPUT ${folder}/${header} @ONLY CONTENT [=[
+// Generated at configure time: files that the build compiles in.
+#pragma once
+#include <string_view>
+namespace frostfill::embedded
+{
+@declarations@} // namespace frostfill::embedded
+]=])
+    target_include_directories(${target} PRIVATE ${folder})
+endfunction()
+
+function(frostfill_embed_one target name file)
     set(source ${CMAKE_CURRENT_BINARY_DIR}/embedded_${name}.cpp)
     file(CONFIGURE OUTPUT ${source} @ONLY CONTENT [=[
 // Generated at configure time from @file@.
@@ -33,7 +58,6 @@ std::string_view @name@();
 std::string_view @name@() { return {&begin, static_cast<std::size_t>(&end - &begin)}; }
 } // namespace frostfill::embedded
 ]=])
-    set_source_files_properties(${source} PROPERTIES OBJECT_DEPENDS ${file})
     set_source_files_properties(${source} TARGET_DIRECTORY ${target} PROPERTIES OBJECT_DEPENDS ${file})
     target_sources(${target} PRIVATE ${source})
 endfunction()

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "scene/options/option.hpp"
+#include <frostfill/options.hpp>
 
 #include <array>
 #include <concepts>
