@@ -11,6 +11,32 @@ function(frostfill_configure target)
     endif()
 endfunction()
 
+# The headers that most sources include, compiled once: twelve sources of library and tests took 42 %
+# less processor time with GCC 12 (71 s without, 41 s with). The preset dev goes without, so that each
+# source names what it uses. ccache needs the option, and CCACHE_SLOPPINESS=pch_defines,time_macros.
+# The owner is a target that links nothing but what HEADERS need: GCC reads them only where every macro
+# of the owner's command line is defined too.
+#   frostfill_precompile(OWNER "LIBRARIES" HEADERS...), then frostfill_use_precompiled(TARGET OWNER)
+function(frostfill_precompile owner libraries)
+    set(source ${CMAKE_CURRENT_BINARY_DIR}/${owner}.cpp)
+    file(CONFIGURE OUTPUT ${source} CONTENT "// Belongs to the precompiled headers.\n")
+    add_library(${owner} OBJECT ${source})
+    frostfill_configure(${owner})
+    target_link_libraries(${owner} PRIVATE Eigen3::Eigen ${libraries})
+    target_precompile_headers(${owner} PRIVATE <Eigen/Core> <Eigen/Geometry> <algorithm> <array>
+        <cmath> <filesystem> <functional> <map> <memory> <optional> <string> <vector> ${ARGN})
+    frostfill_let_ccache_read(${owner})
+endfunction()
+function(frostfill_use_precompiled target owner)
+    target_precompile_headers(${target} REUSE_FROM ${owner})
+    frostfill_let_ccache_read(${target})
+endfunction()
+function(frostfill_let_ccache_read target)
+    if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
+        target_compile_options(${target} PRIVATE -fpch-preprocess)
+    endif()
+endfunction()
+
 # Compiles files into a target, byte for byte, and writes the header that declares them:
 #   frostfill_embed(TARGET ROOM/HEADER.hpp NAME FILE NAME FILE ...)
 # In C++, with #include "ROOM/HEADER.hpp":
@@ -58,6 +84,7 @@ std::string_view @name@();
 std::string_view @name@() { return {&begin, static_cast<std::size_t>(&end - &begin)}; }
 } // namespace frostfill::embedded
 ]=])
-    set_source_files_properties(${source} TARGET_DIRECTORY ${target} PROPERTIES OBJECT_DEPENDS ${file})
+    set_source_files_properties(${source} TARGET_DIRECTORY ${target} PROPERTIES
+        OBJECT_DEPENDS ${file} SKIP_PRECOMPILE_HEADERS ON)
     target_sources(${target} PRIVATE ${source})
 endfunction()
