@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Room: the renderer as a program uses it: settings, pictures, passes. Its inner rooms are the
+// folders of src/render.
 #pragma once
 
 #include <frostfill/image.hpp>

@@ -2,13 +2,13 @@
 #include "app/commands.hpp"
 #include "app/message.hpp"
 #include "app/progress.hpp"
-#include "output/atomic_file.hpp"
 #include "study/error/closed_forms.hpp"
 #include "study/error/error_study.hpp"
 #include "study/figures/all_figures.hpp"
 #include "study/operations/operations_study.hpp"
 #include "study/peers/peer_study.hpp"
 #include "study/stability/stability_study.hpp"
+#include "study/table.hpp"
 
 #include <frostfill/error.hpp>
 
@@ -16,6 +16,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 
 namespace frostfill
@@ -66,10 +67,7 @@ std::vector<OperationsCase> operationsCases(bool quick)
 
 void writeTable(const BenchArguments& arguments, const char* name, const Table& table)
 {
-    createDirectory(arguments.directory);
-    AtomicFile out(std::filesystem::path(arguments.directory) / name);
-    out.write(formatCsv(table));
-    out.commit();
+    saveCsv(table, std::filesystem::path(arguments.directory) / name);
 }
 
 int benchOperations(const BenchArguments& arguments)

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <span>
 #include <sstream>
 #include <string>
 
@@ -68,6 +69,19 @@ void printPrograms()
     }
 }
 
+/// Which context `--backend auto` takes, and what that means where it is not OSMesa.
+void printVerdict(std::span<const BackendAttempt> attempts, const BackendAttempt& chosen)
+{
+    if (chosen.name == attempts.front().name)
+    {
+        fmt::print("all is well: pictures are drawn with {}\n", chosen.name);
+        return;
+    }
+    fmt::print("pictures are drawn with {}, because {} does not work; they can differ from its "
+               "pictures in single bits\n",
+               chosen.name, attempts.front().name);
+}
+
 int examine()
 {
     printMachine();
@@ -82,14 +96,14 @@ int examine()
         }
     }
     printPrograms();
-    const bool works = std::any_of(attempts.begin(), attempts.end(),
-                                   [](const BackendAttempt& attempt) { return attempt.works; });
-    if (!works)
+    const auto chosen = std::find_if(attempts.begin(), attempts.end(),
+                                     [](const BackendAttempt& attempt) { return attempt.works; });
+    if (chosen == attempts.end())
     {
         throw Error(ErrorCode::noOpenGl,
                     "no OpenGL is available, so frames cannot be drawn; --frames none still works");
     }
-    fmt::print("all is well\n");
+    printVerdict(attempts, *chosen);
     return 0;
 }
 

@@ -4,24 +4,23 @@
 #include "app/progress.hpp"
 #include "app/reach_text.hpp"
 #include "app/scene_options.hpp"
-#include "output/scene_json.hpp"
-#include "run/fill_run.hpp"
 #include "run/volume_estimate.hpp"
-#include "scene/options/radius_alone.hpp"
+
+#include <frostfill/fill.hpp>
+#include <frostfill/options.hpp>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <csignal>
-#include <fstream>
 #include <memory>
+#include <string>
 
 namespace frostfill
 {
 namespace
 {
-
-constexpr std::size_t kRowsOfTable = 24;
 
 constexpr const char* kExamples = R"(Examples:
   frostfill fill torus                           the paper's run, with frames
@@ -63,26 +62,6 @@ struct FillArguments
     GivenOptions given;
 };
 
-/// A scene file, or the summary of a run to repeat.
-Scene sceneFromFile(const std::string& file)
-{
-    if (!file.ends_with(".json"))
-    {
-        return loadScene(file);
-    }
-    std::ifstream in(file);
-    if (!in)
-    {
-        throw Error(ErrorCode::inputMissing, fmt::format("cannot read {}", file));
-    }
-    const auto summary = nlohmann::ordered_json::parse(in, nullptr, false);
-    if (!summary.is_object() || !summary.contains("scene"))
-    {
-        throw Error(ErrorCode::badData, fmt::format("{} is not the summary of a run", file));
-    }
-    return sceneFromJson(summary["scene"], file);
-}
-
 /// The preset gives all other settings their defaults, so it is read first.
 Preset requestedPreset(const GivenOptions& given)
 {
@@ -106,7 +85,7 @@ Scene requestedScene(const FillArguments& arguments)
     }
     Scene scene = arguments.sceneFile.empty()
                       ? presetScene(requestedPreset(arguments.given), arguments.mesh)
-                      : sceneFromFile(arguments.sceneFile);
+                      : loadRunScene(arguments.sceneFile);
     if (!arguments.sceneFile.empty() && !arguments.mesh.empty())
     {
         scene.object.mesh = arguments.mesh;
@@ -157,15 +136,14 @@ void printPlan(const FillRequest& request, const FillPlan& plan)
     if (request.scene.frames.enabled)
     {
         say(fmt::format("expecting about {} frames of {}x{}, {}, slowed down {:.3g} times\n",
-                        plan.estimate.frames, request.scene.size.width, request.scene.size.height,
-                        bytesText(plan.estimate.bytes), plan.timing.slowMotion));
+                        plan.frames, request.scene.size.width, request.scene.size.height,
+                        bytesText(plan.frameBytes), plan.slowMotion));
     }
 }
 
 void printResult(const FillResult& result)
 {
-    const auto rows = setTable(result.sets, result.setFrames, kRowsOfTable);
-    fmt::print("{}", formatSetTable(rows));
+    fmt::print("{}", setTableText(result));
     if (result.stopped)
     {
         fmt::print("stopped early, with {} of {} spheres\n", result.spheres, result.wanted);
@@ -213,7 +191,7 @@ int printVolume(const FillArguments& arguments)
     return 0;
 }
 
-int fill(const FillArguments& arguments)
+int runFill(const FillArguments& arguments)
 {
     if (arguments.estimateVolume)
     {
@@ -238,7 +216,7 @@ int fill(const FillArguments& arguments)
         observer.progressed = [&](const FillProgress& progress) { bar.update(progress); };
     }
     catchSignals();
-    const FillResult result = runFill(request, observer);
+    const FillResult result = fill(request, observer);
     bar.close();
 
     if (arguments.json)
@@ -297,7 +275,7 @@ Command addFillCommand(CLI::App& program)
     command->add_flag("--quiet", arguments->quiet, "Print errors only")->group(output);
     command->add_flag("--json", arguments->json, "Print the summary as JSON on standard output")
         ->group(output);
-    return [arguments] { return fill(*arguments); };
+    return [arguments] { return runFill(*arguments); };
 }
 
 } // namespace frostfill

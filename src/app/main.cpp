@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands.hpp"
 #include "app/message.hpp"
-#include "scene/options/nearest_name.hpp"
 
 #include <frostfill/error.hpp>
+#include <frostfill/options.hpp>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "run/fill_run.hpp"
+#include <frostfill/fill.hpp>
 
 #include <chrono>
 #include <cstdint>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/scene_options.hpp"
 
-#include "scene/options/option.hpp"
-
 #include <frostfill/error.hpp>
+#include <frostfill/options.hpp>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

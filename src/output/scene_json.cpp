@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "output/scene_json.hpp"
 
-#include "scene/options/option.hpp"
-
 #include <frostfill/error.hpp>
+#include <frostfill/options.hpp>
 
 #include <fmt/format.h>
 

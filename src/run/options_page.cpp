@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "run/options_page.hpp"
 
-#include "scene/options/option.hpp"
+#include <frostfill/options.hpp>
 
 #include <fmt/format.h>
 

@@ -3,8 +3,9 @@
 // simulation and renderer, which do not know each other.
 #pragma once
 
-#include "run/fill_run.hpp"
+#include "run/frame_timing.hpp"
 
+#include <frostfill/fill.hpp>
 #include <frostfill/mesh.hpp>
 
 #include <string>

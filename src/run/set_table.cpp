@@ -152,6 +152,11 @@ std::string formatSetTable(std::span<const SetTiming> rows)
     return text;
 }
 
+std::string setTableText(const FillResult& result, std::size_t mostRows)
+{
+    return formatSetTable(setTable(result.sets, result.setFrames, mostRows));
+}
+
 void writeSetsCsv(std::span<const SetRecord> sets, std::span<const SetFrames> frames,
                   const std::filesystem::path& file)
 {

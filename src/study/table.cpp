@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "study/table.hpp"
 
+#include "output/atomic_file.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -112,6 +114,14 @@ std::string formatCsv(const Table& table)
         text += line(row);
     }
     return text;
+}
+
+void saveCsv(const Table& table, const std::filesystem::path& file)
+{
+    createDirectory(file.parent_path());
+    AtomicFile out(file);
+    out.write(formatCsv(table));
+    out.commit();
 }
 
 } // namespace frostfill

@@ -140,7 +140,15 @@ void prepare(const std::filesystem::path& folder)
     ASSERT_EQ(test::runProgram("fill torus --count 6 --frames none --quiet", folder).code, 0);
 }
 
-TEST(Documentation, EveryCommandThatIsShownWorks)
+/// A study, even a quick one, takes most of a minute.
+bool isStudy(const std::string& arguments)
+{
+    return arguments.rfind("bench ", 0) == 0 ||
+           (arguments.rfind("figures", 0) == 0 && arguments.find("--list") == std::string::npos);
+}
+
+/// Runs the studies that are shown and what needs their files, or all other commands.
+void expectShownCommandsWork(bool studies)
 {
     const test::TemporaryFolder folder;
     prepare(folder.path());
@@ -152,13 +160,18 @@ TEST(Documentation, EveryCommandThatIsShownWorks)
         {
             if (command.rfind("gnuplot ", 0) == 0)
             {
+                if (!studies)
+                {
+                    continue;
+                }
                 const auto inFigures = "cd '" + (folder / "docs/figures").string() + "' && ";
                 EXPECT_EQ(std::system((inFigures + command + " 2>&1").c_str()), 0) << command;
                 continue;
             }
             const std::string arguments = madeSmall(argumentsOf(command));
+            names.insert(arguments.substr(0, arguments.find(' ')));
             // What several pages show is run once.
-            if (!run.insert(arguments).second)
+            if (isStudy(arguments) != studies || !run.insert(arguments).second)
             {
                 continue;
             }
@@ -168,13 +181,23 @@ TEST(Documentation, EveryCommandThatIsShownWorks)
             EXPECT_TRUE(answer.code == 0 || (needsEngines && answer.code == 69))
                 << page.filename() << " shows: " << command << "\nrun as: " << arguments << "\n"
                 << answer.errors;
-            names.insert(arguments.substr(0, arguments.find(' ')));
         }
     }
     for (const char* name : {"fill", "fps", "bench", "figures", "mesh", "doctor"})
     {
         EXPECT_EQ(names.count(name), 1u) << "no page shows frostfill " << name;
     }
+    EXPECT_GE(run.size(), 5u);
+}
+
+TEST(Documentation, EveryCommandThatIsShownWorks)
+{
+    expectShownCommandsWork(false);
+}
+
+TEST(Documentation, EveryStudyThatIsShownWorks) // with the label `long`
+{
+    expectShownCommandsWork(true);
 }
 
 TEST(Documentation, ThePageOfOptionsIsWhatTheProgramPrints)

@@ -47,20 +47,20 @@ room(simulation/engine ${core} ${parts} simulation/quality)
 
 room(image base)
 set(seen base snapshot mesh view image)
-room(render ${seen})
-room(render/framing ${seen} render)
-room(render/context ${seen} render render/framing)
-room(render/passes ${seen} render render/framing render/context)
-room(render/overlay ${seen} render render/framing render/context render/passes)
-room(render/layer ${seen} render render/framing render/context render/passes render/overlay)
-list(APPEND may_include_render render/framing render/context render/passes render/overlay
-     render/layer) # the renderer itself puts its rooms together
+room(renderer ${seen}) # the public header, whose settings the rooms of the renderer read
+list(APPEND seen renderer)
+room(render/framing ${seen})
+room(render/context ${seen} render/framing)
+room(render/passes ${seen} render/framing render/context)
+room(render/overlay ${seen} render/framing render/context render/passes)
+room(render/layer ${seen} render/framing render/context render/passes render/overlay)
+room(render ${seen} render/framing render/context render/passes render/overlay render/layer)
 
 room(output base snapshot scene scene/options image)
-room(run base mesh view scene scene/options snapshot simulation image render render/overlay output)
+room(run base mesh view scene scene/options snapshot simulation image renderer render/overlay output)
 
 set(below base geometry ${mesh} view scene scene/options snapshot simulation simulation/world ${parts}
-          simulation/quality simulation/engine image render render/framing render/context
+          simulation/quality simulation/engine image renderer render/framing render/context
           render/passes render/overlay output run)
 room(study ${below})
 room(study/stability ${below} study)
@@ -70,11 +70,14 @@ room(study/error ${below} study study/stability)
 room(study/peers ${below} study study/stability)
 room(study/figures ${below} study study/error study/fps study/operations study/peers
      study/stability)
-room(app base mesh view scene scene/options snapshot simulation image render output run study
-     study/error study/figures study/fps study/operations study/peers study/stability)
+# The command line stands where any program stands: on the public headers, and on run and study.
+room(app run study study/error study/figures study/fps study/operations study/peers study/stability)
+set(sees_all_public_headers app)
 
 set(common error measure)
-set(room_of_renderer render) # the one public header that is not named after its room
+# The public headers that are not named after their room.
+set(room_of_fill run)
+set(room_of_options scene/options)
 
 function(room_of_header name result)
     if(DEFINED room_of_${name})
@@ -97,6 +100,9 @@ function(check_includes file room)
     file(STRINGS ${SOURCE_DIR}/${file} lines REGEX "^[ \t]*#[ \t]*include")
     foreach(line IN LISTS lines)
         if(line MATCHES "<frostfill/([a-z_]+)\\.hpp>")
+            if(room IN_LIST sees_all_public_headers)
+                continue()
+            endif()
             room_of_header(${CMAKE_MATCH_1} included)
         elseif(line MATCHES "\"([a-z_/]+)/[a-z0-9_]+\\.hpp\"")
             set(included ${CMAKE_MATCH_1})
@@ -111,6 +117,43 @@ function(check_includes file room)
             list(APPEND faults "${file}: ${room} must not include ${included}")
         endif()
     endforeach()
+    set(faults "${faults}" PARENT_SCOPE)
+endfunction()
+
+# The rooms make no circle; within a room, files could. What is left after taking away, again and
+# again, the headers that include none of the others, includes itself in the end.
+function(check_circles headers)
+    set(known "")
+    foreach(file IN LISTS headers)
+        string(REGEX REPLACE "^(src|include)/" "" name ${file})
+        list(APPEND known ${name})
+        file(STRINGS ${SOURCE_DIR}/${file} lines REGEX "^[ \t]*#[ \t]*include")
+        set(includes_${name} "")
+        foreach(line IN LISTS lines)
+            if(line MATCHES "[<\"]([a-z0-9_/]+\\.hpp)[>\"]")
+                list(APPEND includes_${name} ${CMAKE_MATCH_1})
+            endif()
+        endforeach()
+    endforeach()
+    set(left none)
+    while(NOT "${left}" STREQUAL "${known}")
+        set(left ${known})
+        foreach(name IN LISTS left)
+            set(free TRUE)
+            foreach(included IN LISTS includes_${name})
+                if(included IN_LIST known)
+                    set(free FALSE)
+                endif()
+            endforeach()
+            if(free)
+                list(REMOVE_ITEM known ${name})
+            endif()
+        endforeach()
+    endwhile()
+    if(known)
+        list(JOIN known " " names)
+        list(APPEND faults "headers that include one another in a circle, or one that does: ${names}")
+    endif()
     set(faults "${faults}" PARENT_SCOPE)
 endfunction()
 
@@ -144,6 +187,10 @@ foreach(file IN LISTS files)
     check_includes(${file} ${room})
     check_sizes(${file} ${room})
 endforeach()
+
+set(headers ${files})
+list(FILTER headers INCLUDE REGEX "\\.hpp$")
+check_circles("${headers}")
 
 list(LENGTH files count)
 if(count EQUAL 0)

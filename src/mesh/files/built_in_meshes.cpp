@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "mesh/files/embedded_meshes.hpp"
+
 #include <frostfill/error.hpp>
 #include <frostfill/mesh.hpp>
 
@@ -10,14 +12,6 @@
 
 namespace frostfill
 {
-namespace embedded
-{
-std::string_view mesh_torus();
-std::string_view mesh_sphere();
-std::string_view mesh_cube();
-std::string_view mesh_human();
-} // namespace embedded
-
 namespace
 {
 

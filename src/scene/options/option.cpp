@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "scene/options/option.hpp"
-
 #include "scene/options/nearest_name.hpp"
 #include "scene/options/table_builder.hpp"
+
+#include <frostfill/options.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

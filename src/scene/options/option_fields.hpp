@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "scene/options/option.hpp"
 #include "scene/part_names.hpp"
+
+#include <frostfill/options.hpp>
 
 #include <array>
 #include <concepts>

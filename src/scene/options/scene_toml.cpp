@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "scene/options/nearest_name.hpp"
-#include "scene/options/option.hpp"
-#include "scene/options/radius_alone.hpp"
 
 #include <frostfill/error.hpp>
+#include <frostfill/options.hpp>
 
 #include <fmt/format.h>
 #include <toml++/toml.h>

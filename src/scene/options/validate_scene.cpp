@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "scene/options/option.hpp"
-
 #include <frostfill/error.hpp>
+#include <frostfill/options.hpp>
 
 #include <fmt/format.h>
 

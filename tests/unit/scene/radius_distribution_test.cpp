@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "scene/radius_distribution.hpp"
 
-#include "scene/options/option.hpp"
 #include "support/expect_error.hpp"
 #include "support/temporary_folder.hpp"
+
+#include <frostfill/options.hpp>
 
 #include <gtest/gtest.h>
 

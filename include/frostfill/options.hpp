@@ -86,4 +86,19 @@ struct Option
 /// The value as written on the command line.
 [[nodiscard]] std::string optionText(const Option& option, const OptionValue& value);
 
+/// The name with the smallest edit distance from `name`; the first of several. Empty if more than
+/// half of `name` would have to change, because that is no typing error.
+[[nodiscard]] std::string nearestName(std::string_view name, std::span<const std::string> names);
+
+/// A radius without a count asks to be filled until no sphere fits, whatever count the preset has.
+/// `given`: a map from the keys that the user gave.
+template <class Given>
+void fillUntilFullForARadiusAlone(const Given& given, Scene& scene)
+{
+    if (given.contains("spheres.radius") && !given.contains("spheres.count"))
+    {
+        scene.spheres.count.reset();
+    }
+}
+
 } // namespace frostfill
