@@ -102,7 +102,7 @@ private:
         normals_.clear();
         meetSpheres(id, p, resting);
         meetWalls(id, p);
-        if (resting && !isCarried(world_.pull.direction(p), normals_, kUnsupported))
+        if (resting && !contactsCanCarry(world_.pull.direction(p), normals_, kUnsupported))
         {
             ++report_.unsupported;
         }
