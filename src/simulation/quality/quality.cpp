@@ -25,6 +25,8 @@ constexpr double kContactGap =
 constexpr double kUnsupported = 0.1;   // [1] of the weight that may remain uncarried
 constexpr std::size_t kInPart = 4096;  // spheres that one thread looks at in one go
 constexpr double kWindingBudget = 2e6; // winding numbers: spheres times triangles worth computing
+/// A centre that is no farther from a wall lies on it, but for rounding. [r]
+constexpr double kOnWall = 1e-12;
 /// Up to so many spheres the judge sorts them itself; beyond it the memory for that is missed.
 constexpr std::size_t kMostSorted = 100'000;
 
@@ -102,7 +104,7 @@ private:
         normals_.clear();
         meetSpheres(id, p, resting);
         meetWalls(id, p);
-        if (resting && !isCarried(world_.pull.direction(p), normals_, kUnsupported))
+        if (resting && !contactsCanCarry(world_.pull.direction(p), normals_, kUnsupported))
         {
             ++report_.unsupported;
         }
@@ -146,13 +148,13 @@ private:
         for (const std::uint32_t t : world_.triangles.near(p))
         {
             const SignedDistance wall = signedDistance(world_.surface[t], p);
-            if (wall.value < 0 || wall.value > radius + kContactGap * radius)
+            if (wall.value < -kOnWall || wall.value > radius + kContactGap * radius)
             {
                 continue;
             }
             report_.maxWallOverlap =
                 std::max(report_.maxWallOverlap, (radius - wall.value) / radius);
-            if (wall.value == 0)
+            if (wall.value <= kOnWall)
             {
                 continue; // a centre on the wall is not beside it
             }

@@ -21,8 +21,8 @@ constexpr double kFlat = 1e-9;
 // three of them [Caratheodory]. Every subset that pushes is an upper bound, so the first that
 // leaves no more than is allowed proves that the sphere is carried, and only when all of them leave
 // more it is not.
-bool isCarried(const Eigen::Vector3d& pull, std::span<const Eigen::Vector3d> normals,
-               double allowed)
+bool contactsCanCarry(const Eigen::Vector3d& pull, std::span<const Eigen::Vector3d> normals,
+                      double allowed)
 {
     const double most = allowed * allowed;
     if (pull.squaredNorm() <= most)

@@ -337,6 +337,9 @@ TEST(Capture, ListsWhatChangedAndNothingElse)
     }
     EXPECT_EQ(snapshot.centres.size(), 80u);
     EXPECT_GT(frozenSeen, 1000u);
+    // The run is over and everything at rest: the next capture lists nothing.
+    simulation.capture(snapshot);
+    EXPECT_TRUE(snapshot.changed.empty()) << snapshot.changed.size();
 }
 
 // Explicit Euler, in mesh units of which a metre has eight: after N steps g N dt.

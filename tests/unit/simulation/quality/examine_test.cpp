@@ -143,7 +143,13 @@ TEST(Examine, MeasuresHowDeepASphereIsInAWall)
 
 TEST(Examine, MeasuresACentreOnTheWallAsOneRadius)
 {
-    EXPECT_EQ(Packing().addRunning({0.3, -10, 0.2}).in(room()).maxWallOverlap, 1);
+    // In a face, on an edge, at a corner of four faces, and at one of the room.
+    for (const Vector3d& place : {Vector3d(0.3, -10, 0.2), Vector3d(1.7, -10, 3.1),
+                                  Vector3d(0, -10, 2.2), Vector3d(0, -10, 0), Vector3d(10, 10, 10)})
+    {
+        EXPECT_NEAR(Packing().addRunning(place).in(room()).maxWallOverlap, 1, 1e-12)
+            << place.transpose();
+    }
 }
 
 // An edge that points into the object is nearer than either of its faces.
