@@ -21,7 +21,7 @@ namespace frostfill
 namespace
 {
 
-/// Where a program lies, as the shell would find it; empty when it would not.
+/// The path of a program in PATH; empty if it is not there.
 std::string findProgram(const std::string& name)
 {
     const char* path = std::getenv("PATH");
@@ -50,7 +50,7 @@ void printMachine()
     fmt::print("font      compiled in\n");
 }
 
-/// Programs that make videos and figures; a run works without them.
+/// Programs for videos and figures. A run works without them.
 void printPrograms()
 {
     for (const auto& [program, package] :
@@ -87,7 +87,7 @@ int examine()
     if (!works)
     {
         throw Error(ErrorCode::noOpenGl,
-                    "no OpenGL to be had, so frames cannot be drawn; --frames none still works");
+                    "no OpenGL is available, so frames cannot be drawn; --frames none still works");
     }
     fmt::print("all is well\n");
     return 0;
@@ -97,7 +97,8 @@ int examine()
 
 Command addDoctorCommand(CLI::App& program)
 {
-    program.add_subcommand("doctor", "Which OpenGL and libraries there are, and what is missing");
+    program.add_subcommand("doctor",
+                           "Show which OpenGL and libraries are present and what is missing");
     return [] { return examine(); };
 }
 

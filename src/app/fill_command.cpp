@@ -7,6 +7,7 @@
 #include "output/scene_json.hpp"
 #include "run/fill_run.hpp"
 #include "run/volume_estimate.hpp"
+#include "scene/options/radius_alone.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -24,10 +25,10 @@ constexpr std::size_t kRowsOfTable = 24;
 
 constexpr const char* kExamples = R"(Examples:
   frostfill fill torus                           the paper's run, with frames
-  frostfill fill human --frames none             tables only
+  frostfill fill human --frames none             tables, no pictures
   frostfill fill part.stl --up z --units mm --count 500
   frostfill fill bunny.obj --radius 0.02 --out output/fine
-  frostfill fill cube --radius 0.04..0.12        radii between two
+  frostfill fill cube --radius 0.04..0.12        radii drawn from a range
   frostfill fill --scene output/torus/summary.json --out output/again
 )";
 
@@ -38,7 +39,7 @@ extern "C" void requestStop(int signal)
     stopSignal = signal;
 }
 
-/// The first signal stops after the step; a second one ends the program as usual.
+/// The first signal stops the run after the step; a second one ends the program as usual.
 void catchSignals()
 {
     struct sigaction action = {};
@@ -62,7 +63,7 @@ struct FillArguments
     GivenOptions given;
 };
 
-/// A scene file, or the summary of a run that is to be repeated.
+/// A scene file, or the summary of a run to repeat.
 Scene sceneFromFile(const std::string& file)
 {
     if (!file.ends_with(".json"))
@@ -82,7 +83,7 @@ Scene sceneFromFile(const std::string& file)
     return sceneFromJson(summary["scene"], file);
 }
 
-/// The preset decides where all other settings start from, so it is looked at first.
+/// The preset gives all other settings their defaults, so it is read first.
 Preset requestedPreset(const GivenOptions& given)
 {
     GivenOptions presetAlone;
@@ -112,16 +113,14 @@ Scene requestedScene(const FillArguments& arguments)
         scene.name = presetScene(scene.preset, arguments.mesh).name;
     }
     applyGivenOptions(arguments.given, scene);
-    // A radius alone asks to be filled until no sphere fits, whatever the preset's count.
-    if (arguments.sceneFile.empty() && arguments.given.contains("spheres.radius") &&
-        !arguments.given.contains("spheres.count"))
+    if (arguments.sceneFile.empty())
     {
-        scene.spheres.count.reset();
+        fillUntilFullForARadiusAlone(arguments.given, scene);
     }
     return scene;
 }
 
-// Only of what the command line says: a scene file has the settings of both presets.
+// Only for the command line: a scene file has the settings of both presets.
 void warnOfIgnored(const FillArguments& arguments, Preset preset)
 {
     const std::string ignored = ignoredOptionsText(arguments.given, preset);
@@ -151,13 +150,13 @@ void printPlan(const FillRequest& request, const FillPlan& plan)
     {
         say(fmt::format("repaired: {}\n", repair));
     }
-    say(fmt::format("{}: {} triangles, about {} spheres of {}, steps of {:.3g} s\n",
+    say(fmt::format("{}: {} triangles, about {} spheres of {}, time step {:.3g} s\n",
                     request.scene.name, plan.triangles, plan.spheres,
                     radiiText(plan.smallestRadius, plan.largestRadius), plan.timeStep));
     say(reachText(plan.reach, plan.smallestRadius, plan.volume));
     if (request.scene.frames.enabled)
     {
-        say(fmt::format("expecting about {} frames of {}x{}, {}, {:.3g} times slowed down\n",
+        say(fmt::format("expecting about {} frames of {}x{}, {}, slowed down {:.3g} times\n",
                         plan.estimate.frames, request.scene.size.width, request.scene.size.height,
                         bytesText(plan.estimate.bytes), plan.timing.slowMotion));
     }
@@ -173,10 +172,10 @@ void printResult(const FillResult& result)
     }
     else if (result.full)
     {
-        fmt::print("full: no sphere fits any more after {}\n", result.spheres);
+        fmt::print("full: after {} spheres, no other one fits\n", result.spheres);
     }
-    fmt::print("{} spheres of {} take {:.1f} % of the volume; {} frames; {:.1f} s; in "
-               "{}\n",
+    fmt::print("{} spheres of {} take {:.1f} % of the volume; {} frames; {:.1f} s; "
+               "results in {}\n",
                result.spheres, radiiText(result.smallestRadius, result.largestRadius),
                100 * result.quality.sphereVolume / result.quality.meshVolume, result.frames,
                result.wallSeconds, result.directory.string());
@@ -186,7 +185,7 @@ int printVolume(const FillArguments& arguments)
 {
     Scene scene = requestedScene(arguments);
     warnOfIgnored(arguments, scene.preset);
-    // Nobody watches, so the quickest way will do.
+    // No frames are drawn, so the fastest motion is enough.
     if (scene.preset == Preset::fast && arguments.sceneFile.empty() &&
         !arguments.given.contains("motion.mode"))
     {
@@ -206,9 +205,10 @@ int printVolume(const FillArguments& arguments)
         fmt::print("{}\n", json.dump(2));
         return 0;
     }
-    fmt::print("volume {:.5g} +- {:.2g}, from {} spheres of radius {:.5g} and {} of half of it\n",
-               estimate.volume, estimate.error, estimate.coarse, estimate.radius, estimate.fine);
-    fmt::print("the mesh itself has {:.5g}: {:+.2f} %\n", estimate.meshVolume,
+    fmt::print(
+        "volume {:.5g} +- {:.2g}, from {} spheres of radius {:.5g} and {} of half that radius\n",
+        estimate.volume, estimate.error, estimate.coarse, estimate.radius, estimate.fine);
+    fmt::print("the mesh has {:.5g}; the estimate differs by {:+.2f} %\n", estimate.meshVolume,
                100 * (estimate.volume / estimate.meshVolume - 1));
     return 0;
 }
@@ -270,31 +270,30 @@ Command addFillCommand(CLI::App& program)
 {
     const auto arguments = std::make_shared<FillArguments>();
     CLI::App* command = program.add_subcommand(
-        "fill", "Fill a mesh with spheres, draw frames, write tables and a summary");
+        "fill", "Fill a mesh with spheres; write frames, tables and a summary");
     command->footer(kExamples);
     command->add_option("MESH", arguments->mesh, "torus, sphere, cube, human, or a mesh file");
     command
         ->add_option("--scene", arguments->sceneFile,
-                     "Scene file (TOML), or the summary.json of a run to repeat")
+                     "Scene file (TOML), or summary.json of a run to repeat")
         ->type_name("FILE");
     addSceneOptions(*command, arguments->given);
     const char* output = "Output";
     command->add_option("--out", arguments->directory, "Directory of the run (output/NAME)")
         ->type_name("DIR")
         ->group(output);
-    command->add_option("--video", arguments->video, "Make a video of every frame, with ffmpeg")
+    command->add_option("--video", arguments->video, "Also make a video of the frames, with ffmpeg")
         ->type_name("FILE.mp4|.webm|.gif")
         ->group(output);
     command
         ->add_flag("--contact-sheet", arguments->contactSheet,
-                   "Twelve frames of the run on one picture, contact_sheet.png")
+                   "Also show twelve frames in one picture, contact_sheet.png")
         ->group(output);
     command
         ->add_flag("--estimate-volume", arguments->estimateVolume,
-                   "Fill with r and r/2, print the volume that this tells, write nothing")
+                   "Fill with r and with r/2, print the estimated volume, write no files")
         ->group(output);
-    command->add_flag("--overwrite", arguments->overwrite, "Replace the run that is there")
-        ->group(output);
+    command->add_flag("--overwrite", arguments->overwrite, "Replace an earlier run")->group(output);
     command->add_flag("--quiet", arguments->quiet, "Print errors only")->group(output);
     command->add_flag("--json", arguments->json, "Print the summary as JSON on standard output")
         ->group(output);

@@ -56,7 +56,7 @@ std::string presetName(Preset preset)
 
 std::string helpWithDefault(const Option& option)
 {
-    // The count and the groups depend on the object; what is told is the torus's.
+    // The count and the groups depend on the object; the help shows those of the torus.
     const Scene standard = presetScene(Preset::fast, "torus");
     return fmt::format("{}{} ({})", option.help,
                        option.preset ? fmt::format("; preset {}", presetName(*option.preset)) : "",

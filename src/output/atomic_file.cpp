@@ -43,7 +43,7 @@ void AtomicFile::write(std::string_view text)
 
 void AtomicFile::commit()
 {
-    // A full disk may show only when the buffer is flushed or the file is closed.
+    // A full disk may become apparent only when the buffer is flushed or the file is closed.
     if (std::fflush(stream_.get()) != 0)
     {
         fail(errno);

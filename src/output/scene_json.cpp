@@ -52,7 +52,7 @@ Json valueToJson(const OptionValue& value)
     return nullptr;
 }
 
-/// A value of an unexpected kind becomes an empty text, which no option but a name takes.
+/// A value of an unexpected kind becomes an empty text, which only names accept.
 OptionValue valueFromJson(const Json& json)
 {
     if (json.is_null())

@@ -129,8 +129,9 @@ FillResult runFill(const FillRequest& request, const FillObserver& observer)
 {
     if (!request.scene.frames.enabled && (!request.video.empty() || request.contactSheet))
     {
-        throw Error(ErrorCode::usage, "a video or contact sheet is made of frames: leave out "
-                                      "--frames none, or --video and --contact-sheet");
+        throw Error(ErrorCode::usage,
+                    "--video and --contact-sheet need frames: omit --frames none, "
+                    "or omit --video and --contact-sheet");
     }
     const auto start = std::chrono::steady_clock::now();
     validateScene(request.scene);

@@ -13,7 +13,7 @@ namespace frostfill
 namespace
 {
 
-/// FNV-1a with 64 bits. [Fowler, Noll, Vo 1991]
+/// FNV-1a with 64 bits. [Fowler, Noll & Vo 1991]
 class Hash
 {
 public:

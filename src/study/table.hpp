@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Room: measurements and claims about the other rooms, with verdicts. Nobody installs it.
 #pragma once
 
 #include <string>

@@ -53,8 +53,8 @@ Number takeNumber(std::string_view& line)
     return number;
 }
 
-/// The part of OBJ that our generator writes: "v x y z" and "f a b c". Unlike assimp it keeps
-/// double precision.
+/// Reads the part of OBJ that our generator writes: "v x y z" and "f a b c". Unlike assimp, it
+/// keeps double precision.
 TriangleMesh parsePlainObj(std::string_view text)
 {
     TriangleMesh mesh;

@@ -37,8 +37,8 @@ InsideTest::InsideTest(const Surface& surface, const TriangleGrid& grid)
     }
 }
 
-// Cells without triangles that share a face are on the same side: one winding number serves all.
-// Run by run of a row, so that few are waiting at a time [Smith, Tint fill, 1979].
+// Adjacent cells without triangles are on the same side, so one winding number serves all of them.
+// The flood goes by runs of a row, which keeps the stack short [Smith 1979].
 void InsideTest::classifyFrom(const std::array<int, 3>& seed, std::vector<bool>& known)
 {
     const GridFrame& frame = grid_->frame();
@@ -98,7 +98,7 @@ double InsideTest::distance(const Eigen::Vector3d& p) const
     {
         return inside_[grid_->frame().index(p)] ? reach : -reach;
     }
-    // The nearest triangle of the list is the nearest of all when it is within the list's reach.
+    // The nearest triangle of the list is the nearest of all if it is within the reach of the list.
     const double nearest = nearestDistance(*surface_, triangles, p).value;
     if (std::abs(nearest) <= reach)
     {
@@ -107,8 +107,8 @@ double InsideTest::distance(const Eigen::Vector3d& p) const
     return isInsideFarFromSurface(p) ? reach : -reach;
 }
 
-// No surface is within the reach of p, so every point that near is on the same side, among them
-// points of cells that have been classified.
+// No surface is within the reach of p, so every point within that distance is on the same side as
+// p. Some of these points are in classified cells.
 bool InsideTest::isInsideFarFromSurface(const Eigen::Vector3d& p) const
 {
     for (int direction = 0; direction < 6; ++direction)
@@ -120,8 +120,8 @@ bool InsideTest::isInsideFarFromSurface(const Eigen::Vector3d& p) const
             return inside_[grid_->frame().index(other)];
         }
     }
-    // Two such points of one cell are nearer to each other than twice the reach, so no surface is
-    // between them: one winding number serves the cell.
+    // Two such points of one cell are closer to each other than twice the reach. No surface is
+    // between them, so one winding number serves the cell.
     const std::lock_guard lock(*farSidesLock_);
     const auto [side, isNew] = farSides_.try_emplace(grid_->frame().index(p), false);
     if (isNew)

@@ -55,10 +55,11 @@ SurfacePass::SurfacePass(const GlFunctions& gl, const ShaderVariant& variant,
     gl.drawBuffers(2, kTargets.data());
     if (gl.checkFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
     {
-        throw Error(ErrorCode::noOpenGl,
-                    fmt::format("no framebuffer of {}x{} pixels for depth, normals and identities "
-                                "is to be had",
-                                size.width, size.height));
+        throw Error(
+            ErrorCode::noOpenGl,
+            fmt::format("no framebuffer of {}x{} pixels is available for depth, normals and "
+                        "identities",
+                        size.width, size.height));
     }
 }
 

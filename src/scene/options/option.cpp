@@ -60,7 +60,6 @@ std::string describeRange(const OptionRange& range)
     const OptionRange all;
     const std::string low = range.low == all.low ? "" : fmt::format("{}", range.low);
     const std::string high = range.high == all.high ? "" : fmt::format("{}", range.high);
-    const char* above = range.withoutLow ? "above" : "from";
     if (low.empty())
     {
         return high.empty() ? "" : fmt::format(" up to {}", high);
@@ -70,10 +69,12 @@ std::string describeRange(const OptionRange& range)
         return range.withoutLow ? fmt::format(" above {}", low)
                                 : fmt::format(" of at least {}", low);
     }
-    return fmt::format(" {} {} to {}", above, low, high);
+    return range.withoutLow ? fmt::format(" above {} and up to {}", low, high)
+                            : fmt::format(" from {} to {}", low, high);
 }
 
-/// A whole number will do where a number is asked for, and a word where one stands for a number.
+/// Converts a whole number to a number where one is required, and a word to the number it stands
+/// for.
 OptionValue converted(const Option& option, OptionValue value)
 {
     if (const auto* text = std::get_if<std::string>(&value))
@@ -174,7 +175,7 @@ std::string describeAllowed(const Option& option)
         break;
     case OptionType::radii:
         what = "a number" + describeRange(option.range) +
-               ", a range such as 0.02..0.05, a file with a radius a line";
+               ", a range such as 0.02..0.05, a file with one radius per line";
         break;
     case OptionType::text:
         what = option.texts().empty() ? option.form

@@ -16,7 +16,7 @@
 namespace frostfill
 {
 
-/// A setting's value outside of a Scene. Nothing means that it is left to the program.
+/// The value of a setting outside of a Scene. monostate leaves the choice to the program.
 using OptionValue =
     std::variant<std::monostate, bool, std::int64_t, double, std::string, Eigen::Vector3d>;
 
@@ -27,10 +27,10 @@ enum class OptionType : std::uint8_t
     number,
     text,
     vector,
-    radii ///< a number, or a text that tells several
+    radii ///< a number, or a text that describes several
 };
 
-/// The values that a number may have.
+/// The allowed values of a number.
 struct OptionRange
 {
     double low = -std::numeric_limits<double>::max();
@@ -38,52 +38,52 @@ struct OptionRange
     bool withoutLow = false; ///< `low` itself is not allowed
 };
 
-/// One setting of a scene. The table of them is the only place that knows its names: scene files,
-/// the command line, its help and summary.json are made from it.
+/// One setting of a scene. Only the table of these settings has their names; scene files, the
+/// command line, its help, docs/options.md and summary.json come from it.
 struct Option
 {
     std::string key = {};   ///< in scene files: "spheres.radius"
-    std::string flag = {};  ///< on the command line: "--radius"; empty when there is none
+    std::string flag = {};  ///< on the command line: "--radius"; empty for scene files only
     std::string group = {}; ///< heading in the help
     std::string help = {};  ///< one line, with the unit
-    OptionType type = OptionType::text; ///< of the value when there is one
-    std::string nothing = {}; ///< the word for no value ("auto"); empty when there must be one
+    OptionType type = OptionType::text; ///< of the value, if there is one
+    std::string nothing = {}; ///< the word for no value ("auto"); empty if a value is required
     std::string placeholder = "TEXT";      ///< of a text in the help
-    std::string form = "text";             ///< what a text looks like: "a size such as 1280x720"
-    std::vector<std::string> choices = {}; ///< of a text; any when empty
+    std::string form = "text";             ///< description of a text: "a size such as 1280x720"
+    std::vector<std::string> choices = {}; ///< of a text; empty: any text
     /// The same where parts can be added later (see scene/part_names.hpp).
     const std::vector<std::string>* parts = nullptr;
-    std::vector<std::pair<std::string, double>> words = {}; ///< that stand for a number
+    std::vector<std::pair<std::string, double>> words = {}; ///< words for numbers
     OptionRange range = {};
-    std::optional<Preset> preset = {}; ///< the only one that uses it; nothing: each does
+    std::optional<Preset> preset = {}; ///< the only preset that uses it; empty: both do
 
     std::function<OptionValue(const Scene&)> get = {};
-    /// Takes what `get` gives or what `checked` lets pass. Returns false for a text that it cannot
-    /// read.
+    /// Takes a value of `get` or one that setOption has checked. Returns false for a text that it
+    /// cannot read.
     std::function<bool(Scene&, const OptionValue&)> set = {};
 
-    /// The texts that are allowed now; any when empty.
+    /// The texts that are allowed now; empty: any text.
     [[nodiscard]] const std::vector<std::string>& texts() const { return parts ? *parts : choices; }
 };
 
-/// Every setting, in the order of files and help.
+/// Every setting, in the order of the files and the help.
 [[nodiscard]] std::span<const Option> sceneOptions();
 [[nodiscard]] const Option* findOption(std::string_view key);
 
-/// What may be given, for messages: "a number from 0 to 1".
+/// The allowed values, for messages: "a number from 0 to 1".
 [[nodiscard]] std::string describeAllowed(const Option& option);
 
-/// "; did you mean 'grid'?", or nothing when the value is no text that is nearly an allowed one.
+/// "; did you mean 'grid'?", or nothing if the value is no text that resembles an allowed one.
 [[nodiscard]] std::string nearestAllowed(const Option& option, const OptionValue& value);
 
-/// Sets the value, or returns false and leaves the scene alone when it is not allowed.
+/// Sets the value. Returns false, and leaves the scene unchanged, if it is not allowed.
 [[nodiscard]] bool setOption(const Option& option, Scene& scene, OptionValue value);
 
-/// Reads a value as it is written on a command line; none when that is not of the option's type.
+/// Reads a value from the command line; empty if the text is not of the type of the option.
 [[nodiscard]] std::optional<OptionValue> readOptionText(const Option& option,
                                                         std::string_view text);
 
-/// As it is written on a command line.
+/// The value as written on the command line.
 [[nodiscard]] std::string optionText(const Option& option, const OptionValue& value);
 
 } // namespace frostfill

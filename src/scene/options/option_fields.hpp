@@ -11,7 +11,7 @@
 namespace frostfill
 {
 
-/// The names of an enumeration's values, in their order.
+/// The names of the values of an enumeration, in order.
 template <typename Enum>
 struct EnumNames;
 template <>
@@ -65,18 +65,18 @@ const auto& namesOf()
 [[nodiscard]] std::string colourText(const Colour& colour);
 [[nodiscard]] bool readColour(std::string_view text, Colour& colour);
 [[nodiscard]] bool readPictureSize(std::string_view text, PictureSize& size);
-/// "0.02..0.05", or a file's name, which has a dot or a slash and begins like no number.
+/// "0.02..0.05", or a file name, which has a dot or a slash and does not begin like a number.
 [[nodiscard]] std::string radiiText(const Radii& radii);
 [[nodiscard]] bool readRadii(std::string_view text, Radii& radii);
 
 /// "none", "plane:X,Y,Z,OFFSET" or "wedge:FROM,TO".
 [[nodiscard]] std::string cutawayText(const Cutaway& cutaway);
 [[nodiscard]] bool readCutaway(std::string_view text, Cutaway& cutaway);
-/// "none", or names with commas between them.
+/// "none", or names separated by commas.
 [[nodiscard]] std::string passesText(const Passes& passes);
 [[nodiscard]] bool readPasses(std::string_view text, Passes& passes);
 
-/// How a field's type is kept in an OptionValue and got back. One overload for each type.
+/// Converts a field to an OptionValue. One overload for each type.
 inline OptionValue toValue(bool field)
 {
     return field;
@@ -213,7 +213,7 @@ struct OptionTypeOf<std::optional<Field>> : OptionTypeOf<Field>
 {
 };
 
-/// The names and words of an option; `access` returns a reference to its field of a scene, const or
+/// Completes an option for a field. `access` returns a reference to the field of a scene, const or
 /// not.
 template <typename Access>
 Option fieldOption(Option option, Access access)
@@ -239,7 +239,7 @@ Option fieldOption(Option option, Access access)
     }
     if constexpr (std::is_same_v<Field, Colour>)
     {
-        option.form = "a colour such as #ffcc00 or, with alpha, #ffcc0080, or the word transparent";
+        option.form = "a colour such as #ffcc00, #ffcc0080 with alpha, or transparent";
     }
     if constexpr (std::is_same_v<Field, PictureSize>)
     {
@@ -248,13 +248,14 @@ Option fieldOption(Option option, Access access)
     if constexpr (std::is_same_v<Field, Cutaway>)
     {
         option.placeholder = "none|plane:X,Y,Z[,OFFSET]|wedge:FROM,TO";
-        option.form = "none, plane:X,Y,Z with a normal and perhaps an offset, or wedge:FROM,TO in "
-                      "degrees, up to 180 apart";
+        option.form =
+            "none, plane:X,Y,Z or plane:X,Y,Z,OFFSET with a normal, or wedge:FROM,TO in degrees, "
+            "at most 180 apart";
     }
     if constexpr (std::is_same_v<Field, Passes>)
     {
         option.placeholder = "none|all|depth,normal,identity";
-        option.form = "none, all, or some of depth,normal,identity";
+        option.form = "none, all, or a list of depth, normal and identity";
     }
     option.get = [access](const Scene& scene) { return toValue(access(scene)); };
     option.set = [access](Scene& scene, const OptionValue& value)

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Room: where spheres touch spheres and triangles: sphere casts, contact cones, neighbour lists.
+// All contact geometry of the simulation is here.
 #pragma once
 
 #include "mesh/interior/surface.hpp"

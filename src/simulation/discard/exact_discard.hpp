@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Room: rules that decide which spheres and polygons are no longer tested. The exact rule
+// changes no bit of the result; the paper's rules are heuristics.
 #pragma once
 
 #include "simulation/discard/discard_rule.hpp"

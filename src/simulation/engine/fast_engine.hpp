@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Room: the schedules of a run, made of the parts in the other rooms. One step of an engine
+// reads as a table of contents.
 #pragma once
 
 #include "base/threads.hpp"

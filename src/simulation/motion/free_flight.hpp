@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Room: how one sphere moves past spheres at rest and walls: free flight and drop-and-roll.
+// Running spheres do not see each other here.
 #pragma once
 
 #include "simulation/contact/runner.hpp"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Room: the method of the paper: Algorithm 1, its searches and its schedule. The names are those
+// of the paper.
 #pragma once
 
 #include "simulation/contact/contact.hpp"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Room: where the centre of a sphere can still get to. From this follow exact discards, leaks
+// and parts that are too narrow.
 #pragma once
 
 #include "mesh/interior/inside_test.hpp"

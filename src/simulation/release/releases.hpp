@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Room: where and when spheres appear. It finds release sites that are clear, and adds the
+// spheres of a set to the world.
 #pragma once
 
 #include "simulation/release/release_rule.hpp"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Room: what running spheres do to each other: broad phase, velocity solver, position solver,
+// islands. It changes velocities and positions, never states.
 #pragma once
 
 #include "simulation/contact/runner.hpp"

@@ -180,8 +180,8 @@ void requireInside(const World& world, std::span<const PlacedSphere> spheres)
         {
             const Eigen::Vector3d q = world.frame.toMesh(p);
             throw Error(ErrorCode::badData,
-                        fmt::format("sphere {} cannot be released at ({:g}, {:g}, {:g}): that is "
-                                    "not inside {}",
+                        fmt::format("sphere {} cannot be released at ({:g}, {:g}, {:g}): the point "
+                                    "is not inside {}",
                                     k, q.x(), q.y(), q.z(), world.scene.object.mesh));
         }
     }
@@ -191,15 +191,15 @@ void refuseCrowdedPlace(const World& world, const PlacedSphere& sphere)
 {
     const Eigen::Vector3d p = world.frame.toMesh(sphere.place);
     throw Error(ErrorCode::badData,
-                fmt::format("there is no room for a sphere of radius {:g} near ({:g}, {:g}, {:g}), "
-                            "where it is to be released",
+                fmt::format("there is no room for a sphere of radius {:g} near its release site "
+                            "({:g}, {:g}, {:g})",
                             sphere.radius * world.frame.length, p.x(), p.y(), p.z()));
 }
 
 void refuseTooLarge(const World& world)
 {
     throw Error(ErrorCode::badData,
-                fmt::format("not one sphere of radius {:g} fits into {}: choose a smaller --radius "
+                fmt::format("no sphere of radius {:g} fits into {}: choose a smaller --radius "
                             "or a larger --count",
                             world.frame.length * world.radii.smallest(), world.scene.object.mesh));
 }

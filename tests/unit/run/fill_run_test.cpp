@@ -125,6 +125,27 @@ TEST(FillRun, SimulatesTheSameWithAndWithoutFrames)
     EXPECT_EQ(nlohmann::json::parse(with.summary)["frames"], with.frames);
 }
 
+// Long steps with nothing lost in a bounce lead the paper's spheres through the wall.
+TEST(FillRun, FailsWhenACentreEndsOutsideButKeepsTheFiles)
+{
+    const TemporaryFolder folder;
+    FillRequest request = smallRequest(folder / "run");
+    request.scene = presetScene(Preset::paper, "torus");
+    request.scene.spheres.radius = 0.1;
+    request.scene.spheres.count = 40;
+    request.scene.motion.dt = 0.1;
+    request.scene.motion.restitution = 1;
+    request.scene.frames.enabled = false;
+    const FillResult result = runFill(request);
+    EXPECT_GT(result.quality.centresOutside, 0u);
+    ASSERT_TRUE(result.failure);
+    EXPECT_NE(result.failure->find("outside"), std::string::npos) << *result.failure;
+    const auto summary = nlohmann::json::parse(result.summary);
+    EXPECT_EQ(summary["outcome"], "failed");
+    EXPECT_EQ(summary["error"]["centres_outside"], result.quality.centresOutside);
+    EXPECT_EQ(filesIn(folder / "run"), 5u);
+}
+
 TEST(FillRun, RefusesBlankPicturesButKeepsTheFiles)
 {
     const TemporaryFolder folder;
