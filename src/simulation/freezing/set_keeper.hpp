@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Room: when a sphere sleeps, when it wakes, and what a set is. Freezing moves a sphere to its place
-// of rest and never moves it again until it wakes.
+// Room: when a sphere sleeps, when it wakes, and what a set is. It knows the solver and what
+// follows spheres at rest, but no schedule.
 #pragma once
 
 #include "simulation/freezing/freezing_rule.hpp"
