@@ -104,7 +104,8 @@ std::string formatCsv(const Table& table)
         std::string text;
         for (std::size_t column = 0; column < cells.size(); ++column)
         {
-            text += (column > 0 ? "," : "") + csvCell(cells[column]);
+            text += column > 0 ? "," : "";
+            text += csvCell(cells[column]);
         }
         return text + "\n";
     };

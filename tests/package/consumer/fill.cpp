@@ -5,6 +5,7 @@ int main()
 {
     using namespace frostfill;
     FillRequest request{presetScene(Preset::fast, "torus"), "torus"};
+    request.scene.spheres.radius = 0.1;
     request.scene.spheres.count = 20;
     request.scene.frames.selection = "last";
     const FillResult result = fill(request);
