@@ -128,8 +128,8 @@ TEST_F(Algorithm1Test, CentreThatWasBehindTheWallBeforeIsLeftAlone)
 TEST_F(Algorithm1Test, StepThatWallsUndoIsTakenBackAndStartsFromRest)
 {
     const Surface slab(shapes::box({-10, -10, -0.5}, {10, 10, 0.5}, 2));
-    PolygonTests slabTests(PolygonSearch::loop, slab, polygons, 2);
-    Algorithm1 narrow(spheres, slab, slabTests, {0.5, 0.01});
+    const auto slabSearch = polygonSearches()[PolygonSearch::loop]({slab, polygons});
+    Algorithm1 narrow(spheres, slab, *slabSearch, {0.5, 0.01});
     const auto id = add({0.3, 0.2, 0.1}, {0, 0, 1});
     const std::vector<Eigen::Vector3d> before = {{0.3, 0.2, 0.05}};
     narrow.clearTouched(1);
