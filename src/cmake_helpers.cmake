@@ -11,9 +11,60 @@ function(frostfill_configure target)
     endif()
 endfunction()
 
-# Compiles a file into a target, byte for byte. In C++:
+# The headers that most sources include, compiled once: twelve sources of library and tests took 42 %
+# less processor time with GCC 12 (71 s without, 41 s with). The preset dev goes without, so that each
+# source names what it uses. ccache needs the option, and CCACHE_SLOPPINESS=pch_defines,time_macros.
+# The owner is a target that links nothing but what HEADERS need: GCC reads them only where every macro
+# of the owner's command line is defined too.
+#   frostfill_precompile(OWNER "LIBRARIES" HEADERS...), then frostfill_use_precompiled(TARGET OWNER)
+function(frostfill_precompile owner libraries)
+    set(source ${CMAKE_CURRENT_BINARY_DIR}/${owner}.cpp)
+    file(CONFIGURE OUTPUT ${source} CONTENT "// Belongs to the precompiled headers.\n")
+    add_library(${owner} OBJECT ${source})
+    frostfill_configure(${owner})
+    target_link_libraries(${owner} PRIVATE Eigen3::Eigen ${libraries})
+    target_precompile_headers(${owner} PRIVATE <Eigen/Core> <Eigen/Geometry> <algorithm> <array>
+        <cmath> <filesystem> <functional> <map> <memory> <optional> <string> <vector> ${ARGN})
+    frostfill_let_ccache_read(${owner})
+endfunction()
+function(frostfill_use_precompiled target owner)
+    target_precompile_headers(${target} REUSE_FROM ${owner})
+    frostfill_let_ccache_read(${target})
+endfunction()
+function(frostfill_let_ccache_read target)
+    if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
+        target_compile_options(${target} PRIVATE -fpch-preprocess)
+    endif()
+endfunction()
+
+# Compiles files into a target, byte for byte, and writes the header that declares them:
+#   frostfill_embed(TARGET ROOM/HEADER.hpp NAME FILE NAME FILE ...)
+# In C++, with #include "ROOM/HEADER.hpp":
 #   namespace frostfill::embedded { std::string_view NAME(); }
-function(frostfill_embed target name file)
+function(frostfill_embed target header)
+    set(declarations "")
+    list(LENGTH ARGN words)
+    math(EXPR last "${words} - 1")
+    foreach(i RANGE 0 ${last} 2)
+        math(EXPR j "${i} + 1")
+        list(GET ARGN ${i} name)
+        list(GET ARGN ${j} file)
+        frostfill_embed_one(${target} ${name} ${file})
+        string(APPEND declarations "std::string_view ${name}();\n")
+    endforeach()
+    set(folder ${CMAKE_CURRENT_BINARY_DIR}/embedded)
+    file(CONFIGURE OUTPUT ${folder}/${header} @ONLY CONTENT [=[
+// Generated at configure time: files that the build compiles in.
+#pragma once
+#include <string_view>
+namespace frostfill::embedded
+{
+@declarations@} // namespace frostfill::embedded
+]=])
+    target_include_directories(${target} PRIVATE ${folder})
+endfunction()
+
+function(frostfill_embed_one target name file)
     set(source ${CMAKE_CURRENT_BINARY_DIR}/embedded_${name}.cpp)
     file(CONFIGURE OUTPUT ${source} @ONLY CONTENT [=[
 // Generated at configure time from @file@.
@@ -33,7 +84,7 @@ std::string_view @name@();
 std::string_view @name@() { return {&begin, static_cast<std::size_t>(&end - &begin)}; }
 } // namespace frostfill::embedded
 ]=])
-    set_source_files_properties(${source} PROPERTIES OBJECT_DEPENDS ${file})
-    set_source_files_properties(${source} TARGET_DIRECTORY ${target} PROPERTIES OBJECT_DEPENDS ${file})
+    set_source_files_properties(${source} TARGET_DIRECTORY ${target} PROPERTIES
+        OBJECT_DEPENDS ${file} SKIP_PRECOMPILE_HEADERS ON)
     target_sources(${target} PRIVATE ${source})
 endfunction()

@@ -6,11 +6,13 @@ target_sources(frostfill_core PUBLIC FILE_SET HEADERS BASE_DIRS ${public} FILES
     ${public}/frostfill/error.hpp
     ${public}/frostfill/measure.hpp
     ${public}/frostfill/mesh.hpp
+    ${public}/frostfill/options.hpp
     ${public}/frostfill/scene.hpp
     ${public}/frostfill/simulation.hpp
     ${public}/frostfill/snapshot.hpp
     ${public}/frostfill/view.hpp)
 target_sources(frostfill_render PUBLIC FILE_SET HEADERS BASE_DIRS ${public} FILES
+    ${public}/frostfill/fill.hpp
     ${public}/frostfill/image.hpp
     ${public}/frostfill/output.hpp
     ${public}/frostfill/renderer.hpp)
@@ -42,9 +44,9 @@ find_dependency(Eigen3 3.4 NO_MODULE)
 find_dependency(assimp)
 find_dependency(fmt)
 find_dependency(tomlplusplus)
-find_dependency(TBB)
 include(${CMAKE_CURRENT_LIST_DIR}/frostfill-core.cmake)
 if("render" IN_LIST frostfill_FIND_COMPONENTS)
+    find_dependency(TBB)
     find_dependency(PkgConfig)
     pkg_check_modules(STB REQUIRED IMPORTED_TARGET stb)
     pkg_check_modules(DEFLATE REQUIRED IMPORTED_TARGET libdeflate)

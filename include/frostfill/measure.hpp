@@ -9,14 +9,14 @@ namespace frostfill
 {
 
 /// Pairs examined (tests) and spheres corrected (responses), by kind of pair. PAPER: Algorithm 1.
-/// The preset fast looks at a pair several times a step, which counts as one test, and corrects
-/// paths, not pairs: its responses are not counted, and with Motion::descend nothing is.
+/// The preset fast examines a pair several times in a step; this counts as one test. It corrects
+/// paths, not pairs, so its responses are not counted. Motion::descend counts nothing.
 struct OperationCounts
 {
     std::uint64_t runningRunningTests = 0;
     std::uint64_t runningFrozenTests = 0;
     std::uint64_t spherePolygonTests = 0;
-    std::uint64_t runningRunningResponses = 0; ///< two a colliding pair: both spheres respond
+    std::uint64_t runningRunningResponses = 0; ///< two per colliding pair: both respond
     std::uint64_t runningFrozenResponses = 0;
     std::uint64_t spherePolygonResponses = 0;
 
@@ -33,7 +33,7 @@ struct OperationCounts
     friend bool operator==(const OperationCounts&, const OperationCounts&) = default;
 };
 
-/// What a run spends its time on.
+/// The stages of a run that are timed.
 enum class Stage : std::uint8_t
 {
     sphereSphere,
@@ -41,7 +41,7 @@ enum class Stage : std::uint8_t
     motion, ///< integration and rest detection
     freezing,
     discarding,
-    releasing, ///< the search for free places
+    releasing, ///< the search for release sites
     rendering,
     readback,
     encoding,
@@ -52,7 +52,7 @@ inline constexpr std::size_t kStageCount = 10;
 /// "sphere_sphere", "sphere_polygon", ...: the names used in files.
 [[nodiscard]] const char* stageName(Stage stage);
 
-/// Seconds of wall time by stage.
+/// Wall-clock time of each stage. [s]
 struct StageTimes
 {
     std::array<double, kStageCount> seconds{};
@@ -68,7 +68,7 @@ struct StageTimes
     StageTimes& operator+=(const StageTimes& other);
 };
 
-/// The computer and the build, as far as they bear on a timing.
+/// The computer and the build, as far as they affect timings.
 struct MachineInfo
 {
     std::string cpu;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Room: triangle meshes, from a file to a closed surface that can be filled. Its inner rooms
+// read, repair and measure them.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -13,15 +15,15 @@
 namespace frostfill
 {
 
-/// A surface of triangles. Counter-clockwise seen from outside, once it has been loaded or
-/// repaired.
+/// A surface of triangles. After loading or repair, triangles are counter-clockwise seen from
+/// outside.
 struct TriangleMesh
 {
-    std::vector<Eigen::Vector3d> vertices;               ///< [#V] in the file's own unit and frame
+    std::vector<Eigen::Vector3d> vertices;               ///< [#V] in the unit and frame of the file
     std::vector<std::array<std::uint32_t, 3>> triangles; ///< [#T] indices into vertices
 };
 
-/// What an inspection found. Counts are exact; a mesh can be filled when closed() holds and the
+/// The result of an inspection. Counts are exact. A mesh can be filled if closed() holds and the
 /// volume is positive.
 struct MeshReport
 {
@@ -30,17 +32,17 @@ struct MeshReport
     std::size_t components = 0;          ///< pieces connected through shared edges
     std::size_t boundaryEdges = 0;       ///< edges with one triangle: the rim of a hole
     std::size_t nonManifoldEdges = 0;    ///< edges with three triangles or more
-    std::size_t inconsistentEdges = 0;   ///< edges whose two triangles are wound against each other
+    std::size_t inconsistentEdges = 0;   ///< edges whose two triangles have opposite windings
     std::size_t degenerateTriangles = 0; ///< triangles without area
     std::size_t duplicateTriangles = 0;
     std::size_t unusedVertices = 0;
-    int genus = 0;           ///< handles over all components; meaningful when closed
-    double volume = 0;       ///< signed volume, unit^3; positive when wound outwards
-    double area = 0;         ///< unit^2
-    Eigen::AlignedBox3d box; ///< of the vertices that are used
+    int genus = 0;           ///< handles over all components; valid for a closed mesh
+    double volume = 0;       ///< [unit^3] signed; positive when wound outwards
+    double area = 0;         ///< [unit^2]
+    Eigen::AlignedBox3d box; ///< of the vertices in use
     Eigen::Vector3d firstDefect = Eigen::Vector3d::Zero(); ///< midpoint of the first bad edge
 
-    /// Every edge has exactly two triangles and they agree on the winding.
+    /// Whether every edge has exactly two triangles with consistent windings.
     [[nodiscard]] bool closed() const
     {
         return triangles > 0 && boundaryEdges == 0 && nonManifoldEdges == 0 &&
@@ -48,13 +50,13 @@ struct MeshReport
     }
 };
 
-/// A mesh that is fit to be filled, and how it became so.
+/// A mesh that can be filled, and the repairs that made it so.
 struct LoadedMesh
 {
     TriangleMesh mesh;
     MeshReport asRead;                ///< before any repair (after triangulation)
     MeshReport report;                ///< of `mesh`
-    std::vector<std::string> repairs; ///< a sentence each; empty when the file was clean
+    std::vector<std::string> repairs; ///< one sentence each; empty if the file was clean
 };
 
 /// Enclosed volume by the divergence theorem, sum of det(a, b, c) / 6. Exact for a closed mesh.
@@ -62,28 +64,29 @@ struct LoadedMesh
 [[nodiscard]] double surfaceArea(const TriangleMesh& mesh);
 [[nodiscard]] Eigen::AlignedBox3d boundingBox(const TriangleMesh& mesh);
 
-/// Generalised winding number of the surface about a point: 1 inside, 0 outside a closed outward
-/// mesh. Sum of signed solid angles [van Oosterom & Strackee 1983]; O(#T), used as an oracle.
+/// Generalised winding number of the surface about a point: 1 inside and 0 outside a closed mesh
+/// wound outwards. The sum of signed solid angles [van Oosterom & Strackee 1983]. Takes O(#T).
 [[nodiscard]] double windingNumber(const TriangleMesh& mesh, const Eigen::Vector3d& point);
 
 [[nodiscard]] MeshReport inspectMesh(const TriangleMesh& mesh);
 
-/// Reads OBJ, STL, PLY, OFF, glTF or GLB as triangles, with equal vertices welded and nothing else
-/// changed: what `frostfill mesh` inspects. Opens no other file, but for a glTF's .bin in its
-/// folder. Throws Error inputMissing when there is no such file, badData when it cannot be read.
+/// Reads OBJ, STL, PLY, OFF, glTF or GLB as triangles. Welds equal vertices and changes nothing
+/// else. Opens no other file, except for a .bin file of a glTF in the same folder. Throws Error
+/// inputMissing if the file does not exist, badData if it cannot be read.
 [[nodiscard]] TriangleMesh readMesh(const std::filesystem::path& file);
 
-/// readMesh in a child process with limits on memory, processor time and files, which grow with the
-/// file's size: a file on which the reader crashes, hangs or fills the memory is an Error badData.
+/// readMesh in a child process. Its limits on memory, processor time and files grow with the file's
+/// size. A file on which the reader crashes, hangs or fills the memory is an Error badData.
 [[nodiscard]] TriangleMesh readMeshInCage(const std::filesystem::path& file);
 
-/// Makes a mesh fit to be filled: joins seams, drops triangles without area and duplicates, makes
-/// windings consistent and outward (of cavities inward), closes holes of up to 5 % of the surface.
-/// `name` is used in messages. Throws Error badData when the mesh cannot be filled: no volume, open
-/// beyond repair, pieces that pass through each other, not finite.
+/// Repairs a mesh for filling. Joins seams, drops duplicates and triangles without area, makes
+/// windings consistent and outward (inward for cavities), and closes holes of up to 5 % of the
+/// surface. `name` is used in messages. Throws Error badData if the mesh cannot be filled: no
+/// volume, open beyond repair, pieces that pass through each other, numbers that are not finite.
 [[nodiscard]] LoadedMesh repairMesh(TriangleMesh mesh, std::string_view name);
 
-/// readMeshInCage and repairMesh, or one of the built-in objects when `name` is one of their names.
+/// Loads a built-in object by its name, or reads and repairs a file (readMeshInCage,
+/// repairMesh).
 [[nodiscard]] LoadedMesh loadMesh(const std::string& nameOrFile);
 
 /// The paper's objects, compiled into the library: "torus", "sphere", "cube", "human".

@@ -16,23 +16,23 @@
 namespace frostfill
 {
 
-/// Which of numbered pictures are kept when there shall be at most `limit`: when that is reached
-/// every second one goes, and from then on every second (fourth, ...) is kept.
+/// Decides which pictures to keep under a limit. At the limit, every second picture is removed, and
+/// from then on only every second (fourth, ...) one is kept.
 class FrameThinning
 {
 public:
-    /// A limit of 0 means none, and a limit of 1 keeps the first picture only.
+    /// A limit of 0 keeps all pictures, and a limit of 1 keeps only the first.
     explicit FrameThinning(std::size_t limit) : limit_(limit) {}
 
-    /// Whether picture `number` would be kept, so that it need not be drawn otherwise.
+    /// Whether picture `number` would be kept. Otherwise it need not be drawn.
     [[nodiscard]] bool wants(std::size_t number) const { return number % stride_ == 0; }
-    /// How a picture is taken.
+    /// What to do with a picture.
     struct Decision
     {
-        bool thin = false; ///< first remove every second picture of those that are there
+        bool thin = false; ///< first remove every second picture kept so far
         bool keep = false;
     };
-    /// Numbers come in ascending order.
+    /// Call it with ascending numbers.
     Decision take(std::size_t number);
     [[nodiscard]] std::size_t count() const { return count_; }
     [[nodiscard]] std::size_t stride() const { return stride_; }
@@ -45,28 +45,28 @@ private:
 
 class PngBands;
 
-/// Numbered pictures frame_00000.png, ... in a directory, thinned out and renumbered when there are
-/// too many. Plain PNG; what is the same as in the picture before is not compressed again.
+/// Numbered pictures frame_00000.png, ... in a directory. They are thinned out and renumbered at
+/// the limit. The files are plain PNG. Rows that equal those of the picture before are not
+/// compressed again.
 class PngSequence : public ImageSink
 {
 public:
-    /// Creates the directory when there is none. `text` goes into every picture. Throws Error
-    /// cannotCreate.
+    /// Creates the directory if needed. Every picture gets `text`. Throws Error cannotCreate.
     PngSequence(std::filesystem::path directory, std::size_t limit, PngText text = {});
     ~PngSequence() override;
     PngSequence(PngSequence&&) noexcept;
     PngSequence& operator=(PngSequence&&) noexcept;
 
-    /// Does nothing for a frame that is not wanted. Numbers come in ascending order.
+    /// Does nothing for a frame that is not wanted. Call it with ascending numbers.
     void put(std::size_t number, const Image& image) override;
-    /// The same with text for this picture alone, and with the rows [height] that may differ from
-    /// the picture that was put before (not 0); without them all may.
+    /// The same with text for this picture alone. `changedRows` [height] is not 0 for rows that may
+    /// differ from the picture before; if it is empty, every row may differ.
     void put(std::size_t number, const Image& image, std::span<const std::uint8_t> changedRows,
              const PngText& text);
     [[nodiscard]] bool wants(std::size_t number) const { return thinning_.wants(number); }
     [[nodiscard]] std::size_t count() const { return thinning_.count(); }
     [[nodiscard]] std::size_t stride() const { return thinning_.stride(); }
-    /// Time spent so far in Stage::encoding and in Stage::writing.
+    /// Time spent so far in Stage::encoding and Stage::writing.
     [[nodiscard]] const StageTimes& times() const { return times_; }
 
 private:
@@ -80,14 +80,16 @@ private:
     StageTimes times_;
 };
 
-/// `id,group,x,y,z,radius,state`, a row a sphere; the id is the index. Numbers have 17 significant
-/// digits. Written under a temporary name and renamed. Throws Error cannotCreate or writeFailed.
+/// Writes `id,group,x,y,z,radius,state`, one row for each sphere. The id is the index. Numbers have
+/// 17 significant digits. The file is renamed when complete. Throws Error cannotCreate or
+/// writeFailed.
 void writeSpheresCsv(std::span<const SphereRecord> spheres, const std::filesystem::path& file);
-/// The same from `sphere(id)` for each id below `count`, so that no copy of all is needed.
+/// The same with `sphere(id)` for each id below `count`; this needs no copy of all spheres.
 void writeSpheresCsv(std::size_t count, const std::function<SphereRecord(std::size_t)>& sphere,
                      const std::filesystem::path& file);
 
-/// `id,state`, a row a polygon; the id is the index. Otherwise like writeSpheresCsv.
+/// Writes `id,state`, one row for each polygon. The id is the index. Otherwise like
+/// writeSpheresCsv.
 void writePolygonsCsv(std::span<const PolygonState> polygons, const std::filesystem::path& file);
 
 } // namespace frostfill

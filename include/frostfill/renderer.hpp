@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Room: the renderer as a program uses it: settings, pictures, passes. Its inner rooms are the
+// folders of src/render.
 #pragma once
 
 #include <frostfill/image.hpp>
@@ -23,62 +25,62 @@ struct RenderSettings
     Camera camera;
     Style style;
     Backend backend = Backend::automatic;
-    int samples = 4;                ///< samples a pixel; 1 for none
-    int supersample = 1;            ///< draw so many times as wide and high, then average
-    ColourRange range;              ///< of the colours; a range of heights follows from the mesh
+    int samples = 4;                ///< samples per pixel; 1 for no antialiasing
+    int supersample = 1;            ///< draw this many times wider and higher, then average
+    ColourRange range;              ///< of the colour scale; the mesh gives the range of heights
     std::uint32_t groupsPerSet = 1; ///< for colours by set
     double unitsPerMetre = 1;       ///< for speeds in metres a second
     Eigen::Vector3d up = {0, 1, 0}; ///< unit vector that points up in the picture
-    std::vector<Pose> poses;        ///< that have to fit into the picture; none: as the mesh is
+    std::vector<Pose> poses;        ///< that must fit into the picture; empty: the mesh as it is
     std::string title;              ///< first line of the legend; may be empty
-    bool staticLayer = true; ///< keep what is at rest from picture to picture; off gives the same
-                             ///< pictures, slower
+    bool staticLayer = true;        ///< keep spheres at rest from picture to picture; off gives the
+                                    ///< same pictures, slower
 };
 
-/// What is seen in a picture beside colour, of the spheres alone. Same size and view; no legend.
+/// Depth, normals and identities of the spheres in a picture. Same size and view; no legend.
 struct PassPictures
 {
     Image depth; ///< 16 bit: 0..65534 from `nearest` to `furthest` along the view; 65535 where
                  ///< there is no sphere
     double nearest = 0; ///< [mesh unit] from the eye's plane
     double furthest = 0;
-    Image normal;   ///< RGB 0..255 for -1..1: to the right, up, to the viewer; 128 where nothing is
+    Image normal;   ///< RGB 0..255 for -1..1: right, up, towards the viewer; 128 where no sphere is
     Image identity; ///< id + 1 as R + 256 G + 65536 B; 0 where there is no sphere
 };
 
-/// Draws snapshots of one mesh without a screen. One renderer belongs to one thread.
+/// Draws snapshots of one mesh without a screen. Use a renderer in one thread only.
 class Renderer
 {
 public:
     /// Opens the context and uploads the mesh. Throws Error noOpenGl, which lists every attempt, or
-    /// usage when the size is not between 1 and the context's limit.
+    /// usage if the size is not between 1 and the limit of the context.
     Renderer(const TriangleMesh& mesh, const RenderSettings& settings);
     ~Renderer();
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;
 
-    /// Draws one picture. It stays as it is until the next call.
+    /// Draws one picture. The picture is valid until the next call.
     const Image& draw(const Snapshot& snapshot);
-    /// [height] which rows of the last picture may differ from the one before, from the top; not 0
-    /// for those.
+    /// [height] from the top: not 0 for rows of the last picture that may differ from the picture
+    /// before.
     [[nodiscard]] std::span<const std::uint8_t> changedRows() const;
 
-    /// Draws one picture into `image`, whose memory is reused.
+    /// Draws one picture into `image` and reuses its memory.
     void render(const Snapshot& snapshot, Image& image);
 
-    /// Goes round the object with the camera about the up axis, by an angle from where the settings
-    /// have it [degree]. Holds until the next call.
+    /// Turns the camera about the up axis of the object, by an angle from its place in the settings
+    /// [degree]. Stays in effect until the next call.
     void turn(double degrees);
 
-    /// Draws what else is seen in the picture that `render` makes of the same snapshot.
+    /// Draws depth, normals and identities for the picture that `render` makes of this snapshot.
     void renderPasses(const Snapshot& snapshot, PassPictures& pictures);
 
-    /// Where the object is in the picture, as left, top, right, bottom [pixel]: all of it that the
-    /// legend does not take.
+    /// The region of the object in the picture: left, top, right, bottom [pixel]. It is all of the
+    /// picture but the legend.
     [[nodiscard]] std::array<int, 4> objectRegion() const;
 
-    /// Looks from somewhere else from now on. The projection stays parallel or not as it was.
-    /// Takes back turn(). Throws Error usage for a camera that makes no sense.
+    /// Changes the camera and undoes turn(). The kind of projection, parallel or perspective, must
+    /// stay the same. Throws Error usage for a camera that makes no sense.
     void setCamera(const Camera& camera);
 
     /// Vendor, renderer and version strings of the context, on one line.
@@ -95,10 +97,10 @@ private:
 /// One attempt at opening a context, for `frostfill doctor`.
 struct BackendAttempt
 {
-    std::string name; ///< as `Backend` is named on the command line: "osmesa"
+    std::string name; ///< of the `Backend` on the command line: "osmesa"
     bool works = false;
-    std::string description; ///< renderer string, or what failed
-    std::string remedy;      ///< the command that installs what is missing; empty when it works
+    std::string description; ///< renderer string, or the failure
+    std::string remedy;      ///< the command that installs the missing package; empty if it works
 };
 [[nodiscard]] std::vector<BackendAttempt> probeBackends();
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Room: the simulation as a program uses it: construct, step, capture. Its inner rooms hold the
+// world and the parts of the engines.
 #pragma once
 
 #include <frostfill/measure.hpp>
@@ -15,106 +17,106 @@
 namespace frostfill
 {
 
-/// What happened while one set was the newest.
+/// What happened while a set was the newest.
 struct SetRecord
 {
     std::uint32_t set = 0;
-    std::size_t spheres = 0; ///< that appeared with it
+    std::size_t spheres = 0; ///< that appeared with the set
     std::uint64_t steps = 0;
     double simulatedSeconds = 0;
-    double meanSphereSphereMs = 0; ///< a step
+    double meanSphereSphereMs = 0; ///< per step
     double p95SphereSphereMs = 0;
     double meanSpherePolygonMs = 0;
     double p95SpherePolygonMs = 0;
-    StageTimes times;        ///< of the simulation's stages, in all
-    std::size_t running = 0; ///< counts at the set's end, after freezing and discarding
+    StageTimes times;        ///< of the stages of the simulation, in total
+    std::size_t running = 0; ///< at the end of the set, after freezing and discarding
     std::size_t frozen = 0;
     std::size_t discarded = 0;
     std::size_t discardedPolygons = 0;
-    bool timedOut = false; ///< did not come to rest within the limit
+    bool timedOut = false; ///< did not come to rest within the time limit
     OperationCounts operations;
 };
 
-/// How good the state is. Overlaps are penetration depths over the radius, of two the smaller.
+/// The quality of a state. Overlaps are penetration depths over the radius, the smaller one of two.
 struct QualityReport
 {
     double maxOverlap = 0;          ///< [r] between two spheres
-    double meanOverlap = 0;         ///< [r] over the pairs that touch or overlap
+    double meanOverlap = 0;         ///< [r] over all pairs that touch or overlap
     double maxWallOverlap = 0;      ///< [r] between a sphere and the mesh
     std::size_t centresOutside = 0; ///< by winding number
     std::size_t notFinite = 0;
-    std::size_t unsupported = 0; ///< at rest, but gravity leaves the cone of its contacts
-    double energyGain = 0;   ///< largest growth of total energy in a step over the run, relative to
-                             ///< the energy of a fall through the object's height
-    double energyExcess = 0; ///< by how much it was at most above its start plus the work done on
-                             ///< it, relative to the same
-    std::size_t restoredDiscards = 0; ///< times that a guard brought back all that was discarded
+    std::size_t unsupported = 0; ///< spheres at rest whose contacts cannot carry their weight
+    double energyGain = 0;   ///< largest growth of the total energy in one step, relative to the
+                             ///< energy of a fall through the height of the object
+    double energyExcess = 0; ///< largest excess of the energy over its start plus the work done,
+                             ///< relative to the same
+    std::size_t restoredDiscards = 0; ///< times that a guard took back all discards
     double meshVolume = 0;            ///< [unit^3]
     double sphereVolume = 0;          ///< [unit^3] of all spheres
     double volumeEstimate = 0; ///< [unit^3] N v / phi + c r S; NaN unless full of equal spheres
-    /// [unit^3] uncertainty: largest error over the calibration's shapes, and scatter of packings
+    /// [unit^3] uncertainty: largest error over the calibration shapes, and scatter of packings
     double volumeEstimateError = 0;
 };
 
-/// A connected part of an object that no sphere of a radius covers any of.
+/// A connected part of an object that no sphere of the radius covers.
 struct UnreachableVolume
 {
     double volume = 0;      ///< [unit^3]
-    Eigen::Vector3d centre; ///< of mass; may lie outside a bent part
+    Eigen::Vector3d centre; ///< centre of mass; may lie outside a bent part
     Eigen::AlignedBox3d box;
 };
 
-/// Where spheres of a radius can be in a mesh, before any is there. A sphere may be released
-/// wherever it fits, so a part counts as out of reach only when it is too narrow itself.
+/// The places that spheres of a radius can reach in an empty mesh. A sphere may be released
+/// wherever it fits, so only a part that is itself too narrow counts as out of reach.
 struct ReachInspection
 {
-    /// False when the mesh is too large against the radius to be looked at within the memory.
+    /// False if the mesh is too large for this radius and memory.
     bool known = false;
-    /// A point in a hole through which such a sphere gets out; the rest says nothing then.
+    /// A point in a hole through which such a sphere escapes; the other fields are then not valid.
     std::optional<Eigen::Vector3d> leak;
-    bool fits = false;      ///< at least one sphere does
-    double unreachable = 0; ///< [unit^3] that no sphere covers, narrow edges included; at least
-    double resolution = 0;  ///< [unit] to which that is known
-    /// Those larger than one sphere, largest first.
+    bool fits = false;      ///< at least one sphere fits
+    double unreachable = 0; ///< [unit^3] that no sphere covers, edges included; a lower bound
+    double resolution = 0;  ///< [unit] of the inspection
+    /// The parts larger than one sphere, largest first.
     std::vector<UnreachableVolume> parts;
 };
 
-/// `mesh` may have holes. `bytes`: memory that may be used.
+/// `mesh` may have holes. `bytes` limits the memory.
 [[nodiscard]] ReachInspection inspectReach(const TriangleMesh& mesh, double radius,
                                            std::size_t bytes = std::size_t{256} << 20);
 
-/// Fills one mesh according to one scene. PAPER: Algorithm 1 and the schedule of sets around it.
+/// Fills one mesh as a scene describes. PAPER: Algorithm 1 and the schedule of sets around it.
 class Simulation
 {
 public:
-    /// `mesh` is closed and outward (see loadMesh). Throws Error usage for a scene that makes no
-    /// sense and badData for a mesh into which not one sphere fits.
+    /// `mesh` is closed and wound outwards (see loadMesh). Throws Error usage for an invalid scene
+    /// and badData for a mesh into which no sphere fits.
     Simulation(const Scene& scene, const TriangleMesh& mesh);
     ~Simulation();
     Simulation(Simulation&&) noexcept;
     Simulation& operator=(Simulation&&) noexcept;
 
-    /// Advances by one time step; releases, freezes and discards when it is time to.
-    /// Returns false when the run is over (and then changes nothing).
+    /// Advances by one time step, and releases, freezes and discards when due.
+    /// Returns false, and changes nothing, when the run is over.
     bool step();
 
-    /// Brings `snapshot` up to date; see Snapshot for what that costs.
+    /// Updates `snapshot`; see Snapshot for the cost.
     void capture(Snapshot& snapshot) const;
 
     [[nodiscard]] bool finished() const;
-    [[nodiscard]] bool full() const;       ///< the run is over because no sphere fits any more
-    [[nodiscard]] double time() const;     ///< [s] simulated
-    [[nodiscard]] double timeStep() const; ///< [s]
-    [[nodiscard]] double radius() const;   ///< [mesh unit] the largest that the scene asks for
-    [[nodiscard]] double smallestRadius() const; ///< [mesh unit] that the scene asks for
+    [[nodiscard]] bool full() const;             ///< the run is over because no sphere fits
+    [[nodiscard]] double time() const;           ///< [s] simulated
+    [[nodiscard]] double timeStep() const;       ///< [s]
+    [[nodiscard]] double radius() const;         ///< [mesh unit] the largest of the scene
+    [[nodiscard]] double smallestRadius() const; ///< [mesh unit] the smallest of the scene
     [[nodiscard]] std::uint64_t steps() const;
     [[nodiscard]] std::size_t sphereCount() const;
     [[nodiscard]] std::size_t restingCount() const; ///< frozen and discarded
-    [[nodiscard]] std::size_t groupSize() const;    ///< spheres that form a group
-    /// Spheres that the run aims at: the count, or an estimate when it fills until full.
+    [[nodiscard]] std::size_t groupSize() const;    ///< spheres in a group
+    /// The target of the run: the count, or an estimate if it fills until full.
     [[nodiscard]] std::size_t expectedSpheres() const;
 
-    /// How an object that moves will stand, from the first to the last; none when it does not.
+    /// The poses of a moving object from first to last; empty if the object does not move.
     [[nodiscard]] std::vector<Pose> poses() const;
 
     [[nodiscard]] SphereRecord sphere(std::size_t id) const;
@@ -123,10 +125,10 @@ public:
     [[nodiscard]] const StageTimes& times() const;
     [[nodiscard]] const std::vector<SetRecord>& sets() const;
     [[nodiscard]] QualityReport quality() const;
-    /// Of the empty object, for the smallest radius; see frostfill::inspectReach.
+    /// Inspects the empty object with the smallest radius; see frostfill::inspectReach.
     [[nodiscard]] ReachInspection inspectReach(std::size_t bytes) const;
 
-    /// Hash of all positions, bit for bit, and of which spheres are at rest, as 16 hex digits.
+    /// Hash of the bits of all positions, and of which spheres are at rest, as 16 hex digits.
     [[nodiscard]] std::string stateHash() const;
 
 private:

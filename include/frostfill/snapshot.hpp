@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Room: the state of a run at one moment, as a picture needs it. The simulation fills it and the
+// renderer reads it, so neither knows the other.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,21 +11,21 @@
 namespace frostfill
 {
 
-/// What a sphere is doing. The numbers are those of the files and of the state hash.
+/// The state of a sphere. The files and the state hash use these numbers.
 enum class SphereState : std::uint8_t
 {
     running = 0,   ///< moves, is tested, responds
-    frozen = 1,    ///< at rest for good; is tested against, never responds
-    discarded = 2, ///< at rest and not even tested any more
+    frozen = 1,    ///< at rest; is tested against, never responds
+    discarded = 2, ///< at rest and no longer tested
 };
 
 enum class PolygonState : std::uint8_t
 {
     active = 0,
-    discarded = 1, ///< covered by spheres or out of reach, not tested any more
+    discarded = 1, ///< covered by spheres or out of reach; no longer tested
 };
 
-/// A sphere as the files have it: mesh coordinates, full precision.
+/// A sphere as in the files: mesh coordinates, full precision.
 struct SphereRecord
 {
     Eigen::Vector3d centre;
@@ -32,41 +34,41 @@ struct SphereRecord
     SphereState state = SphereState::running;
 };
 
-/// How the object stands in the room: a point p of the mesh is at
-/// origin + offset + rotation (p - origin), where origin is the middle of the mesh's box.
+/// Position and orientation of the object. A point p of the mesh is at
+/// origin + offset + rotation (p - origin), where origin is the middle of the box of the mesh.
 struct Pose
 {
     Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
     Eigen::Vector3d offset = Eigen::Vector3d::Zero(); ///< [mesh unit]
 };
 
-/// All that one picture needs, and nothing of how it came about. Indexed by sphere id, which is the
-/// order of appearance. A snapshot is filled by Simulation::capture, which touches only what has
-/// changed since it filled the same snapshot last: keep one and reuse it.
+/// Everything that one picture needs, and nothing of how it came about. Indexed by sphere id, in
+/// order of appearance. Simulation::capture fills a snapshot and touches only what has changed
+/// since it last filled the same one: keep one snapshot and reuse it.
 struct Snapshot
 {
     std::vector<Eigen::Vector3f> centres; ///< [#S] mesh coordinates relative to `origin`
     std::vector<float> radii;             ///< [#S] mesh unit
     std::vector<SphereState> states;      ///< [#S]
     std::vector<std::uint32_t> groups;    ///< [#S]
-    std::vector<float> speeds;            ///< [#S] mesh unit a second; 0 at rest
-    std::vector<PolygonState> polygons;   ///< [#T] of the mesh that is simulated
+    std::vector<float> speeds;            ///< [#S] mesh units per second; 0 at rest
+    std::vector<PolygonState> polygons;   ///< [#T] of the simulated mesh
     Eigen::Vector3d origin = Eigen::Vector3d::Zero(); ///< mesh coordinates; the box's centre
 
-    Pose pose; ///< of an object that moves, with all that is in it
+    Pose pose; ///< of a moving object and everything in it
 
-    /// Ids that were added, moved or changed state in the last capture, ascending.
+    /// Ids that appeared, moved or changed state in the last capture, ascending.
     std::vector<std::uint32_t> changed;
-    bool polygonsChanged = false;     ///< some polygon changed its state in the last capture
-    std::size_t stateChangesSeen = 0; ///< where the next capture goes on; not for the reader
-    std::uint64_t source = 0; ///< which simulation filled it; 0 when it was made by hand, and then
-                              ///< `changed` is not relied upon
-    std::uint64_t changedSince = 0; ///< `changed` has all that happened after this step
+    bool polygonsChanged = false;     ///< a polygon changed its state in the last capture
+    std::size_t stateChangesSeen = 0; ///< internal: where the next capture continues
+    std::uint64_t source = 0; ///< the simulation that filled it; 0 for a snapshot made by hand,
+                              ///< whose `changed` is ignored
+    std::uint64_t changedSince = 0; ///< `changed` covers everything after this step
 
     double time = 0;         ///< [s] simulated
-    std::uint64_t step = 0;  ///< steps made since the start
-    std::uint32_t set = 0;   ///< index of the set that is running
-    std::size_t running = 0; ///< how many spheres are in each state
+    std::uint64_t step = 0;  ///< number of steps since the start
+    std::uint32_t set = 0;   ///< index of the running set
+    std::size_t running = 0; ///< number of spheres in each state
     std::size_t frozen = 0;
     std::size_t discarded = 0;
     std::size_t discardedPolygons = 0;

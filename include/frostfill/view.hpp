@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Room: how a picture looks, as plain values: camera, style, palette, size. Scenes hold these
+// values, and the renderer reads them.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,8 +12,8 @@
 namespace frostfill
 {
 
-/// Where the object is looked at from. The camera frames the object by itself; every field only
-/// changes how.
+/// The view of the object. By default the camera fits the whole object into the picture; each field
+/// changes that view.
 struct Camera
 {
     double azimuth = 30;   ///< [degree] about the up axis; 0 looks along the horizontal depth axis
@@ -19,22 +21,22 @@ struct Camera
     double fieldOfView = 35; ///< [degree] vertical
     double zoom = 1;         ///< [1] 1 fits the object into the picture, 2 shows it twice as large
     bool orthographic = false;
-    std::optional<Eigen::Vector3d> target; ///< mesh coordinates, shown in the middle; without one
-                                           ///< the object's outline is centred
-    std::optional<double> distance;        ///< [mesh unit] of the eye from the target's plane; with
-                                           ///< perspective only. Without one the object fits
-    std::optional<double> turntable;       ///< [s] of video for one turn about the up axis; the
-                                           ///< object fits at every angle. Still without one
+    std::optional<Eigen::Vector3d> target; ///< mesh coordinates of the point in the middle; if not
+                                           ///< given, the outline of the object is centred
+    std::optional<double> distance;        ///< [mesh unit] from the eye to the plane of the target,
+                                           ///< perspective only; if not given, the object fits
+    std::optional<double> turntable;       ///< [s] of video for one turn about the up axis, with
+                                           ///< the object fitting at all angles; not given: none
 };
 
-/// Which OpenGL to draw with.
+/// The OpenGL implementation to draw with.
 enum class Backend : std::uint8_t
 {
     automatic, ///< the first that works
     osmesa,
     egl,            ///< the first of the following that works
     eglHardware,    ///< a graphics card
-    eglSoftware,    ///< Mesa's software device
+    eglSoftware,    ///< the software device of Mesa
     eglSurfaceless, ///< Mesa without a device
 };
 
@@ -48,8 +50,8 @@ struct PictureSize
 /// 8-bit sRGB with alpha.
 using Colour = std::array<std::uint8_t, 4>;
 
-/// Colours of everything that can be told apart. The defaults are from the Okabe-Ito palette and
-/// differ in lightness too, so that they survive colour blindness and grey printing.
+/// The colours of a picture. The defaults are from the Okabe-Ito palette [Okabe & Ito 2008] and
+/// also differ in lightness, so they remain distinct for colour-blind readers and in grey print.
 struct Palette
 {
     Colour background = {255, 255, 255, 255};
@@ -61,7 +63,7 @@ struct Palette
     Colour text = {32, 32, 32, 255};
 };
 
-/// What the colours of the spheres mean.
+/// What the colour of a sphere shows.
 enum class ColourBy : std::uint8_t
 {
     state,
@@ -71,30 +73,30 @@ enum class ColourBy : std::uint8_t
     height,
 };
 
-/// Where a number lies on the scale of colours.
+/// The numbers at both ends of a colour scale.
 struct ColourRange
 {
     double low = 0;
     double high = 1;
 };
 
-/// What is taken away so that the inside can be seen; spheres are cut through.
+/// The part that is removed to show the inside. Spheres are cut through.
 struct Cutaway
 {
     enum class Kind : std::uint8_t
     {
         none,
-        plane, ///< all that lies beyond a plane
-        wedge, ///< a slice about the up axis through the middle of the object's box
+        plane, ///< everything beyond a plane
+        wedge, ///< a slice about the up axis through the middle of the box of the object
     };
     Kind kind = Kind::none;
-    Eigen::Vector3d normal = {0, 0, 1}; ///< of the plane, towards what is taken away
-    double offset = 0; ///< [mesh unit] of the plane from the middle of the box, along its normal
-    double from = 0;   ///< [degree] of the wedge, counted like the camera's azimuth
-    double to = 90;    ///< [degree] more than `from`, by up to 180
+    Eigen::Vector3d normal = {0, 0, 1}; ///< of the plane, towards the removed part
+    double offset = 0; ///< [mesh unit] from the middle of the box to the plane, along its normal
+    double from = 0;   ///< [degree] of the wedge, an azimuth like that of the camera
+    double to = 90;    ///< [degree] above `from`, by at most 180
 };
 
-/// A set of colours and strokes that go together.
+/// A set of colours and outlines for one purpose.
 enum class Look : std::uint8_t
 {
     clean, ///< for a bright screen
@@ -105,12 +107,12 @@ enum class Look : std::uint8_t
 struct Style
 {
     Look look = Look::clean;
-    Palette palette; ///< the look's own, unless colours are given
+    Palette palette; ///< by default that of the look
     ColourBy colourBy = ColourBy::state;
     Cutaway cutaway;
     bool legend = true;
     bool shell = true;             ///< draw the mesh as a translucent shell with its edges
-    bool ambientOcclusion = false; ///< darken what others shade; costs a second drawing
+    bool ambientOcclusion = false; ///< darken crevices; draws everything twice
 };
 
 /// The colours of a look.

@@ -2,13 +2,13 @@
 #include "app/commands.hpp"
 #include "app/message.hpp"
 #include "app/progress.hpp"
-#include "output/atomic_file.hpp"
 #include "study/error/closed_forms.hpp"
 #include "study/error/error_study.hpp"
 #include "study/figures/all_figures.hpp"
 #include "study/operations/operations_study.hpp"
 #include "study/peers/peer_study.hpp"
 #include "study/stability/stability_study.hpp"
+#include "study/table.hpp"
 
 #include <frostfill/error.hpp>
 
@@ -16,6 +16,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 
 namespace frostfill
@@ -24,17 +25,17 @@ namespace
 {
 
 constexpr const char* kExamples = R"(Examples:
-  frostfill bench operations                the paper's lemmas against what is counted
+  frostfill bench operations                counted tests against the paper's lemmas
   frostfill bench operations --quick --out output/bench
-  frostfill bench error                     what accuracy costs
-  frostfill bench error --peers             beside other engines, on the same spheres
-  frostfill bench stability                 where which method breaks
+  frostfill bench error                     run time against error
+  frostfill bench error --peers             other engines on the same spheres
+  frostfill bench stability                 extreme scenes, both methods
 )";
 
 constexpr std::uint64_t kGroups = 200;
 constexpr std::uint64_t kQuickGroups = 20;
-constexpr double kLeastPeerRatio = 50; // that the fastest other engine takes longer by
-constexpr double kMostOverlap = 1e-7;  // of ours at rest [r]
+constexpr double kLeastPeerRatio = 50; // claimed: time of the fastest other engine over ours
+constexpr double kMostOverlap = 1e-7;  // claimed: of our spheres at rest [r]
 
 struct BenchArguments
 {
@@ -45,7 +46,7 @@ struct BenchArguments
     int (*run)(const BenchArguments&) = nullptr;
 };
 
-/// Lemma 1 has one group a set, Lemma 2 several; Lemma 3 is looked at with both.
+/// Lemma 1 has one group in a set, Lemma 2 several. Lemma 3 is checked with both.
 std::vector<OperationsCase> operationsCases(bool quick)
 {
     std::vector<OperationsCase> cases;
@@ -66,10 +67,7 @@ std::vector<OperationsCase> operationsCases(bool quick)
 
 void writeTable(const BenchArguments& arguments, const char* name, const Table& table)
 {
-    createDirectory(arguments.directory);
-    AtomicFile out(std::filesystem::path(arguments.directory) / name);
-    out.write(formatCsv(table));
-    out.commit();
+    saveCsv(table, std::filesystem::path(arguments.directory) / name);
 }
 
 int benchOperations(const BenchArguments& arguments)
@@ -91,13 +89,13 @@ int benchOperations(const BenchArguments& arguments)
                                                         [](const OperationsRow& row)
                                                         { return !row.agrees(); }));
     }
-    fmt::print("{} sets, every row in {}/operations.csv\n", sets, arguments.directory);
+    fmt::print("{} sets; all rows are in {}/operations.csv\n", sets, arguments.directory);
     if (apart > 0)
     {
-        fmt::print("verdict: {} sets do not agree with the lemmas\n", apart);
+        fmt::print("verdict: {} sets disagree with the lemmas\n", apart);
         return static_cast<int>(ErrorCode::thresholdFailed);
     }
-    fmt::print("verdict: tests equal the lemmas' at every set, and responses stay within them\n");
+    fmt::print("verdict: tests equal the lemmas at every set, and responses stay within them\n");
     return 0;
 }
 
@@ -109,7 +107,7 @@ void draw(const BenchArguments& arguments, const Figure& figure)
     try
     {
         drawFigure(figure, request);
-        fmt::print("{}/{}.svg shows it\n\n", arguments.directory, figure.name);
+        fmt::print("figure: {}/{}.svg\n\n", arguments.directory, figure.name);
     }
     catch (const Error& error)
     {
@@ -140,7 +138,7 @@ int benchStability(const BenchArguments& arguments)
     }
     const bool sound = unsoundTable(results, Preset::fast).rows.empty();
     fmt::print("verdict: the preset fast {}\n",
-               sound ? "passes every cell that makes sense, and says why it refuses the others"
+               sound ? "passes every cell that makes sense and gives a reason for each refusal"
                      : "fails cells of the matrix");
     return sound ? 0 : static_cast<int>(ErrorCode::thresholdFailed);
 }
@@ -182,17 +180,16 @@ void comparePeers(const BenchArguments& arguments, std::vector<std::string>& bro
     draw(arguments, peersFigure());
     for (const char* motion : {"fall", "skip", "descend"})
     {
-        fmt::print("the fastest other engine takes {:.0f} times as long as ours with {}\n",
+        fmt::print("the fastest other engine takes {:.0f} times as long as --motion {}\n",
                    peerRatio(points, motion), motion);
     }
     fmt::print("\n");
     const double ratio = peerRatio(points, "skip");
     if (!arguments.quick && ratio < kLeastPeerRatio)
     {
-        broken.push_back(
-            fmt::format("only {:.0f} times as fast as the fastest other engine; {:.0f} "
-                        "times is claimed",
-                        ratio, kLeastPeerRatio));
+        broken.push_back(fmt::format("{:.0f} times as fast as the fastest other engine, but {:.0f} "
+                                     "times is claimed",
+                                     ratio, kLeastPeerRatio));
     }
     for (const PeerPoint& point : points)
     {
@@ -256,13 +253,13 @@ Command addBenchCommand(CLI::App& program)
         {"operations", "Tests and responses against the paper's Lemmas 1, 2 and 3",
          "20 groups instead of 200", benchOperations},
         {"error", "Run time against error, and errors against closed forms",
-         "Few spheres and settings: under a minute", benchError},
-        {"stability", "A matrix of extreme scenes, with a verdict for each",
-         "Without the cells that take long: under a minute", benchStability},
+         "Few spheres and settings; takes less than a minute", benchError},
+        {"stability", "A matrix of extreme scenes, each with a verdict",
+         "Without the long cells; takes less than a minute", benchStability},
     };
     const auto arguments = std::make_shared<BenchArguments>();
     CLI::App* command =
-        program.add_subcommand("bench", "Measure one claim and say whether it holds");
+        program.add_subcommand("bench", "Measure one claim and report whether it holds");
     command->footer(kExamples);
     command->require_subcommand(1);
     for (const Named& bench : kBenches)
@@ -270,14 +267,14 @@ Command addBenchCommand(CLI::App& program)
         CLI::App* one = command->add_subcommand(bench.name, bench.text);
         one->footer(kExamples);
         one->add_flag("--quick", arguments->quick, bench.quick);
-        one->add_option("--out", arguments->directory, "Directory of what it writes (output/bench)")
+        one->add_option("--out", arguments->directory, "Directory of the results (output/bench)")
             ->type_name("DIR");
         if (bench.run == benchError)
         {
             one->add_flag("--peers", arguments->peers,
-                          "Run other engines on the same spheres too (Bullet, LIGGGHTS)");
+                          "Also run other engines on the same spheres (Bullet, LIGGGHTS)");
             one->add_option("--object", arguments->objects,
-                            "A mesh to be filled too, for its volume; may be repeated")
+                            "Also estimate the volume of this mesh; may be repeated")
                 ->type_name("FILE");
         }
         one->parse_complete_callback([arguments, &bench] { arguments->run = bench.run; });

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Room: the command line: parse, call, report. It decides nothing about a run.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -11,12 +12,13 @@ namespace frostfill
 /// Does the work of a command and returns the program's exit code. Throws Error.
 using Command = std::function<int()>;
 
-/// Each adds its command to the program and returns what to run when it was asked for.
+/// Each function adds a command to the program and returns the function that runs it.
 Command addBenchCommand(CLI::App& program);
 Command addFiguresCommand(CLI::App& program);
 Command addFillCommand(CLI::App& program);
 Command addFpsCommand(CLI::App& program);
 Command addMeshCommand(CLI::App& program);
 Command addDoctorCommand(CLI::App& program);
+Command addOptionsCommand(CLI::App& program);
 
 } // namespace frostfill

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <span>
 #include <sstream>
 #include <string>
 
@@ -21,7 +22,7 @@ namespace frostfill
 namespace
 {
 
-/// Where a program lies, as the shell would find it; empty when it would not.
+/// The path of a program in PATH; empty if it is not there.
 std::string findProgram(const std::string& name)
 {
     const char* path = std::getenv("PATH");
@@ -50,7 +51,7 @@ void printMachine()
     fmt::print("font      compiled in\n");
 }
 
-/// Programs that make videos and figures; a run works without them.
+/// Programs for videos and figures. A run works without them.
 void printPrograms()
 {
     for (const auto& [program, package] :
@@ -68,6 +69,19 @@ void printPrograms()
     }
 }
 
+/// Which context `--backend auto` takes, and what that means where it is not OSMesa.
+void printVerdict(std::span<const BackendAttempt> attempts, const BackendAttempt& chosen)
+{
+    if (chosen.name == attempts.front().name)
+    {
+        fmt::print("all is well: pictures are drawn with {}\n", chosen.name);
+        return;
+    }
+    fmt::print("pictures are drawn with {}, because {} does not work; they can differ from its "
+               "pictures in single bits\n",
+               chosen.name, attempts.front().name);
+}
+
 int examine()
 {
     printMachine();
@@ -82,14 +96,14 @@ int examine()
         }
     }
     printPrograms();
-    const bool works = std::any_of(attempts.begin(), attempts.end(),
-                                   [](const BackendAttempt& attempt) { return attempt.works; });
-    if (!works)
+    const auto chosen = std::find_if(attempts.begin(), attempts.end(),
+                                     [](const BackendAttempt& attempt) { return attempt.works; });
+    if (chosen == attempts.end())
     {
         throw Error(ErrorCode::noOpenGl,
-                    "no OpenGL to be had, so frames cannot be drawn; --frames none still works");
+                    "no OpenGL is available, so frames cannot be drawn; --frames none still works");
     }
-    fmt::print("all is well\n");
+    printVerdict(attempts, *chosen);
     return 0;
 }
 
@@ -97,7 +111,8 @@ int examine()
 
 Command addDoctorCommand(CLI::App& program)
 {
-    program.add_subcommand("doctor", "Which OpenGL and libraries there are, and what is missing");
+    program.add_subcommand("doctor",
+                           "Show which OpenGL and libraries are present and what is missing");
     return [] { return examine(); };
 }
 

@@ -19,8 +19,8 @@ namespace
 {
 
 constexpr const char* kExamples = R"(Examples:
-  frostfill figures                          all of them into docs/figures; measured times are kept
-  frostfill figures --measure                with new times: on an idle machine
+  frostfill figures                          all figures into docs/figures, with recorded times
+  frostfill figures --measure                with new times; use an idle machine
   frostfill figures --only operations --out output/figures
 )";
 
@@ -99,29 +99,29 @@ Command addFiguresCommand(CLI::App& program)
 {
     const auto arguments = std::make_shared<FiguresArguments>();
     CLI::App* command = program.add_subcommand(
-        "figures", "Make every figure of the documentation: SVG, PNG, its data and its script");
+        "figures", "Make the figures of the documentation: SVG, PNG, data and script");
     command->footer(kExamples);
     std::vector<std::string> names;
     for (const Figure& figure : allFigures())
     {
         names.emplace_back(figure.name);
     }
-    command->add_option("--only", arguments->only, "Only these; see --list")
+    command->add_option("--only", arguments->only, "Only these figures; see --list")
         ->delimiter(',')
         ->check(CLI::IsMember(names))
         ->type_name("NAME,...");
-    command->add_flag("--list", arguments->list, "Tell which figures there are");
-    command->add_option("--out", arguments->directory, "Where they go (docs/figures)")
+    command->add_flag("--list", arguments->list, "List the figures");
+    command->add_option("--out", arguments->directory, "Directory of the figures (docs/figures)")
         ->type_name("DIR");
     command->add_flag("--measure", arguments->request.measure,
-                      "Measure times anew; otherwise recorded ones are drawn again");
+                      "Measure times again; by default recorded times are drawn");
     command
         ->add_option("--recorded", arguments->recorded,
-                     "Where recorded times are taken from (docs/figures)")
+                     "Directory of the recorded times (docs/figures)")
         ->type_name("DIR");
     command->add_flag("--quick", arguments->request.quick,
-                      "A few spheres only: for a look, not for the documentation");
-    command->add_flag("--quiet", arguments->quiet, "Do not tell what is being done");
+                      "Few spheres: a preview, not for the documentation");
+    command->add_flag("--quiet", arguments->quiet, "Show no progress");
     return [arguments] { return figures(*arguments); };
 }
 

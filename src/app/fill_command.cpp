@@ -4,31 +4,31 @@
 #include "app/progress.hpp"
 #include "app/reach_text.hpp"
 #include "app/scene_options.hpp"
-#include "output/scene_json.hpp"
-#include "run/fill_run.hpp"
 #include "run/volume_estimate.hpp"
+
+#include <frostfill/fill.hpp>
+#include <frostfill/options.hpp>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <csignal>
 #include <ctime>
-#include <fstream>
 #include <memory>
+#include <string>
 
 namespace frostfill
 {
 namespace
 {
 
-constexpr std::size_t kRowsOfTable = 24;
-
 constexpr const char* kExamples = R"(Examples:
   frostfill fill torus                           the paper's run, with frames
-  frostfill fill human --frames none             tables only
+  frostfill fill human --frames none             tables, no pictures
   frostfill fill part.stl --up z --units mm --count 500
   frostfill fill bunny.obj --radius 0.02 --out output/fine
-  frostfill fill cube --radius 0.04..0.12        radii between two
+  frostfill fill cube --radius 0.04..0.12        radii drawn from a range
   frostfill fill --scene output/torus/summary.json --out output/again
 )";
 
@@ -86,27 +86,7 @@ struct FillArguments
     GivenOptions given;
 };
 
-/// A scene file, or the summary of a run that is to be repeated.
-Scene sceneFromFile(const std::string& file)
-{
-    if (!file.ends_with(".json"))
-    {
-        return loadScene(file);
-    }
-    std::ifstream in(file);
-    if (!in)
-    {
-        throw Error(ErrorCode::inputMissing, fmt::format("cannot read {}", file));
-    }
-    const auto summary = nlohmann::ordered_json::parse(in, nullptr, false);
-    if (!summary.is_object() || !summary.contains("scene"))
-    {
-        throw Error(ErrorCode::badData, fmt::format("{} is not the summary of a run", file));
-    }
-    return sceneFromJson(summary["scene"], file);
-}
-
-/// The preset decides where all other settings start from, so it is looked at first.
+/// The preset gives all other settings their defaults, so it is read first.
 Preset requestedPreset(const GivenOptions& given)
 {
     GivenOptions presetAlone;
@@ -129,23 +109,21 @@ Scene requestedScene(const FillArguments& arguments)
     }
     Scene scene = arguments.sceneFile.empty()
                       ? presetScene(requestedPreset(arguments.given), arguments.mesh)
-                      : sceneFromFile(arguments.sceneFile);
+                      : loadRunScene(arguments.sceneFile);
     if (!arguments.sceneFile.empty() && !arguments.mesh.empty())
     {
         scene.object.mesh = arguments.mesh;
         scene.name = presetScene(scene.preset, arguments.mesh).name;
     }
     applyGivenOptions(arguments.given, scene);
-    // A radius alone asks to be filled until no sphere fits, whatever the preset's count.
-    if (arguments.sceneFile.empty() && arguments.given.contains("spheres.radius") &&
-        !arguments.given.contains("spheres.count"))
+    if (arguments.sceneFile.empty())
     {
-        scene.spheres.count.reset();
+        fillUntilFullForARadiusAlone(arguments.given, scene);
     }
     return scene;
 }
 
-// Only of what the command line says: a scene file has the settings of both presets.
+// Only for the command line: a scene file has the settings of both presets.
 void warnOfIgnored(const FillArguments& arguments, Preset preset)
 {
     const std::string ignored = ignoredOptionsText(arguments.given, preset);
@@ -175,32 +153,31 @@ void printPlan(const FillRequest& request, const FillPlan& plan)
     {
         say(fmt::format("repaired: {}\n", repair));
     }
-    say(fmt::format("{}: {} triangles, about {} spheres of {}, steps of {:.3g} s\n",
+    say(fmt::format("{}: {} triangles, about {} spheres of {}, time step {:.3g} s\n",
                     request.scene.name, plan.triangles, plan.spheres,
                     radiiText(plan.smallestRadius, plan.largestRadius), plan.timeStep));
     say(reachText(plan.reach, plan.smallestRadius, plan.volume));
     if (request.scene.frames.enabled)
     {
-        say(fmt::format("expecting about {} frames of {}x{}, {}, {:.3g} times slowed down\n",
-                        plan.estimate.frames, request.scene.size.width, request.scene.size.height,
-                        bytesText(plan.estimate.bytes), plan.timing.slowMotion));
+        say(fmt::format("expecting about {} frames of {}x{}, {}, slowed down {:.3g} times\n",
+                        plan.frames, request.scene.size.width, request.scene.size.height,
+                        bytesText(plan.frameBytes), plan.slowMotion));
     }
 }
 
 void printResult(const FillResult& result)
 {
-    const auto rows = setTable(result.sets, result.setFrames, kRowsOfTable);
-    fmt::print("{}", formatSetTable(rows));
+    fmt::print("{}", setTableText(result));
     if (result.stopped)
     {
         fmt::print("stopped early, with {} of {} spheres\n", result.spheres, result.wanted);
     }
     else if (result.full)
     {
-        fmt::print("full: no sphere fits any more after {}\n", result.spheres);
+        fmt::print("full: after {} spheres, no other one fits\n", result.spheres);
     }
-    fmt::print("{} spheres of {} take {:.1f} % of the volume; {} frames; {:.1f} s; in "
-               "{}\n",
+    fmt::print("{} spheres of {} take {:.1f} % of the volume; {} frames; {:.1f} s; "
+               "results in {}\n",
                result.spheres, radiiText(result.smallestRadius, result.largestRadius),
                100 * result.quality.sphereVolume / result.quality.meshVolume, result.frames,
                result.wallSeconds, result.directory.string());
@@ -210,7 +187,7 @@ int printVolume(const FillArguments& arguments)
 {
     Scene scene = requestedScene(arguments);
     warnOfIgnored(arguments, scene.preset);
-    // Nobody watches, so the quickest way will do.
+    // No frames are drawn, so the fastest motion is enough.
     if (scene.preset == Preset::fast && arguments.sceneFile.empty() &&
         !arguments.given.contains("motion.mode"))
     {
@@ -230,14 +207,15 @@ int printVolume(const FillArguments& arguments)
         fmt::print("{}\n", json.dump(2));
         return 0;
     }
-    fmt::print("volume {:.5g} +- {:.2g}, from {} spheres of radius {:.5g} and {} of half of it\n",
-               estimate.volume, estimate.error, estimate.coarse, estimate.radius, estimate.fine);
-    fmt::print("the mesh itself has {:.5g}: {:+.2f} %\n", estimate.meshVolume,
+    fmt::print(
+        "volume {:.5g} +- {:.2g}, from {} spheres of radius {:.5g} and {} of half that radius\n",
+        estimate.volume, estimate.error, estimate.coarse, estimate.radius, estimate.fine);
+    fmt::print("the mesh has {:.5g}; the estimate differs by {:+.2f} %\n", estimate.meshVolume,
                100 * (estimate.volume / estimate.meshVolume - 1));
     return 0;
 }
 
-int fill(const FillArguments& arguments)
+int runFill(const FillArguments& arguments)
 {
     if (arguments.estimateVolume)
     {
@@ -262,7 +240,7 @@ int fill(const FillArguments& arguments)
         observer.progressed = [&](const FillProgress& progress) { bar.update(progress); };
     }
     catchSignals();
-    const FillResult result = runFill(request, observer);
+    const FillResult result = fill(request, observer);
     bar.close();
 
     if (arguments.json)
@@ -294,35 +272,34 @@ Command addFillCommand(CLI::App& program)
 {
     const auto arguments = std::make_shared<FillArguments>();
     CLI::App* command = program.add_subcommand(
-        "fill", "Fill a mesh with spheres, draw frames, write tables and a summary");
+        "fill", "Fill a mesh with spheres; write frames, tables and a summary");
     command->footer(kExamples);
     command->add_option("MESH", arguments->mesh, "torus, sphere, cube, human, or a mesh file");
     command
         ->add_option("--scene", arguments->sceneFile,
-                     "Scene file (TOML), or the summary.json of a run to repeat")
+                     "Scene file (TOML), or summary.json of a run to repeat")
         ->type_name("FILE");
     addSceneOptions(*command, arguments->given);
     const char* output = "Output";
     command->add_option("--out", arguments->directory, "Directory of the run (output/NAME)")
         ->type_name("DIR")
         ->group(output);
-    command->add_option("--video", arguments->video, "Make a video of every frame, with ffmpeg")
+    command->add_option("--video", arguments->video, "Also make a video of the frames, with ffmpeg")
         ->type_name("FILE.mp4|.webm|.gif")
         ->group(output);
     command
         ->add_flag("--contact-sheet", arguments->contactSheet,
-                   "Twelve frames of the run on one picture, contact_sheet.png")
+                   "Also show twelve frames in one picture, contact_sheet.png")
         ->group(output);
     command
         ->add_flag("--estimate-volume", arguments->estimateVolume,
-                   "Fill with r and r/2, print the volume that this tells, write nothing")
+                   "Fill with r and with r/2, print the estimated volume, write no files")
         ->group(output);
-    command->add_flag("--overwrite", arguments->overwrite, "Replace the run that is there")
-        ->group(output);
+    command->add_flag("--overwrite", arguments->overwrite, "Replace an earlier run")->group(output);
     command->add_flag("--quiet", arguments->quiet, "Print errors only")->group(output);
     command->add_flag("--json", arguments->json, "Print the summary as JSON on standard output")
         ->group(output);
-    return [arguments] { return fill(*arguments); };
+    return [arguments] { return runFill(*arguments); };
 }
 
 } // namespace frostfill

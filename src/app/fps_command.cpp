@@ -19,13 +19,13 @@ namespace
 {
 
 constexpr const char* kExamples = R"(Examples:
-  frostfill fps                                 the paper's four objects, paper and ours side by side
+  frostfill fps                                 the four objects, the paper's times beside ours
   frostfill fps torus --searches loop,tree --no-render
-  frostfill fps --json > before.json            for later
-  frostfill fps --compare before.json           exits with 2 when something takes 15 % longer
+  frostfill fps --json > before.json            a baseline for --compare
+  frostfill fps --compare before.json           exit code 2 if anything takes 15 % longer
 )";
 
-/// Spheres in a group where a scene leaves that open.
+/// Spheres in a group, if the scene does not say.
 constexpr std::uint32_t kGroupSize = 10;
 
 struct FpsArguments
@@ -121,9 +121,10 @@ void print(const FpsArguments& arguments, const FpsResult& result,
 int printComparison(const FpsComparison& comparison, double threshold, bool onStandardOutput)
 {
     Table table;
-    table.title = fmt::format("Compared with before, mean of the fastest run in ms a frame; a "
-                              "regression is more than {:g} %",
-                              threshold);
+    table.title =
+        fmt::format("Compared with the baseline: mean of the fastest run, ms per frame; a "
+                    "regression is more than {:g} %",
+                    threshold);
     table.words = 3;
     table.headings = {"object", "search", "quantity", "before", "now", "change %", ""};
     for (const FpsChange& change : comparison.changes)
@@ -136,7 +137,7 @@ int printComparison(const FpsComparison& comparison, double threshold, bool onSt
     std::string text = formatText(table);
     if (!comparison.sameMachine)
     {
-        text += "measured on another machine: the difference may be the machine's\n";
+        text += "the baseline is from another machine, which may explain the difference\n";
     }
     if (onStandardOutput)
     {
@@ -151,7 +152,7 @@ int printComparison(const FpsComparison& comparison, double threshold, bool onSt
 
 int fps(const FpsArguments& arguments)
 {
-    // What cannot be compared is found before the measurement, not after.
+    // Read the baseline first, so an unusable one is reported before the measurement.
     nlohmann::ordered_json older;
     if (!arguments.older.empty())
     {
@@ -181,21 +182,21 @@ void addOutputOptions(CLI::App& command, FpsArguments& arguments)
     CLI::Option* markdown =
         command.add_flag("--markdown", arguments.markdown, "Tables in Markdown")->group(output);
     CLI::Option* csv =
-        command.add_flag("--csv", arguments.csv, "Every set as a row of a CSV file")->group(output);
+        command.add_flag("--csv", arguments.csv, "CSV with one row for each set")->group(output);
     CLI::Option* json =
-        command.add_flag("--json", arguments.json, "Everything as one JSON document")
+        command.add_flag("--json", arguments.json, "One JSON document with all results")
             ->group(output);
     markdown->excludes(csv)->excludes(json);
     csv->excludes(json);
-    command.add_flag("--quiet", arguments.quiet, "Do not tell what is being done")->group(output);
+    command.add_flag("--quiet", arguments.quiet, "Show no progress")->group(output);
     command
         .add_option("--compare", arguments.older,
-                    "Compare with what --json wrote before; exit code 2 for a regression")
+                    "Compare with an earlier --json; exit code 2 for a regression")
         ->type_name("FILE")
         ->group(output);
     command
         .add_option("--threshold", arguments.threshold,
-                    "Per cent by which something may take longer (15)")
+                    "Largest increase that is no regression [%] (15)")
         ->check(CLI::Range(0.0, 1e6))
         ->type_name("PERCENT")
         ->group(output);
@@ -207,11 +208,11 @@ Command addFpsCommand(CLI::App& program)
 {
     const auto arguments = std::make_shared<FpsArguments>();
     CLI::App* command = program.add_subcommand(
-        "fps", "Measure frames a second as the paper does, beside the paper's own figures");
+        "fps", "Measure frames per second as the paper does, beside its figures");
     command->footer(kExamples);
     command->add_option("SCENE", arguments->scenes,
-                        "torus, sphere, cube, human, mesh files or scenes (TOML); all four when "
-                        "none is given");
+                        "torus, sphere, cube, human, mesh files or scenes (TOML); by default the "
+                        "four objects");
     const char* measurement = "Measurement";
     std::vector<std::string> names;
     for (const FpsMethod method : kFpsMethods)
@@ -219,8 +220,7 @@ Command addFpsCommand(CLI::App& program)
         names.emplace_back(methodName(method));
     }
     command
-        ->add_option("--searches", arguments->searches,
-                     "Some of loop, list, tree, grid and fast (all)")
+        ->add_option("--searches", arguments->searches, "Any of loop, list, tree, grid, fast (all)")
         ->delimiter(',')
         ->check(CLI::IsMember(names))
         ->type_name("A,B,...")
@@ -231,16 +231,15 @@ Command addFpsCommand(CLI::App& program)
         ->group(measurement);
     command
         ->add_option("--warm-up", arguments->warmUp,
-                     "Frames that do not count at a run's start (20)")
+                     "Frames left out at the start of each run (20)")
         ->check(CLI::Range(0, 1000000))
         ->type_name("N")
         ->group(measurement);
-    command->add_option("--count", arguments->count, "Spheres, instead of the scene's own number")
+    command->add_option("--count", arguments->count, "Number of spheres, in place of the scene's")
         ->check(CLI::Range(1, 1000000))
         ->type_name("N")
         ->group(measurement);
-    command
-        ->add_flag("--no-render", arguments->noRender, "Draw nothing, so that no OpenGL is needed")
+    command->add_flag("--no-render", arguments->noRender, "Draw nothing; needs no OpenGL")
         ->group(measurement);
     addOutputOptions(*command, *arguments);
     return [arguments] { return fps(*arguments); };

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands.hpp"
 #include "app/message.hpp"
-#include "scene/options/nearest_name.hpp"
 
 #include <frostfill/error.hpp>
+#include <frostfill/options.hpp>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -22,13 +22,13 @@ using namespace frostfill;
 
 constexpr const char* kUsage = R"(Examples:
   frostfill fill torus                    the paper's torus: frames and tables in output/torus
-  frostfill fill bunny.stl --radius 0.02  any closed mesh, until no sphere fits
-  frostfill fps                           frames a second, the paper's and ours
-  frostfill mesh bunny.stl                what is wrong with a mesh
+  frostfill fill bunny.stl --radius 0.02  any closed mesh, until it is full
+  frostfill fps                           frames per second, the paper's and ours
+  frostfill mesh bunny.stl                inspect a mesh
   frostfill COMMAND --help                all options of a command
 )";
 
-/// CLI11's help, without the "{false}" that it writes behind the negative form of a flag.
+/// The help of CLI11, without the "{false}" after the negative form of a flag.
 class HelpFormatter : public CLI::Formatter
 {
 public:
@@ -48,7 +48,7 @@ int report(int code, const std::string& message)
     return code;
 }
 
-/// The option that was probably meant, as the end of a sentence.
+/// The option that was probably intended, as the end of a sentence.
 std::string didYouMean(const CLI::App& program, const std::string& argument)
 {
     std::vector<std::string> known;
@@ -68,7 +68,7 @@ std::string didYouMean(const CLI::App& program, const std::string& argument)
 
 int reportParseError(const CLI::App& program, const CLI::ParseError& error)
 {
-    // Help and version arrive as exceptions too.
+    // CLI11 also reports help and version as exceptions.
     if (error.get_exit_code() == 0)
     {
         return program.exit(error);
@@ -104,6 +104,7 @@ int run(int argumentCount, char** arguments)
     commands.emplace_back("figures", addFiguresCommand(program));
     commands.emplace_back("mesh", addMeshCommand(program));
     commands.emplace_back("doctor", addDoctorCommand(program));
+    commands.emplace_back("options", addOptionsCommand(program));
     try
     {
         program.parse(argumentCount, arguments);
@@ -129,7 +130,7 @@ int main(int argumentCount, char** arguments)
     try
     {
         const int code = run(argumentCount, arguments);
-        // What was printed may not have arrived: standard output can be a full disk.
+        // Standard output can be a file on a full disk.
         if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
         {
             return report(static_cast<int>(ErrorCode::writeFailed),
@@ -148,7 +149,7 @@ int main(int argumentCount, char** arguments)
     }
     catch (const std::system_error& error)
     {
-        // Printing to a full disk, or a file system that changes under our hands.
+        // A full disk, or a file system that changes during the run.
         return report(static_cast<int>(ErrorCode::writeFailed), error.what());
     }
     catch (const std::exception& error)

@@ -19,7 +19,7 @@ namespace
 
 constexpr const char* kExamples = R"(Examples:
   frostfill mesh torus
-  frostfill mesh human --radius 0.05           which parts such spheres cannot reach
+  frostfill mesh human --radius 0.05           parts that such spheres cannot reach
   frostfill mesh bunny.obj --repair bunny.ply
 )";
 
@@ -75,8 +75,8 @@ int inspect(const MeshArguments& arguments)
     printReport(arguments.mesh, asRead);
     if (arguments.radius > 0 && !asRead.closed() && asRead.triangles > 0)
     {
-        fmt::print("as it is, {}", reachText(inspectReach(mesh, arguments.radius), arguments.radius,
-                                             asRead.volume));
+        fmt::print("before repair, {}", reachText(inspectReach(mesh, arguments.radius),
+                                                  arguments.radius, asRead.volume));
     }
     // Throws with the reason when the mesh cannot be filled.
     const LoadedMesh loaded = repairMesh(std::move(mesh), arguments.mesh);
@@ -107,17 +107,17 @@ int inspect(const MeshArguments& arguments)
 Command addMeshCommand(CLI::App& program)
 {
     const auto arguments = std::make_shared<MeshArguments>();
-    CLI::App* command =
-        program.add_subcommand("mesh", "Inspect a mesh: can it be filled, and what is repaired?");
+    CLI::App* command = program.add_subcommand(
+        "mesh", "Inspect a mesh: whether it can be filled, and what is repaired");
     command->footer(kExamples);
     command->add_option("FILE", arguments->mesh, "A mesh file, or torus, sphere, cube, human")
         ->required();
     command
         ->add_option("--radius", arguments->radius,
-                     "Which parts spheres of this radius cannot reach, and whether they get out")
+                     "Show the parts that spheres of this radius cannot reach, and leaks")
         ->check(CLI::PositiveNumber)
         ->type_name("R");
-    command->add_option("--repair", arguments->repaired, "Write the repaired mesh here (PLY)")
+    command->add_option("--repair", arguments->repaired, "Write the repaired mesh to this PLY file")
         ->type_name("OUT");
     return [arguments] { return inspect(*arguments); };
 }

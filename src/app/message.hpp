@@ -7,7 +7,7 @@
 namespace frostfill
 {
 
-/// Prints on standard error. That it cannot be read there is no reason to end a run.
+/// Prints on standard error. A failure to print does not end a run.
 inline void say(const std::string& text)
 {
     std::fputs(text.c_str(), stderr);

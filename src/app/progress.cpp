@@ -15,7 +15,7 @@ namespace frostfill
 namespace
 {
 
-constexpr std::uint64_t kStepsPerLook = 16; // at the clock; a step can be shorter than the look
+constexpr std::uint64_t kStepsPerLook = 16; // a step can take less time than reading the clock
 constexpr double kSecondsPerBar = 0.1;
 constexpr double kSecondsPerLine = 5;
 constexpr int kBarWidth = 30;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "run/fill_run.hpp"
+#include <frostfill/fill.hpp>
 
 #include <chrono>
 #include <cstdint>
@@ -10,8 +10,8 @@
 namespace frostfill
 {
 
-/// What a bar shows on standard error: it renews itself on a terminal, and is a line now and then
-/// elsewhere.
+/// A line of progress on standard error. On a terminal it renews itself; elsewhere a new line
+/// appears now and then.
 class TimedLine
 {
 public:
@@ -20,12 +20,12 @@ public:
     TimedLine(const TimedLine&) = delete;
     TimedLine& operator=(const TimedLine&) = delete;
 
-    /// Whether it is time to show it again, which is then to be done.
+    /// Whether it is time to show the line again. If true, the caller must show it.
     [[nodiscard]] bool isDue();
-    /// The time that is left when `share` of all is done (0..1).
+    /// The time left after `share` of the work (0..1).
     [[nodiscard]] std::string left(double share) const;
     void show(double share, const std::string& text);
-    /// Ends the bar's line.
+    /// Ends the line.
     void close();
 
 private:
@@ -36,7 +36,7 @@ private:
     bool open_ = false;
 };
 
-/// Tells how far a run is.
+/// Shows the progress of a run.
 class ProgressBar
 {
 public:
@@ -48,13 +48,13 @@ private:
     std::uint64_t calls_ = 0;
 };
 
-/// The same for a study: parts done of all, and the time that is left.
+/// Shows the progress of a study: parts done, all parts, and the time left.
 class TaskBar
 {
 public:
     /// `what` has just been done.
     void update(std::size_t done, std::size_t all, const std::string& what);
-    /// `share` of all is done (0..1); `text` stands before and `what` after the time that is left.
+    /// `share` of the work is done (0..1). `text` precedes the time left and `what` follows it.
     void update(double share, const std::string& text, const std::string& what);
     void close() { line_.close(); }
 

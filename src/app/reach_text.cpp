@@ -19,11 +19,12 @@ std::string reachText(const ReachInspection& reach, double radius, double volume
     if (!reach.known)
     {
         return fmt::format(
-            "reach of radius {:.5g}: not looked at, the object is too large for it\n", radius);
+            "reach of radius {:.5g}: not examined, the object is too large for this radius\n",
+            radius);
     }
     if (reach.leak)
     {
-        return fmt::format("leak: a sphere of radius {:.5g} gets out near {:.5g} {:.5g} {:.5g}; "
+        return fmt::format("leak: a sphere of radius {:.5g} escapes near {:.5g} {:.5g} {:.5g}; "
                            "close the hole or choose a larger radius\n",
                            radius, reach.leak->x(), reach.leak->y(), reach.leak->z());
     }

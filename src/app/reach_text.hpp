@@ -8,7 +8,7 @@
 namespace frostfill
 {
 
-/// What an inspection found, a line each. `volume`: of the object [unit^3].
+/// The findings of an inspection, one line each. `volume`: of the object [unit^3].
 [[nodiscard]] std::string reachText(const ReachInspection& reach, double radius, double volume);
 
 } // namespace frostfill

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/scene_options.hpp"
 
-#include "scene/options/option.hpp"
-
 #include <frostfill/error.hpp>
+#include <frostfill/options.hpp>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -35,8 +34,8 @@ std::string placeholder(const Option& option)
         what = "X|X..Y|FILE";
         break;
     case OptionType::text:
-        what = option.choices.empty() ? option.placeholder
-                                      : fmt::format("{}", fmt::join(option.choices, "|"));
+        what = option.texts().empty() ? option.placeholder
+                                      : fmt::format("{}", fmt::join(option.texts(), "|"));
         break;
     }
     for (const auto& [word, number] : option.words)
@@ -56,7 +55,7 @@ std::string presetName(Preset preset)
 
 std::string helpWithDefault(const Option& option)
 {
-    // The count and the groups depend on the object; what is told is the torus's.
+    // The count and the groups depend on the object; the help shows those of the torus.
     const Scene standard = presetScene(Preset::fast, "torus");
     return fmt::format("{}{} ({})", option.help,
                        option.preset ? fmt::format("; preset {}", presetName(*option.preset)) : "",
@@ -108,8 +107,9 @@ void applyGivenOptions(const GivenOptions& given, Scene& scene)
         const auto value = readOptionText(option, text);
         if (!value || !setOption(option, scene, *value))
         {
-            throw Error(ErrorCode::usage, fmt::format("{} is '{}', but it must be {}", option.flag,
-                                                      text, describeAllowed(option)));
+            throw Error(ErrorCode::usage,
+                        fmt::format("{} is '{}', but it must be {}{}", option.flag, text,
+                                    describeAllowed(option), nearestAllowed(option, text)));
         }
     }
 }

@@ -11,16 +11,16 @@
 namespace frostfill
 {
 
-/// What was given on the command line, by the key of the option. Lives as long as the parser.
+/// The options given on the command line, by key. Must outlive the parser.
 using GivenOptions = std::map<std::string, std::string>;
 
 /// Adds every option of a scene to a command, grouped, with its default in the help.
 void addSceneOptions(CLI::App& command, GivenOptions& given);
 
-/// Sets what was given. Throws Error usage for a value that is not allowed.
+/// Sets the given options. Throws Error usage for a value that is not allowed.
 void applyGivenOptions(const GivenOptions& given, Scene& scene);
 
-/// One line that names what was given but is not used by this preset; empty when all of it is.
+/// One line with the given options that this preset does not use; empty if it uses all.
 [[nodiscard]] std::string ignoredOptionsText(const GivenOptions& given, Preset preset);
 
 } // namespace frostfill

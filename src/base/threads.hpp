@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Room: the tools below everything else: threads, random numbers, statistics, timing, other
+// programs. Nothing here knows of spheres or meshes.
 #pragma once
 
 #include <atomic>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Room: geometry of single triangles, boxes and grids. Nothing here knows of a whole mesh.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -27,7 +28,7 @@ struct ClosestPoint
 };
 
 /// Closest point of the triangle abc to p, by the Voronoi regions of its features
-/// [Ericson, Real-Time Collision Detection, 5.1.5].
+/// [Ericson 2005, 5.1.5].
 [[nodiscard]] ClosestPoint closestPointOnTriangle(const Eigen::Vector3d& p,
                                                   const Eigen::Vector3d& a,
                                                   const Eigen::Vector3d& b,

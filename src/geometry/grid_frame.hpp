@@ -11,8 +11,11 @@
 namespace frostfill
 {
 
-/// A box cut into equal cubes. Cells are numbered with x fastest. Points outside the box belong to
-/// the nearest cell of its border, so that a lookup never leaves the array.
+/// From the middle of a unit cube to a corner.
+inline constexpr double kHalfDiagonal = 0.8660254037844387;
+
+/// A box divided into equal cubes. Cells are numbered with x fastest. A point outside the box
+/// belongs to the nearest border cell, so a lookup never leaves the array.
 struct GridFrame
 {
     Eigen::Vector3d origin = Eigen::Vector3d::Zero(); ///< lower corner
@@ -34,7 +37,7 @@ struct GridFrame
 
     [[nodiscard]] int coordinate(double position, int axis) const
     {
-        // Clamped first, so that cutting off the fraction rounds down.
+        // Clamped first, so truncation rounds down.
         const double index = (position - origin[axis]) / cell;
         const double last = count[axis] - 1;
         return static_cast<int>(index > 0 ? (index < last ? index : last) : 0.0);
@@ -47,7 +50,7 @@ struct GridFrame
     {
         return (static_cast<std::size_t>(z) * count[1] + y) * count[0] + x;
     }
-    /// Calls visit(index) for each cell from `low` to `high`, both included, with x fastest.
+    /// Calls visit(index) for each cell from `low` to `high`, inclusive, with x fastest.
     template <class Visit>
     void forEachCell(const std::array<int, 3>& low, const std::array<int, 3>& high,
                      Visit&& visit) const

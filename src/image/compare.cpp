@@ -11,10 +11,10 @@ namespace frostfill
 namespace
 {
 
-/// A channel may be this far off before its pixel counts as being apart.
+/// A pixel counts as different if a channel differs by more than this.
 constexpr int kApart = 8;
 
-/// Differences are multiplied by this, so that one step of 255 can be seen.
+/// Differences are multiplied by this, so a difference of 1 in 255 is visible.
 constexpr int kStretch = 8;
 
 bool sameShape(const Image& a, const Image& b)
@@ -60,7 +60,8 @@ Image differenceImage(const Image& a, const Image& b)
     difference.pixels.reserve(a.pixels.size() / channels * 3);
     for (std::size_t pixel = 0; pixel < a.pixels.size(); pixel += channels)
     {
-        // A difference in opacity alone is shown in all three colours: it must not vanish.
+        // A difference in opacity alone is shown in all three colours; otherwise it would be
+        // invisible.
         const int alpha =
             channels == 4 ? std::abs(int{a.pixels[pixel + 3]} - int{b.pixels[pixel + 3]}) : 0;
         for (std::size_t i = pixel; i < pixel + 3; ++i)

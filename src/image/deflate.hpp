@@ -4,8 +4,8 @@
 namespace frostfill
 {
 
-/// The deflate hook of stb_image_write: a zlib stream of `bytes`, to be freed with free(), or null.
-/// The hook's quality is not used: the level is ours.
+/// The deflate hook of stb_image_write. Returns a zlib stream of `bytes`, which the caller frees
+/// with free(), or null. Ignores `quality`: the compression level is fixed.
 unsigned char* deflateForStb(unsigned char* bytes, int count, int* countOut, int quality);
 
 /// The checksum hook of stb_image_write.

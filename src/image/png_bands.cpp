@@ -17,15 +17,16 @@ namespace frostfill
 namespace
 {
 
-/// Rows in a band. Smaller bands are more often the same as before, and compress worse.
+/// Rows in a band. Smaller bands are reused more often but compress worse.
 constexpr std::size_t kBandRows = 16;
 
-/// ISA-L's level: 1 takes a third of the time of libdeflate's fastest for 4 % more bytes.
+/// The level of ISA-L. Level 1 takes a third of the time of libdeflate's fastest level, for 4 %
+/// more bytes.
 constexpr std::uint32_t kLevel = 1;
 
 constexpr std::uint8_t kFilterUp = 2;
 
-/// A chunk's length and type stand in front of its data, its checksum behind.
+/// The length and type of a chunk precede its data; the checksum follows.
 constexpr std::size_t kChunkHead = 8;
 constexpr std::size_t kChunkTail = 4;
 
@@ -43,7 +44,7 @@ void beginChunk(std::vector<std::uint8_t>& bytes, std::string_view type)
     bytes.insert(bytes.end(), type.begin(), type.end());
 }
 
-/// Fills in the length of the chunk that starts at `start` and ends with the bytes, and adds the
+/// Completes the chunk from `start` to the end of the bytes: sets its length and appends the
 /// checksum.
 void endChunk(std::vector<std::uint8_t>& bytes, std::size_t start)
 {
@@ -54,8 +55,8 @@ void endChunk(std::vector<std::uint8_t>& bytes, std::size_t start)
     putBigEndian(bytes.data() + bytes.size() - kChunkTail, sum);
 }
 
-/// The checksum of two pieces of data one after the other, from those of the pieces.
-/// [RFC 1950, 8.2: sums of bytes, and sums of those sums, modulo 65521]
+/// Adler-32 of two concatenated pieces of data, from the checksums of the pieces: sums of bytes,
+/// and sums of those sums, modulo 65521 [RFC 1950, 8.2].
 std::uint32_t joinAdler(std::uint32_t first, std::uint32_t second, std::size_t secondSize)
 {
     constexpr std::uint64_t kBase = 65521;
@@ -68,7 +69,7 @@ std::uint32_t joinAdler(std::uint32_t first, std::uint32_t second, std::size_t s
     return static_cast<std::uint32_t>(high << 16 | low);
 }
 
-/// Rows first..end-1, each behind the number of its filter, less the row above.
+/// Rows first..end-1 minus the row above, each preceded by the number of its filter.
 void filterUp(const Image& image, std::size_t first, std::size_t end,
               std::vector<std::uint8_t>& filtered)
 {
@@ -93,12 +94,12 @@ void filterUp(const Image& image, std::size_t first, std::size_t end,
     }
 }
 
-/// Adds a deflate stream that does not end, up to the border of a byte.
+/// Appends a deflate stream without an end, padded to a whole byte.
 void deflate(std::vector<std::uint8_t>& data, std::vector<std::uint8_t>& out)
 {
     thread_local std::vector<std::uint8_t> work(ISAL_DEF_LVL1_DEFAULT);
     const std::size_t start = out.size();
-    // Data that does not compress is stored, with five bytes a block of 64 kB.
+    // Incompressible data is stored, with five extra bytes for each block of 64 kB.
     out.resize(start + data.size() + data.size() / 1000 + 1024);
     isal_zstream stream;
     isal_deflate_stateless_init(&stream);
@@ -184,7 +185,7 @@ const std::vector<std::uint8_t>& PngBands::encode(const Image& image, const PngT
     wanted_.clear();
     for (std::size_t i = 0; i < count; ++i)
     {
-        // A band's first row is told from the row above it, which is another band's.
+        // The first row of a band depends on the row above it, which belongs to another band.
         const std::size_t first = i == 0 ? 0 : i * kBandRows - 1;
         const std::size_t end = std::min((i + 1) * kBandRows, height);
         if (!keep || std::any_of(changedRows.begin() + static_cast<std::ptrdiff_t>(first),

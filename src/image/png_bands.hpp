@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Room: pictures in memory: comparing, encoding, reading and writing PNG. Nothing here knows
+// what a picture shows.
 #pragma once
 
 #include <frostfill/image.hpp>
@@ -10,22 +12,21 @@
 namespace frostfill
 {
 
-/// A chunk of text as it stands in a PNG file. [PNG 3rd edition, 11.3.3.2]
+/// The bytes of a text chunk of a PNG file. [PNG 3rd edition, 11.3.3.2]
 [[nodiscard]] std::vector<std::uint8_t> pngTextChunk(std::string_view keyword,
                                                      std::string_view text);
 
-/// Encodes pictures of one shape that follow each other. A picture is compressed in bands of rows
-/// that know nothing of each other, so that several threads can share them and a band that is the
-/// same as in the picture before is not compressed again. The files are plain PNG, and do not tell
-/// which bands were kept.
+/// Encodes a sequence of pictures of one shape. Each picture is compressed in independent bands of
+/// rows. Several threads can share the bands, and a band that equals that of the picture before is
+/// not compressed again. The files are plain PNG and do not depend on which bands were reused.
 class PngBands
 {
 public:
-    /// With `reuse` off every band is compressed every time.
+    /// Without `reuse`, every band is compressed every time.
     explicit PngBands(bool reuse = true) : reuse_(reuse) {}
 
-    /// `changedRows` [height] is not 0 for rows that may differ from the picture before; without it
-    /// all may. The bytes are valid until the next call.
+    /// `changedRows` [height] is not 0 for rows that may differ from the picture before; if it is
+    /// empty, every row may differ. The bytes are valid until the next call.
     const std::vector<std::uint8_t>& encode(const Image& image, const PngText& text,
                                             std::span<const std::uint8_t> changedRows = {});
 
@@ -33,7 +34,7 @@ private:
     struct Band
     {
         std::vector<std::uint8_t> chunk; ///< IDAT with length and checksum
-        std::uint32_t adler = 1;         ///< of what was compressed
+        std::uint32_t adler = 1;         ///< checksum of the uncompressed rows
         std::size_t size = 0;            ///< before compression [byte]
     };
 
@@ -44,7 +45,7 @@ private:
     int height_ = 0;
     int channels_ = 0;
     std::vector<Band> bands_;
-    std::vector<std::size_t> wanted_; ///< bands to be compressed
+    std::vector<std::size_t> wanted_; ///< bands that must be compressed
     std::vector<std::uint8_t> file_;
 };
 

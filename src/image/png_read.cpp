@@ -16,7 +16,7 @@ namespace frostfill
 
 Image loadPng(const std::filesystem::path& file)
 {
-    // A directory can be opened like a file, but not read.
+    // A directory opens like a file, but cannot be read.
     if (std::filesystem::is_directory(file))
     {
         throw Error(ErrorCode::inputMissing,

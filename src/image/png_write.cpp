@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Writing PNG: stb_image_write makes the file, libdeflate does the work (six times as fast).
+// Writes PNG: stb_image_write builds the file, and libdeflate compresses it (six times faster).
 #include "image/deflate.hpp"
 #include "image/png_bands.hpp"
 #include "image/save_bytes.hpp"
@@ -21,14 +21,14 @@ namespace frostfill
 namespace
 {
 
-/// Higher levels save 6 % of the bytes for twice the time.
+/// Higher levels save 6 % of the bytes and take twice the time.
 constexpr int kDeflateLevel = 1;
 
-/// PNG's filter "up": a pixel less the one above. A fixed filter needs no search, and pictures of
-/// spheres on a plain ground gain nothing from the others.
+/// The PNG filter "up": a pixel minus the pixel above. A fixed filter needs no search, and pictures
+/// of spheres on a plain background gain nothing from the other filters.
 constexpr int kFilterUp = 2;
 
-/// Signature and header chunk, after which chunks of text may stand.
+/// Size of the signature and the header chunk. Text chunks may follow them.
 constexpr std::size_t kTextOffset = 8 + 4 + 4 + 13 + 4;
 
 void append(void* context, void* data, int count)
@@ -69,7 +69,7 @@ unsigned int crc32ForStb(unsigned char* bytes, int count)
 
 std::vector<std::uint8_t> encodePng(const Image& image, const PngText& text)
 {
-    if (image.channels == 2) // which stb_image_write has not
+    if (image.channels == 2) // stb_image_write cannot write these
     {
         const std::vector<std::uint8_t> allRows(static_cast<std::size_t>(image.height), 1);
         return PngBands().encode(image, text, allRows);
@@ -78,7 +78,8 @@ std::vector<std::uint8_t> encodePng(const Image& image, const PngText& text)
     assert(image.pixels.size() == static_cast<std::size_t>(image.width) *
                                       static_cast<std::size_t>(image.height) *
                                       static_cast<std::size_t>(image.channels));
-    // The filter is a global of stb: set once, so that encoders may run in several threads.
+    // The filter is a global variable of stb. It is set once, so encoders can run in several
+    // threads.
     static std::once_flag filterSet;
     std::call_once(filterSet, [] { stbi_write_force_png_filter = kFilterUp; });
 

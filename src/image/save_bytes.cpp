@@ -16,7 +16,7 @@ namespace frostfill
 namespace
 {
 
-/// Removes the file unless it has been renamed, so that nothing is left behind by a failure.
+/// Removes the file unless it has been renamed, so a failure leaves nothing behind.
 struct TemporaryFile
 {
     std::filesystem::path path;
@@ -46,7 +46,7 @@ int writeAll(int descriptor, std::span<const std::uint8_t> bytes)
 
 void saveBytes(std::span<const std::uint8_t> bytes, const std::filesystem::path& file)
 {
-    // The process number keeps two runs that write to one directory apart.
+    // The process number separates two runs that write to the same directory.
     TemporaryFile temporary{file};
     temporary.path += fmt::format(".{}.tmp", ::getpid());
     const int descriptor =

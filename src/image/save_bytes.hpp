@@ -8,7 +8,7 @@
 namespace frostfill
 {
 
-/// Writes under a temporary name beside `file` and renames, so that no half file is ever seen.
+/// Writes to a temporary name beside `file` and renames, so an incomplete file never appears.
 /// Throws Error cannotCreate or writeFailed.
 void saveBytes(std::span<const std::uint8_t> bytes, const std::filesystem::path& file);
 

@@ -46,8 +46,8 @@ void AtomicFile::write(std::string_view text)
 
 void AtomicFile::commit()
 {
-    // A full disk may show only when the buffer is flushed or the file is closed.
-    // A name that outlives a power failure must not outlive its content.
+    // A full disk may become apparent only when the buffer is flushed or the file is closed. A name
+    // that survives a power failure must not survive its content.
     if (std::fflush(stream_.get()) != 0 || fsync(fileno(stream_.get())) != 0)
     {
         fail(errno);

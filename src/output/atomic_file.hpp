@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Room: files that a run writes: frames, video, CSV, JSON. A file appears under its name only
+// when it is complete.
 #pragma once
 
 #include <cstdio>
@@ -9,8 +11,8 @@
 namespace frostfill
 {
 
-/// A file that appears under its name only when it is complete: written as `NAME.part` and renamed
-/// by commit(). Without a commit the part is removed.
+/// A file that appears under its name only when complete. It is written as `NAME.part`, and
+/// commit() renames it. Without a commit the part is removed.
 class AtomicFile
 {
 public:
@@ -38,7 +40,7 @@ private:
     std::unique_ptr<std::FILE, Closer> stream_;
 };
 
-/// Creates `directory` and what is missing above it. Throws Error cannotCreate.
+/// Creates `directory` and its missing parents. Throws Error cannotCreate.
 void createDirectory(const std::filesystem::path& directory);
 
 } // namespace frostfill

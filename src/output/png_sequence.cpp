@@ -68,7 +68,7 @@ void PngSequence::put(std::size_t number, const Image& image)
 void PngSequence::put(std::size_t number, const Image& image,
                       std::span<const std::uint8_t> changedRows, const PngText& text)
 {
-    // Pictures that are not kept leave their changes to the next one that is.
+    // The changes of a picture that is not kept count for the next one that is.
     changedRows_.resize(static_cast<std::size_t>(image.height), 1);
     for (std::size_t y = 0; y < changedRows_.size(); ++y)
     {

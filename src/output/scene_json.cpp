@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "output/scene_json.hpp"
 
-#include "scene/options/option.hpp"
-
 #include <frostfill/error.hpp>
+#include <frostfill/options.hpp>
 
 #include <fmt/format.h>
 
@@ -52,7 +51,7 @@ Json valueToJson(const OptionValue& value)
     return nullptr;
 }
 
-/// A value of an unexpected kind becomes an empty text, which no option but a name takes.
+/// A value of an unexpected kind becomes an empty text, which only names accept.
 OptionValue valueFromJson(const Json& json)
 {
     if (json.is_null())

@@ -8,10 +8,10 @@
 namespace frostfill
 {
 
-/// The scene with the same keys as a scene file; null where nothing is set.
+/// The scene with the keys of a scene file; null for a value that is not set.
 [[nodiscard]] nlohmann::ordered_json sceneToJson(const Scene& scene);
 
-/// Reads back what sceneToJson gave. Throws Error badData for a key or value that is not allowed.
+/// Reads the output of sceneToJson. Throws Error badData for a key or value that is not allowed.
 [[nodiscard]] Scene sceneFromJson(const nlohmann::ordered_json& json,
                                   std::string_view nameForMessages);
 

@@ -28,12 +28,12 @@ namespace frostfill
 namespace
 {
 
-/// What makes a video of good quality out of flat colours and thin lines, by the name's ending.
+/// The arguments for good quality with flat colours and thin lines, by extension.
 std::vector<std::string> encoderArguments(const std::string& ending, bool withAlpha)
 {
     if (ending == ".mp4")
     {
-        // Players want 4:2:0, which needs even sides.
+        // Players expect 4:2:0, which needs even sides.
         return {"-c:v",     "libx264", "-preset",   "medium",
                 "-crf",     "18",      "-vf",       "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white",
                 "-pix_fmt", "yuv420p", "-movflags", "+faststart"};
@@ -48,7 +48,7 @@ std::vector<std::string> encoderArguments(const std::string& ending, bool withAl
                 "-cpu-used", "4",
                 "-pix_fmt",  withAlpha ? "yuva420p" : "yuv420p"};
     }
-    // A palette for each frame: one for all would have ffmpeg keep every frame in memory.
+    // One palette for each frame. A common palette would make ffmpeg keep all frames in memory.
     return {"-filter_complex",
             "split[a][b];[a]palettegen=stats_mode=single[p];[b][p]paletteuse=new=1:dither=none"};
 }
@@ -58,7 +58,7 @@ bool isKnown(const std::string& ending)
     return ending == ".mp4" || ending == ".webm" || ending == ".gif";
 }
 
-/// Whether the shell would find it.
+/// Whether the program is in PATH.
 bool hasProgram(const std::string& name)
 {
     const char* path = std::getenv("PATH");
@@ -86,12 +86,13 @@ Video::Video(std::filesystem::path file, double framesPerSecond)
     }
     if (!hasProgram("ffmpeg"))
     {
-        throw Error(ErrorCode::cannotCreate,
-                    fmt::format("cannot make the video {}: there is no ffmpeg; apt install ffmpeg, "
-                                "or leave --video out",
-                                file_.string()));
+        throw Error(
+            ErrorCode::cannotCreate,
+            fmt::format("cannot make the video {}: ffmpeg is not installed; apt install ffmpeg, "
+                        "or omit --video",
+                        file_.string()));
     }
-    // The process number keeps two runs apart; the ending tells ffmpeg the format.
+    // The process number separates two runs; the extension tells ffmpeg the format.
     part_ = file_;
     part_.replace_extension(fmt::format("{}.part{}", ::getpid(), ending));
     log_ = file_;
@@ -119,7 +120,7 @@ Video::~Video()
 
 void Video::start(const Image& image)
 {
-    // Unlike a pipe, a socket can be told not to raise SIGPIPE when ffmpeg has died.
+    // Unlike a pipe, a socket can suppress SIGPIPE when ffmpeg has died.
     std::array<int, 2> ends{};
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
     {
@@ -146,7 +147,7 @@ void Video::start(const Image& image)
     {
         words.push_back(std::move(word));
     }
-    // A name that starts with a dash or has a colon in it is a name all the same.
+    // A name that starts with a dash or contains a colon is still a file name.
     words.push_back("file:" + part_.string());
     std::vector<char*> arguments;
     for (std::string& word : words)
@@ -246,8 +247,9 @@ void Video::finish()
     }
     if (!worked || problem)
     {
-        throw Error(ErrorCode::writeFailed, fmt::format("there is no video {}: {}", file_.string(),
-                                                        worked ? problem.message() : complaint()));
+        throw Error(ErrorCode::writeFailed,
+                    fmt::format("the video {} is missing: {}", file_.string(),
+                                worked ? problem.message() : complaint()));
     }
 }
 

@@ -11,23 +11,24 @@
 namespace frostfill
 {
 
-/// A video made by the program ffmpeg, which gets the frames through a socket as they come. It
-/// appears under its name only when it is complete.
+/// A video made by the program ffmpeg, which gets each frame through a socket. The file appears
+/// under its name only when complete.
 class Video : public ImageSink
 {
 public:
-    /// Starts ffmpeg. The name's ending says what is made: mp4 (H.264), webm (VP9, with alpha) or
-    /// gif. Throws Error usage for another ending and cannotCreate when there is no ffmpeg.
+    /// Starts ffmpeg. The extension selects the format: mp4 (H.264), webm (VP9, with alpha) or gif.
+    /// Throws Error usage for another extension and cannotCreate if ffmpeg is missing.
     Video(std::filesystem::path file, double framesPerSecond);
-    /// Gives up what is not finished.
+    /// Abandons an unfinished video.
     ~Video() override;
     Video(const Video&) = delete;
     Video& operator=(const Video&) = delete;
 
-    /// Takes the next frame; all have the shape of the first. Numbers are not looked at. After a
-    /// failure frames are dropped: pictures that are written beside must not be lost for it.
+    /// Takes the next frame; all frames have the shape of the first. Ignores `number`. After a
+    /// failure it drops frames without an error, so the pictures of the run are not lost.
     void put(std::size_t number, const Image& image) override;
-    /// Waits for ffmpeg. Throws Error writeFailed with what ffmpeg said when there is no video.
+    /// Waits for ffmpeg. Throws Error writeFailed, with the message of ffmpeg, if there is no
+    /// video.
     void finish();
 
 private:

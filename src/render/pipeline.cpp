@@ -38,7 +38,7 @@ const RenderSettings& checked(const RenderSettings& settings)
     if (settings.samples < 1 || settings.samples > kMostSamples)
     {
         throw Error(ErrorCode::usage,
-                    fmt::format("samples a pixel must be between 1 and {}, not {}", kMostSamples,
+                    fmt::format("samples per pixel must be between 1 and {}, not {}", kMostSamples,
                                 settings.samples));
     }
     if (settings.size.width < 1 || settings.size.height < 1)
@@ -97,7 +97,8 @@ void Pipeline::lookFrom(const Camera& camera)
 {
     if (camera.orthographic != framing_.orthographic)
     {
-        throw Error(ErrorCode::usage, "a renderer keeps its kind of projection");
+        throw Error(ErrorCode::usage,
+                    "a renderer cannot change between perspective and parallel projection");
     }
     settings_.camera = camera;
     still_ = frameBesideLegend(vertices_, settings_, legend_);

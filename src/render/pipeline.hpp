@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Room: the renderer, which draws a Snapshot without a screen. It puts the inner rooms together
+// and knows nothing of physics.
 #pragma once
 
 #include "render/context/context.hpp"

@@ -6,6 +6,7 @@
 #include "run/side_outputs.hpp"
 #include "scene/frame_selection.hpp"
 
+#include <frostfill/fill.hpp>
 #include <frostfill/output.hpp>
 #include <frostfill/renderer.hpp>
 #include <frostfill/scene.hpp>
@@ -25,14 +26,6 @@ namespace frostfill
 /// that have to fit.
 [[nodiscard]] RenderSettings renderSettings(const Scene& scene, const ColourRange& range = {},
                                             std::vector<Pose> poses = {});
-
-/// What the renderer did while a set was the newest; one entry a frame. [ms]
-struct SetFrames
-{
-    std::vector<double> renderMs;
-    std::vector<double> readbackMs;
-    std::vector<double> encodeMs; ///< and writing
-};
 
 /// Turns the moments of a simulation into pictures. Looks at the simulation only while it is
 /// called; drawing is done in one thread and encoding and writing in another while the simulation

@@ -5,6 +5,7 @@
 #include "output/scene_json.hpp"
 #include "run/machine_json.hpp"
 #include "run/run_hash.hpp"
+#include "run/set_table.hpp"
 
 #include <frostfill/output.hpp>
 

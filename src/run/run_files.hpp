@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
+// Room: what the command fill does: plan, run, record frames, write the files. It joins
+// simulation and renderer, which do not know each other.
 #pragma once
 
-#include "run/fill_run.hpp"
+#include "run/frame_timing.hpp"
 
+#include <frostfill/fill.hpp>
 #include <frostfill/mesh.hpp>
 
 #include <string>

@@ -134,7 +134,7 @@ std::string formatSetTable(std::span<const SetTiming> rows)
     const bool drawn = rows.back().frames > 0;
     std::string text = fmt::format(
         "{:>9} {:>7} {:>6} {:>9} | {:^62} | {:^22}\n", "", "", "", drawn ? "frames/s" : "steps/s",
-        drawn ? "milliseconds a frame" : "milliseconds a step", "spheres at its end");
+        drawn ? "milliseconds per frame" : "milliseconds per step", "spheres at its end");
     text += fmt::format("{:>9} {:>7} {:>6} {:>9} | {:>7} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7}"
                         "| {:>6} {:>7} {:>7}\n",
                         "set", "spheres", drawn ? "frames" : "steps", "", "sph-sph", "sph-pol",
@@ -150,6 +150,11 @@ std::string formatSetTable(std::span<const SetTiming> rows)
                             row.readbackMs, row.encodeMs, row.running, row.frozen, row.discarded);
     }
     return text;
+}
+
+std::string setTableText(const FillResult& result, std::size_t mostRows)
+{
+    return formatSetTable(setTable(result.sets, result.setFrames, mostRows));
 }
 
 void writeSetsCsv(std::span<const SetRecord> sets, std::span<const SetFrames> frames,

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "run/frame_recorder.hpp"
-
-#include <frostfill/simulation.hpp>
+#include <frostfill/fill.hpp>
 
 #include <filesystem>
 #include <span>

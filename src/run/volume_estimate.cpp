@@ -36,8 +36,8 @@ VolumeEstimate estimateVolume(const Scene& scene)
     validateScene(scene);
     if (scene.spheres.radius && !scene.spheres.radius->equal())
     {
-        throw Error(ErrorCode::usage, "--estimate-volume needs one radius, for only equal spheres "
-                                      "have a packing fraction that is known beforehand");
+        throw Error(ErrorCode::usage, "--estimate-volume needs one radius: the packing fraction is "
+                                      "known for equal spheres only");
     }
     const LoadedMesh mesh = loadMesh(scene.object.mesh);
     VolumeEstimate estimate;

@@ -13,7 +13,7 @@ namespace
 
 constexpr std::size_t kEndless = std::numeric_limits<std::size_t>::max();
 
-/// Takes the text before the next `separator`, and the separator too.
+/// Removes and returns the text before the next `separator`; also removes the separator.
 std::string_view takePart(std::string_view& text, char separator)
 {
     const std::size_t length = std::min(text.find(separator), text.size());
@@ -66,7 +66,7 @@ std::optional<FrameSelection> FrameSelection::parse(std::string_view text)
             return std::nullopt;
         }
         const auto start = wholeNumber(takePart(part, ':'));
-        // "100:" goes on to the end.
+        // "100:" continues to the end.
         const auto end = parts == 1     ? std::optional(kEndless)
                          : part.empty() ? std::optional(kEndless)
                                         : wholeNumber(takePart(part, ':'));

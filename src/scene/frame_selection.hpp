@@ -9,19 +9,19 @@
 namespace frostfill
 {
 
-/// Which numbered frames are drawn: "all", "none", or a list of "last", numbers and ranges
-/// START:END or START:END:STEP, separated by commas; END itself is left out.
+/// The frames to draw: "all", "none", or a list of "last", numbers and ranges START:END or
+/// START:END:STEP, separated by commas. A range excludes END.
 class FrameSelection
 {
 public:
-    /// None for a text that is not of this form.
+    /// Empty if the text does not have this form.
     [[nodiscard]] static std::optional<FrameSelection> parse(std::string_view text);
 
     [[nodiscard]] bool has(std::size_t number) const;
-    /// The last state of the run, whatever its number.
+    /// Whether the last state of the run is selected, whatever its number.
     [[nodiscard]] bool hasLast() const { return last_; }
     [[nodiscard]] bool empty() const { return ranges_.empty() && !last_; }
-    /// So many of the frames 0..frames-1, the last one included.
+    /// Number of selected frames among 0..frames-1, including the last state.
     [[nodiscard]] std::size_t countOf(std::size_t frames) const;
 
 private:

@@ -9,14 +9,14 @@
 namespace frostfill
 {
 
-// Equal spheres of radius r that fill an object of volume V and surface S take about
-// phi (V - c r S): random packing far from walls takes the share phi of the room, and a wall takes
-// away a layer of c radii. How many spheres fit is told with one pair for all.
+// Equal spheres of radius r in an object of volume V and surface S take about phi (V - c r S). Far
+// from walls, a random packing takes the share phi of the volume. A wall removes a layer of c
+// radii. One pair of numbers serves to estimate how many spheres fit, for all motions.
 inline constexpr double kPackingFraction = 0.586; ///< phi
 inline constexpr double kWallLayer = 0.38;        ///< c
 
-/// The same for one way to fill, fitted to cube, sphere, torus, human and spot (the cow) at
-/// r S / V = 0.15 and 0.3 (means of three and six seeds), and what remains.
+/// The same pair for one motion, fitted to cube, sphere, torus, human and spot (the cow) at
+/// r S / V = 0.15 and 0.3 (means of three and six seeds), and the remaining errors.
 struct PackingCalibration
 {
     double fraction;     ///< phi
@@ -44,14 +44,14 @@ struct PackingCalibration
     return {0.5951, 0.3620, 0.0130, 0.5896, 0.0035};
 }
 
-/// How far beyond the fitted r S / V an error grows, as the square that the formula leaves out.
+/// Growth of the error beyond the fitted r S / V: quadratic, the first term that the formula omits.
 [[nodiscard]] inline double growthOfError(double radiusTimesAreaOverVolume)
 {
     constexpr double kFitted = 0.3;
     return std::pow(std::max(1.0, radiusTimesAreaOverVolume / kFitted), 2);
 }
 
-/// Relative scatter of the number of spheres that fit, between seeds.
+/// Relative scatter, between seeds, of the number of spheres that fit.
 [[nodiscard]] inline double scatterOfCount(double count)
 {
     return 0.14 / std::sqrt(std::max(1.0, count));

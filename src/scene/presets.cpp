@@ -13,7 +13,7 @@ namespace frostfill
 namespace
 {
 
-// What surely fits is this share of the estimate.
+// This share of the estimate is certain to fit.
 constexpr double kSurely = 0.9;
 
 struct PaperObject
@@ -25,8 +25,8 @@ struct PaperObject
     std::uint32_t freezeEvery;
 };
 
-// PAPER: the experiments. The count is the paper's for the torus; the others are ours, in whole
-// sets.
+// PAPER: the experiments. The count for the torus is that of the paper. The others are ours, in
+// whole sets.
 constexpr PaperObject kPaperObjects[] = {
     {"torus", 320, 10, 2, 2},
     {"sphere", 320, 10, 2, 2},
@@ -91,8 +91,8 @@ double sphereRadius(const Scene& scene, const MeshReport& mesh)
     }
     if (!scene.spheres.count)
     {
-        throw Error(ErrorCode::usage, "neither a radius nor a count of spheres is given; give "
-                                      "--radius, --count or both");
+        throw Error(ErrorCode::usage, "no radius and no number of spheres; give --radius, "
+                                      "--count or both");
     }
 
     // N v(r) = 0.9 phi (V - c r S): the left side grows with r from 0 and the right side falls from

@@ -32,8 +32,10 @@ std::vector<double> readFile(const std::string& file)
     std::ifstream in(file);
     if (!std::filesystem::is_regular_file(file) || !in)
     {
-        throw Error(ErrorCode::inputMissing,
-                    fmt::format("cannot read the radii {}: no such file, or not readable", file));
+        throw Error(
+            ErrorCode::inputMissing,
+            fmt::format("cannot read the radii {}: the file does not exist or is not readable",
+                        file));
     }
     std::vector<double> radii;
     std::string line;
@@ -58,7 +60,8 @@ std::vector<double> readFile(const std::string& file)
     }
     if (radii.empty())
     {
-        throw Error(ErrorCode::badData, fmt::format("{} has no radii; give one a line", file));
+        throw Error(ErrorCode::badData,
+                    fmt::format("{} has no radii; write one on each line", file));
     }
     return radii;
 }

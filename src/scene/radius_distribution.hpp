@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Room: the scene, a plain value that describes a run, with what follows from it alone: presets,
+// radii, frames. Nothing here runs anything.
 #pragma once
 
 #include <frostfill/scene.hpp>
@@ -8,12 +10,12 @@
 namespace frostfill
 {
 
-/// Which radii spheres get, and how likely each is.
+/// The distribution of the radii.
 class RadiusDistribution
 {
 public:
-    /// Reads the file, if there is one: a radius a line; empty lines and what follows a # do not
-    /// count. Throws Error inputMissing, or badData with the line.
+    /// Reads the file, if any: one radius per line; ignores empty lines and comments after #.
+    /// Throws Error inputMissing, or badData with the line.
     explicit RadiusDistribution(const Radii& radii);
 
     [[nodiscard]] double smallest() const { return smallest_; }
@@ -21,18 +23,18 @@ public:
     [[nodiscard]] bool equal() const { return smallest_ == largest_; }
     /// The mean of r^power.
     [[nodiscard]] double meanPower(int power) const;
-    /// Maps a uniform random number in [0, 1) to a radius, among those that are at most `limit`;
-    /// never below the smallest.
+    /// Maps a uniform random number in [0, 1) to a radius of at most `limit`, but never below the
+    /// smallest.
     [[nodiscard]] double draw(double uniform, double limit) const;
-    /// The different radii, ascending, when there are at most `most` of them; otherwise empty.
+    /// The different radii, ascending; empty if there are more than `most`.
     [[nodiscard]] std::vector<double> distinct(std::size_t most) const;
-    /// The same with another unit of length: the largest is then exactly 1.
+    /// The same distribution in the largest radius as unit: the largest is then exactly 1.
     [[nodiscard]] RadiusDistribution inLargest() const;
 
 private:
     double smallest_ = 1;
     double largest_ = 1;
-    std::vector<double> values_; ///< ascending; empty when all between the two are equally likely
+    std::vector<double> values_; ///< ascending; empty for a uniform range
 };
 
 } // namespace frostfill

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "study/table.hpp"
 
+#include "output/atomic_file.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -102,7 +104,8 @@ std::string formatCsv(const Table& table)
         std::string text;
         for (std::size_t column = 0; column < cells.size(); ++column)
         {
-            text += (column > 0 ? "," : "") + csvCell(cells[column]);
+            text += column > 0 ? "," : "";
+            text += csvCell(cells[column]);
         }
         return text + "\n";
     };
@@ -112,6 +115,14 @@ std::string formatCsv(const Table& table)
         text += line(row);
     }
     return text;
+}
+
+void saveCsv(const Table& table, const std::filesystem::path& file)
+{
+    createDirectory(file.parent_path());
+    AtomicFile out(file);
+    out.write(formatCsv(table));
+    out.commit();
 }
 
 } // namespace frostfill

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Room: measurements and claims about the other rooms, with verdicts. Nobody installs it.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -21,5 +23,8 @@ struct Table
 [[nodiscard]] std::string formatMarkdown(const Table& table);
 /// Headings and rows; a cell with a comma or a quotation mark is quoted. No title.
 [[nodiscard]] std::string formatCsv(const Table& table);
+/// Writes formatCsv into a file, and creates its directory when there is none. Throws Error
+/// cannotCreate or writeFailed.
+void saveCsv(const Table& table, const std::filesystem::path& file);
 
 } // namespace frostfill

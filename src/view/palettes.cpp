@@ -6,7 +6,7 @@ namespace frostfill
 namespace
 {
 
-// Outlines carry the shapes, so the colours may be light, as ink on paper should be.
+// Outlines show the shapes, so the colours can be light, which suits print.
 constexpr Palette kPaper = {.background = {255, 255, 255, 255},
                             .running = {230, 159, 0, 255},
                             .frozen = {64, 140, 196, 255},

@@ -115,12 +115,17 @@ int compareAll(std::uint64_t spheres, std::uint64_t seeds, const std::string& fo
             continue;
         }
         const auto mesh = discardObject(name, folder);
+        if (!mesh)
+        {
+            fmt::print(stderr, "{} is skipped: {} is not there\n", name,
+                       discardObjectFile(name, folder).string());
+            continue;
+        }
         for (const Motion motion : {Motion::fall, Motion::skip})
         {
             for (const bool untilFull : {false, true})
             {
-                allEqual =
-                    (!mesh || compare(name, *mesh, motion, untilFull, spheres, seeds)) && allEqual;
+                allEqual = compare(name, *mesh, motion, untilFull, spheres, seeds) && allEqual;
             }
         }
     }

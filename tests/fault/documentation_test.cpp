@@ -26,7 +26,7 @@ const std::filesystem::path kSource = testing_support::sourceFolder();
 
 std::vector<std::filesystem::path> pages()
 {
-    std::vector<std::filesystem::path> found = {kSource / "README.md"};
+    std::vector<std::filesystem::path> found = {kSource / "README.md", kSource / "CONTRIBUTING.md"};
     for (const auto& file : std::filesystem::directory_iterator(kSource / "docs"))
     {
         if (file.path().extension() == ".md")
@@ -140,7 +140,15 @@ void prepare(const std::filesystem::path& folder)
     ASSERT_EQ(test::runProgram("fill torus --count 6 --frames none --quiet", folder).code, 0);
 }
 
-TEST(Documentation, EveryCommandThatIsShownWorks)
+/// A study, even a quick one, takes most of a minute.
+bool isStudy(const std::string& arguments)
+{
+    return arguments.rfind("bench ", 0) == 0 ||
+           (arguments.rfind("figures", 0) == 0 && arguments.find("--list") == std::string::npos);
+}
+
+/// Runs the studies that are shown and what needs their files, or all other commands.
+void expectShownCommandsWork(bool studies)
 {
     const test::TemporaryFolder folder;
     prepare(folder.path());
@@ -152,13 +160,18 @@ TEST(Documentation, EveryCommandThatIsShownWorks)
         {
             if (command.rfind("gnuplot ", 0) == 0)
             {
+                if (!studies)
+                {
+                    continue;
+                }
                 const auto inFigures = "cd '" + (folder / "docs/figures").string() + "' && ";
                 EXPECT_EQ(std::system((inFigures + command + " 2>&1").c_str()), 0) << command;
                 continue;
             }
             const std::string arguments = madeSmall(argumentsOf(command));
+            names.insert(arguments.substr(0, arguments.find(' ')));
             // What several pages show is run once.
-            if (!run.insert(arguments).second)
+            if (isStudy(arguments) != studies || !run.insert(arguments).second)
             {
                 continue;
             }
@@ -168,12 +181,118 @@ TEST(Documentation, EveryCommandThatIsShownWorks)
             EXPECT_TRUE(answer.code == 0 || (needsEngines && answer.code == 69))
                 << page.filename() << " shows: " << command << "\nrun as: " << arguments << "\n"
                 << answer.errors;
-            names.insert(arguments.substr(0, arguments.find(' ')));
         }
     }
     for (const char* name : {"fill", "fps", "bench", "figures", "mesh", "doctor"})
     {
         EXPECT_EQ(names.count(name), 1u) << "no page shows frostfill " << name;
+    }
+    EXPECT_GE(run.size(), 5u);
+}
+
+TEST(Documentation, EveryCommandThatIsShownWorks)
+{
+    expectShownCommandsWork(false);
+}
+
+TEST(Documentation, EveryStudyThatIsShownWorks) // with the label `long`
+{
+    expectShownCommandsWork(true);
+}
+
+TEST(Documentation, ThePageOfOptionsIsWhatTheProgramPrints)
+{
+    const test::TemporaryFolder folder;
+    const Answer answer = test::runProgram("options", folder.path());
+    EXPECT_EQ(answer.code, 0) << answer.errors;
+    EXPECT_EQ(answer.output, readFile(kSource / "docs/options.md"))
+        << "write the page again: build/release/frostfill options > docs/options.md";
+}
+
+/// The file's text with comments that go on in the next line joined, so that no key is cut in two.
+std::string joinedText(const std::filesystem::path& file)
+{
+    static const std::regex kNextLine("\\n[ \\t]*(//+<?|#|\\*)?[ \\t]*");
+    return std::regex_replace(readFile(file), kNextLine, " ");
+}
+
+/// What is cited: "[Verlet 1967]", "[Ericson 2005, 5.1.5]", "[RFC 1951, 3.2.6]".
+std::set<std::string> citedIn(const std::string& text)
+{
+    static const std::regex kCitation(
+        "\\[((?:van (?:der )?)?[A-Z][A-Za-z&,. ]* (?:18|19|20)[0-9]{2}|"
+        "RFC [0-9]{4}|PNG 3rd edition)[^\\]\\[]*\\]");
+    std::set<std::string> keys;
+    for (std::sregex_iterator it(text.begin(), text.end(), kCitation), end; it != end; ++it)
+    {
+        keys.insert((*it)[1].str());
+    }
+    return keys;
+}
+
+TEST(Documentation, EveryCitationIsInTheListOfReferences)
+{
+    EXPECT_EQ(citedIn("the [Author & Other 2001, 3.1] and [van Somebody 1999]"),
+              (std::set<std::string>{"Author & Other 2001", "van Somebody 1999"}));
+    const std::set<std::string> listed = citedIn(readFile(kSource / "docs/references.md"));
+    static const std::set<std::string> kTexts = {".hpp",  ".cpp",  ".md", ".gp",
+                                                 ".vert", ".frag", ".txt"};
+    std::set<std::string> cited;
+    for (const char* folder : {"src", "include", "tests", "tools", "shaders", "docs"})
+    {
+        for (const auto& file : std::filesystem::recursive_directory_iterator(kSource / folder))
+        {
+            if (kTexts.count(file.path().extension().string()) == 0 ||
+                file.path().filename() == "references.md" ||
+                file.path().filename() == "documentation_test.cpp")
+            {
+                continue;
+            }
+            for (const std::string& key : citedIn(joinedText(file.path())))
+            {
+                EXPECT_EQ(listed.count(key), 1u)
+                    << file.path() << " cites [" << key << "], which docs/references.md lacks";
+                cited.insert(key);
+            }
+        }
+    }
+    EXPECT_GT(cited.size(), 15u);
+}
+
+/// Whether a folder of src/ has headers of its own, not counting those of the rooms in it.
+bool hasHeaders(const std::filesystem::path& room)
+{
+    const std::filesystem::directory_iterator files(room);
+    return std::any_of(begin(files), end(files),
+                       [](const auto& file) { return file.path().extension() == ".hpp"; });
+}
+
+TEST(Documentation, TheFirstHeaderOfEachRoomSaysWhatTheRoomIs)
+{
+    const std::string page = readFile(kSource / "docs/architecture.md");
+    static const std::regex kRow("\n\\| `([a-z_/]+)` \\| `([a-z_/0-9]+\\.hpp)` \\|");
+    std::set<std::string> rooms;
+    for (std::sregex_iterator it(page.begin(), page.end(), kRow), end; it != end; ++it)
+    {
+        const std::string room = (*it)[1].str();
+        const std::string header = (*it)[2].str();
+        rooms.insert(room);
+        const bool isPublic = header.find('/') != std::string::npos;
+        if (!isPublic && !hasHeaders(kSource / "src" / room))
+        {
+            continue;
+        }
+        const auto file = isPublic ? kSource / "include" / header : kSource / "src" / room / header;
+        EXPECT_EQ(readFile(file).rfind("// SPDX-License-Identifier: MIT\n// Room: ", 0), 0u)
+            << file << " does not say what the room is";
+    }
+    // The rooms are those of the layout test.
+    const std::string layout = readFile(kSource / "tests/layout/check_rooms.cmake");
+    static const std::regex kRoom("\nroom\\(([a-z_/]+)");
+    for (std::sregex_iterator it(layout.begin(), layout.end(), kRoom), end; it != end; ++it)
+    {
+        EXPECT_EQ(rooms.count((*it)[1].str()), 1u)
+            << "docs/architecture.md lacks the room " << (*it)[1];
     }
 }
 

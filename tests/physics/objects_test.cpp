@@ -30,9 +30,9 @@ protected:
         if (!isBuiltInMesh(mesh))
         {
             mesh = testing_support::sharedMeshes().string() + "/" + mesh + ".obj";
-            if (!std::filesystem::exists(mesh))
+            if (const auto why = testing_support::whyMissing(mesh); !why.empty())
             {
-                GTEST_SKIP() << mesh << " is not there";
+                GTEST_SKIP() << why;
             }
         }
         loaded = loadMesh(mesh);

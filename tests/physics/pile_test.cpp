@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numeric>
 
 namespace frostfill
@@ -130,7 +131,7 @@ TEST(VelocitySolver, ARandomCrowdNeverGainsEnergyInAStep)
         for (int k = 0; k < 400; ++k)
         {
             pile.step();
-            EXPECT_LE(pile.energy(), energy + 1e-3 * fall);
+            EXPECT_LE(pile.energy(), energy + 1e-12 * fall);
             energy = std::min(energy, pile.energy());
         }
         for (const Runner& runner : pile.runners)
@@ -138,6 +139,19 @@ TEST(VelocitySolver, ARandomCrowdNeverGainsEnergyInAStep)
             EXPECT_LT(runner.velocity.norm(), 0.5);
         }
     }
+}
+
+// A sphere on another, a twentieth of a radius deep in it, slides over it: taking them apart lifts
+// it, and its speed pays for that to the last bit of energy.
+TEST(PositionSolver, ALiftCostsAsMuchSpeedAsItGivesHeight)
+{
+    Pile pile({{0, kFloor + 1, 0}, {0, kFloor + 2.95, 0}});
+    pile.runners[1].velocity = {1, 0, 0.5};
+    const double before = pile.energy();
+    pile.positionSolver.resolve(pile.runners, kDt);
+    EXPECT_GT(pile.runners[1].position.y(), kFloor + 2.99);
+    EXPECT_NEAR(pile.energy(), before, 1e-12);
+    EXPECT_LT(pile.runners[1].velocity.norm(), std::sqrt(1.25 - 2 * 0.04));
 }
 
 TEST(PositionSolver, SpheresPressedIntoARowClimbOutOfIt)
@@ -205,7 +219,7 @@ TEST(Pile, OfAThousandSpheresFreezesWithoutOverlapsOrGaps)
         EXPECT_LE(quality.maxOverlap, 1e-7);
         EXPECT_LE(quality.maxWallOverlap, 1e-6);
         EXPECT_EQ(quality.centresOutside, 0u);
-        EXPECT_LE(quality.unsupported, 5u);
+        EXPECT_EQ(quality.unsupported, 0u);
         EXPECT_LE(quality.energyExcess, 1e-9);
         hash = hash.empty() ? hashState(world.spheres) : hash;
         EXPECT_EQ(hashState(world.spheres), hash);

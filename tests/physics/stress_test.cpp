@@ -70,6 +70,8 @@ TEST(Stress, WhateverTheSceneNothingLeaksGainsEnergyOrDiffersFromOneRunToTheNext
         EXPECT_EQ(quality.centresOutside, 0u);
         EXPECT_LE(quality.energyExcess, kEnergyTolerance);
         EXPECT_LE(quality.maxOverlap, 1e-7);
+        EXPECT_LE(quality.maxWallOverlap, 1e-6);
+        EXPECT_EQ(quality.unsupported, 0u);
         scene.threads = 2;
         EXPECT_EQ(runToItsEnd(scene, mesh, quality), hash);
         if (::testing::Test::HasFailure())
@@ -135,7 +137,10 @@ TEST(Stress, ACrowdReleasedOverlappingIsTakenApartBeforeItMoves)
     Released released(Preset::fast, crowd);
     EXPECT_LE(examine(released.world).maxOverlap, 1e-6);
     released.run();
-    EXPECT_LE(examine(released.world).energyExcess, kEnergyTolerance);
+    const QualityReport quality = examine(released.world);
+    EXPECT_LE(quality.energyExcess, kEnergyTolerance);
+    EXPECT_LE(quality.maxOverlap, 1e-7);
+    EXPECT_EQ(quality.unsupported, 0u);
 }
 
 TEST(Stress, CentresOnOrBeyondTheWallAreRefused)

@@ -21,6 +21,17 @@ inline std::vector<std::string> discardObjectNames()
             "bent_tube", "spot",   "fandisk", "bunny"};
 }
 
+/// The file of an object that is a real mesh, and an empty path for the others.
+inline std::filesystem::path discardObjectFile(const std::string& name,
+                                               const std::filesystem::path& realMeshes)
+{
+    if (name == "partitioned_box" || name == "bent_tube" || isBuiltInMesh(name))
+    {
+        return {};
+    }
+    return realMeshes / (name == "bunny" ? "stanford-bunny.obj" : name + ".obj");
+}
+
 /// Nothing for a real mesh whose file is not in the folder.
 inline std::optional<TriangleMesh> discardObject(const std::string& name,
                                                  const std::filesystem::path& realMeshes)
@@ -37,7 +48,7 @@ inline std::optional<TriangleMesh> discardObject(const std::string& name,
     {
         return builtInMesh(name);
     }
-    const auto file = realMeshes / (name == "bunny" ? "stanford-bunny.obj" : name + ".obj");
+    const auto file = discardObjectFile(name, realMeshes);
     if (!std::filesystem::exists(file))
     {
         return std::nullopt;

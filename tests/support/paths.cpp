@@ -14,6 +14,13 @@ std::filesystem::path sharedMeshes()
     return FROSTFILL_SHARED_MESHES;
 }
 
+std::string whyMissing(const std::filesystem::path& file)
+{
+    return std::filesystem::exists(file)
+               ? std::string()
+               : "a clone has no " + file.filename().string() + ": the mesh is not ours to give";
+}
+
 std::filesystem::path testOutput()
 {
     return FROSTFILL_TEST_OUTPUT;

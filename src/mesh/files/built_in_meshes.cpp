@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "mesh/files/embedded_meshes.hpp"
+
 #include <frostfill/error.hpp>
 #include <frostfill/mesh.hpp>
 
@@ -10,14 +12,6 @@
 
 namespace frostfill
 {
-namespace embedded
-{
-std::string_view mesh_torus();
-std::string_view mesh_sphere();
-std::string_view mesh_cube();
-std::string_view mesh_human();
-} // namespace embedded
-
 namespace
 {
 
@@ -53,8 +47,8 @@ Number takeNumber(std::string_view& line)
     return number;
 }
 
-/// The part of OBJ that our generator writes: "v x y z" and "f a b c". Unlike assimp it keeps
-/// double precision.
+/// Reads the part of OBJ that our generator writes: "v x y z" and "f a b c". Unlike assimp, it
+/// keeps double precision.
 TriangleMesh parsePlainObj(std::string_view text)
 {
     TriangleMesh mesh;

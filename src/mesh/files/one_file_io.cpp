@@ -24,7 +24,7 @@ Assimp::IOStream* OneFileIo::Open(const char* name, const char* mode)
 
 bool OneFileIo::isAllowed(const char* name) const
 {
-    // Canonical, so that neither ".." nor a symbolic link leads out of the folder.
+    // The canonical path, so neither ".." nor a symbolic link leads out of the folder.
     std::error_code failure;
     const std::filesystem::path wanted = std::filesystem::weakly_canonical(name, failure);
     if (failure)

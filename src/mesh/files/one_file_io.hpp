@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Room: mesh files: readers for the common formats, the PLY writer, and the built-in objects. A
+// reader opens only the file that it was given.
 #pragma once
 
 #include <assimp/DefaultIOSystem.h>
@@ -8,8 +10,8 @@
 namespace frostfill
 {
 
-/// Lets assimp open the mesh file and, for glTF, its .bin files in the same folder; nothing else,
-/// wherever a material library or a crafted reference may point.
+/// Lets assimp open the mesh file and, for glTF, .bin files in the same folder. It opens nothing
+/// else, wherever a material library or a malicious reference points.
 class OneFileIo : public Assimp::DefaultIOSystem
 {
 public:

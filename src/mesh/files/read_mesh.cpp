@@ -47,7 +47,7 @@ void refuseUnreadable(const std::filesystem::path& file)
     }
     if (!std::filesystem::is_regular_file(file, ignored) || !std::ifstream(file))
     {
-        throw Error(ErrorCode::inputMissing, fmt::format("'{}' is no file that can be read", name));
+        throw Error(ErrorCode::inputMissing, fmt::format("'{}' is not a readable file", name));
     }
     if (kFormats.count(extensionOf(file)) == 0)
     {
@@ -58,8 +58,8 @@ void refuseUnreadable(const std::filesystem::path& file)
     }
 }
 
-/// Assimp knows some fifty formats and chooses by content too. What is not needed is removed, so
-/// that the rarely tested readers never see a file.
+/// Assimp has some fifty readers and also chooses by content. All unused readers are removed, so a
+/// rarely tested one never sees a file.
 void removeOtherImporters(Assimp::Importer& importer)
 {
     for (std::size_t i = importer.GetImporterCount(); i-- > 0;)
@@ -74,7 +74,7 @@ void removeOtherImporters(Assimp::Importer& importer)
             continue;
         }
         importer.UnregisterLoader(reader);
-        delete reader; // assimp hands it over
+        delete reader; // assimp passes ownership
     }
 }
 
@@ -108,7 +108,7 @@ Eigen::Matrix4d toEigen(const aiMatrix4x4& m)
     return result;
 }
 
-/// Collects the meshes of a scene, each as often as it is placed and where it is placed.
+/// Collects the meshes of a scene: one transformed copy for each placement.
 class Collector
 {
 public:
@@ -204,10 +204,11 @@ TriangleMesh readMesh(const std::filesystem::path& file)
     {
         if (!mesh.vertices[i].allFinite())
         {
-            throw Error(ErrorCode::badData,
-                        fmt::format("'{}' has a vertex (number {}) that is infinite or no number: "
-                                    "export the mesh again",
-                                    file.string(), i + 1));
+            throw Error(
+                ErrorCode::badData,
+                fmt::format("'{}' has a vertex (number {}) that is infinite or not a number; "
+                            "export the mesh again",
+                            file.string(), i + 1));
         }
     }
     weldEqualVertices(mesh);

@@ -1,10 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/interior/inside_test.hpp"
 
+#include "mesh/interior/winding_number.hpp"
+
 #include <array>
 
 namespace frostfill
 {
+namespace
+{
+
+/// Share of the reach of a cell's triangles within which another point lies surely on the same
+/// side. Larger: rounding may put it beyond. Smaller: more points need a winding number.
+constexpr double kNearlyAll = 0.99;
+
+} // namespace
 
 InsideTest::InsideTest(const Surface& surface, const TriangleGrid& grid)
     : surface_(&surface), grid_(&grid), inside_(grid.frame().size(), false)
@@ -27,13 +37,13 @@ InsideTest::InsideTest(const Surface& surface, const TriangleGrid& grid)
     }
 }
 
-// Cells without triangles that share a face are on the same side: one winding number serves all.
-// Run by run of a row, so that few are waiting at a time [Smith, Tint fill, 1979].
+// Adjacent cells without triangles are on the same side, so one winding number serves all of them.
+// The flood goes by runs of a row, which keeps the stack short [Smith 1979].
 void InsideTest::classifyFrom(const std::array<int, 3>& seed, std::vector<bool>& known)
 {
     const GridFrame& frame = grid_->frame();
     const bool side =
-        windingNumber(surface_->mesh(), frame.centre(seed[0], seed[1], seed[2])) > 0.5;
+        windingNumber(surface_->mesh(), frame.centre(seed[0], seed[1], seed[2])) > kInsideFrom;
     const auto isNew = [&](int x, int y, int z)
     { return !known[frame.index(x, y, z)] && grid_->cell(x, y, z).empty(); };
     std::vector<std::array<int, 3>> waiting = {seed};
@@ -88,7 +98,7 @@ double InsideTest::distance(const Eigen::Vector3d& p) const
     {
         return inside_[grid_->frame().index(p)] ? reach : -reach;
     }
-    // The nearest triangle of the list is the nearest of all when it is within the list's reach.
+    // The nearest triangle of the list is the nearest of all if it is within the reach of the list.
     const double nearest = nearestDistance(*surface_, triangles, p).value;
     if (std::abs(nearest) <= reach)
     {
@@ -97,26 +107,26 @@ double InsideTest::distance(const Eigen::Vector3d& p) const
     return isInsideFarFromSurface(p) ? reach : -reach;
 }
 
-// No surface is within the reach of p, so every point that near is on the same side, among them
-// points of cells that have been classified.
+// No surface is within the reach of p, so every point within that distance is on the same side as
+// p. Some of these points are in classified cells.
 bool InsideTest::isInsideFarFromSurface(const Eigen::Vector3d& p) const
 {
     for (int direction = 0; direction < 6; ++direction)
     {
         Eigen::Vector3d other = p;
-        other[direction / 2] += (direction % 2 == 0 ? -1 : 1) * 0.99 * grid_->reach();
+        other[direction / 2] += (direction % 2 == 0 ? -1 : 1) * kNearlyAll * grid_->reach();
         if (grid_->near(other).empty() && grid_->frame().contains(other))
         {
             return inside_[grid_->frame().index(other)];
         }
     }
-    // Two such points of one cell are nearer to each other than twice the reach, so no surface is
-    // between them: one winding number serves the cell.
+    // Two such points of one cell are closer to each other than twice the reach. No surface is
+    // between them, so one winding number serves the cell.
     const std::lock_guard lock(*farSidesLock_);
     const auto [side, isNew] = farSides_.try_emplace(grid_->frame().index(p), false);
     if (isNew)
     {
-        side->second = windingNumber(surface_->mesh(), p) > 0.5;
+        side->second = windingNumber(surface_->mesh(), p) > kInsideFrom;
     }
     return side->second;
 }

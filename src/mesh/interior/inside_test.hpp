@@ -12,18 +12,18 @@
 namespace frostfill
 {
 
-/// Inside or outside in constant time, for a closed surface: cells without triangles are classified
-/// once, points near the surface by the sign of the nearest triangle.
+/// Whether a point is inside a closed surface, in constant time. Cells without triangles are
+/// classified once. Near the surface, the sign of the nearest triangle decides.
 class InsideTest
 {
 public:
-    /// Both live at least as long as this. The grid's frame encloses the surface by a margin of at
-    /// least one cell.
+    /// Both arguments must outlive this object. The frame of the grid encloses the surface with a
+    /// margin of at least one cell.
     InsideTest(const Surface& surface, const TriangleGrid& grid);
 
     [[nodiscard]] bool contains(const Eigen::Vector3d& p) const;
 
-    /// Distance to the surface, positive inside, clamped to +- the grid's reach.
+    /// Distance to the surface, positive inside, clamped to +- the reach of the grid.
     [[nodiscard]] double distance(const Eigen::Vector3d& p) const;
 
     [[nodiscard]] double reach() const { return grid_->reach(); }
@@ -34,8 +34,8 @@ private:
 
     const Surface* surface_;
     const TriangleGrid* grid_;
-    std::vector<bool> inside_; ///< [#cells] of those without triangles
-    /// By cell, of points that are far from the surface in cells with triangles, once asked for.
+    std::vector<bool> inside_; ///< [#cells] valid for cells without triangles
+    /// For cells with triangles: the side of the points far from the surface, once requested.
     mutable std::unordered_map<std::size_t, bool> farSides_;
     std::unique_ptr<std::mutex> farSidesLock_ = std::make_unique<std::mutex>();
 };

@@ -6,7 +6,7 @@ namespace frostfill
 
 double signedVolume(const TriangleMesh& mesh)
 {
-    // About the middle, so that a small object far from the origin loses no digits.
+    // Relative to the middle, so a small object far from the origin loses no digits.
     const Eigen::AlignedBox3d box = boundingBox(mesh);
     const Eigen::Vector3d middle = box.isEmpty() ? Eigen::Vector3d::Zero().eval() : box.center();
     double sixfold = 0;

@@ -12,7 +12,9 @@ namespace frostfill
 namespace
 {
 
-/// Share of their length that equal vectors keep when they are added; the rest is rounding.
+/// The sum of equal vectors has at least this share of their total length; the rest is rounding.
+/// Larger: rounding makes edges of planes, on which spheres stumble. Smaller: a slight bend counts
+/// as flat, and spheres pass through its edge by as little.
 constexpr double kFlat = 1 - 1e-12;
 
 double cornerAngle(const Eigen::Vector3d& at, const Eigen::Vector3d& b, const Eigen::Vector3d& c)
@@ -41,7 +43,7 @@ Surface::Surface(const TriangleMesh& mesh)
     : mesh_(mesh), triangles_(mesh.triangles.size()), bounds_(mesh.triangles.size()),
       vertexNormals_(mesh.vertices.size(), Eigen::Vector3d::Zero())
 {
-    // Planes, and what each triangle adds to the normals of its edges and corners.
+    // The planes, and the contribution of each triangle to the normals of its edges and corners.
     std::map<std::pair<std::uint32_t, std::uint32_t>, Eigen::Vector3d> edgeNormals;
     std::vector<double> anglesAtVertex(mesh.vertices.size(), 0);
     const auto edgeKey = [](std::uint32_t a, std::uint32_t b)
@@ -80,7 +82,7 @@ Surface::Surface(const TriangleMesh& mesh)
         {
             pseudonormal[k] = vertexNormals_[index[k]];
             pseudonormal[3 + k] = edgeNormals.at(edgeKey(index[k], index[(k + 1) % 3]));
-            // Unit normals add up to their number exactly when they are all the same.
+            // The sum keeps the total length only if all normals are equal.
             triangles_[t].flat[k] = pseudonormal[k].norm() > kFlat * anglesAtVertex[index[k]];
             triangles_[t].flat[3 + k] = pseudonormal[3 + k].norm() > kFlat * 2;
         }

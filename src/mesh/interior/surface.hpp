@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Room: the closed surface as the simulation sees it: contacts, inside and outside, volume. It
+// assumes a mesh that has been repaired.
 #pragma once
 
 #include "geometry/closest_point.hpp"
@@ -13,19 +15,19 @@
 namespace frostfill
 {
 
-/// One triangle with all that a one-sided contact needs. Normals point into the object.
+/// A triangle with everything that a one-sided contact needs. Normals point into the object.
 struct SurfaceTriangle
 {
     std::array<Eigen::Vector3d, 3> corner;
     Eigen::Vector3d normal;                      ///< of the plane
-    double offset = 0;                           ///< normal . x of the plane's points
+    double offset = 0;                           ///< normal . x for points x of the plane
     std::array<Eigen::Vector3d, 7> pseudonormal; ///< by TriangleFeature, not normalised
-    /// By TriangleFeature: all triangles that share this edge or corner lie in one plane. A sphere
-    /// that touches it touches one of their faces just as well.
+    /// By TriangleFeature: whether all triangles at this edge or corner lie in one plane. A sphere
+    /// that touches such a feature also touches one of the faces.
     std::array<bool, 7> flat = {};
 };
 
-/// What a first look at a triangle needs, in one cache line: its plane and a sphere around it.
+/// The plane of a triangle and a sphere around it, in one cache line, for quick rejection.
 struct alignas(64) TriangleBound
 {
     Eigen::Vector3d normal;
@@ -33,7 +35,7 @@ struct alignas(64) TriangleBound
     Eigen::Vector3d centre;
     double radius = 0;
 
-    /// False only when every point of the triangle is farther than `distance` from p.
+    /// False only if every point of the triangle is farther than `distance` from p.
     [[nodiscard]] bool mayBeWithin(double distance, const Eigen::Vector3d& p) const
     {
         if (std::abs(normal.dot(p) - offset) > distance)
@@ -60,7 +62,7 @@ public:
     [[nodiscard]] const Eigen::AlignedBox3d& box() const { return box_; }
     [[nodiscard]] const TriangleMesh& mesh() const { return mesh_; }
 
-    /// Unit normal of each vertex, into the object, angle-weighted.
+    /// Angle-weighted unit normal of a vertex, into the object.
     [[nodiscard]] const Eigen::Vector3d& vertexNormal(std::size_t vertex) const
     {
         return vertexNormals_[vertex];
@@ -74,7 +76,7 @@ private:
     Eigen::AlignedBox3d box_;
 };
 
-/// Distance to one triangle, positive on the side of the object's inside.
+/// Distance to a triangle, positive on the inner side of the surface.
 struct SignedDistance
 {
     double value = 0;
@@ -84,8 +86,8 @@ struct SignedDistance
 [[nodiscard]] SignedDistance signedDistance(const SurfaceTriangle& triangle,
                                             const Eigen::Vector3d& p);
 
-/// Signed distance to the nearest of several triangles. Where two are equally near (a shared edge
-/// or corner) both give the same pseudonormal, so either sign is right. `ids` is not empty.
+/// Signed distance to the nearest of several triangles. Two equally near triangles share an edge or
+/// a corner and have the same pseudonormal there, so both give the right sign. `ids` is not empty.
 [[nodiscard]] SignedDistance nearestDistance(const Surface& surface,
                                              std::span<const std::uint32_t> ids,
                                              const Eigen::Vector3d& p);

@@ -16,7 +16,7 @@ TriangleGrid::TriangleGrid(const Surface& surface, const GridFrame& frame, doubl
         count = (count + kSide - 1) / kSide;
     }
     blocks_.assign(blocksFrame_.size(), kNoTriangles);
-    // Count, sum up to where each cell ends, and fill each from its end.
+    // Count, sum up the ends of the cells, and fill each cell from its end.
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs; // cell, triangle
     for (std::size_t t = 0; t < surface.size(); ++t)
     {

@@ -11,16 +11,16 @@
 namespace frostfill
 {
 
-/// For each cell of a grid, the triangles that come within `reach` of some point of the cell. A
-/// cell may hold any number of them. Cells are kept in blocks, and a block away from the surface,
-/// where most of a fine grid is, costs four bytes.
+/// The triangles within `reach` of some point of each cell of a grid. A cell may have any number of
+/// them. Cells are stored in blocks. Most blocks of a fine grid are away from the surface; such a
+/// block takes four bytes.
 class TriangleGrid
 {
 public:
     TriangleGrid(const Surface& surface, const GridFrame& frame, double reach);
 
-    /// Triangles, ascending, among them all that are nearer to `p` than the reach. `p` lies within
-    /// the frame; for points outside it the answer is that of the nearest cell.
+    /// Ascending triangles, including all that are closer to `p` than the reach. `p` lies within
+    /// the frame; a point outside gets the triangles of the nearest cell.
     [[nodiscard]] std::span<const std::uint32_t> near(const Eigen::Vector3d& p) const
     {
         const auto c = frame_.coordinates(p);
@@ -54,12 +54,12 @@ private:
     GridFrame frame_;
     double reach_;
     GridFrame blocksFrame_;             ///< of the blocks
-    std::vector<std::uint32_t> blocks_; ///< [#blocks] number among those with triangles
+    std::vector<std::uint32_t> blocks_; ///< [#blocks] index among the blocks with triangles
     std::vector<std::uint32_t> starts_; ///< [#cells of blocks with triangles + 1]
     std::vector<std::uint32_t> ids_;
 };
 
-/// Calls visit(x, y, z) for each cell of the frame that the triangle may come within `reach` of.
+/// Calls visit(x, y, z) for each cell of the frame that may be within `reach` of the triangle.
 template <class Visit>
 void forEachCellNear(const GridFrame& frame, const SurfaceTriangle& triangle, double reach,
                      Visit&& visit)
@@ -71,8 +71,8 @@ void forEachCellNear(const GridFrame& frame, const SurfaceTriangle& triangle, do
     }
     const auto low = frame.coordinates(box.min().array() - reach);
     const auto high = frame.coordinates(box.max().array() + reach);
-    // Half a cell's diagonal: how far the cell's points are from its centre.
-    const double radius = 0.8660254037844387 * frame.cell + reach;
+    // Half the diagonal of a cell: the largest distance of its points from the centre.
+    const double radius = kHalfDiagonal * frame.cell + reach;
     for (int z = low[2]; z <= high[2]; ++z)
     {
         for (int y = low[1]; y <= high[1]; ++y)

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The solid angle of a triangle from A. van Oosterom, J. Strackee, "The solid angle of a plane
-// triangle", IEEE Trans. Biomed. Eng. 30 (1983), eq. 8.
+// The solid angle of a triangle: [van Oosterom & Strackee 1983, eq. 8].
 #include "mesh/interior/winding_number.hpp"
 
 #include <cmath>
@@ -12,7 +11,7 @@ namespace
 
 constexpr double kTwoPi = 6.283185307179586;
 
-/// Signed solid angle of a triangle seen from a point, over 4 pi.
+/// Signed solid angle of a triangle seen from a point, divided by 4 pi.
 double solidAngle(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& t,
                   const Eigen::Vector3d& point)
 {
@@ -25,7 +24,7 @@ double solidAngle(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& 
     return std::atan2(numerator, denominator) / kTwoPi;
 }
 
-/// Neumaier's sum: a million triangles of either sign do not add up their rounding.
+/// Neumaier's compensated sum, so the rounding of a million terms of either sign does not add up.
 class CarefulSum
 {
 public:

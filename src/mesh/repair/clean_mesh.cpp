@@ -11,8 +11,8 @@ namespace frostfill
 namespace
 {
 
-constexpr int kMostPasses = 20;       // a chain of flat triangles takes one each
-constexpr double kTinyEdge = 1e-9;    // [1] of the longest: two corners are one in fact
+constexpr int kMostPasses = 20;       // a chain of flat triangles takes one for each triangle
+constexpr double kTinyEdge = 1e-9;    // [1] of the longest edge: two corners are really one
 constexpr Triangle kGone = {0, 0, 0}; // repeats a corner
 
 void eraseGone(TriangleMesh& mesh)
@@ -48,7 +48,7 @@ bool handOver(TriangleMesh& mesh, const EdgeTable& edges, std::uint32_t triangle
     const std::size_t side = longestSide(mesh, t);
     const std::uint32_t a = t[side], b = t[(side + 1) % 3], c = t[(side + 2) % 3];
 
-    // A needle: the two corners at its short end are one.
+    // A needle: the two corners at its short end are the same point.
     const double longest = (mesh.vertices[b] - mesh.vertices[a]).norm();
     for (const std::uint32_t end : {a, b})
     {
@@ -65,7 +65,7 @@ bool handOver(TriangleMesh& mesh, const EdgeTable& edges, std::uint32_t triangle
     const auto uses = edges.find(a, b);
     if (uses.size() == 1)
     {
-        mesh.triangles[triangle] = kGone; // on a rim: the rim runs through c from now on
+        mesh.triangles[triangle] = kGone; // on a rim: the rim now runs through c
         return true;
     }
     if (uses.size() != 2)
@@ -83,7 +83,7 @@ bool handOver(TriangleMesh& mesh, const EdgeTable& edges, std::uint32_t triangle
     std::replace(second.begin(), second.end(), a, c);
     if (repeatsCorner(first) || repeatsCorner(second))
     {
-        // The same three corners: the two of them are a flat envelope.
+        // The same three corners: both triangles form a flat envelope.
         mesh.triangles[triangle] = mesh.triangles[neighbour] = kGone;
     }
     else

@@ -6,14 +6,14 @@
 namespace frostfill
 {
 
-/// Each returns how much it has removed.
+/// Each function returns the number of elements that it has removed.
 
-/// Triangles without area. One that lies between its neighbours is not just dropped, which would
-/// leave a slit, but handed over to the neighbour along its longest edge.
+/// Removes triangles without area. Merely dropping one between its neighbours would leave a slit,
+/// so it is merged into the neighbour along its longest edge.
 std::size_t dropFlatTriangles(TriangleMesh& mesh);
 
-/// All but one of the triangles with the same vertices; of a pair that faces both ways, as where
-/// two solids have been glued together, both when that leaves the better surface.
+/// Removes all but one of the triangles with the same vertices. Two triangles that face opposite
+/// ways, as between two solids glued together, are both removed if that improves the surface.
 std::size_t dropDuplicateTriangles(TriangleMesh& mesh);
 
 std::size_t dropUnusedVertices(TriangleMesh& mesh);

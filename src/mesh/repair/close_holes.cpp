@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The lid of least area, by dynamic programming over the rim: G. Barequet, M. Sharir, "Filling gaps
-// in the boundary of a polyhedron", CAGD 12 (1995), section 2.3.
+// The lid of least area, by dynamic programming over the rim: [Barequet & Sharir 1995, 2.3].
 #include "mesh/repair/close_holes.hpp"
 
 #include "mesh/repair/edge_table.hpp"
@@ -14,15 +13,17 @@ namespace frostfill
 namespace
 {
 
-constexpr std::size_t kMostEdges = 400; // of a hole: the search grows with the cube
-constexpr double kLargestShare = 0.05;  // [1] of the surface: more is not a defect but an opening
-constexpr double kShortChords = 1e-3;   // [1] weight of edges squared: fat triangles in a flat lid
+constexpr std::size_t kMostEdges = 400; // of a hole: the time grows with the cube
+constexpr double kLargestShare =
+    0.05; // [1] of the surface: a larger hole is an opening, not a defect
+constexpr double kShortChords =
+    1e-3; // [1] weight of squared edges: favours fat triangles in a flat lid
 constexpr double kImpossible = std::numeric_limits<double>::infinity();
 
 using Rim = std::vector<std::uint32_t>;
 
-/// Rims in the direction in which their lids run along them, each without a vertex twice. A path
-/// that does not close (it ends at an edge of three triangles) is no rim.
+/// The rims, in the direction of the lids, each without repeated vertices. A path that does not
+/// close, because it ends at an edge of three triangles, is no rim.
 std::vector<Rim> findRims(const EdgeTable& edges)
 {
     std::multimap<std::uint32_t, std::uint32_t> next;
@@ -33,7 +34,7 @@ std::vector<Rim> findRims(const EdgeTable& edges)
             {
                 return;
             }
-            const EdgeUse& use = uses[0]; // the lid runs against the triangle
+            const EdgeUse& use = uses[0]; // the lid runs opposite to the triangle
             next.emplace(use.forward ? use.high : use.low, use.forward ? use.low : use.high);
         });
 
@@ -45,7 +46,7 @@ std::vector<Rim> findRims(const EdgeTable& edges)
         {
             const std::uint32_t vertex = step->second;
             next.erase(step);
-            // Where the path meets itself, a rim is complete.
+            // A rim is complete where the path meets itself.
             const auto loop = std::find(path.begin(), path.end(), vertex);
             if (loop == path.end())
             {
@@ -87,7 +88,7 @@ public:
         }
     }
 
-    /// Empty when there is no lid.
+    /// Empty if there is no lid.
     [[nodiscard]] std::vector<Triangle> triangles() const
     {
         std::vector<Triangle> result;

@@ -9,13 +9,13 @@ namespace frostfill
 struct Hole
 {
     std::size_t edges = 0;
-    Eigen::Vector3d middle = Eigen::Vector3d::Zero(); ///< mean of the rim's vertices
-    double share = 0; ///< [1] of the surface that a lid takes; 0 when none can be made
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero(); ///< mean of the vertices of the rim
+    double share = 0; ///< [1] area of the lid over that of the surface; 0 if there is no lid
     bool closed = false;
 };
 
-/// Puts a lid of least area on each small hole of a consistently wound mesh. No vertex is added.
-/// Returns all holes, with those that were too large or whose rim allows no lid marked open.
+/// Closes each small hole of a consistently wound mesh with a lid of least area. Adds no vertex.
+/// Returns all holes; `closed` is false for holes that are too large or whose rim allows no lid.
 std::vector<Hole> closeHoles(TriangleMesh& mesh);
 
 } // namespace frostfill

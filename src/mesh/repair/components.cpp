@@ -27,7 +27,8 @@ std::vector<std::vector<std::uint32_t>> connectedPieces(const TriangleMesh& mesh
         {
             continue;
         }
-        const std::size_t root = sets.find(triangle); // the smallest, so it has been met already
+        const std::size_t root =
+            sets.find(triangle); // the smallest, so it has already been visited
         if (root == triangle)
         {
             pieceOf[triangle] = pieces.size();

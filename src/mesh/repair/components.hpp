@@ -8,7 +8,7 @@
 namespace frostfill
 {
 
-/// Disjoint sets of numbers; the smallest number stands for its set.
+/// Disjoint sets of numbers. The smallest number represents its set.
 class DisjointSets
 {
 public:
@@ -37,8 +37,8 @@ private:
     std::vector<std::size_t> parent_;
 };
 
-/// Triangles of each piece that is connected through shared edges; pieces in order of their first
-/// triangle. Triangles that repeat a corner belong to none.
+/// The triangles of each piece. Shared edges connect the triangles of a piece. Pieces are in the
+/// order of their first triangle. Triangles that repeat a corner belong to no piece.
 [[nodiscard]] std::vector<std::vector<std::uint32_t>> connectedPieces(const TriangleMesh& mesh,
                                                                       const EdgeTable& edges);
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Room: inspection and repair of meshes from outside. Each step changes a TriangleMesh and
+// reports what it did.
 #pragma once
 
 #include <frostfill/mesh.hpp>
@@ -10,18 +12,18 @@
 namespace frostfill
 {
 
-/// One triangle's side. Sides with the same two vertices are uses of the same edge.
+/// A side of a triangle. Sides with the same two vertices are uses of one edge.
 struct EdgeUse
 {
     std::uint32_t low = 0;  ///< vertex
     std::uint32_t high = 0; ///< vertex, above low
     std::uint32_t triangle = 0;
-    std::uint8_t corner = 0; ///< of the triangle, from which the side starts
-    bool forward = false;    ///< runs from low to high in the triangle
+    std::uint8_t corner = 0; ///< of the triangle, where the side starts
+    bool forward = false;    ///< the side runs from low to high
 };
 
-/// All edges of a mesh with the triangles at each, ordered by vertex numbers. Triangles that repeat
-/// a corner have no edges.
+/// All edges of a mesh, each with its triangles, ordered by vertex numbers. Triangles that repeat a
+/// corner have no edges.
 class EdgeTable
 {
 public:
@@ -39,10 +41,10 @@ public:
         }
     }
 
-    /// Uses of the edge between two vertices, none when there is no such edge.
+    /// Uses of the edge between two vertices; empty if there is no such edge.
     [[nodiscard]] std::span<const EdgeUse> find(std::uint32_t a, std::uint32_t b) const;
 
-    /// Edges without exactly two triangles.
+    /// Number of edges that do not have exactly two triangles.
     [[nodiscard]] std::size_t badEdges() const;
 
 private:

@@ -58,8 +58,8 @@ void inspectEdges(MeshReport& report, const TriangleMesh& mesh, const EdgeTable&
     report.firstDefect = firstDefect.value_or(Eigen::Vector3d::Zero());
 }
 
-/// Euler's formula over all pieces. A vertex at which several fans of triangles meet counts once
-/// for each, as if the surface were cut apart there.
+/// The genus by Euler's formula over all pieces. A vertex where several fans of triangles meet
+/// counts once for each fan, as if the surface were cut there.
 int countHandles(const TriangleMesh& mesh, const EdgeTable& edges, std::size_t pieces)
 {
     DisjointSets corners(3 * mesh.triangles.size());

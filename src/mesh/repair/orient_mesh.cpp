@@ -12,8 +12,8 @@ namespace frostfill
 namespace
 {
 
-constexpr std::size_t kSamples = 64; // vertices of a piece that are tested against another
-constexpr double kSurely = 0.02;     // [1] winding number this close to 0 or 1 is beyond doubt
+constexpr std::size_t kSamples = 64; // vertices of a piece to test against another piece
+constexpr double kSurely = 0.02;     // [1] a winding number this close to 0 or 1 is certain
 
 void turn(Triangle& t)
 {
@@ -56,7 +56,7 @@ bool surrounds(const TriangleMesh& mesh, const Piece& outer, const Eigen::Vector
     return outer.box.contains(point) && std::abs(windingNumber(mesh, outer.triangles, point)) > 0.5;
 }
 
-/// A vertex of `piece` on the far side of others of its own as `other` sees it.
+/// A vertex of `piece` on the other side of `other` than the rest of the piece.
 std::optional<Eigen::Vector3d> findCrossing(const TriangleMesh& mesh, const Piece& piece,
                                             const Piece& other)
 {

@@ -8,16 +8,16 @@
 namespace frostfill
 {
 
-/// Turns triangles until neighbours agree, the fewer of each piece. Returns how many were turned.
-/// A one-sided surface keeps inconsistent edges.
+/// Turns triangles until neighbours agree; turns the minority of each piece. Returns the number of
+/// turned triangles. A one-sided surface keeps inconsistent edges.
 std::size_t makeWindingConsistent(TriangleMesh& mesh);
 
-/// Turns whole pieces of a closed, consistent mesh: outer surfaces outwards, and a surface inside
-/// another one (a cavity) the other way, by its depth of nesting. Returns how many were turned.
+/// Turns whole pieces of a closed, consistent mesh: outer surfaces outwards, and cavities (surfaces
+/// inside another one) inwards, by the depth of nesting. Returns the number of turned pieces.
 std::size_t turnPiecesOutward(TriangleMesh& mesh);
 
-/// A place where one closed piece passes through another, judged by vertices of either that lie
-/// inside and outside of the other.
+/// A place where one closed piece passes through another: a piece with vertices both inside and
+/// outside of the other one.
 [[nodiscard]] std::optional<Eigen::Vector3d> findCrossingPieces(const TriangleMesh& mesh);
 
 } // namespace frostfill

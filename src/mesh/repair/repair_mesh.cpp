@@ -18,11 +18,12 @@ namespace frostfill
 namespace
 {
 
-constexpr double kWeldDistance = 1e-6; // [1] of the box's diagonal: the rounding of file formats
-constexpr double kNoVolume = 1e-9;     // [1] of the box's diagonal cubed
+constexpr double kWeldDistance =
+    1e-6;                          // [1] of the diagonal of the box: the rounding of file formats
+constexpr double kNoVolume = 1e-9; // [1] of the cubed diagonal of the box
 constexpr std::size_t kMostHolesListed = 10;
 
-/// Coordinates for a message; what vanishes to rounding reads as 0.
+/// Coordinates for a message; rounding errors are shown as 0.
 std::string place(Eigen::Vector3d p)
 {
     p = (p.array().abs() < 1e-15).select(0, p);
@@ -39,7 +40,7 @@ std::string counted(std::size_t count, std::string_view noun)
     throw Error(ErrorCode::badData, fmt::format("'{}' cannot be filled: {}", name, why));
 }
 
-/// What no repair can work on.
+/// Refuses what no repair can work on.
 void refuseNonsense(const TriangleMesh& mesh, std::string_view name)
 {
     if (mesh.triangles.empty())
@@ -50,8 +51,8 @@ void refuseNonsense(const TriangleMesh& mesh, std::string_view name)
     {
         if (!mesh.vertices[i].allFinite())
         {
-            refuse(name,
-                   fmt::format("vertex {} is infinite or no number; export the mesh again", i + 1));
+            refuse(name, fmt::format("vertex {} is infinite or not a number; export the mesh again",
+                                     i + 1));
         }
     }
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
@@ -60,14 +61,15 @@ void refuseNonsense(const TriangleMesh& mesh, std::string_view name)
         {
             if (corner >= mesh.vertices.size())
             {
-                refuse(name, fmt::format("triangle {} names vertex {} of {}; export the mesh again",
-                                         i + 1, corner + 1, mesh.vertices.size()));
+                refuse(name,
+                       fmt::format("triangle {} refers to vertex {} of {}; export the mesh again",
+                                   i + 1, corner + 1, mesh.vertices.size()));
             }
         }
     }
 }
 
-/// Welds rims that nearly meet, if that makes the surface better.
+/// Welds rims that nearly meet, if that improves the surface.
 void weldSeams(TriangleMesh& mesh, std::vector<std::string>& repairs)
 {
     TriangleMesh welded = mesh;
@@ -78,9 +80,10 @@ void weldSeams(TriangleMesh& mesh, std::vector<std::string>& repairs)
         return;
     }
     mesh = std::move(welded);
-    repairs.push_back(fmt::format("joined {} vert{} along open seams to others within {:g} of the "
-                                  "object's size",
-                                  count, count == 1 ? "ex" : "ices", kWeldDistance));
+    repairs.push_back(
+        fmt::format("joined {} vert{} along open seams to others closer than {:g} of the "
+                    "object's size",
+                    count, count == 1 ? "ex" : "ices", kWeldDistance));
 }
 
 void cleanTriangles(TriangleMesh& mesh, std::vector<std::string>& repairs)
@@ -111,7 +114,7 @@ void straightenWinding(TriangleMesh& mesh, std::vector<std::string>& repairs)
     }
 }
 
-/// Returns the largest hole that is left, with no edges when there is none.
+/// Returns the largest remaining hole; it has no edges if there is none.
 Hole closeAndReport(TriangleMesh& mesh, std::vector<std::string>& repairs)
 {
     Hole largestLeft;
@@ -163,11 +166,10 @@ void refuseDefects(const MeshReport& report, const Hole& hole, std::string_view 
     }
     if (report.boundaryEdges > 0)
     {
-        refuse(name,
-               fmt::format("it is open near {}, {} in all, and no lid fits there; close it in "
-                           "a mesh editor",
-                           hole.edges > 0 ? place(hole.middle) : place(report.firstDefect),
-                           counted(report.boundaryEdges, "open edge")));
+        refuse(name, fmt::format("it has a hole near {} that no lid fits ({} in all); close it in "
+                                 "a mesh editor",
+                                 hole.edges > 0 ? place(hole.middle) : place(report.firstDefect),
+                                 counted(report.boundaryEdges, "open edge")));
     }
     if (report.degenerateTriangles > 0)
     {

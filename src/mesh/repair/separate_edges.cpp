@@ -14,7 +14,7 @@ namespace
 
 using Pairs = std::vector<std::array<EdgeUse, 2>>;
 
-/// The two sides of each solid wedge at an edge; nothing when the windings do not alternate.
+/// The two sides of each solid wedge at an edge; empty if the windings do not alternate.
 std::optional<Pairs> solidWedges(const TriangleMesh& mesh, std::span<const EdgeUse> uses)
 {
     const Eigen::Vector3d& start = mesh.vertices[uses[0].low];
@@ -31,8 +31,8 @@ std::optional<Pairs> solidWedges(const TriangleMesh& mesh, std::span<const EdgeU
     std::sort(around.begin(), around.end(),
               [](const auto& a, const auto& b) { return a.first < b.first; });
 
-    // Turning about the edge one enters the solid through a backward triangle and leaves it
-    // through a forward one.
+    // On a turn about the edge, a backward triangle leads into the solid and a forward one out of
+    // it.
     Pairs pairs;
     for (std::size_t i = 0; i < around.size(); ++i)
     {
@@ -84,7 +84,7 @@ std::size_t separateTouchingEdges(TriangleMesh& mesh)
         return 0;
     }
 
-    // The first fan at a vertex keeps it, every other one gets a copy.
+    // The first fan at a vertex keeps it; each other fan gets a copy.
     constexpr std::uint32_t kNone = 0xffffffff;
     std::vector<std::uint32_t> vertexOf(3 * mesh.triangles.size(), kNone);
     std::vector<bool> taken(mesh.vertices.size(), false);

@@ -6,9 +6,9 @@
 namespace frostfill
 {
 
-/// Cuts the surface apart along edges where two solid wedges touch (four, six, ... triangles that
-/// alternate in winding), by giving each wedge vertices of its own. Returns the number of edges
-/// that were cut. Edges with any other constellation stay as they are.
+/// Cuts the surface along edges where solid wedges touch: edges of four, six, ... triangles with
+/// alternating windings. Each wedge gets its own vertices. Other edges stay as they are. Returns
+/// the number of cut edges.
 std::size_t separateTouchingEdges(TriangleMesh& mesh);
 
 } // namespace frostfill

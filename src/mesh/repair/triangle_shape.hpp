@@ -10,8 +10,8 @@ namespace frostfill
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// Twice the area over the longest edge squared, below which a triangle counts as without area.
-/// Far below what single precision can express on purpose, far above rounding in double.
+/// A triangle has no area if twice its area over its squared longest edge is below this. Far below
+/// what single precision can express on purpose, far above rounding in double precision.
 inline constexpr double kFlat = 1e-12;
 
 [[nodiscard]] inline bool repeatsCorner(const Triangle& t)
@@ -33,7 +33,7 @@ inline constexpr double kFlat = 1e-12;
            isFlat(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]);
 }
 
-/// The corners in ascending order, so that triangles of the same vertices compare equal.
+/// The corners in ascending order. Triangles with the same vertices then compare equal.
 [[nodiscard]] inline Triangle sortedCorners(Triangle t)
 {
     std::sort(t.begin(), t.end());

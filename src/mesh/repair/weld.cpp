@@ -28,7 +28,7 @@ struct CellHash
     }
 };
 
-/// The bits of a position, with both zeros the same.
+/// The bits of a position; +0 and -0 are equal.
 Cell bitsOf(const Eigen::Vector3d& position)
 {
     Cell bits;

@@ -6,11 +6,11 @@
 namespace frostfill
 {
 
-/// Makes one vertex of all with the same position; the first of them stays, in order.
+/// Merges all vertices with the same position into the first of them. Keeps the order.
 void weldEqualVertices(TriangleMesh& mesh);
 
-/// Makes one vertex of those on the rims of holes that are closer than `distance`.
-/// Returns how many vertices have gone.
+/// Merges vertices on the rims of holes that are closer than `distance`.
+/// Returns the number of removed vertices.
 std::size_t weldRims(TriangleMesh& mesh, double distance);
 
 } // namespace frostfill

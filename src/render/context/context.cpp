@@ -76,7 +76,7 @@ std::unique_ptr<Context> openContext(Backend backend)
             attempts += fmt::format("\n  {} (to install it: {})", error.what(), choice.remedy);
         }
     }
-    throw Error(ErrorCode::noOpenGl, "no OpenGL context is to be had:" + attempts);
+    throw Error(ErrorCode::noOpenGl, "no OpenGL context is available:" + attempts);
 }
 
 } // namespace frostfill

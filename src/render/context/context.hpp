@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Room: OpenGL without a screen: contexts, functions, framebuffers, shaders. It knows nothing of
+// spheres.
 #pragma once
 
 #include <frostfill/renderer.hpp>

@@ -71,7 +71,7 @@ Framebuffer::Framebuffer(const GlFunctions& gl, int width, int height, int sampl
         if (gl.checkFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         {
             throw Error(ErrorCode::noOpenGl,
-                        fmt::format("no framebuffer of {}x{} pixels and {} samples is to be had",
+                        fmt::format("no framebuffer of {}x{} pixels and {} samples is available",
                                     width, height, samples));
         }
     }

@@ -8,8 +8,11 @@ namespace frostfill
 
 class Context;
 
-/// Every function of OpenGL that we call, as X(member, type, name). Loaded by hand: the usual
-/// loaders fail on OSMesa contexts.
+/// Every function of OpenGL that we call, as X(member, type, name). Loaded by hand, because the
+/// usual loaders fail on OSMesa contexts. Tried on OSMesa and on EGL's surfaceless and device
+/// platforms: libepoxy 1.5.10 aborts on the first ("Couldn't find current GLX or EGL context"), and
+/// glbinding 2.1.1 (4.6 MB, linked with libGL) resolves nulls and draws nothing there. Both draw on
+/// EGL.
 #define FROSTFILL_GL_FUNCTIONS(X)                                                                  \
     X(attachShader, PFNGLATTACHSHADERPROC, "glAttachShader")                                       \
     X(bindBuffer, PFNGLBINDBUFFERPROC, "glBindBuffer")                                             \

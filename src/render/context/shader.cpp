@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/context/shader.hpp"
 
-#include "render/embedded.hpp"
+#include "render/context/embedded.hpp"
 
 #include <frostfill/error.hpp>
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Room: from mesh coordinates to pixels: cameras, poses, cutaways. It needs no OpenGL.
 #pragma once
 
 #include <frostfill/renderer.hpp>

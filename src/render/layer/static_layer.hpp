@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Room: what stays the same from picture to picture. It keeps spheres at rest drawn and finds
+// the parts of a picture that must be drawn again.
 #pragma once
 
 #include "render/context/framebuffer.hpp"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Room: what is written over a picture: the legend, colour scales and text. Text is drawn on the
+// processor.
 #pragma once
 
 #include "render/framing/framing.hpp"

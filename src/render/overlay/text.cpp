@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/overlay/text.hpp"
 
-#include "render/embedded.hpp"
+#include "render/context/embedded.hpp"
 
 #include <stb_truetype.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/passes/mesh_pass.hpp"
 
-#include "render/embedded.hpp"
+#include "render/context/embedded.hpp"
 
 #include <glm/common.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/passes/sphere_pass.hpp"
 
-#include "render/embedded.hpp"
+#include "render/context/embedded.hpp"
 
 #include <fmt/core.h>
 

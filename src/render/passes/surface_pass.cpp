@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/passes/surface_pass.hpp"
 
-#include "render/embedded.hpp"
+#include "render/context/embedded.hpp"
 
 #include <frostfill/error.hpp>
 
@@ -55,10 +55,11 @@ SurfacePass::SurfacePass(const GlFunctions& gl, const ShaderVariant& variant,
     gl.drawBuffers(2, kTargets.data());
     if (gl.checkFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
     {
-        throw Error(ErrorCode::noOpenGl,
-                    fmt::format("no framebuffer of {}x{} pixels for depth, normals and identities "
-                                "is to be had",
-                                size.width, size.height));
+        throw Error(
+            ErrorCode::noOpenGl,
+            fmt::format("no framebuffer of {}x{} pixels is available for depth, normals and "
+                        "identities",
+                        size.width, size.height));
     }
 }
 

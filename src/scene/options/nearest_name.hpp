@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <frostfill/options.hpp>
+
 #include <cstddef>
-#include <span>
-#include <string>
 #include <string_view>
 
 namespace frostfill
 {
 
-/// Insertions, deletions and substitutions that turn `a` into `b` [Levenshtein 1966].
+/// Number of insertions, deletions and substitutions from `a` to `b` [Levenshtein 1966].
 [[nodiscard]] std::size_t editDistance(std::string_view a, std::string_view b);
-
-/// The name with the smallest edit distance from `name`, the first one of equals; empty when even
-/// that is no typing error: more than half of `name` would have to change.
-[[nodiscard]] std::string nearestName(std::string_view name, std::span<const std::string> names);
 
 } // namespace frostfill

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "scene/options/option.hpp"
-
+#include "scene/options/nearest_name.hpp"
 #include "scene/options/table_builder.hpp"
+
+#include <frostfill/options.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -59,7 +60,6 @@ std::string describeRange(const OptionRange& range)
     const OptionRange all;
     const std::string low = range.low == all.low ? "" : fmt::format("{}", range.low);
     const std::string high = range.high == all.high ? "" : fmt::format("{}", range.high);
-    const char* above = range.withoutLow ? "above" : "from";
     if (low.empty())
     {
         return high.empty() ? "" : fmt::format(" up to {}", high);
@@ -69,10 +69,12 @@ std::string describeRange(const OptionRange& range)
         return range.withoutLow ? fmt::format(" above {}", low)
                                 : fmt::format(" of at least {}", low);
     }
-    return fmt::format(" {} {} to {}", above, low, high);
+    return range.withoutLow ? fmt::format(" above {} and up to {}", low, high)
+                            : fmt::format(" from {} to {}", low, high);
 }
 
-/// A whole number will do where a number is asked for, and a word where one stands for a number.
+/// Converts a whole number to a number where one is required, and a word to the number it stands
+/// for.
 OptionValue converted(const Option& option, OptionValue value)
 {
     if (const auto* text = std::get_if<std::string>(&value))
@@ -124,9 +126,8 @@ bool allowed(const Option& option, const OptionValue& value)
         break;
     }
     const auto* text = std::get_if<std::string>(&value);
-    return text &&
-           (option.choices.empty() ||
-            std::find(option.choices.begin(), option.choices.end(), *text) != option.choices.end());
+    const std::vector<std::string>& texts = option.texts();
+    return text && (texts.empty() || std::find(texts.begin(), texts.end(), *text) != texts.end());
 }
 
 } // namespace
@@ -174,11 +175,11 @@ std::string describeAllowed(const Option& option)
         break;
     case OptionType::radii:
         what = "a number" + describeRange(option.range) +
-               ", a range such as 0.02..0.05, a file with a radius a line";
+               ", a range such as 0.02..0.05, a file with one radius per line";
         break;
     case OptionType::text:
-        what = option.choices.empty() ? option.form
-                                      : fmt::format("{}", fmt::join(option.choices, ", "));
+        what = option.texts().empty() ? option.form
+                                      : fmt::format("{}", fmt::join(option.texts(), ", "));
         break;
     }
     for (const auto& [word, number] : option.words)
@@ -190,6 +191,13 @@ std::string describeAllowed(const Option& option)
         what += " or " + option.nothing;
     }
     return what;
+}
+
+std::string nearestAllowed(const Option& option, const OptionValue& value)
+{
+    const auto* text = std::get_if<std::string>(&value);
+    const std::string nearest = text ? nearestName(*text, option.texts()) : "";
+    return nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest);
 }
 
 bool setOption(const Option& option, Scene& scene, OptionValue value)

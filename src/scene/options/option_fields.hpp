@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "scene/options/option.hpp"
+#include "scene/part_names.hpp"
+
+#include <frostfill/options.hpp>
 
 #include <array>
 #include <concepts>
@@ -10,33 +12,13 @@
 namespace frostfill
 {
 
-/// The names of an enumeration's values, in their order.
+/// The names of the values of an enumeration, in order.
 template <typename Enum>
 struct EnumNames;
 template <>
 struct EnumNames<Axis>
 {
     static constexpr std::array<const char*, 3> kNames = {"x", "y", "z"};
-};
-template <>
-struct EnumNames<Integrator>
-{
-    static constexpr std::array<const char*, 2> kNames = {"explicit", "semi-implicit"};
-};
-template <>
-struct EnumNames<SphereSearch>
-{
-    static constexpr std::array<const char*, 2> kNames = {"all-pairs", "grid"};
-};
-template <>
-struct EnumNames<PolygonSearch>
-{
-    static constexpr std::array<const char*, 4> kNames = {"loop", "list", "quadtree", "grid"};
-};
-template <>
-struct EnumNames<DiscardRule>
-{
-    static constexpr std::array<const char*, 3> kNames = {"none", "paper", "exact"};
 };
 template <>
 struct EnumNames<Preset>
@@ -67,21 +49,35 @@ struct EnumNames<Look>
     static constexpr std::array<const char*, 3> kNames = {"clean", "paper", "dark"};
 };
 
+/// The names of an enumeration's values, those of parts that were added included.
+template <typename Enum>
+const auto& namesOf()
+{
+    if constexpr (PartChoice<Enum>)
+    {
+        return partNames<Enum>();
+    }
+    else
+    {
+        return EnumNames<Enum>::kNames;
+    }
+}
+
 [[nodiscard]] std::string colourText(const Colour& colour);
 [[nodiscard]] bool readColour(std::string_view text, Colour& colour);
 [[nodiscard]] bool readPictureSize(std::string_view text, PictureSize& size);
-/// "0.02..0.05", or a file's name, which has a dot or a slash and begins like no number.
+/// "0.02..0.05", or a file name, which has a dot or a slash and does not begin like a number.
 [[nodiscard]] std::string radiiText(const Radii& radii);
 [[nodiscard]] bool readRadii(std::string_view text, Radii& radii);
 
 /// "none", "plane:X,Y,Z,OFFSET" or "wedge:FROM,TO".
 [[nodiscard]] std::string cutawayText(const Cutaway& cutaway);
 [[nodiscard]] bool readCutaway(std::string_view text, Cutaway& cutaway);
-/// "none", or names with commas between them.
+/// "none", or names separated by commas.
 [[nodiscard]] std::string passesText(const Passes& passes);
 [[nodiscard]] bool readPasses(std::string_view text, Passes& passes);
 
-/// How a field's type is kept in an OptionValue and got back. One overload for each type.
+/// Converts a field to an OptionValue. One overload for each type.
 inline OptionValue toValue(bool field)
 {
     return field;
@@ -126,7 +122,7 @@ OptionValue toValue(Field field)
 template <typename Enum>
 requires std::is_enum_v<Enum> OptionValue toValue(Enum field)
 {
-    return std::string(EnumNames<Enum>::kNames.at(static_cast<std::size_t>(field)));
+    return std::string(namesOf<Enum>().at(static_cast<std::size_t>(field)));
 }
 template <typename Field>
 OptionValue toValue(const std::optional<Field>& field)
@@ -139,7 +135,7 @@ bool fromValue(Field& field, const OptionValue& value)
 {
     if constexpr (std::is_enum_v<Field>)
     {
-        const auto& names = EnumNames<Field>::kNames;
+        const auto& names = namesOf<Field>();
         for (std::size_t i = 0; i < names.size(); ++i)
         {
             if (std::get<std::string>(value) == names[i])
@@ -204,6 +200,7 @@ bool fromValue(std::optional<Field>& field, const OptionValue& value)
 template <typename Field>
 struct OptionTypeOf
 {
+    using Inner = Field;
     static constexpr OptionType kType = std::is_same_v<Field, bool>  ? OptionType::boolean
                                         : std::integral<Field>       ? OptionType::integer
                                         : std::floating_point<Field> ? OptionType::number
@@ -217,16 +214,21 @@ struct OptionTypeOf<std::optional<Field>> : OptionTypeOf<Field>
 {
 };
 
-/// The names and words of an option; `access` returns a reference to its field of a scene, const or
+/// Completes an option for a field. `access` returns a reference to the field of a scene, const or
 /// not.
 template <typename Access>
 Option fieldOption(Option option, Access access)
 {
     using Field = std::remove_cvref_t<decltype(access(std::declval<Scene&>()))>;
     option.type = OptionTypeOf<Field>::kType;
-    if constexpr (std::is_enum_v<Field>)
+    using Inner = typename OptionTypeOf<Field>::Inner;
+    if constexpr (PartChoice<Inner>)
     {
-        option.choices.assign(EnumNames<Field>::kNames.begin(), EnumNames<Field>::kNames.end());
+        option.parts = &partNames<Inner>();
+    }
+    else if constexpr (std::is_enum_v<Inner>)
+    {
+        option.choices.assign(EnumNames<Inner>::kNames.begin(), EnumNames<Inner>::kNames.end());
     }
     if constexpr (std::is_same_v<Field, Colour>)
     {
@@ -238,7 +240,7 @@ Option fieldOption(Option option, Access access)
     }
     if constexpr (std::is_same_v<Field, Colour>)
     {
-        option.form = "a colour such as #ffcc00 or, with alpha, #ffcc0080, or the word transparent";
+        option.form = "a colour such as #ffcc00, #ffcc0080 with alpha, or transparent";
     }
     if constexpr (std::is_same_v<Field, PictureSize>)
     {
@@ -247,13 +249,14 @@ Option fieldOption(Option option, Access access)
     if constexpr (std::is_same_v<Field, Cutaway>)
     {
         option.placeholder = "none|plane:X,Y,Z[,OFFSET]|wedge:FROM,TO";
-        option.form = "none, plane:X,Y,Z with a normal and perhaps an offset, or wedge:FROM,TO in "
-                      "degrees, up to 180 apart";
+        option.form =
+            "none, plane:X,Y,Z or plane:X,Y,Z,OFFSET with a normal, or wedge:FROM,TO in degrees, "
+            "at most 180 apart";
     }
     if constexpr (std::is_same_v<Field, Passes>)
     {
         option.placeholder = "none|all|depth,normal,identity";
-        option.form = "none, all, or some of depth,normal,identity";
+        option.form = "none, all, or a list of depth, normal and identity";
     }
     option.get = [access](const Scene& scene) { return toValue(access(scene)); };
     option.set = [access](Scene& scene, const OptionValue& value)

@@ -13,8 +13,8 @@ void addFrames(TableBuilder& table)
     table.add(Option{.key = "frames.which",
                      .flag = "--frames",
                      .group = table.group(),
-                     .help = "all, none, last, or numbers and ranges such as 0:100:10,250; changes "
-                             "nothing that is simulated",
+                     .help = "Frames to draw: all, none, last, or numbers and ranges such as "
+                             "0:100:10,250; never changes the simulation",
                      .placeholder = "WHICH",
                      .form = "all, none, or a list such as 0:100:10,250,last",
                      .get = [](const Scene& scene)
@@ -31,34 +31,36 @@ void addFrames(TableBuilder& table)
                          scene.frames.selection = scene.frames.enabled ? text : "all";
                          return true;
                      }});
-    table.add("frames.fps", "--fps", "Frames a second of video", FROSTFILL_FIELD(frames.fps))
+    table.add("frames.fps", "--fps", "Frames per second of video", FROSTFILL_FIELD(frames.fps))
         .above(0, 10000);
     table
         .add("frames.slow_motion", "--slow-motion",
-             "Video time over simulated time; auto: a fall takes 1.5 s",
+             "Video time over simulated time; auto: a fall takes 1.5 s of video",
              FROSTFILL_FIELD(frames.slowMotion))
         .orNothing("auto")
         .above(0);
     table
-        .add("frames.limit", "--max-frames", "Keep at most so many, every n-th; 0: all",
+        .add("frames.limit", "--max-frames",
+             "Largest number of frames kept, evenly thinned out; 0: no limit",
              FROSTFILL_FIELD(frames.limit))
         .range(0, kLargestWhole);
     table
-        .add("frames.hold", "--hold", "Seconds of video for which the last state is shown",
+        .add("frames.hold", "--hold", "Time for which the video shows the last state [s]",
              FROSTFILL_FIELD(frames.hold))
         .range(0, 3600);
-    table.add("frames.passes", "--passes", "Pictures of depth, normals and identities beside each",
+    table.add("frames.passes", "--passes",
+              "Also draw depth, normals or sphere identities of each frame",
               FROSTFILL_FIELD(frames.passes));
 }
 
-/// A look brings its colours: those that are given have to be set after it.
+/// A look sets the colours, so colours that are given must be set after it.
 void addLook(TableBuilder& table)
 {
     Option look =
         fieldOption({.key = "picture.style",
                      .flag = "--style",
                      .group = table.group(),
-                     .help = "Colours and strokes that go together: for screen, print, slides"},
+                     .help = "Colours and outlines for a screen, for print or for slides"},
                     FROSTFILL_FIELD(style.look));
     look.set = [set = look.set](Scene& scene, const OptionValue& value)
     {
@@ -72,31 +74,33 @@ void addLook(TableBuilder& table)
 void addPicture(TableBuilder& table)
 {
     table.heading("Picture");
-    table.add("picture.size", "--size", "Width x height in pixels", FROSTFILL_FIELD(size));
-    table.add("picture.samples", "--samples", "Samples a pixel; 1: none", FROSTFILL_FIELD(samples))
+    table.add("picture.size", "--size", "Width and height [pixel]", FROSTFILL_FIELD(size));
+    table
+        .add("picture.samples", "--samples", "Samples per pixel; 1 turns antialiasing off",
+             FROSTFILL_FIELD(samples))
         .range(1, 64);
     table
         .add("picture.supersample", "--supersample",
-             "Draw so many times as large and average: for figures", FROSTFILL_FIELD(supersample))
+             "Draw this many times larger, then average: for figures", FROSTFILL_FIELD(supersample))
         .range(1, 8);
     addLook(table);
-    table.add("picture.color_by", "--color-by", "What the colours of spheres mean",
+    table.add("picture.color_by", "--color-by", "What the colour of a sphere shows",
               FROSTFILL_FIELD(style.colourBy));
-    table.add("picture.cutaway", "--cutaway",
-              "Take away what lies beyond a plane (offset from the middle [mesh unit]) or in a "
-              "wedge of azimuths [degree]",
-              FROSTFILL_FIELD(style.cutaway));
+    table.add(
+        "picture.cutaway", "--cutaway",
+        "Cut open: remove what lies beyond a plane (offset from the middle [mesh unit]) or in a "
+        "wedge of azimuths [degree]",
+        FROSTFILL_FIELD(style.cutaway));
     table.add("picture.ambient_occlusion", "--ambient-occlusion",
-              "Darken what neighbours shade; doubles the time",
-              FROSTFILL_FIELD(style.ambientOcclusion));
-    table.add("picture.legend", "--legend", "Counts and colours in the picture",
+              "Darken crevices; doubles the drawing time", FROSTFILL_FIELD(style.ambientOcclusion));
+    table.add("picture.legend", "--legend", "Show counts and colours in the picture",
               FROSTFILL_FIELD(style.legend));
-    table.add("picture.shell", "--shell", "The mesh as a translucent shell",
+    table.add("picture.shell", "--shell", "Show the mesh as a translucent shell",
               FROSTFILL_FIELD(style.shell));
     table.add(Option{.key = "picture.static_layer",
                      .flag = "--static-layer",
                      .group = table.group(),
-                     .help = "Draw what is at rest only once; off gives the same pictures, slower",
+                     .help = "Draw spheres at rest only once; off: the same pictures, slower",
                      .choices = {"on", "off"},
                      .get = [](const Scene& scene)
                      { return std::string(scene.staticLayer ? "on" : "off"); },
@@ -106,47 +110,50 @@ void addPicture(TableBuilder& table)
                          scene.staticLayer = std::get<std::string>(value) == "on";
                          return true;
                      }});
-    table.add("picture.background", "--background",
-              "Colour as #rrggbb, #rrggbbaa with alpha, or transparent",
+    table.add("picture.background", "--background", "Colour of the background",
               FROSTFILL_FIELD(style.palette.background));
-    table.add("picture.backend", "--backend", "Which OpenGL draws", FROSTFILL_FIELD(backend));
+    table.add("picture.backend", "--backend",
+              "OpenGL to draw with; auto: OSMesa, or EGL if there is none",
+              FROSTFILL_FIELD(backend));
 }
 
 void addCamera(TableBuilder& table)
 {
     table.heading("Camera");
     table
-        .add("camera.azimuth", "--azimuth", "Degrees about the up axis",
+        .add("camera.azimuth", "--azimuth", "Angle of the view about the up axis [degree]",
              FROSTFILL_FIELD(camera.azimuth))
         .range(-3600, 3600);
     table
-        .add("camera.elevation", "--elevation", "Degrees above the horizon",
+        .add("camera.elevation", "--elevation", "Angle of the view above the horizon [degree]",
              FROSTFILL_FIELD(camera.elevation))
         .range(-90, 90);
     table
-        .add("camera.field_of_view", "--field-of-view", "Vertical angle in degrees",
+        .add("camera.field_of_view", "--field-of-view", "Vertical angle of view [degree]",
              FROSTFILL_FIELD(camera.fieldOfView))
         .range(1, 150);
     table
-        .add("camera.zoom", "--zoom", "1 shows the whole object, 2 twice as large",
+        .add("camera.zoom", "--zoom",
+             "Enlargement: 1 shows the whole object, 2 shows it twice as large",
              FROSTFILL_FIELD(camera.zoom))
         .above(0);
     table.add("camera.orthographic", "--orthographic", "Parallel projection",
               FROSTFILL_FIELD(camera.orthographic));
     table
         .add("camera.target", "--target",
-             "Point x,y,z to look at [mesh unit]; auto: the middle of the object",
+             "Point in the middle of the picture [mesh unit]; auto: the middle of the object",
              FROSTFILL_FIELD(camera.target))
         .orNothing("auto");
     table
         .add("camera.distance", "--distance",
-             "From the eye to what it looks at [mesh unit], with perspective; auto: all fits",
+             "Distance of the eye from the target [mesh unit], perspective only; auto: the object "
+             "fits",
              FROSTFILL_FIELD(camera.distance))
         .orNothing("auto")
         .above(0);
     table
         .add("camera.turntable", "--turntable",
-             "Seconds of video in which the camera goes round the object once",
+             "Time in which the camera circles the object once [s of video]",
              FROSTFILL_FIELD(camera.turntable))
         .orNothing("none")
         .above(0);
@@ -155,14 +162,15 @@ void addCamera(TableBuilder& table)
 void addColours(TableBuilder& table)
 {
     table.heading("Colours");
-    const char* help = "Colour as #rrggbb, or #rrggbbaa with alpha";
-    table.add("colour.running", "", help, FROSTFILL_FIELD(style.palette.running));
-    table.add("colour.frozen", "", help, FROSTFILL_FIELD(style.palette.frozen));
-    table.add("colour.discarded", "", help, FROSTFILL_FIELD(style.palette.discarded));
-    table.add("colour.active_polygon", "", help, FROSTFILL_FIELD(style.palette.activePolygon));
-    table.add("colour.discarded_polygon", "", help,
+    table.add("colour.running", "", "Running spheres", FROSTFILL_FIELD(style.palette.running));
+    table.add("colour.frozen", "", "Frozen spheres", FROSTFILL_FIELD(style.palette.frozen));
+    table.add("colour.discarded", "", "Discarded spheres",
+              FROSTFILL_FIELD(style.palette.discarded));
+    table.add("colour.active_polygon", "", "Active polygons",
+              FROSTFILL_FIELD(style.palette.activePolygon));
+    table.add("colour.discarded_polygon", "", "Discarded polygons",
               FROSTFILL_FIELD(style.palette.discardedPolygon));
-    table.add("colour.text", "", help, FROSTFILL_FIELD(style.palette.text));
+    table.add("colour.text", "", "Text of the legend", FROSTFILL_FIELD(style.palette.text));
 }
 
 } // namespace

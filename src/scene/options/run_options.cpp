@@ -15,14 +15,16 @@ void addObject(TableBuilder& table)
 {
     table.heading("Object");
     table.add("name", "", "Name of the run", FROSTFILL_FIELD(name));
-    table.add("preset", "--preset", "Where every setting that is not given comes from",
+    table.add("preset", "--preset",
+              "The method and all defaults: our engine (fast), or the method of the paper",
               FROSTFILL_FIELD(preset));
-    table.add("object.mesh", "", "Name of a built-in object, or a file",
+    table.add("object.mesh", "",
+              "Built-in object or mesh file; on the command line the argument MESH",
               FROSTFILL_FIELD(object.mesh));
     table.add("object.up", "--up", "Axis of the mesh that points up", FROSTFILL_FIELD(object.up));
     table
         .add("object.units_per_metre", "--units",
-             "Unit of the mesh: a word, or how many make a metre",
+             "Unit of the mesh: a name, or the number of units in a metre",
              FROSTFILL_FIELD(object.unitsPerMetre))
         .above(0)
         .words({{"m", 1}, {"cm", 100}, {"mm", 1000}, {"in", 1 / 0.0254}, {"ft", 1 / 0.3048}});
@@ -33,28 +35,30 @@ void addSpheres(TableBuilder& table)
     table.heading("Spheres");
     table
         .add("spheres.radius", "--radius",
-             "Radius [mesh unit], a range or a file of radii; given alone: fill until none fits",
+             "Radius [mesh unit], range of radii, or file of radii; without --count, fill until "
+             "full",
              FROSTFILL_FIELD(spheres.radius))
         .orNothing("auto")
         .above(0);
     table
         .add("spheres.count", "--count",
-             "Stop at so many; given alone: at a radius at which they surely fit",
+             "Number of spheres; without --radius, a radius is chosen at which they fit",
              FROSTFILL_FIELD(spheres.count))
         .orNothing("none")
         .range(1, kLargestWhole);
-    table.add("spheres.until_full", "--until-full", "Go on after the count until no sphere fits",
+    table.add("spheres.until_full", "--until-full", "Continue after the count until no sphere fits",
               FROSTFILL_FIELD(spheres.untilFull));
     table
         .add("spheres.group_size", "--group-size",
-             "Spheres in a group; 0: 10 or more, by the object's size",
+             "Spheres in a group; 0 means 10, or more in a large object",
              FROSTFILL_FIELD(spheres.groupSize))
         .range(0, kLargestGroup);
     table
-        .add("spheres.groups_per_set", "--groups-per-set", "Groups that appear together",
+        .add("spheres.groups_per_set", "--groups-per-set", "Groups in a set: they appear together",
              FROSTFILL_FIELD(spheres.groupsPerSet))
         .range(1, kLargestGroup);
-    table.add("seed", "--seed", "Seed of all randomness", FROSTFILL_FIELD(seed))
+    table.add("spheres.release", "", "Where spheres appear", FROSTFILL_FIELD(spheres.release));
+    table.add("seed", "--seed", "Seed of the random numbers", FROSTFILL_FIELD(seed))
         .range(0, kLargestWhole);
 }
 
@@ -62,28 +66,31 @@ void addMotion(TableBuilder& table)
 {
     table.heading("Motion");
     table
-        .add("motion.gravity", "--gravity", "Pull along the down axis [m/s^2]",
+        .add("motion.gravity", "--gravity", "Gravity, along the down axis [m/s^2]",
              FROSTFILL_FIELD(motion.gravity))
         .above(0);
     table.add("motion.mode", "--motion",
-              "fall: every moment; skip: from the first contact on; descend: no dynamics (fast)",
+              "fall: the whole fall; skip: from the first contact on; descend: drop-and-roll, no "
+              "dynamics",
               FROSTFILL_FIELD(motion.mode));
     table
-        .add("motion.integrator", "--integrator", "Euler's method",
+        .add("motion.integrator", "--integrator", "Variant of Euler's method",
              FROSTFILL_FIELD(motion.integrator))
         .of(Preset::paper);
     table
-        .add("motion.dt", "--dt", "Time step [s]; fast divides a longer one than 0.33 sqrt(r/g)",
+        .add("motion.dt", "--dt",
+             "Time step [s]; the preset fast divides steps above 0.33 sqrt(r/g)",
              FROSTFILL_FIELD(motion.dt))
         .orNothing("auto")
         .above(0);
     table
         .add("motion.restitution", "--restitution",
-             "Share of the normal speed that a contact gives back",
+             "Normal speed after a contact over the speed before",
              FROSTFILL_FIELD(motion.restitution))
         .range(0, 1);
     table
-        .add("motion.sweeps", "--sweeps", "Sweeps a step over running spheres that meet, at most",
+        .add("motion.sweeps", "--sweeps",
+             "Largest number of sweeps of the contact solver in a step",
              FROSTFILL_FIELD(motion.sweeps))
         .range(1, kMostSweeps)
         .of(Preset::fast);
@@ -91,31 +98,32 @@ void addMotion(TableBuilder& table)
 
 void addMove(TableBuilder& table)
 {
-    table.heading("The object moves, once it is filled (fall or skip)");
+    table.heading("Moving the filled object (fall or skip)");
     table
-        .add("move.tilt", "--tilt", "Lean to the side by so much [degree]",
+        .add("move.tilt", "--tilt", "Lean to the side by this angle [degree]",
              FROSTFILL_FIELD(move.tilt))
         .range(-3600, 3600)
         .of(Preset::fast);
     table
-        .add("move.turn", "--turn", "Turn about the up axis by so much [degree]",
+        .add("move.turn", "--turn", "Turn about the up axis by this angle [degree]",
              FROSTFILL_FIELD(move.turn))
         .range(-36000, 36000)
         .of(Preset::fast);
     table
-        .add("move.shake", "--shake", "Shake to the sides with this amplitude [mesh unit]",
+        .add("move.shake", "--shake", "Shake sideways with this amplitude [mesh unit]",
              FROSTFILL_FIELD(move.shake))
         .range(0, kLargestNumber)
         .of(Preset::fast);
     table
         .add("move.frequency", "--shake-frequency",
-             "How often a second; auto: as reaches half of gravity",
+             "Frequency of shaking [1/s]; auto: the peak acceleration is half of gravity",
              FROSTFILL_FIELD(move.frequency))
         .orNothing("auto")
         .above(0)
         .of(Preset::fast);
     table
-        .add("move.duration", "--move-for", "How long [s]; auto: eight falls through the height",
+        .add("move.duration", "--move-for",
+             "Duration of the movement [s]; auto: eight falls through the object's height",
              FROSTFILL_FIELD(move.duration))
         .orNothing("auto")
         .above(0)
@@ -127,63 +135,73 @@ void addFreezing(TableBuilder& table)
     table.heading("Freezing");
     table
         .add("freezing.every_sets", "--freeze-every",
-             "Freeze when so many sets are at rest; 0: never", FROSTFILL_FIELD(freezing.everySets))
+             "Freeze after this many sets have come to rest; 0: never",
+             FROSTFILL_FIELD(freezing.everySets))
         .range(0, kLargestGroup)
         .of(Preset::paper);
     table
         .add("freezing.by_set", "--freeze-by-set",
-             "Sets freeze whole, once all of one is calm (fall or skip)",
+             "Freeze each set as a whole, once it is at rest (fall or skip)",
              FROSTFILL_FIELD(freezing.bySet))
         .of(Preset::fast);
     table
+        .add("freezing.rule", "", "When spheres freeze; auto: freezing.by_set decides",
+             FROSTFILL_FIELD(freezing.rule))
+        .orNothing("auto")
+        .of(Preset::fast);
+    table
         .add("freezing.rest_speed", "--rest-speed",
-             "Mean speed below which a sphere rests [sqrt(g r)]",
+             "A sphere rests below this mean speed [sqrt(g r)]",
              FROSTFILL_FIELD(freezing.restSpeed))
         .above(0)
         .of(Preset::paper);
     table
         .add("freezing.rest_window", "--rest-window",
-             "Time over which that mean is taken [sqrt(r/g)]", FROSTFILL_FIELD(freezing.restWindow))
+             "Time over which the mean speed is taken [sqrt(r/g)]",
+             FROSTFILL_FIELD(freezing.restWindow))
         .above(0)
         .of(Preset::paper);
     table
         .add("freezing.set_time_limit", "--set-time-limit",
-             "A set counts as at rest after this [sqrt(r/g)] and two falls",
+             "A set counts as at rest after this time [sqrt(r/g)] plus two falls",
              FROSTFILL_FIELD(freezing.setTimeLimit))
         .above(0);
 }
 
 void addDiscards(TableBuilder& table)
 {
+    table.heading("Threads");
     table
-        .add("threads", "--threads", "Threads of the preset fast; 0: one a core",
+        .add("threads", "--threads", "Threads of the preset fast; 0: one for each core",
              FROSTFILL_FIELD(threads))
         .range(0, kMostThreads);
     table.heading("Discarding and searches");
-    table.add("discard.rule", "--discard", "Which frozen spheres and covered polygons are left out",
+    table.add("discard.rule", "--discard",
+              "Rule for what is no longer tested; exact changes no bit, paper is heuristic",
               FROSTFILL_FIELD(discard.rule));
     table
         .add("discard.epsilon", "--discard-epsilon",
-             "A group goes when so far below the last one [r]", FROSTFILL_FIELD(discard.epsilon))
+             "Discard a group this far below the last frozen one [r]",
+             FROSTFILL_FIELD(discard.epsilon))
         .range(0, kLargestNumber)
         .of(Preset::paper);
     table
         .add("discard.closeness", "--discard-closeness",
-             "From a vertex along its normal to a covering sphere [r]",
+             "Largest distance of a covering sphere, along the vertex normal [r]",
              FROSTFILL_FIELD(discard.closeness))
         .range(0, kLargestNumber)
         .of(Preset::paper);
     table
-        .add("search.spheres", "--sphere-search", "How colliding spheres are found",
+        .add("search.spheres", "--sphere-search", "Broad phase for pairs of spheres",
              FROSTFILL_FIELD(search.spheres))
         .of(Preset::paper);
     table
-        .add("search.polygons", "--polygon-search", "How polygons near a sphere are found",
+        .add("search.polygons", "--polygon-search", "Broad phase for pairs of sphere and polygon",
              FROSTFILL_FIELD(search.polygons))
         .of(Preset::paper);
     table
         .add("search.neighbour_lists", "--neighbour-lists",
-             "Keep what is near a sphere until it has moved; without: slower, no more exact",
+             "Keep a list of the neighbours of each running sphere; off: slower, equally exact",
              FROSTFILL_FIELD(search.neighbourLists))
         .of(Preset::fast);
 }

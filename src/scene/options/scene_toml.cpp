@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "scene/options/nearest_name.hpp"
-#include "scene/options/option.hpp"
 
 #include <frostfill/error.hpp>
+#include <frostfill/options.hpp>
 
 #include <fmt/format.h>
 #include <toml++/toml.h>
@@ -20,7 +20,7 @@ struct FileValue
 {
     OptionValue value;
     std::uint32_t line = 0;
-    bool readable = true; ///< of a type that some option has
+    bool readable = true; ///< of a type that an option can have
 };
 using FileValues = std::map<std::string, FileValue>;
 
@@ -113,7 +113,8 @@ void apply(const std::string& key, const FileValues& values, Scene& scene, std::
     if (!found->second.readable || !setOption(option, scene, found->second.value))
     {
         refuse(file, found->second.line,
-               fmt::format("'{}' must be {}", key, describeAllowed(option)));
+               fmt::format("'{}' must be {}{}", key, describeAllowed(option),
+                           nearestAllowed(option, found->second.value)));
     }
 }
 
@@ -129,11 +130,7 @@ Scene sceneFromValues(const FileValues& values, std::string_view file)
     {
         apply(option.key, values, scene, file);
     }
-    // A radius alone asks to be filled until no sphere fits, whatever the preset's count.
-    if (values.contains("spheres.radius") && !values.contains("spheres.count"))
-    {
-        scene.spheres.count.reset();
-    }
+    fillUntilFullForARadiusAlone(values, scene);
     return scene;
 }
 
@@ -146,7 +143,7 @@ std::string tomlText(const std::string& text)
     return out.str();
 }
 
-/// The fewest digits that give the same number back, with something that tells it from an integer.
+/// The fewest digits that give the same number, with a mark that distinguishes it from an integer.
 std::string tomlNumber(double number)
 {
     std::string digits = fmt::format("{}", number);
@@ -195,9 +192,9 @@ Scene loadScene(const std::filesystem::path& file)
     std::ifstream in(file, std::ios::binary);
     if (!std::filesystem::is_regular_file(file) || !in)
     {
-        throw Error(
-            ErrorCode::inputMissing,
-            fmt::format("cannot read the scene {}: no such file, or not readable", file.string()));
+        throw Error(ErrorCode::inputMissing,
+                    fmt::format("cannot read the scene {}: it does not exist or is not readable",
+                                file.string()));
     }
     const std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
     Scene scene = parseScene(text, file.string());
@@ -215,7 +212,7 @@ Scene loadScene(const std::filesystem::path& file)
 
 std::string sceneToToml(const Scene& scene)
 {
-    // Keys without a table have to come first: after a heading they would belong to it.
+    // Keys without a table come first; after a heading they would belong to that table.
     std::map<std::string, std::string> tables;
     std::vector<std::string> order;
     for (const Option& option : sceneOptions())

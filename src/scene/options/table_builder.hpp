@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Room: the table of options, the only place that names the settings of a scene. Command line,
+// help, scene files, summary.json and docs/options.md come from it.
 #pragma once
 
 #include "scene/options/option_fields.hpp"
@@ -6,10 +8,10 @@
 namespace frostfill
 {
 
-/// Whole numbers beyond this are not exact in every reader of JSON, so a run could not be repeated.
+/// Some JSON readers round larger whole numbers, so a run could not be repeated.
 inline constexpr double kLargestWhole = 9007199254740992;
 
-/// Collects options; what is said last concerns the option that was added last.
+/// Collects options. A call such as range() applies to the option that was added last.
 class TableBuilder
 {
 public:
@@ -40,7 +42,7 @@ public:
         table_.back().range = {low, high, true};
         return *this;
     }
-    /// Only this preset uses it.
+    /// Only this preset uses the option.
     TableBuilder& of(Preset preset)
     {
         table_.back().preset = preset;
@@ -60,7 +62,7 @@ private:
     std::vector<Option> table_;
 };
 
-/// The table's two parts: what is simulated, and what is drawn.
+/// The two parts of the table: the simulation, and the pictures.
 void addRunOptions(TableBuilder& table);
 void addPictureOptions(TableBuilder& table);
 

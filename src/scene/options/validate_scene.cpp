@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "scene/options/option.hpp"
-
 #include <frostfill/error.hpp>
+#include <frostfill/options.hpp>
 
 #include <fmt/format.h>
 
@@ -10,7 +9,7 @@ namespace frostfill
 
 void validateScene(const Scene& scene)
 {
-    // A value that the table would not let in again is out of its range.
+    // A value that the table refuses is out of range.
     Scene copy = scene;
     for (const Option& option : sceneOptions())
     {
@@ -25,23 +24,24 @@ void validateScene(const Scene& scene)
     }
     if (scene.preset == Preset::paper && scene.motion.mode != Motion::fall)
     {
-        throw Error(ErrorCode::usage, "the spheres of the preset paper always fall: leave "
-                                      "motion.mode (--motion) out, or use the preset fast");
+        throw Error(ErrorCode::usage, "the preset paper always simulates the whole fall: omit "
+                                      "motion.mode (--motion), or use the preset fast");
     }
     if (scene.move.any() && (scene.preset == Preset::paper || scene.motion.mode == Motion::descend))
     {
-        throw Error(ErrorCode::usage, "an object that moves (--tilt, --turn, --shake) needs the "
+        throw Error(ErrorCode::usage, "moving the object (--tilt, --turn, --shake) requires the "
                                       "preset fast with --motion fall or skip");
     }
     const DiscardRule foreign =
         scene.preset == Preset::fast ? DiscardRule::paper : DiscardRule::exact;
     if (scene.discard.rule == foreign)
     {
-        throw Error(ErrorCode::usage,
-                    scene.preset == Preset::fast
-                        ? "the paper's discards are not exact: discard.rule (--discard) paper goes "
-                          "with the preset paper only"
-                        : "discard.rule (--discard) exact goes with the preset fast only");
+        throw Error(
+            ErrorCode::usage,
+            scene.preset == Preset::fast
+                ? "the paper's discards are not exact: discard.rule (--discard) paper requires "
+                  "the preset paper"
+                : "discard.rule (--discard) exact requires the preset fast");
     }
     if (scene.preset == Preset::paper && scene.spheres.groupSize == 0)
     {
@@ -50,8 +50,8 @@ void validateScene(const Scene& scene)
     }
     if (!scene.spheres.radius && !scene.spheres.count)
     {
-        throw Error(ErrorCode::usage, "neither a radius nor a count of spheres is given; give "
-                                      "--radius, --count or both");
+        throw Error(ErrorCode::usage, "no radius and no number of spheres; give --radius, "
+                                      "--count or both");
     }
 }
 

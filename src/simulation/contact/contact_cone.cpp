@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/contact/contact_cone.hpp"
 
+#include "simulation/contact/tolerances.hpp"
+
 #include <Eigen/Geometry>
 
 namespace frostfill
 {
 namespace
 {
-
-/// A direction may lead into a contact by this share of its length, which is rounding.
-constexpr double kLeadsInto = 1e-10;
-/// Two contacts whose normals' cross product is shorter than this act as one.
-constexpr double kParallel = 1e-9;
 
 bool leadsIntoNone(std::span<const Eigen::Vector3d> normals, const Eigen::Vector3d& direction,
                    double tolerance)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/contact/depenetration.hpp"
 
+#include "simulation/contact/contact.hpp"
+
 #include <cmath>
 #include <vector>
 
@@ -13,6 +15,12 @@ struct Push
 {
     double depth = -kClearance / 2; ///< of the deepest overlap so far
     Eigen::Vector3d out = Eigen::Vector3d::Zero();
+
+    void take(const Contact& contact)
+    {
+        depth = contact.depth;
+        out = wayOut(contact) * (depth + kClearance);
+    }
 };
 
 // Returns false where p is outside the object.
@@ -28,10 +36,10 @@ bool pushOffWalls(const World& world, const Eigen::Vector3d& p, double radius, P
     {
         return false;
     }
-    if (radius - wall.value > push.depth)
+    const Contact contact = wallContact(wall, p, radius);
+    if (contact.depth > push.depth)
     {
-        push.depth = radius - wall.value;
-        push.out = (p - wall.closest) / wall.value * (push.depth + kClearance);
+        push.take(contact);
     }
     return true;
 }
@@ -54,8 +62,7 @@ public:
     void add(const Eigen::Vector3d& centre, double its, const Eigen::Vector3d& p, double radius,
              double farthest)
     {
-        const double limit = radius + its + farthest;
-        if ((centre - p).squaredNorm() < limit * limit)
+        if (isWithin(centre, p, radius + its + farthest))
         {
             spheres_.push_back({centre, radius + its});
         }
@@ -65,17 +72,9 @@ public:
     {
         for (const auto& [centre, reach] : spheres_)
         {
-            const Eigen::Vector3d d = p - centre;
-            const double limit = reach - push.depth;
-            const double squared = d.squaredNorm();
-            if (squared < limit * limit)
+            if (const auto contact = sphereContact(p - centre, reach, -push.depth))
             {
-                const double distance = std::sqrt(squared);
-                push.depth = reach - distance;
-                // From the very centre every way out is as good.
-                const Eigen::Vector3d way =
-                    distance > 0 ? Eigen::Vector3d(d / distance) : Eigen::Vector3d::UnitY();
-                push.out = way * (push.depth + kClearance);
+                push.take(*contact); // deeper than all before
             }
         }
     }

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "simulation/contact/tolerances.hpp"
 #include "simulation/world/world.hpp"
 
 namespace frostfill
 {
-
-/// By how much a place found is clear of everything, so that rounding cannot overlap. [r]
-inline constexpr double kClearance = 1e-9;
 
 /// Moves p out of all overlaps that a sphere of `radius` there would have with the walls and with
 /// spheres at rest, pushing it out of the deepest one again and again. Returns whether a clear

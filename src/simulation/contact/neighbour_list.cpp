@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/contact/neighbour_list.hpp"
 
+#include "simulation/contact/contact.hpp"
+
 namespace frostfill
 {
 
@@ -22,9 +24,8 @@ void NeighbourList::ensure(const World& world, const Eigen::Vector3d& p, double 
                               {
                                   const GridSphere& other = world.resting[id];
                                   const double contact = radius + other.radius;
-                                  const double limit = contact + kSkin;
                                   if (!other.discarded &&
-                                      (other.position() - p).squaredNorm() < limit * limit)
+                                      isWithin(other.position(), p, contact + kSkin))
                                   {
                                       x.push_back(other.x);
                                       y.push_back(other.y);
@@ -46,8 +47,7 @@ void NeighbourList::ensure(const World& world, const Eigen::Vector3d& p, double 
 bool NeighbourList::add(const Eigen::Vector3d& p, double radius)
 {
     const double contact = radius_ + radius;
-    const double limit = contact + kSkin;
-    if (radius_ < 0 || (p - centre_).squaredNorm() >= limit * limit)
+    if (radius_ < 0 || !isWithin(p, centre_, contact + kSkin))
     {
         return false;
     }

@@ -10,7 +10,7 @@
 namespace frostfill
 {
 
-/// What a moving sphere may meet: a private copy of the spheres at rest around it, and the
+/// What a moving sphere may touch: a private copy of the spheres at rest around it, and the
 /// triangles near it. Spheres at rest never move, so the copy serves until this one sphere has
 /// moved by the skin [Verlet 1967], and no grid is touched meanwhile.
 class NeighbourList
@@ -36,9 +36,11 @@ public:
     [[nodiscard]] std::size_t spheres() const { return x.size(); }
     [[nodiscard]] std::span<const std::uint32_t> triangles() const { return triangles_; }
 
-    std::vector<double> x, y, z;         ///< [#N] centres of the spheres at rest
-    std::vector<double> reach;           ///< [#N] sum of the two radii
-    static constexpr double kSkin = 0.5; ///< [r]
+    std::vector<double> x, y, z; ///< [#N] centres of the spheres at rest
+    std::vector<double> reach;   ///< [#N] sum of the two radii
+    /// How far the sphere may move before a new list is needed. [r] Larger: longer lists. Smaller:
+    /// more of them. At most what kTriangleReach is beyond a radius.
+    static constexpr double kSkin = 0.5;
 
 private:
     Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();

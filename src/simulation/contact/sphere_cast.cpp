@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/contact/sphere_cast.hpp"
 
+#include "simulation/contact/contact.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,15 +10,6 @@ namespace frostfill
 {
 namespace
 {
-
-/// A wall counts as reached when the gap is below this. [r]
-constexpr double kReached = 1e-10;
-/// A triangle whose back is turned this far belongs to another sheet of a thin wall. [r]
-constexpr double kOtherSheet = -0.5;
-/// One minus the cosine up to which a plane's normal and the direction to its edge agree.
-constexpr double kBelow = 1e-13;
-/// Newton's method converges quadratically; more steps than this mean a grazing approach.
-constexpr int kNewtonSteps = 40;
 
 // Exact: the first root of |p + t direction - centre| = reach.
 double castAtSpheres(const NeighbourList& around, const Eigen::Vector3d& p,
@@ -43,7 +36,8 @@ double castAtSpheres(const NeighbourList& around, const Eigen::Vector3d& p,
 } // namespace
 
 // The distance to a triangle is a convex function of the way gone, so it never falls below its
-// tangent: Newton's steps approach the contact from in front and never pass it.
+// tangent: Newton's steps approach the contact from in front and never pass it. No use for the
+// kernel's contact here: a cast asks from both sides of a wall, and only along its direction.
 double castAtTriangle(const SurfaceTriangle& triangle, const Eigen::Vector3d& p, double radius,
                       const Eigen::Vector3d& direction, double limit)
 {
@@ -95,36 +89,16 @@ void contactNormals(const Surface& surface, const NeighbourList& around, const E
     for (std::size_t k = 0; k < around.spheres(); ++k)
     {
         const Eigen::Vector3d d(p.x() - around.x[k], p.y() - around.y[k], p.z() - around.z[k]);
-        const double touching = around.reach[k] + gap;
-        const double squared = d.squaredNorm();
-        if (squared < touching * touching)
+        if (const auto contact = sphereContact(d, around.reach[k], gap))
         {
-            normals.push_back(d / std::sqrt(squared));
+            normals.push_back(contact->normal);
         }
     }
-    for (const std::uint32_t id : around.triangles())
+    for (const std::uint32_t triangle : around.triangles())
     {
-        if (!surface.bound(id).mayBeWithin(radius + gap, p))
+        if (const auto contact = frontContact(surface, triangle, p, radius, gap))
         {
-            continue;
-        }
-        const SignedDistance wall = signedDistance(surface[id], p);
-        if (wall.value <= 0 || wall.value > radius + gap)
-        {
-            continue;
-        }
-        // On a plane only the triangle below counts, or those that meet exactly below; all of them
-        // give the same normal.
-        const Eigen::Vector3d normal = (p - wall.closest) / wall.value;
-        if (surface[id].flat[static_cast<int>(wall.feature)] &&
-            normal.dot(surface[id].normal) < 1 - kBelow)
-        {
-            continue;
-        }
-        const auto same = [&](const Eigen::Vector3d& n) { return n.dot(normal) > 1 - 1e-14; };
-        if (std::none_of(normals.begin(), normals.end(), same))
-        {
-            normals.push_back(normal);
+            addNormal(normals, contact->normal);
         }
     }
 }

@@ -3,14 +3,12 @@
 
 #include "mesh/interior/surface.hpp"
 #include "simulation/contact/neighbour_list.hpp"
+#include "simulation/contact/tolerances.hpp"
 
 #include <vector>
 
 namespace frostfill
 {
-
-/// A direction that leads into a contact by less than this slides along it.
-inline constexpr double kSlides = 1e-7;
 
 /// How far a sphere of `radius` at p can move along the unit vector `direction`, at most `limit`,
 /// until it first touches something of the neighbourhood. Contacts that it touches already and that

@@ -1,35 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/discard/exact_discard.hpp"
 
+#include "simulation/discard/tolerances.hpp"
+
 #include <algorithm>
-#include <array>
 
 namespace frostfill
 {
-namespace
-{
-
-/// Of the map, and of those that replace it when a guard has tripped. After the last, nothing is
-/// dropped any more. The engine never moves a sphere but along swept paths, and its overlaps with
-/// what is at rest are rounding: the first are a thousand times what it needs.
-constexpr std::array<ReachMap::Margins, 2> kMargins = {
-    ReachMap::Margins{1e-3, 0, 0.02}, // overlap and step in smallest radii
-    ReachMap::Margins{0.05, 0.5, 0.3},
-};
-
-/// Edge of the map's cubes in smallest radii. A surface leaks from 0.7 on; smaller cubes cost more
-/// and, as parts of cubes are looked at where they decide, hardly drop more.
-constexpr double kVoxel = 0.69;
-
-// An update looks at all that is kept, so its price for a sphere that comes to rest is bounded when
-// it waits for a share of that.
-constexpr std::size_t kSmallestBatch = 20;
-constexpr double kBatch = 2;              // spheres that come to rest for each that is kept
-constexpr double kPolygonBatch = 2;       // for each polygon that is kept, and
-constexpr std::size_t kPolygonRounds = 2; // polygons are looked at about so often in a run
-
-} // namespace
-
 ExactDiscard::ExactDiscard(World& world) : world_(world)
 {
     build();
@@ -38,13 +15,13 @@ ExactDiscard::ExactDiscard(World& world) : world_(world)
 void ExactDiscard::build()
 {
     const ReachMap::Radii radii = {world_.radii.smallest(), world_.radii.largest()};
-    for (; violations_ < kMargins.size(); ++violations_)
+    for (; violations_ < kReachMargins.size(); ++violations_)
     {
-        ReachMap::Margins margins = kMargins[violations_];
+        ReachMap::Margins margins = kReachMargins[violations_];
         margins.overlap *= radii.smallest;
         margins.step *= radii.smallest;
         map_ = std::make_unique<ReachMap>(world_.surface, world_.inside, radii, margins,
-                                          ReachMap::Resolution{kVoxel});
+                                          ReachMap::Resolution{kReachVoxel});
         holding_.assign(map_->layout().words, 0);
         // The margin is widest for the smallest contact.
         const double overlap = radii.smallest - map_->exclusion(radii.smallest);

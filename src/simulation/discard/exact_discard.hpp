@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
+// Room: rules that decide which spheres and polygons are no longer tested. The exact rule
+// changes no bit of the result; the paper's rules are heuristics.
 #pragma once
 
-#include "simulation/contact/runner.hpp"
+#include "simulation/discard/discard_rule.hpp"
 #include "simulation/reach/clear_search.hpp"
 #include "simulation/reach/reach_map.hpp"
-#include "simulation/world/world.hpp"
 
 #include <memory>
 #include <span>
@@ -21,27 +22,21 @@ namespace frostfill
 /// one still fits, whether or not the run would have released it. When the object is full, so that
 /// none fits anywhere, it is what the last sphere could not touch any more just before it came to
 /// rest.
-class ExactDiscard
+class ExactDiscard final : public DiscardPart
 {
 public:
     explicit ExactDiscard(World& world);
 
-    /// To be called for each sphere that has come to rest.
-    void addResting(std::uint32_t id);
-    /// To be called when a sphere has got another id.
-    void renumber(std::uint32_t from, std::uint32_t to);
+    void addResting(std::uint32_t id) override;
+    void renumber(std::uint32_t from, std::uint32_t to) override;
 
-    /// To be called after each step. Checks that every runner is within the reached set; when one
+    /// Checks that every runner is within the reached set; when one
     /// is not, everything discarded comes back and the runners forget what they know of it. Drops
     /// what is out of reach, once enough spheres have come to rest since the last time; that is
     /// decided from counts, never from the clock.
-    void afterStep(std::span<Runner> runners);
+    void afterStep(std::span<Runner> runners) override;
 
-    /// To be called when nothing runs any more. `full`: no further sphere fits.
-    void finish(bool full);
-
-    /// How often a guard has tripped.
-    [[nodiscard]] std::size_t violations() const { return violations_; }
+    void finish(bool full) override;
 
 private:
     struct Kept
@@ -62,7 +57,7 @@ private:
     World& world_;
     std::unique_ptr<ReachMap> map_;
     std::unique_ptr<ClearSearch> clear_;
-    std::size_t violations_ = 0;
+    std::size_t violations_ = 0;         ///< guards that have tripped, each for wider margins
     std::vector<std::uint32_t> pending_; ///< at rest, but not yet in the map
     std::size_t restedSincePolygons_ = 0;
     std::vector<Kept> kept_; ///< spheres at rest in the map that are not dropped

@@ -99,4 +99,11 @@ std::size_t discardCoveredPolygons(World& world, double closeness)
     return count;
 }
 
+void PaperDiscards::afterFreezing()
+{
+    const DiscardSettings& settings = world_.scene.discard;
+    firstFrozen_ = discardByHeight(world_, firstFrozen_, world_.restingCount, settings.epsilon);
+    discardCoveredPolygons(world_, settings.closeness);
+}
+
 } // namespace frostfill

@@ -3,37 +3,22 @@
 
 #include "base/stage_timer.hpp"
 #include "simulation/contact/depenetration.hpp"
+#include "simulation/engine/tolerances.hpp"
 
 #include <algorithm>
 
 namespace frostfill
 {
-namespace
-{
-
-/// A run is recorded as at most so many sets.
-constexpr std::size_t kMostSets = 200;
-/// Nothing moves in time here; a set counts as this, so that frames show the object fill up.
-constexpr double kTimeOfSet = 1; // [sqrt(r/g)]
-/// A sphere that is released in a wall is moved by less. [r]
-constexpr double kFarRelease = 4;
-
-} // namespace
 
 DropAndRollEngine::DropAndRollEngine(World& world)
-    : world_(world), threads_(world.scene.threads), falls_(world.resting.frame(), world.triangles),
-      release_(world, world.height, threads_), dropAndRoll_(world, falls_)
+    : world_(world), threads_(world.scene.threads), followers_(world, world.height, threads_),
+      dropAndRoll_(world, followers_.falls)
 {
     const SphereSettings& spheres = world.scene.spheres;
-    if (world.scene.discard.rule == DiscardRule::exact)
-    {
-        const StageTimer timer(world.times, Stage::discarding);
-        discard_ = std::make_unique<ExactDiscard>(world);
-    }
     world.dt = kTimeOfSet;
     setSize_ = std::max<std::size_t>(groupSize(world) * spheres.groupsPerSet,
                                      expectedCount(world) / kMostSets);
-    if (!release_.any())
+    if (!followers_.release->any())
     {
         refuseTooLarge(world);
     }
@@ -63,10 +48,11 @@ bool DropAndRollEngine::step()
     }
     ++world_.steps;
     world_.finished = world_.full || world_.spheres.size() == world_.targetCount;
-    if (discard_)
+    if (DiscardPart* discard = followers_.discard.get())
     {
         const StageTimer timer(world_.times, Stage::discarding);
-        world_.finished ? discard_->finish(world_.full) : discard_->afterStep({});
+        discard->afterFreezing();
+        world_.finished ? discard->finish(world_.full) : discard->afterStep({});
     }
     world_.time += world_.dt;
     clock_.close(world_);
@@ -76,14 +62,14 @@ bool DropAndRollEngine::step()
 // Returns false when no place is left.
 bool DropAndRollEngine::placeOne()
 {
-    const auto anywhere = [](const Eigen::Vector3d&, double) { return true; };
-    while (auto found = release_.find(anywhere))
+    const ReleaseQuery anywhere = {.suits = [](const Eigen::Vector3d&, double) { return true; }};
+    while (const auto found = followers_.release->next(anywhere))
     {
         if (settle(found->place, found->radius))
         {
             return true;
         }
-        release_.giveUp();
+        followers_.release->giveUp();
     }
     return false;
 }
@@ -96,13 +82,9 @@ bool DropAndRollEngine::settle(Eigen::Vector3d place, double radius)
         return false;
     }
     const auto group = static_cast<std::uint32_t>(world_.spheres.size() / groupSize(world_));
-    world_.freeze(world_.spheres.add(place, radius, group)); // never runs
-    falls_.insert(place);
-    release_.close(place, radius);
-    if (discard_)
-    {
-        discard_->addResting(static_cast<std::uint32_t>(world_.spheres.size() - 1));
-    }
+    const std::uint32_t id = world_.spheres.add(place, radius, group); // never runs
+    world_.freeze(id);
+    followers_.add(id, place, radius);
     return true;
 }
 

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "simulation/discard/exact_discard.hpp"
+#include "simulation/freezing/rest_followers.hpp"
 #include "simulation/motion/drop_and_roll.hpp"
-#include "simulation/motion/fall_index.hpp"
-#include "simulation/release/releases.hpp"
 #include "simulation/world/set_recorder.hpp"
 #include "simulation/world/world.hpp"
 
@@ -27,10 +25,8 @@ private:
 
     World& world_;
     Threads threads_;
-    FallIndex falls_;
-    Releases release_;
+    RestFollowers followers_;
     DropAndRoll dropAndRoll_;
-    std::unique_ptr<ExactDiscard> discard_; ///< empty when nothing is to be discarded
     SetRecorder clock_;
     std::size_t setSize_ = 1;
 };

@@ -3,6 +3,7 @@
 
 #include "simulation/contact/contact_cone.hpp"
 #include "simulation/contact/sphere_cast.hpp"
+#include "simulation/motion/tolerances.hpp"
 #include "simulation/motion/vertical_drop.hpp"
 
 #include <algorithm>
@@ -10,18 +11,6 @@
 
 namespace frostfill
 {
-namespace
-{
-
-constexpr double kTouch = 1e-7;   // gap below which a contact carries [r]
-constexpr double kSettled = 0.01; // share of the weight that may remain uncarried
-// Here r is the radius of the sphere that slides.
-constexpr double kLongestSlide = 0.3;   // straight part of a path that follows a curve [r]
-constexpr double kShortestSlide = 1e-4; // a path that advances by less is stuck [r]
-constexpr double kShortestLook = 0.1;   // a neighbourhood that reaches less far is renewed
-constexpr double kRegain = 0.2;         // how far behind a straight part the contact may be [r]
-
-} // namespace
 
 bool DropAndRoll::settle(Eigen::Vector3d& p, double radius, NeighbourList& around,
                          double farthest) const
@@ -31,17 +20,17 @@ bool DropAndRoll::settle(Eigen::Vector3d& p, double radius, NeighbourList& aroun
     thread_local std::vector<Eigen::Vector3d> normals; // keeps its memory
     // A path loses height with every step, so it ends; the bound is for wedges that Newton's method
     // enters ever more slowly.
-    const auto bound = static_cast<std::uint64_t>(2000 + 200 * world_.height / radius);
+    const auto bound =
+        static_cast<std::uint64_t>(kStepsOfAPath + kStepsForARadius * world_.height / radius);
     for (std::uint64_t step = 0; step < bound; ++step)
     {
         around.ensure(world_, p, radius, kShortestLook);
         contactNormals(world_.surface, around, p, radius, kTouch, normals);
         const Eigen::Vector3d down = world_.pull.direction(p);
         const Eigen::Vector3d pull = projectToFree(down, normals);
-        const double weight = pull.norm();
-        if (weight < kSettled)
+        if (pull.norm() <= kSettled)
         {
-            return true;
+            return true; // carried: see isCarried, which has no use for the pull
         }
         if (normals.empty())
         {
@@ -84,7 +73,7 @@ bool DropAndRoll::slide(Eigen::Vector3d& p, double radius, NeighbourList& around
     const double weight = pull.norm();
     const Eigen::Vector3d along = pull / weight;
     // Near the bottom of a curve the pull fades with the distance to it.
-    const double length = std::min({longest, 1.5 * weight * radius, around.room(p)});
+    const double length = std::min({longest, kBeyondTheBottom * weight * radius, around.room(p)});
     const double path = sphereCast(world_.surface, around, p, radius, along, length);
     p += path * along;
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/motion/free_flight.hpp"
 
-#include "simulation/contact/contact_cone.hpp"
+#include "simulation/contact/contact.hpp"
 #include "simulation/contact/sphere_cast.hpp"
+#include "simulation/motion/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,9 +13,8 @@ namespace frostfill
 namespace
 {
 
-constexpr double kStandsStill = 1e-12; // displacement not worth following [r]
-constexpr int kMostParts = 12;         // contacts met in one step's path
-constexpr int kMostShifts = 3;         // straight parts of one displacement
+/// Displacement that a renewed neighbour list has room for at least. [r]
+constexpr double kLookAhead = kShareOfSkin * NeighbourList::kSkin;
 
 // Displacement within the time under gravity, as far as the contacts let it.
 Eigen::Vector3d freeWay(const Runner& runner, double time, const Eigen::Vector3d& gravity)
@@ -45,12 +45,11 @@ void FreeFlight::advance(Runner& runner, double dt) const
     const double strength = std::max(1.0, gravity.norm());
     double left = dt;
     const double longest = dt * (runner.velocity.norm() + strength * dt);
-    const int mostParts = kMostParts + static_cast<int>(longest / (NeighbourList::kSkin / 2));
-    for (int part = 0; part < mostParts && left > 1e-12 * dt; ++part)
+    const int mostParts = kMostParts + static_cast<int>(longest / kLookAhead);
+    for (int part = 0; part < mostParts && left > kNoTimeLeft * dt; ++part)
     {
         const double ahead = left * (runner.velocity.norm() + strength * left);
-        runner.around.ensure(world_, runner.position, runner.radius,
-                             std::min(ahead, NeighbourList::kSkin / 2));
+        runner.around.ensure(world_, runner.position, runner.radius, std::min(ahead, kLookAhead));
         contactNormals(world_.surface, runner.around, runner.position, runner.radius, kTouch,
                        runner.normals);
         collide(runner);
@@ -63,7 +62,7 @@ void FreeFlight::advance(Runner& runner, double dt) const
         const double room = runner.around.room(runner.position);
         while (way.norm() > room)
         {
-            time *= std::clamp(0.95 * room / way.norm(), 0.1, 0.95);
+            time *= std::clamp(kIntoTheList * room / way.norm(), kShortestTry, kIntoTheList);
             way = freeWay(runner, time, gravity);
         }
         const double length = way.norm();
@@ -85,7 +84,7 @@ void FreeFlight::advance(Runner& runner, double dt) const
         }
         left -= path < length ? share * time : time;
     }
-    findContacts(runner);
+    findContacts(runner, kTouch);
     collide(runner);
 }
 
@@ -100,12 +99,13 @@ void FreeFlight::findContacts(Runner& runner, double gap) const
 // into a contact is lost. Neither adds energy when restitution is at most 1.
 void FreeFlight::collide(Runner& runner) const
 {
+    const Restitution restitution{settings_.restitution, settings_.bounceSpeed};
     for (const Eigen::Vector3d& normal : runner.normals)
     {
         const double approach = normal.dot(runner.velocity);
-        if (approach < -settings_.bounceSpeed)
+        if (restitution.bounces(approach))
         {
-            runner.velocity -= (1 + settings_.restitution) * approach * normal;
+            runner.velocity += restitution.change(approach) * normal;
         }
     }
     runner.velocity = projectToFree(runner.velocity, runner.normals);
@@ -121,8 +121,7 @@ void FreeFlight::shift(Runner& runner, const Eigen::Vector3d& displacement) cons
         {
             return;
         }
-        runner.around.ensure(world_, runner.position, runner.radius,
-                             std::min(length, NeighbourList::kSkin / 2));
+        runner.around.ensure(world_, runner.position, runner.radius, std::min(length, kLookAhead));
         const double limit = std::min(length, runner.around.room(runner.position));
         const Eigen::Vector3d direction = left / length;
         const double path = sphereCast(world_.surface, runner.around, runner.position,

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Room: how one sphere moves past spheres at rest and walls: free flight and drop-and-roll.
+// Running spheres do not see each other here.
 #pragma once
 
 #include "simulation/contact/runner.hpp"
@@ -40,15 +42,13 @@ public:
     void advance(Runner& runner, double dt) const;
 
     /// Finds the normals of what is at rest and touches the runner: gaps of at most `gap` [r].
-    void findContacts(Runner& runner, double gap = kTouch) const;
+    void findContacts(Runner& runner, double gap) const;
 
     /// Moves by a displacement as far as what is at rest lets it, sliding along where it is
     /// stopped.
     void shift(Runner& runner, const Eigen::Vector3d& displacement) const;
 
 private:
-    static constexpr double kTouch = 1e-7; ///< gap below which a contact acts [r]
-
     void collide(Runner& runner) const;
 
     const World& world_;

@@ -2,6 +2,7 @@
 #include "simulation/motion/vertical_drop.hpp"
 
 #include "simulation/contact/sphere_cast.hpp"
+#include "simulation/motion/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,9 +12,6 @@ namespace frostfill
 {
 namespace
 {
-
-/// So far below a place is the cell that a fall from it enters. [r]
-constexpr double kJustBelow = 1e-7;
 
 /// Height at which the first of the spheres is touched that lie in a layer of cells, in p's column
 /// or one of the eight around it.

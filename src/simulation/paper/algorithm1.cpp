@@ -2,6 +2,7 @@
 #include "simulation/paper/algorithm1.hpp"
 
 #include "base/instruction_sets.hpp"
+#include "simulation/paper/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,23 +13,11 @@ namespace frostfill
 namespace
 {
 
-/// A centre that a step leaves nearer to the surface than this is put back to where it was. [r]
-constexpr double kSmallestDepth = 0.25;
-/// A push that is not worth that check. [r]
-constexpr double kShallow = 0.1;
-/// Frozen spheres that are tested at once.
-constexpr std::size_t kBlock = 8;
-/// How far from a centre a polygon may be to be looked at again by that check. [r]
-constexpr double kNearby = 2;
-/// How far from a sphere's surface others' centres may be to be looked at by way of a grid: the
-/// largest radius, and as much again for what the spheres before may have pushed.
-constexpr double kGridReach = 2;
-
-/// Direction from b to a and the penetration depth of two spheres whose centres are d apart.
-Eigen::Vector3d directionApart(const Eigen::Vector3d& d, double distance)
+/// Mass of a sphere as the paper's preset has always rounded it. Where radii differ, massOf rounds
+/// differently in the last bit, and every result of such a run would change with it.
+double massInPaper(double radius)
 {
-    // Two spheres in the same place leave each other along the vertical.
-    return distance > 0 ? Eigen::Vector3d(d / distance) : Eigen::Vector3d(0, 1, 0);
+    return std::pow(radius, 3);
 }
 
 using Four = double __attribute__((vector_size(32)));
@@ -76,10 +65,10 @@ std::size_t firstBlockInContact(const Spheres& s, std::size_t i, std::size_t beg
 
 } // namespace
 
-Algorithm1::Algorithm1(Spheres& spheres, const Surface& surface, const PolygonTests& polygons,
-                       const Settings& settings, const SphereGrid* frozen)
-    : spheres_(spheres), surface_(surface), polygons_(polygons), settings_(settings),
-      frozen_(frozen)
+Algorithm1::Algorithm1(Spheres& spheres, const Surface& surface, const PolygonSearchPart& polygons,
+                       const Restitution& restitution, SphereSearchPart* search)
+    : spheres_(spheres), surface_(surface), polygons_(polygons), restitution_(restitution),
+      search_(search)
 {
 }
 
@@ -96,25 +85,23 @@ void Algorithm1::runningRunning(std::size_t runningBegin, OperationCounts& count
             const double dx = s.x[i] - s.x[j];
             const double dy = s.y[i] - s.y[j];
             const double dz = s.z[i] - s.z[j];
-            const double contact = s.radius[i] + s.radius[j];
+            const double reach = s.radius[i] + s.radius[j];
+            // Summed up from the left, which Eigen does not do: the bits are those of this loop.
             const double squared = dx * dx + dy * dy + dz * dz;
-            if (squared >= contact * contact)
+            if (squared >= reach * reach)
             {
                 continue;
             }
-            const double distance = std::sqrt(squared);
-            const Eigen::Vector3d normal = directionApart({dx, dy, dz}, distance);
-            const double mi = std::pow(s.radius[i], 3);
-            const double mj = std::pow(s.radius[j], 3);
-            const double shareOfI = mj / (mi + mj);
-            const double depth = contact - distance;
-            s.setPosition(i, s.position(i) + normal * (depth * shareOfI));
-            s.setPosition(j, s.position(j) - normal * (depth * (1 - shareOfI)));
+            const Contact contact = contactOfSpheres({dx, dy, dz}, squared, reach);
+            const Eigen::Vector3d normal = wayOut(contact);
+            const double mj = massInPaper(s.radius[j]);
+            const double shareOfI = mj / (massInPaper(s.radius[i]) + mj);
+            s.setPosition(i, s.position(i) + normal * (contact.depth * shareOfI));
+            s.setPosition(j, s.position(j) - normal * (contact.depth * (1 - shareOfI)));
             const double approach = (s.velocity(i) - s.velocity(j)).dot(normal);
             if (approach < 0)
             {
-                const double e = -approach > settings_.bounceSpeed ? settings_.restitution : 0;
-                const double change = -(1 + e) * approach;
+                const double change = restitution_.change(approach);
                 s.setVelocity(i, s.velocity(i) + normal * (change * shareOfI));
                 s.setVelocity(j, s.velocity(j) - normal * (change * (1 - shareOfI)));
             }
@@ -130,11 +117,18 @@ void Algorithm1::runningRunning(std::size_t runningBegin, OperationCounts& count
 void Algorithm1::runningFrozen(std::size_t frozenBegin, std::size_t runningBegin,
                                OperationCounts& counts)
 {
+    const IdRange frozen = {frozenBegin, runningBegin};
     for (std::size_t i = runningBegin; i < spheres_.size(); ++i)
     {
-        const std::uint64_t responses = frozen_ ? respondToFrozenNear(i, frozenBegin)
-                                                : respondToAllFrozen(i, frozenBegin, runningBegin);
-        counts.runningFrozenTests += frozen_ ? nearby_.size() : runningBegin - frozenBegin;
+        std::uint64_t responses = 0;
+        for (const IdRange& near :
+             search_ ? search_->near(spheres_, i, frozen) : std::span<const IdRange>(&frozen, 1))
+        {
+            counts.runningFrozenTests += near.end - near.begin;
+            responses += near.end - near.begin < kBlock
+                             ? respondToFrozen(i, near.begin, near.end)
+                             : respondToAllFrozen(i, near.begin, near.end);
+        }
         counts.runningFrozenResponses += responses;
         touched_[i - runningBegin] = touched_[i - runningBegin] || responses > 0;
     }
@@ -152,42 +146,19 @@ std::uint64_t Algorithm1::respondToAllFrozen(std::size_t i, std::size_t begin, s
     return responses + respondToFrozen(i, j, end);
 }
 
-// In ascending order, as all pairs are visited.
-std::uint64_t Algorithm1::respondToFrozenNear(std::size_t i, std::size_t begin)
-{
-    nearby_.clear();
-    frozen_->forEachNear(spheres_.position(i), spheres_.radius[i] + kGridReach,
-                         [&](std::uint32_t id)
-                         {
-                             if (id >= begin)
-                             {
-                                 nearby_.push_back(id);
-                             }
-                         });
-    std::sort(nearby_.begin(), nearby_.end());
-    std::uint64_t responses = 0;
-    for (const std::uint32_t j : nearby_)
-    {
-        responses += respondToFrozen(i, j, j + 1);
-    }
-    return responses;
-}
-
 std::uint64_t Algorithm1::respondToFrozen(std::size_t i, std::size_t begin, std::size_t end)
 {
     std::uint64_t responses = 0;
     for (std::size_t j = begin; j < end; ++j)
     {
-        const Eigen::Vector3d d = spheres_.position(i) - spheres_.position(j);
-        const double contact = spheres_.radius[i] + spheres_.radius[j];
-        const double squared = d.squaredNorm();
-        if (squared >= contact * contact)
+        const auto contact = sphereContact(spheres_.position(i) - spheres_.position(j),
+                                           spheres_.radius[i] + spheres_.radius[j]);
+        if (!contact)
         {
             continue;
         }
-        const double distance = std::sqrt(squared);
-        const Eigen::Vector3d normal = directionApart(d, distance);
-        spheres_.setPosition(i, spheres_.position(i) + normal * (contact - distance));
+        const Eigen::Vector3d normal = wayOut(*contact);
+        spheres_.setPosition(i, spheres_.position(i) + normal * contact->depth);
         reflect(i, normal);
         ++responses;
     }
@@ -216,60 +187,48 @@ std::uint64_t Algorithm1::collideWithPolygons(std::size_t i, const Eigen::Vector
 {
     Eigen::Vector3d p = spheres_.position(i);
     const double radius = spheres_.radius[i];
-    std::uint64_t tests = 0;
     std::uint64_t responses = 0;
     nearby_.clear();
     deepest_ = 0;
-    polygons_.forEach(p,
-                      [&](std::uint32_t polygon)
-                      {
-                          ++tests;
-                          if (!surface_.bound(polygon).mayBeWithin(kNearby * radius, p))
-                          {
-                              return;
-                          }
-                          nearby_.push_back(polygon);
-                          Push push;
-                          if (surface_.bound(polygon).mayBeWithin(radius, p) &&
-                              wallPush(surface_[polygon], p, before, radius, push))
-                          {
-                              p += push.direction * push.depth;
-                              reflect(i, push.direction);
-                              deepest_ = std::max(deepest_, push.depth);
-                              ++responses;
-                          }
-                      });
+    auto respond = [&](std::uint32_t polygon)
+    {
+        if (const auto contact = oneSidedContact(surface_[polygon], p, before, radius))
+        {
+            p += contact->normal * contact->depth;
+            reflect(i, contact->normal);
+            deepest_ = std::max(deepest_, contact->depth);
+            ++responses;
+        }
+    };
+    PolygonVisitor visit(surface_, p, radius, nearby_, respond);
+    polygons_.search(p, visit);
     spheres_.setPosition(i, p);
-    counts.spherePolygonTests += tests;
+    counts.spherePolygonTests += visit.tests();
     return responses;
 }
 
 // One-sided contact. In front of the wall the sphere is pushed away from the closest point. Behind
 // it, it is pulled back through the closest point, provided that it was in front before this step:
 // otherwise it belongs to another sheet of a thin wall.
-bool Algorithm1::wallPush(const SurfaceTriangle& triangle, const Eigen::Vector3d& p,
-                          const Eigen::Vector3d& before, double radius, Push& push)
+std::optional<Contact> Algorithm1::oneSidedContact(const SurfaceTriangle& triangle,
+                                                   const Eigen::Vector3d& p,
+                                                   const Eigen::Vector3d& before, double radius)
 {
     const SignedDistance here = signedDistance(triangle, p);
     if (std::abs(here.value) >= radius)
     {
-        return false;
+        return std::nullopt;
     }
-    const Eigen::Vector3d& outward = triangle.pseudonormal[static_cast<int>(here.feature)];
-    if (here.value >= 0)
+    const Eigen::Vector3d& inward = triangle.pseudonormal[static_cast<int>(here.feature)];
+    if (here.value == 0)
     {
-        const Eigen::Vector3d away = p - here.closest;
-        push.direction = here.value > 0 ? Eigen::Vector3d(away / here.value) : outward.normalized();
-        push.depth = radius - here.value;
-        return true;
+        return Contact{inward.normalized(), radius};
     }
-    if ((before - here.closest).dot(outward) < 0)
+    if (here.value < 0 && (before - here.closest).dot(inward) < 0)
     {
-        return false;
+        return std::nullopt;
     }
-    push.direction = (p - here.closest) / here.value;
-    push.depth = radius - here.value;
-    return true;
+    return wallContact(here, p, radius);
 }
 
 void Algorithm1::reflect(std::size_t i, const Eigen::Vector3d& normal)
@@ -278,8 +237,7 @@ void Algorithm1::reflect(std::size_t i, const Eigen::Vector3d& normal)
     const double approach = velocity.dot(normal);
     if (approach < 0)
     {
-        const double e = -approach > settings_.bounceSpeed ? settings_.restitution : 0;
-        spheres_.setVelocity(i, velocity - normal * ((1 + e) * approach));
+        spheres_.setVelocity(i, velocity + normal * restitution_.change(approach));
     }
 }
 

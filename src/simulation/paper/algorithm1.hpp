@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
+// Room: the method of the paper: Algorithm 1, its searches and its schedule. The names are those
+// of the paper.
 #pragma once
 
-#include "mesh/interior/surface.hpp"
+#include "simulation/contact/contact.hpp"
 #include "simulation/paper/polygon_search.hpp"
-#include "simulation/world/sphere_grid.hpp"
+#include "simulation/paper/sphere_search.hpp"
 #include "simulation/world/spheres.hpp"
 
 #include <frostfill/measure.hpp>
@@ -19,17 +21,10 @@ namespace frostfill
 class Algorithm1
 {
 public:
-    struct Settings
-    {
-        double restitution = 0.2;
-        double bounceSpeed =
-            0; ///< approaches slower than this do not bounce, or nothing ever rests
-    };
-
-    /// With `frozen`, a grid of all spheres at rest, cycle 2 looks only at those in the cells near
-    /// a running sphere; without it at all of them, as the paper does. Both give the same bits.
-    Algorithm1(Spheres& spheres, const Surface& surface, const PolygonTests& polygons,
-               const Settings& settings, const SphereGrid* frozen = nullptr);
+    /// With `search`, cycle 2 looks only at the spheres at rest that it finds; without it at all of
+    /// them, as the paper does. Everything but the restitution outlives this.
+    Algorithm1(Spheres& spheres, const Surface& surface, const PolygonSearchPart& polygons,
+               const Restitution& restitution, SphereSearchPart* search = nullptr);
 
     /// Cycle 1, running with running: both respond.
     void runningRunning(std::size_t runningBegin, OperationCounts& counts);
@@ -45,28 +40,26 @@ public:
     void clearTouched(std::size_t running) { touched_.assign(running, false); }
 
 private:
-    struct Push
-    {
-        Eigen::Vector3d direction; ///< unit vector, into the object
-        double depth = 0;          ///< penetration depth [r]
-    };
     std::uint64_t respondToFrozen(std::size_t i, std::size_t begin, std::size_t end);
     std::uint64_t respondToAllFrozen(std::size_t i, std::size_t begin, std::size_t end);
-    std::uint64_t respondToFrozenNear(std::size_t i, std::size_t begin);
     void reflect(std::size_t i, const Eigen::Vector3d& normal);
-    [[nodiscard]] bool wallPush(const SurfaceTriangle& triangle, const Eigen::Vector3d& p,
-                                const Eigen::Vector3d& before, double radius, Push& push);
     std::uint64_t collideWithPolygons(std::size_t i, const Eigen::Vector3d& before,
                                       OperationCounts& counts);
+    /// No function of the source's own: it would be made part of the loop over all polygons, which
+    /// then takes half as long again.
+    [[nodiscard]] static std::optional<Contact> oneSidedContact(const SurfaceTriangle& triangle,
+                                                                const Eigen::Vector3d& p,
+                                                                const Eigen::Vector3d& before,
+                                                                double radius);
     void keepInside(std::size_t i, const Eigen::Vector3d& before);
 
     Spheres& spheres_;
     const Surface& surface_;
-    const PolygonTests& polygons_;
-    Settings settings_;
-    const SphereGrid* frozen_;
+    const PolygonSearchPart& polygons_;
+    Restitution restitution_;
+    SphereSearchPart* search_;
     std::vector<bool> touched_;
-    std::vector<std::uint32_t> nearby_; ///< polygons, or frozen spheres, near the sphere in hand
+    std::vector<std::uint32_t> nearby_; ///< polygons near the sphere in hand
     double deepest_ = 0;                ///< deepest push off a polygon of the sphere in hand
 };
 

@@ -3,7 +3,7 @@
 
 #include "base/stage_timer.hpp"
 #include "simulation/contact/depenetration.hpp"
-#include "simulation/discard/paper_discards.hpp"
+#include "simulation/paper/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,24 +12,6 @@ namespace frostfill
 {
 namespace
 {
-
-/// A centre's polygon may be this far beyond the edge of its quarter: its radius, and what it may
-/// be pushed while it is tested. [r]
-constexpr double kQuarterReach = 1.1;
-/// Contacts between spheres move a centre at most this far in a step, so that walls can win. [own
-/// radius]
-constexpr double kLongestPush = 0.5;
-/// No fall moves a sphere farther than this in a step by default. [smallest radius]
-constexpr double kLongestFall = 0.5;
-/// Largest default step, which matters for objects not much higher than a sphere. [sqrt(r/g) of the
-/// smallest]
-constexpr double kLongestStep = 0.1;
-/// Approaches slower than gravity makes in this many steps do not bounce.
-constexpr double kBounceSteps = 4;
-/// Spheres appear at most this far below the highest ceiling that has room. [r]
-constexpr double kTopBand = 4;
-/// A centre this far outside the box has leaked and will never rest. [r]
-constexpr double kLost = 4;
 
 double fallTime(double height)
 {
@@ -47,31 +29,35 @@ double chooseTimeStep(const World& world)
         return *world.scene.motion.dt / world.frame.time;
     }
     const double smallest = world.radii.smallest();
-    return std::min(kLongestStep * std::sqrt(smallest),
+    return std::min(kPaperLongestStep * std::sqrt(smallest),
                     kLongestFall * smallest / fallSpeed(world.height));
 }
 
-std::uint32_t windowSteps(const World& world)
+RestMonitor restMonitor(const World& world)
 {
-    const double steps = std::ceil(world.scene.freezing.restWindow / world.dt);
-    return static_cast<std::uint32_t>(std::clamp(steps, 1.0, 1e6));
+    const FreezingSettings& freezing = world.scene.freezing;
+    const double steps = std::ceil(freezing.restWindow / chooseTimeStep(world));
+    return {static_cast<std::uint32_t>(std::clamp(steps, 1.0, kLongestWindow)),
+            freezing.restSpeed * freezing.restWindow};
 }
 
 } // namespace
 
 PaperEngine::PaperEngine(World& world)
-    : world_(world), polygons_(world.scene.search.polygons, world.surface, world.polygons,
-                               kQuarterReach, &world.triangles),
-      algorithm1_(world.spheres, world.surface, polygons_,
+    : world_(world), integrator_(integrators()[world.scene.motion.integrator]()),
+      spheres_(sphereSearches()[world.scene.search.spheres](world.resting)),
+      polygons_(polygonSearches()[world.scene.search.polygons](
+          {world.surface, world.polygons, &world.triangles, kQuarterReach})),
+      algorithm1_(world.spheres, world.surface, *polygons_,
                   {world.scene.motion.restitution,
                    kBounceSteps * world.frame.gravity * chooseTimeStep(world)},
-                  world.scene.search.spheres == SphereSearch::grid ? &world.resting : nullptr),
-      release_(world, kTopBand, threads_),
-      rest_((world.dt = chooseTimeStep(world), windowSteps(world)),
-            world.scene.freezing.restSpeed * world.scene.freezing.restWindow),
+                  spheres_.get()),
+      release_(makeRelease(world, kPaperTopBand, threads_)), discard_(makeDiscard(world)),
+      rest_(restMonitor(world)),
       setTimeLimit_(world.scene.freezing.setTimeLimit + 2 * fallTime(world.height))
 {
-    if (!release_.any())
+    world.dt = chooseTimeStep(world);
+    if (!release_->any())
     {
         refuseTooLarge(world);
     }
@@ -137,11 +123,11 @@ bool PaperEngine::releaseSet()
     const std::size_t before = world_.spheres.size();
     {
         const StageTimer timer(world_.times, Stage::releasing);
-        const auto suits = [this](const Eigen::Vector3d& place, double radius)
-        { return clearOfRunning(place, radius); };
+        const ReleaseQuery query = {.suits = [this](const Eigen::Vector3d& place, double radius)
+                                    { return clearOfRunning(place, radius); }};
         while (world_.spheres.size() - before < wanted)
         {
-            const auto found = release_.find(suits);
+            const auto found = release_->next(query);
             if (!found)
             {
                 break;
@@ -170,7 +156,7 @@ void PaperEngine::startSet(std::size_t spheres)
     fallEnergy_ = 0;
     for (std::size_t i = world_.restingCount; i < world_.spheres.size(); ++i)
     {
-        fallEnergy_ += world_.height * std::pow(world_.spheres.radius[i], 3);
+        fallEnergy_ += world_.height * massOf(world_.spheres.radius[i]);
     }
 }
 
@@ -188,8 +174,8 @@ bool PaperEngine::clearOfRunning(const Eigen::Vector3d& place, double radius) co
 {
     for (std::size_t id = world_.restingCount; id < world_.spheres.size(); ++id)
     {
-        const double contact = world_.spheres.radius[id] + radius + kClearance;
-        if ((world_.spheres.position(id) - place).squaredNorm() < contact * contact)
+        if (isWithin(world_.spheres.position(id), place,
+                     world_.spheres.radius[id] + radius + kClearance))
         {
             return false;
         }
@@ -205,41 +191,44 @@ void PaperEngine::freezeAndDiscard()
         {
             const auto id = static_cast<std::uint32_t>(world_.restingCount);
             world_.freeze(id);
-            release_.close(world_.spheres.position(id), world_.spheres.radius[id]);
+            release_->close(world_.spheres.position(id), world_.spheres.radius[id]);
+            if (discard_)
+            {
+                discard_->addResting(id);
+            }
         }
         world_.forgetFrozen();
         setsAtRest_ = 0;
     }
-    if (world_.scene.discard.rule == DiscardRule::paper)
+    if (discard_)
     {
         const StageTimer timer(world_.times, Stage::discarding);
-        firstFrozen_ = discardByHeight(world_, firstFrozen_, world_.restingCount,
-                                       world_.scene.discard.epsilon);
-        if (discardCoveredPolygons(world_, world_.scene.discard.closeness) > 0)
+        discard_->afterFreezing();
+        const auto isDiscarded = [this](std::size_t id)
+        { return world_.spheres.state[id] == SphereState::discarded; };
+        while (firstFrozen_ < world_.restingCount && isDiscarded(firstFrozen_))
         {
-            polygons_.update();
+            ++firstFrozen_;
         }
+        polygons_->update();
     }
 }
 
 void PaperEngine::integrate()
 {
     const StageTimer timer(world_.times, Stage::motion);
-    Spheres& s = world_.spheres;
-    const double dt = world_.dt;
-    const double fall = world_.frame.gravity * dt;
-    const bool explicitEuler = world_.scene.motion.integrator == Integrator::explicitEuler;
-    before_.clear();
-    predicted_.clear();
-    for (std::size_t i = world_.restingCount; i < s.size(); ++i)
+    const Spheres& spheres = world_.spheres;
+    const auto collect = [&](std::vector<Eigen::Vector3d>& positions)
     {
-        before_.push_back(s.position(i));
-        const Eigen::Vector3d velocity = s.velocity(i);
-        const Eigen::Vector3d faster = velocity - Eigen::Vector3d(0, fall, 0);
-        predicted_.push_back(before_.back() + (explicitEuler ? velocity : faster) * dt);
-        s.setPosition(i, predicted_.back());
-        s.setVelocity(i, faster);
-    }
+        positions.clear();
+        for (std::size_t i = world_.restingCount; i < spheres.size(); ++i)
+        {
+            positions.push_back(spheres.position(i));
+        }
+    };
+    collect(before_);
+    integrator_->advance(world_.spheres, world_.restingCount, world_.frame.gravity, world_.dt);
+    collect(predicted_);
 }
 
 // PAPER, Algorithm 1: the three cycles of one time step.
@@ -271,7 +260,7 @@ void PaperEngine::limitPushes()
         const std::size_t id = world_.restingCount + k;
         const Eigen::Vector3d push = world_.spheres.position(id) - predicted_[k];
         const double length = push.norm();
-        const double longest = kLongestPush * world_.spheres.radius[id];
+        const double longest = kPaperLongestPush * world_.spheres.radius[id];
         if (length > longest)
         {
             world_.spheres.setPosition(id, predicted_[k] + push * (longest / length));
@@ -303,8 +292,8 @@ double PaperEngine::runningEnergy() const
     double energy = 0;
     for (std::size_t i = world_.restingCount; i < s.size(); ++i)
     {
-        const double mass = s.radius[i] * s.radius[i] * s.radius[i];
-        energy += mass * (s.velocity(i).squaredNorm() / 2 + world_.frame.gravity * s.y[i]);
+        energy +=
+            massOf(s.radius[i]) * (s.velocity(i).squaredNorm() / 2 + world_.frame.gravity * s.y[i]);
     }
     return energy;
 }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "simulation/discard/discard_rule.hpp"
+#include "simulation/motion/integrator.hpp"
 #include "simulation/paper/algorithm1.hpp"
 #include "simulation/paper/rest_monitor.hpp"
-#include "simulation/release/releases.hpp"
+#include "simulation/release/release_rule.hpp"
 #include "simulation/world/set_recorder.hpp"
 #include "simulation/world/world.hpp"
 
@@ -33,10 +35,13 @@ private:
     [[nodiscard]] bool isLost(std::size_t id) const;
 
     World& world_;
-    PolygonTests polygons_;
+    std::unique_ptr<IntegratorPart> integrator_;
+    std::unique_ptr<SphereSearchPart> spheres_;
+    std::unique_ptr<PolygonSearchPart> polygons_;
     Algorithm1 algorithm1_;
     Threads threads_{1};
-    Releases release_;
+    std::unique_ptr<ReleasePart> release_;
+    std::unique_ptr<DiscardPart> discard_; ///< empty when nothing is to be discarded
     RestMonitor rest_;
     SetRecorder clock_;
 

@@ -1,73 +1,136 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/paper/polygon_search.hpp"
 
+#include <array>
+#include <span>
+
 namespace frostfill
 {
-
-void PolygonList::append(std::uint32_t polygon)
+namespace
 {
-    // Appended in ascending order and read in ascending order, like the plain loop.
-    const auto node = static_cast<std::uint32_t>(nodes_.size());
-    nodes_.push_back({polygon, kEnd});
-    if (node == 0)
-    {
-        head_ = 0;
-    }
-    else
-    {
-        nodes_[node - 1].next = node;
-    }
-}
 
-void PolygonList::unlinkDiscarded(const std::vector<PolygonState>& states)
+/// PAPER: all that are left, in a loop over all.
+class Loop final : public PolygonSearchPart
 {
-    std::uint32_t* link = &head_;
-    while (*link != kEnd)
+public:
+    explicit Loop(const SearchedPolygons& polygons) : states_(polygons.states) {}
+    void search(const Eigen::Vector3d&, PolygonVisitor& visit) const override
     {
-        Node& node = nodes_[*link];
-        if (states[node.polygon] == PolygonState::discarded)
+        const std::span<const PolygonState> states = states_;
+        for (std::uint32_t polygon = 0; polygon < states.size(); ++polygon)
         {
-            *link = node.next;
-        }
-        else
-        {
-            link = &node.next;
+            if (states[polygon] == PolygonState::active)
+            {
+                visit(polygon);
+            }
         }
     }
-}
 
-PolygonTests::PolygonTests(PolygonSearch search, const Surface& surface,
-                           const std::vector<PolygonState>& states, double reach,
-                           const TriangleGrid* grid)
-    : search_(search), states_(&states), grid_(grid), centre_(surface.box().center())
+private:
+    const std::vector<PolygonState>& states_;
+};
+
+/// PAPER: all that are left, in a singly linked list from which discarded ones are unlinked (step
+/// 5).
+class List final : public PolygonSearchPart
 {
-    const Eigen::Vector3d size = surface.box().sizes();
-    int shortest = 0;
-    size.minCoeff(&shortest);
-    axes_ = {(shortest + 1) % 3, (shortest + 2) % 3};
-
-    for (std::uint32_t polygon = 0; polygon < surface.size(); ++polygon)
+public:
+    explicit List(const SearchedPolygons& polygons) : states_(polygons.states)
     {
-        if (search == PolygonSearch::list)
+        // Appended in ascending order and read in ascending order, like the plain loop.
+        for (std::uint32_t polygon = 0; polygon < polygons.surface.size(); ++polygon)
         {
-            list_.append(polygon);
+            nodes_.push_back({polygon, polygon + 1});
         }
-        if (search != PolygonSearch::quadtree)
+        if (!nodes_.empty())
         {
-            continue;
+            head_ = 0;
+            nodes_.back().next = kEnd;
         }
-        Eigen::AlignedBox3d box;
-        for (const Eigen::Vector3d& corner : surface[polygon].corner)
+    }
+    void search(const Eigen::Vector3d&, PolygonVisitor& visit) const override
+    {
+        for (std::uint32_t node = head_; node != kEnd; node = nodes_[node].next)
         {
-            box.extend(corner);
+            visit(nodes_[node].polygon);
         }
-        // A quarter takes every polygon that one of its spheres may touch, so some are in several.
+    }
+    void update() override
+    {
+        std::uint32_t* link = &head_;
+        while (*link != kEnd)
+        {
+            Node& node = nodes_[*link];
+            if (states_[node.polygon] == PolygonState::discarded)
+            {
+                *link = node.next;
+            }
+            else
+            {
+                link = &node.next;
+            }
+        }
+    }
+
+private:
+    static constexpr std::uint32_t kEnd = 0xffffffff;
+    struct Node
+    {
+        std::uint32_t polygon;
+        std::uint32_t next;
+    };
+    const std::vector<PolygonState>& states_;
+    std::vector<Node> nodes_;
+    std::uint32_t head_ = kEnd;
+};
+
+/// PAPER, "Quad Tree": those of the quarter of the mesh that the sphere is in.
+class Quadtree final : public PolygonSearchPart
+{
+public:
+    explicit Quadtree(const SearchedPolygons& polygons)
+        : states_(polygons.states), centre_(polygons.surface.box().center())
+    {
+        const Eigen::Vector3d size = polygons.surface.box().sizes();
+        int shortest = 0;
+        size.minCoeff(&shortest);
+        axes_ = {(shortest + 1) % 3, (shortest + 2) % 3};
+        for (std::uint32_t polygon = 0; polygon < polygons.surface.size(); ++polygon)
+        {
+            Eigen::AlignedBox3d box;
+            for (const Eigen::Vector3d& corner : polygons.surface[polygon].corner)
+            {
+                box.extend(corner);
+            }
+            sortIn(polygon, box, polygons.reach);
+        }
+    }
+    void search(const Eigen::Vector3d& p, PolygonVisitor& visit) const override
+    {
+        for (const std::uint32_t polygon : quarters_[quarter(p)])
+        {
+            visit(polygon);
+        }
+    }
+    void update() override
+    {
+        for (std::vector<std::uint32_t>& quarter : quarters_)
+        {
+            std::erase_if(quarter, [this](std::uint32_t polygon)
+                          { return states_[polygon] == PolygonState::discarded; });
+        }
+    }
+
+private:
+    // A quarter takes every polygon that one of its spheres may touch, so some are in several.
+    void sortIn(std::uint32_t polygon, const Eigen::AlignedBox3d& box, double reach)
+    {
         for (std::size_t part = 0; part < 4; ++part)
         {
             bool near = true;
             for (int k = 0; k < 2; ++k)
             {
-                const int axis = axes_[k];
+                const int axis = axes_[static_cast<std::size_t>(k)];
                 const bool upper = (part >> k & 1u) != 0;
                 near = near && (upper ? box.max()[axis] + reach >= centre_[axis]
                                       : box.min()[axis] - reach <= centre_[axis]);
@@ -78,16 +141,56 @@ PolygonTests::PolygonTests(PolygonSearch search, const Surface& surface,
             }
         }
     }
+    [[nodiscard]] std::size_t quarter(const Eigen::Vector3d& p) const
+    {
+        return (p[axes_[0]] >= centre_[axes_[0]] ? 1u : 0u) +
+               (p[axes_[1]] >= centre_[axes_[1]] ? 2u : 0u);
+    }
+
+    const std::vector<PolygonState>& states_;
+    std::array<std::vector<std::uint32_t>, 4> quarters_; ///< ascending; active ones only
+    Eigen::Vector3d centre_;
+    std::array<int, 2> axes_ = {0, 1}; ///< the two longest of the box, which are halved
+};
+
+/// Those of the sphere's cell of a uniform grid.
+class ByGrid final : public PolygonSearchPart
+{
+public:
+    explicit ByGrid(const SearchedPolygons& polygons)
+        : states_(polygons.states), grid_(*polygons.grid)
+    {
+    }
+    void search(const Eigen::Vector3d& p, PolygonVisitor& visit) const override
+    {
+        const std::span<const PolygonState> states = states_;
+        for (const std::uint32_t polygon : grid_.near(p))
+        {
+            if (states[polygon] == PolygonState::active)
+            {
+                visit(polygon);
+            }
+        }
+    }
+
+private:
+    const std::vector<PolygonState>& states_;
+    const TriangleGrid& grid_;
+};
+
+template <class Search>
+std::unique_ptr<PolygonSearchPart> make(const SearchedPolygons& polygons)
+{
+    return std::make_unique<Search>(polygons);
 }
 
-void PolygonTests::update()
+} // namespace
+
+PartTable<PolygonSearch, MakePolygonSearch>& polygonSearches()
 {
-    list_.unlinkDiscarded(*states_);
-    for (std::vector<std::uint32_t>& quarter : quarters_)
-    {
-        std::erase_if(quarter, [this](std::uint32_t polygon)
-                      { return (*states_)[polygon] == PolygonState::discarded; });
-    }
+    static PartTable<PolygonSearch, MakePolygonSearch> table = {make<Loop>, make<List>,
+                                                                make<Quadtree>, make<ByGrid>};
+    return table;
 }
 
 } // namespace frostfill

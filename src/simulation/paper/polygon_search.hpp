@@ -3,111 +3,89 @@
 
 #include "mesh/interior/surface.hpp"
 #include "mesh/interior/triangle_grid.hpp"
+#include "simulation/paper/tolerances.hpp"
+#include "simulation/world/part_table.hpp"
 
-#include <frostfill/scene.hpp>
 #include <frostfill/snapshot.hpp>
 
-#include <array>
-#include <cstdint>
+#include <functional>
+#include <memory>
 #include <vector>
 
 namespace frostfill
 {
 
-/// Polygons in a singly linked list, from which discarded ones are unlinked (PAPER: step 5).
-class PolygonList
+/// Tests a sphere with the polygons that a search calls it for.
+class PolygonVisitor
 {
 public:
-    void append(std::uint32_t polygon);
-    void unlinkDiscarded(const std::vector<PolygonState>& states);
-
-    template <class Visit>
-    void forEach(Visit&& visit) const
+    /// Lists in `nearby` those that may be within kNearby radii of p, and calls
+    /// `respond(polygon)`, which may move p, for those that may touch the sphere.
+    template <class Respond>
+    PolygonVisitor(const Surface& surface, const Eigen::Vector3d& p, double radius,
+                   std::vector<std::uint32_t>& nearby, Respond& respond)
+        : surface_(surface), p_(p), radius_(radius), nearby_(nearby), respond_(&respond),
+          call_([](void* function, std::uint32_t polygon)
+                { (*static_cast<Respond*>(function))(polygon); })
     {
-        for (std::uint32_t node = head_; node != kEnd; node = nodes_[node].next)
+    }
+
+    void operator()(std::uint32_t polygon)
+    {
+        ++tests_;
+        if (!surface_.bound(polygon).mayBeWithin(kNearby * radius_, p_))
         {
-            visit(nodes_[node].polygon);
+            return;
+        }
+        nearby_.push_back(polygon);
+        if (surface_.bound(polygon).mayBeWithin(radius_, p_))
+        {
+            call_(respond_, polygon);
         }
     }
 
+    [[nodiscard]] std::uint64_t tests() const { return tests_; }
+
 private:
-    static constexpr std::uint32_t kEnd = 0xffffffff;
-    struct Node
-    {
-        std::uint32_t polygon;
-        std::uint32_t next;
-    };
-    std::vector<Node> nodes_;
-    std::uint32_t head_ = kEnd;
+    const Surface& surface_;
+    const Eigen::Vector3d& p_;
+    double radius_;
+    std::vector<std::uint32_t>& nearby_;
+    void* respond_;
+    void (*call_)(void*, std::uint32_t);
+    std::uint64_t tests_ = 0;
 };
 
-/// Which polygons a sphere is tested with. PAPER: all that are left in a loop or a linked list, or
-/// those of the quarter of the mesh that the sphere is in (the paper's "Quad Tree"). Ours: those of
-/// its cell of a uniform grid.
-class PolygonTests
+/// A polygon search: which polygons a running sphere is tested with in cycle 3 of Algorithm 1. It
+/// is asked once a sphere and step. Preset paper.
+class PolygonSearchPart
 {
 public:
-    /// Everything given outlives this. `reach`: how near to its quarter's edge a sphere's centre
-    /// may be to a polygon of the next quarter and still has to meet it. Only PolygonSearch::grid
-    /// needs a `grid`.
-    PolygonTests(PolygonSearch search, const Surface& surface,
-                 const std::vector<PolygonState>& states, double reach,
-                 const TriangleGrid* grid = nullptr);
+    virtual ~PolygonSearchPart() = default;
 
     /// Calls visit(polygon) for each active polygon that a sphere centred at p is to be tested
-    /// with.
-    template <class Visit>
-    void forEach(const Eigen::Vector3d& p, Visit&& visit) const
-    {
-        switch (search_)
-        {
-        case PolygonSearch::loop:
-            for (std::uint32_t polygon = 0; polygon < states_->size(); ++polygon)
-            {
-                if ((*states_)[polygon] == PolygonState::active)
-                {
-                    visit(polygon);
-                }
-            }
-            return;
-        case PolygonSearch::list:
-            list_.forEach(visit);
-            return;
-        case PolygonSearch::quadtree:
-            for (const std::uint32_t polygon : quarters_[quarter(p)])
-            {
-                visit(polygon);
-            }
-            return;
-        case PolygonSearch::grid:
-            for (const std::uint32_t polygon : grid_->near(p))
-            {
-                if ((*states_)[polygon] == PolygonState::active)
-                {
-                    visit(polygon);
-                }
-            }
-            return;
-        }
-    }
+    /// with, in ascending order.
+    virtual void search(const Eigen::Vector3d& p, PolygonVisitor& visit) const = 0;
 
     /// To be called after polygons have been discarded.
-    void update();
-
-private:
-    [[nodiscard]] std::size_t quarter(const Eigen::Vector3d& p) const
-    {
-        return (p[axes_[0]] >= centre_[axes_[0]] ? 1u : 0u) +
-               (p[axes_[1]] >= centre_[axes_[1]] ? 2u : 0u);
-    }
-
-    PolygonSearch search_;
-    const std::vector<PolygonState>* states_;
-    const TriangleGrid* grid_;
-    PolygonList list_;
-    std::array<std::vector<std::uint32_t>, 4> quarters_; ///< ascending; active ones only
-    Eigen::Vector3d centre_;
-    std::array<int, 2> axes_ = {0, 1}; ///< the two longest of the box, which are halved
+    virtual void update() {}
 };
+
+/// What is searched; all of it outlives the part.
+struct SearchedPolygons
+{
+    const Surface& surface;
+    const std::vector<PolygonState>& states;
+    const TriangleGrid* grid = nullptr; ///< may be missing where the search does not need it
+    /// How near to the edge of its part of space a centre may be to a polygon of the next and still
+    /// has to be tested with it [r].
+    double reach = 0;
+};
+
+using MakePolygonSearch =
+    std::function<std::unique_ptr<PolygonSearchPart>(const SearchedPolygons& polygons)>;
+
+/// Every polygon search by its name.
+[[nodiscard]] PartTable<PolygonSearch, MakePolygonSearch>& polygonSearches();
 
 } // namespace frostfill

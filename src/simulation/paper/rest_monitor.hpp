@@ -41,13 +41,13 @@ public:
         {
             return false;
         }
-        bool calm = true;
-        for (std::size_t k = 0; k < start_.size() && calm; ++k)
+        bool atRest = true;
+        for (std::size_t k = 0; k < start_.size() && atRest; ++k)
         {
-            calm = (!moved_[k] && touchedInWindow_[k]) || ignored(runningBegin + k);
+            atRest = (!moved_[k] && touchedInWindow_[k]) || ignored(runningBegin + k);
         }
         restart(spheres, runningBegin);
-        return calm;
+        return atRest;
     }
 
 private:

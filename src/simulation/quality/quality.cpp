@@ -3,7 +3,11 @@
 
 #include "base/threads.hpp"
 #include "scene/packing_estimate.hpp"
-#include "simulation/contact/contact_cone.hpp"
+#include "simulation/quality/support.hpp"
+
+#include <frostfill/error.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,9 +22,13 @@ namespace
 
 constexpr double kContactGap =
     0.01; // [own radius] below which a gap counts as a contact that carries
-constexpr double kUnsupported = 0.1;   // [g] of weight that may remain uncarried
+constexpr double kUnsupported = 0.1;   // [1] of the weight that may remain uncarried
 constexpr std::size_t kInPart = 4096;  // spheres that one thread looks at in one go
 constexpr double kWindingBudget = 2e6; // winding numbers: spheres times triangles worth computing
+/// A centre that is no farther from a wall lies on it, but for rounding. [r]
+constexpr double kOnWall = 1e-12;
+/// Up to so many spheres the judge sorts them itself; beyond it the memory for that is missed.
+constexpr std::size_t kMostSorted = 100'000;
 
 /// Of the spheres at rest and of those that run.
 SphereGrid gatherAll(const World& world)
@@ -96,7 +104,7 @@ private:
         normals_.clear();
         meetSpheres(id, p, resting);
         meetWalls(id, p);
-        if (resting && projectToFree(world_.pull.direction(p), normals_).norm() > kUnsupported)
+        if (resting && !contactsCanCarry(world_.pull.direction(p), normals_, kUnsupported))
         {
             ++report_.unsupported;
         }
@@ -140,12 +148,16 @@ private:
         for (const std::uint32_t t : world_.triangles.near(p))
         {
             const SignedDistance wall = signedDistance(world_.surface[t], p);
-            if (wall.value < 0 || wall.value > radius + kContactGap * radius || wall.value == 0)
+            if (wall.value < -kOnWall || wall.value > radius + kContactGap * radius)
             {
                 continue;
             }
             report_.maxWallOverlap =
                 std::max(report_.maxWallOverlap, (radius - wall.value) / radius);
+            if (wall.value <= kOnWall)
+            {
+                continue; // a centre on the wall is not beside it
+            }
             const Eigen::Vector3d normal = (p - wall.closest) / wall.value;
             const auto same = [&](const Eigen::Vector3d& n) { return n.dot(normal) > 1 - 1e-12; };
             if (std::none_of(normals_.begin(), normals_.end(), same))
@@ -193,7 +205,7 @@ private:
 QualityReport examine(const World& world)
 {
     std::optional<SphereGrid> gathered;
-    if (world.running() > 0)
+    if (world.running() > 0 || world.spheres.size() <= kMostSorted)
     {
         gathered = gatherAll(world);
     }
@@ -213,6 +225,45 @@ QualityReport examine(const World& world)
         parts.front().add(parts[i]);
     }
     return parts.front().report();
+}
+
+QualityReport examine(const TriangleMesh& mesh, std::span<const Eigen::Vector3d> centres,
+                      std::span<const double> radii, const std::vector<bool>& atRest, Axis up)
+{
+    if (centres.size() != radii.size() || centres.size() != atRest.size())
+    {
+        throw Error(ErrorCode::badData, fmt::format("{} centres, {} radii and {} states do not go "
+                                                    "together",
+                                                    centres.size(), radii.size(), atRest.size()));
+    }
+    for (std::size_t k = 0; k < radii.size(); ++k)
+    {
+        if (!std::isfinite(radii[k]) || radii[k] <= 0)
+        {
+            throw Error(ErrorCode::badData, fmt::format("sphere {} has the radius {:g}, which must "
+                                                        "be a number above 0",
+                                                        k, radii[k]));
+        }
+    }
+    Scene scene = presetScene(Preset::fast, "packing");
+    scene.object.up = up;
+    if (!radii.empty())
+    {
+        const auto [smallest, largest] = std::minmax_element(radii.begin(), radii.end());
+        scene.spheres.radius = Radii(*smallest, *largest);
+    }
+    World world(scene, mesh);
+    for (std::size_t k = 0; k < centres.size(); ++k)
+    {
+        const std::uint32_t id =
+            world.release(world.frame.toRun(centres[k]), radii[k] / world.frame.length, 0);
+        if (atRest[k] && centres[k].allFinite())
+        {
+            world.freeze(id);
+        }
+    }
+    world.forgetFrozen();
+    return examine(world);
 }
 
 } // namespace frostfill

@@ -1,12 +1,29 @@
 // SPDX-License-Identifier: MIT
+// Room: the judge of a state: overlaps, support, centres outside, energy. It shares no code with
+// what it judges except the closest point.
 #pragma once
 
 #include "simulation/world/world.hpp"
 
+#include <span>
+#include <vector>
+
+/// The judge of a state: overlaps, walls, support, centres outside. It asks its own oracles and
+/// shares nothing with what it judges but the closest point of a triangle and the grids.
 namespace frostfill
 {
 
 /// Examines every sphere of the world as it stands. O(#S) but for the winding numbers.
 [[nodiscard]] QualityReport examine(const World& world);
+
+/// Examines spheres that anybody has placed in a closed, outward mesh. Sphere k has its centre at
+/// `centres[k]` and the radius `radii[k]`, in the mesh's coordinates and unit of length; when
+/// `atRest[k]`, gravity along -`up` has to be carried by its contacts. A centre that is not a
+/// number is counted and otherwise left out. The report knows nothing of energy or discards.
+/// Throws Error badData for arrays of different lengths and for a radius that is not above 0.
+[[nodiscard]] QualityReport examine(const TriangleMesh& mesh,
+                                    std::span<const Eigen::Vector3d> centres,
+                                    std::span<const double> radii, const std::vector<bool>& atRest,
+                                    Axis up = Axis::y);
 
 } // namespace frostfill

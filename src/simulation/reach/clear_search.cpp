@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/reach/clear_search.hpp"
 
+#include "simulation/reach/tolerances.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 namespace frostfill
 {
-namespace
-{
-
-constexpr double kRounding = 1e-9; // [r], above the rounding of any coordinate, on the safe side
-
-} // namespace
 
 void ClearSearch::gather(const Eigen::Vector3d& middle, double edge)
 {
@@ -29,7 +25,7 @@ void ClearSearch::gather(const Eigen::Vector3d& middle, double edge)
                          [&](std::uint32_t id)
                          {
                              const GridSphere& s = resting_[id];
-                             const double radius = s.radius + probe_ - overlap_ - kRounding;
+                             const double radius = s.radius + probe_ - overlap_ - kReachRounding;
                              const Eigen::Vector3d centre = s.position();
                              if (id != ignored_ && (centre - middle).squaredNorm() <
                                                        (radius + reach) * (radius + reach))
@@ -92,7 +88,7 @@ bool ClearSearch::select(const Eigen::Vector3d& middle, double half, const Obsta
 
 bool ClearSearch::walled(const Eigen::Vector3d& middle, double edge, Middle& state) const
 {
-    const double exclusion = probe_ - overlap_ - kRounding;
+    const double exclusion = probe_ - overlap_ - kReachRounding;
     const double whole = std::max(0.0, exclusion - kHalfDiagonal * edge);
     for (const std::uint32_t id : walls_)
     {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "mesh/interior/triangle_grid.hpp"
+#include "simulation/reach/tolerances.hpp"
 #include "simulation/world/sphere_grid.hpp"
 
 #include <vector>
@@ -36,9 +37,6 @@ public:
     }
 
 private:
-    static constexpr int kHalvings = 2;
-    static constexpr double kHalfDiagonal = 0.8660254037844387; // of a unit cube
-
     struct Exclusion
     {
         Eigen::Vector3d centre;

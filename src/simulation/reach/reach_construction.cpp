@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/reach/reach_leak.hpp"
 #include "simulation/reach/reach_map.hpp"
+#include "simulation/reach/tolerances.hpp"
 #include "simulation/reach/voxel_rows.hpp"
 
 #include <cmath>
@@ -9,9 +10,6 @@ namespace frostfill
 {
 namespace
 {
-
-constexpr double kLargestVoxel = 0.7; // of R'; beyond it a surface may leak
-constexpr int kSetsOfCubes = 4;       // kept here and in the flood
 
 GridFrame frameAbout(const Surface& surface, double margin, double voxel)
 {
@@ -31,7 +29,8 @@ std::optional<VoxelLayout> chooseLayout(const Surface& surface, double margin, d
             (box.array() + 2 * margin) / edge + Eigen::Array3d(68, 6, 6); // with all padding
         return count.prod() * (kSetsOfCubes / 8.0);
     };
-    for (; voxel <= largest; voxel = std::min(voxel * 1.02, std::max(largest, voxel * 1.0001)))
+    for (; voxel <= largest;
+         voxel = std::min(voxel * kGrowth, std::max(largest, voxel * kLeastGrowth)))
     {
         if (size(voxel) <= static_cast<double>(bytes))
         {
@@ -70,19 +69,18 @@ ReachMap::ReachMap(const Surface& surface, const InsideTest& inside, const Radii
     layout_ = *layout;
     search_ = VoxelFlood(layout_);
     open_ = unblockedCubes();
-    seeds_.assign(layout_.words, 0);
     marks_.assign(layout_.words, 0);
     triangleCursor_.assign(surface.size(), 0);
     keepInside(inside);
     reachedCount_ = countCubes(open_);
-    seedEverywhere();
+    seeds_ = open_;
 }
 
 double ReachMap::exclusion(double contact) const
 {
     const double least = contact - margins_.overlap;
     const double square = least * least - margins_.step * margins_.step / 4;
-    return least > 0 && square > 0 ? std::max(0.0, std::sqrt(square) - kRounding) : 0;
+    return least > 0 && square > 0 ? std::max(0.0, std::sqrt(square) - kReachRounding) : 0;
 }
 
 VoxelBits ReachMap::cubesFartherThan(double distance) const

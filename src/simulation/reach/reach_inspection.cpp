@@ -5,6 +5,8 @@
 #include "simulation/reach/clear_search.hpp"
 #include "simulation/reach/reach_map.hpp"
 #include "simulation/reach/reach_report.hpp"
+#include "simulation/reach/tolerances.hpp"
+#include "simulation/world/tolerances.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -15,9 +17,6 @@ namespace
 {
 
 constexpr double kOneSphere = 4.0 / 3.0 * std::numbers::pi; // [r^3]
-constexpr double kTriangleReach = 1.5;                      // [r]
-constexpr double kVoxel = 0.6;                              // [r]
-constexpr double kRounding = 1e-9;                          // [r]
 
 /// In radii, about the middle of the mesh's box.
 TriangleMesh inRadii(TriangleMesh mesh, const Eigen::Vector3d& origin, double radius)
@@ -54,7 +53,6 @@ void closeCoveredCubes(ReachMap& map, ClearSearch& search)
 /// The edges of an object are too narrow for a sphere all along, and make one thin part.
 bool isThin(const UnreachablePart& part)
 {
-    constexpr double kShareOfBox = 0.05;
     return part.volume < kShareOfBox * part.box.volume();
 }
 
@@ -62,7 +60,8 @@ ReachInspection inspect(const Surface& surface, const TriangleGrid& triangles,
                         const InsideTest& inside, double radius, std::size_t bytes)
 {
     ReachInspection result;
-    ReachMap map(surface, inside, {radius, radius}, {kRounding, 0, 0}, {kVoxel, bytes});
+    ReachMap map(surface, inside, {radius, radius}, {kReachRounding, 0, 0},
+                 {kInspectionVoxel, bytes});
     result.known = map.active() || map.leak();
     result.leak = map.leak();
     if (!map.active())
@@ -70,7 +69,7 @@ ReachInspection inspect(const Surface& surface, const TriangleGrid& triangles,
         return result;
     }
     const SphereGrid nothing(GridFrame{});
-    ClearSearch search(nothing, surface, triangles, radius, kRounding);
+    ClearSearch search(nothing, surface, triangles, radius, kReachRounding);
     closeCoveredCubes(map, search);
     const ReachReport report = reportReach(map, inside, kOneSphere * radius * radius * radius);
     result.fits = map.reachedCount() > 0;
@@ -117,7 +116,8 @@ ReachInspection inspectReach(const TriangleMesh& mesh, double radius, std::size_
     {
         return {};
     }
-    const TriangleGrid triangles(surface, GridFrame::cover(surface.box(), 1, 2), kTriangleReach);
+    const TriangleGrid triangles(
+        surface, GridFrame::cover(surface.box(), kTriangleCell, kGridMargin), kTriangleReach);
     const InsideTest inside(surface, triangles);
     return inMeshUnits(inspect(surface, triangles, inside, 1, bytes), origin, radius);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/reach/reach_leak.hpp"
 
+#include "mesh/interior/winding_number.hpp"
+
 #include <array>
 #include <vector>
 
@@ -78,7 +80,7 @@ std::optional<Eigen::Vector3d> findLeak(const Surface& surface, const InsideTest
         // On the way out the winding number falls from one to nothing; a hole is where it is half.
         for (const Cube& cube : shortestWayOut(layout, outer, start))
         {
-            if (windingNumber(surface.mesh(), centreOf(cube)) < 0.5)
+            if (windingNumber(surface.mesh(), centreOf(cube)) < kInsideFrom)
             {
                 return centreOf(cube);
             }

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
+// Room: where the centre of a sphere can still get to. From this follow exact discards, leaks
+// and parts that are too narrow.
 #pragma once
 
 #include "mesh/interior/inside_test.hpp"
+#include "simulation/reach/tolerances.hpp"
 #include "simulation/reach/voxel_flood.hpp"
 #include "simulation/reach/voxel_rows.hpp"
 
@@ -43,8 +46,8 @@ namespace frostfill
 /// dropped before it goes on, builds a new map with wider margins, adds the spheres at rest and
 /// floods.
 ///
-/// Seeds are where a sphere may yet appear: everywhere unless withdrawn, for a place is searched
-/// for everywhere before the object counts as full.
+/// Seeds are where a sphere may yet appear: everywhere until they are withdrawn, for a place is
+/// searched for everywhere before the object counts as full.
 ///
 /// One thread at a time may change a map.
 class ReachMap
@@ -83,17 +86,8 @@ public:
     /// A point in a hole that is wider than the smallest sphere.
     [[nodiscard]] const std::optional<Eigen::Vector3d>& leak() const { return leak_; }
 
-    // Seeds: the cubes where a sphere may yet be released, everywhere at first. Each call replaces
-    // those set before. Once flooded, seeds out of reach count for nothing. A cube that is blocked
-    // stops being a seed by itself.
-    void seedEverywhere();
-    void seedAbove(double height); ///< cubes that reach above y = height
-    /// Cubes that come within `distance` of one of the points.
-    void setSeeds(std::span<const Eigen::Vector3d> points, double distance);
-    /// No sphere will be released anywhere any more.
+    /// No sphere will be released anywhere any more: only what a running one reaches stays.
     void withdrawSeeds();
-    /// No sphere will be released in the cube of p any more.
-    void withdrawSeed(const Eigen::Vector3d& p);
 
     /// A sphere has come to rest; takes effect with the next flood or update. It may be added
     /// before the first flood.
@@ -102,9 +96,9 @@ public:
     /// Reaches what is connected with a seed or the centre of a running sphere. To be called once.
     /// Like update, returns false when a running centre is out of reach: a guard has failed.
     bool flood(std::span<const Eigen::Vector3d> running);
-    /// The same after spheres have come to rest, seeds were changed or running spheres have moved;
-    /// `running` are all of them. Looks only at what may have been cut off: the time grows with the
-    /// number of cubes blocked or lost, however large the rest.
+    /// The same after spheres have come to rest, seeds were withdrawn or running spheres have
+    /// moved; `running` are all of them. Looks only at what may have been cut off: the time grows
+    /// with the number of cubes blocked or lost, however large the rest.
     bool update(std::span<const Eigen::Vector3d> running);
 
     /// p is in a reached cube.
@@ -146,20 +140,6 @@ public:
     /// Nothing in the cube is free; takes effect like addResting.
     void closeCube(int x, int y, int z) { block(layout_.at(x, y, z)); }
 
-    /// Cubes that the last flood or update took out of the set, blocked or cut off: visit(middle).
-    /// Only obstacles near one of them can have become droppable.
-    template <class Visit>
-    void forEachLost(Visit&& visit) const
-    {
-        for (const VoxelWord lost : lost_)
-        {
-            layout_.forEachCube(lost,
-                                [&](int x, int y, int z) { visit(layout_.frame.centre(x, y, z)); });
-        }
-    }
-    /// Boxes of four cubes a side that hold the lost cubes, each box once.
-    [[nodiscard]] std::vector<Eigen::AlignedBox3d> lostBlocks() const;
-
     /// Cubes, inside or outside, whose middle is farther than this from the surface; of an active
     /// map.
     [[nodiscard]] VoxelBits cubesFartherThan(double distance) const;
@@ -175,20 +155,16 @@ public:
     [[nodiscard]] const Margins& margins() const { return margins_; }
 
 private:
-    static constexpr double kHalfDiagonal = 0.8660254037844387; // of a unit cube
-    static constexpr double kRounding = 1e-9; // [r], above the rounding of any coordinate
-
     /// How far from an obstacle a free place counts, distances in contact included [r].
     [[nodiscard]] double sphereReach(double radius) const
     {
-        return radius + radii_.largest + margins_.query + kRounding;
+        return radius + radii_.largest + margins_.query + kReachRounding;
     }
     [[nodiscard]] double polygonReach() const
     {
-        return radii_.largest + margins_.query + kRounding;
+        return radii_.largest + margins_.query + kReachRounding;
     }
     void keepInside(const InsideTest& inside);
-    void replaceSeeds(VoxelBits seeds);
     void block(VoxelWord cubes);
     void takeBlocked();
     bool anchorRunning(std::span<const Eigen::Vector3d> running);
@@ -211,7 +187,7 @@ private:
     std::optional<Eigen::Vector3d> leak_;
     std::size_t reachedCount_ = 0;
     VoxelBits open_;  ///< not blocked and inside; once flooded, the reached cubes
-    VoxelBits seeds_; ///< where spheres may be released; some may be blocked by now
+    VoxelBits seeds_; ///< cubes where spheres may be released; some may be blocked by now
     /// Between updates the cubes that were reached until spheres came to rest there; during an
     /// update those that are known to be connected with a seed.
     VoxelBits marks_;
@@ -219,8 +195,8 @@ private:
     VoxelFlood search_;
     std::vector<VoxelWord> unseeded_;     ///< no seeds any more
     std::vector<VoxelWord> runningCubes_; ///< seeds of the last update
-    std::vector<VoxelWord> lost_;
-    std::vector<Cursor> triangleCursor_; ///< [#T]
+    std::vector<VoxelWord> lost_;         ///< cubes that this flood or update took out of the set
+    std::vector<Cursor> triangleCursor_;  ///< [#T]
 };
 
 template <class Confirm>

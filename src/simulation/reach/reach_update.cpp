@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/reach/reach_map.hpp"
 
-#include <algorithm>
-
 /// How the reached cubes are found, and kept up to date.
 namespace frostfill
 {
@@ -163,35 +161,6 @@ void ReachMap::settle(VoxelWord suspects)
                 }
             });
     }
-}
-
-std::vector<Eigen::AlignedBox3d> ReachMap::lostBlocks() const
-{
-    constexpr int kSide = 4; // cubes
-    std::vector<std::array<int, 3>> blocks;
-    for (const VoxelWord lost : lost_)
-    {
-        const auto c = layout_.coordinates(lost.word);
-        for (int x = 0; x < 64; x += kSide)
-        {
-            if ((lost.bits >> x & ((1u << kSide) - 1)) != 0)
-            {
-                blocks.push_back({(c[0] + x) / kSide, c[1] / kSide, c[2] / kSide});
-            }
-        }
-    }
-    std::sort(blocks.begin(), blocks.end());
-    blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
-
-    std::vector<Eigen::AlignedBox3d> boxes;
-    boxes.reserve(blocks.size());
-    const double side = kSide * layout_.frame.cell;
-    for (const auto& b : blocks)
-    {
-        const Eigen::Vector3d low = layout_.frame.origin + side * Eigen::Vector3d(b[0], b[1], b[2]);
-        boxes.emplace_back(low, low.array() + side);
-    }
-    return boxes;
 }
 
 } // namespace frostfill

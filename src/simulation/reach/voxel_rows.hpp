@@ -2,6 +2,7 @@
 #pragma once
 
 #include "mesh/interior/surface.hpp"
+#include "simulation/reach/tolerances.hpp"
 #include "simulation/reach/voxel_layout.hpp"
 
 #include <cmath>
@@ -157,12 +158,12 @@ public:
         double high = box_.max().x();
         const Eigen::Vector3d start = frame_.centre(0, y, z);
         const double slope = triangle_.normal.x();
-        if (std::abs(slope) > 1e-6)
+        if (std::abs(slope) > kSteep)
         {
             // |n.p - offset| <= reach on the line p = start + t e_x; x shifted by -reach below.
             const double middle =
                 start.x() - (triangle_.normal.dot(start) - triangle_.offset) / slope;
-            const double width = (reach_ + kRounding) / std::abs(slope);
+            const double width = (reach_ + kFilterRounding) / std::abs(slope);
             low = std::max(low, middle - width + reach_);
             high = std::min(high, middle + width - reach_);
         }
@@ -178,8 +179,6 @@ public:
     }
 
 private:
-    static constexpr double kRounding = 1e-6; // widens a filter only
-
     static Eigen::AlignedBox3d boxOf(const SurfaceTriangle& triangle)
     {
         Eigen::AlignedBox3d box;

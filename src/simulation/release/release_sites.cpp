@@ -45,7 +45,6 @@ void ReleaseSites::findCeilings(double band)
 // no sites that share a word with those of the next but one.
 void ReleaseSites::startSweep()
 {
-    constexpr int kThickness = 8; // layers of cells in a slab
     if (sweeping_)
     {
         return;
@@ -54,15 +53,16 @@ void ReleaseSites::startSweep()
     const std::array<int, 3>& count = world_.resting.frame().count;
     const auto closeSlab = [&](int slab)
     {
-        const int end = std::min(count[2], (slab + 1) * kThickness);
-        world_.resting.forEachIn({0, 0, slab * kThickness}, {count[0] - 1, count[1] - 1, end - 1},
+        const int end = std::min(count[2], (slab + 1) * kSlabThickness);
+        world_.resting.forEachIn({0, 0, slab * kSlabThickness},
+                                 {count[0] - 1, count[1] - 1, end - 1},
                                  [&](std::uint32_t id)
                                  {
                                      const GridSphere& sphere = world_.resting[id];
                                      sites_.close(sphere.position(), sphere.radius);
                                  });
     };
-    forEachSlab(threads_, (count[2] + kThickness - 1) / kThickness, closeSlab);
+    forEachSlab(threads_, (count[2] + kSlabThickness - 1) / kSlabThickness, closeSlab);
 }
 
 // Whether a sphere at rest leaves no place in the site's cell, as SiteLattice::close would find.

@@ -3,6 +3,7 @@
 
 #include "base/threads.hpp"
 #include "simulation/release/site_lattice.hpp"
+#include "simulation/release/tolerances.hpp"
 #include "simulation/world/world.hpp"
 
 #include <optional>
@@ -33,7 +34,7 @@ public:
     {
         for (const bool highOnly : {true, false})
         {
-            for (int misses = 0; misses < kPatience && !ceilings_.empty();)
+            for (int misses = 0; misses < kMostMisses && !ceilings_.empty();)
             {
                 const std::size_t among = highOnly ? window_ : ceilings_.size();
                 auto place = take(nextDraw(among, prepare, ahead), among);
@@ -135,23 +136,19 @@ private:
     {
         const std::uint64_t number = ++draws_;
         // A ceiling that is forgotten changes which ones are drawn next.
-        if (!ahead || threads_.concurrency() == 1 || sinceForgotten_ < kAhead / 2)
+        if (!ahead || threads_.concurrency() == 1 || sinceForgotten_ < kDrawsAhead / 2)
         {
             return outcome(number, among, prepare);
         }
         if (knownAhead(number, among) == nullptr)
         {
-            ahead_.resize(kAhead);
-            threads_.forEach(kAhead, [&](std::size_t i)
+            ahead_.resize(kDrawsAhead);
+            threads_.forEach(kDrawsAhead, [&](std::size_t i)
                              { ahead_[i] = outcome(number + i, among, prepare); });
         }
         return *knownAhead(number, among);
     }
     [[nodiscard]] std::size_t nextFree(std::size_t site);
-
-    static constexpr std::size_t kAhead = 128; // draws
-    /// Places that do not suit are taken for the moment only: so many in a row mean that most are.
-    static constexpr int kPatience = 64;
 
     const World& world_;
     Threads& threads_;

@@ -2,6 +2,7 @@
 #include "simulation/release/releases.hpp"
 
 #include "base/random.hpp"
+#include "simulation/release/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,10 +11,6 @@ namespace frostfill
 {
 namespace
 {
-
-constexpr std::size_t kMostClasses = 8;
-constexpr double kWidestClass = 1.1;     // ratio of radii, unless that makes too many classes
-constexpr std::uint64_t kRadiusDraw = 3; // 0 to 2 are those of the sites
 
 /// The largest radius of each class, ascending: the smallest of all, then by a constant ratio.
 std::vector<double> classLimits(const RadiusDistribution& radii)
@@ -44,6 +41,43 @@ Releases::Releases(const World& world, double band, Threads& threads) : world_(w
     {
         classes_.push_back({limit, ReleaseSites(world, limit, band, threads)});
     }
+}
+
+std::optional<PlacedSphere> Releases::next(const ReleaseQuery& query)
+{
+    while (!classes_.empty())
+    {
+        if (!drawn_)
+        {
+            draw();
+        }
+        const double radius = *drawn_;
+        if (const auto found = place(radius, query))
+        {
+            drawn_.reset();
+            return PlacedSphere{*found, radius};
+        }
+        if (classes_.size() == 1 || classes_[lastClass_].sites.any())
+        {
+            return std::nullopt;
+        }
+        dropClasses(std::max<std::size_t>(1, lastClass_));
+    }
+    return std::nullopt;
+}
+
+std::optional<Eigen::Vector3d> Releases::place(double radius, const ReleaseQuery& query)
+{
+    if (radius > classes_.back().largest)
+    {
+        return std::nullopt;
+    }
+    lastClass_ = classOf(radius);
+    const auto prepare = [&](const Eigen::Vector3d& place)
+    { return query.prepare ? query.prepare(place, radius) : place; };
+    const auto suits = [&](const Eigen::Vector3d& place) { return query.suits(place, radius); };
+    // A draw that is known ahead is so for one radius.
+    return classes_[lastClass_].sites.find(prepare, suits, query.ahead && world_.radii.equal());
 }
 
 void Releases::close(const Eigen::Vector3d& centre, double radius)

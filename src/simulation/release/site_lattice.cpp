@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/release/site_lattice.hpp"
 
+#include "simulation/release/tolerances.hpp"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -12,15 +14,12 @@ namespace frostfill
 namespace
 {
 
-constexpr double kCell = 0.5;      // of the radius
-constexpr double kMostSites = 4e9; // whose numbers fit 32 bits; beyond it cells are larger
-
 double cellFor(const Eigen::Vector3d& size, double radius)
 {
-    double cell = kCell * radius;
+    double cell = kSiteCell * radius;
     while ((size.array() / cell + 1).prod() > kMostSites)
     {
-        cell *= 1.02;
+        cell *= kCellGrowth;
     }
     return cell;
 }
@@ -33,14 +32,13 @@ SiteLattice::SiteLattice(const Surface& surface, const InsideTest& inside, doubl
       lattice_(GridFrame::cover(surface.box(), cellFor(surface.box().sizes(), radius), 0)),
       bits_((lattice_.size() + 63) / 64, 0)
 {
-    // Layers share words with those beside them; slabs that are worth a thread's while.
-    constexpr int kThickness = 8;
+    // Layers share words with those beside them.
     const int layers = lattice_.count[2];
-    forEachSlab(threads, (layers + kThickness - 1) / kThickness,
+    forEachSlab(threads, (layers + kSlabThickness - 1) / kSlabThickness,
                 [&](int slab)
                 {
-                    const int end = std::min(layers, (slab + 1) * kThickness);
-                    for (int z = slab * kThickness; z < end; ++z)
+                    const int end = std::min(layers, (slab + 1) * kSlabThickness);
+                    for (int z = slab * kSlabThickness; z < end; ++z)
                     {
                         openLayer(inside, z);
                     }
@@ -50,7 +48,8 @@ SiteLattice::SiteLattice(const Surface& surface, const InsideTest& inside, doubl
 void SiteLattice::openLayer(const InsideTest& inside, int z)
 {
     const double least = radius_ - halfDiagonal();
-    const double known = lattice_.cell + 1e-9; // from one site to the next a distance changes less
+    // From one site to the next a distance changes less.
+    const double known = lattice_.cell + kDistanceSlack;
     std::size_t site = lattice_.index(0, 0, z);
     for (int y = 0; y < lattice_.count[1]; ++y)
     {

@@ -1,22 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/solver/position_solver.hpp"
 
+#include "simulation/contact/contact.hpp"
+#include "simulation/solver/tolerances.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 namespace frostfill
 {
-namespace
-{
-
-constexpr double kPairMargin = 0.3;     // gap up to which runners may meet within a step [r]
-constexpr std::size_t kFewRunners = 64; // up to which all pairs are looked at
-constexpr double kLongestPush = 0.2;    // in one sweep, of the own radius
-constexpr double kDeep = 0.1;           // penetration depth from which one climbs the other [r]
-constexpr double kApart = 1e-8;         // penetration depth that is left to those taken apart [r]
-constexpr int kMostSeparations = 1000;  // sweeps
-
-} // namespace
 
 void PositionSolver::resolve(std::span<Runner> runners, double dt)
 {
@@ -63,20 +55,10 @@ void PositionSolver::separate(std::span<Runner> runners, std::span<const std::ui
     }
 }
 
-// All that follows concerns only the runners that meet others; what is at rest none of them
-// overlaps.
+// All that follows concerns only runners in pairs; what is at rest none of them overlaps.
 void PositionSolver::findPairs(std::span<Runner> runners)
 {
-    if (runners.size() <= kFewRunners)
-    {
-        findPairsOfFew(runners);
-    }
-    else
-    {
-        grid_.rebuild(runners);
-        threads_.forEach(runners.size(),
-                         [&](std::size_t i) { findNearRunners(runners, runners[i]); });
-    }
+    broadPhase_.findPairs(runners);
     for (Runner& runner : runners)
     {
         runner.flown = runner.position;
@@ -112,46 +94,6 @@ void PositionSolver::orderFromBelow(std::span<Runner> runners)
     }
 }
 
-// All pairs.
-void PositionSolver::findPairsOfFew(std::span<Runner> runners)
-{
-    balls_.clear(); // all that is compared, close together
-    for (Runner& runner : runners)
-    {
-        runner.nearby.clear();
-        balls_.emplace_back(runner.position.x(), runner.position.y(), runner.position.z(),
-                            runner.radius);
-    }
-    for (std::uint32_t i = 1; i < balls_.size(); ++i)
-    {
-        for (std::uint32_t k = 0; k < i; ++k)
-        {
-            const double limit = balls_[i].w() + balls_[k].w() + kPairMargin;
-            if ((balls_[i] - balls_[k]).head<3>().squaredNorm() < limit * limit)
-            {
-                runners[i].nearby.push_back(k);
-                runners[k].nearby.push_back(i);
-            }
-        }
-    }
-}
-
-void PositionSolver::findNearRunners(std::span<const Runner> runners, Runner& runner) const
-{
-    runner.nearby.clear();
-    grid_.forEachNear(runner.position, runner.radius + 1 + kPairMargin,
-                      [&](std::uint32_t k, const Eigen::Vector3d& p, double radius)
-                      {
-                          const double limit = runner.radius + radius + kPairMargin;
-                          if ((p - runner.position).squaredNorm() < limit * limit &&
-                              &runners[k] != &runner)
-                          {
-                              runner.nearby.push_back(k);
-                          }
-                      });
-    std::sort(runner.nearby.begin(), runner.nearby.end());
-}
-
 // From below: a runner gives way by its share to those above it, whose turn is yet to come, and
 // takes what is left of the overlap with those below, so that one sweep lifts a whole pile off its
 // floor. Returns the deepest penetration that it found.
@@ -177,20 +119,16 @@ Eigen::Vector3d PositionSolver::pushOff(std::span<const Runner> runners, const R
     for (const std::uint32_t k : runner.nearby)
     {
         const Runner& other = runners[k];
-        const Eigen::Vector3d d = place - other.position;
-        const double contact = runner.radius + other.radius;
-        const double squared = d.squaredNorm();
-        if (squared >= contact * contact || other.rank == Runner::kNobody)
+        const auto contact = sphereContact(place - other.position, runner.radius + other.radius);
+        if (!contact || other.rank == Runner::kNobody)
         {
             continue;
         }
-        const double distance = std::sqrt(squared);
-        const double depth = contact - distance;
+        const double depth = contact->depth;
         deepest = std::max(deepest, depth);
         const bool takesRest = other.rank < runner.rank && (runner.yields || !other.yields);
         const double share = takesRest ? 1 : giveWay * shareOf(runner, other, down_);
-        Eigen::Vector3d away =
-            distance > 0 ? Eigen::Vector3d(d / distance) : Eigen::Vector3d::Zero();
+        Eigen::Vector3d away = contact->normal;
         if (takesRest && depth > climbFrom * runner.radius)
         {
             // Spheres pressed into a row on the floor or in a corner leave it upwards.

@@ -1,19 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/solver/support_island.hpp"
 
-#include "simulation/contact/contact_cone.hpp"
-
-#include <cmath>
+#include "simulation/contact/contact.hpp"
 
 namespace frostfill
 {
-namespace
-{
-
-constexpr double kContactGap = 0.005; // below which a contact carries [own radius]
-constexpr double kUncarried = 0.05;   // share of the weight that may remain
-
-} // namespace
 
 // Whoever is taken out may have carried others, so these are looked at again.
 void SupportIsland::keep(std::span<Runner> runners, std::vector<std::uint32_t>& members)
@@ -49,18 +40,22 @@ void SupportIsland::keep(std::span<Runner> runners, std::vector<std::uint32_t>& 
 
 bool SupportIsland::carry(std::span<const Runner> runners, Runner& runner) const
 {
-    flight_.findContacts(runner, kContactGap * runner.radius);
+    const double gap = kCarryingGap * runner.radius;
+    flight_.findContacts(runner, gap);
     for (const std::uint32_t k : runner.nearby)
     {
-        const Eigen::Vector3d d = runner.position - runners[k].position;
-        const double contact = runner.radius * (1 + kContactGap) + runners[k].radius;
-        const double squared = d.squaredNorm();
-        if (runners[k].member && squared < contact * contact && squared > 0)
+        const Runner& other = runners[k];
+        if (!other.member)
         {
-            runner.normals.push_back(d / std::sqrt(squared));
+            continue;
+        }
+        if (const auto contact =
+                sphereContact(runner.position - other.position, runner.radius + other.radius, gap))
+        {
+            runner.normals.push_back(contact->normal);
         }
     }
-    return projectToFree(flight_.downAt(runner.position), runner.normals).norm() < kUncarried;
+    return isCarried(flight_.downAt(runner.position), runner.normals, kCarried);
 }
 
 } // namespace frostfill

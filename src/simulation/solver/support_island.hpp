@@ -10,8 +10,8 @@
 namespace frostfill
 {
 
-/// Which runners carry one another, as in a pile that has come to rest: the largest set of which
-/// each is carried by what is at rest and by the others in it.
+/// The island of runners that carry one another, as in a pile that has come to rest: the largest
+/// set of which each is carried by what is at rest and by the others in it.
 class SupportIsland
 {
 public:
@@ -20,7 +20,7 @@ public:
     }
 
     /// Of those with Runner::member, takes it from those that are not carried. `members` lists
-    /// them; their lists of meetings are up to date.
+    /// them; Runner::nearby of each is up to date.
     void keep(std::span<Runner> runners, std::vector<std::uint32_t>& members);
 
     /// Whether what is at rest and members carry the runner.

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/solver/velocity_solver.hpp"
 
+#include "simulation/contact/contact.hpp"
+#include "simulation/solver/tolerances.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,10 +11,6 @@ namespace frostfill
 {
 namespace
 {
-
-constexpr int kRounds = 8;     // over all pairs
-constexpr double kSoon = 0.05; // gap that an approach may close within a step [r]
-constexpr double kSlow = 1e-3; // approach that is left to those on others [sqrt(g r)]
 
 // Approach to what is at rest is lost.
 void stopAtRest(Runner& runner)
@@ -40,9 +39,8 @@ double shareOf(const Runner& a, const Runner& b, const Eigen::Vector3d& down)
         const double yb = -b.position.dot(down);
         return ya < yb || (ya == yb && a.id < b.id) ? 0 : 1;
     }
-    const double ma = a.radius * a.radius * a.radius;
-    const double mb = b.radius * b.radius * b.radius;
-    return mb / (ma + mb);
+    const double mb = massOf(b.radius);
+    return mb / (massOf(a.radius) + mb);
 }
 
 // One pair after another, the lowest first, and each with what is at rest. A few rounds carry the
@@ -54,7 +52,7 @@ void VelocitySolver::resolve(std::span<Runner> runners, std::span<const std::uin
     findContacts(runners, crowd, dt);
     for (int round = 0; round < kRounds; ++round)
     {
-        for (const Contact& contact : contacts_)
+        for (const ContactPair& contact : contacts_)
         {
             collide(runners[contact.upper], runners[contact.lower], contact);
         }
@@ -73,7 +71,7 @@ void VelocitySolver::stopOnLower(std::span<Runner> runners)
     {
         const auto last =
             std::find_if(first, contacts_.end(),
-                         [&](const Contact& contact) { return contact.upper != first->upper; });
+                         [&](const ContactPair& contact) { return contact.upper != first->upper; });
         Runner& runner = runners[first->upper];
         const double before = runner.velocity.squaredNorm();
         bool approaches = true;
@@ -112,30 +110,31 @@ void VelocitySolver::findContacts(std::span<const Runner> runners,
         for (const std::uint32_t other : upper.nearby)
         {
             const Runner& lower = runners[other];
-            const Eigen::Vector3d d = upper.position - lower.position;
-            const double contact = upper.radius + lower.radius;
-            const double limit = contact + kSoon;
-            const double squared = d.squaredNorm();
-            if (lower.rank < upper.rank && squared < limit * limit && squared > 0)
+            if (lower.rank >= upper.rank)
             {
-                const double distance = std::sqrt(squared);
-                contacts_.push_back(
-                    {k, other, d / distance, std::max(0.0, (distance - contact) / dt)});
+                continue;
+            }
+            const auto contact =
+                sphereContact(upper.position - lower.position, upper.radius + lower.radius, kSoon);
+            if (contact && !contact->normal.isZero(0))
+            {
+                const double gap = -contact->depth;
+                contacts_.push_back({k, other, contact->normal, std::max(0.0, gap / dt)});
             }
         }
     }
 }
 
-void VelocitySolver::collide(Runner& a, Runner& b, const Contact& contact) const
+void VelocitySolver::collide(Runner& a, Runner& b, const ContactPair& contact) const
 {
     const double approach = (a.velocity - b.velocity).dot(contact.normal);
-    const bool bounces = approach < -settings_.bounceSpeed;
+    const Restitution restitution{settings_.restitution, settings_.bounceSpeed};
+    const bool bounces = restitution.bounces(approach);
     if (approach >= -contact.allowed || (bounces && contact.allowed > 0))
     {
         return;
     }
-    const double change =
-        bounces ? -(1 + settings_.restitution) * approach : -contact.allowed - approach;
+    const double change = bounces ? restitution.change(approach) : -contact.allowed - approach;
     a.velocity += contact.normal * (change * shareOf(a, b, down_));
     b.velocity -= contact.normal * (change * shareOf(b, a, down_));
     stopAtRest(a);

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
+// Room: what running spheres do to each other: broad phase, velocity solver, position solver,
+// islands. It changes velocities and positions, never states.
 #pragma once
 
 #include "simulation/contact/runner.hpp"
+#include "simulation/solver/solver_settings.hpp"
 
 #include <span>
 #include <vector>
@@ -18,21 +21,14 @@ namespace frostfill
 class VelocitySolver
 {
 public:
-    struct Settings
-    {
-        double restitution = 0.2;
-        double bounceSpeed = 0.5; ///< approaches slower than this do not bounce [sqrt(g r)]
-        bool stiff = true;        ///< no approach is left to those that lie on others
-    };
+    explicit VelocitySolver(const SolverSettings& settings) : settings_(settings) {}
 
-    explicit VelocitySolver(const Settings& settings) : settings_(settings) {}
-
-    /// `crowd`: those that may meet others, by index, the lowest first; their rank tells which.
+    /// `crowd`: runners that are in a pair, by index, the lowest first, as their rank says.
     void resolve(std::span<Runner> runners, std::span<const std::uint32_t> crowd,
                  const Eigen::Vector3d& down, double dt);
 
 private:
-    struct Contact
+    struct ContactPair
     {
         std::uint32_t upper, lower; ///< runners, by index
         Eigen::Vector3d normal;     ///< from the lower to the upper
@@ -41,12 +37,12 @@ private:
 
     void findContacts(std::span<const Runner> runners, std::span<const std::uint32_t> crowd,
                       double dt);
-    void collide(Runner& a, Runner& b, const Contact& contact) const;
+    void collide(Runner& a, Runner& b, const ContactPair& contact) const;
     void stopOnLower(std::span<Runner> runners);
 
-    Settings settings_;
+    SolverSettings settings_;
     Eigen::Vector3d down_ = {0, -1, 0};
-    std::vector<Contact> contacts_; ///< the lowest first
+    std::vector<ContactPair> contacts_; ///< the lowest first
 };
 
 } // namespace frostfill

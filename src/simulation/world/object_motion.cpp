@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/world/object_motion.hpp"
 
+#include "simulation/world/tolerances.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -9,12 +11,6 @@ namespace frostfill
 {
 namespace
 {
-
-constexpr double kFalls = 8;         // through the object's height, that a motion lasts by default
-constexpr double kShare = 0.5;       // of gravity that shaking reaches by default
-constexpr double kRamp = 0.1;        // share of the time in which shaking sets in, and ends
-constexpr double kDifference = 1e-3; // of the shortest time in which something changes
-constexpr double kWeightless = 0.05; // [g] of pull below which nothing is carried nor let go
 
 /// From 0 to 1 with velocity and acceleration zero at both ends.
 double smoothStep(double t)
@@ -46,7 +42,7 @@ ObjectMotion::ObjectMotion(const MoveSettings& settings, const FrameOfRun& frame
     if (shake_ > 0)
     {
         circular_ = settings.frequency ? 2 * std::numbers::pi * *settings.frequency * frame.time
-                                       : std::sqrt(kShare / shake_);
+                                       : std::sqrt(kShareOfGravity / shake_);
         difference_ = std::min(difference_, kDifference / circular_);
     }
 }

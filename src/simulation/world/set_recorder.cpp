@@ -1,31 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/world/set_recorder.hpp"
 
-#include <algorithm>
-#include <numeric>
+#include "base/statistics.hpp"
 
 namespace frostfill
 {
 namespace
 {
 
-double mean(const std::vector<double>& values)
-{
-    return values.empty() ? 0
-                          : std::accumulate(values.begin(), values.end(), 0.0) /
-                                static_cast<double>(values.size());
-}
-
-double percentile95(std::vector<double>& values)
-{
-    if (values.empty())
-    {
-        return 0;
-    }
-    const auto nth = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) * 95 / 100);
-    std::nth_element(values.begin(), nth, values.end());
-    return *nth;
-}
+constexpr double kHigh = 0.95;
 
 } // namespace
 
@@ -62,9 +45,9 @@ void SetRecorder::close(World& world)
     record.steps = world.steps - stepsAtStart_;
     record.simulatedSeconds = (world.time - timeAtStart_) * world.frame.time;
     record.meanSphereSphereMs = mean(sphereSphereMs_);
-    record.p95SphereSphereMs = percentile95(sphereSphereMs_);
+    record.p95SphereSphereMs = percentile(sphereSphereMs_, kHigh);
     record.meanSpherePolygonMs = mean(spherePolygonMs_);
-    record.p95SpherePolygonMs = percentile95(spherePolygonMs_);
+    record.p95SpherePolygonMs = percentile(spherePolygonMs_, kHigh);
     for (std::size_t stage = 0; stage < kStageCount; ++stage)
     {
         record.times.seconds[stage] = world.times.seconds[stage] - timesAtStart_.seconds[stage];

@@ -2,6 +2,7 @@
 #include "simulation/world/world.hpp"
 
 #include "scene/packing_estimate.hpp"
+#include "simulation/world/tolerances.hpp"
 
 #include <frostfill/error.hpp>
 
@@ -21,20 +22,9 @@ RadiusDistribution radiiOf(const Scene& scene, const MeshReport& mesh)
     return RadiusDistribution(scene.spheres.radius.value_or(sphereRadius(scene, mesh)));
 }
 
-/// Cells a radius wide: the lists of triangles stay short, and 27 of them hold every sphere near.
-constexpr double kTriangleCell = 1;
-constexpr double kTriangleReach = 1.5;
-constexpr double kSphereCell = 2;
-/// Memory is set aside for so many times the spheres that fit by the estimate.
-constexpr double kRoomForSpheres = 1.1;
-/// A centre that is nearer to a wall lies on it, but for rounding. [r]
-constexpr double kOnTheWall = 1e-9;
-/// Share of the object's mean cross-section that a set covers when its size is not given.
-constexpr double kFootprint = 0.1;
-
 GridFrame gridOver(const Surface& surface, double cell)
 {
-    return GridFrame::cover(surface.box(), cell, 2);
+    return GridFrame::cover(surface.box(), cell, kGridMargin);
 }
 
 /// By the estimate that sphereRadius uses, the other way round.
@@ -165,7 +155,7 @@ std::size_t groupSize(const World& world)
         return spheres.groupSize;
     }
     const auto inSet = static_cast<std::size_t>(kFootprint * spheresInLayer(world));
-    return std::max<std::size_t>(10, inSet / spheres.groupsPerSet);
+    return std::max(kSmallestGroup, inSet / spheres.groupsPerSet);
 }
 
 double spheresInLayer(const World& world)
@@ -190,8 +180,8 @@ void requireInside(const World& world, std::span<const PlacedSphere> spheres)
         {
             const Eigen::Vector3d q = world.frame.toMesh(p);
             throw Error(ErrorCode::badData,
-                        fmt::format("sphere {} cannot be released at ({:g}, {:g}, {:g}): that is "
-                                    "not inside {}",
+                        fmt::format("sphere {} cannot be released at ({:g}, {:g}, {:g}): the point "
+                                    "is not inside {}",
                                     k, q.x(), q.y(), q.z(), world.scene.object.mesh));
         }
     }
@@ -201,15 +191,15 @@ void refuseCrowdedPlace(const World& world, const PlacedSphere& sphere)
 {
     const Eigen::Vector3d p = world.frame.toMesh(sphere.place);
     throw Error(ErrorCode::badData,
-                fmt::format("there is no room for a sphere of radius {:g} near ({:g}, {:g}, {:g}), "
-                            "where it is to be released",
+                fmt::format("there is no room for a sphere of radius {:g} near its release site "
+                            "({:g}, {:g}, {:g})",
                             sphere.radius * world.frame.length, p.x(), p.y(), p.z()));
 }
 
 void refuseTooLarge(const World& world)
 {
     throw Error(ErrorCode::badData,
-                fmt::format("not one sphere of radius {:g} fits into {}: choose a smaller --radius "
+                fmt::format("no sphere of radius {:g} fits into {}: choose a smaller --radius "
                             "or a larger --count",
                             world.frame.length * world.radii.smallest(), world.scene.object.mesh));
 }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Room: what there is: the object, the spheres, the grids and the counters. Engines change it;
+// everyone else only reads it.
 #pragma once
 
 #include "mesh/interior/inside_test.hpp"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Room: errors against closed forms, and run time against error. Each point is one run that was
+// judged.
 #pragma once
 
 #include "study/stability/stability_study.hpp"

@@ -74,7 +74,7 @@ bool FigureFolder::reuse(const std::string& name) const
         throw Error(ErrorCode::cannotCreate,
                     fmt::format("cannot create {}: {}", here.string(), error.message()));
     }
-    say(fmt::format("{}: times from {}; --measure takes new ones", name, before.string()));
+    say(fmt::format("{}: times from {}; --measure measures them again", name, before.string()));
     return true;
 }
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Room: the figures of the documentation, each with its data and its gnuplot script. A new
+// figure is one file and one line in registry.cpp.
 #pragma once
 
 #include "study/table.hpp"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Room: frames per second, measured as the paper does. Its tables show the figures of the paper
+// beside ours.
 #pragma once
 
 #include "base/statistics.hpp"

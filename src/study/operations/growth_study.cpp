@@ -54,7 +54,7 @@ Spheres spheresOf(const Simulation& simulation, const FrameOfRun& frame)
     return spheres;
 }
 
-GrowthPoint oneStep(const Spheres& state, const Surface& surface, const PolygonTests& polygons)
+GrowthPoint oneStep(const Spheres& state, const Surface& surface, const PolygonSearchPart& polygons)
 {
     std::vector<Eigen::Vector3d> before;
     for (std::size_t id = 0; id < state.size(); ++id)
@@ -114,14 +114,14 @@ std::vector<GrowthPoint> growthWithoutFreezing(const Scene& scene, const Triangl
     const FrameOfRun frame(scene, boundingBox(mesh), simulation.radius());
     const Surface surface(frame.toRun(mesh));
     const std::vector<PolygonState> active(mesh.triangles.size(), PolygonState::active);
-    const PolygonTests polygons(PolygonSearch::loop, surface, active, 0);
+    const auto polygons = polygonSearches()[PolygonSearch::loop]({surface, active});
     const std::size_t apart = std::max<std::size_t>(simulation.expectedSpheres() / points, 1);
     std::vector<GrowthPoint> result;
     while (simulation.step())
     {
         if (simulation.sphereCount() >= (result.size() + 1) * apart)
         {
-            result.push_back(oneStep(spheresOf(simulation, frame), surface, polygons));
+            result.push_back(oneStep(spheresOf(simulation, frame), surface, *polygons));
         }
     }
     return result;

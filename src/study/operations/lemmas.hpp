@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Room: the lemmas of the paper against counted tests and responses. It uses no clock.
 #pragma once
 
 #include <cstdint>

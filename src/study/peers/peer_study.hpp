@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Room: other engines on the same spheres, judged by the same checker. Engines that are not
+// installed are left out.
 #pragma once
 
 #include "study/stability/stability_study.hpp"

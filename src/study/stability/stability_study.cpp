@@ -41,6 +41,10 @@ std::string note(const StressOutcome& outcome)
         return fmt::format("E +{:.1e}", outcome.energyExcess);
     case Verdict::restless:
         return fmt::format("{} restless", outcome.overdue);
+    case Verdict::overlaps:
+        return fmt::format("{:.1e} r", std::max(outcome.maxOverlap, outcome.maxWallOverlap));
+    case Verdict::hangs:
+        return fmt::format("{} hang", outcome.unsupported);
     default:
         return "";
     }
@@ -101,10 +105,12 @@ std::vector<StabilityResult> measureStability(bool quick, const StudyProgress& p
 Table stabilityCsv(const std::vector<StabilityResult>& results)
 {
     Table table;
-    table.headings = {"method",      "axis",    "value",       "row",           "column",
-                      "verdict",     "code",    "sound",       "spheres",       "steps",
-                      "outside",     "overdue", "energy_gain", "energy_excess", "max_overlap",
-                      "unsupported", "seconds", "state_hash",  "note",          "message"};
+    table.headings = {"method",      "axis",          "value",       "row",
+                      "column",      "verdict",       "code",        "sound",
+                      "spheres",     "steps",         "outside",     "overdue",
+                      "energy_gain", "energy_excess", "max_overlap", "max_wall_overlap",
+                      "unsupported", "seconds",       "state_hash",  "note",
+                      "message"};
     std::map<std::string, std::size_t> rows;
     std::map<std::pair<std::string, std::string>, std::size_t> columns;
     for (const StabilityResult& one : results)
@@ -127,6 +133,7 @@ Table stabilityCsv(const std::vector<StabilityResult>& results)
                               fmt::format("{:.3e}", o.energyGain),
                               fmt::format("{:.3e}", o.energyExcess),
                               fmt::format("{:.3e}", o.maxOverlap),
+                              fmt::format("{:.3e}", o.maxWallOverlap),
                               fmt::format("{}", o.unsupported),
                               fmt::format("{:.3f}", o.seconds),
                               o.hash,
@@ -141,7 +148,7 @@ Table stabilityTable(const std::vector<StabilityResult>& results)
     Table table;
     table.title = "Cells of the stress matrix by verdict";
     table.headings = {"method", "cells", "sound"};
-    constexpr int kVerdicts = static_cast<int>(Verdict::notRun) + 1;
+    constexpr int kVerdicts = static_cast<int>(Verdict::hangs) + 1;
     for (int verdict = 0; verdict < kVerdicts; ++verdict)
     {
         table.headings.emplace_back(verdictName(static_cast<Verdict>(verdict)));
@@ -173,7 +180,8 @@ Table unsoundTable(const std::vector<StabilityResult>& results, Preset preset)
     Table table;
     table.title = preset == Preset::fast ? "Not sound, preset fast" : "Not sound, preset paper";
     table.words = 4;
-    table.headings = {"method", "axis", "value", "verdict", "outside", "overdue", "energy excess"};
+    table.headings = {"method",  "axis",          "value",   "verdict",      "outside",
+                      "overdue", "energy excess", "overlap", "wall overlap", "hanging"};
     for (const StabilityResult& one : results)
     {
         if (one.preset == preset && !one.sound())
@@ -181,7 +189,10 @@ Table unsoundTable(const std::vector<StabilityResult>& results, Preset preset)
             table.rows.push_back({one.method, one.axis, one.label, verdictName(one.outcome.verdict),
                                   fmt::format("{}", one.outcome.outside),
                                   fmt::format("{}", one.outcome.overdue),
-                                  fmt::format("{:.2e}", one.outcome.energyExcess)});
+                                  fmt::format("{:.2e}", one.outcome.energyExcess),
+                                  fmt::format("{:.1e}", one.outcome.maxOverlap),
+                                  fmt::format("{:.1e}", one.outcome.maxWallOverlap),
+                                  fmt::format("{}", one.outcome.unsupported)});
         }
     }
     return table;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Room: a matrix of extreme scenes, each with a verdict. It shows where a method breaks.
 #pragma once
 
 #include "study/stability/stress_matrix.hpp"

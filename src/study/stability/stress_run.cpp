@@ -78,27 +78,6 @@ void placeSpheres(const StressRun& run, const World& world, Engine& engine)
     }
 }
 
-Verdict judge(const StressRun& run, const StressOutcome& outcome, const World& world, bool finite)
-{
-    if (!finite)
-    {
-        return Verdict::notFinite;
-    }
-    if (outcome.outside > 0)
-    {
-        return Verdict::leaks;
-    }
-    if (!world.finished)
-    {
-        return Verdict::unfinished;
-    }
-    if (run.mustRest && outcome.overdue > 0)
-    {
-        return Verdict::restless;
-    }
-    return outcome.energyExcess > kEnergyTolerance ? Verdict::gainsEnergy : Verdict::passes;
-}
-
 void runWorld(const StressRun& run, StressOutcome& outcome)
 {
     const double start = secondsOfThread();
@@ -127,12 +106,13 @@ void runWorld(const StressRun& run, StressOutcome& outcome)
         finite = quality.notFinite == 0;
         outcome.outside = std::max(outcome.outside, quality.centresOutside);
         outcome.maxOverlap = quality.maxOverlap;
+        outcome.maxWallOverlap = quality.maxWallOverlap;
         outcome.unsupported = quality.unsupported;
         outcome.energyGain = quality.energyGain;
         outcome.energyExcess = quality.energyExcess;
     }
     outcome.hash = hashState(world.spheres);
-    outcome.verdict = judge(run, outcome, world, finite);
+    outcome.verdict = judge(run, outcome, world.finished, finite);
     outcome.seconds = secondsOfThread() - start;
 }
 
@@ -140,10 +120,48 @@ void runWorld(const StressRun& run, StressOutcome& outcome)
 
 const char* verdictName(Verdict verdict)
 {
-    constexpr std::array kNames = {"passes",     "refused",        "gains energy",
-                                   "restless",   "irreproducible", "leaks",
-                                   "not finite", "unfinished",     "not run"};
+    constexpr std::array kNames = {"passes",         "refused",  "gains energy", "restless",
+                                   "irreproducible", "leaks",    "not finite",   "unfinished",
+                                   "not run",        "overlaps", "hangs"};
     return kNames.at(static_cast<std::size_t>(verdict));
+}
+
+Verdict judge(const StressRun& run, const StressOutcome& outcome, bool finished, bool finite)
+{
+    if (!finite)
+    {
+        return Verdict::notFinite;
+    }
+    if (outcome.outside > 0)
+    {
+        return Verdict::leaks;
+    }
+    if (!finished)
+    {
+        return Verdict::unfinished;
+    }
+    if (run.mustBeClean && std::max(outcome.maxOverlap, outcome.maxWallOverlap) > kOverlapTolerance)
+    {
+        return Verdict::overlaps;
+    }
+    if (run.mustRest && outcome.overdue > 0)
+    {
+        return Verdict::restless;
+    }
+    // What is frozen by a time limit alone may be in the air.
+    const double allowed = kHangingTolerance * static_cast<double>(outcome.spheres);
+    if (run.mustBeClean && run.mustRest && static_cast<double>(outcome.unsupported) > allowed)
+    {
+        return Verdict::hangs;
+    }
+    return outcome.energyExcess > kEnergyTolerance ? Verdict::gainsEnergy : Verdict::passes;
+}
+
+Verdict compareRuns(const StressOutcome& first, const StressOutcome& second)
+{
+    const bool mild = first.verdict != Verdict::leaks && first.verdict != Verdict::notFinite;
+    const bool same = second.verdict == first.verdict && second.hash == first.hash;
+    return mild && !same ? Verdict::irreproducible : first.verdict;
 }
 
 StressOutcome runUnderStress(const StressRun& run)
@@ -171,11 +189,7 @@ StressOutcome runUnderStressTwice(StressRun run)
     }
     run.scene.threads = 2;
     const StressOutcome second = runUnderStress(run);
-    const bool mild = first.verdict < Verdict::irreproducible;
-    if (mild && (second.verdict != first.verdict || second.hash != first.hash))
-    {
-        first.verdict = Verdict::irreproducible;
-    }
+    first.verdict = compareRuns(first, second);
     return first;
 }
 

@@ -43,6 +43,23 @@ TEST(Statistics, TheConfidenceIntervalIsStudents)
     EXPECT_EQ(found.least, 2);
 }
 
+// Quantiles by Boost.Math 1.74. n runs of -1 and 1 in turn have the deviation sqrt(n / (n - 1)).
+TEST(Statistics, TheConfidenceIntervalIsStudentsForManyRunsToo)
+{
+    for (const auto& [runs, quantile] :
+         {std::pair{32, 2.0395134463964082}, std::pair{102, 1.9837310029556059},
+          std::pair{1002, 1.9623367052808796}})
+    {
+        std::vector<double> values;
+        for (int i = 0; i < runs; ++i)
+        {
+            values.push_back(i % 2 == 0 ? -1 : 1);
+        }
+        EXPECT_NEAR(meanOfRepeats(values).halfWidth * std::sqrt(runs - 1.0), quantile, 2e-6)
+            << runs;
+    }
+}
+
 TEST(Statistics, OneRunHasNoInterval)
 {
     const RepeatedMean found = meanOfRepeats(std::vector<double>{3});

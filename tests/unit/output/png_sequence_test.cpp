@@ -71,6 +71,22 @@ TEST(PngSequence, KeepsEveryNthWhenThereAreTooMany)
     }
 }
 
+// Picture 3 falls to thinning, and 4, which is kept, does not differ from it.
+TEST(PngSequence, PicturesThatAreNotKeptLeaveTheirChangesToTheNext)
+{
+    const test::TemporaryFolder folder;
+    PngSequence sequence(folder.path(), 2);
+    const std::vector<std::uint8_t> changed = {1};
+    const std::vector<std::uint8_t> same = {0};
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+        sequence.put(i, numberedImage(i), changed, {});
+    }
+    sequence.put(4, numberedImage(3), same, {});
+    EXPECT_EQ(sequence.stride(), 4u);
+    EXPECT_EQ(numberOf(folder / "frame_00001.png"), 3u);
+}
+
 TEST(PngSequence, TellsThatItsDirectoryCannotBeCreated)
 {
     const test::TemporaryFolder folder;

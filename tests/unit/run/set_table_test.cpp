@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
+#include <sstream>
 
 namespace frostfill
 {
@@ -92,6 +94,76 @@ TEST(SetsCsv, HasARowASetAndAsManyCellsAsColumns)
         EXPECT_EQ(std::count(line.begin(), line.end(), ','), commas) << line;
     }
     EXPECT_EQ(rows, 30);
+}
+
+// Every number is another one, so that no two columns can be mistaken for each other.
+TEST(SetsCsv, HasEachNumberUnderItsHeading)
+{
+    SetRecord set;
+    set.set = 0;
+    set.spheres = 20;
+    set.steps = 4;
+    set.simulatedSeconds = 0.25;
+    set.meanSphereSphereMs = 1.5;
+    set.p95SphereSphereMs = 2.5;
+    set.meanSpherePolygonMs = 3.5;
+    set.p95SpherePolygonMs = 4.5;
+    set.times[Stage::freezing] = 0.005;
+    set.times[Stage::discarding] = 0.006;
+    set.running = 7;
+    set.frozen = 8;
+    set.discarded = 9;
+    set.discardedPolygons = 10;
+    set.operations.runningFrozenTests = 11;
+    set.operations.spherePolygonResponses = 12;
+    set.timedOut = true;
+    const SetFrames frames{{10, 30}, {1, 2}, {3, 5}};
+    const test::TemporaryFolder folder;
+    writeSetsCsv({&set, 1}, {&frames, 1}, folder / "sets.csv");
+    std::istringstream text(test::readFile(folder / "sets.csv"));
+    std::string heading;
+    std::string row;
+    std::getline(text, heading);
+    std::getline(text, row);
+    std::map<std::string, double> found;
+    std::istringstream names(heading);
+    std::istringstream values(row);
+    for (std::string name, value;
+         std::getline(names, name, ',') && std::getline(values, value, ',');)
+    {
+        found[name] = std::stod(value);
+    }
+    const std::map<std::string, double> expected = {{"set", 0},
+                                                    {"spheres", 20},
+                                                    {"frames", 2},
+                                                    {"steps", 4},
+                                                    {"simulated_seconds", 0.25},
+                                                    {"mean_sphere_sphere_ms", 1.5},
+                                                    {"p95_sphere_sphere_ms", 2.5},
+                                                    {"mean_sphere_polygon_ms", 3.5},
+                                                    {"p95_sphere_polygon_ms", 4.5},
+                                                    {"mean_render_ms", 20},
+                                                    {"p95_render_ms", 30},
+                                                    {"mean_readback_ms", 1.5},
+                                                    {"p95_readback_ms", 2},
+                                                    {"mean_encode_ms", 4},
+                                                    {"p95_encode_ms", 5},
+                                                    {"freezing_ms", 5},
+                                                    {"discarding_ms", 6},
+                                                    {"running", 7},
+                                                    {"frozen", 8},
+                                                    {"discarded", 9},
+                                                    {"discarded_polygons", 10},
+                                                    {"tests", 11},
+                                                    {"responses", 12},
+                                                    {"timed_out", 1}};
+    for (const auto& [name, value] : expected)
+    {
+        EXPECT_NEAR(found[name], value, 1e-9) << name;
+    }
+    // Two pictures in 11 ms of simulation and 40 + 3 + 8 ms of drawing, reading and encoding.
+    EXPECT_NEAR(found["frames_per_second"], 2000.0 / 62, 1e-4);
+    EXPECT_EQ(found.size(), expected.size() + 1);
 }
 
 } // namespace

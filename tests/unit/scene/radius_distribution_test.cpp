@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "scene/radius_distribution.hpp"
 
-#include "scene/options/option.hpp"
 #include "support/expect_error.hpp"
 #include "support/temporary_folder.hpp"
+
+#include <frostfill/options.hpp>
 
 #include <gtest/gtest.h>
 
@@ -79,7 +80,7 @@ TEST(RadiusDistribution, RefusesAFileWithTheLineThatIsWrong)
     expectError(
         ErrorCode::badData, [&] { read(fileWith(folder, "# none\n")); }, "no radii", "radii.txt");
     expectError(
-        ErrorCode::inputMissing, [&] { read("not/there.txt"); }, "not/there.txt", "no such file");
+        ErrorCode::inputMissing, [&] { read("not/there.txt"); }, "not/there.txt", "does not exist");
 }
 
 TEST(RadiusDistribution, IsWrittenAsANumberARangeOrAFile)

@@ -182,7 +182,7 @@ TEST(ReadMesh, RefusesNumbersThatAreNotFinite)
     TriangleMesh mesh = test::box(0, 1);
     mesh.vertices[3].z() = std::numeric_limits<double>::quiet_NaN();
     const auto file = test::writeFile("nan.stl", binaryStl(mesh));
-    test::expectRefused(ErrorCode::badData, "no number", [&] { (void)readMesh(file); });
+    test::expectRefused(ErrorCode::badData, "not a number", [&] { (void)readMesh(file); });
 }
 
 TEST(ReadMesh, RefusesAFileOfPointsAndLines)

@@ -15,9 +15,13 @@ class SharedMesh : public testing::Test
 protected:
     void SetUp() override
     {
-        if (!std::filesystem::exists(testing_support::sharedMeshes()))
+        for (const char* name :
+             {"spot.obj", "fandisk.obj", "stanford-bunny.obj", "suzanne.obj", "teapot.obj"})
         {
-            GTEST_SKIP() << "no folder " << testing_support::sharedMeshes();
+            if (const auto why = testing_support::whyMissing(file(name)); !why.empty())
+            {
+                GTEST_SKIP() << why;
+            }
         }
     }
 

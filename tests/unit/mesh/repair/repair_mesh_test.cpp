@@ -204,7 +204,7 @@ TEST(RepairMesh, RefusesIndicesOutOfRange)
 {
     TriangleMesh mesh = test::box(0, 1);
     mesh.triangles[2][1] = 8;
-    test::expectRefused(ErrorCode::badData, "triangle 3 names vertex 9 of 8",
+    test::expectRefused(ErrorCode::badData, "triangle 3 refers to vertex 9 of 8",
                         [&] { (void)repairMesh(mesh, "box"); });
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "scene/options/option.hpp"
-
 #include "support/expect_error.hpp"
+
+#include <frostfill/options.hpp>
 
 #include <limits>
 #include <set>

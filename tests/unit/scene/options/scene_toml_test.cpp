@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "scene/options/option.hpp"
 #include "support/expect_error.hpp"
 #include "support/temporary_folder.hpp"
 
+#include <frostfill/options.hpp>
 #include <frostfill/scene.hpp>
 
 namespace frostfill

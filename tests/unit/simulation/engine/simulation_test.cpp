@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <set>
+#include <vector>
 
 namespace frostfill
 {
@@ -300,20 +300,66 @@ TEST(Capture, IncrementalEqualsFresh)
     }
 }
 
-TEST(Capture, ListsOnlyWhatChanged)
+// What ran or runs, what changed its state and what is new: these and no others, in ascending
+// order.
+TEST(Capture, ListsWhatChangedAndNothingElse)
 {
     Scene scene = smallTorus();
     scene.freezing.everySets = 1;
     Simulation simulation(scene, shapes::torus());
     Snapshot snapshot;
-    std::set<std::uint32_t> ever;
-    while (simulation.step())
+    std::size_t frozenSeen = 0;
+    bool more = true;
+    while (more)
     {
+        for (int k = 0; k < 7 && more; ++k)
+        {
+            more = simulation.step();
+        }
+        const Snapshot before = snapshot;
         simulation.capture(snapshot);
-        ever.insert(snapshot.changed.begin(), snapshot.changed.end());
-        ASSERT_LE(snapshot.changed.size(), 60u);
+        std::vector<std::uint32_t> expected;
+        for (std::uint32_t id = 0; id < snapshot.centres.size(); ++id)
+        {
+            const bool isNew = id >= before.centres.size();
+            const bool runs = snapshot.states[id] == SphereState::running;
+            if (isNew || runs || snapshot.states[id] != before.states[id])
+            {
+                expected.push_back(id);
+            }
+            else
+            {
+                ASSERT_EQ(snapshot.centres[id], before.centres[id]);
+                ++frozenSeen;
+            }
+        }
+        ASSERT_EQ(snapshot.changed, expected) << "step " << simulation.steps();
     }
-    EXPECT_EQ(ever.size(), 80u);
+    EXPECT_EQ(snapshot.centres.size(), 80u);
+    EXPECT_GT(frozenSeen, 1000u);
+    // The run is over and everything at rest: the next capture lists nothing.
+    simulation.capture(snapshot);
+    EXPECT_TRUE(snapshot.changed.empty()) << snapshot.changed.size();
+}
+
+// Explicit Euler, in mesh units of which a metre has eight: after N steps g N dt.
+TEST(Capture, TellsTheSpeedOfWhatFallsAndZeroForWhatIsAtRest)
+{
+    Scene scene = presetScene(Preset::paper, "torus");
+    scene.spheres = {0.05, 1, false, 1, 1};
+    scene.object.unitsPerMetre = 8;
+    Simulation simulation(scene, shapes::box({-1, -10, -1}, {1, 0, 1}));
+    Snapshot snapshot;
+    for (int step = 1; step <= 50; ++step)
+    {
+        simulation.step();
+        simulation.capture(snapshot);
+        const double expected = 9.81 * 8 * step * simulation.timeStep();
+        ASSERT_NEAR(snapshot.speeds[0], expected, 1e-5 * expected) << "step " << step;
+    }
+    runToEnd(simulation);
+    simulation.capture(snapshot);
+    EXPECT_EQ(snapshot.speeds[0], 0);
 }
 
 } // namespace

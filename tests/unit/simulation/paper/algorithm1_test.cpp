@@ -36,8 +36,9 @@ protected:
     Spheres spheres;
     Surface surface{shapes::box({-10, -10, -10}, {10, 10, 10}, 2)};
     std::vector<PolygonState> polygons = std::vector<PolygonState>(48, PolygonState::active);
-    PolygonTests tests{PolygonSearch::loop, surface, polygons, 2};
-    Algorithm1 algorithm{spheres, surface, tests, {0.5, 0.01}};
+    std::unique_ptr<PolygonSearchPart> search =
+        polygonSearches()[PolygonSearch::loop]({surface, polygons});
+    Algorithm1 algorithm{spheres, surface, *search, {0.5, 0.01}};
     OperationCounts counts;
 };
 
@@ -110,6 +111,31 @@ TEST_F(Algorithm1Test, CentreThatCrossedTheWallIsPulledBack)
     algorithm.clearTouched(1);
     algorithm.runningPolygons(0, before, counts);
     EXPECT_NEAR(spheres.y[id], -9, 1e-12);
+}
+
+// It belongs to another sheet of a thin wall, whose triangles will deal with it.
+TEST_F(Algorithm1Test, CentreThatWasBehindTheWallBeforeIsLeftAlone)
+{
+    const auto id = add({10.5, 0.3, 0.2});
+    const std::vector<Eigen::Vector3d> before = {{10.4, 0.3, 0.2}};
+    algorithm.clearTouched(1);
+    algorithm.runningPolygons(0, before, counts);
+    EXPECT_EQ(spheres.x[id], 10.5);
+    EXPECT_EQ(counts.spherePolygonResponses, 0u);
+}
+
+// Between walls that are nearer to each other than its diameter each undoes the other's push.
+TEST_F(Algorithm1Test, StepThatWallsUndoIsTakenBackAndStartsFromRest)
+{
+    const Surface slab(shapes::box({-10, -10, -0.5}, {10, 10, 0.5}, 2));
+    const auto slabSearch = polygonSearches()[PolygonSearch::loop]({slab, polygons});
+    Algorithm1 narrow(spheres, slab, *slabSearch, {0.5, 0.01});
+    const auto id = add({0.3, 0.2, 0.1}, {0, 0, 1});
+    const std::vector<Eigen::Vector3d> before = {{0.3, 0.2, 0.05}};
+    narrow.clearTouched(1);
+    narrow.runningPolygons(0, before, counts);
+    EXPECT_EQ(spheres.position(id), before[0]);
+    EXPECT_EQ(spheres.velocity(id), Eigen::Vector3d(0, 0, 0));
 }
 
 TEST_F(Algorithm1Test, CoincidentSpheresAreSeparated)

@@ -142,7 +142,7 @@ TEST(ReachMap, JumpsThatKeepTheGuardsNeverLeaveTheReachedSet)
             }
             return result;
         };
-        map.setSeeds({}, 0);
+        map.withdrawSeeds();
         ASSERT_TRUE(map.flood(centres()));
         std::size_t moves = 0;
         for (int step = 0; step < 6000; ++step)
@@ -199,9 +199,9 @@ TEST(ReachMap, JumpThroughAGateTooNarrowToPassIsFollowed)
             map.addResting({x, 0, apart}, 1);
             map.addResting({x, 0, -apart}, 1);
         }
-        const std::vector<Eigen::Vector3d> site = {{0, step / 2, 0}};
-        map.setSeeds(site, 0);
-        ASSERT_TRUE(map.flood({}));
+        map.withdrawSeeds();
+        const std::vector<Eigen::Vector3d> running = {{0, step / 2, 0}};
+        ASSERT_TRUE(map.flood(running));
         EXPECT_EQ(map.contains({0, -step / 2, 0}), step == kWide.step);
     }
 }
@@ -213,8 +213,9 @@ TEST(ReachMap, DroppableEqualsBruteForceOverAllReachedCubes)
     const ReachMap::Radii radii{0.8, 1};
     ReachMap map(object.surface, object.inside, radii, kWide);
     const double h = map.layout().frame.cell;
-    map.seedAbove(6);
-    ASSERT_TRUE(map.flood({}));
+    map.withdrawSeeds();
+    const std::vector<Eigen::Vector3d> running = {{0, 6.3, 0}}; // above all that comes to rest
+    ASSERT_TRUE(map.flood(running));
     std::vector<ReachMap::Cursor> cursors;
     std::vector<Ball> balls;
     std::size_t droppedSpheres = 0;
@@ -231,7 +232,7 @@ TEST(ReachMap, DroppableEqualsBruteForceOverAllReachedCubes)
             cursors.push_back(0);
             map.addResting(ball.centre, ball.radius);
         }
-        map.update({});
+        ASSERT_TRUE(map.update(running));
         std::vector<Eigen::Vector3d> reached;
         reach::forEachCubeOf(map,
                              [&](int x, int y, int z, bool isReached)

@@ -80,9 +80,9 @@ TEST(ReachReport, BoxBehindANarrowNeckIsUnreachableFromTheOther)
 {
     const Object object(dumbbell(1));
     ReachMap map(object.surface, object.inside, {1, 1}, {});
-    const std::vector<Eigen::Vector3d> site = {{4, 4, 4}};
-    map.setSeeds(site, 0);
-    ASSERT_TRUE(map.flood({}));
+    map.withdrawSeeds();
+    const std::vector<Eigen::Vector3d> running = {{4, 4, 4}};
+    ASSERT_TRUE(map.flood(running));
     const ReachReport report = reportReach(map, object.inside, kSphereVolume);
     ASSERT_EQ(report.parts.size(), 1u);
     EXPECT_GE(report.unreachedVolume, report.parts[0].volume);
@@ -126,9 +126,9 @@ TEST(ReachReport, WidePassageLeavesNothingUnreachable)
 {
     const Object object(dumbbell(3));
     ReachMap map(object.surface, object.inside, {1, 1}, {});
-    const std::vector<Eigen::Vector3d> site = {{4, 4, 4}};
-    map.setSeeds(site, 0);
-    ASSERT_TRUE(map.flood({}));
+    map.withdrawSeeds();
+    const std::vector<Eigen::Vector3d> running = {{4, 4, 4}};
+    ASSERT_TRUE(map.flood(running));
     EXPECT_TRUE(map.contains({18, 4, 4}));
     EXPECT_TRUE(reportReach(map, object.inside, 1).parts.empty());
 }

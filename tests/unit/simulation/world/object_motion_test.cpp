@@ -127,14 +127,14 @@ TEST(MovedObject, LetsGoOnlyWhatIsNotCarriedAnyMore)
     const auto still = finished(movedBox(0.001, 0));
     const auto tilted = finished(movedBox(0.2, 0));
     EXPECT_EQ(still->stateHash(), tilted->stateHash());
-    // A small tilt: some move, and some stay to the bit.
+    // A small tilt: most move, as they lean on others, and a fifth stays to the bit.
     const auto leaning = finished(movedBox(12, 0));
     std::size_t stayed = 0;
     for (std::size_t id = 0; id < leaning->sphereCount(); ++id)
     {
         stayed += leaning->sphere(id).centre == tilted->sphere(id).centre ? 1 : 0;
     }
-    EXPECT_GT(stayed, leaning->sphereCount() / 8);
+    EXPECT_GT(stayed, leaning->sphereCount() / 5);
     EXPECT_LT(stayed, leaning->sphereCount());
 }
 

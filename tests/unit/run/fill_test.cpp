@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "run/fill_run.hpp"
-
 #include "output/scene_json.hpp"
 #include "support/expect_error.hpp"
 #include "support/temporary_folder.hpp"
+
+#include <frostfill/fill.hpp>
 
 #include <gtest/gtest.h>
 
@@ -47,7 +47,7 @@ std::size_t filesIn(const std::filesystem::path& directory)
 TEST(FillRun, WritesEveryFileOfARun)
 {
     const TemporaryFolder folder;
-    const FillResult result = runFill(smallRequest(folder / "run"));
+    const FillResult result = fill(smallRequest(folder / "run"));
     EXPECT_FALSE(result.failure) << *result.failure;
     EXPECT_EQ(result.spheres, 8u);
     EXPECT_EQ(rowsOf(folder / "run/spheres.csv"), 8u);
@@ -62,7 +62,7 @@ TEST(FillRun, SummarisesWhatRepeatsTheRun)
 {
     const TemporaryFolder folder;
     FillRequest request = smallRequest(folder / "a");
-    const FillResult first = runFill(request);
+    const FillResult first = fill(request);
     const auto summary = nlohmann::ordered_json::parse(first.summary);
     for (const char* key : {"scene", "machine", "spheres", "polygons", "error", "time",
                             "operations", "state_hash", "frames"})
@@ -74,7 +74,7 @@ TEST(FillRun, SummarisesWhatRepeatsTheRun)
 
     request.scene = sceneFromJson(summary["scene"], "summary.json");
     request.directory = folder / "b";
-    EXPECT_EQ(runFill(request).stateHash, first.stateHash);
+    EXPECT_EQ(fill(request).stateHash, first.stateHash);
     for (const char* file : {"spheres.csv", "polygons.csv", "mesh.ply"})
     {
         EXPECT_EQ(readFile(folder / "a" / file), readFile(folder / "b" / file)) << file;
@@ -87,7 +87,7 @@ TEST(FillRun, WritesEverythingWhenItIsStopped)
     int steps = 0;
     FillObserver observer;
     observer.stopRequested = [&] { return ++steps == 5; };
-    const FillResult result = runFill(smallRequest(folder / "run"), observer);
+    const FillResult result = fill(smallRequest(folder / "run"), observer);
     EXPECT_TRUE(result.stopped);
     EXPECT_EQ(steps, 5);
     EXPECT_EQ(filesIn(folder / "run"), 5u);
@@ -97,11 +97,10 @@ TEST(FillRun, WritesEverythingWhenItIsStopped)
 TEST(FillRun, LeavesAnEarlierRunAlone)
 {
     const TemporaryFolder folder;
-    (void)runFill(smallRequest(folder / "run"));
+    (void)fill(smallRequest(folder / "run"));
     const std::string before = readFile(folder / "run/summary.json");
     test::expectError(
-        ErrorCode::cannotCreate, [&] { (void)runFill(smallRequest(folder / "run")); },
-        "--overwrite");
+        ErrorCode::cannotCreate, [&] { (void)fill(smallRequest(folder / "run")); }, "--overwrite");
     EXPECT_EQ(readFile(folder / "run/summary.json"), before);
 }
 
@@ -109,13 +108,13 @@ TEST(FillRun, SimulatesTheSameWithAndWithoutFrames)
 {
     const TemporaryFolder folder;
     FillRequest request = smallRequest(folder / "a");
-    const FillResult without = runFill(request);
+    const FillResult without = fill(request);
     request.directory = folder / "b";
     request.scene.frames.enabled = true;
     request.scene.frames.limit = 6;
     request.scene.size = {96, 64};
     request.scene.samples = 1;
-    const FillResult with = runFill(request);
+    const FillResult with = fill(request);
     EXPECT_EQ(with.stateHash, without.stateHash);
     EXPECT_FALSE(with.failure) << *with.failure;
     EXPECT_GE(with.frames, 3u);
@@ -123,6 +122,27 @@ TEST(FillRun, SimulatesTheSameWithAndWithoutFrames)
     EXPECT_EQ(filesIn(folder / "b/frames"), with.frames);
     EXPECT_TRUE(std::filesystem::exists(folder / "b/frames/frame_00000.png"));
     EXPECT_EQ(nlohmann::json::parse(with.summary)["frames"], with.frames);
+}
+
+// Long steps with nothing lost in a bounce lead the paper's spheres through the wall.
+TEST(FillRun, FailsWhenACentreEndsOutsideButKeepsTheFiles)
+{
+    const TemporaryFolder folder;
+    FillRequest request = smallRequest(folder / "run");
+    request.scene = presetScene(Preset::paper, "torus");
+    request.scene.spheres.radius = 0.1;
+    request.scene.spheres.count = 40;
+    request.scene.motion.dt = 0.1;
+    request.scene.motion.restitution = 1;
+    request.scene.frames.enabled = false;
+    const FillResult result = fill(request);
+    EXPECT_GT(result.quality.centresOutside, 0u);
+    ASSERT_TRUE(result.failure);
+    EXPECT_NE(result.failure->find("outside"), std::string::npos) << *result.failure;
+    const auto summary = nlohmann::json::parse(result.summary);
+    EXPECT_EQ(summary["outcome"], "failed");
+    EXPECT_EQ(summary["error"]["centres_outside"], result.quality.centresOutside);
+    EXPECT_EQ(filesIn(folder / "run"), 5u);
 }
 
 TEST(FillRun, RefusesBlankPicturesButKeepsTheFiles)
@@ -133,7 +153,7 @@ TEST(FillRun, RefusesBlankPicturesButKeepsTheFiles)
     request.scene.frames.limit = 2;
     request.scene.size = {96, 64};
     request.scene.camera.target = Eigen::Vector3d(1e6, 0, 0);
-    const FillResult result = runFill(request);
+    const FillResult result = fill(request);
     ASSERT_TRUE(result.failure);
     EXPECT_NE(result.failure->find("blank"), std::string::npos);
     EXPECT_EQ(filesIn(folder / "run"), 6u);

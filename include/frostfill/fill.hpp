@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "run/frame_timing.hpp"
-#include "run/set_table.hpp"
-
 #include <frostfill/error.hpp>
 #include <frostfill/scene.hpp>
 #include <frostfill/simulation.hpp>
@@ -17,9 +14,10 @@
 namespace frostfill
 {
 
+/// What to fill, and where the files of the run go.
 struct FillRequest
 {
-    Scene scene;
+    Scene scene; ///< with the mesh, by file or by name
     std::filesystem::path directory;
     bool overwrite = false;      ///< replace the run that the directory holds
     std::filesystem::path video; ///< .mp4, .webm or .gif; empty for none
@@ -35,12 +33,14 @@ struct FillPlan
     double smallestRadius = 0; ///< [mesh unit]
     double largestRadius = 0;  ///< [mesh unit]
     double timeStep = 0;       ///< [s]
-    FrameTiming timing;
-    FrameEstimate estimate;
-    double volume = 0;     ///< [unit^3] of the object
-    ReachInspection reach; ///< of the smallest radius
+    double slowMotion = 1;     ///< [1] time in a video over simulated time
+    std::size_t frames = 0;    ///< pictures to expect: a rough estimate
+    double frameBytes = 0;     ///< of all pictures: a rough estimate
+    double volume = 0;         ///< [unit^3] of the object
+    ReachInspection reach;     ///< of the smallest radius
 };
 
+/// How far a run is.
 struct FillProgress
 {
     std::size_t spheres = 0; ///< that have appeared
@@ -58,11 +58,20 @@ struct FillObserver
     std::function<bool()> stopRequested;                 ///< asked after every step
 };
 
+/// What drawing took while a set was the newest; one entry a frame. [ms]
+struct SetFrames
+{
+    std::vector<double> renderMs;
+    std::vector<double> readbackMs;
+    std::vector<double> encodeMs; ///< and writing
+};
+
+/// What a run has come to. The files in the directory hold more; see `frostfill fill`.
 struct FillResult
 {
     std::filesystem::path directory;
     std::vector<SetRecord> sets;
-    std::vector<SetFrames> setFrames;
+    std::vector<SetFrames> setFrames; ///< by the index of the set; empty when nothing was drawn
     std::size_t frames = 0;
     std::size_t spheres = 0;
     std::size_t wanted = 0;    ///< spheres that the run aimed at
@@ -82,8 +91,17 @@ struct FillResult
     std::optional<std::string> failure;
 };
 
-/// Loads the mesh, fills it, draws frames and writes every file of a run into the directory.
-/// Throws Error; see ErrorCode.
-[[nodiscard]] FillResult runFill(const FillRequest& request, const FillObserver& observer = {});
+/// Does what `frostfill fill` does: loads the mesh, fills it, draws frames and writes every file of
+/// a run into the directory. Throws Error; see ErrorCode.
+[[nodiscard]] FillResult fill(const FillRequest& request, const FillObserver& observer = {});
+
+/// Reads the scene of a run: from a scene file (TOML), or from the summary.json of a run to repeat.
+/// Throws Error inputMissing or badData.
+[[nodiscard]] Scene loadRunScene(const std::filesystem::path& file);
+
+/// The table with which `frostfill fill` ends: frames a second, and milliseconds a frame for each
+/// stage. A row a set and one for all; sets share rows when there are more than `mostRows`. Empty
+/// without sets.
+[[nodiscard]] std::string setTableText(const FillResult& result, std::size_t mostRows = 24);
 
 } // namespace frostfill

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "run/fill_run.hpp"
-
 #include "run/contact_sheet.hpp"
 #include "run/frame_recorder.hpp"
 #include "run/run_directory.hpp"
 #include "run/run_files.hpp"
 #include "run/run_hash.hpp"
+
+#include <frostfill/fill.hpp>
 
 #include <fmt/format.h>
 
@@ -32,10 +32,13 @@ FillPlan makePlan(const Scene& scene, const LoadedMesh& mesh, const Simulation& 
     plan.smallestRadius = simulation.smallestRadius();
     plan.largestRadius = simulation.radius();
     plan.timeStep = simulation.timeStep();
-    plan.timing = timing;
+    plan.slowMotion = timing.slowMotion;
     plan.volume = mesh.report.volume;
     plan.reach = reach;
-    plan.estimate = estimateFrames(scene, mesh.report, plan.spheres, plan.largestRadius);
+    const FrameEstimate estimate =
+        estimateFrames(scene, mesh.report, plan.spheres, plan.largestRadius);
+    plan.frames = estimate.frames;
+    plan.frameBytes = estimate.bytes;
     return plan;
 }
 
@@ -125,12 +128,13 @@ void writeContactSheet(const FillRequest& request, const FrameRecorder& recorder
 
 } // namespace
 
-FillResult runFill(const FillRequest& request, const FillObserver& observer)
+FillResult fill(const FillRequest& request, const FillObserver& observer)
 {
     if (!request.scene.frames.enabled && (!request.video.empty() || request.contactSheet))
     {
-        throw Error(ErrorCode::usage, "a video or contact sheet is made of frames: leave out "
-                                      "--frames none, or --video and --contact-sheet");
+        throw Error(ErrorCode::usage,
+                    "--video and --contact-sheet need frames: omit --frames none, "
+                    "or omit --video and --contact-sheet");
     }
     const auto start = std::chrono::steady_clock::now();
     validateScene(request.scene);

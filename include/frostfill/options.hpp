@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <frostfill/scene.hpp>
+
+#include <functional>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace frostfill
+{
+
+/// The value of a setting outside of a Scene. monostate leaves the choice to the program.
+using OptionValue =
+    std::variant<std::monostate, bool, std::int64_t, double, std::string, Eigen::Vector3d>;
+
+enum class OptionType : std::uint8_t
+{
+    boolean,
+    integer,
+    number,
+    text,
+    vector,
+    radii ///< a number, or a text that describes several
+};
+
+/// The allowed values of a number.
+struct OptionRange
+{
+    double low = -std::numeric_limits<double>::max();
+    double high = std::numeric_limits<double>::max();
+    bool withoutLow = false; ///< `low` itself is not allowed
+};
+
+/// One setting of a scene. Only the table of these settings has their names; scene files, the
+/// command line, its help, docs/options.md and summary.json come from it.
+struct Option
+{
+    std::string key = {};   ///< in scene files: "spheres.radius"
+    std::string flag = {};  ///< on the command line: "--radius"; empty for scene files only
+    std::string group = {}; ///< heading in the help
+    std::string help = {};  ///< one line, with the unit
+    OptionType type = OptionType::text; ///< of the value, if there is one
+    std::string nothing = {}; ///< the word for no value ("auto"); empty if a value is required
+    std::string placeholder = "TEXT";      ///< of a text in the help
+    std::string form = "text";             ///< description of a text: "a size such as 1280x720"
+    std::vector<std::string> choices = {}; ///< of a text; empty: any text
+    /// The same where parts can be added later (see scene/part_names.hpp).
+    const std::vector<std::string>* parts = nullptr;
+    std::vector<std::pair<std::string, double>> words = {}; ///< words for numbers
+    OptionRange range = {};
+    std::optional<Preset> preset = {}; ///< the only preset that uses it; empty: both do
+
+    std::function<OptionValue(const Scene&)> get = {};
+    /// Takes a value of `get` or one that setOption has checked. Returns false for a text that it
+    /// cannot read.
+    std::function<bool(Scene&, const OptionValue&)> set = {};
+
+    /// The texts that are allowed now; empty: any text.
+    [[nodiscard]] const std::vector<std::string>& texts() const { return parts ? *parts : choices; }
+};
+
+/// Every setting, in the order of the files and the help.
+[[nodiscard]] std::span<const Option> sceneOptions();
+[[nodiscard]] const Option* findOption(std::string_view key);
+
+/// The allowed values, for messages: "a number from 0 to 1".
+[[nodiscard]] std::string describeAllowed(const Option& option);
+
+/// "; did you mean 'grid'?", or nothing if the value is no text that resembles an allowed one.
+[[nodiscard]] std::string nearestAllowed(const Option& option, const OptionValue& value);
+
+/// Sets the value. Returns false, and leaves the scene unchanged, if it is not allowed.
+[[nodiscard]] bool setOption(const Option& option, Scene& scene, OptionValue value);
+
+/// Reads a value from the command line; empty if the text is not of the type of the option.
+[[nodiscard]] std::optional<OptionValue> readOptionText(const Option& option,
+                                                        std::string_view text);
+
+/// The value as written on the command line.
+[[nodiscard]] std::string optionText(const Option& option, const OptionValue& value);
+
+/// The name with the smallest edit distance from `name`; the first of several. Empty if more than
+/// half of `name` would have to change, because that is no typing error.
+[[nodiscard]] std::string nearestName(std::string_view name, std::span<const std::string> names);
+
+/// A radius without a count asks to be filled until no sphere fits, whatever count the preset has.
+/// `given`: a map from the keys that the user gave.
+template <class Given>
+void fillUntilFullForARadiusAlone(const Given& given, Scene& scene)
+{
+    if (given.contains("spheres.radius") && !given.contains("spheres.count"))
+    {
+        scene.spheres.count.reset();
+    }
+}
+
+} // namespace frostfill

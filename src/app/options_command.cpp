@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "app/commands.hpp"
+#include "run/options_page.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <string>
+
+namespace frostfill
+{
+namespace
+{
+
+constexpr const char* kStart = R"(# Options
+
+`frostfill options` prints this page from the tables that also read the command line. The order of options does not matter.
+Lengths in [mesh unit] are in the unit of the mesh file. r is the radius of the spheres and g is gravity.
+
+## Scenes
+
+The command `fill` takes all of these options. A scene file (`--scene FILE.toml`) and `summary.json` use the keys.
+The defaults are those of `frostfill fill torus`.
+)";
+
+constexpr const char* kEnd = R"(
+## Exit codes
+
+| code | meaning |
+|---:|---|
+| 0 | success |
+| 2 | a comparison or a claim failed |
+| 64 | wrong use of the command line |
+| 65 | the mesh or the scene cannot be used |
+| 66 | an input file is missing |
+| 69 | OpenGL or a required program is missing |
+| 70 | the result is wrong: a centre outside the mesh, or a blank picture; the files are kept |
+| 71 | out of memory |
+| 73 | an output file or directory cannot be created |
+| 74 | writing failed |
+| 75 | stopped by a signal; all files are complete |
+)";
+
+/// In a cell of a table a vertical bar would start the next cell.
+std::string cell(const std::string& text)
+{
+    std::string escaped;
+    for (const char letter : text)
+    {
+        if (letter == '|')
+        {
+            escaped.push_back('\\');
+        }
+        escaped.push_back(letter);
+    }
+    return escaped;
+}
+
+/// The option as the command line takes it: "--out DIR", or "MESH" for a positional one.
+std::string usageOf(const CLI::Option& option)
+{
+    if (option.get_positional())
+    {
+        return option.get_name(true);
+    }
+    // Behind a colon CLI11 describes what it checks.
+    const std::string type = option.get_type_size() == 0 ? "" : option.get_type_name();
+    const std::string word = type.substr(0, type.find(':'));
+    const std::string name = option.get_name(false, true);
+    return word.empty() ? name : fmt::format("{} {}", name, word);
+}
+
+/// A row for each option of a command. The options of scenes, which only fill has, have tables of
+/// their own.
+std::string rowsOf(const CLI::App& command)
+{
+    std::string rows;
+    for (const CLI::Option* option : command.get_options())
+    {
+        const std::string name = option->get_name(false, true);
+        if (option == command.get_help_ptr() ||
+            (command.get_name() == "fill" && isSceneOption(name.substr(0, name.find(',')))))
+        {
+            continue;
+        }
+        rows +=
+            fmt::format("| `{}` | {} |\n", cell(usageOf(*option)), cell(option->get_description()));
+    }
+    return rows;
+}
+
+void addTables(const CLI::App& command, const std::string& name, std::string& text)
+{
+    const std::string rows = rowsOf(command);
+    if (!rows.empty())
+    {
+        text += fmt::format("\n### {}\n\n| option | meaning |\n|---|---|\n{}", name, rows);
+    }
+    for (const CLI::App* inner : command.get_subcommands(nullptr))
+    {
+        addTables(*inner, fmt::format("{} {}", name, inner->get_name()), text);
+    }
+}
+
+} // namespace
+
+Command addOptionsCommand(CLI::App& program)
+{
+    program.add_subcommand("options", "Print every option and its default as Markdown");
+    return [&program]
+    {
+        std::string text = kStart + sceneOptionsMarkdown() + "\n## Commands\n";
+        for (const CLI::App* command : program.get_subcommands(nullptr))
+        {
+            addTables(*command, "frostfill " + command->get_name(), text);
+        }
+        fmt::print("{}{}", text, kEnd);
+        return 0;
+    };
+}
+
+} // namespace frostfill

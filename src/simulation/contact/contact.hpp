@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+// Room: where spheres touch spheres and triangles: the contact kernel, sphere casts, contact cones,
+// neighbour lists. All contact geometry of the simulation is here.
+#pragma once
+
+// The contact kernel. Every part that asks where two things touch, and what follows from it, asks
+// here: normal and depth of a contact, the speed that a collision leaves, mass, support. The judge
+// of a finished state (simulation/quality) has its own, so that it cannot share our mistakes.
+
+#include "mesh/interior/surface.hpp"
+#include "simulation/contact/contact_cone.hpp"
+#include "simulation/contact/tolerances.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace frostfill
+{
+
+/// Where a sphere touches another one or a wall.
+struct Contact
+{
+    Eigen::Vector3d normal; ///< unit vector towards the sphere's centre, into the object at a wall
+    double depth = 0;       ///< penetration depth; negative for a gap [r]
+};
+
+/// Whether two points are nearer to each other than `distance`, which is not negative.
+[[nodiscard]] inline bool isWithin(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                                   double distance)
+{
+    return (a - b).squaredNorm() < distance * distance;
+}
+
+/// The contact of two spheres. `d` leads from the other centre to the sphere's, `squared` is its
+/// length squared, `reach` the sum of the radii. Two spheres in the same place have the normal
+/// zero: a contact that stops nothing, because every way out is as good.
+[[nodiscard]] inline Contact contactOfSpheres(const Eigen::Vector3d& d, double squared,
+                                              double reach)
+{
+    const double distance = std::sqrt(squared);
+    return {distance > 0 ? Eigen::Vector3d(d / distance) : Eigen::Vector3d::Zero(),
+            reach - distance};
+}
+
+/// The same where the gap is below `gap`, none where it is not.
+[[nodiscard]] inline std::optional<Contact> sphereContact(const Eigen::Vector3d& d, double reach,
+                                                          double gap = 0)
+{
+    const double limit = reach + gap;
+    const double squared = d.squaredNorm();
+    if (squared >= limit * limit)
+    {
+        return std::nullopt;
+    }
+    return contactOfSpheres(d, squared, reach);
+}
+
+/// The way on which a sphere leaves a contact: its normal, or up where the two centres are one.
+[[nodiscard]] inline Eigen::Vector3d wayOut(const Contact& contact)
+{
+    return contact.normal.isZero(0) ? Eigen::Vector3d::UnitY() : contact.normal;
+}
+
+/// The contact of a sphere at p with a wall at the signed distance `wall`, which is not zero. The
+/// normal points into the object on either side of the wall.
+[[nodiscard]] inline Contact wallContact(const SignedDistance& wall, const Eigen::Vector3d& p,
+                                         double radius)
+{
+    return {(p - wall.closest) / wall.value, radius - wall.value};
+}
+
+/// The contact of a sphere at p with the front of triangle `id`, with a gap of at most `gap`.
+/// Inside a plane of several triangles only the one straight below the centre counts. The edges of
+/// the others come near, too, but nobody can touch an edge that is flat.
+[[nodiscard]] inline std::optional<Contact> frontContact(const Surface& surface, std::uint32_t id,
+                                                         const Eigen::Vector3d& p, double radius,
+                                                         double gap = 0)
+{
+    if (!surface.bound(id).mayBeWithin(radius + gap, p))
+    {
+        return std::nullopt;
+    }
+    const SurfaceTriangle& triangle = surface[id];
+    const SignedDistance wall = signedDistance(triangle, p);
+    if (wall.value <= 0 || wall.value > radius + gap)
+    {
+        return std::nullopt;
+    }
+    const Contact contact = wallContact(wall, p, radius);
+    if (triangle.flat[static_cast<int>(wall.feature)] &&
+        contact.normal.dot(triangle.normal) < 1 - kBelow)
+    {
+        return std::nullopt;
+    }
+    return contact;
+}
+
+/// Adds a normal unless it is there already: triangles that meet in one point give the same one.
+inline void addNormal(std::vector<Eigen::Vector3d>& normals, const Eigen::Vector3d& normal)
+{
+    const auto same = [&](const Eigen::Vector3d& n) { return n.dot(normal) > 1 - kSameNormal; };
+    if (std::none_of(normals.begin(), normals.end(), same))
+    {
+        normals.push_back(normal);
+    }
+}
+
+/// Whether contacts with these normals carry a sphere: what they leave of its weight, as a share
+/// of it, is at most `share`. `down` is the unit vector of the pull.
+[[nodiscard]] inline bool isCarried(const Eigen::Vector3d& down,
+                                    std::span<const Eigen::Vector3d> normals, double share)
+{
+    return projectToFree(down, normals).norm() <= share;
+}
+
+/// What a collision leaves of the normal speed [Newton]. Slow approaches do not bounce, or nothing
+/// would ever come to rest.
+struct Restitution
+{
+    double coefficient = 0.2; ///< speed after over speed before, 0..1
+    double bounceSpeed = 0;   ///< approaches slower than this do not bounce [sqrt(g r)]
+
+    /// `approach`: relative velocity along the normal, negative when the two come nearer.
+    [[nodiscard]] bool bounces(double approach) const { return approach < -bounceSpeed; }
+
+    /// By how much the relative velocity along the normal changes: the impulse of the contact over
+    /// the reduced mass. [sqrt(g r)]
+    [[nodiscard]] double change(double approach) const
+    {
+        return -(1 + (bounces(approach) ? coefficient : 0)) * approach;
+    }
+};
+
+/// Mass of a sphere in units of the run: its radius cubed, as all have the same density.
+[[nodiscard]] inline double massOf(double radius)
+{
+    return radius * radius * radius;
+}
+
+} // namespace frostfill

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace frostfill
+{
+
+// The tolerances of contact that several rooms share. [r] is the run's unit of length, the radius
+// of its largest sphere; [own radius] is that of the sphere in question. The values were found by
+// trial on the four objects unless a source is given.
+
+// Touching. A sphere moves until a gap of kReached is left, so a contact acts from a little farther
+// away (kTouch), and a sphere at rest keeps its contacts from farther away still (kStillTouches).
+
+/// A wall counts as reached when the gap is below this. [r] The rounding of a coordinate a thousand
+/// radii from the origin is 1e-13. Larger: spheres stop visibly short of walls. Smaller: Newton's
+/// steps are spent on rounding.
+inline constexpr double kReached = 1e-10;
+
+/// Gap up to which a contact acts on a sphere that moves. [r] Larger: spheres are stopped by what
+/// they do not touch, and slide around corners before they reach them. Smaller: rounding hides a
+/// contact, and a sphere at rest trembles.
+inline constexpr double kTouch = 1e-7;
+
+/// Gap up to which a contact carries a sphere at rest. [own radius] Ten times kTouch, so that
+/// whatever was a contact at freezing is one when it is looked at again. Larger: what lies beside a
+/// sphere seems to carry it, and it does not wake. Smaller: rounding wakes whole piles.
+inline constexpr double kStillTouches = 1e-6;
+
+/// Gap up to which runners at rest in a pile carry each other. [own radius] The position solver
+/// leaves overlaps and gaps of a thousandth. Half of what the judge of a state allows (0.01), so
+/// that what is frozen on this ground passes. Larger: spheres hang in the air. Smaller: piles never
+/// freeze together.
+inline constexpr double kCarryingGap = 0.005;
+
+/// By how much a place found is clear of everything. [r] Larger: spheres lose their contacts when
+/// they are moved. Smaller: rounding may overlap them.
+inline constexpr double kClearance = 1e-9;
+
+// Carrying: the share of the weight that a sphere's contacts may leave. It grows from kSettled,
+// with which a sphere is frozen, over kCarried, with which it stays at rest, to the 0.1 of the
+// judge of a finished state, who has his own. Were they one, rounding could wake what has just been
+// frozen.
+
+/// Share that may remain where drop-and-roll ends. Larger: spheres stop on slopes. Smaller: the
+/// ends of curves, where the pull fades with the distance, take many more steps.
+inline constexpr double kSettled = 0.01;
+
+/// Share that may remain in a pile, and for one at rest. Larger: spheres rest on steep contacts.
+/// Smaller: piles never freeze together, and wake without a cause.
+inline constexpr double kCarried = 0.05;
+
+// Directions.
+
+/// A direction that leads into a contact by less than this slides along it: a sine. Larger: a
+/// sphere enters what it slides along. Smaller: rounding stops a sphere in mid-slide.
+inline constexpr double kSlides = 1e-7;
+
+/// One minus the cosine up to which a plane's normal and the direction from the closest point
+/// agree. Larger: the edge between two triangles of a plane acts as a second contact. Smaller:
+/// rounding hides the plane itself.
+inline constexpr double kBelow = 1e-13;
+
+/// One minus the cosine up to which two normals are the same. Larger: contacts of a narrow wedge
+/// are taken for one. Smaller: the corners of many triangles fill the list, and the cone of the
+/// contacts takes time with the square of its length.
+inline constexpr double kSameNormal = 1e-14;
+
+/// A direction may lead into a contact of the cone by this share of its length, which is rounding.
+/// Larger: what slides creeps into walls. Smaller: a direction along two contacts seems to lead
+/// into one of them, and the sphere sticks.
+inline constexpr double kLeadsInto = 1e-10;
+
+/// Two contacts whose normals' cross product is shorter than this act as one: the line between them
+/// would be rounding. Larger: a narrow wedge lets its sphere out at the wrong end. Smaller: it
+/// leads anywhere.
+inline constexpr double kParallel = 1e-9;
+
+// Sphere cast.
+
+/// A triangle whose back is turned to the centre from farther away than this belongs to another
+/// sheet of a thin wall. [r] Nearer to zero: a centre that is a little beyond a wall falls through
+/// it. Farther: walls thinner than that stop spheres on their other side.
+inline constexpr double kOtherSheet = -0.5;
+
+/// Newton's steps at most. The method converges quadratically; more steps than this mean a grazing
+/// approach. Smaller: spheres stop before they touch. Larger: time.
+inline constexpr int kNewtonSteps = 40;
+
+} // namespace frostfill

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#include "simulation/discard/discard_rule.hpp"
+
+#include "base/stage_timer.hpp"
+#include "simulation/discard/exact_discard.hpp"
+#include "simulation/discard/paper_discards.hpp"
+
+namespace frostfill
+{
+
+PartTable<DiscardRule, MakeDiscard>& discardRules()
+{
+    static PartTable<DiscardRule, MakeDiscard> table = {
+        [](World&) { return nullptr; },                                      // none
+        [](World& world) { return std::make_unique<PaperDiscards>(world); }, // paper
+        [](World& world) { return std::make_unique<ExactDiscard>(world); },  // exact
+    };
+    return table;
+}
+
+std::unique_ptr<DiscardPart> makeDiscard(World& world)
+{
+    const StageTimer timer(world.times, Stage::discarding);
+    return discardRules()[world.scene.discard.rule](world);
+}
+
+} // namespace frostfill

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "simulation/contact/runner.hpp"
+#include "simulation/world/part_table.hpp"
+#include "simulation/world/world.hpp"
+
+#include <functional>
+#include <memory>
+#include <span>
+
+namespace frostfill
+{
+
+/// A discard rule: which spheres at rest and which polygons are not tested any more. It marks them
+/// with World::discard and World::discardPolygon, and does in each of these calls what it wants to.
+class DiscardPart
+{
+public:
+    virtual ~DiscardPart() = default;
+
+    /// A sphere has come to rest.
+    virtual void addResting(std::uint32_t /*id*/) {}
+    /// A sphere has got another id.
+    virtual void renumber(std::uint32_t /*from*/, std::uint32_t /*to*/) {}
+    /// Spheres have been frozen, for now no more.
+    virtual void afterFreezing() {}
+    /// A step is over. `runners`: all that run; none in an engine that keeps no such list.
+    virtual void afterStep(std::span<Runner> /*runners*/) {}
+    /// Nothing runs any more. `full`: no further sphere fits.
+    virtual void finish(bool /*full*/) {}
+};
+
+/// May return nothing, for a rule that never discards. The world outlives the part.
+using MakeDiscard = std::function<std::unique_ptr<DiscardPart>(World& world)>;
+
+/// Every discard rule by its name.
+[[nodiscard]] PartTable<DiscardRule, MakeDiscard>& discardRules();
+
+/// The one that the world's scene asks for; empty when nothing is to be discarded. Its time counts
+/// as that of discarding.
+[[nodiscard]] std::unique_ptr<DiscardPart> makeDiscard(World& world);
+
+} // namespace frostfill

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "simulation/reach/reach_map.hpp"
+
+#include <array>
+#include <cstddef>
+
+// The numbers of the exact discard. The margins decide what is safe, the rest only how early and at
+// what price something is dropped. `bench discards` measures that price.
+
+namespace frostfill
+{
+
+/// How far a centre may be inside an overlap, move in a step, and be off for rounding, in the units
+/// of ReachMap::Margins, overlap and step in smallest radii. The second replaces the first when a
+/// guard has tripped; after the last, nothing is dropped any more. The engine never moves a sphere
+/// but along swept paths, and its overlaps with what is at rest are rounding: the first are a
+/// thousand times what it needs. Smaller: guards trip, and everything dropped comes back. Larger:
+/// less is dropped.
+inline constexpr std::array<ReachMap::Margins, 2> kReachMargins = {
+    ReachMap::Margins{1e-3, 0, 0.02},
+    ReachMap::Margins{0.05, 0.5, 0.3},
+};
+
+/// Edge of the map's cubes [smallest radius]. Larger: a surface leaks from 0.7 on, so nothing is
+/// ever out of reach. Smaller: time and memory with the inverse cube, and, as parts of cubes are
+/// looked at where they decide, hardly more is dropped.
+inline constexpr double kReachVoxel = 0.69;
+
+// An update looks at all that is kept, so its price for a sphere that comes to rest is bounded when
+// it waits for a share of that. Larger: what is out of reach is tested for longer. Smaller: time.
+
+/// Spheres that come to rest between two updates at least.
+inline constexpr std::size_t kSmallestBatch = 20;
+/// Spheres that come to rest for each that is kept [1].
+inline constexpr double kBatch = 2;
+/// Spheres that come to rest for each polygon that is kept [1].
+inline constexpr double kPolygonBatch = 2;
+/// Polygons are looked at about so often in a run.
+inline constexpr std::size_t kPolygonRounds = 2;
+
+} // namespace frostfill

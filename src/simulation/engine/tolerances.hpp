@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+
+/// The numbers of the engines' schedules. Where no source is named, the value was chosen from runs:
+/// `bench error` and `bench stability` tell when one is wrong. r is the largest radius of the run
+/// and g gravity, the units of length and acceleration.
+namespace frostfill
+{
+
+// Time.
+
+/// Default time step [sqrt(r/g) of the smallest sphere]. Larger: contacts between running spheres
+/// are resolved less well, and spheres visibly press into one another. Smaller: time.
+inline constexpr double kStep = 0.165;
+/// The same with Motion::skip, where nothing falls from far and so nothing is fast.
+inline constexpr double kSkipStep = 0.33;
+/// A longer step that the user asks for is divided [sqrt(r/g) of the smallest]. Larger: gravity
+/// alone makes spheres in contact too fast to come to rest. Smaller: time that nobody asked for.
+inline constexpr double kLongestStep = 0.33;
+/// The window over which a sphere is watched [sqrt(r/g)]. Larger: spheres freeze later. Smaller: a
+/// sphere at the top of its bounce seems calm.
+inline constexpr double kWindow = 0.33;
+
+// When a sphere is overdue, and is frozen wherever it gets.
+
+/// How fast a sphere ages that only runners hold up [1]: a pile comes to rest from below. Larger:
+/// the top of a high pile is overdue before its foot has frozen. Smaller: spheres that hold one
+/// another up for good run long.
+inline constexpr double kWaiting = 0.05;
+/// Part of a contact's normal that is vertical, at least, for the contact to hold a sphere up [1].
+/// Not a share of the weight, unlike kWakes and its like: it only tells a floor from a wall.
+/// Larger: spheres in steep grooves age slowly. Smaller: what leans on a wall counts as held up.
+inline constexpr double kHoldsUp = 0.1;
+/// The largest restitution that is given the time to come to rest [1]. With 1 none would be enough.
+inline constexpr double kLiveliest = 0.95;
+/// Falls through the height that a sphere is given at least. Smaller: spheres are overdue on a long
+/// way down. Larger: what never comes to rest runs longer.
+inline constexpr double kFewestFalls = 4;
+
+// Sweeps.
+
+/// Sweeps of the solver at least, where whole piles run at once as the object moves. Smaller: deep
+/// piles are squeezed. Larger: time.
+inline constexpr int kSweepsInAvalanche = 40;
+
+// Where spheres appear.
+
+/// Below the highest ceiling, in which falls begin [r]. Larger: spheres appear in sight, lower
+/// down. Smaller: fewer find room at once.
+inline constexpr double kTopBand = 4;
+/// A sphere that the user places in a wall is moved by less [r]. Larger: spheres end up far from
+/// where they were put. Smaller: places are refused that a small correction would mend.
+inline constexpr double kFarRelease = 4;
+
+// Without dynamics (Motion::descend).
+
+/// A run is recorded as at most so many sets. Larger: more pictures than anyone looks at.
+inline constexpr std::size_t kMostSets = 200;
+/// Nothing moves in time there; a set counts as this [sqrt(r/g)], so that pictures show the object
+/// fill up.
+inline constexpr double kTimeOfSet = 1;
+
+} // namespace frostfill

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// Room: when a sphere sleeps, when it wakes, and what a set is. It knows the solver and what
+// follows spheres at rest, but no schedule.
+#pragma once
+
+#include "simulation/freezing/rest_followers.hpp"
+#include "simulation/freezing/room_maker.hpp"
+#include "simulation/freezing/runners.hpp"
+#include "simulation/freezing/set_keeper.hpp"
+#include "simulation/motion/drop_and_roll.hpp"
+#include "simulation/motion/free_flight.hpp"
+#include "simulation/solver/position_solver.hpp"
+#include "simulation/solver/support_island.hpp"
+
+#include <vector>
+
+namespace frostfill
+{
+
+/// Puts runners to sleep: each sphere by itself, as soon as it is calm and what is at rest carries
+/// it. It is taken to the nearest place below at which its contacts carry it, so it neither
+/// overlaps anything nor hangs in the air. Where more than a layer runs, islands of spheres that
+/// carry one another freeze together, where they are.
+class Freezer
+{
+public:
+    /// Everything given outlives this. `ageLimit`: see SetProgress.
+    Freezer(World& world, Runners& runners, RestFollowers& followers, const FreeFlight& flight,
+            PositionSolver& solver, Threads& threads, double ageLimit);
+
+    /// To be called at the end of each window.
+    void freeze(SetKeeper& sets);
+
+private:
+    void findSleepy();
+    void freezeTogether(std::uint32_t stillWindows);
+    void freezeOneByOne();
+    void findPlace(Runner& runner) const;
+    [[nodiscard]] bool tryFreeze(std::uint32_t index, bool insist = false);
+    [[nodiscard]] bool isOverdue(const Runner& runner) const { return runner.age > ageLimit_; }
+    /// More than a layer of runners is a pile, in which spheres carry each other.
+    [[nodiscard]] bool isPile() const { return static_cast<double>(runners_.count()) > layer_; }
+
+    World& world_;
+    Runners& runners_;
+    RestFollowers& followers_;
+    const FreeFlight& flight_;
+    PositionSolver& solver_;
+    Threads& threads_;
+    DropAndRoll dropAndRoll_;
+    SupportIsland island_;
+    RoomMaker room_;
+    double ageLimit_;
+    double layer_;                        ///< spheres that cover the object's cross-section
+    std::vector<std::uint32_t> sleepy_;   ///< runners to be frozen, the lowest first
+    std::vector<std::uint32_t> together_; ///< those of an island, the lowest first
+};
+
+} // namespace frostfill

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "simulation/freezing/freezing_rule.hpp"
+
+#include "simulation/freezing/tolerances.hpp"
+#include "simulation/world/world.hpp"
+
+#include <algorithm>
+
+namespace frostfill
+{
+namespace
+{
+
+class OneByOne final : public FreezingPart
+{
+public:
+    void select(const SetProgress&, std::span<Runner>, std::vector<std::uint32_t>&) override {}
+    [[nodiscard]] bool letsMoreAppear(const SetProgress& set) const override
+    {
+        const double few = kStillRunning * static_cast<double>(set.size);
+        return set.running <= static_cast<std::size_t>(few);
+    }
+};
+
+/// Once the newest set is all there and most of it has been calm for long, or something is overdue,
+/// its spheres freeze from below like any others.
+class BySet final : public FreezingPart
+{
+public:
+    void select(const SetProgress& set, std::span<Runner> runners,
+                std::vector<std::uint32_t>& sleepy) override
+    {
+        const auto overdue = [&](const Runner& runner) { return runner.age > set.ageLimit; };
+        const bool whole = set.complete || sleeps_ || set.noRoom;
+        const bool calm =
+            static_cast<double>(sleepy.size()) >= kStillShare * static_cast<double>(runners.size());
+        stillWindows_ = whole && calm ? stillWindows_ + 1 : 0;
+        if (!sleeps_ &&
+            (stillWindows_ >= kStillSet || std::any_of(runners.begin(), runners.end(), overdue)))
+        {
+            sleeps_ = true;
+            for (Runner& runner : runners)
+            {
+                runner.stillWindows = std::min(runner.stillWindows, 1u);
+            }
+        }
+        if (!sleeps_)
+        {
+            sleepy.clear();
+        }
+    }
+    [[nodiscard]] bool letsMoreAppear(const SetProgress& set) const override
+    {
+        return !set.complete && !sleeps_;
+    }
+    void moreAppear() override { sleeps_ = false; }
+    [[nodiscard]] bool keepsSets() const override { return true; }
+
+private:
+    bool sleeps_ = false;            ///< and so it freezes
+    std::uint32_t stillWindows_ = 0; ///< in a row in which most of it was calm
+};
+
+} // namespace
+
+PartTable<FreezingRule, MakeFreezing>& freezingRules()
+{
+    static PartTable<FreezingRule, MakeFreezing> table = {
+        [](const World&) { return std::make_unique<OneByOne>(); },
+        [](const World&) { return std::make_unique<BySet>(); },
+    };
+    return table;
+}
+
+std::unique_ptr<FreezingPart> makeFreezing(const World& world)
+{
+    const FreezingSettings& settings = world.scene.freezing;
+    const FreezingRule usual = settings.bySet ? FreezingRule::bySet : FreezingRule::oneByOne;
+    return freezingRules()[settings.rule.value_or(usual)](world);
+}
+
+} // namespace frostfill

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "simulation/contact/runner.hpp"
+#include "simulation/world/part_table.hpp"
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace frostfill
+{
+
+struct World;
+
+/// How far the newest set has come.
+struct SetProgress
+{
+    std::size_t size = 0;    ///< spheres of a whole set
+    std::size_t running = 0; ///< of all sets
+    bool complete = false;   ///< as many have appeared as are to
+    bool noRoom = false;     ///< the last search found none, and another is not due yet
+    double ageLimit = 0;     ///< Runner::age after which a sphere is overdue [sqrt(r/g)]
+};
+
+/// A freezing rule: which of the calm spheres may be frozen, and so when others follow. Whatever it
+/// says, a sphere is frozen only where something carries it, and one that is overdue wherever it
+/// is.
+class FreezingPart
+{
+public:
+    virtual ~FreezingPart() = default;
+
+    /// At the end of each window. Takes out of `sleepy` those that are to run on: indices of
+    /// runners that are calm or overdue, the lowest first.
+    virtual void select(const SetProgress& set, std::span<Runner> runners,
+                        std::vector<std::uint32_t>& sleepy) = 0;
+
+    /// Whether spheres are to appear while others run.
+    [[nodiscard]] virtual bool letsMoreAppear(const SetProgress& set) const = 0;
+    /// They are looked for.
+    virtual void moreAppear() {}
+
+    /// Whether sets settle and freeze as a whole: what found no room is added to the newest set,
+    /// and piles settle slowly and densely.
+    [[nodiscard]] virtual bool keepsSets() const { return false; }
+};
+
+using MakeFreezing = std::function<std::unique_ptr<FreezingPart>(const World& world)>;
+
+/// Every freezing rule by its name.
+[[nodiscard]] PartTable<FreezingRule, MakeFreezing>& freezingRules();
+
+/// The one that the world's scene asks for.
+[[nodiscard]] std::unique_ptr<FreezingPart> makeFreezing(const World& world);
+
+} // namespace frostfill

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "simulation/discard/discard_rule.hpp"
+#include "simulation/motion/fall_index.hpp"
+#include "simulation/release/release_rule.hpp"
+
+#include <memory>
+
+namespace frostfill
+{
+
+/// What depends on which spheres are at rest, and is told of each that comes to rest: where falls
+/// end, where spheres can appear, and what is discarded.
+struct RestFollowers
+{
+    RestFollowers(World& world, double band, Threads& threads)
+        : falls(world.resting.frame(), world.triangles), release(makeRelease(world, band, threads)),
+          discard(makeDiscard(world))
+    {
+    }
+
+    /// Sphere `id` has come to rest.
+    void add(std::uint32_t id, const Eigen::Vector3d& place, double radius)
+    {
+        falls.insert(place);
+        release->close(place, radius);
+        if (discard)
+        {
+            discard->addResting(id);
+        }
+    }
+
+    FallIndex falls;
+    std::unique_ptr<ReleasePart> release;
+    std::unique_ptr<DiscardPart> discard; ///< empty when nothing is to be discarded
+};
+
+} // namespace frostfill

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "simulation/freezing/set_keeper.hpp"
+
+#include "simulation/freezing/tolerances.hpp"
+#include "simulation/world/world.hpp"
+
+#include <algorithm>
+
+namespace frostfill
+{
+
+SetKeeper::SetKeeper(World& world, double ageLimit)
+    : world_(world), rule_(makeFreezing(world)), ageLimit_(ageLimit), groupSize_(groupSize(world)),
+      size_(groupSize_ * world.scene.spheres.groupsPerSet)
+{
+}
+
+SetProgress SetKeeper::progress(std::size_t running) const
+{
+    const std::size_t target = world_.targetCount;
+    return {.size = size_,
+            .running = running,
+            .complete = appeared_ >= size_ || (target > 0 && world_.spheres.size() >= target),
+            .noRoom = noRoom_,
+            .ageLimit = ageLimit_};
+}
+
+bool SetKeeper::isDue(std::size_t running) const
+{
+    return running == 0 || (!noRoom_ && rule_->letsMoreAppear(progress(running)));
+}
+
+std::size_t SetKeeper::startSearch(std::size_t running)
+{
+    rule_->moreAppear();
+    // What of a set that is kept together finds no room at once comes later.
+    if (running == 0 || !rule_->keepsSets())
+    {
+        appeared_ = 0;
+    }
+    std::size_t wanted = size_ - appeared_;
+    if (world_.targetCount > 0)
+    {
+        wanted = std::min(wanted, world_.targetCount - world_.spheres.size());
+    }
+    return wanted;
+}
+
+std::uint32_t SetKeeper::groupOf(std::size_t n) const
+{
+    return nextGroup_ + static_cast<std::uint32_t>(n / groupSize_);
+}
+
+void SetKeeper::endSearch(std::size_t found)
+{
+    noRoom_ = found == 0;
+    if (found > 0)
+    {
+        appeared_ += found;
+        placed(found);
+    }
+}
+
+void SetKeeper::placed(std::size_t spheres)
+{
+    nextGroup_ = world_.spheres.group.back() + 1;
+    openRecord(spheres);
+}
+
+void SetKeeper::openRecord(std::size_t spheres)
+{
+    record_.close(world_);
+    record_.open(world_, spheres);
+}
+
+void SetKeeper::endWindow(std::span<Runner> runners, std::vector<std::uint32_t>& sleepy)
+{
+    rule_->select(progress(runners.size()), runners, sleepy);
+    // What is to complete a set waits until those before it have fallen out of the way.
+    noRoom_ = rule_->keepsSets() && ++windows_ % kWindowsToFall != 0;
+}
+
+} // namespace frostfill

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include "simulation/freezing/waker.hpp"
+
+#include "simulation/contact/contact.hpp"
+#include "simulation/freezing/tolerances.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace frostfill
+{
+
+bool Waker::begin()
+{
+    if (world_.motion.duration() == 0 || phase_ != Phase::filling)
+    {
+        return false;
+    }
+    phase_ = Phase::moving;
+    lookedAt_ = directionsAtCorners();
+    world_.motionStart = world_.time;
+    return true;
+}
+
+bool Waker::goOn()
+{
+    if (isMoving() && timeIsUp())
+    {
+        wake(); // by the pull as it stays, whatever was looked at before
+        if (runners_.count() == 0)
+        {
+            phase_ = Phase::over;
+        }
+    }
+    return isMoving();
+}
+
+bool Waker::stop()
+{
+    if (phase_ != Phase::moving || !timeIsUp())
+    {
+        return false;
+    }
+    phase_ = Phase::stopped;
+    return true;
+}
+
+std::array<Eigen::Vector3d, 8> Waker::directionsAtCorners() const
+{
+    std::array<Eigen::Vector3d, 8> directions;
+    for (std::size_t corner = 0; corner < directions.size(); ++corner)
+    {
+        const auto which = static_cast<Eigen::AlignedBox3d::CornerType>(corner);
+        directions[corner] = world_.pull.direction(world_.surface.box().corner(which));
+    }
+    return directions;
+}
+
+void Waker::wakeWhenDue()
+{
+    if (!isMoving())
+    {
+        return;
+    }
+    const std::array<Eigen::Vector3d, 8> now = directionsAtCorners();
+    double change = 0;
+    for (std::size_t corner = 0; corner < now.size(); ++corner)
+    {
+        change = std::max(change, (now[corner] - lookedAt_[corner]).norm());
+    }
+    if (change > kSameDirection)
+    {
+        wake();
+    }
+}
+
+// Looks at all spheres at rest, then again at those that one let go may have carried.
+void Waker::wake()
+{
+    lookedAt_ = directionsAtCorners();
+    std::vector<std::uint32_t> toLookAt;
+    for (std::uint32_t id = 0; id < world_.spheres.size(); ++id)
+    {
+        if (world_.spheres.state[id] != SphereState::running)
+        {
+            toLookAt.push_back(id);
+        }
+    }
+    bool any = false;
+    while (!toLookAt.empty())
+    {
+        std::vector<std::uint32_t> next;
+        for (const std::uint32_t id : toLookAt)
+        {
+            if (world_.spheres.state[id] == SphereState::running || isSupported(id))
+            {
+                continue;
+            }
+            any = true;
+            world_.unfreeze(id);
+            runners_.add(id, world_.spheres.position(id), world_.spheres.radius[id]);
+            findTouching(id, next);
+        }
+        std::sort(next.begin(), next.end());
+        next.erase(std::unique(next.begin(), next.end()), next.end());
+        toLookAt = std::move(next);
+    }
+    if (any)
+    {
+        runners_.forgetNeighbours();
+    }
+}
+
+void Waker::findTouching(std::uint32_t id, std::vector<std::uint32_t>& found) const
+{
+    const Eigen::Vector3d place = world_.spheres.position(id);
+    const double radius = world_.spheres.radius[id];
+    world_.resting.forEachNear(
+        place, radius + 1 + kStillTouches,
+        [&](std::uint32_t other)
+        {
+            const GridSphere& near = world_.resting[other];
+            if (isWithin(near.position(), place, radius + near.radius + kStillTouches))
+            {
+                found.push_back(other);
+            }
+        });
+}
+
+bool Waker::isSupported(std::uint32_t id)
+{
+    const Eigen::Vector3d place = world_.spheres.position(id);
+    const double radius = world_.spheres.radius[id];
+    const double gap = kStillTouches * radius;
+    normals_.clear();
+    world_.resting.forEachNear(place, radius + 1 + gap,
+                               [&](std::uint32_t other)
+                               {
+                                   const GridSphere& near = world_.resting[other];
+                                   const auto contact = sphereContact(place - near.position(),
+                                                                      radius + near.radius, gap);
+                                   if (other != id && contact)
+                                   {
+                                       normals_.push_back(contact->normal);
+                                   }
+                               });
+    for (const std::uint32_t t : world_.triangles.near(place))
+    {
+        if (const auto contact = frontContact(world_.surface, t, place, radius, gap))
+        {
+            addNormal(normals_, contact->normal);
+        }
+    }
+    return isCarried(world_.pull.direction(place), normals_, kCarried);
+}
+
+} // namespace frostfill

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "simulation/freezing/runners.hpp"
+#include "simulation/world/world.hpp"
+
+#include <array>
+#include <vector>
+
+namespace frostfill
+{
+
+/// Follows an object that moves: once it is filled and at rest, gravity turns, and the spheres at
+/// rest that it pulls out of the cone of their contacts wake and run again, with all that rested on
+/// them; everything else stays asleep.
+class Waker
+{
+public:
+    /// Where the object is in its motion, in this order. An object that never moves stays in the
+    /// first.
+    enum class Phase
+    {
+        filling, ///< it stands still, and spheres appear
+        moving,
+        stopped, ///< it stands still again, but what that let go may still run
+        over
+    };
+
+    Waker(World& world, Runners& runners) : world_(world), runners_(runners) {}
+
+    [[nodiscard]] Phase phase() const { return phase_; }
+    /// The object moves, or what that let go still runs.
+    [[nodiscard]] bool isMoving() const
+    {
+        return phase_ == Phase::moving || phase_ == Phase::stopped;
+    }
+    /// The pull changes with time.
+    [[nodiscard]] bool pullChanges() const { return isMoving() && !timeIsUp(); }
+
+    /// To be called when nothing runs while the object is being filled. Returns whether it begins
+    /// to move; it does so once, if at all.
+    bool begin();
+    /// To be called when nothing runs while it moves. Returns false when it has come to rest with
+    /// all in it.
+    bool goOn();
+    /// To be called at the end of each window. Returns whether the object has just stopped.
+    bool stop();
+    /// To be called at the end of each window: wakes what nothing carries any more, when the pull's
+    /// direction has changed since the last look.
+    void wakeWhenDue();
+
+private:
+    [[nodiscard]] bool timeIsUp() const
+    {
+        return world_.time - world_.motionStart >= world_.motion.duration();
+    }
+    void wake();
+    [[nodiscard]] std::array<Eigen::Vector3d, 8> directionsAtCorners() const;
+    [[nodiscard]] bool isSupported(std::uint32_t id);
+    void findTouching(std::uint32_t id, std::vector<std::uint32_t>& found) const;
+
+    World& world_;
+    Runners& runners_;
+    Phase phase_ = Phase::filling;
+    std::array<Eigen::Vector3d, 8> lookedAt_; ///< the pull's direction at the box's corners when
+                                              ///< all at rest were last looked at
+    std::vector<Eigen::Vector3d> normals_;    ///< scratch of isSupported
+};
+
+} // namespace frostfill

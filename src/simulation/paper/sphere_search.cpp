@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "simulation/paper/sphere_search.hpp"
+
+#include "simulation/paper/tolerances.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace frostfill
+{
+namespace
+{
+
+/// PAPER: every pair.
+class AllPairs final : public SphereSearchPart
+{
+public:
+    [[nodiscard]] std::span<const IdRange> near(const Spheres&, std::size_t,
+                                                IdRange frozen) override
+    {
+        all_ = frozen;
+        return {&all_, 1};
+    }
+
+private:
+    IdRange all_;
+};
+
+/// Those in the cells near the sphere, in the order of all pairs: the same bits.
+class ByGrid final : public SphereSearchPart
+{
+public:
+    explicit ByGrid(const SphereGrid& resting) : resting_(resting) {}
+    [[nodiscard]] std::span<const IdRange> near(const Spheres& spheres, std::size_t i,
+                                                IdRange frozen) override
+    {
+        ids_.clear();
+        resting_.forEachNear(spheres.position(i), spheres.radius[i] + kGridReach,
+                             [&](std::uint32_t id)
+                             {
+                                 if (id >= frozen.begin)
+                                 {
+                                     ids_.push_back(id);
+                                 }
+                             });
+        std::sort(ids_.begin(), ids_.end());
+        ranges_.clear();
+        for (const std::size_t id : ids_)
+        {
+            if (ranges_.empty() || ranges_.back().end != id)
+            {
+                ranges_.push_back({id, id});
+            }
+            ++ranges_.back().end;
+        }
+        return ranges_;
+    }
+
+private:
+    const SphereGrid& resting_;
+    std::vector<std::uint32_t> ids_;
+    std::vector<IdRange> ranges_;
+};
+
+} // namespace
+
+PartTable<SphereSearch, MakeSphereSearch>& sphereSearches()
+{
+    static PartTable<SphereSearch, MakeSphereSearch> table = {
+        [](const SphereGrid&) { return std::make_unique<AllPairs>(); },
+        [](const SphereGrid& resting) { return std::make_unique<ByGrid>(resting); },
+    };
+    return table;
+}
+
+} // namespace frostfill

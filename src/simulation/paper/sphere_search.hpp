@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "simulation/world/part_table.hpp"
+#include "simulation/world/sphere_grid.hpp"
+#include "simulation/world/spheres.hpp"
+
+#include <functional>
+#include <memory>
+#include <span>
+
+namespace frostfill
+{
+
+/// Spheres with ids from `begin` to before `end`.
+struct IdRange
+{
+    std::size_t begin = 0;
+    std::size_t end = 0;
+};
+
+/// A sphere search: which spheres at rest a running one is tested with in cycle 2 of Algorithm 1.
+/// It is asked once a sphere and step. Preset paper.
+class SphereSearchPart
+{
+public:
+    virtual ~SphereSearchPart() = default;
+
+    /// Those of `frozen` that sphere `i` is tested with, as ranges in ascending order: at least all
+    /// that it may touch, also after the others have pushed it by up to the largest radius. Valid
+    /// until the next call.
+    [[nodiscard]] virtual std::span<const IdRange> near(const Spheres& spheres, std::size_t i,
+                                                        IdRange frozen) = 0;
+};
+
+/// `resting`: a grid of all spheres at rest, kept up to date, which outlives the part.
+using MakeSphereSearch =
+    std::function<std::unique_ptr<SphereSearchPart>(const SphereGrid& resting)>;
+
+/// Every sphere search by its name.
+[[nodiscard]] PartTable<SphereSearch, MakeSphereSearch>& sphereSearches();
+
+} // namespace frostfill

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#include "simulation/release/release_rule.hpp"
+
+#include "simulation/release/releases.hpp"
+
+namespace frostfill
+{
+
+PartTable<ReleaseRule, MakeRelease>& releaseRules()
+{
+    static PartTable<ReleaseRule, MakeRelease> table = {
+        [](const World& world, double band, Threads& threads)
+        { return std::make_unique<Releases>(world, band, threads); }, // ceilings
+    };
+    return table;
+}
+
+std::unique_ptr<ReleasePart> makeRelease(const World& world, double band, Threads& threads)
+{
+    return releaseRules()[world.scene.spheres.release](world, band, threads);
+}
+
+} // namespace frostfill

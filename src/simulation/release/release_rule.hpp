@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/threads.hpp"
+#include "simulation/world/part_table.hpp"
+#include "simulation/world/world.hpp"
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace frostfill
+{
+
+/// What is asked of a place for a sphere.
+struct ReleaseQuery
+{
+    /// Takes a place to where the sphere is to appear; as it is when empty.
+    std::function<Eigen::Vector3d(const Eigen::Vector3d& place, double radius)> prepare = {};
+    /// Whether the sphere can appear at the place so prepared now. Later it may.
+    std::function<bool(const Eigen::Vector3d& place, double radius)> suits = {};
+    /// `prepare` changes nothing and may be called on several threads at once.
+    bool ahead = false;
+};
+
+/// A release rule: where spheres appear, and so when the object is full. Units of the run.
+class ReleasePart
+{
+public:
+    virtual ~ReleasePart() = default;
+
+    /// The next sphere's radius and place, which is clear of walls and of spheres at rest, is
+    /// prepared, and suits. Empty when there is none now.
+    [[nodiscard]] virtual std::optional<PlacedSphere> next(const ReleaseQuery& query) = 0;
+
+    /// The same for a sphere of this radius, which has been released before.
+    [[nodiscard]] virtual std::optional<Eigen::Vector3d> place(double radius,
+                                                               const ReleaseQuery& query) = 0;
+
+    /// Whether a single place is free now, for the smallest radius.
+    [[nodiscard]] virtual bool any() = 0;
+
+    /// To be called for each sphere that has come to rest.
+    virtual void close(const Eigen::Vector3d& centre, double radius) = 0;
+
+    /// To be called when no sphere came to rest from the place found last.
+    virtual void giveUp() {}
+
+    /// To be called before the first search after something has come to rest.
+    virtual void forgetAhead() {}
+};
+
+/// `band`: how far below the highest ceiling spheres may appear while there is room at it [r];
+/// negative: anywhere, from the start. World and threads outlive the part.
+using MakeRelease =
+    std::function<std::unique_ptr<ReleasePart>(const World& world, double band, Threads& threads)>;
+
+/// Every release rule by its name.
+[[nodiscard]] PartTable<ReleaseRule, MakeRelease>& releaseRules();
+
+/// The one that the world's scene asks for.
+[[nodiscard]] std::unique_ptr<ReleasePart> makeRelease(const World& world, double band,
+                                                       Threads& threads);
+
+} // namespace frostfill

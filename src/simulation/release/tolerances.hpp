@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+// The numbers by which places for spheres are found. They decide how fast an object fills and how
+// full, never whether a place is clear: that depenetrate() does, exactly. Values by trial on the
+// four objects.
+
+namespace frostfill
+{
+
+/// Edge of a cell of the lattice of sites [radius of its class]. Larger: a place in a cell that no
+/// push from the site reaches is missed, and "full" comes too early. Smaller: memory and time with
+/// the inverse cube.
+inline constexpr double kSiteCell = 0.5;
+/// Sites at most, whose numbers fit 32 bits; beyond it cells are larger. Not to be increased.
+inline constexpr double kMostSites = 4e9;
+/// Factor by which cells grow until there are few enough. Larger: coarser than need be.
+inline constexpr double kCellGrowth = 1.02;
+/// What rounding may add to the change of a distance from one site to the next [r]. Smaller: a site
+/// near a wall may be taken for a clear one. Larger: the distance is computed more often.
+inline constexpr double kDistanceSlack = 1e-9;
+
+/// Places in a row that others run through, after which a search gives up for now [1]: most do.
+/// Larger: time, when the object is crowded. Smaller: sets appear with fewer spheres than they
+/// could.
+inline constexpr int kMostMisses = 64;
+/// Draws that are looked ahead at once, on all threads. The answer is the same for any. Larger:
+/// more of them are void when a ceiling is forgotten. Smaller: threads wait for each other.
+inline constexpr std::size_t kDrawsAhead = 128;
+/// Layers of cells in a slab that is worth a thread's while. The answer is the same for any.
+inline constexpr int kSlabThickness = 8;
+
+/// Classes of radii at most, each of which has sites of its own. Larger: memory. Smaller: a radius
+/// is released only where a much larger one fits, and the object is not as full.
+inline constexpr std::size_t kMostClasses = 8;
+/// Ratio of the largest to the smallest radius of a class [1], unless that makes too many classes.
+/// Larger and smaller as above.
+inline constexpr double kWidestClass = 1.1;
+
+/// Which of the random numbers of a draw the radius takes; 0 to 2 are those of the sites.
+inline constexpr std::uint64_t kRadiusDraw = 3;
+
+} // namespace frostfill

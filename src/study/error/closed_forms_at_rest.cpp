@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include "simulation/engine/make_engine.hpp"
+#include "simulation/motion/drop_and_roll.hpp"
+#include "simulation/motion/fall_index.hpp"
+#include "study/error/closed_form_parts.hpp"
+#include "study/stability/stress_meshes.hpp"
+
+#include <cmath>
+#include <limits>
+
+/// Where spheres come to rest, against closed forms.
+namespace frostfill
+{
+namespace
+{
+
+constexpr double kNotFrozen = 1e-9; // from its place, of a sphere at rest that still runs [r]
+// The paper's method rests as well as its step lets it; nothing is promised.
+constexpr double kNoClaim = std::numeric_limits<double>::infinity();
+
+// The places that our own engine freezes at, and those of the paper's.
+double restingError(Preset preset, const TriangleMesh& mesh, const Eigen::Vector3d& start,
+                    const Eigen::Vector3d& expected)
+{
+    Scene scene = unitScene(preset, Integrator::semiImplicitEuler);
+    scene.freezing.setTimeLimit = 600;
+    const auto world = room(mesh, scene);
+    const auto engine = makeEngine(*world);
+    const PlacedSphere one{start, 1};
+    engine->releaseAt({&one, 1});
+    while (engine->step())
+    {
+    }
+    return (world->spheres.position(0) - expected).head<2>().norm();
+}
+
+// The same without freezing: where a sphere that runs comes to lie.
+double runningError(const TriangleMesh& mesh, const Eigen::Vector3d& start,
+                    const Eigen::Vector3d& expected)
+{
+    const auto world = room(mesh);
+    FreeFlight::Settings settings;
+    settings.restitution = 0;
+    const FreeFlight flight(*world, settings);
+    Runner runner;
+    runner.restart(0, start, 1);
+    for (int step = 0; step < 2000; ++step)
+    {
+        flight.advance(runner, 0.1);
+    }
+    return (runner.position - expected).head<2>().norm();
+}
+
+void addFast(ClosedFormPoints& points, const char* problem, const char* parameter, double value,
+             const TriangleMesh& mesh, const Eigen::Vector3d& start,
+             const Eigen::Vector3d& expected)
+{
+    points.add(problem, "fast", parameter, value, restingError(Preset::fast, mesh, start, expected),
+               1e-7);
+    points.add(problem, "fast, not frozen", parameter, value, runningError(mesh, start, expected),
+               kNotFrozen);
+}
+
+} // namespace
+
+// r / sin a above the tip of a cone of half angle a, of which the mesh is a pyramid that
+// touches it from outside.
+void measureCones(ClosedFormPoints& points)
+{
+    constexpr int kSides = 12;
+    constexpr double kHeight = 12;
+    for (const double angle : {0.3, 0.6, 0.9})
+    {
+        const double ring = kHeight * std::tan(angle) / std::cos(std::numbers::pi / kSides);
+        TriangleMesh mesh;
+        mesh.vertices.emplace_back(0, -kHeight / 2, 0);
+        mesh.vertices.emplace_back(0, kHeight / 2, 0);
+        for (int k = 0; k < kSides; ++k)
+        {
+            const double a = 2 * std::numbers::pi * k / kSides;
+            mesh.vertices.emplace_back(ring * std::cos(a), kHeight / 2, ring * std::sin(a));
+        }
+        for (std::uint32_t k = 0; k < kSides; ++k)
+        {
+            const std::uint32_t a = 2 + k;
+            const std::uint32_t b = 2 + (k + 1) % kSides;
+            mesh.triangles.push_back({0, a, b});
+            mesh.triangles.push_back({1, b, a});
+        }
+        if (signedVolume(mesh) < 0)
+        {
+            mesh = insideOut(mesh);
+        }
+        const Eigen::Vector3d expected(0, -kHeight / 2 + 1 / std::sin(angle), 0);
+        const Eigen::Vector3d start(0.1, 2.4, 0.1);
+        const double degrees = angle * 180 / std::numbers::pi;
+        addFast(points, "cone", "half angle", degrees, mesh, start, expected);
+    }
+}
+
+// r / sin a above the bottom of a groove of half angle a.
+void measureGrooves(ClosedFormPoints& points)
+{
+    for (const double angle : {0.3, 0.6, 0.9, 1.2})
+    {
+        const double height = 12;
+        const double width = height * std::tan(angle);
+        TriangleMesh mesh;
+        for (const double z : {-10.0, 10.0})
+        {
+            mesh.vertices.emplace_back(0, -height / 2, z);
+            mesh.vertices.emplace_back(width, height / 2, z);
+            mesh.vertices.emplace_back(-width, height / 2, z);
+        }
+        mesh.triangles = {{0, 2, 1}, {3, 4, 5}, {0, 1, 4}, {0, 4, 3},
+                          {1, 2, 5}, {1, 5, 4}, {2, 0, 3}, {2, 3, 5}};
+        const Eigen::Vector3d expected(0, -height / 2 + 1 / std::sin(angle), 0);
+        const Eigen::Vector3d start(0.2, 2.4, 0.4);
+        const double degrees = angle * 180 / std::numbers::pi;
+        addFast(points, "groove", "half angle", degrees, mesh, start, expected);
+        points.add("groove", "paper", "half angle", degrees,
+                   restingError(Preset::paper, mesh, start, expected), kNoClaim);
+    }
+}
+
+// In a cube that stands on a corner: sqrt(3) r above it.
+void measureCorner(ClosedFormPoints& points)
+{
+    const Eigen::Matrix3d stand =
+        Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d(1, 1, 1), Eigen::Vector3d::UnitY())
+            .toRotationMatrix();
+    const TriangleMesh mesh =
+        moved(boxMesh({-5, -5, -5}, {5, 5, 5}, 3), 1, stand, Eigen::Vector3d::Zero());
+    const Eigen::Vector3d expected(0, -4 * std::sqrt(3.0), 0);
+    const Eigen::Vector3d start(0.3, -2, 0.2);
+    addFast(points, "corner", "cuts", 3, mesh, start, expected);
+    points.add("corner", "paper", "cuts", 3, restingError(Preset::paper, mesh, start, expected),
+               kNoClaim);
+}
+
+// On three that touch each other: 2 r sqrt(2/3) above their centres.
+void measureThreeSpheres(ClosedFormPoints& points)
+{
+    const auto world = room(boxMesh({-8, -8, -8}, {8, 8, 8}));
+    FallIndex falls(world->resting.frame(), world->triangles);
+    for (int k = 0; k < 3; ++k)
+    {
+        const double a = 2 * std::numbers::pi * k / 3;
+        const double arm = 2 / std::sqrt(3.0);
+        const Eigen::Vector3d p(arm * std::cos(a), -7, arm * std::sin(a));
+        world->freeze(world->release(p, 1, 0));
+        world->forgetFrozen();
+        falls.insert(p);
+    }
+    DropAndRoll descent(*world, falls);
+    Eigen::Vector3d place(0.2, 0, 0.1);
+    (void)descent.settle(place, 1);
+    const Eigen::Vector3d expected(0, -7 + 2 * std::sqrt(2.0 / 3.0), 0);
+    points.add("on three spheres", "fast", "spheres", 3, (place - expected).norm(), 1e-7);
+}
+
+} // namespace frostfill

@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: MIT
+#include "simulation/engine/make_engine.hpp"
+#include "simulation/solver/position_solver.hpp"
+#include "study/error/closed_form_parts.hpp"
+#include "study/stability/stress_meshes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+/// How spheres move, against closed forms.
+namespace frostfill
+{
+namespace
+{
+
+constexpr double kStepsToRest = 10; // whose bounces are lost at the end of a bouncing
+// The paper's method bounces as well as its step lets it; nothing is promised.
+constexpr double kNoClaim = std::numeric_limits<double>::infinity();
+
+/// After the first bounce. advance() returns height above rest and vertical speed.
+double apexOf(const std::function<std::pair<double, double>()>& advance)
+{
+    bool bounced = false;
+    double apex = 0;
+    for (int step = 0; step < 1000000; ++step)
+    {
+        const auto [height, speed] = advance();
+        bounced = bounced || speed > 0;
+        if (bounced)
+        {
+            apex = std::max(apex, height + (speed > 0 ? speed * speed / 2 : 0));
+        }
+        if (bounced && speed < 0)
+        {
+            break;
+        }
+    }
+    return apex;
+}
+
+/// A sphere around the origin, in so many segments.
+TriangleMesh bowlMesh(int segments, double radius)
+{
+    TriangleMesh mesh;
+    const int rings = segments / 2;
+    mesh.vertices.emplace_back(0, 0, -radius);
+    for (int i = 1; i < rings; ++i)
+    {
+        for (int j = 0; j < segments; ++j)
+        {
+            const double a = std::numbers::pi * i / rings;
+            const double b = 2 * std::numbers::pi * j / segments;
+            // The poles are at the sides, so that the ball swings over regular rows.
+            mesh.vertices.emplace_back(radius * std::sin(a) * std::sin(b),
+                                       -radius * std::sin(a) * std::cos(b), -radius * std::cos(a));
+        }
+    }
+    mesh.vertices.emplace_back(0, 0, radius);
+    const auto at = [&](int i, int j)
+    {
+        if (i == 0)
+        {
+            return std::uint32_t{0};
+        }
+        if (i == rings)
+        {
+            return static_cast<std::uint32_t>(mesh.vertices.size() - 1);
+        }
+        return static_cast<std::uint32_t>(1 + (i - 1) * segments + j % segments);
+    };
+    for (int i = 0; i < rings; ++i)
+    {
+        for (int j = 0; j < segments; ++j)
+        {
+            if (i > 0)
+            {
+                mesh.triangles.push_back({at(i, j), at(i, j + 1), at(i + 1, j + 1)});
+            }
+            if (i + 1 < rings)
+            {
+                mesh.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i + 1, j)});
+            }
+        }
+    }
+    if (signedVolume(mesh) < 0)
+    {
+        mesh = insideOut(mesh);
+    }
+    return mesh;
+}
+
+} // namespace
+
+// Closed form after N steps of dt, T = N dt: semi-implicit Euler falls T dt / 2 too far,
+// explicit Euler as much too little, the exact step neither.
+void measureFreeFall(ClosedFormPoints& points, double dt)
+{
+    constexpr double kTime = 5;
+    const int steps = static_cast<int>(std::lround(kTime / dt));
+    for (const bool isExplicit : {true, false})
+    {
+        Scene scene = unitScene(Preset::paper, isExplicit ? Integrator::explicitEuler
+                                                          : Integrator::semiImplicitEuler);
+        scene.motion.dt = dt;
+        const auto world = room(hall(5, 60), scene);
+        const auto engine = makeEngine(*world);
+        const PlacedSphere one{{0, 20, 0}, 1};
+        engine->releaseAt({&one, 1});
+        for (int step = 0; step < steps; ++step)
+        {
+            engine->step();
+        }
+        const double error = world->spheres.y[0] - (20 - kTime * kTime / 2);
+        points.addPredicted("free fall", isExplicit ? "explicit Euler" : "semi-implicit Euler",
+                            "step", dt, error, (isExplicit ? 1 : -1) * kTime * dt / 2);
+    }
+    const auto world = room(hall(5, 60));
+    const FreeFlight flight(*world, lossless(0));
+    Runner runner;
+    runner.restart(0, {0, 20, 0}, 1);
+    for (int step = 0; step < steps; ++step)
+    {
+        flight.advance(runner, dt);
+    }
+    points.addPredicted("free fall", "exact step", "step", dt,
+                        runner.position.y() - (20 - kTime * kTime / 2), 0);
+}
+
+void measureThrow(ClosedFormPoints& points, double dt)
+{
+    const auto world = room(hall(20, 60));
+    const FreeFlight flight(*world, lossless(0));
+    Runner runner;
+    runner.restart(0, {0, 0, 0}, 1);
+    runner.velocity = {1.5, 4, -0.5};
+    const int steps = static_cast<int>(std::lround(8 / dt));
+    double worst = 0;
+    for (int step = 1; step <= steps; ++step)
+    {
+        flight.advance(runner, dt);
+        const double t = step * dt;
+        const Eigen::Vector3d expected(1.5 * t, 4 * t - t * t / 2, -0.5 * t);
+        worst = std::max(worst, (runner.position - expected).norm());
+    }
+    points.add("throw", "exact step", "step", dt, worst, 1e-12 * steps + 1e-12);
+}
+
+// Apex after the first bounce: e^2 h.
+void measureBounce(ClosedFormPoints& points, double dt)
+{
+    constexpr double kDrop = 10;
+    constexpr double kRestitution = 0.7;
+    const double expected = kRestitution * kRestitution * kDrop;
+    const auto world = room(hall(5, 60));
+    const FreeFlight flight(*world, lossless(kRestitution));
+    Runner runner;
+    runner.restart(0, {0.3, -29 + kDrop, 0.2}, 1);
+    const double ours = apexOf(
+        [&]
+        {
+            flight.advance(runner, dt);
+            return std::pair(runner.position.y() + 29, runner.velocity.y());
+        });
+    points.add("bounce", "exact step", "step", dt, ours / expected - 1,
+               0.6 * dt + kClosedFormRounding);
+    for (const bool isExplicit : {true, false})
+    {
+        Scene scene = unitScene(Preset::paper, isExplicit ? Integrator::explicitEuler
+                                                          : Integrator::semiImplicitEuler);
+        scene.motion.dt = dt;
+        scene.motion.restitution = kRestitution;
+        const auto hallOfPaper = room(hall(5, 60), scene);
+        const auto engine = makeEngine(*hallOfPaper);
+        const PlacedSphere one{{0.3, -29 + kDrop, 0.2}, 1};
+        engine->releaseAt({&one, 1});
+        const double apex = apexOf(
+            [&]
+            {
+                engine->step();
+                return std::pair(hallOfPaper->spheres.y[0] + 29,
+                                 hallOfPaper->spheres.velocity(0).y());
+            });
+        points.add("bounce", isExplicit ? "explicit Euler" : "semi-implicit Euler", "step", dt,
+                   apex / expected - 1, kNoClaim);
+    }
+}
+
+// At rest after sqrt(2 h / g) (1 + e) / (1 - e), infinitely many bounces later.
+void measureBounceToRest(ClosedFormPoints& points, double dt)
+{
+    constexpr double kDrop = 10;
+    constexpr double kRestitution = 0.7;
+    const double expected = std::sqrt(2 * kDrop) * (1 + kRestitution) / (1 - kRestitution);
+    const auto world = room(hall(5, 60));
+    const FreeFlight flight(*world, lossless(kRestitution));
+    Runner runner;
+    runner.restart(0, {0.3, -29 + kDrop, 0.2}, 1);
+    constexpr double kLow = 1e-6;
+    double lastMotion = 0;
+    for (double t = dt; t < 2 * expected; t += dt)
+    {
+        flight.advance(runner, dt);
+        if (runner.position.y() + 29 > kLow)
+        {
+            lastMotion = t;
+        }
+    }
+    // Bounces that take less than a step are not told apart, and those below the height at
+    // which they are no longer looked at are left out.
+    const double tail = std::sqrt(8 * kLow) / (1 - kRestitution);
+    points.add("bounce to rest", "exact step", "step", dt, lastMotion / expected - 1,
+               (kStepsToRest * dt + tail) / expected);
+}
+
+// Two equal spheres meet head on: v1' = v (1 - e) / 2, v2' = v (1 + e) / 2.
+void measureHeadOnPair(ClosedFormPoints& points, double dt)
+{
+    constexpr double kRestitution = 0.6;
+    constexpr double kSpeed = 2;
+    Scene scene = unitScene(Preset::fast);
+    const auto world = room(hall(20, 60), scene);
+    world->pull.uniform.setZero(); // weightless, so that the closed form holds
+    const FreeFlight flight(*world, lossless(kRestitution));
+    Threads threads(1);
+    RunnerGrid grid(world->resting.frame());
+    PositionSolver positionSolver(grid, flight, threads,
+                                  {.restitution = kRestitution, .bounceSpeed = 0});
+    std::vector<Runner> pair(2);
+    pair[0].restart(0, {-3, 0, 0}, 1);
+    pair[1].restart(1, {1, 0, 0}, 1);
+    pair[0].velocity = {kSpeed, 0, 0};
+    for (double t = 0; t < 4; t += dt)
+    {
+        for (Runner& runner : pair)
+        {
+            flight.advance(runner, dt);
+        }
+        positionSolver.resolve(pair, dt);
+    }
+    const double error = std::max(std::abs(pair[0].velocity.x() - kSpeed * (1 - kRestitution) / 2),
+                                  std::abs(pair[1].velocity.x() - kSpeed * (1 + kRestitution) / 2));
+    points.add("head-on pair", "exact step", "step", dt, error, 1e-9);
+}
+
+// Sliding down a slope: g sin a, however finely it is cut. The room is tilted.
+void measureIncline(ClosedFormPoints& points, int cuts)
+{
+    constexpr double kAngle = 0.35;
+    constexpr double kTime = 8;
+    const Eigen::Matrix3d tilt =
+        Eigen::AngleAxisd(kAngle, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+    const TriangleMesh mesh =
+        moved(boxMesh({-30, -6, -12}, {30, 6, 12}, cuts), 1, tilt, Eigen::Vector3d::Zero());
+    const auto world = room(mesh);
+    const FreeFlight flight(*world, lossless(0));
+    Runner runner;
+    const Eigen::Vector3d start = tilt * Eigen::Vector3d(15, -5, 0.7);
+    runner.restart(0, start, 1);
+    const int steps = 80;
+    for (int step = 0; step < steps; ++step)
+    {
+        flight.advance(runner, kTime / steps);
+    }
+    const Eigen::Vector3d expected =
+        start - tilt * Eigen::Vector3d(std::sin(kAngle) * kTime * kTime / 2, 0, 0);
+    points.add("incline", "exact step", "triangles", 2.0 * cuts * cuts,
+               (runner.position - expected).norm(), 1e-9);
+}
+
+// A ball in a bowl swings with T = 2 pi sqrt(R - r), small amplitude.
+void measureBowl(ClosedFormPoints& points, int segments, double dt)
+{
+    constexpr double kBowl = 30;
+    const double expected = 2 * std::numbers::pi * std::sqrt(kBowl - 1);
+    const TriangleMesh mesh = bowlMesh(segments, kBowl);
+    const auto world = room(mesh);
+    const FreeFlight flight(*world, lossless(0));
+    Runner runner;
+    constexpr double kAmplitude = 0.35; // [rad] several triangles wide
+    const double path = kBowl - 1.2;
+    runner.restart(0, {path * std::sin(kAmplitude), -path * std::cos(kAmplitude), 0.01}, 1);
+    std::vector<double> crossings;
+    for (double t = 0; t < 100 && crossings.size() < 3; t += dt)
+    {
+        const double before = runner.position.x();
+        flight.advance(runner, dt);
+        const double now = runner.position.x();
+        if ((before > 0) != (now > 0))
+        {
+            crossings.push_back(t + dt * before / (before - now));
+        }
+    }
+    // T(A) = T0 (1 + A^2 / 16 + 11 A^4 / 3072): the ball loses amplitude at every crease, so
+    // only the first quarter and half swing are used.
+    const double a2 = kAmplitude * kAmplitude;
+    const double swing = expected * (1 + a2 / 16 + 11 * a2 * a2 / 3072);
+    const double half = crossings.size() > 1 ? crossings[1] - crossings[0] : 0;
+    // On facets that turn by d the potential is linear between points of the parabola, from
+    // which it differs by up to g (R - r) d^2 / 8: a share (d / 2A)^2 of the swing's energy.
+    // How much of the amplitude the creases leave is not known either.
+    const double turn = 2 * std::numbers::pi / segments;
+    const double allowed = std::pow(turn / (2 * kAmplitude), 2) + a2 / 16;
+    points.add("bowl", "exact step", "segments", segments, half / (swing / 2) - 1, allowed);
+}
+
+} // namespace frostfill

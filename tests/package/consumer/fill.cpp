@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#include <frostfill/fill.hpp>
+
+int main()
+{
+    using namespace frostfill;
+    FillRequest request{presetScene(Preset::fast, "torus"), "torus"};
+    request.scene.spheres.radius = 0.1;
+    request.scene.spheres.count = 20;
+    request.scene.frames.selection = "last";
+    const FillResult result = fill(request);
+    return !result.failure && result.spheres == 20 ? 0 : 1;
+}
