@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/paper/polygon_search.hpp"
 
+#include <algorithm>
 #include <array>
 #include <span>
 
@@ -107,10 +108,7 @@ public:
     }
     void search(const Eigen::Vector3d& p, PolygonVisitor& visit) const override
     {
-        for (const std::uint32_t polygon : quarters_[quarter(p)])
-        {
-            visit(polygon);
-        }
+        visit(quarters_[quarter(p)]);
     }
     void update() override
     {
@@ -160,22 +158,34 @@ public:
     explicit ByGrid(const SearchedPolygons& polygons)
         : states_(polygons.states), grid_(*polygons.grid)
     {
+        update();
     }
     void search(const Eigen::Vector3d& p, PolygonVisitor& visit) const override
     {
-        const std::span<const PolygonState> states = states_;
-        for (const std::uint32_t polygon : grid_.near(p))
+        const std::span<const std::uint32_t> near = grid_.near(p);
+        if (allActive_)
         {
-            if (states[polygon] == PolygonState::active)
+            visit(near);
+            return;
+        }
+        for (const std::uint32_t polygon : near)
+        {
+            if (states_[polygon] == PolygonState::active)
             {
                 visit(polygon);
             }
         }
     }
+    void update() override
+    {
+        const auto isActive = [](PolygonState state) { return state == PolygonState::active; };
+        allActive_ = std::all_of(states_.begin(), states_.end(), isActive);
+    }
 
 private:
     const std::vector<PolygonState>& states_;
     const TriangleGrid& grid_;
+    bool allActive_ = true;
 };
 
 template <class Search>
@@ -185,6 +195,15 @@ std::unique_ptr<PolygonSearchPart> make(const SearchedPolygons& polygons)
 }
 
 } // namespace
+
+void PolygonVisitor::meet(std::uint32_t polygon)
+{
+    nearby_.push_back(polygon);
+    if (surface_.bound(polygon).mayBeWithin(radius_, p_))
+    {
+        call_(respond_, polygon);
+    }
+}
 
 PartTable<PolygonSearch, MakePolygonSearch>& polygonSearches()
 {
