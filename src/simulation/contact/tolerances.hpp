@@ -9,7 +9,7 @@ namespace frostfill
 // trial on the four objects unless a source is given.
 
 // Touching. A sphere moves until a gap of kReached is left, so a contact acts from a little farther
-// away (kTouch), and a sphere at rest keeps its contacts from farther away still (kStillTouches).
+// away (kTouch), and what carries a sphere at rest may be farther away still (kCarryingGap).
 
 /// A wall counts as reached when the gap is below this. [r] The rounding of a coordinate a thousand
 /// radii from the origin is 1e-13. Larger: spheres stop visibly short of walls. Smaller: Newton's
@@ -21,15 +21,12 @@ inline constexpr double kReached = 1e-10;
 /// contact, and a sphere at rest trembles.
 inline constexpr double kTouch = 1e-7;
 
-/// Gap up to which a contact carries a sphere at rest. [own radius] Ten times kTouch, so that
-/// whatever was a contact at freezing is one when it is looked at again. Larger: what lies beside a
-/// sphere seems to carry it, and it does not wake. Smaller: rounding wakes whole piles.
-inline constexpr double kStillTouches = 1e-6;
-
-/// Gap up to which runners at rest in a pile carry each other. [own radius] The position solver
-/// leaves overlaps and gaps of a thousandth. Half of what the judge of a state allows (0.01), so
-/// that what is frozen on this ground passes. Larger: spheres hang in the air. Smaller: piles never
-/// freeze together.
+/// Gap up to which spheres carry each other: runners in a pile that freezes together, and spheres
+/// at rest that are asked whether they have to wake. [own radius] These two are one: with a smaller
+/// gap for waking, what a pile froze on woke, froze again, and so on without end. The position
+/// solver leaves overlaps and gaps of a thousandth. Half of what the judge of a state allows
+/// (0.01), so that what is frozen on this ground passes. Larger: spheres hang in the air. Smaller:
+/// piles never freeze together.
 inline constexpr double kCarryingGap = 0.005;
 
 /// By how much a place found is clear of everything. [r] Larger: spheres lose their contacts when

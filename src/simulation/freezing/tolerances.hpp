@@ -74,7 +74,7 @@ inline constexpr std::uint32_t kStillSet = 30;
 inline constexpr std::uint32_t kWindowsToFall = 9;
 
 // Waking. Which contacts hold a sphere at rest, and which share of the pull they may leave, stands
-// with the other tolerances of contact: kStillTouches and kCarried in contact/tolerances.hpp.
+// with the other tolerances of contact: kCarryingGap and kCarried in contact/tolerances.hpp.
 
 /// Change of the pull's direction that is not worth a look at all spheres at rest [1]. Larger: what
 /// a slow motion lets go wakes late, several layers at once. Smaller: time.

@@ -116,11 +116,11 @@ void Waker::findTouching(std::uint32_t id, std::vector<std::uint32_t>& found) co
     const Eigen::Vector3d place = world_.spheres.position(id);
     const double radius = world_.spheres.radius[id];
     world_.resting.forEachNear(
-        place, radius + 1 + kStillTouches,
+        place, radius + 1 + kCarryingGap,
         [&](std::uint32_t other)
         {
             const GridSphere& near = world_.resting[other];
-            if (isWithin(near.position(), place, radius + near.radius + kStillTouches))
+            if (isWithin(near.position(), place, radius + near.radius + kCarryingGap))
             {
                 found.push_back(other);
             }
@@ -131,7 +131,7 @@ bool Waker::isSupported(std::uint32_t id)
 {
     const Eigen::Vector3d place = world_.spheres.position(id);
     const double radius = world_.spheres.radius[id];
-    const double gap = kStillTouches * radius;
+    const double gap = kCarryingGap * radius;
     normals_.clear();
     world_.resting.forEachNear(place, radius + 1 + gap,
                                [&](std::uint32_t other)
