@@ -96,7 +96,7 @@ TEST(DamagedMeshes, AreReadOrRefusedInASentence)
     };
     for (const auto& [extension, text] : kinds)
     {
-        for (std::uint64_t seed = 0; seed < 24; ++seed)
+        for (std::uint64_t seed = 0; seed < 12; ++seed)
         {
             const auto file =
                 test::writeFile("damaged." + std::string(extension), damaged(text, seed));
