@@ -120,9 +120,13 @@ RunDirectory::~RunDirectory()
             std::filesystem::remove(path_ / folder, notEmpty);
         }
     }
-    if (lock_ >= 0)
+}
+
+RunDirectory::Lock::~Lock()
+{
+    if (descriptor >= 0)
     {
-        close(lock_);
+        close(descriptor);
     }
 }
 
@@ -130,10 +134,10 @@ RunDirectory::~RunDirectory()
 // Where file systems know no such locks the run goes on without.
 void RunDirectory::lock()
 {
-    lock_ = open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (lock_ >= 0 && flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    lock_.descriptor = open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (lock_.descriptor >= 0 && flock(lock_.descriptor, LOCK_EX | LOCK_NB) != 0 &&
+        errno == EWOULDBLOCK)
     {
-        close(std::exchange(lock_, -1));
         refuse(fmt::format("another run is writing to {}; wait for its end, or give another "
                            "directory with --out",
                            path_.string()));

@@ -33,7 +33,16 @@ private:
     void takeOver(const std::filesystem::path& file, bool isOurs);
 
     std::filesystem::path path_;
-    int lock_ = -1;                           ///< the directory itself, opened
+    /// The directory itself, opened; closed also when the rest of the construction fails.
+    struct Lock
+    {
+        int descriptor = -1;
+        Lock() = default;
+        Lock(const Lock&) = delete;
+        Lock& operator=(const Lock&) = delete;
+        ~Lock();
+    };
+    Lock lock_;
     std::vector<std::filesystem::path> old_;  ///< of the earlier run
     std::vector<std::filesystem::path> left_; ///< by one that was killed: not worth keeping
 };

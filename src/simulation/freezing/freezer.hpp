@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-// Room: when a sphere sleeps, when it wakes, and what a set is. It knows the solver and what
-// follows spheres at rest, but no schedule.
 #pragma once
 
 #include "simulation/freezing/rest_followers.hpp"
