@@ -69,8 +69,8 @@ void printReport(const std::string& name, const MeshReport& report)
 
 int inspect(const MeshArguments& arguments)
 {
-    TriangleMesh mesh =
-        isBuiltInMesh(arguments.mesh) ? builtInMesh(arguments.mesh) : readMeshInCage(arguments.mesh);
+    TriangleMesh mesh = isBuiltInMesh(arguments.mesh) ? builtInMesh(arguments.mesh)
+                                                      : readMeshInCage(arguments.mesh);
     const MeshReport asRead = inspectMesh(mesh);
     printReport(arguments.mesh, asRead);
     if (arguments.radius > 0 && !asRead.closed() && asRead.triangles > 0)
