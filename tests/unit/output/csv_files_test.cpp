@@ -5,6 +5,9 @@
 
 #include <frostfill/output.hpp>
 
+#include <sys/resource.h>
+
+#include <csignal>
 #include <vector>
 
 namespace frostfill
@@ -64,21 +67,55 @@ TEST(AtomicFile, TellsThatItCannotBeCreated)
         ErrorCode::cannotCreate, [] { AtomicFile file("no/such/folder/a"); }, "no/such/folder/a");
 }
 
+/// While it lives, no file of this process may grow beyond some bytes.
+class FullDisk
+{
+public:
+    explicit FullDisk(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN))
+    {
+        getrlimit(RLIMIT_FSIZE, &before_);
+        rlimit now = before_;
+        now.rlim_cur = bytes;
+        setrlimit(RLIMIT_FSIZE, &now);
+    }
+    ~FullDisk()
+    {
+        setrlimit(RLIMIT_FSIZE, &before_);
+        std::signal(SIGXFSZ, handler_);
+    }
+    FullDisk(const FullDisk&) = delete;
+    FullDisk& operator=(const FullDisk&) = delete;
+
+private:
+    void (*handler_)(int);
+    rlimit before_ = {};
+};
+
 TEST(AtomicFile, TellsThatTheDiskIsFull)
 {
     const TemporaryFolder folder;
-    // A part that is really the device which is always full.
-    std::filesystem::create_symlink("/dev/full", folder / "a.part");
-    expectError(
-        ErrorCode::writeFailed,
-        [&]
-        {
-            AtomicFile file(folder / "a");
-            file.write(std::string(100, 'x'));
-            file.commit();
-        },
-        "No space left");
-    EXPECT_FALSE(std::filesystem::exists(folder / "a"));
+    const auto write = [&]
+    {
+        const FullDisk disk(10);
+        AtomicFile file(folder / "a");
+        file.write(std::string(100, 'x'));
+        file.commit();
+    };
+    expectError(ErrorCode::writeFailed, write, "cannot write", "File too large");
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(AtomicFile, WritesThroughNoSymbolicLink)
+{
+    const TemporaryFolder folder;
+    test::writeFile(folder / "mine", "mine");
+    std::filesystem::create_symlink(folder / "mine", folder / "a.part");
+    AtomicFile file(folder / "a");
+    file.write("new");
+    file.commit();
+    EXPECT_EQ(test::readFile(folder / "mine"), "mine");
+    EXPECT_EQ(test::readFile(folder / "a"), "new");
+    EXPECT_FALSE(std::filesystem::is_symlink(folder / "a"));
 }
 
 TEST(CreateDirectory, TellsThatAFileIsInTheWay)
