@@ -16,6 +16,12 @@ using test::Answer;
 using test::readFile;
 
 const std::string kSmall = "fill cube --radius 0.3 --count 8 --group-size 2 --size 64x48 ";
+// A shell's words that wait until a run has made its directory, just before it locks it.
+std::string waitFor(const std::string& directory)
+{
+    return "until test -d " + directory + "; do sleep 0.05; done; sleep 0.3; ";
+}
+
 // Takes far longer than any test waits.
 const std::string kLong = "fill cube --count 200000 --frames none --quiet --threads 1 ";
 
@@ -48,9 +54,9 @@ TEST_F(KeepsRuns, SignalsThatComeTogetherStopTheRunAndLoseNothing)
 {
     for (const std::string signal : {"TERM", "INT", "HUP"})
     {
-        const Answer answer =
-            run(kLong + "--out " + signal + " & process=$!; sleep 0.7; kill -" + signal +
-                " $process; kill -TERM $process; kill -" + signal + " $process; wait $process");
+        const Answer answer = run(kLong + "--out " + signal + " & process=$!; " + waitFor(signal) +
+                                  "kill -" + signal + " $process; kill -TERM $process; kill -" +
+                                  signal + " $process; wait $process");
         EXPECT_EQ(answer.code, 75) << signal << answer.errors;
         const auto summary =
             nlohmann::json::parse(readFile(folder_ / signal / "summary.json"), nullptr, false);
@@ -61,10 +67,11 @@ TEST_F(KeepsRuns, SignalsThatComeTogetherStopTheRunAndLoseNothing)
 
 TEST_F(KeepsRuns, ASecondRunInTheSameDirectoryIsRefused)
 {
-    const Answer answer = run(kLong + "--out a & process=$!; sleep 0.7; '" FROSTFILL_PROGRAM
-                                      "' fill cube --count 4 --frames none --overwrite --out a; "
-                                      "second=$?; kill -TERM $process; wait $process; "
-                                      "test $? -eq 75 && exit $second");
+    const Answer answer =
+        run(kLong + "--out a & process=$!; " + waitFor("a") +
+            "'" FROSTFILL_PROGRAM "' fill cube --count 4 --frames none --overwrite --out a; "
+            "second=$?; kill -TERM $process; wait $process; "
+            "test $? -eq 75 && exit $second");
     EXPECT_EQ(answer.code, 73);
     EXPECT_NE(answer.errors.find("another run is writing to a"), std::string::npos)
         << answer.errors;
