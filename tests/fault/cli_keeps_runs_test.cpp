@@ -4,8 +4,12 @@
 #include "fault/program.hpp"
 #include "support/temporary_folder.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
 
 namespace frostfill
 {
@@ -16,6 +20,7 @@ using test::Answer;
 using test::readFile;
 
 const std::string kSmall = "fill cube --radius 0.3 --count 8 --group-size 2 --size 64x48 ";
+
 // A shell's words that wait until a run has made its directory, just before it locks it.
 std::string waitFor(const std::string& directory)
 {
@@ -52,11 +57,12 @@ TEST_F(KeepsRuns, ARunThatCannotBeginLeavesTheOldOneAsItIs)
 
 TEST_F(KeepsRuns, SignalsThatComeTogetherStopTheRunAndLoseNothing)
 {
-    for (const std::string signal : {"TERM", "INT", "HUP"})
+    for (const std::string& signal : std::vector<std::string>{"TERM", "INT", "HUP"})
     {
-        const Answer answer = run(kLong + "--out " + signal + " & process=$!; " + waitFor(signal) +
-                                  "kill -" + signal + " $process; kill -TERM $process; kill -" +
-                                  signal + " $process; wait $process");
+        const Answer answer = run(
+            fmt::format("{0}--out {1} & process=$!; {2}kill -{1} $process; kill -TERM $process; "
+                        "kill -{1} $process; wait $process",
+                        kLong, signal, waitFor(signal)));
         EXPECT_EQ(answer.code, 75) << signal << answer.errors;
         const auto summary =
             nlohmann::json::parse(readFile(folder_ / signal / "summary.json"), nullptr, false);
