@@ -24,9 +24,9 @@ struct SetRecord
     std::size_t spheres = 0; ///< that appeared with the set
     std::uint64_t steps = 0;
     double simulatedSeconds = 0;
-    double meanSphereSphereMs = 0; ///< per step
+    double meanSphereSphereMs = 0; ///< per step; fast: of the solver. 0 with Motion::descend
     double p95SphereSphereMs = 0;
-    double meanSpherePolygonMs = 0;
+    double meanSpherePolygonMs = 0; ///< per step; 0 for preset fast, where it is part of the motion
     double p95SpherePolygonMs = 0;
     StageTimes times;        ///< of the stages of the simulation, in total
     std::size_t running = 0; ///< at the end of the set, after freezing and discarding

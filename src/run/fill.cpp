@@ -151,9 +151,9 @@ FillResult fill(const FillRequest& request, const FillObserver& observer)
             request.directory, runHash(request.scene, mesh.mesh), request.video,
             simulation.poses());
     }
-    directory.begin(); // all that can fail before the first step has not
     FillResult result;
     result.reach = simulation.inspectReach(kReachBytes);
+    directory.begin(); // all that can fail before the first step has not
     if (observer.planned)
     {
         observer.planned(makePlan(request.scene, mesh, simulation, timing, result.reach));

@@ -2,6 +2,7 @@
 // Reading a mesh that anybody may have made. Assimp 5.2.5, the reader in Debian 12, crashes, hangs
 // or fills the memory on damaged files; in a child process that costs a sentence.
 #include "mesh/files/cage.hpp"
+#include "mesh/repair/find_nonsense.hpp"
 
 #include <frostfill/error.hpp>
 #include <frostfill/mesh.hpp>
@@ -60,30 +61,6 @@ bool take(std::string_view& bytes, std::vector<Value>& values)
     return true;
 }
 
-/// What came out of the cage is believed no more than the file: a reader that was led astray may
-/// have sent anything.
-bool isSound(const TriangleMesh& mesh)
-{
-    for (const Eigen::Vector3d& vertex : mesh.vertices)
-    {
-        if (!vertex.allFinite())
-        {
-            return false;
-        }
-    }
-    for (const auto& triangle : mesh.triangles)
-    {
-        for (const std::uint32_t corner : triangle)
-        {
-            if (corner >= mesh.vertices.size())
-            {
-                return false;
-            }
-        }
-    }
-    return true;
-}
-
 } // namespace
 
 TriangleMesh readMeshInCage(const std::filesystem::path& file)
@@ -98,10 +75,12 @@ TriangleMesh readMeshInCage(const std::filesystem::path& file)
                                             append(report, mesh.triangles);
                                             return report;
                                         });
+    // What came out of the cage is believed no more than the file: a reader that was led astray may
+    // have sent anything.
     TriangleMesh mesh;
     std::string_view rest = bytes;
     if (!take(rest, mesh.vertices) || !take(rest, mesh.triangles) || !rest.empty() ||
-        !isSound(mesh))
+        findNonsense(mesh))
     {
         throw Error(ErrorCode::badData, subject + ": the reader made nonsense of it; export the "
                                                   "mesh again, in another format if need be");

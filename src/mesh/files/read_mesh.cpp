@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/files/one_file_io.hpp"
+#include "mesh/repair/find_nonsense.hpp"
 #include "mesh/repair/weld.hpp"
 
 #include <frostfill/error.hpp>
@@ -200,16 +201,9 @@ TriangleMesh readMesh(const std::filesystem::path& file)
             ErrorCode::badData,
             fmt::format("'{}' holds no triangles, so there is nothing to fill", file.string()));
     }
-    for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
+    if (const auto nonsense = findNonsense(mesh))
     {
-        if (!mesh.vertices[i].allFinite())
-        {
-            throw Error(
-                ErrorCode::badData,
-                fmt::format("'{}' has a vertex (number {}) that is infinite or not a number; "
-                            "export the mesh again",
-                            file.string(), i + 1));
-        }
+        refuse(*nonsense + "; export the mesh again");
     }
     weldEqualVertices(mesh);
     return mesh;

@@ -2,6 +2,7 @@
 #include "mesh/repair/clean_mesh.hpp"
 #include "mesh/repair/close_holes.hpp"
 #include "mesh/repair/edge_table.hpp"
+#include "mesh/repair/find_nonsense.hpp"
 #include "mesh/repair/orient_mesh.hpp"
 #include "mesh/repair/separate_edges.hpp"
 #include "mesh/repair/triangle_shape.hpp"
@@ -47,25 +48,9 @@ void refuseNonsense(const TriangleMesh& mesh, std::string_view name)
     {
         refuse(name, "it has no triangles");
     }
-    for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
+    if (const auto nonsense = findNonsense(mesh))
     {
-        if (!mesh.vertices[i].allFinite())
-        {
-            refuse(name, fmt::format("vertex {} is infinite or not a number; export the mesh again",
-                                     i + 1));
-        }
-    }
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-    {
-        for (const std::uint32_t corner : mesh.triangles[i])
-        {
-            if (corner >= mesh.vertices.size())
-            {
-                refuse(name,
-                       fmt::format("triangle {} refers to vertex {} of {}; export the mesh again",
-                                   i + 1, corner + 1, mesh.vertices.size()));
-            }
-        }
+        refuse(name, *nonsense + "; export the mesh again");
     }
 }
 

@@ -206,6 +206,7 @@ void FastEngine::solve()
     {
         const StageTimer timer(world_.times, Stage::sphereSphere);
         solver_.resolve(runners_.all(), world_.dt);
+        sets_.observeSolver(1e3 * timer.seconds());
     }
     for (const Runner& runner : runners_.all())
     {

@@ -155,5 +155,21 @@ INSTANTIATE_TEST_SUITE_P(EveryMotion, FastEngines,
                                            Case{Motion::descend, false}),
                          nameOf);
 
+TEST(FastEngine, RecordsTheTimeThatItsSolverTakes)
+{
+    Scene scene = presetScene(Preset::fast, "torus");
+    scene.spheres.count = 60;
+    Simulation simulation(scene, shapes::torus());
+    while (simulation.step())
+    {
+    }
+    ASSERT_FALSE(simulation.sets().empty());
+    const SetRecord& set = simulation.sets().front();
+    EXPECT_GT(set.meanSphereSphereMs, 0);
+    EXPECT_GE(set.p95SphereSphereMs, 0);
+    EXPECT_LE(set.meanSphereSphereMs * static_cast<double>(set.steps),
+              1000 * simulation.times()[Stage::sphereSphere] + 1e-6);
+}
+
 } // namespace
 } // namespace frostfill
