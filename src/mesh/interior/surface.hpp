@@ -38,12 +38,21 @@ struct alignas(64) TriangleBound
     /// False only if every point of the triangle is farther than `distance` from p.
     [[nodiscard]] bool mayBeWithin(double distance, const Eigen::Vector3d& p) const
     {
-        if (std::abs(normal.dot(p) - offset) > distance)
-        {
-            return false;
-        }
+        return toPlane(p) <= distance && ballIsWithin(distance, toCentreSquared(p));
+    }
+    [[nodiscard]] double toPlane(const Eigen::Vector3d& p) const
+    {
+        return std::abs(normal.dot(p) - offset);
+    }
+    [[nodiscard]] double toCentreSquared(const Eigen::Vector3d& p) const
+    {
+        return (p - centre).squaredNorm();
+    }
+    /// Of a point by its distance to the centre.
+    [[nodiscard]] bool ballIsWithin(double distance, double centreSquared) const
+    {
         const double reach = radius + distance;
-        return (p - centre).squaredNorm() <= reach * reach;
+        return centreSquared <= reach * reach;
     }
 };
 

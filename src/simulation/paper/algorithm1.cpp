@@ -114,6 +114,22 @@ void Algorithm1::runningRunning(std::size_t runningBegin, OperationCounts& count
     counts.runningRunningResponses += responses;
 }
 
+inline std::uint64_t Algorithm1::respondToFrozen(std::size_t i, std::size_t begin, std::size_t end)
+{
+    std::uint64_t responses = 0;
+    for (std::size_t j = begin; j < end; ++j)
+    {
+        const auto contact = sphereContact(spheres_.position(i) - spheres_.position(j),
+                                           spheres_.radius[i] + spheres_.radius[j]);
+        if (contact)
+        {
+            respond(i, *contact);
+            ++responses;
+        }
+    }
+    return responses;
+}
+
 void Algorithm1::runningFrozen(std::size_t frozenBegin, std::size_t runningBegin,
                                OperationCounts& counts)
 {
@@ -146,23 +162,11 @@ std::uint64_t Algorithm1::respondToAllFrozen(std::size_t i, std::size_t begin, s
     return responses + respondToFrozen(i, j, end);
 }
 
-std::uint64_t Algorithm1::respondToFrozen(std::size_t i, std::size_t begin, std::size_t end)
+void Algorithm1::respond(std::size_t i, const Contact& contact)
 {
-    std::uint64_t responses = 0;
-    for (std::size_t j = begin; j < end; ++j)
-    {
-        const auto contact = sphereContact(spheres_.position(i) - spheres_.position(j),
-                                           spheres_.radius[i] + spheres_.radius[j]);
-        if (!contact)
-        {
-            continue;
-        }
-        const Eigen::Vector3d normal = wayOut(*contact);
-        spheres_.setPosition(i, spheres_.position(i) + normal * contact->depth);
-        reflect(i, normal);
-        ++responses;
-    }
-    return responses;
+    const Eigen::Vector3d normal = wayOut(contact);
+    spheres_.setPosition(i, spheres_.position(i) + normal * contact.depth);
+    reflect(i, normal);
 }
 
 void Algorithm1::runningPolygons(std::size_t runningBegin,

@@ -41,6 +41,7 @@ public:
 
 private:
     std::uint64_t respondToFrozen(std::size_t i, std::size_t begin, std::size_t end);
+    void respond(std::size_t i, const Contact& contact);
     std::uint64_t respondToAllFrozen(std::size_t i, std::size_t begin, std::size_t end);
     void reflect(std::size_t i, const Eigen::Vector3d& normal);
     std::uint64_t collideWithPolygons(std::size_t i, const Eigen::Vector3d& before,

@@ -196,10 +196,10 @@ std::unique_ptr<PolygonSearchPart> make(const SearchedPolygons& polygons)
 
 } // namespace
 
-void PolygonVisitor::meet(std::uint32_t polygon)
+void PolygonVisitor::meet(std::uint32_t polygon, bool mayTouch)
 {
     nearby_.push_back(polygon);
-    if (surface_.bound(polygon).mayBeWithin(radius_, p_))
+    if (mayTouch)
     {
         call_(respond_, polygon);
     }

@@ -34,10 +34,7 @@ public:
     void operator()(std::uint32_t polygon)
     {
         ++tests_;
-        if (surface_.bound(polygon).mayBeWithin(reach_, p_))
-        {
-            meet(polygon);
-        }
+        test(polygon, p_);
     }
 
     /// The same for each of some polygons, in less time.
@@ -47,9 +44,8 @@ public:
         Eigen::Vector3d p = p_;
         for (const std::uint32_t polygon : polygons)
         {
-            if (surface_.bound(polygon).mayBeWithin(reach_, p))
+            if (test(polygon, p))
             {
-                meet(polygon);
                 p = p_;
             }
         }
@@ -58,7 +54,25 @@ public:
     [[nodiscard]] std::uint64_t tests() const { return tests_; }
 
 private:
-    void meet(std::uint32_t polygon); // apart from the loops, which are tight without it
+    // Whether it is listed.
+    bool test(std::uint32_t polygon, const Eigen::Vector3d& p)
+    {
+        const TriangleBound& bound = surface_.bound(polygon);
+        const double plane = bound.toPlane(p);
+        if (plane > reach_)
+        {
+            return false;
+        }
+        const double centreSquared = bound.toCentreSquared(p);
+        if (!bound.ballIsWithin(reach_, centreSquared))
+        {
+            return false;
+        }
+        meet(polygon, plane <= radius_ && bound.ballIsWithin(radius_, centreSquared));
+        return true;
+    }
+    // Apart from the loops, which are tight without it.
+    void meet(std::uint32_t polygon, bool mayTouch);
 
     const Surface& surface_;
     const Eigen::Vector3d& p_;

@@ -44,16 +44,17 @@ public:
                                  }
                              });
         std::sort(ids_.begin(), ids_.end());
-        ranges_.clear();
+        ranges_.resize(std::max(ranges_.size(), ids_.size()));
+        IdRange* end = ranges_.data();
         for (const std::size_t id : ids_)
         {
-            if (ranges_.empty() || ranges_.back().end != id)
+            if (end == ranges_.data() || end[-1].end != id)
             {
-                ranges_.push_back({id, id});
+                *end++ = {id, id};
             }
-            ++ranges_.back().end;
+            ++end[-1].end;
         }
-        return ranges_;
+        return {ranges_.data(), end};
     }
 
 private:
