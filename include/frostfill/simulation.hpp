@@ -58,6 +58,23 @@ struct QualityReport
     double volumeEstimateError = 0;
 };
 
+/// What is wrong with a sphere that is where none can be.
+enum class StrayKind
+{
+    outside,   ///< its centre is outside the object
+    tooFast,   ///< faster than any fall in the object explains
+    notFinite, ///< its position or velocity is no number
+};
+
+/// The sphere for which a run was stopped, in the step in which it was found.
+struct StraySphere
+{
+    StrayKind kind = StrayKind::outside;
+    std::size_t sphere = 0;
+    Eigen::Vector3d centre = Eigen::Vector3d::Zero(); ///< [unit] in the frame of the mesh
+    double time = 0;                                  ///< [s]
+};
+
 /// A connected part of an object that no sphere of the radius covers.
 struct UnreachableVolume
 {
@@ -104,6 +121,9 @@ public:
     void capture(Snapshot& snapshot) const;
 
     [[nodiscard]] bool finished() const;
+    /// The sphere for which the run was stopped: a fault of the mesh or of ours. Preset fast only;
+    /// with the paper's preset spheres may leave the object, and its judge counts them.
+    [[nodiscard]] const std::optional<StraySphere>& stray() const;
     [[nodiscard]] bool full() const;             ///< the run is over because no sphere fits
     [[nodiscard]] double time() const;           ///< [s] simulated
     [[nodiscard]] double timeStep() const;       ///< [s]

@@ -32,6 +32,7 @@ struct SphereRecord
     double radius = 0;
     std::uint32_t group = 0;
     SphereState state = SphereState::running;
+    bool stray = false; ///< the run was stopped because it is where no sphere can be
 };
 
 /// Position and orientation of the object. A point p of the mesh is at

@@ -45,7 +45,7 @@ void writeSpheresCsv(std::size_t count, const std::function<SphereRecord(std::si
         fmt::memory_buffer row;
         fmt::format_to(std::back_inserter(row), "{},{},{},{},{},{},{}\n", id, sphere.group,
                        sphere.centre.x(), sphere.centre.y(), sphere.centre.z(), sphere.radius,
-                       stateName(sphere.state));
+                       sphere.stray ? "stray" : stateName(sphere.state));
         out.write({row.data(), row.size()});
     }
     out.commit();

@@ -4,6 +4,7 @@
 #include "run/run_directory.hpp"
 #include "run/run_files.hpp"
 #include "run/run_hash.hpp"
+#include "run/verdict.hpp"
 
 #include <frostfill/fill.hpp>
 
@@ -69,24 +70,12 @@ bool simulate(Simulation& simulation, FrameRecorder* recorder, const FillObserve
     return false;
 }
 
-std::optional<std::string> failedPostcondition(const QualityReport& quality, bool blank)
+[[noreturn]] void refuseLeak(const Scene& scene, const Eigen::Vector3d& place, double radius)
 {
-    if (quality.notFinite > 0)
-    {
-        return fmt::format("{} spheres have positions that are not numbers; try a smaller --dt",
-                           quality.notFinite);
-    }
-    if (quality.centresOutside > 0)
-    {
-        return fmt::format("{} spheres ended outside the object; try a smaller --dt or "
-                           "--discard none",
-                           quality.centresOutside);
-    }
-    if (blank)
-    {
-        return "the pictures are blank: the camera does not see the object";
-    }
-    return std::nullopt;
+    throw Error(ErrorCode::badData,
+                fmt::format("'{}' leaks: a sphere of radius {:.5g} escapes near ({:.6g} {:.6g} "
+                            "{:.6g}); close the hole there, or take a larger --radius",
+                            scene.object.mesh, radius, place.x(), place.y(), place.z()));
 }
 
 /// Of what the colours of spheres mean over the whole run, so that a colour never changes its
@@ -153,6 +142,10 @@ FillResult fill(const FillRequest& request, const FillObserver& observer)
     }
     FillResult result;
     result.reach = simulation.inspectReach(kReachBytes);
+    if (result.reach.leak)
+    {
+        refuseLeak(request.scene, *result.reach.leak, simulation.smallestRadius());
+    }
     directory.begin(); // all that can fail before the first step has not
     if (observer.planned)
     {
@@ -183,7 +176,8 @@ FillResult fill(const FillRequest& request, const FillObserver& observer)
     result.full = simulation.full();
     result.stateHash = simulation.stateHash();
     result.quality = simulation.quality();
-    result.failure = failedPostcondition(result.quality, recorder && recorder->blank());
+    result.stray = simulation.stray();
+    result.failure = findFault(request.scene, result, recorder && recorder->blank());
     result.wallSeconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 

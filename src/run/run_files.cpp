@@ -127,6 +127,15 @@ Json reachJson(const ReachInspection& reach)
     return json;
 }
 
+Json strayJson(const StraySphere& stray)
+{
+    constexpr std::array<const char*, 3> kKinds = {"outside", "too fast", "not finite"};
+    return {{"sphere", stray.sphere},
+            {"kind", kKinds.at(static_cast<std::size_t>(stray.kind))},
+            {"centre", pointJson(stray.centre)},
+            {"time", stray.time}};
+}
+
 const char* outcome(const FillResult& result)
 {
     if (result.failure)
@@ -149,6 +158,10 @@ std::string summaryText(const RunRecord& run)
     if (run.result.failure)
     {
         json["failure"] = *run.result.failure;
+    }
+    if (run.result.stray)
+    {
+        json["stray"] = strayJson(*run.result.stray);
     }
     json["scene"] = sceneToJson(run.request.scene);
     json["machine"] = machineJson(run.result.renderer);

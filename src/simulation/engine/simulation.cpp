@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "simulation/engine/guard.hpp"
 #include "simulation/engine/make_engine.hpp"
 #include "simulation/quality/quality.hpp"
 #include "simulation/reach/reach_inspection.hpp"
@@ -31,12 +32,13 @@ std::uint64_t nextSource()
 struct Simulation::Implementation
 {
     Implementation(const Scene& scene, const TriangleMesh& mesh)
-        : world(scene, mesh), engine(makeEngine(world))
+        : world(scene, mesh), engine(makeEngine(world)), guard(world)
     {
     }
 
     World world;
     std::unique_ptr<Engine> engine;
+    Guard guard;
     std::uint64_t source = nextSource();
 };
 
@@ -69,7 +71,16 @@ Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
 bool Simulation::step()
 {
-    return implementation_->engine->step();
+    const bool advanced = implementation_->engine->step();
+    if (implementation_->world.scene.preset == Preset::fast)
+    {
+        implementation_->guard.check();
+    }
+    return advanced;
+}
+const std::optional<StraySphere>& Simulation::stray() const
+{
+    return implementation_->world.stray;
 }
 bool Simulation::finished() const
 {
@@ -118,7 +129,7 @@ SphereRecord Simulation::sphere(std::size_t id) const
     const World& world = implementation_->world;
     return {world.frame.toMesh(world.spheres.position(id)),
             world.spheres.radius[id] * world.frame.length, world.spheres.group[id],
-            world.spheres.state[id]};
+            world.spheres.state[id], world.stray && world.stray->sphere == id};
 }
 
 std::vector<PolygonState> Simulation::polygonStates() const

@@ -39,6 +39,12 @@ inline constexpr double kLiveliest = 0.95;
 /// way down. Larger: what never comes to rest runs longer.
 inline constexpr double kFewestFalls = 4;
 
+// When a run is stopped.
+
+/// How much faster than a fall through the whole object a sphere is before it cannot be right [1].
+/// Larger: an explosion is seen later. Smaller: a small sphere that large ones hit counts as one.
+inline constexpr double kTooFast = 10;
+
 // Sweeps.
 
 /// Sweeps of the solver at least, where whole piles run at once as the object moves. Smaller: deep

@@ -32,11 +32,8 @@ bool DropAndRoll::settle(Eigen::Vector3d& p, double radius, NeighbourList& aroun
         {
             return true; // carried: see isCarried, which has no use for the pull
         }
-        if (normals.empty())
-        {
-            fall(p, radius, around, down);
-        }
-        else if (!slide(p, radius, around, down, pull, longest))
+        if (!(normals.empty() ? fall(p, radius, around, down)
+                              : slide(p, radius, around, down, pull, longest)))
         {
             return false;
         }
@@ -48,20 +45,22 @@ bool DropAndRoll::settle(Eigen::Vector3d& p, double radius, NeighbourList& aroun
     return false;
 }
 
-void DropAndRoll::fall(Eigen::Vector3d& p, double radius, const NeighbourList& around,
+bool DropAndRoll::fall(Eigen::Vector3d& p, double radius, const NeighbourList& around,
                        const Eigen::Vector3d& down) const
 {
     if (down.y() == -1)
     {
-        drop(p, radius);
-        return;
+        return drop(p, radius);
     }
     p += sphereCast(world_.surface, around, p, radius, down, around.room(p)) * down;
+    return true;
 }
 
-void DropAndRoll::drop(Eigen::Vector3d& p, double radius) const
+bool DropAndRoll::drop(Eigen::Vector3d& p, double radius) const
 {
-    p.y() = contactBelow(world_, falls_, p, radius);
+    const std::optional<double> y = contactBelow(world_, falls_, p, radius);
+    p.y() = y.value_or(p.y());
+    return y.has_value();
 }
 
 // A straight part along the pull, then back to the contact that curves away from it. Both lose

@@ -34,11 +34,11 @@ public:
     [[nodiscard]] bool settle(Eigen::Vector3d& p, double radius, NeighbourList& around,
                               double farthest = std::numeric_limits<double>::infinity()) const;
 
-    /// Takes p straight down to its first contact.
-    void drop(Eigen::Vector3d& p, double radius) const;
+    /// Takes p straight down to its first contact. False, and p stays, where there is none.
+    bool drop(Eigen::Vector3d& p, double radius) const;
 
 private:
-    void fall(Eigen::Vector3d& p, double radius, const NeighbourList& around,
+    bool fall(Eigen::Vector3d& p, double radius, const NeighbourList& around,
               const Eigen::Vector3d& down) const;
     bool slide(Eigen::Vector3d& p, double radius, NeighbourList& around,
                const Eigen::Vector3d& down, const Eigen::Vector3d& pull, double& longest) const;

@@ -115,12 +115,13 @@ double wallBelow(const World& world, const FallIndex& falls, const std::array<in
 
 } // namespace
 
-double contactBelow(const World& world, const FallIndex& falls, const Eigen::Vector3d& p,
-                    double radius)
+std::optional<double> contactBelow(const World& world, const FallIndex& falls,
+                                   const Eigen::Vector3d& p, double radius)
 {
     const auto column = falls.frame().coordinates(p);
     const double sphere = sphereBelow(world, falls, column, p, radius);
-    return wallBelow(world, falls, column, p, radius, sphere);
+    const double y = wallBelow(world, falls, column, p, radius, sphere);
+    return std::isfinite(y) ? std::optional(y) : std::nullopt;
 }
 
 } // namespace frostfill

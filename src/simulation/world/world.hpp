@@ -59,6 +59,7 @@ struct World
     std::uint64_t steps = 0;
     bool finished = false;
     bool full = false;
+    std::optional<StraySphere> stray; ///< why the run was stopped
     std::size_t targetCount = 0; ///< spheres after which no set appears any more; 0: until full
 
     // What it took.

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include "simulation/engine/guard.hpp"
+
+#include "simulation/engine/tolerances.hpp"
+
+#include <cmath>
+
+namespace frostfill
+{
+
+void Guard::check()
+{
+    for (const std::uint32_t id : world_.runningIds)
+    {
+        const Eigen::Vector3d p = world_.spheres.position(id);
+        if (!p.allFinite() || !world_.spheres.velocity(id).allFinite())
+        {
+            return report(id, StrayKind::notFinite);
+        }
+        // Near a wall the side takes a distance, which can wait until the sphere is past the wall.
+        if (!world_.surface.box().contains(p) ||
+            (world_.triangles.near(p).empty() && !world_.inside.contains(p)))
+        {
+            return report(id, StrayKind::outside);
+        }
+        if (isTooFast(id))
+        {
+            return report(id, StrayKind::tooFast);
+        }
+    }
+    for (; seen_ < world_.stateChanges.size(); ++seen_)
+    {
+        const std::uint32_t id = world_.stateChanges[seen_];
+        if (id >= world_.spheres.size() || world_.spheres.state[id] != SphereState::frozen)
+        {
+            continue;
+        }
+        const Eigen::Vector3d p = world_.spheres.position(id);
+        if (!p.allFinite() || !world_.inside.contains(p))
+        {
+            return report(id, p.allFinite() ? StrayKind::outside : StrayKind::notFinite);
+        }
+    }
+}
+
+// Collisions pass speed on, so one sphere can be faster than its own fall makes it. A moving object
+// does work on its spheres.
+bool Guard::isTooFast(std::uint32_t id) const
+{
+    const double fall = 2 * world_.frame.gravity * world_.surface.box().diagonal().norm();
+    const double limit = kTooFast * kTooFast * (fall + 1);
+    return !world_.scene.move.any() && world_.spheres.velocity(id).squaredNorm() > limit;
+}
+
+void Guard::report(std::uint32_t id, StrayKind kind)
+{
+    world_.stray = StraySphere{kind, id, world_.frame.toMesh(world_.spheres.position(id)),
+                               world_.time * world_.frame.time};
+    world_.finished = true;
+}
+
+} // namespace frostfill

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "simulation/world/world.hpp"
+
+namespace frostfill
+{
+
+/// Watches a run of preset fast, whose spheres cannot leave the object, for one that has: a fault
+/// of ours or of the mesh. It costs a look at a grid for each running sphere and step, and a
+/// distance to the surface for each that comes to rest.
+class Guard
+{
+public:
+    explicit Guard(World& world) : world_(world) {}
+
+    /// After a step: the first sphere that is where none can be, or that moves as none can, goes
+    /// into world.stray, and the run is over.
+    void check();
+
+private:
+    void report(std::uint32_t id, StrayKind kind);
+    [[nodiscard]] bool isTooFast(std::uint32_t id) const;
+
+    World& world_;
+    std::size_t seen_ = 0; ///< of world.stateChanges
+};
+
+} // namespace frostfill

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "run/verdict.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace frostfill
+{
+namespace
+{
+
+/// A run of 1,000 spheres without a fault.
+FillResult goodResult()
+{
+    FillResult result;
+    result.spheres = 1000;
+    result.quality.maxOverlap = 1e-9;
+    result.quality.maxWallOverlap = 1e-7;
+    result.quality.unsupported = 5;
+    return result;
+}
+
+std::string faultOf(const FillResult& result, Preset preset = Preset::fast)
+{
+    return findFault(presetScene(preset, "cube"), result, false).value_or("");
+}
+
+bool contains(const std::string& text, const std::string& word)
+{
+    return text.find(word) != std::string::npos;
+}
+
+TEST(Verdict, FindsNoFaultInAGoodRun)
+{
+    EXPECT_EQ(faultOf(goodResult()), "");
+}
+
+TEST(Verdict, BlamesOverlapsBeyondAMillionthOfTheRadius)
+{
+    FillResult result = goodResult();
+    result.quality.maxOverlap = 1.1e-6;
+    EXPECT_TRUE(contains(faultOf(result), "overlap by 1.1e-06"));
+    result = goodResult();
+    result.quality.maxWallOverlap = 1.1e-6;
+    EXPECT_TRUE(contains(faultOf(result), "deep in a wall"));
+}
+
+TEST(Verdict, BlamesMoreThanHalfAPerCentThatHang)
+{
+    FillResult result = goodResult();
+    result.quality.unsupported = 6;
+    EXPECT_TRUE(contains(faultOf(result), "6 spheres of 1000 rest on nothing"));
+}
+
+TEST(Verdict, AllowsOverlapsAndHangingSpheresOfThePaper)
+{
+    FillResult result = goodResult();
+    result.quality.maxOverlap = 0.5;
+    result.quality.maxWallOverlap = 0.5;
+    result.quality.unsupported = 1000;
+    EXPECT_EQ(faultOf(result, Preset::paper), "");
+    result.quality.centresOutside = 1;
+    EXPECT_TRUE(contains(faultOf(result, Preset::paper), "1 sphere ended outside"));
+}
+
+TEST(Verdict, DoesNotJudgeTheSupportOfARunThatWasStopped)
+{
+    FillResult result = goodResult();
+    result.quality.unsupported = 1000;
+    result.stopped = true;
+    EXPECT_EQ(faultOf(result), "");
+    result.quality.notFinite = 2;
+    EXPECT_TRUE(contains(faultOf(result), "2 spheres ended at positions that are no numbers"));
+}
+
+TEST(Verdict, DoesNotJudgeSupportWhereOnlyTheTimeLimitEndsBouncing)
+{
+    FillResult result = goodResult();
+    result.quality.unsupported = 1000;
+    Scene scene = presetScene(Preset::fast, "cube");
+    scene.motion.restitution = 1;
+    EXPECT_FALSE(findFault(scene, result, false));
+}
+
+TEST(Verdict, NamesTheSphereForWhichTheRunWasStopped)
+{
+    FillResult result = goodResult();
+    result.stray = StraySphere{StrayKind::outside, 17, {1, 2, 3}, 0.25};
+    const std::string outside = faultOf(result);
+    EXPECT_TRUE(contains(outside, "sphere 17 was outside the object, at (1 2 3) after 0.25 s"))
+        << outside;
+    result.stray->kind = StrayKind::tooFast;
+    EXPECT_TRUE(contains(faultOf(result), "faster than any fall"));
+    result.stray->kind = StrayKind::notFinite;
+    EXPECT_TRUE(contains(faultOf(result), "no number"));
+}
+
+TEST(Verdict, BlamesBlankPicturesLast)
+{
+    const Scene scene = presetScene(Preset::fast, "cube");
+    EXPECT_TRUE(contains(findFault(scene, goodResult(), true).value_or(""), "blank"));
+}
+
+} // namespace
+} // namespace frostfill
