@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace frostfill
 {
 namespace
@@ -29,10 +31,10 @@ std::string describe(const StraySphere& stray)
         what = "had a position or velocity that is no number";
         help = "try a smaller --dt";
     }
-    return fmt::format("the run was stopped because sphere {} {}, at ({:g} {:g} {:g}) after {:g} s; "
-                       "{}",
-                       stray.sphere, what, stray.centre.x(), stray.centre.y(), stray.centre.z(),
-                       stray.time, help);
+    return fmt::format(
+        "the run was stopped because sphere {} {}, at ({:g} {:g} {:g}) after {:g} s; "
+        "{}",
+        stray.sphere, what, stray.centre.x(), stray.centre.y(), stray.centre.z(), stray.time, help);
 }
 
 std::optional<std::string> findFaultOfFast(const FillResult& result, double restitution)
@@ -49,7 +51,7 @@ std::optional<std::string> findFaultOfFast(const FillResult& result, double rest
         return fmt::format("a sphere is {:.2g} of its radius deep in a wall; {}",
                            quality.maxWallOverlap, kLookAtMesh);
     }
-    const auto most = kFaultyHanging * static_cast<double>(result.spheres);
+    const double most = std::max(1.0, kFaultyHanging * static_cast<double>(result.spheres));
     // Without any loss of speed only the time limit ends a run.
     if (static_cast<double>(quality.unsupported) > most && restitution < 1)
     {

@@ -12,15 +12,22 @@ namespace frostfill
 namespace
 {
 
-/// The sum of equal vectors has at least this share of their total length; the rest is rounding.
-/// Larger: rounding makes edges of planes, on which spheres stumble. Smaller: a slight bend counts
-/// as flat, and spheres pass through its edge by as little.
-constexpr double kFlat = 1 - 1e-12;
+/// Sine of the angle to their mean normal up to which triangles lie in one plane. What slides along
+/// one does not notice the next: two of them differ by less than sphere casts ignore (kSlides).
+/// Larger: a cast stops at a bend that gives no contact, and the sphere hangs there. Smaller:
+/// rounding makes edges of planes, on which spheres stumble.
+constexpr double kFlatBend = 4e-8;
 
-double cornerAngle(const Eigen::Vector3d& at, const Eigen::Vector3d& b, const Eigen::Vector3d& c)
+/// By which a triangle counts at one of its features: the angle at a corner, 1 at an edge.
+double weightAt(const SurfaceTriangle& triangle, std::size_t feature)
 {
-    const Eigen::Vector3d u = b - at;
-    const Eigen::Vector3d v = c - at;
+    if (feature > 2)
+    {
+        return 1;
+    }
+    const Eigen::Vector3d& at = triangle.corner[feature];
+    const Eigen::Vector3d u = triangle.corner[(feature + 1) % 3] - at;
+    const Eigen::Vector3d v = triangle.corner[(feature + 2) % 3] - at;
     return std::atan2(u.cross(v).norm(), u.dot(v));
 }
 
@@ -37,60 +44,83 @@ TriangleBound boundOf(const SurfaceTriangle& triangle)
     return bound;
 }
 
+using EdgeKey = std::pair<std::uint32_t, std::uint32_t>;
+
+EdgeKey edgeKey(std::uint32_t a, std::uint32_t b)
+{
+    return {std::min(a, b), std::max(a, b)};
+}
+
+/// The triangles at an edge or a corner.
+struct Fan
+{
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero(); ///< weighted sum, by angle at a corner
+    bool flat = true;
+
+    void bend(const Eigen::Vector3d& ofTriangle)
+    {
+        const Eigen::Vector3d unit = normal.normalized();
+        flat = flat && unit.dot(ofTriangle) > 0 && unit.cross(ofTriangle).norm() < kFlatBend;
+    }
+};
+
+/// The fans of a mesh.
+struct Fans
+{
+    std::map<EdgeKey, Fan> edges;
+    std::vector<Fan> corners; ///< [#V]
+
+    template <class Visit>
+    void forEach(const std::array<std::uint32_t, 3>& triangle, Visit&& visit)
+    {
+        for (std::size_t k = 0; k < 3; ++k)
+        {
+            visit(k, corners[triangle[k]]);
+            visit(3 + k, edges[edgeKey(triangle[k], triangle[(k + 1) % 3])]);
+        }
+    }
+};
+
 } // namespace
 
 Surface::Surface(const TriangleMesh& mesh)
-    : mesh_(mesh), triangles_(mesh.triangles.size()), bounds_(mesh.triangles.size()),
-      vertexNormals_(mesh.vertices.size(), Eigen::Vector3d::Zero())
+    : mesh_(mesh), triangles_(mesh.triangles.size()), bounds_(mesh.triangles.size())
 {
-    // The planes, and the contribution of each triangle to the normals of its edges and corners.
-    std::map<std::pair<std::uint32_t, std::uint32_t>, Eigen::Vector3d> edgeNormals;
-    std::vector<double> anglesAtVertex(mesh.vertices.size(), 0);
-    const auto edgeKey = [](std::uint32_t a, std::uint32_t b)
-    { return std::make_pair(std::min(a, b), std::max(a, b)); };
+    Fans fans{{}, std::vector<Fan>(mesh.vertices.size())};
     for (std::size_t t = 0; t < triangles_.size(); ++t)
     {
         SurfaceTriangle& triangle = triangles_[t];
-        const auto& index = mesh.triangles[t];
-        for (int k = 0; k < 3; ++k)
+        for (std::size_t k = 0; k < 3; ++k)
         {
-            triangle.corner[k] = mesh.vertices[index[k]];
+            triangle.corner[k] = mesh.vertices[mesh.triangles[t][k]];
             box_.extend(triangle.corner[k]);
         }
         const auto& [a, b, c] = triangle.corner;
         triangle.normal = (c - a).cross(b - a).normalized();
         triangle.offset = triangle.normal.dot(a);
         bounds_[t] = boundOf(triangle);
-        for (int k = 0; k < 3; ++k)
-        {
-            const int next = (k + 1) % 3;
-            const auto [entry, isNew] =
-                edgeNormals.try_emplace(edgeKey(index[k], index[next]), Eigen::Vector3d::Zero());
-            entry->second += triangle.normal;
-            const double angle = cornerAngle(triangle.corner[k], triangle.corner[next],
-                                             triangle.corner[(k + 2) % 3]);
-            vertexNormals_[index[k]] += triangle.normal * angle;
-            anglesAtVertex[index[k]] += angle;
-        }
+        fans.forEach(mesh.triangles[t], [&](std::size_t feature, Fan& fan)
+                     { fan.normal += triangle.normal * weightAt(triangle, feature); });
     }
-
     for (std::size_t t = 0; t < triangles_.size(); ++t)
     {
-        const auto& index = mesh.triangles[t];
-        auto& pseudonormal = triangles_[t].pseudonormal;
-        for (int k = 0; k < 3; ++k)
-        {
-            pseudonormal[k] = vertexNormals_[index[k]];
-            pseudonormal[3 + k] = edgeNormals.at(edgeKey(index[k], index[(k + 1) % 3]));
-            // The sum keeps the total length only if all normals are equal.
-            triangles_[t].flat[k] = pseudonormal[k].norm() > kFlat * anglesAtVertex[index[k]];
-            triangles_[t].flat[3 + k] = pseudonormal[3 + k].norm() > kFlat * 2;
-        }
-        pseudonormal[6] = triangles_[t].normal;
+        fans.forEach(mesh.triangles[t],
+                     [&](std::size_t, Fan& fan) { fan.bend(triangles_[t].normal); });
     }
-    for (Eigen::Vector3d& normal : vertexNormals_)
+    for (std::size_t t = 0; t < triangles_.size(); ++t)
     {
-        normal.normalize();
+        SurfaceTriangle& triangle = triangles_[t];
+        triangle.pseudonormal[6] = triangle.normal;
+        fans.forEach(mesh.triangles[t],
+                     [&](std::size_t feature, const Fan& fan)
+                     {
+                         triangle.pseudonormal[feature] = fan.normal;
+                         triangle.flat[feature] = fan.flat;
+                     });
+    }
+    for (const Fan& fan : fans.corners)
+    {
+        vertexNormals_.push_back(fan.normal.normalized());
     }
 }
 

@@ -57,10 +57,11 @@ inline constexpr double kSlides = 1e-7;
 /// rounding hides the plane itself.
 inline constexpr double kBelow = 1e-13;
 
-/// One minus the cosine up to which two normals are the same. Larger: contacts of a narrow wedge
-/// are taken for one. Smaller: the corners of many triangles fill the list, and the cone of the
-/// contacts takes time with the square of its length.
-inline constexpr double kSameNormal = 1e-14;
+/// One minus the cosine up to which two normals are the same: an angle of 9e-8, less than the bend
+/// at which triangles no longer lie in one plane. Larger: contacts of a narrow wedge are taken for
+/// one, and its sphere hangs between them. Smaller: the corners of many triangles fill the list,
+/// and the cone of the contacts takes time with the square of its length.
+inline constexpr double kSameNormal = 4e-15;
 
 /// A direction may lead into a contact of the cone by this share of its length, which is rounding.
 /// Larger: what slides creeps into walls. Smaller: a direction along two contacts seems to lead

@@ -51,6 +51,11 @@ TEST(Verdict, BlamesMoreThanHalfAPerCentThatHang)
     FillResult result = goodResult();
     result.quality.unsupported = 6;
     EXPECT_TRUE(contains(faultOf(result), "6 spheres of 1000 rest on nothing"));
+    result.spheres = 10;
+    result.quality.unsupported = 1;
+    EXPECT_EQ(faultOf(result), "");
+    result.quality.unsupported = 2;
+    EXPECT_TRUE(contains(faultOf(result), "2 spheres of 10"));
 }
 
 TEST(Verdict, AllowsOverlapsAndHangingSpheresOfThePaper)
