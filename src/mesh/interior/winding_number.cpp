@@ -11,19 +11,6 @@ namespace
 
 constexpr double kTwoPi = 6.283185307179586;
 
-/// Signed solid angle of a triangle seen from a point, divided by 4 pi.
-double solidAngle(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& t,
-                  const Eigen::Vector3d& point)
-{
-    const Eigen::Vector3d a = mesh.vertices[t[0]] - point;
-    const Eigen::Vector3d b = mesh.vertices[t[1]] - point;
-    const Eigen::Vector3d c = mesh.vertices[t[2]] - point;
-    const double la = a.norm(), lb = b.norm(), lc = c.norm();
-    const double numerator = a.dot(b.cross(c));
-    const double denominator = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
-    return std::atan2(numerator, denominator) / kTwoPi;
-}
-
 /// Neumaier's compensated sum, so the rounding of a million terms of either sign does not add up.
 class CarefulSum
 {
@@ -43,10 +30,22 @@ private:
 
 } // namespace
 
+double solidAngle(const TriangleMesh& mesh, std::size_t triangle, const Eigen::Vector3d& point)
+{
+    const auto& t = mesh.triangles[triangle];
+    const Eigen::Vector3d a = mesh.vertices[t[0]] - point;
+    const Eigen::Vector3d b = mesh.vertices[t[1]] - point;
+    const Eigen::Vector3d c = mesh.vertices[t[2]] - point;
+    const double la = a.norm(), lb = b.norm(), lc = c.norm();
+    const double numerator = a.dot(b.cross(c));
+    const double denominator = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
+    return std::atan2(numerator, denominator) / kTwoPi;
+}
+
 double windingNumber(const TriangleMesh& mesh, const Eigen::Vector3d& point)
 {
     CarefulSum sum;
-    for (const auto& triangle : mesh.triangles)
+    for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle)
     {
         sum.add(solidAngle(mesh, triangle, point));
     }
@@ -59,7 +58,7 @@ double windingNumber(const TriangleMesh& mesh, std::span<const std::uint32_t> tr
     CarefulSum sum;
     for (const std::uint32_t triangle : triangles)
     {
-        sum.add(solidAngle(mesh, mesh.triangles[triangle], point));
+        sum.add(solidAngle(mesh, triangle, point));
     }
     return sum.value();
 }

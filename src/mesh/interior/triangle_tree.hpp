@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <frostfill/mesh.hpp>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace frostfill
+{
+
+/// A balanced binary tree of the triangles of a mesh, halved at the median centroid along the
+/// longest side. Nodes are in preorder: the first child of a node follows it. A walk needs no
+/// stack: it goes on with the next node, or with `skip` to leave out what is below.
+class TriangleTree
+{
+public:
+    struct Node
+    {
+        std::uint32_t first = 0; ///< place in order()
+        std::uint32_t end = 0;   ///< place in order()
+        std::uint32_t skip = 0;  ///< node after the last one below this one
+    };
+
+    /// A leaf has at most `leafSize` triangles and at least half as many (all, if the mesh has
+    /// fewer).
+    TriangleTree(const TriangleMesh& mesh, std::uint32_t leafSize);
+
+    [[nodiscard]] std::span<const Node> nodes() const { return nodes_; }
+    [[nodiscard]] bool isLeaf(std::size_t node) const { return nodes_[node].skip == node + 1; }
+
+    /// [#T] triangles; those of a node are neighbours in it, ascending within a leaf.
+    [[nodiscard]] std::span<const std::uint32_t> order() const { return order_; }
+    [[nodiscard]] std::span<const std::uint32_t> triangles(const Node& node) const
+    {
+        return {order_.data() + node.first, node.end - node.first};
+    }
+
+private:
+    void split(std::span<const Eigen::Vector3d> centroids, std::uint32_t first, std::uint32_t end,
+               std::uint32_t leafSize);
+
+    std::vector<Node> nodes_;
+    std::vector<std::uint32_t> order_;
+};
+
+} // namespace frostfill
