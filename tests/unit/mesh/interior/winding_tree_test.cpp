@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/interior/winding_tree.hpp"
 
-#include "base/random.hpp"
-#include "unit/mesh/mesh_samples.hpp"
+#include "unit/mesh/interior/surface_samples.hpp"
 
 #include <cmath>
 
@@ -70,27 +69,6 @@ double largestError(const TriangleMesh& mesh, int points)
     return worst;
 }
 
-TriangleMesh tetrahedra(int count, double size, std::uint64_t seed)
-{
-    Draws draws(seed);
-    TriangleMesh mesh;
-    for (int i = 0; i < count; ++i)
-    {
-        const Eigen::Vector3d centre = draws.point(0, 1);
-        TriangleMesh one{{}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
-        for (int corner = 0; corner < 4; ++corner)
-        {
-            one.vertices.emplace_back(centre + draws.point(-size, size));
-        }
-        if (signedVolume(one) < 0)
-        {
-            test::flipAll(one);
-        }
-        test::append(mesh, one);
-    }
-    return mesh;
-}
-
 TEST(WindingTree, IsNearlyTheWindingNumberAroundTheBuiltInMeshes)
 {
     for (const std::string& name : builtInMeshNames())
@@ -103,14 +81,14 @@ TEST(WindingTree, IsNearlyTheWindingNumberAmongTetrahedraThatCross)
 {
     for (const double size : {0.02, 0.1, 0.3, 1.0})
     {
-        const TriangleMesh soup = tetrahedra(400, size, 11);
+        const TriangleMesh soup = test::tetrahedra(400, size, 11);
         EXPECT_LT(largestError(soup, 1500), kMostError) << size;
     }
 }
 
 TEST(WindingTree, IsExactForFewTriangles)
 {
-    EXPECT_NEAR(largestError(tetrahedra(2, 1, 3), 200), 0, 1e-12);
+    EXPECT_NEAR(largestError(test::tetrahedra(2, 1, 3), 200), 0, 1e-12);
 }
 
 TEST(WindingTree, IsFiniteAtVerticesOnEdgesAndOnTriangles)

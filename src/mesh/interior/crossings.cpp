@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/interior/crossings.hpp"
+
+#include "geometry/triangle_pair.hpp"
+#include "mesh/interior/fan_sweep.hpp"
+#include "mesh/interior/triangle_tree.hpp"
+#include "mesh/interior/vertex_triangles.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
+#include <utility>
+
+namespace frostfill
+{
+namespace
+{
+
+constexpr std::uint32_t kLeafSize = 4; // triangles
+
+TrianglePair::Corners cornersOf(const TriangleMesh& mesh, std::uint32_t triangle)
+{
+    const auto& t = mesh.triangles[triangle];
+    return {mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
+}
+
+/// Two triangles with the vertices that they share in front.
+TrianglePair pairOf(const TriangleMesh& mesh, std::uint32_t one, std::uint32_t other)
+{
+    auto a = mesh.triangles[one];
+    auto b = mesh.triangles[other];
+    std::size_t shared = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+        const auto same = std::find(b.begin() + shared, b.end(), a[i]);
+        if (same != b.end())
+        {
+            std::swap(*same, b[shared]);
+            std::swap(a[i], a[shared]);
+            ++shared;
+        }
+    }
+    TrianglePair pair;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+        pair.a[k] = mesh.vertices[a[k]];
+        pair.b[k] = mesh.vertices[b[k]];
+    }
+    pair.shared = static_cast<int>(shared);
+    return pair;
+}
+
+/// The vertices that all triangles of a node have, first; then kNone.
+using Common = std::array<std::uint32_t, 3>;
+constexpr std::uint32_t kNone = 0xffffffff;
+
+Common commonOf(const Common& a, const Common& b)
+{
+    Common both = {kNone, kNone, kNone};
+    std::copy_if(a.begin(), a.end(), both.begin(),
+                 [&](std::uint32_t vertex)
+                 { return std::find(b.begin(), b.end(), vertex) != b.end(); });
+    return both;
+}
+
+bool haveCommon(const Common& a, const Common& b)
+{
+    return std::any_of(a.begin(), a.end(),
+                       [&](std::uint32_t vertex) {
+                           return vertex != kNone &&
+                                  std::find(b.begin(), b.end(), vertex) != b.end();
+                       });
+}
+
+class CrossingSearch
+{
+public:
+    explicit CrossingSearch(const TriangleMesh& mesh)
+        : mesh_(mesh), tree_(mesh, kLeafSize), crossed_(mesh.triangles.size(), false)
+    {
+        boxes_.reserve(mesh.triangles.size());
+        for (const std::uint32_t triangle : tree_.order())
+        {
+            boxes_.push_back(boxOf(triangle));
+        }
+        nodes_.reserve(tree_.nodes().size());
+        for (const TriangleTree::Node& node : tree_.nodes())
+        {
+            nodes_.push_back(describe(node));
+        }
+    }
+
+    Crossings run()
+    {
+        searchFans();
+        searchTree();
+        return result();
+    }
+
+private:
+    struct Node
+    {
+        Eigen::AlignedBox3d box;
+        Common common;
+    };
+
+    /// Empty for a triangle without area, which then meets nothing.
+    [[nodiscard]] Eigen::AlignedBox3d boxOf(std::uint32_t triangle) const
+    {
+        Eigen::AlignedBox3d box;
+        const TrianglePair::Corners corners = cornersOf(mesh_, triangle);
+        if (hasArea(corners))
+        {
+            box.extend(corners[0]).extend(corners[1]).extend(corners[2]);
+        }
+        return box;
+    }
+
+    [[nodiscard]] Node describe(const TriangleTree::Node& node) const
+    {
+        Node result{{}, mesh_.triangles[tree_.order()[node.first]]};
+        for (std::uint32_t place = node.first; place < node.end; ++place)
+        {
+            result.box.extend(boxes_[place]);
+            result.common = commonOf(result.common, mesh_.triangles[tree_.order()[place]]);
+        }
+        return result;
+    }
+
+    // All pairs with a common vertex.
+    void searchFans()
+    {
+        std::vector<bool> solid(mesh_.triangles.size(), false);
+        for (std::size_t place = 0; place < boxes_.size(); ++place)
+        {
+            solid[tree_.order()[place]] = !boxes_[place].isEmpty();
+        }
+        const VertexTriangles around(mesh_);
+        FanSweep sweep;
+        for (std::uint32_t vertex = 0; vertex < around.vertices(); ++vertex)
+        {
+            sweep.forEachPair(mesh_, vertex, around.at(vertex),
+                              [&](std::uint32_t one, std::uint32_t other)
+                              {
+                                  if (solid[one] && solid[other])
+                                  {
+                                      test(one, other);
+                                  }
+                              });
+        }
+    }
+
+    // All other pairs. The nodes behind a leaf have what comes after it, so each pair comes up
+    // once.
+    void searchTree()
+    {
+        for (std::size_t leaf = 0; leaf < nodes_.size(); ++leaf)
+        {
+            if (!tree_.isLeaf(leaf))
+            {
+                continue;
+            }
+            compare(leaf, leaf);
+            for (std::size_t node = leaf + 1; node < nodes_.size();)
+            {
+                if (!nodes_[leaf].box.intersects(nodes_[node].box) ||
+                    haveCommon(nodes_[leaf].common, nodes_[node].common))
+                {
+                    node = tree_.nodes()[node].skip;
+                    continue;
+                }
+                if (tree_.isLeaf(node))
+                {
+                    compare(leaf, node);
+                }
+                ++node;
+            }
+        }
+    }
+
+    void compare(std::size_t leaf, std::size_t other)
+    {
+        const TriangleTree::Node& ours = tree_.nodes()[leaf];
+        const TriangleTree::Node& theirs = tree_.nodes()[other];
+        for (std::uint32_t i = ours.first; i < ours.end; ++i)
+        {
+            if (!boxes_[i].intersects(nodes_[other].box))
+            {
+                continue;
+            }
+            const std::uint32_t one = tree_.order()[i];
+            const std::uint32_t first = leaf == other ? i + 1 : theirs.first;
+            for (std::uint32_t j = first; j < theirs.end; ++j)
+            {
+                const std::uint32_t two = tree_.order()[j];
+                if (boxes_[i].intersects(boxes_[j]) &&
+                    !haveCommon(mesh_.triangles[one], mesh_.triangles[two]))
+                {
+                    test(one, two);
+                }
+            }
+        }
+    }
+
+    void test(std::uint32_t one, std::uint32_t other)
+    {
+        // What is known need not be shown again: many triangles at one place stay cheap.
+        if ((!crossed_[one] || !crossed_[other]) && trianglesCross(pairOf(mesh_, one, other)))
+        {
+            crossed_[one] = crossed_[other] = true;
+        }
+    }
+
+    Crossings result()
+    {
+        Crossings found;
+        found.count = static_cast<std::size_t>(std::count(crossed_.begin(), crossed_.end(), true));
+        if (found.count > 0)
+        {
+            found.firstPlace = firstPlace();
+        }
+        found.crossed = std::move(crossed_);
+        return found;
+    }
+
+    [[nodiscard]] Eigen::Vector3d firstPlace() const
+    {
+        const auto first = static_cast<std::uint32_t>(
+            std::find(crossed_.begin(), crossed_.end(), true) - crossed_.begin());
+        const Eigen::AlignedBox3d box = boxOf(first);
+        for (std::uint32_t other = first + 1; other < crossed_.size(); ++other)
+        {
+            if (crossed_[other] && box.intersects(boxOf(other)))
+            {
+                const TrianglePair pair = pairOf(mesh_, first, other);
+                if (trianglesCross(pair))
+                {
+                    return crossingPlace(pair);
+                }
+            }
+        }
+        return box.center();
+    }
+
+    const TriangleMesh& mesh_;
+    TriangleTree tree_;
+    std::vector<Eigen::AlignedBox3d> boxes_; ///< [#T] in the order of the tree
+    std::vector<Node> nodes_;                ///< [#nodes]
+    std::vector<bool> crossed_;              ///< [#T]
+};
+
+} // namespace
+
+Crossings findCrossings(const TriangleMesh& mesh)
+{
+    return CrossingSearch(mesh).run();
+}
+
+} // namespace frostfill

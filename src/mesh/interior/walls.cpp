@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/interior/walls.hpp"
+
+#include "geometry/triangle_pair.hpp"
+#include "mesh/interior/crossings.hpp"
+#include "mesh/interior/edge_twins.hpp"
+#include "mesh/interior/winding_tree.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+namespace frostfill
+{
+namespace
+{
+
+using Flags = std::vector<bool>; ///< [#T]
+
+/// Flags what keeps a surface from being a manifold at an edge or a vertex.
+void flagIrregular(const TriangleMesh& mesh, const VertexTriangles& around, const EdgeTwins& twins,
+                   Flags& flags)
+{
+    for (std::size_t triangle = 0; triangle < flags.size(); ++triangle)
+    {
+        const auto& t = mesh.triangles[triangle];
+        const bool hasTwins = twins[3 * triangle] != EdgeTwins::kNone &&
+                              twins[3 * triangle + 1] != EdgeTwins::kNone &&
+                              twins[3 * triangle + 2] != EdgeTwins::kNone;
+        if (!hasTwins || !hasArea({mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]}))
+        {
+            flags[triangle] = true;
+        }
+    }
+    for (std::uint32_t vertex = 0; vertex < around.vertices(); ++vertex)
+    {
+        const auto triangles = around.at(vertex);
+        if (!triangles.empty() && !twins.isOneFan(mesh, vertex, triangles))
+        {
+            std::for_each(triangles.begin(), triangles.end(), [&](auto t) { flags[t] = true; });
+        }
+    }
+}
+
+using Patch = std::vector<std::uint32_t>; ///< triangles
+
+/// The patches of triangles without a flag, connected over edges.
+std::vector<Patch> findPatches(const EdgeTwins& twins, const Flags& flags)
+{
+    std::vector<Patch> patches;
+    Flags seen = flags;
+    for (std::uint32_t seed = 0; seed < seen.size(); ++seed)
+    {
+        if (seen[seed])
+        {
+            continue;
+        }
+        seen[seed] = true;
+        Patch patch = {seed};
+        for (std::size_t i = 0; i < patch.size(); ++i)
+        {
+            for (std::size_t side = 3 * std::size_t{patch[i]}; side < 3 * (patch[i] + 1UL); ++side)
+            {
+                const std::uint32_t neighbour = twins[side] / 3;
+                if (!seen[neighbour])
+                {
+                    seen[neighbour] = true;
+                    patch.push_back(neighbour);
+                }
+            }
+        }
+        patches.push_back(std::move(patch));
+    }
+    return patches;
+}
+
+/// Whether a patch has the winding number 0 in front and 1 behind. Nothing passes through it, so
+/// one place speaks for all. The largest triangle is the safest from rounding.
+bool partsOutsideFromInside(const TriangleMesh& mesh, const WindingTree& winding,
+                            const Patch& patch)
+{
+    const auto twiceArea = [&](std::uint32_t triangle)
+    {
+        const auto& t = mesh.triangles[triangle];
+        const Eigen::Vector3d& a = mesh.vertices[t[0]];
+        return (mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a).squaredNorm();
+    };
+    std::uint32_t largest = patch[0];
+    double most = twiceArea(largest);
+    for (const std::uint32_t triangle : patch)
+    {
+        const double area = twiceArea(triangle);
+        if (area > most)
+        {
+            most = area;
+            largest = triangle;
+        }
+    }
+    const auto& t = mesh.triangles[largest];
+    const Eigen::Vector3d centroid =
+        (mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]) / 3;
+    const double mean = winding.at(centroid, largest); // of the winding numbers on both sides
+    return mean > 0 && mean < 1;
+}
+
+void flagNeighbours(const TriangleMesh& mesh, Flags& flags)
+{
+    std::vector<bool> atVertex(mesh.vertices.size(), false);
+    for (std::size_t triangle = 0; triangle < flags.size(); ++triangle)
+    {
+        if (flags[triangle])
+        {
+            for (const std::uint32_t corner : mesh.triangles[triangle])
+            {
+                atVertex[corner] = true;
+            }
+        }
+    }
+    for (std::size_t triangle = 0; triangle < flags.size(); ++triangle)
+    {
+        const auto& t = mesh.triangles[triangle];
+        flags[triangle] = atVertex[t[0]] || atVertex[t[1]] || atVertex[t[2]];
+    }
+}
+
+std::size_t countOf(const Flags& flags)
+{
+    return static_cast<std::size_t>(std::count(flags.begin(), flags.end(), true));
+}
+
+} // namespace
+
+Walls classifyWalls(const TriangleMesh& mesh)
+{
+    Crossings crossings = findCrossings(mesh);
+    Walls walls;
+    walls.crossed = crossings.count;
+    walls.firstCrossing = crossings.firstPlace;
+    walls.twoSided = std::move(crossings.crossed);
+
+    const VertexTriangles around(mesh);
+    const EdgeTwins twins(mesh, around);
+    flagIrregular(mesh, around, twins, walls.twoSided);
+    const std::vector<Patch> patches = findPatches(twins, walls.twoSided);
+    if (patches.size() > 1 || countOf(walls.twoSided) > 0)
+    {
+        const WindingTree winding(mesh);
+        for (const Patch& patch : patches)
+        {
+            if (!partsOutsideFromInside(mesh, winding, patch))
+            {
+                std::for_each(patch.begin(), patch.end(),
+                              [&](auto triangle) { walls.twoSided[triangle] = true; });
+            }
+        }
+        flagNeighbours(mesh, walls.twoSided);
+    }
+    walls.count = countOf(walls.twoSided);
+    return walls;
+}
+
+} // namespace frostfill
