@@ -29,6 +29,8 @@ struct FillPlan
 {
     std::vector<std::string> repairs; ///< of the mesh
     std::size_t triangles = 0;
+    std::size_t crossedTriangles = 0; ///< that meet others away from their edges
+    Eigen::Vector3d firstCrossing = Eigen::Vector3d::Zero(); ///< if there are any
     std::size_t spheres = 0;
     double smallestRadius = 0; ///< [mesh unit]
     double largestRadius = 0;  ///< [mesh unit]
@@ -86,7 +88,7 @@ struct FillResult
     QualityReport quality;
     /// What went wrong with the video, in a sentence; all other files are there.
     std::optional<std::string> videoFailure;
-    ReachInspection reach; ///< of the smallest radius, in the empty object
+    ReachInspection reach;            ///< of the smallest radius, in the empty object
     std::optional<StraySphere> stray; ///< for which the run was stopped
     /// A postcondition that failed, in a sentence; the files are written all the same.
     std::optional<std::string> failure;

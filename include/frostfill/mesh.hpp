@@ -24,7 +24,7 @@ struct TriangleMesh
 };
 
 /// The result of an inspection. Counts are exact. A mesh can be filled if closed() holds and the
-/// volume is positive.
+/// interior, the points with a winding number above 1/2, has a volume. It may cross itself.
 struct MeshReport
 {
     std::size_t vertices = 0;
@@ -32,20 +32,23 @@ struct MeshReport
     std::size_t components = 0;          ///< pieces connected through shared edges
     std::size_t boundaryEdges = 0;       ///< edges with one triangle: the rim of a hole
     std::size_t nonManifoldEdges = 0;    ///< edges with three triangles or more
+    std::size_t unbalancedEdges = 0;     ///< those of them whose windings do not cancel
     std::size_t inconsistentEdges = 0;   ///< edges whose two triangles have opposite windings
     std::size_t degenerateTriangles = 0; ///< triangles without area
     std::size_t duplicateTriangles = 0;
     std::size_t unusedVertices = 0;
     int genus = 0;           ///< handles over all components; valid for a closed mesh
-    double volume = 0;       ///< [unit^3] signed; positive when wound outwards
+    double volume = 0;       ///< [unit^3] signed; positive when wound outwards; see inspectInterior
     double area = 0;         ///< [unit^2]
     Eigen::AlignedBox3d box; ///< of the vertices in use
     Eigen::Vector3d firstDefect = Eigen::Vector3d::Zero(); ///< midpoint of the first bad edge
+    std::size_t crossedTriangles = 0; ///< that meet others away from their edges; inspectInterior
+    Eigen::Vector3d firstCrossing = Eigen::Vector3d::Zero(); ///< if there are any
 
-    /// Whether every edge has exactly two triangles with consistent windings.
+    /// Whether the windings at every edge cancel. Then the winding number is an integer everywhere.
     [[nodiscard]] bool closed() const
     {
-        return triangles > 0 && boundaryEdges == 0 && nonManifoldEdges == 0 &&
+        return triangles > 0 && boundaryEdges == 0 && unbalancedEdges == 0 &&
                inconsistentEdges == 0;
     }
 };
@@ -70,6 +73,10 @@ struct LoadedMesh
 
 [[nodiscard]] MeshReport inspectMesh(const TriangleMesh& mesh);
 
+/// inspectMesh of a closed mesh, with an exact test for crossings. If there are any, the volume is
+/// that of the interior, to 1e-4, and not the signed sum, which counts overlaps twice.
+[[nodiscard]] MeshReport inspectInterior(const TriangleMesh& mesh);
+
 /// Reads OBJ, STL, PLY, OFF, glTF or GLB as triangles. Welds equal vertices and changes nothing
 /// else. Opens no other file, except for a .bin file of a glTF in the same folder. Throws Error
 /// inputMissing if the file does not exist, badData if it cannot be read.
@@ -82,7 +89,7 @@ struct LoadedMesh
 /// Repairs a mesh for filling. Joins seams, drops duplicates and triangles without area, makes
 /// windings consistent and outward (inward for cavities), and closes holes of up to 5 % of the
 /// surface. `name` is used in messages. Throws Error badData if the mesh cannot be filled: no
-/// volume, open beyond repair, pieces that pass through each other, numbers that are not finite.
+/// volume, open beyond repair, numbers that are not finite. Pieces may pass through each other.
 [[nodiscard]] LoadedMesh repairMesh(TriangleMesh mesh, std::string_view name);
 
 /// Loads a built-in object by its name, or reads and repairs a file (readMeshInCage,

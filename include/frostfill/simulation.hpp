@@ -139,6 +139,8 @@ public:
     /// The poses of a moving object from first to last; empty if the object does not move.
     [[nodiscard]] std::vector<Pose> poses() const;
 
+    /// The object's report, see inspectInterior.
+    [[nodiscard]] const MeshReport& object() const;
     [[nodiscard]] SphereRecord sphere(std::size_t id) const;
     [[nodiscard]] std::vector<PolygonState> polygonStates() const;
     [[nodiscard]] const OperationCounts& operations() const;

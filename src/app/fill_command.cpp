@@ -156,6 +156,13 @@ void printPlan(const FillRequest& request, const FillPlan& plan)
     say(fmt::format("{}: {} triangles, about {} spheres of {}, time step {:.3g} s\n",
                     request.scene.name, plan.triangles, plan.spheres,
                     radiiText(plan.smallestRadius, plan.largestRadius), plan.timeStep));
+    if (plan.crossedTriangles > 0)
+    {
+        const Eigen::Vector3d& p = plan.firstCrossing;
+        say(fmt::format("the mesh crosses itself: {} triangles meet others, the first near {:.6g} "
+                        "{:.6g} {:.6g}; walls inside the object stay as obstacles\n",
+                        plan.crossedTriangles, p.x(), p.y(), p.z()));
+    }
     say(reachText(plan.reach, plan.smallestRadius, plan.volume));
     if (request.scene.frames.enabled)
     {

@@ -55,11 +55,18 @@ void printReport(const std::string& name, const MeshReport& report)
         }
     };
     defect("edges at a hole", report.boundaryEdges);
-    defect("edges with more than two triangles", report.nonManifoldEdges);
+    defect("edges with more than two triangles", report.unbalancedEdges);
     defect("edges whose triangles are wound against each other", report.inconsistentEdges);
     defect("triangles without area", report.degenerateTriangles);
     defect("duplicate triangles", report.duplicateTriangles);
     defect("unused vertices", report.unusedVertices);
+    if (report.crossedTriangles > 0)
+    {
+        fmt::print("  crossings   {} triangles meet others, the first near {:.6g} {:.6g} {:.6g}; "
+                   "walls inside the object are obstacles\n",
+                   report.crossedTriangles, report.firstCrossing.x(), report.firstCrossing.y(),
+                   report.firstCrossing.z());
+    }
     if (!report.closed())
     {
         fmt::print("  first at    {:.6g} {:.6g} {:.6g}\n", report.firstDefect.x(),
@@ -71,7 +78,11 @@ int inspect(const MeshArguments& arguments)
 {
     TriangleMesh mesh = isBuiltInMesh(arguments.mesh) ? builtInMesh(arguments.mesh)
                                                       : readMeshInCage(arguments.mesh);
-    const MeshReport asRead = inspectMesh(mesh);
+    MeshReport asRead = inspectMesh(mesh);
+    if (asRead.closed())
+    {
+        asRead = inspectInterior(mesh);
+    }
     printReport(arguments.mesh, asRead);
     if (arguments.radius > 0 && !asRead.closed() && asRead.triangles > 0)
     {
@@ -86,7 +97,7 @@ int inspect(const MeshArguments& arguments)
     }
     if (!loaded.repairs.empty())
     {
-        printReport("after repair", loaded.report);
+        printReport("after repair", inspectInterior(loaded.mesh));
     }
     fmt::print("can be filled\n");
     if (arguments.radius > 0)

@@ -29,6 +29,8 @@ FillPlan makePlan(const Scene& scene, const LoadedMesh& mesh, const Simulation& 
     FillPlan plan;
     plan.repairs = mesh.repairs;
     plan.triangles = mesh.report.triangles;
+    plan.crossedTriangles = mesh.report.crossedTriangles;
+    plan.firstCrossing = mesh.report.firstCrossing;
     plan.spheres = simulation.expectedSpheres();
     plan.smallestRadius = simulation.smallestRadius();
     plan.largestRadius = simulation.radius();
@@ -127,8 +129,9 @@ FillResult fill(const FillRequest& request, const FillObserver& observer)
     }
     const auto start = std::chrono::steady_clock::now();
     validateScene(request.scene);
-    const LoadedMesh mesh = loadMesh(request.scene.object.mesh);
+    LoadedMesh mesh = loadMesh(request.scene.object.mesh);
     Simulation simulation(request.scene, mesh.mesh);
+    mesh.report = simulation.object();
     RunDirectory directory(request.directory, request.overwrite);
 
     const FrameTiming timing = frameTiming(request.scene, mesh.report);

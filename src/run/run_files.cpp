@@ -22,6 +22,7 @@ Json meshJson(const LoadedMesh& mesh)
 {
     return {{"vertices", mesh.report.vertices},
             {"triangles", mesh.report.triangles},
+            {"crossed_triangles", mesh.report.crossedTriangles},
             {"repairs", mesh.repairs}};
 }
 

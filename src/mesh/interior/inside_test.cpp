@@ -3,6 +3,7 @@
 
 #include "mesh/interior/winding_number.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace frostfill
@@ -19,6 +20,10 @@ constexpr double kNearlyAll = 0.99;
 InsideTest::InsideTest(const Surface& surface, const TriangleGrid& grid)
     : surface_(&surface), grid_(&grid), inside_(grid.frame().size(), false)
 {
+    if (surface.anyTwoSided())
+    {
+        winding_ = std::make_unique<WindingColumns>(surface.mesh());
+    }
     const GridFrame& frame = grid.frame();
     std::vector<bool> known(frame.size(), false);
     std::size_t cell = 0;
@@ -42,8 +47,7 @@ InsideTest::InsideTest(const Surface& surface, const TriangleGrid& grid)
 void InsideTest::classifyFrom(const std::array<int, 3>& seed, std::vector<bool>& known)
 {
     const GridFrame& frame = grid_->frame();
-    const bool side =
-        windingNumber(surface_->mesh(), frame.centre(seed[0], seed[1], seed[2])) > kInsideFrom;
+    const bool side = isInsideByWinding(frame.centre(seed[0], seed[1], seed[2]));
     const auto isNew = [&](int x, int y, int z)
     { return !known[frame.index(x, y, z)] && grid_->cell(x, y, z).empty(); };
     std::vector<std::array<int, 3>> waiting = {seed};
@@ -100,11 +104,21 @@ double InsideTest::distance(const Eigen::Vector3d& p) const
     }
     // The nearest triangle of the list is the nearest of all if it is within the reach of the list.
     const double nearest = nearestDistance(*surface_, triangles, p).value;
-    if (std::abs(nearest) <= reach)
+    if (std::abs(nearest) > reach)
     {
-        return nearest;
+        return isInsideFarFromSurface(p) ? reach : -reach;
     }
-    return isInsideFarFromSurface(p) ? reach : -reach;
+    const auto isTwoSided = [this](std::uint32_t id) { return (*surface_)[id].twoSided; };
+    if (winding_ && std::any_of(triangles.begin(), triangles.end(), isTwoSided))
+    {
+        return isInsideByWinding(p) ? std::abs(nearest) : -std::abs(nearest);
+    }
+    return nearest;
+}
+
+bool InsideTest::isInsideByWinding(const Eigen::Vector3d& p) const
+{
+    return (winding_ ? winding_->at(p) : windingNumber(surface_->mesh(), p)) > kInsideFrom;
 }
 
 // No surface is within the reach of p, so every point within that distance is on the same side as
@@ -126,7 +140,7 @@ bool InsideTest::isInsideFarFromSurface(const Eigen::Vector3d& p) const
     const auto [side, isNew] = farSides_.try_emplace(grid_->frame().index(p), false);
     if (isNew)
     {
-        side->second = windingNumber(surface_->mesh(), p) > kInsideFrom;
+        side->second = isInsideByWinding(p);
     }
     return side->second;
 }

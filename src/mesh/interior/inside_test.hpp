@@ -2,6 +2,7 @@
 #pragma once
 
 #include "mesh/interior/triangle_grid.hpp"
+#include "mesh/interior/winding_columns.hpp"
 
 #include <array>
 #include <memory>
@@ -12,8 +13,10 @@
 namespace frostfill
 {
 
-/// Whether a point is inside a closed surface, in constant time. Cells without triangles are
-/// classified once. Near the surface, the sign of the nearest triangle decides.
+/// Whether a point is inside a closed surface: where the winding number is above kInsideFrom. Takes
+/// constant time for a surface that does not cross itself: cells without triangles are classified
+/// once, and near the surface the sign of the nearest triangle decides. Near a two-sided triangle
+/// the winding number itself does.
 class InsideTest
 {
 public:
@@ -26,15 +29,24 @@ public:
     /// Distance to the surface, positive inside, clamped to +- the reach of the grid.
     [[nodiscard]] double distance(const Eigen::Vector3d& p) const;
 
+    /// Whether p is outside and in a cell without triangles: a look at a table.
+    [[nodiscard]] bool isFarOutside(const Eigen::Vector3d& p) const
+    {
+        const auto [x, y, z] = grid_->frame().coordinates(p);
+        return !inside_[grid_->frame().index(x, y, z)] && grid_->cell(x, y, z).empty();
+    }
+
     [[nodiscard]] double reach() const { return grid_->reach(); }
 
 private:
     [[nodiscard]] bool isInsideFarFromSurface(const Eigen::Vector3d& p) const;
     void classifyFrom(const std::array<int, 3>& seed, std::vector<bool>& known);
+    [[nodiscard]] bool isInsideByWinding(const Eigen::Vector3d& p) const;
 
     const Surface* surface_;
     const TriangleGrid* grid_;
-    std::vector<bool> inside_; ///< [#cells] valid for cells without triangles
+    std::unique_ptr<WindingColumns> winding_; ///< where there are two-sided triangles
+    std::vector<bool> inside_;                ///< [#cells] valid for cells without triangles
     /// For cells with triangles: the side of the points far from the surface, once requested.
     mutable std::unordered_map<std::size_t, bool> farSides_;
     std::unique_ptr<std::mutex> farSidesLock_ = std::make_unique<std::mutex>();

@@ -13,10 +13,10 @@ namespace
 {
 
 /// Sine of the angle to their mean normal up to which triangles lie in one plane. What slides along
-/// one does not notice the next: two of them differ by less than sphere casts ignore (kSlides).
+/// one does not notice the next: two of them differ by less than sphere casts ignore along a plane.
 /// Larger: a cast stops at a bend that gives no contact, and the sphere hangs there. Smaller:
 /// rounding makes edges of planes, on which spheres stumble.
-constexpr double kFlatBend = 4e-8;
+constexpr double kFlatBend = 7e-8;
 
 /// By which a triangle counts at one of its features: the angle at a corner, 1 at an edge.
 double weightAt(const SurfaceTriangle& triangle, std::size_t feature)
@@ -83,7 +83,7 @@ struct Fans
 
 } // namespace
 
-Surface::Surface(const TriangleMesh& mesh)
+Surface::Surface(const TriangleMesh& mesh, const Walls& walls)
     : mesh_(mesh), triangles_(mesh.triangles.size()), bounds_(mesh.triangles.size())
 {
     Fans fans{{}, std::vector<Fan>(mesh.vertices.size())};
@@ -118,6 +118,11 @@ Surface::Surface(const TriangleMesh& mesh)
                          triangle.flat[feature] = fan.flat;
                      });
     }
+    for (std::size_t t = 0; t < triangles_.size() && !walls.none(); ++t)
+    {
+        triangles_[t].twoSided = walls.twoSided[t];
+    }
+    anyTwoSided_ = !walls.none();
     for (const Fan& fan : fans.corners)
     {
         vertexNormals_.push_back(fan.normal.normalized());
@@ -131,7 +136,7 @@ SignedDistance signedDistance(const SurfaceTriangle& triangle, const Eigen::Vect
     const Eigen::Vector3d toPoint = p - closest.point;
     const double side = toPoint.dot(triangle.pseudonormal[static_cast<int>(closest.feature)]);
     const double distance = toPoint.norm();
-    return {side < 0 ? -distance : distance, closest.point, closest.feature};
+    return {side < 0 && !triangle.twoSided ? -distance : distance, closest.point, closest.feature};
 }
 
 SignedDistance nearestDistance(const Surface& surface, std::span<const std::uint32_t> ids,

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "geometry/closest_point.hpp"
+#include "mesh/interior/walls.hpp"
 
 #include <frostfill/mesh.hpp>
 
@@ -25,6 +26,8 @@ struct SurfaceTriangle
     /// By TriangleFeature: whether all triangles at this edge or corner lie in one plane. A sphere
     /// that touches such a feature also touches one of the faces.
     std::array<bool, 7> flat = {};
+    /// Whether both sides act, and the winding number tells which of them is inside: see Walls.
+    bool twoSided = false;
 };
 
 /// The plane of a triangle and a sphere around it, in one cache line, for quick rejection.
@@ -57,12 +60,14 @@ struct alignas(64) TriangleBound
 };
 
 /// A closed surface prepared for contact: the sign of the distance follows from the angle-weighted
-/// pseudonormal of the closest feature [Baerentzen & Aanaes 2005].
+/// pseudonormal of the closest feature [Baerentzen & Aanaes 2005], but for two-sided triangles.
 class Surface
 {
 public:
-    /// `mesh` is closed and wound outwards.
-    explicit Surface(const TriangleMesh& mesh);
+    /// `mesh` is closed and wound outwards. It may cross itself.
+    explicit Surface(const TriangleMesh& mesh) : Surface(mesh, classifyWalls(mesh)) {}
+    /// With the walls known: of this mesh, or of one that differs by a scale and an offset.
+    Surface(const TriangleMesh& mesh, const Walls& walls);
 
     [[nodiscard]] std::size_t size() const { return triangles_.size(); }
     [[nodiscard]] const SurfaceTriangle& operator[](std::size_t i) const { return triangles_[i]; }
@@ -70,6 +75,7 @@ public:
     [[nodiscard]] const TriangleBound& bound(std::size_t i) const { return bounds_[i]; }
     [[nodiscard]] const Eigen::AlignedBox3d& box() const { return box_; }
     [[nodiscard]] const TriangleMesh& mesh() const { return mesh_; }
+    [[nodiscard]] bool anyTwoSided() const { return anyTwoSided_; }
 
     /// Angle-weighted unit normal of a vertex, into the object.
     [[nodiscard]] const Eigen::Vector3d& vertexNormal(std::size_t vertex) const
@@ -83,9 +89,11 @@ private:
     std::vector<TriangleBound> bounds_;
     std::vector<Eigen::Vector3d> vertexNormals_;
     Eigen::AlignedBox3d box_;
+    bool anyTwoSided_ = false;
 };
 
-/// Distance to a triangle, positive on the inner side of the surface.
+/// Distance to a triangle, positive on the inner side of the surface, and on both sides of a
+/// two-sided triangle.
 struct SignedDistance
 {
     double value = 0;

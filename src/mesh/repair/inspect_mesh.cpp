@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "mesh/interior/interior_volume.hpp"
 #include "mesh/repair/components.hpp"
+#include "mesh/repair/inspect_interior.hpp"
 #include "mesh/repair/triangle_shape.hpp"
 
 #include <optional>
@@ -38,6 +40,14 @@ std::size_t countUnused(const TriangleMesh& mesh)
     return static_cast<std::size_t>(std::count(used.begin(), used.end(), false));
 }
 
+/// Whether as many triangles pass an edge in one direction as in the other.
+bool cancels(std::span<const EdgeUse> uses)
+{
+    const auto forward =
+        std::count_if(uses.begin(), uses.end(), [](const EdgeUse& use) { return use.forward; });
+    return 2 * static_cast<std::size_t>(forward) == uses.size();
+}
+
 void inspectEdges(MeshReport& report, const TriangleMesh& mesh, const EdgeTable& edges)
 {
     std::optional<Eigen::Vector3d> firstDefect;
@@ -49,8 +59,10 @@ void inspectEdges(MeshReport& report, const TriangleMesh& mesh, const EdgeTable&
             const bool inconsistent = uses.size() == 2 && uses[0].forward == uses[1].forward;
             report.boundaryEdges += boundary ? 1U : 0U;
             report.nonManifoldEdges += nonManifold ? 1U : 0U;
+            const bool unbalanced = nonManifold && !cancels(uses);
+            report.unbalancedEdges += unbalanced ? 1U : 0U;
             report.inconsistentEdges += inconsistent ? 1U : 0U;
-            if ((boundary || nonManifold || inconsistent) && !firstDefect)
+            if ((boundary || unbalanced || inconsistent) && !firstDefect)
             {
                 firstDefect = 0.5 * (mesh.vertices[uses[0].low] + mesh.vertices[uses[0].high]);
             }
@@ -111,6 +123,23 @@ MeshReport inspectMesh(const TriangleMesh& mesh)
     report.area = surfaceArea(mesh);
     report.box = boundingBox(mesh);
     return report;
+}
+
+MeshReport inspectInterior(const TriangleMesh& mesh, const Walls& walls)
+{
+    MeshReport report = inspectMesh(mesh);
+    report.crossedTriangles = walls.crossed;
+    report.firstCrossing = walls.firstCrossing;
+    if (!walls.none())
+    {
+        report.volume = interiorVolume(mesh);
+    }
+    return report;
+}
+
+MeshReport inspectInterior(const TriangleMesh& mesh)
+{
+    return inspectInterior(mesh, classifyWalls(mesh));
 }
 
 } // namespace frostfill

@@ -12,8 +12,7 @@ namespace frostfill
 namespace
 {
 
-constexpr std::size_t kSamples = 64; // vertices of a piece to test against another piece
-constexpr double kSurely = 0.02;     // [1] a winding number this close to 0 or 1 is certain
+constexpr std::size_t kSamples = 64; // triangles of a piece to test against another piece
 
 void turn(Triangle& t)
 {
@@ -51,31 +50,28 @@ std::vector<Piece> describePieces(const TriangleMesh& mesh)
     return pieces;
 }
 
-bool surrounds(const TriangleMesh& mesh, const Piece& outer, const Eigen::Vector3d& point)
+/// Whether the whole of a piece lies within another one. A piece that passes through it does not.
+bool surrounds(const TriangleMesh& mesh, const Piece& outer, const Piece& piece)
 {
-    return outer.box.contains(point) && std::abs(windingNumber(mesh, outer.triangles, point)) > 0.5;
-}
-
-/// A vertex of `piece` on the other side of `other` than the rest of the piece.
-std::optional<Eigen::Vector3d> findCrossing(const TriangleMesh& mesh, const Piece& piece,
-                                            const Piece& other)
-{
-    bool someInside = false;
-    bool someOutside = false;
+    if (!outer.box.contains(piece.box))
+    {
+        return false;
+    }
     const std::size_t stride = 1 + piece.triangles.size() / kSamples;
     for (std::size_t i = 0; i < piece.triangles.size(); i += stride)
     {
-        const Eigen::Vector3d& vertex = mesh.vertices[mesh.triangles[piece.triangles[i]][0]];
-        const double winding =
-            other.box.contains(vertex) ? std::abs(windingNumber(mesh, other.triangles, vertex)) : 0;
-        someOutside = someOutside || winding < kSurely;
-        someInside = someInside || winding > 1 - kSurely;
-        if (someInside && someOutside)
+        const Triangle& t = mesh.triangles[piece.triangles[i]];
+        const Eigen::Vector3d middle =
+            (mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]) / 3;
+        for (const Eigen::Vector3d& point : {mesh.vertices[t[0]], middle})
         {
-            return vertex;
+            if (std::abs(windingNumber(mesh, outer.triangles, point)) < kInsideFrom)
+            {
+                return false;
+            }
         }
     }
-    return std::nullopt;
+    return true;
 }
 
 } // namespace
@@ -145,11 +141,10 @@ std::size_t turnPiecesOutward(TriangleMesh& mesh)
     std::vector<bool> turns(pieces.size(), false);
     for (std::size_t i = 0; i < pieces.size(); ++i)
     {
-        const Eigen::Vector3d& point = mesh.vertices[mesh.triangles[pieces[i].triangles[0]][0]];
         std::size_t depth = 0;
         for (std::size_t j = 0; j < pieces.size(); ++j)
         {
-            if (j != i && surrounds(mesh, pieces[j], point))
+            if (j != i && surrounds(mesh, pieces[j], pieces[i]))
             {
                 ++depth;
             }
@@ -169,25 +164,6 @@ std::size_t turnPiecesOutward(TriangleMesh& mesh)
         }
     }
     return turned;
-}
-
-std::optional<Eigen::Vector3d> findCrossingPieces(const TriangleMesh& mesh)
-{
-    const std::vector<Piece> pieces = describePieces(mesh);
-    for (std::size_t i = 0; i < pieces.size(); ++i)
-    {
-        for (std::size_t j = 0; j < pieces.size(); ++j)
-        {
-            if (i != j && pieces[i].box.intersects(pieces[j].box))
-            {
-                if (const auto place = findCrossing(mesh, pieces[i], pieces[j]))
-                {
-                    return place;
-                }
-            }
-        }
-    }
-    return std::nullopt;
 }
 
 } // namespace frostfill

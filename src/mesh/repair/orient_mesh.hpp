@@ -3,8 +3,6 @@
 
 #include <frostfill/mesh.hpp>
 
-#include <optional>
-
 namespace frostfill
 {
 
@@ -13,11 +11,8 @@ namespace frostfill
 std::size_t makeWindingConsistent(TriangleMesh& mesh);
 
 /// Turns whole pieces of a closed, consistent mesh: outer surfaces outwards, and cavities (surfaces
-/// inside another one) inwards, by the depth of nesting. Returns the number of turned pieces.
+/// wholly inside another one) inwards, by the depth of nesting. Returns the number of turned
+/// pieces.
 std::size_t turnPiecesOutward(TriangleMesh& mesh);
-
-/// A place where one closed piece passes through another: a piece with vertices both inside and
-/// outside of the other one.
-[[nodiscard]] std::optional<Eigen::Vector3d> findCrossingPieces(const TriangleMesh& mesh);
 
 } // namespace frostfill

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "mesh/interior/interior_volume.hpp"
 #include "mesh/repair/clean_mesh.hpp"
 #include "mesh/repair/close_holes.hpp"
 #include "mesh/repair/edge_table.hpp"
@@ -126,13 +127,14 @@ Hole closeAndReport(TriangleMesh& mesh, std::vector<std::string>& repairs)
 
 void refuseDefects(const MeshReport& report, const Hole& hole, std::string_view name)
 {
-    if (report.nonManifoldEdges > 0)
+    if (report.unbalancedEdges > 0)
     {
-        refuse(name, fmt::format("{} shared by more than two triangles, the first near {}; remove "
-                                 "inner walls and loose flaps there in a mesh editor",
-                                 report.nonManifoldEdges == 1
+        refuse(name, fmt::format("{} shared by more than two triangles that do not bound solids on "
+                                 "both sides, the first near {}; remove inner walls and loose "
+                                 "flaps there in a mesh editor",
+                                 report.unbalancedEdges == 1
                                      ? "an edge is"
-                                     : counted(report.nonManifoldEdges, "edge") + " are",
+                                     : counted(report.unbalancedEdges, "edge") + " are",
                                  place(report.firstDefect)));
     }
     if (report.inconsistentEdges > 0)
@@ -165,17 +167,10 @@ void refuseDefects(const MeshReport& report, const Hole& hole, std::string_view 
 
 void refuseUnfillable(const TriangleMesh& mesh, const MeshReport& report, std::string_view name)
 {
-    const auto crossing =
-        report.components > 1 ? findCrossingPieces(mesh) : std::optional<Eigen::Vector3d>();
-    if (crossing)
-    {
-        refuse(name,
-               fmt::format("it consists of {} pieces, and two of them pass through each other "
-                           "near {}; unite them in a mesh editor (a Boolean union)",
-                           report.components, place(*crossing)));
-    }
     const double size = report.box.diagonal().norm();
-    if (!(report.volume > kNoVolume * size * size * size))
+    const double least = kNoVolume * size * size * size;
+    // Where a mesh crosses itself, parts of the signed volume may cancel.
+    if (!(report.volume > least) && !(interiorVolume(mesh) > least))
     {
         refuse(name, "it encloses no volume; model it as the skin of a solid");
     }

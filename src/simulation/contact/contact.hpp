@@ -72,7 +72,8 @@ struct Contact
     return {(p - wall.closest) / wall.value, radius - wall.value};
 }
 
-/// The contact of a sphere at p with the front of triangle `id`, with a gap of at most `gap`.
+/// The contact of a sphere at p with the front of triangle `id`, or with either side of a two-sided
+/// one, with a gap of at most `gap`.
 /// Inside a plane of several triangles only the one straight below the centre counts. The edges of
 /// the others come near, too, but nobody can touch an edge that is flat.
 [[nodiscard]] inline std::optional<Contact> frontContact(const Surface& surface, std::uint32_t id,
@@ -90,10 +91,13 @@ struct Contact
         return std::nullopt;
     }
     const Contact contact = wallContact(wall, p, radius);
-    if (triangle.flat[static_cast<int>(wall.feature)] &&
-        contact.normal.dot(triangle.normal) < 1 - kBelow)
+    if (triangle.flat[static_cast<int>(wall.feature)])
     {
-        return std::nullopt;
+        const double below = contact.normal.dot(triangle.normal);
+        if ((triangle.twoSided ? std::abs(below) : below) < 1 - kBelow)
+        {
+            return std::nullopt;
+        }
     }
     return contact;
 }

@@ -32,7 +32,8 @@ bool pushOffWalls(const World& world, const Eigen::Vector3d& p, double radius, P
         return world.inside.contains(p);
     }
     const SignedDistance wall = nearestDistance(world.surface, triangles, p);
-    if (wall.value == 0 || wall.value < -radius)
+    if (wall.value == 0 || wall.value < -radius ||
+        (world.surface.anyTwoSided() && !world.inside.contains(p)))
     {
         return false;
     }

@@ -48,8 +48,9 @@ double castAtTriangle(const SurfaceTriangle& triangle, const Eigen::Vector3d& p,
         const SignedDistance wall = signedDistance(triangle, here);
         // Along a plane the next triangle of the same plane is no obstacle, though the edge between
         // them comes nearer.
-        if (wall.value <= kOtherSheet || (triangle.flat[static_cast<int>(wall.feature)] &&
-                                          std::abs(triangle.normal.dot(direction)) < kSlides))
+        if (wall.value <= kOtherSheet ||
+            (triangle.flat[static_cast<int>(wall.feature)] &&
+             std::abs(triangle.normal.dot(direction)) < kSlidesAlongPlane))
         {
             return limit;
         }

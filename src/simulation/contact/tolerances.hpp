@@ -57,11 +57,16 @@ inline constexpr double kSlides = 1e-7;
 /// rounding hides the plane itself.
 inline constexpr double kBelow = 1e-13;
 
-/// One minus the cosine up to which two normals are the same: an angle of 9e-8, less than the bend
-/// at which triangles no longer lie in one plane. Larger: contacts of a narrow wedge are taken for
-/// one, and its sphere hangs between them. Smaller: the corners of many triangles fill the list,
-/// and the cone of the contacts takes time with the square of its length.
-inline constexpr double kSameNormal = 4e-15;
+/// One minus the cosine up to which two normals are the same: an angle of 1.4e-7. Larger: contacts
+/// of a narrow wedge are taken for one. Smaller: the corners of many triangles fill the list, and
+/// the cone of the contacts takes time with the square of its length.
+inline constexpr double kSameNormal = 1e-14;
+
+/// Along a plane a direction may lead into the next triangle of the plane by this sine: the bend up
+/// to which two triangles are one plane (kFlatBend), which their contacts do not tell apart
+/// (kSameNormal). Larger: spheres enter the next triangle. Smaller: a cast stops at a bend that
+/// gives no contact, and the sphere hangs there.
+inline constexpr double kSlidesAlongPlane = 1.5e-7;
 
 /// A direction may lead into a contact of the cone by this share of its length, which is rounding.
 /// Larger: what slides creeps into walls. Smaller: a direction along two contacts seems to lead

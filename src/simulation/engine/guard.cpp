@@ -4,26 +4,38 @@
 #include "simulation/engine/tolerances.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace frostfill
 {
+
+// Collisions pass speed on, so one sphere can be faster than its own fall makes it. A moving object
+// does work on its spheres.
+Guard::Guard(World& world) : world_(world), fastest_(std::numeric_limits<double>::max())
+{
+    if (!world.scene.move.any())
+    {
+        const double fall = 2 * world.frame.gravity * world.surface.box().diagonal().norm();
+        fastest_ = kTooFast * kTooFast * (fall + 1);
+    }
+}
 
 void Guard::check()
 {
     for (const std::uint32_t id : world_.runningIds)
     {
         const Eigen::Vector3d p = world_.spheres.position(id);
-        if (!p.allFinite() || !world_.spheres.velocity(id).allFinite())
+        const double speed = world_.spheres.velocity(id).squaredNorm();
+        if (!p.allFinite() || !std::isfinite(speed))
         {
             return report(id, StrayKind::notFinite);
         }
         // Near a wall the side takes a distance, which can wait until the sphere is past the wall.
-        if (!world_.surface.box().contains(p) ||
-            (world_.triangles.near(p).empty() && !world_.inside.contains(p)))
+        if (!world_.surface.box().contains(p) || world_.inside.isFarOutside(p))
         {
             return report(id, StrayKind::outside);
         }
-        if (isTooFast(id))
+        if (speed > fastest_)
         {
             return report(id, StrayKind::tooFast);
         }
@@ -41,15 +53,6 @@ void Guard::check()
             return report(id, p.allFinite() ? StrayKind::outside : StrayKind::notFinite);
         }
     }
-}
-
-// Collisions pass speed on, so one sphere can be faster than its own fall makes it. A moving object
-// does work on its spheres.
-bool Guard::isTooFast(std::uint32_t id) const
-{
-    const double fall = 2 * world_.frame.gravity * world_.surface.box().diagonal().norm();
-    const double limit = kTooFast * kTooFast * (fall + 1);
-    return !world_.scene.move.any() && world_.spheres.velocity(id).squaredNorm() > limit;
 }
 
 void Guard::report(std::uint32_t id, StrayKind kind)

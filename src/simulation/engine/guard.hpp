@@ -12,7 +12,7 @@ namespace frostfill
 class Guard
 {
 public:
-    explicit Guard(World& world) : world_(world) {}
+    explicit Guard(World& world);
 
     /// After a step: the first sphere that is where none can be, or that moves as none can, goes
     /// into world.stray, and the run is over.
@@ -20,9 +20,9 @@ public:
 
 private:
     void report(std::uint32_t id, StrayKind kind);
-    [[nodiscard]] bool isTooFast(std::uint32_t id) const;
 
     World& world_;
+    double fastest_ = 0;   ///< squared speed beyond which something is wrong
     std::size_t seen_ = 0; ///< of world.stateChanges
 };
 

@@ -124,6 +124,11 @@ std::size_t Simulation::expectedSpheres() const
     return expectedCount(implementation_->world);
 }
 
+const MeshReport& Simulation::object() const
+{
+    return implementation_->world.report;
+}
+
 SphereRecord Simulation::sphere(std::size_t id) const
 {
     const World& world = implementation_->world;

@@ -63,6 +63,18 @@ std::size_t firstBlockInContact(const Spheres& s, std::size_t i, std::size_t beg
     return begin;
 }
 
+// The contact with a two-sided wall, whichever side the sphere was on before this step.
+Contact contactFrom(const Eigen::Vector3d& before, const SignedDistance& here,
+                    const Eigen::Vector3d& p, double radius)
+{
+    SignedDistance wall = here;
+    if ((before - wall.closest).dot(p - wall.closest) < 0)
+    {
+        wall.value = -wall.value;
+    }
+    return wallContact(wall, p, radius);
+}
+
 } // namespace
 
 Algorithm1::Algorithm1(Spheres& spheres, const Surface& surface, const PolygonSearchPart& polygons,
@@ -222,6 +234,10 @@ std::optional<Contact> Algorithm1::oneSidedContact(const SurfaceTriangle& triang
     if (std::abs(here.value) >= radius)
     {
         return std::nullopt;
+    }
+    if (triangle.twoSided && here.value > 0)
+    {
+        return contactFrom(before, here, p, radius);
     }
     const Eigen::Vector3d& inward = triangle.pseudonormal[static_cast<int>(here.feature)];
     if (here.value == 0)

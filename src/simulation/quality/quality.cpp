@@ -2,6 +2,7 @@
 #include "simulation/quality/quality.hpp"
 
 #include "base/threads.hpp"
+#include "mesh/interior/winding_columns.hpp"
 #include "scene/packing_estimate.hpp"
 #include "simulation/quality/support.hpp"
 
@@ -22,9 +23,8 @@ namespace
 
 constexpr double kContactGap =
     0.01; // [own radius] below which a gap counts as a contact that carries
-constexpr double kUnsupported = 0.1;   // [1] of the weight that may remain uncarried
-constexpr std::size_t kInPart = 4096;  // spheres that one thread looks at in one go
-constexpr double kWindingBudget = 2e6; // winding numbers: spheres times triangles worth computing
+constexpr double kUnsupported = 0.1;  // [1] of the weight that may remain uncarried
+constexpr std::size_t kInPart = 4096; // spheres that one thread looks at in one go
 /// A centre that is no farther from a wall lies on it, but for rounding. [r]
 constexpr double kOnWall = 1e-12;
 /// Up to so many spheres the judge sorts them itself; beyond it the memory for that is missed.
@@ -48,12 +48,10 @@ SphereGrid gatherAll(const World& world)
 class Examination
 {
 public:
-    /// `all`: every sphere of the world.
-    Examination(const World& world, const SphereGrid& all) : world_(world), all_(all)
+    /// `all`: every sphere of the world. `winding`: of its surface.
+    Examination(const World& world, const SphereGrid& all, const WindingColumns& winding)
+        : world_(world), all_(all), winding_(winding)
     {
-        const double work =
-            static_cast<double>(world.spheres.size()) * static_cast<double>(world.surface.size());
-        exactWinding_ = work <= kWindingBudget;
     }
 
     void look(std::uint32_t begin, std::uint32_t end)
@@ -96,9 +94,7 @@ private:
             ++report_.notFinite;
             return;
         }
-        const bool outside = exactWinding_ ? windingNumber(world_.surface.mesh(), p) < 0.5
-                                           : !world_.inside.contains(p);
-        report_.centresOutside += outside ? 1 : 0;
+        report_.centresOutside += winding_.at(p) > 0 ? 0 : 1;
 
         const bool resting = world_.spheres.state[id] != SphereState::running;
         normals_.clear();
@@ -147,18 +143,19 @@ private:
         const double radius = world_.spheres.radius[id];
         for (const std::uint32_t t : world_.triangles.near(p))
         {
-            const SignedDistance wall = signedDistance(world_.surface[t], p);
-            if (wall.value < -kOnWall || wall.value > radius + kContactGap * radius)
+            const auto& [a, b, c] = world_.surface[t].corner;
+            const Eigen::Vector3d away = p - closestPointOnTriangle(p, a, b, c).point;
+            const double distance = away.norm(); // walls act from both sides
+            if (distance > radius + kContactGap * radius)
             {
                 continue;
             }
-            report_.maxWallOverlap =
-                std::max(report_.maxWallOverlap, (radius - wall.value) / radius);
-            if (wall.value <= kOnWall)
+            report_.maxWallOverlap = std::max(report_.maxWallOverlap, (radius - distance) / radius);
+            if (distance <= kOnWall)
             {
                 continue; // a centre on the wall is not beside it
             }
-            const Eigen::Vector3d normal = (p - wall.closest) / wall.value;
+            const Eigen::Vector3d normal = away / distance;
             const auto same = [&](const Eigen::Vector3d& n) { return n.dot(normal) > 1 - 1e-12; };
             if (std::none_of(normals_.begin(), normals_.end(), same))
             {
@@ -191,7 +188,7 @@ private:
 
     const World& world_;
     const SphereGrid& all_;
-    bool exactWinding_ = true;
+    const WindingColumns& winding_;
     QualityReport report_;
     std::vector<Eigen::Vector3d> normals_;
     double overlapSum_ = 0;
@@ -210,8 +207,9 @@ QualityReport examine(const World& world)
         gathered = gatherAll(world);
     }
     const std::size_t count = world.spheres.size();
-    std::vector<Examination> parts(count / kInPart + 1,
-                                   Examination(world, gathered ? *gathered : world.resting));
+    const WindingColumns winding(world.surface.mesh());
+    std::vector<Examination> parts(
+        count / kInPart + 1, Examination(world, gathered ? *gathered : world.resting, winding));
     Threads(world.scene.threads)
         .forEachLarge(parts.size(),
                       [&](std::size_t i)

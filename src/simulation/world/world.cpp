@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/world/world.hpp"
 
+#include "mesh/repair/inspect_interior.hpp"
 #include "scene/packing_estimate.hpp"
 #include "simulation/world/tolerances.hpp"
 
@@ -40,8 +41,9 @@ std::size_t countThatFits(const World& world)
 } // namespace
 
 World::World(const Scene& sceneOfRun, const TriangleMesh& mesh)
-    : scene(sceneOfRun), report(inspectMesh(mesh)), radii(radiiOf(scene, report)),
-      frame(scene, report.box, radii.largest()), surface(frame.toRun(mesh)),
+    : scene(sceneOfRun), walls(classifyWalls(mesh)), report(inspectInterior(mesh, walls)),
+      radii(radiiOf(scene, report)), frame(scene, report.box, radii.largest()),
+      surface(frame.toRun(mesh), walls),
       triangles(surface, gridOver(surface, kTriangleCell), kTriangleReach),
       inside(surface, triangles), height(surface.box().sizes().y()),
       motion(scene.move, frame, height), pull{.uniform = {0, -frame.gravity, 0}},

@@ -32,7 +32,8 @@ struct World
 
     // The object.
     Scene scene;
-    MeshReport report;        ///< of the mesh as given
+    Walls walls;              ///< of the mesh as given
+    MeshReport report;        ///< of the mesh as given, with the volume of its interior
     RadiusDistribution radii; ///< in the largest radius, which is the run's unit of length
     FrameOfRun frame;
     Surface surface;

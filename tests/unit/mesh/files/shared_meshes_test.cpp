@@ -82,10 +82,14 @@ TEST_F(SharedMesh, BunnyIsClosedAtItsFiveHoles)
     expectInsideAndOutside(loaded);
 }
 
-TEST_F(SharedMesh, SuzanneIsRefusedForEyesThatPassThroughTheHead)
+TEST_F(SharedMesh, SuzanneIsTakenWithEyesThatPassThroughTheHead)
 {
-    test::expectRefused(ErrorCode::badData, "pass through each other",
-                        [] { (void)loadMesh(file("suzanne.obj")); });
+    const LoadedMesh loaded = loadMesh(file("suzanne.obj"));
+    const MeshReport report = inspectInterior(loaded.mesh);
+    EXPECT_TRUE(report.closed());
+    EXPECT_GT(report.crossedTriangles, 0U);
+    EXPECT_LT(report.volume, loaded.report.volume); // which counts the overlaps twice
+    EXPECT_GT(report.volume, 0.9 * loaded.report.volume);
 }
 
 TEST_F(SharedMesh, TeapotIsRefusedForItsOpenShells)

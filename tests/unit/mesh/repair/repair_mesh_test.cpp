@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "mesh/repair/weld.hpp"
 #include "unit/mesh/mesh_samples.hpp"
 
 #include <cmath>
@@ -225,12 +226,37 @@ TEST(RepairMesh, RefusesAFlapAndSaysWhere)
                         [&] { (void)repairMesh(mesh, "box"); });
 }
 
-TEST(RepairMesh, RefusesPiecesThatPassThroughEachOther)
+TEST(RepairMesh, TakesPiecesThatPassThroughEachOther)
 {
     TriangleMesh mesh = test::box(0, 2);
     test::append(mesh, test::box(1, 3));
-    test::expectRefused(ErrorCode::badData, "pass through each other",
-                        [&] { (void)repairMesh(mesh, "boxes"); });
+    const LoadedMesh loaded = repairMesh(mesh, "boxes");
+    EXPECT_TRUE(loaded.repairs.empty());
+    const MeshReport report = inspectInterior(loaded.mesh);
+    EXPECT_TRUE(report.closed());
+    EXPECT_NEAR(report.volume, 15, 15e-4); // 8 + 8 - 1, where the signed volume says 16
+    EXPECT_NEAR(loaded.report.volume, 16, 1e-9);
+    EXPECT_GT(report.crossedTriangles, 0u);
+    const Eigen::AlignedBox3d overlap(Eigen::Vector3d(1, 1, 1), Eigen::Vector3d(2, 2, 2));
+    EXPECT_TRUE(overlap.contains(report.firstCrossing)) << report.firstCrossing.transpose();
+}
+
+TEST(RepairMesh, TakesEdgesOfFourTrianglesWhoseWindingsCancel)
+{
+    // Two boxes that share the edge x = y = 1 and its two corners.
+    TriangleMesh mesh = test::box(0, 1);
+    TriangleMesh other = test::box(0, 1);
+    for (Eigen::Vector3d& vertex : other.vertices)
+    {
+        vertex += Eigen::Vector3d(1, 1, 0);
+    }
+    test::append(mesh, other);
+    weldEqualVertices(mesh);
+    EXPECT_EQ(inspectMesh(mesh).nonManifoldEdges, 1u);
+    EXPECT_EQ(inspectMesh(mesh).unbalancedEdges, 0u);
+    EXPECT_TRUE(inspectMesh(mesh).closed());
+    const LoadedMesh loaded = repairMesh(mesh, "boxes");
+    EXPECT_NEAR(inspectInterior(loaded.mesh).volume, 2, 1e-3);
 }
 
 TEST(RepairMesh, RefusesAOneSidedSurface)

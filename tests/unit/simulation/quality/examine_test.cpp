@@ -345,7 +345,7 @@ TEST(Examine, LeavesOutNoneOfThousands)
     }
     EXPECT_EQ(packing.in(mesh).unsupported, count);
     EXPECT_EQ(packing.in(mesh).maxOverlap, 0);
-    packing.add({17.6, 17.6, 17.6 + 1.9}).add({0, 21, 0}).add({0, std::nan(""), 0});
+    packing.add({17.6, 17.6, 17.6 + 1.9}).add({0, 21.5, 0}).add({0, std::nan(""), 0});
     const QualityReport report = packing.in(mesh);
     EXPECT_EQ(report.unsupported, count + 2);
     EXPECT_NEAR(report.maxOverlap, 0.1, 1e-12);

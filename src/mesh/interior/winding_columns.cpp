@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/interior/winding_columns.hpp"
+
+#include "geometry/exact_predicates.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace frostfill
+{
+namespace
+{
+
+/// Columns for each triangle, and at most in each direction. Larger: fewer triangles a column, and
+/// memory where triangles are large.
+constexpr double kColumnsPerTriangle = 0.5;
+constexpr double kMostColumns = 512;
+
+/// orient2d for a ray that passes by p as if moved by an infinitely small (e, e^2), so that it
+/// meets no corner and no edge [Edelsbrunner & Muecke 1990].
+int orientMoved(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& p)
+{
+    const int side = orient2d(a, b, p);
+    if (side != 0)
+    {
+        return side;
+    }
+    if (a.y() != b.y())
+    {
+        return a.y() > b.y() ? 1 : -1;
+    }
+    return a.x() == b.x() ? 0 : (b.x() > a.x() ? 1 : -1);
+}
+
+} // namespace
+
+WindingColumns::WindingColumns(const TriangleMesh& mesh) : mesh_(&mesh), box_(boundingBox(mesh))
+{
+    if (mesh.triangles.empty())
+    {
+        starts_ = {0, 0};
+        return;
+    }
+    int along = 0; // few walls lie one behind the other along the shortest side
+    box_.sizes().minCoeff(&along);
+    across_ = {(along + 1) % 3, (along + 2) % 3};
+    const double columns =
+        std::sqrt(kColumnsPerTriangle * static_cast<double>(mesh.triangles.size()));
+    count_.fill(static_cast<int>(std::clamp(columns, 1.0, kMostColumns)));
+
+    // Count, sum up the ends of the columns, and fill each from its end.
+    starts_.assign(static_cast<std::size_t>(count_[0]) * static_cast<std::size_t>(count_[1]) + 1,
+                   0);
+    for (const auto& triangle : mesh.triangles)
+    {
+        forEachColumn(triangle, [this](std::size_t column) { ++starts_[column]; });
+    }
+    std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
+    ids_.resize(starts_.back());
+    for (auto id = static_cast<std::uint32_t>(mesh.triangles.size()); id-- > 0;)
+    {
+        forEachColumn(mesh.triangles[id],
+                      [&](std::size_t column) { ids_[--starts_[column]] = id; });
+    }
+}
+
+int WindingColumns::columnOf(double coordinate, std::size_t k) const
+{
+    const int axis = across_[k];
+    const double size = box_.sizes()[axis];
+    const double column =
+        size > 0 ? std::floor((coordinate - box_.min()[axis]) / size * count_[k]) : 0;
+    return static_cast<int>(std::clamp(column, 0.0, count_[k] - 1.0));
+}
+
+template <class Visit>
+void WindingColumns::forEachColumn(const std::array<std::uint32_t, 3>& triangle,
+                                   Visit&& visit) const
+{
+    Eigen::AlignedBox2d box;
+    for (const std::uint32_t corner : triangle)
+    {
+        box.extend(flat(mesh_->vertices[corner]));
+    }
+    const int lastX = columnOf(box.max().x(), 0);
+    const int lastY = columnOf(box.max().y(), 1);
+    for (int y = columnOf(box.min().y(), 1); y <= lastY; ++y)
+    {
+        for (int x = columnOf(box.min().x(), 0); x <= lastX; ++x)
+        {
+            visit(static_cast<std::size_t>(y) * static_cast<std::size_t>(count_[0]) +
+                  static_cast<std::size_t>(x));
+        }
+    }
+}
+
+int WindingColumns::at(const Eigen::Vector3d& p) const
+{
+    if (!box_.contains(p))
+    {
+        return 0;
+    }
+    const Eigen::Vector2d q = flat(p);
+    const auto column =
+        static_cast<std::size_t>(columnOf(q.y(), 1)) * static_cast<std::size_t>(count_[0]) +
+        static_cast<std::size_t>(columnOf(q.x(), 0));
+    int winding = 0;
+    for (std::uint32_t k = starts_[column]; k < starts_[column + 1]; ++k)
+    {
+        winding += passage(mesh_->triangles[ids_[k]], p);
+    }
+    return winding;
+}
+
+// By how much the winding number is larger before the ray from p passes a triangle than after.
+int WindingColumns::passage(const std::array<std::uint32_t, 3>& triangle,
+                            const Eigen::Vector3d& p) const
+{
+    const Eigen::Vector3d& a = mesh_->vertices[triangle[0]];
+    const Eigen::Vector3d& b = mesh_->vertices[triangle[1]];
+    const Eigen::Vector3d& c = mesh_->vertices[triangle[2]];
+    const Eigen::Vector2d q = flat(p);
+    const Eigen::Vector2d fa = flat(a), fb = flat(b), fc = flat(c);
+    if (q.x() < std::min({fa.x(), fb.x(), fc.x()}) || q.x() > std::max({fa.x(), fb.x(), fc.x()}) ||
+        q.y() < std::min({fa.y(), fb.y(), fc.y()}) || q.y() > std::max({fa.y(), fb.y(), fc.y()}))
+    {
+        return 0;
+    }
+    const int side = orientMoved(fa, fb, q);
+    if (side == 0 || orientMoved(fb, fc, q) != side || orientMoved(fc, fa, q) != side)
+    {
+        return 0;
+    }
+    // Counter-clockwise seen from the ray's end, a triangle is left through where p is behind it.
+    return orient3d(a, b, c, p) == -side ? side : 0;
+}
+
+} // namespace frostfill
