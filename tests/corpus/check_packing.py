@@ -182,7 +182,8 @@ def read_spheres(run):
 
 
 def check(run, walls=None, inside=None, slack=0.0):
-    """What is wrong with a run, as a dictionary; `faults` names it in words."""
+    """What is wrong with a run, as a dictionary; `faults` names it in words. `inside` may be "run":
+    the run's own mesh tells what is inside, whatever the walls are."""
     run = pathlib.Path(run)
     summary = json.loads((run / "summary.json").read_text())
     unit = summary["scene"]["object"]["units_per_metre"]
@@ -191,7 +192,9 @@ def check(run, walls=None, inside=None, slack=0.0):
     result = {"spheres": len(centres), "not_finite": int((~finite).sum())}
     centres, radii, resting = centres[finite], radii[finite], resting[finite]
     mesh = read_triangles(walls) / unit if walls else read_triangles(run / "mesh.ply")
-    solid = read_triangles(inside) / unit if inside else mesh
+    solid = read_triangles(run / "mesh.ply") if inside == "run" else mesh
+    if inside and inside != "run":
+        solid = read_triangles(inside) / unit
     # What is far from the origin is moved there, so that differences lose nothing.
     origin = mesh.reshape(-1, 3).mean(axis=0)
     centres, mesh, solid = centres - origin, mesh - origin, solid - origin

@@ -10,10 +10,12 @@ The same seed gives the same bytes. corpus.json has a record for each file:
     file, kind   the mesh, and the function of this script that made it
     expected     fill: has an interior and must fill at defaults;
                  open: has one once it is lidded or wrapped;
-                 refuse: has none, or is no mesh
+                 refuse: has none, or is no mesh;
+                 any: to fill and to refuse are both right
     note         what is wrong with it
     walls        triangles that no sphere may cut, as nine doubles each, little-endian
-    inside       a closed surface whose winding number tells what is inside; by default the walls
+    inside       a closed surface whose winding number tells what is inside; by default the walls;
+                 `run`: only the program can say, because the surface has no side that is out
     slack        [mesh unit] by how much the file may lie beside the walls, for instance for a crack
 """
 
@@ -55,7 +57,9 @@ class Maker:
                   "note": note}
         (self.folder / record["file"]).write_bytes(data)
         for what, mesh in (("walls", walls), ("inside", inside)):
-            if mesh is not None:
+            if mesh == "run":
+                record[what] = mesh
+            elif mesh is not None:
                 record[what] = f"truth/{name}.{what}"
                 (self.folder / record[what]).write_bytes(mesh.bytes())
         if slack:
@@ -69,7 +73,7 @@ class Maker:
         if not double:
             mesh = mesh.single()
             walls = walls.single() if walls else None
-            inside = inside.single() if inside else None
+            inside = inside.single() if isinstance(inside, Mesh) else inside
         elif form is None:
             form = ("obj", "off", "ply64")[len(self.records) % 3]
         form = form or ("obj", "stl", "ply", "off", "ply-ascii")[len(self.records) % 5]
@@ -656,7 +660,8 @@ def one_sided(make):
             make.add(band([1, 3, 1, 2, 5, 1][i]).turned(rng), "a band with half turns",
                      expected="refuse")
         else:
-            make.add(klein(bottle=i % 2 == 0).turned(rng), "a Klein bottle", expected="open")
+            make.add(klein(bottle=i % 2 == 0).turned(rng), "a Klein bottle", expected="open",
+                     inside="run")
 
 
 @kind
@@ -1075,7 +1080,9 @@ def not_numbers(make):
                 "stl": lambda: formats.stl_binary(broken), "ply-ascii": lambda: formats.ply(broken),
                 "ply": lambda: formats.ply(broken, "binary_little_endian"),
                 "ply64": lambda: formats.ply(broken, "binary_little_endian", "double")}[form]()
-        make.write(form.partition("-")[0].removesuffix("64"), data, "refuse", f"y is {bad}")
+        # A spike of 1e38 is finite: a program may fill it or refuse it, but not choke on it.
+        make.write(form.partition("-")[0].removesuffix("64"), data,
+                   "any" if math.isfinite(bad) else "refuse", f"y is {bad}")
 
 
 @kind
@@ -1146,7 +1153,7 @@ def digest(folder, records):
     total = hashlib.sha256((folder / "corpus.json").read_bytes())
     for record in records:
         for key in ("file", "walls", "inside"):
-            if key in record:
+            if record.get(key, "run") != "run":
                 total.update((folder / record[key]).read_bytes())
     return total.hexdigest()
 
