@@ -1134,15 +1134,27 @@ def point_clouds(make):
         make.write(*variants[k], "refuse", "points or lines only")
 
 
-def make_corpus(folder, seed=1, kinds=None, each=0):
-    """Writes the corpus; its records."""
+def fingerprint(seed, kinds, each):
+    """Of what the corpus depends on."""
+    here = pathlib.Path(__file__).resolve().parent
+    sources = [(here / name).read_bytes() for name in ("make_corpus.py", "shapes.py", "formats.py")]
+    return hashlib.sha256(b"\0".join([*sources, repr((seed, kinds, each)).encode()])).hexdigest()
+
+
+def make_corpus(folder, seed=1, kinds=None, each=0, keep=False):
+    """Writes the corpus; its records. With `keep` nothing is written that is there already."""
+    mark = fingerprint(seed, kinds, each)
+    if keep and (folder / "corpus.json").exists():
+        known = json.loads((folder / "corpus.json").read_text())
+        if known.get("fingerprint") == mark:
+            return known["meshes"]
     (folder / "truth").mkdir(parents=True, exist_ok=True)
     records = []
     for name in kinds or KINDS:
         make = Maker(folder, name, seed, each)
         KINDS[name](make)
         records += make.records
-    text = json.dumps({"seed": seed, "kinds": {k: KINDS[k].__doc__.split("\n")[0] for k in
+    text = json.dumps({"seed": seed, "fingerprint": mark, "kinds": {k: KINDS[k].__doc__.split("\n")[0] for k in
                                                (kinds or KINDS)}, "meshes": records}, indent=1)
     (folder / "corpus.json").write_text(text + "\n")
     return records

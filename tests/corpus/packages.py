@@ -13,6 +13,7 @@ refuse is right there."""
 
 import fnmatch
 import gzip
+import hashlib
 import json
 import pathlib
 import struct
@@ -176,8 +177,13 @@ def judge(path):
     return "refuse", f"a sheet: winding number above 1/2 at {share:.1%}"
 
 
-def collect(folder, rules):
-    """Records of all meshes of packages, and what was skipped, with the reason."""
+def collect(folder, rules, keep=False):
+    """Records of all meshes of packages, and what was skipped, with the reason. With `keep` those
+    that are known from an earlier call are not judged again."""
+    file = folder / "packages.json"
+    known = json.loads(file.read_text()) if keep and file.exists() else []
+    earlier = {r["name"]: (r["judged"], r["judgement"]) for r in known if "judged" in r}
+    rule_itself = pathlib.Path(__file__).read_bytes()
     records, skipped = [], []
     for package in PACKAGES:
         files, reason = fetch(package, folder)
@@ -185,9 +191,18 @@ def collect(folder, rules):
             skipped.append(reason)
         for path in files:
             name = str(path.relative_to(folder))
+            record = {"file": str(path), "name": name, "kind": package}
             rule = next((r for r in rules if fnmatch.fnmatch(name, r[0])), None)
-            expected, note = rule[1:] if rule else judge(path)
-            records.append({"file": str(path), "name": name, "kind": package,
-                            "expected": expected, "note": note})
-    (folder / "packages.json").write_text(json.dumps(records, indent=1) + "\n")
+            if rule:
+                record["expected"], record["note"] = rule[1:]
+            else:
+                mark = hashlib.sha256(path.read_bytes() + rule_itself).hexdigest()
+                if earlier.get(name, ("",))[0] == mark:
+                    judgement = earlier[name][1]
+                else:
+                    judgement = list(judge(path))
+                record["judged"], record["judgement"] = mark, judgement
+                record["expected"], record["note"] = judgement
+            records.append(record)
+    file.write_text(json.dumps(records, indent=1) + "\n")
     return records, skipped
