@@ -865,8 +865,9 @@ def gltf_variants(make):
             scene.node(mesh=scene.mesh(ball, indexed=False))
             walls, note = ball, "no indices"
         elif i == 9:
-            scene.node(mesh=scene.mesh(box, ball.scaled(0.5).moved(2, 0, 0)))
-            walls, note = box + ball.scaled(0.5).moved(2, 0, 0), "two primitives"
+            second = ball.scaled(0.5).moved(2, 0, 0).single()
+            scene.node(mesh=scene.mesh(box, second))
+            walls, note = box + second, "two primitives"
         elif i == 10:
             halves = [ball.without(k for k in range(len(ball.faces))
                                    if (ball.centre(k)[0] > 0) == side) for side in (False, True)]
