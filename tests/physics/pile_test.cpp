@@ -33,12 +33,12 @@ Scene sceneOfPile()
 /// Runners in a box whose floor is at y = -8. Radii and gravity are 1.
 struct Pile
 {
-    explicit Pile(const std::vector<Eigen::Vector3d>& places)
+    explicit Pile(const std::vector<Eigen::Vector3d>& places, const std::vector<double>& radii = {})
     {
         runners.resize(places.size());
         for (std::uint32_t k = 0; k < places.size(); ++k)
         {
-            runners[k].restart(k, places[k], 1);
+            runners[k].restart(k, places[k], radii.empty() ? 1 : radii[k]);
         }
     }
 
@@ -84,6 +84,7 @@ struct Pile
 std::vector<Eigen::Vector3d> column(int height)
 {
     std::vector<Eigen::Vector3d> places;
+    places.reserve(static_cast<std::size_t>(height));
     for (int k = 0; k < height; ++k)
     {
         places.emplace_back(0, kFloor + 1 + 2 * k, 0);
@@ -141,6 +142,44 @@ TEST(VelocitySolver, ARandomCrowdNeverGainsEnergyInAStep)
     }
 }
 
+// In the air and level, so that nothing but their masses tells the two apart.
+TEST(VelocitySolver, SpheresOfUnlikeMassPartWithTheClosedFormSpeeds)
+{
+    for (const double small : {1.0, 0.8, 0.5, 0.25})
+    {
+        const Eigen::Vector3d normal = Eigen::Vector3d(2, 0, 1).normalized();
+        Pile pile({Eigen::Vector3d::Zero(), (1 + small) * normal}, {1, small});
+        Runner& heavy = pile.runners[0];
+        Runner& light = pile.runners[1];
+        heavy.velocity = 0.7 * normal + Eigen::Vector3d(0, 0.3, 0);
+        light.velocity = -1.1 * normal;
+        pile.positionSolver.resolve(pile.runners, kDt);
+        const double mass = small * small * small;
+        const double common = (0.7 - mass * 1.1) / (1 + mass); // of the centre of mass
+        const double parting = SolverSettings().restitution * 1.8;
+        EXPECT_NEAR(heavy.velocity.dot(normal), common - parting * mass / (1 + mass), 1e-12);
+        EXPECT_NEAR(light.velocity.dot(normal), common + parting / (1 + mass), 1e-12);
+        EXPECT_NEAR(heavy.velocity.y(), 0.3, 1e-12);
+    }
+}
+
+TEST(PositionSolver, SpheresOfUnlikeMassAreTakenApartAboutTheirCentreOfMass)
+{
+    for (const double small : {1.0, 0.8, 0.5, 0.25})
+    {
+        const Eigen::Vector3d normal = Eigen::Vector3d(2, 0, 1).normalized();
+        const double depth = 0.05 * small;
+        Pile pile({Eigen::Vector3d::Zero(), (1 + small - depth) * normal}, {1, small});
+        const double mass = small * small * small;
+        const auto middle = [&]
+        { return (pile.runners[0].position + mass * pile.runners[1].position).eval(); };
+        const Eigen::Vector3d before = middle();
+        pile.positionSolver.resolve(pile.runners, kDt);
+        EXPECT_NEAR((pile.runners[1].position - pile.runners[0].position).norm(), 1 + small, 1e-12);
+        EXPECT_LT((middle() - before).norm(), 1e-12) << small;
+    }
+}
+
 // A sphere on another, a twentieth of a radius deep in it, slides over it: taking them apart lifts
 // it, and its speed pays for that to the last bit of energy.
 TEST(PositionSolver, ALiftCostsAsMuchSpeedAsItGivesHeight)
@@ -158,6 +197,7 @@ TEST(PositionSolver, SpheresPressedIntoARowClimbOutOfIt)
 {
     // Nine along an edge of the floor that is eight long.
     std::vector<Eigen::Vector3d> places;
+    places.reserve(9);
     for (int k = 0; k < 9; ++k)
     {
         places.emplace_back(-7 + 14.0 / 8 * k, kFloor + 1, -7);

@@ -179,5 +179,25 @@ TEST(Stress, EnergyGainOfExplicitEulerIsMeasuredExactly)
     EXPECT_NEAR(world.energy.excess(), 100 * 0.01 * 0.01 / 2 / 16, 1e-13);
 }
 
+// A floor that gives back more than it takes: a fall from h gains (e^2 - 1) h; relative to the fall
+// through the object.
+TEST(Stress, EnergyGainOfABounceThatIsTooLivelyIsMeasured)
+{
+    Scene scene = Released::scene(Preset::fast, 1);
+    scene.motion.restitution = 1.2;
+    scene.motion.dt = 1e-3 * std::sqrt(1 / scene.motion.gravity);
+    World world(scene, shapes::box({-8, -8, -8}, {8, 8, 8}, 8));
+    const auto engine = makeEngine(world);
+    const PlacedSphere one{{0, -5, 0}, 1};
+    engine->releaseAt({&one, 1});
+    while (world.spheres.velocity(0).y() <= 0)
+    {
+        ASSERT_TRUE(engine->step());
+    }
+    const double gain = (1.2 * 1.2 - 1) * 2 / 16;
+    EXPECT_NEAR(world.energy.largestGain(), gain, 1e-3 * gain);
+    EXPECT_NEAR(world.energy.excess(), gain, 1e-3 * gain);
+}
+
 } // namespace
 } // namespace frostfill

@@ -25,6 +25,26 @@ TEST(Statistics, PercentilesAreNearestRanks)
     EXPECT_EQ(described.greatest, 200);
 }
 
+// The oracle is the definition: the least value that so many of all do not exceed.
+TEST(Statistics, PercentilesAreValuesThatTheirShareDoesNotExceed)
+{
+    for (std::size_t count = 1; count <= 50; ++count)
+    {
+        for (const int percent : {1, 25, 50, 95, 99, 100})
+        {
+            std::vector<double> values(count);
+            std::iota(values.rbegin(), values.rend(), 1.0);
+            std::size_t rank = 1; // as many values do not exceed the one of this rank
+            while (100 * rank < static_cast<std::size_t>(percent) * count)
+            {
+                ++rank;
+            }
+            EXPECT_EQ(percentile(values, percent / 100.0), static_cast<double>(rank))
+                << percent << " % of " << count;
+        }
+    }
+}
+
 TEST(Statistics, ASingleValueIsAllOfItsPercentiles)
 {
     const Distribution described = describe({7});
@@ -51,6 +71,7 @@ TEST(Statistics, TheConfidenceIntervalIsStudentsForManyRunsToo)
           std::pair{1002, 1.9623367052808796}})
     {
         std::vector<double> values;
+        values.reserve(static_cast<std::size_t>(runs));
         for (int i = 0; i < runs; ++i)
         {
             values.push_back(i % 2 == 0 ? -1 : 1);

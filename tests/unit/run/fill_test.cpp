@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "output/scene_json.hpp"
+#include "simulation/motion/integrator.hpp"
 #include "support/expect_error.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -8,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace frostfill
 {
@@ -142,6 +144,35 @@ TEST(FillRun, FailsWhenACentreEndsOutsideButKeepsTheFiles)
     const auto summary = nlohmann::json::parse(result.summary);
     EXPECT_EQ(summary["outcome"], "failed");
     EXPECT_EQ(summary["error"]["centres_outside"], result.quality.centresOutside);
+    EXPECT_EQ(filesIn(folder / "run"), 5u);
+}
+
+/// Leads the newest sphere to no place at all.
+class ToNowhere final : public IntegratorPart
+{
+public:
+    void advance(Spheres& spheres, std::size_t begin, double /*gravity*/, double /*dt*/) override
+    {
+        if (begin < spheres.size())
+        {
+            const double nan = std::numeric_limits<double>::quiet_NaN();
+            spheres.setPosition(spheres.size() - 1, {0, nan, 0});
+        }
+    }
+};
+
+TEST(FillRun, FailsWhenAPositionIsNoNumberButKeepsTheFiles)
+{
+    const TemporaryFolder folder;
+    FillRequest request = smallRequest(folder / "run");
+    request.scene.motion.integrator =
+        integrators().add("to-nowhere", [] { return std::make_unique<ToNowhere>(); });
+    const FillResult result = fill(request);
+    EXPECT_GT(result.quality.notFinite, 0u);
+    EXPECT_EQ(result.quality.centresOutside, 0u);
+    ASSERT_TRUE(result.failure);
+    EXPECT_NE(result.failure->find("no numbers"), std::string::npos) << *result.failure;
+    EXPECT_EQ(nlohmann::json::parse(result.summary)["outcome"], "failed");
     EXPECT_EQ(filesIn(folder / "run"), 5u);
 }
 

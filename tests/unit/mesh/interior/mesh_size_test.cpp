@@ -51,6 +51,9 @@ TEST(SignedVolume, OfTheSphereIsThatOfItsFrusta)
 TEST(SignedVolume, KeepsItsDigitsFarFromTheOrigin)
 {
     EXPECT_EQ(signedVolume(test::box(1e6, 1e6 + 0.5)), 0.125);
+    const double low = 1e6 / 3; // not a round number, whose products are exact
+    const double high = low + 0.1;
+    EXPECT_NEAR(signedVolume(test::box(low, high)), std::pow(high - low, 3), 1e-15);
 }
 
 TEST(SurfaceArea, OfTheCubeIsExact)

@@ -167,5 +167,28 @@ TEST(PictureOptions, TransparentIsAColourOfTheBackground)
     EXPECT_EQ(scene.style.palette.background[3], 0);
 }
 
+TEST(ValidateScene, LetsOnlyTheDynamicsOfThePresetFastMoveTheObject)
+{
+    for (double MoveSettings::*how :
+         {&MoveSettings::tilt, &MoveSettings::turn, &MoveSettings::shake})
+    {
+        Scene scene = presetScene(Preset::fast, "torus");
+        scene.move.*how = 0.1;
+        for (const Motion motion : {Motion::fall, Motion::skip})
+        {
+            scene.motion.mode = motion;
+            EXPECT_NO_THROW(validateScene(scene));
+        }
+        scene.motion.mode = Motion::descend;
+        test::expectError(
+            ErrorCode::usage, [&] { validateScene(scene); }, "--tilt", "--motion");
+        Scene paper = presetScene(Preset::paper, "torus");
+        EXPECT_NO_THROW(validateScene(paper));
+        paper.move.*how = 0.1;
+        test::expectError(
+            ErrorCode::usage, [&] { validateScene(paper); }, "--tilt", "preset fast");
+    }
+}
+
 } // namespace
 } // namespace frostfill

@@ -228,7 +228,11 @@ TEST_F(FullBox, NothingIsDroppedTwiceOrLostWhenASphereIsRenumbered)
     discard_.afterStep(none);
     discard_.finish(false);
     EXPECT_EQ(world_->restoredDiscards, 0u);
-    EXPECT_GT(world_->discardedCount, ids_.size() / 2);
+    EXPECT_EQ(world_->discardedCount, ids_.size() + 1) << "nothing fits in any more";
+    for (const SphereState state : world_->spheres.state)
+    {
+        EXPECT_EQ(state, SphereState::discarded);
+    }
 }
 
 } // namespace

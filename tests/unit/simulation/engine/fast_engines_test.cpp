@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "simulation/engine/make_engine.hpp"
+#include "simulation/engine/tolerances.hpp"
 #include "support/shapes.hpp"
 
 #include <frostfill/simulation.hpp>
@@ -6,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <memory>
 #include <string>
 
@@ -191,6 +194,23 @@ TEST(FastEngine, RecordsTheTimeThatItsSolverTakes)
     EXPECT_GE(set.p95SphereSphereMs, 0);
     EXPECT_LE(set.meanSphereSphereMs * static_cast<double>(set.steps),
               1000 * simulation.times()[Stage::sphereSphere] + 1e-6);
+}
+
+// So that pictures fall on the steps that were asked for.
+TEST(FastEngine, DividesAStepThatIsTooLongIntoTheFewestEqualParts)
+{
+    for (const double asked : {0.1, 0.33, 0.34, 1.0, 2.5}) // in units of the smallest sphere
+    {
+        Scene scene = presetScene(Preset::fast, "torus");
+        scene.spheres.radius = Radii(0.05, 0.1);
+        scene.motion.dt = asked * std::sqrt(0.05 / scene.motion.gravity);
+        World world(scene, shapes::torus());
+        const auto engine = makeEngine(world);
+        const double step = world.dt * world.frame.time;
+        const double parts = *scene.motion.dt / step;
+        EXPECT_EQ(std::lround(parts), std::lround(std::ceil(asked / kLongestStep - 1e-9))) << asked;
+        EXPECT_NEAR(parts, std::round(parts), 1e-12) << asked;
+    }
 }
 
 } // namespace

@@ -1,4 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include "simulation/freezing/waker.hpp"
+
+#include "simulation/engine/make_engine.hpp"
+#include "simulation/quality/quality.hpp"
+#include "support/shapes.hpp"
+#include "support/small_world.hpp"
+
 #include <frostfill/simulation.hpp>
 
 #include <gtest/gtest.h>
@@ -59,6 +66,52 @@ TEST(Waker, MovedObjectsComeToRest)
             EXPECT_TRUE(comesToRest(simulation, 40000)) << object << ", seed " << seed;
             EXPECT_EQ(simulation.quality().centresOutside, 0u);
         }
+    }
+}
+
+// On its head, a column holds itself up but for its last sphere: each goes once the next has gone.
+TEST(Waker, LetsGoWhatRestedOnWhatItLetsGo)
+{
+    Scene scene = smallScene("cube", 10, 1);
+    scene.spheres.radius = 1;
+    scene.move.tilt = 180;
+    World world(scene, shapes::box({-8, -8, -8}, {8, 8, 8}, 8));
+    for (int k = 0; k < 6; ++k)
+    {
+        addResting(world, {0, -7.0 + 2 * k, 0});
+    }
+    const std::uint32_t underTheLid = addResting(world, {5, 7, 5});
+    Runners runners(world.resting.frame());
+    Waker waker(world, runners);
+    ASSERT_TRUE(waker.begin());
+    world.pull.uniform = {0, 1, 0};
+    waker.wakeWhenDue();
+    EXPECT_EQ(runners.count(), 6u);
+    EXPECT_EQ(world.spheres.state[underTheLid], SphereState::frozen);
+}
+
+TEST(Waker, LeavesNothingAtRestThatTheJudgeFindsUncarried)
+{
+    for (const double tilt : {10.0, 20.0, 60.0, 120.0, 180.0})
+    {
+        Scene scene = smallScene("cube", 150, 4);
+        scene.spheres.radius = 0.12;
+        scene.discard.rule = DiscardRule::none;
+        World world(scene, builtInMesh("cube"));
+        const auto engine = makeEngine(world);
+        while (engine->step())
+        {
+        }
+        scene.move.tilt = tilt;
+        world.motion = ObjectMotion(scene.move, world.frame, world.height);
+        Runners runners(world.resting.frame());
+        Waker waker(world, runners);
+        ASSERT_TRUE(waker.begin());
+        world.pull = world.motion.pullAt(2 * world.motion.duration());
+        EXPECT_GT(examine(world).unsupported, 0u) << tilt;
+        waker.wakeWhenDue();
+        EXPECT_GT(runners.count(), 0u) << tilt;
+        EXPECT_EQ(examine(world).unsupported, 0u) << tilt;
     }
 }
 
