@@ -103,7 +103,7 @@ TEST_P(DiscardFromOutside, DiscardsWhatItSays)
 }
 
 INSTANTIATE_TEST_SUITE_P(EitherPreset, DiscardFromOutside, ::testing::Values("fast", "paper"),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& each) { return each.param; });
 
 TEST(PartsFromOutside, FreezingRuleSaysWhatFreezesAndWhenOthersFollow)
 {

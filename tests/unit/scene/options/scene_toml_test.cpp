@@ -29,7 +29,7 @@ Scene unusualScene()
     scene.object = {"dir with space/mesh.stl", Axis::z, 1 / 0.0254};
     scene.spheres = {0.1 + 0.2, std::nullopt, true, 3, 7};
     scene.motion = {1.0 / 3.0, Motion::descend, Integrator::semiImplicitEuler, 1e-300, 1, 9};
-    scene.freezing = {0, 0.30000000000000004, 5e-324, 1e308, true};
+    scene.freezing = {0, 0.30000000000000004, 5e-324, 1e308, true, {}};
     scene.discard = {DiscardRule::none, 0, 2};
     scene.search = {SphereSearch::allPairs, PolygonSearch::list};
     scene.frames.enabled = false;
