@@ -145,7 +145,7 @@ private:
                               {
                                   if (solid[one] && solid[other])
                                   {
-                                      test(one, other);
+                                      test(one, other, [&] { return pairOf(mesh_, one, other); });
                                   }
                               });
         }
@@ -197,16 +197,20 @@ private:
                 if (boxes_[i].intersects(boxes_[j]) &&
                     !haveCommon(mesh_.triangles[one], mesh_.triangles[two]))
                 {
-                    test(one, two);
+                    test(one, two,
+                         [&] {
+                             return TrianglePair{cornersOf(mesh_, one), cornersOf(mesh_, two), 0};
+                         });
                 }
             }
         }
     }
 
-    void test(std::uint32_t one, std::uint32_t other)
+    template <class MakePair>
+    void test(std::uint32_t one, std::uint32_t other, MakePair&& makePair)
     {
         // What is known need not be shown again: many triangles at one place stay cheap.
-        if ((!crossed_[one] || !crossed_[other]) && trianglesCross(pairOf(mesh_, one, other)))
+        if ((!crossed_[one] || !crossed_[other]) && trianglesCross(makePair()))
         {
             crossed_[one] = crossed_[other] = true;
         }
