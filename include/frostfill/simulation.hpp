@@ -9,6 +9,7 @@
 #include <frostfill/snapshot.hpp>
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -116,6 +117,10 @@ public:
     /// Advances by one time step, and releases, freezes and discards when due.
     /// Returns false, and changes nothing, when the run is over.
     bool step();
+
+    /// Asks this in the course of every step that takes long; once it is true the step ends early,
+    /// with fewer spheres. To be called again and again, so it should take no time.
+    void stopWhen(std::function<bool()> requested);
 
     /// Updates `snapshot`; see Snapshot for the cost.
     void capture(Snapshot& snapshot) const;

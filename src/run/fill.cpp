@@ -132,6 +132,7 @@ FillResult fill(const FillRequest& request, const FillObserver& observer)
     LoadedMesh mesh = loadMesh(request.scene.object.mesh);
     Simulation simulation(request.scene, mesh.mesh);
     mesh.report = simulation.object();
+    simulation.stopWhen(observer.stopRequested);
     RunDirectory directory(request.directory, request.overwrite);
 
     const FrameTiming timing = frameTiming(request.scene, mesh.report);

@@ -14,7 +14,7 @@ namespace
 constexpr double kFourPi = 12.566370614359172;
 
 /// [1] Afar begins at this multiple of the radius of a node. Larger: 3 costs 1.4 times the time.
-/// Smaller: the error grows. Measured within two edges of the surface: at most 0.055 on the
+/// Smaller: the error grows. Measured up to a hundred edges from the surface: at most 0.055 on the
 /// built-in objects, 0.051 on tubes that cross themselves, 0.022 on soups of tetrahedra, and 0.035
 /// on a rough sphere, with 10,000 triangles as with 640,000 (0.089 at 2, 0.035 at 3).
 constexpr double kFar = 2.5;

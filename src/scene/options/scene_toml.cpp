@@ -171,10 +171,40 @@ std::string tomlValue(const Option& option, const OptionValue& value)
     return quoted ? tomlText(text) : text;
 }
 
+/// The line of a key of more parts than any scene has, from 1; 0 if there is none. The parser calls
+/// itself for each part, and the stack ends.
+std::uint32_t lineOfEndlessKey(std::string_view toml)
+{
+    constexpr std::size_t kMostParts = 256;
+    std::uint32_t line = 1;
+    std::size_t dots = 0;
+    for (const char c : toml)
+    {
+        line += c == '\n' ? 1 : 0;
+        if (c == '.')
+        {
+            ++dots;
+        }
+        else if (std::string_view("=,[]{}#\n").find(c) != std::string_view::npos)
+        {
+            dots = 0; // not within a key
+        }
+        if (dots > kMostParts)
+        {
+            return line;
+        }
+    }
+    return 0;
+}
+
 } // namespace
 
 Scene parseScene(std::string_view toml, std::string_view nameForMessages)
 {
+    if (const std::uint32_t line = lineOfEndlessKey(toml))
+    {
+        refuse(nameForMessages, line, "a key of more than 256 parts");
+    }
     FileValues values;
     try
     {

@@ -39,12 +39,13 @@ bool DropAndRollEngine::step()
     {
         const StageTimer timer(world_.times, Stage::motion);
         std::size_t placed = 0;
-        while (placed < wanted && placeOne())
+        bool stopped = false;
+        while (placed < wanted && !(stopped = world_.stops()) && placeOne())
         {
             ++placed;
         }
         world_.sets.back().spheres = placed;
-        world_.full = placed < wanted;
+        world_.full = placed < wanted && !stopped;
     }
     ++world_.steps;
     world_.finished = world_.full || world_.spheres.size() == world_.targetCount;

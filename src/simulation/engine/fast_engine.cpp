@@ -75,6 +75,10 @@ bool FastEngine::step()
         return false;
     }
     releaseWhenDue();
+    if (world_.stops())
+    {
+        return true; // what found no place may only not have been looked for
+    }
     if (!anythingMoves())
     {
         finish();
@@ -116,7 +120,7 @@ std::size_t FastEngine::release(std::size_t wanted)
     runners_.rebuildGrid();
     followers_.release->forgetAhead();
     std::size_t found = 0;
-    while (found < wanted)
+    while (found < wanted && !world_.stops())
     {
         const auto next = followers_.release->next(query);
         if (!next)

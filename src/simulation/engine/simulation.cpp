@@ -78,6 +78,10 @@ bool Simulation::step()
     }
     return advanced;
 }
+void Simulation::stopWhen(std::function<bool()> requested)
+{
+    implementation_->world.stopRequested = std::move(requested);
+}
 const std::optional<StraySphere>& Simulation::stray() const
 {
     return implementation_->world.stray;

@@ -3,6 +3,7 @@
 
 #include "mesh/repair/inspect_interior.hpp"
 #include "scene/packing_estimate.hpp"
+#include "simulation/world/memory_need.hpp"
 #include "simulation/world/tolerances.hpp"
 
 #include <frostfill/error.hpp>
@@ -18,9 +19,18 @@ namespace frostfill
 namespace
 {
 
+/// Of a run that there is memory for.
 RadiusDistribution radiiOf(const Scene& scene, const MeshReport& mesh)
 {
-    return RadiusDistribution(scene.spheres.radius.value_or(sphereRadius(scene, mesh)));
+    const RadiusDistribution radii(scene.spheres.radius.value_or(sphereRadius(scene, mesh)));
+    const double r = radii.largest();
+    const double most = kPackingFraction * mesh.volume /
+                        (4.0 / 3.0 * std::numbers::pi * r * r * r * radii.inLargest().meanPower(3));
+    const bool counted = scene.spheres.count && !scene.spheres.untilFull;
+    requireMemory(scene, mesh, r,
+                  counted ? std::min(static_cast<double>(*scene.spheres.count), most) : most,
+                  memoryAtHand());
+    return radii;
 }
 
 GridFrame gridOver(const Surface& surface, double cell)

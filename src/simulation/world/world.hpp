@@ -14,6 +14,7 @@
 
 #include <frostfill/simulation.hpp>
 
+#include <functional>
 #include <limits>
 #include <memory>
 #include <span>
@@ -61,6 +62,8 @@ struct World
     bool finished = false;
     bool full = false;
     std::optional<StraySphere> stray; ///< why the run was stopped
+    /// Asked within steps that take long: whether to end the step early.
+    std::function<bool()> stopRequested;
     std::size_t targetCount = 0; ///< spheres after which no set appears any more; 0: until full
 
     // What it took.
@@ -73,6 +76,7 @@ struct World
     std::vector<std::uint32_t> stateChanges;
     std::vector<std::uint32_t> runningIds; ///< ascending
 
+    [[nodiscard]] bool stops() const { return stopRequested && stopRequested(); }
     [[nodiscard]] std::size_t running() const { return spheres.size() - restingCount; }
     std::uint32_t release(const Eigen::Vector3d& place, double radius, std::uint32_t group);
     void freeze(std::uint32_t id);

@@ -136,5 +136,23 @@ TEST(LoadScene, TellsThatAFileIsMissing)
         ErrorCode::inputMissing, [] { (void)loadScene("no/such/file.toml"); }, "no/such/file.toml");
 }
 
+TEST(SceneToml, RefusesKeysAndValuesThatAreNestedWithoutEnd)
+{
+    std::string key = "a";
+    std::string lists = "a = ";
+    for (int k = 0; k < 100000; ++k)
+    {
+        key += ".a";
+        lists += "[";
+    }
+    expectError(
+        ErrorCode::badData, [&] { (void)parseScene("[object]\n" + key + " = 1", "deep"); }, "deep",
+        "line 2", "256 parts");
+    expectError(
+        ErrorCode::badData, [&] { (void)parseScene("[" + key + "]", "deep"); }, "line 1");
+    expectError(
+        ErrorCode::badData, [&] { (void)parseScene(lists, "deep"); }, "deep", "line 1");
+}
+
 } // namespace
 } // namespace frostfill

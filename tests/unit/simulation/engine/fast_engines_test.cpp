@@ -213,5 +213,27 @@ TEST(FastEngine, DividesAStepThatIsTooLongIntoTheFewestEqualParts)
     }
 }
 
+TEST(Simulation, EndsAStepEarlyWhenItIsToStopAndGoesOnAfterwards)
+{
+    for (const Motion motion : {Motion::fall, Motion::skip, Motion::descend})
+    {
+        Scene scene = presetScene(Preset::fast, "torus");
+        scene.motion.mode = motion;
+        scene.spheres.count = 60;
+        Simulation simulation(scene, shapes::torus());
+        bool stop = true;
+        simulation.stopWhen([&] { return stop; });
+        EXPECT_TRUE(simulation.step());
+        EXPECT_EQ(simulation.sphereCount(), 0u);
+        EXPECT_FALSE(simulation.finished());
+        stop = false;
+        while (simulation.step())
+        {
+        }
+        EXPECT_EQ(simulation.restingCount(), 60u);
+        EXPECT_FALSE(simulation.full());
+    }
+}
+
 } // namespace
 } // namespace frostfill

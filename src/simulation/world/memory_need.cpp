@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "simulation/world/memory_need.hpp"
+
+#include <frostfill/error.hpp>
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace frostfill
+{
+namespace
+{
+
+/// For each sphere: position, velocity, states, grid [bytes]. Runs of a million take 171.
+constexpr double kBytesASphere = 150;
+/// For each cube of a radius in the box: one bit of inside or outside, a sixty-fourth of a block of
+/// triangles, an eighth of a cell of spheres [bytes].
+constexpr double kBytesACube = 0.6;
+
+} // namespace
+
+double memoryNeed(const MeshReport& object, double radius, double spheres)
+{
+    const double cubes = (object.box.sizes().array() / radius).prod();
+    return kBytesASphere * spheres + kBytesACube * cubes;
+}
+
+void requireMemory(const Scene& scene, const MeshReport& object, double radius, double spheres,
+                   double bytes)
+{
+    if (memoryNeed(object, radius, spheres) <= bytes)
+    {
+        return;
+    }
+    // What a full object of the smallest spheres that there is memory for would take.
+    const double full = kBytesASphere * object.volume + kBytesACube * object.box.volume();
+    throw Error(ErrorCode::outOfMemory,
+                fmt::format("spheres of radius {:.3g} in {} take more than the {:.3g} GB of memory "
+                            "here; take a --radius of {:.2g} or more",
+                            radius, scene.object.mesh, bytes / 1e9, std::cbrt(full / bytes)));
+}
+
+double memoryAtHand()
+{
+    double bytes =
+        static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+    rlimit limit = {};
+    if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
+    {
+        bytes = std::min(bytes, static_cast<double>(limit.rlim_cur));
+    }
+    return bytes;
+}
+
+} // namespace frostfill

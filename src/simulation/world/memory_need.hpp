@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <frostfill/mesh.hpp>
+#include <frostfill/scene.hpp>
+
+namespace frostfill
+{
+
+/// A lower bound of what a run takes [bytes]: its spheres, and grids over the box of the object.
+/// `radius` is the largest of the run, `spheres` how many it aims at.
+[[nodiscard]] double memoryNeed(const MeshReport& object, double radius, double spheres);
+
+/// Throws Error outOfMemory, before anything is set aside, when a run surely takes more than
+/// `bytes` of memory, and names a radius that does not.
+void requireMemory(const Scene& scene, const MeshReport& object, double radius, double spheres,
+                   double bytes);
+
+/// Memory of this machine, or what the process may have of it [bytes].
+[[nodiscard]] double memoryAtHand();
+
+} // namespace frostfill
