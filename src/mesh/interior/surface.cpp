@@ -129,7 +129,12 @@ Surface::Surface(const TriangleMesh& mesh, const Walls& walls)
     }
 }
 
-SignedDistance signedDistance(const SurfaceTriangle& triangle, const Eigen::Vector3d& p)
+namespace
+{
+
+// Without a call within nearestDistance, which a run spends much of its time in.
+[[gnu::always_inline]] inline SignedDistance distanceTo(const SurfaceTriangle& triangle,
+                                                        const Eigen::Vector3d& p)
 {
     const ClosestPoint closest =
         closestPointOnTriangle(p, triangle.corner[0], triangle.corner[1], triangle.corner[2]);
@@ -137,6 +142,13 @@ SignedDistance signedDistance(const SurfaceTriangle& triangle, const Eigen::Vect
     const double side = toPoint.dot(triangle.pseudonormal[static_cast<int>(closest.feature)]);
     const double distance = toPoint.norm();
     return {side < 0 && !triangle.twoSided ? -distance : distance, closest.point, closest.feature};
+}
+
+} // namespace
+
+SignedDistance signedDistance(const SurfaceTriangle& triangle, const Eigen::Vector3d& p)
+{
+    return distanceTo(triangle, p);
 }
 
 SignedDistance nearestDistance(const Surface& surface, std::span<const std::uint32_t> ids,
@@ -150,7 +162,7 @@ SignedDistance nearestDistance(const Surface& surface, std::span<const std::uint
         {
             continue;
         }
-        const SignedDistance candidate = signedDistance(surface[id], p);
+        const SignedDistance candidate = distanceTo(surface[id], p);
         if (std::abs(candidate.value) < std::abs(nearest.value))
         {
             nearest = candidate;

@@ -22,22 +22,21 @@ Guard::Guard(World& world) : world_(world), fastest_(std::numeric_limits<double>
 
 void Guard::check()
 {
+    const Eigen::AlignedBox3d& box = world_.surface.box();
     for (const std::uint32_t id : world_.runningIds)
     {
         const Eigen::Vector3d p = world_.spheres.position(id);
         const double speed = world_.spheres.velocity(id).squaredNorm();
-        if (!p.allFinite() || !std::isfinite(speed))
+        // What is no number is in no box, and below no speed. Near a wall the side takes a
+        // distance, which can wait until the sphere is past the wall.
+        const bool inBox = box.contains(p);
+        const bool slow = speed <= fastest_;
+        if (!inBox || !slow || world_.inside.isFarOutside(p))
         {
-            return report(id, StrayKind::notFinite);
-        }
-        // Near a wall the side takes a distance, which can wait until the sphere is past the wall.
-        if (!world_.surface.box().contains(p) || world_.inside.isFarOutside(p))
-        {
-            return report(id, StrayKind::outside);
-        }
-        if (speed > fastest_)
-        {
-            return report(id, StrayKind::tooFast);
+            const bool finite = p.allFinite() && std::isfinite(speed);
+            return report(id, !finite          ? StrayKind::notFinite
+                              : inBox && !slow ? StrayKind::tooFast
+                                               : StrayKind::outside);
         }
     }
     for (; seen_ < world_.stateChanges.size(); ++seen_)
