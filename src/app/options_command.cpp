@@ -34,7 +34,7 @@ constexpr const char* kEnd = R"(
 | 65 | the mesh or the scene cannot be used |
 | 66 | an input file is missing |
 | 69 | OpenGL or a required program is missing |
-| 70 | the result is wrong: a centre outside the mesh, or a blank picture; the files are kept |
+| 70 | the result is wrong: a sphere outside the mesh, an overlap, spheres in the air, or a blank picture; the files are kept |
 | 71 | out of memory |
 | 73 | an output file or directory cannot be created |
 | 74 | writing failed |
