@@ -13,6 +13,6 @@ namespace frostfill
 /// clear of everything, first touches something at rest. Exact for spheres; walls to 1e-10 r. None
 /// where nothing is below p, which is then outside the object.
 [[nodiscard]] std::optional<double> contactBelow(const World& world, const FallIndex& falls,
-                                  const Eigen::Vector3d& p, double radius);
+                                                 const Eigen::Vector3d& p, double radius);
 
 } // namespace frostfill
