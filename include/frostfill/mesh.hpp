@@ -77,9 +77,11 @@ struct LoadedMesh
 /// that of the interior, to 1e-4, and not the signed sum, which counts overlaps twice.
 [[nodiscard]] MeshReport inspectInterior(const TriangleMesh& mesh);
 
-/// Reads OBJ, STL, PLY, OFF, glTF or GLB as triangles. Welds equal vertices and changes nothing
-/// else. Opens no other file, except for a .bin file of a glTF in the same folder. Throws Error
-/// inputMissing if the file does not exist, badData if it cannot be read.
+/// Reads OBJ, STL, PLY, OFF, glTF or GLB as triangles, known by content first and then by the
+/// name's ending. Keeps every bit of the file's numbers and the order of its vertices and faces,
+/// cuts polygons into triangles, welds equal vertices, and changes nothing else. Opens no other
+/// file, except for a .bin file of a glTF in the same folder. Throws Error inputMissing if the file
+/// does not exist, badData with the line or byte if it cannot be read.
 [[nodiscard]] TriangleMesh readMesh(const std::filesystem::path& file);
 
 /// readMesh in a child process. Its limits on memory, processor time and files grow with the file's

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Room: mesh files: readers for the common formats, the PLY writer, and the built-in objects. A
-// reader opens only the file that it was given.
+// reader sees only the file that it was given.
 #pragma once
 
 #include <assimp/DefaultIOSystem.h>

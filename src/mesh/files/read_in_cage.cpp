@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Reading a mesh that anybody may have made. Assimp 5.2.5, the reader in Debian 12, crashes, hangs
-// or fills the memory on damaged files; in a child process that costs a sentence.
+// Reading a mesh that anybody may have made. Assimp 5.2.5, the reader of glTF in Debian 12,
+// crashes, hangs or fills the memory on damaged files; in a child process that costs a sentence.
+// The other readers are not known to, and are caged all the same.
 #include "mesh/files/cage.hpp"
 #include "mesh/repair/find_nonsense.hpp"
 

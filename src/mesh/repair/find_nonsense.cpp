@@ -5,6 +5,13 @@
 
 namespace frostfill
 {
+namespace
+{
+
+// Areas are compared by their squares, fourth powers of lengths, which must not overflow.
+constexpr double kLargestCoordinate = 1e70;
+
+} // namespace
 
 std::optional<std::string> findNonsense(const TriangleMesh& mesh)
 {
@@ -13,6 +20,10 @@ std::optional<std::string> findNonsense(const TriangleMesh& mesh)
         if (!mesh.vertices[i].allFinite())
         {
             return fmt::format("vertex {} is infinite or not a number", i + 1);
+        }
+        if (mesh.vertices[i].cwiseAbs().maxCoeff() > kLargestCoordinate)
+        {
+            return fmt::format("vertex {} has a coordinate beyond {:g}", i + 1, kLargestCoordinate);
         }
     }
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i)

@@ -9,7 +9,8 @@
 namespace frostfill
 {
 
-/// What makes it no mesh at all, in words: a vertex that is not finite, or a triangle of a vertex
+/// What makes it no mesh at all, in words: a vertex that is not finite or too far
+/// away to compute with, or a triangle of a vertex
 /// that there is not. Numbers in the words count from 1.
 [[nodiscard]] std::optional<std::string> findNonsense(const TriangleMesh& mesh);
 

@@ -2,40 +2,14 @@
 // Files as they should not be: cut off, with bytes changed, with numbers out of range. Each is read
 // or refused in a sentence, whatever the reader behind it does.
 #include "base/random.hpp"
-#include "unit/mesh/mesh_samples.hpp"
+#include "unit/mesh/files/mesh_texts.hpp"
+
+#include <ctime>
 
 namespace frostfill
 {
 namespace
 {
-
-std::string plyText(const TriangleMesh& mesh)
-{
-    std::string text = "ply\nformat ascii 1.0\nelement vertex " +
-                       std::to_string(mesh.vertices.size()) +
-                       "\nproperty float x\nproperty float y\nproperty float z\nelement face " +
-                       std::to_string(mesh.triangles.size()) +
-                       "\nproperty list uchar int vertex_indices\nend_header\n";
-    for (const auto& v : mesh.vertices)
-    {
-        text += std::to_string(v.x()) + " " + std::to_string(v.y()) + " " + std::to_string(v.z()) +
-                "\n";
-    }
-    for (const auto& t : mesh.triangles)
-    {
-        text += "3 " + std::to_string(t[0]) + " " + std::to_string(t[1]) + " " +
-                std::to_string(t[2]) + "\n";
-    }
-    return text;
-}
-
-std::string offText(const TriangleMesh& mesh)
-{
-    std::string text = "OFF\n" + std::to_string(mesh.vertices.size()) + " " +
-                       std::to_string(mesh.triangles.size()) + " 0\n";
-    const std::string ply = plyText(mesh);
-    return text + ply.substr(ply.find("end_header\n") + 11);
-}
 
 std::string contentOf(const std::filesystem::path& file)
 {
@@ -91,8 +65,9 @@ TEST(DamagedMeshes, AreReadOrRefusedInASentence)
 {
     const TriangleMesh mesh = test::box(0, 1);
     const std::pair<const char*, std::string> kinds[] = {
-        {"obj", test::objText(mesh)}, {"ply", plyText(mesh)}, {"ply", plyBytes(mesh)},
-        {"off", offText(mesh)},       {"stl", "solid\n"},
+        {"obj", test::objText(mesh)}, {"ply", test::asciiPly(mesh)},
+        {"ply", plyBytes(mesh)},      {"off", test::exactOff(mesh)},
+        {"stl", "solid\n"},
     };
     for (const auto& [extension, text] : kinds)
     {
@@ -101,6 +76,72 @@ TEST(DamagedMeshes, AreReadOrRefusedInASentence)
             const auto file =
                 test::writeFile("damaged." + std::string(extension), damaged(text, seed));
             expectReadOrRefused(file);
+        }
+    }
+}
+
+/// A file of each kind that is read here, in this process.
+std::vector<std::pair<std::string, std::string>> samples()
+{
+    TriangleMesh mesh = builtInMesh("cube");
+    mesh.triangles.resize(90);
+    const std::string quads =
+        "OFF\n8 6 12\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n1 0 1\n0 1 1\n1 1 1\n"
+        "4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n4 1 3 7 5\n";
+    return {{"a.obj", test::exactObj(mesh)},
+            {"utf16.obj", test::utf16(test::exactObj(mesh), true)},
+            {"a.off", test::exactOff(mesh)},
+            {"quads.off", quads},
+            {"a.ply", test::asciiPly(mesh)},
+            {"big.ply", test::binaryPly(mesh, true)},
+            {"little.ply", plyBytes(mesh)},
+            {"a.stl", test::asciiStl(mesh)},
+            {"binary.stl", test::binaryStl(mesh)}};
+}
+
+/// Reads it or says in a sentence why not, and in less than a second of processor time.
+void expectReadOrRefusedSoon(const std::string& bytes, const std::string& name)
+{
+    const std::clock_t begin = std::clock();
+    const auto error = test::errorOf([&] { (void)test::parse(bytes, name); });
+    EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 1);
+    if (error)
+    {
+        const std::string why = error->what();
+        EXPECT_EQ(error->code(), ErrorCode::badData);
+        EXPECT_TRUE(std::all_of(why.begin(), why.end(), [](char c) { return c >= ' '; })) << why;
+        EXPECT_LT(why.size(), 300U);
+    }
+}
+
+TEST(DamagedMeshes, WithAnyByteChangedAreReadOrRefused)
+{
+    for (const auto& [name, bytes] : samples())
+    {
+        EXPECT_NO_THROW((void)test::parse(bytes, name)) << name;
+        for (std::uint64_t seed = 0; seed < 200; ++seed)
+        {
+            SCOPED_TRACE(name + " " + std::to_string(seed));
+            std::string changed = bytes;
+            const std::uint64_t draw = mixBits(seed + 1);
+            // Every other one in the first hundred bytes, where heads are.
+            const std::size_t within =
+                seed % 2 == 0 ? std::min<std::size_t>(100, bytes.size()) : bytes.size();
+            changed[(draw >> 8) % within] = static_cast<char>(draw);
+            expectReadOrRefusedSoon(changed, name);
+        }
+    }
+}
+
+TEST(DamagedMeshes, CutOffAnywhereAreReadOrRefused)
+{
+    for (const auto& [name, bytes] : samples())
+    {
+        for (std::size_t i = 0; i < 64; ++i)
+        {
+            const std::size_t size = bytes.size() * i / 64;
+            SCOPED_TRACE(name + " " + std::to_string(size));
+            expectReadOrRefusedSoon(bytes.substr(0, size), name);
         }
     }
 }
@@ -133,8 +174,8 @@ TEST(ReadMeshInCage, GivesTheBitsOfReadMesh)
     const TriangleMesh torus = builtInMesh("torus");
     for (const auto& [name, text] :
          {std::pair<const char*, std::string>{"cage.obj", test::objText(torus)},
-          {"cage.ply", plyText(torus)},
-          {"cage.off", offText(torus)}})
+          {"cage.ply", test::asciiPly(torus)},
+          {"cage.off", test::exactOff(torus)}})
     {
         const auto file = test::writeFile(name, text);
         const TriangleMesh free = readMesh(file);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "unit/mesh/mesh_samples.hpp"
+#include "unit/mesh/files/mesh_texts.hpp"
 
-#include <cstring>
 #include <limits>
 
 namespace frostfill
@@ -9,33 +8,8 @@ namespace frostfill
 namespace
 {
 
-template <typename Value>
-void appendBytes(std::string& bytes, Value value)
-{
-    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
-}
-
-std::string binaryStl(const TriangleMesh& mesh)
-{
-    std::string bytes(80, ' ');
-    appendBytes(bytes, static_cast<std::uint32_t>(mesh.triangles.size()));
-    for (const auto& t : mesh.triangles)
-    {
-        for (int i = 0; i < 3; ++i)
-        {
-            appendBytes(bytes, 0.0F);
-        }
-        for (const std::uint32_t corner : t)
-        {
-            for (int axis = 0; axis < 3; ++axis)
-            {
-                appendBytes(bytes, static_cast<float>(mesh.vertices[corner][axis]));
-            }
-        }
-        appendBytes(bytes, std::uint16_t{0});
-    }
-    return bytes;
-}
+using test::appendBytes;
+using test::binaryStl;
 
 /// A box with `node` as the JSON of its only node's placement; positions and indices in `buffer`.
 std::string gltf(const std::string& node, const std::string& buffer)
@@ -105,6 +79,65 @@ TEST(ReadMesh, WeldsVerticesThatNormalsAndGroupsHaveSplit)
     EXPECT_EQ(loaded.report.triangles, 12U);
     EXPECT_EQ(loaded.report.components, 1U);
     EXPECT_EQ(loaded.report.volume, 1.0);
+}
+
+TEST(ReadMesh, KnowsAFileByItsContentFirst)
+{
+    const TriangleMesh box = test::box(0, 1);
+    for (const std::string& bytes :
+         {test::exactOff(box), test::asciiPly(box), test::binaryPly(box, true), test::asciiStl(box),
+          binaryStl(box)})
+    {
+        for (const char* name : {"box.obj", "box.stl", "box.off", "box.ply", "box.fbx", "box"})
+        {
+            EXPECT_EQ(test::parse(bytes, name).triangles.size(), 12U) << name;
+        }
+    }
+}
+
+TEST(ReadMesh, NamesFormatsThatItDoesNotRead)
+{
+    test::expectUnreadable("PK\x03\x04 and more", "box.obj", "it is a ZIP archive, as 3MF");
+    test::expectUnreadable("Kaydara FBX Binary  ", "box.fbx", "it is an FBX file");
+    test::expectUnreadable("ISO-10303-21;\nHEADER;\n", "box.step", "it is a STEP file");
+    test::expectUnreadable("<?xml version=\"1.0\"?>\n<COLLADA/>\n", "box.obj", "it is XML");
+    test::expectUnreadable("", "box.obj", "it is empty");
+}
+
+TEST(ReadMesh, RefusesCoordinatesTooLargeToComputeWith)
+{
+    test::expectUnreadable("v 0 0 0\nv 1e71 0 0\nv 0 1 0\nf 1 2 3\n", "a.obj",
+                           "vertex 2 has a coordinate beyond 1e+70");
+    EXPECT_EQ(test::parse("v 0 0 0\nv 1e69 0 0\nv 0 1 0\nf 1 2 3\n", "a.obj").triangles.size(), 1U);
+}
+
+TEST(ReadMesh, ReadsTheBuiltInObjectsAsTheyAreBuiltIn)
+{
+    for (const std::string& name : builtInMeshNames())
+    {
+        const TriangleMesh mesh =
+            readMesh(testing_support::sourceFolder() / "meshes" / (name + ".obj"));
+        EXPECT_EQ(mesh.vertices, builtInMesh(name).vertices);
+        EXPECT_EQ(mesh.triangles, builtInMesh(name).triangles);
+    }
+}
+
+TEST(ReadMesh, NamesTheExtensionsOfGltfThatItCannotRead)
+{
+    test::writeFile("box.bin", gltfBuffer());
+    for (const char* name : {"KHR_draco_mesh_compression", "EXT_meshopt_compression",
+                             "KHR_mesh_quantization", "EXT_mesh_gpu_instancing"})
+    {
+        const std::string with =
+            std::string(R"({"extensionsRequired": ["KHR_materials_unlit", ")") + name + R"("],)" +
+            gltf("", "box.bin").substr(1);
+        const auto file = test::writeFile("extension.gltf", with);
+        test::expectRefused(ErrorCode::badData, name, [&] { (void)readMesh(file); });
+    }
+    const auto file =
+        test::writeFile("unlit.gltf", R"({"extensionsRequired":["KHR_materials_unlit"],)" +
+                                          gltf("", "box.bin").substr(1));
+    EXPECT_EQ(readMesh(file).triangles.size(), 12U);
 }
 
 TEST(ReadMesh, PlacesTheNodesOfGltf)

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <frostfill/mesh.hpp>
+
+namespace frostfill
+{
+
+/// readMesh of bytes that are at hand. `file` gives the name's ending and is named in messages;
+/// only glTF is read from it. Throws Error badData.
+[[nodiscard]] TriangleMesh parseMesh(std::string bytes, const std::filesystem::path& file);
+
+} // namespace frostfill

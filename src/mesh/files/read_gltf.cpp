@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/files/one_file_io.hpp"
+#include "mesh/files/readers.hpp"
+#include "mesh/files/unreadable.hpp"
+
+#include <assimp/BaseImporter.h>
+#include <assimp/Importer.hpp>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+namespace frostfill
+{
+namespace
+{
+
+struct Extension
+{
+    std::string_view name;
+    std::string_view says; ///< what the file does with it
+};
+
+/// Extensions without which the surface is not what the file means, and which assimp does not know.
+constexpr std::array<Extension, 4> kUnknown = {{
+    {"KHR_draco_mesh_compression", "compresses its meshes with Draco"},
+    {"EXT_meshopt_compression", "compresses its meshes with meshopt"},
+    {"KHR_mesh_quantization", "rounds its coordinates to whole numbers"},
+    {"EXT_mesh_gpu_instancing", "places copies of its meshes by a table"},
+}};
+
+/// Refuses what the file itself says cannot be read without an extension.
+void refuseExtensions(std::string_view bytes)
+{
+    const std::size_t begin = bytes.find("\"extensionsRequired\"");
+    if (begin == std::string_view::npos)
+    {
+        return;
+    }
+    const std::size_t end = std::min(bytes.find(']', begin), bytes.size());
+    const std::string_view required = bytes.substr(begin, end - begin);
+    for (const Extension& extension : kUnknown)
+    {
+        if (required.find(extension.name) != std::string_view::npos)
+        {
+            throw Unreadable(fmt::format("it {} ({}), which cannot be read here; export it without",
+                                         extension.says, extension.name));
+        }
+    }
+}
+
+/// Assimp has some fifty readers and also chooses by content. All unused readers are removed, so a
+/// rarely tested one never sees a file.
+void removeOtherImporters(Assimp::Importer& importer)
+{
+    for (std::size_t i = importer.GetImporterCount(); i-- > 0;)
+    {
+        Assimp::BaseImporter* reader = importer.GetImporter(i);
+        std::set<std::string> extensions;
+        reader->GetExtensionList(extensions);
+        const bool wanted = std::any_of(extensions.begin(), extensions.end(),
+                                        [](const auto& e) { return e == "gltf" || e == "glb"; });
+        if (wanted)
+        {
+            continue;
+        }
+        importer.UnregisterLoader(reader);
+        delete reader; // assimp passes ownership
+    }
+}
+
+/// The first face that names a vertex that is not there, as a sentence.
+std::optional<std::string> findBadIndex(const aiScene& scene)
+{
+    for (unsigned m = 0; m < scene.mNumMeshes; ++m)
+    {
+        const aiMesh& part = *scene.mMeshes[m];
+        for (unsigned f = 0; f < part.mNumFaces; ++f)
+        {
+            for (unsigned corner = 0; corner < part.mFaces[f].mNumIndices; ++corner)
+            {
+                const unsigned index = part.mFaces[f].mIndices[corner];
+                if (index >= part.mNumVertices)
+                {
+                    return fmt::format("face {} names vertex {} of {}; export the mesh again",
+                                       f + 1, index + 1, part.mNumVertices);
+                }
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+Eigen::Matrix4d toEigen(const aiMatrix4x4& m)
+{
+    Eigen::Matrix4d result;
+    result << m.a1, m.a2, m.a3, m.a4, m.b1, m.b2, m.b3, m.b4, m.c1, m.c2, m.c3, m.c4, m.d1, m.d2,
+        m.d3, m.d4;
+    return result;
+}
+
+/// Collects the meshes of a scene: one transformed copy for each placement.
+class Collector
+{
+public:
+    explicit Collector(const aiScene& scene) : scene_(scene) {}
+
+    /// In the order of the file, a node before its children. Without recursion: a file may nest as
+    /// deep as it likes.
+    void addNodes()
+    {
+        std::vector<Placed> waiting = {{scene_.mRootNode, Eigen::Matrix4d::Identity()}};
+        while (!waiting.empty())
+        {
+            const auto [node, parent] = waiting.back();
+            waiting.pop_back();
+            const Eigen::Matrix4d placed = parent * toEigen(node->mTransformation);
+            for (unsigned i = 0; i < node->mNumMeshes; ++i)
+            {
+                addMesh(*scene_.mMeshes[node->mMeshes[i]], placed);
+            }
+            for (unsigned i = node->mNumChildren; i-- > 0;)
+            {
+                waiting.push_back({node->mChildren[i], placed});
+            }
+        }
+    }
+
+    TriangleMesh take() { return std::move(mesh_); }
+
+private:
+    struct Placed
+    {
+        const aiNode* node;
+        Eigen::Matrix4d parent;
+    };
+
+    void addMesh(const aiMesh& part, const Eigen::Matrix4d& placed)
+    {
+        const auto first = static_cast<std::uint32_t>(mesh_.vertices.size());
+        for (unsigned i = 0; i < part.mNumVertices; ++i)
+        {
+            const aiVector3D& v = part.mVertices[i];
+            mesh_.vertices.push_back((placed * Eigen::Vector4d(v.x, v.y, v.z, 1)).head<3>());
+        }
+        const bool mirrored = placed.topLeftCorner<3, 3>().determinant() < 0;
+        for (unsigned i = 0; i < part.mNumFaces; ++i)
+        {
+            const aiFace& face = part.mFaces[i];
+            if (face.mNumIndices != 3)
+            { // points and lines
+                continue;
+            }
+            std::array<std::uint32_t, 3> triangle;
+            for (unsigned corner = 0; corner < 3; ++corner)
+            {
+                triangle[corner] = first + face.mIndices[corner];
+            }
+            if (mirrored)
+            {
+                std::swap(triangle[1], triangle[2]);
+            }
+            mesh_.triangles.push_back(triangle);
+        }
+    }
+
+    const aiScene& scene_;
+    TriangleMesh mesh_;
+};
+
+} // namespace
+
+TriangleMesh readGltf(const std::filesystem::path& file, std::string_view bytes)
+{
+    refuseExtensions(bytes);
+    Assimp::Importer importer;
+    importer.SetIOHandler(new OneFileIo(file)); // assimp takes ownership
+    removeOtherImporters(importer);
+    const aiScene* scene = importer.ReadFile(file.string(), 0);
+    if (scene == nullptr || scene->mRootNode == nullptr)
+    {
+        throw Unreadable(importer.GetErrorString());
+    }
+    // Triangulation trusts its indices.
+    if (const auto why = findBadIndex(*scene))
+    {
+        throw Unreadable(*why);
+    }
+    scene = importer.ApplyPostProcessing(aiProcess_Triangulate);
+    if (scene == nullptr)
+    {
+        throw Unreadable(importer.GetErrorString());
+    }
+    Collector collector(*scene);
+    collector.addNodes();
+    TriangleMesh mesh = collector.take();
+    if (mesh.triangles.empty())
+    {
+        throw Unreadable("it holds no triangles, so there is nothing to fill; export the surface");
+    }
+    return mesh;
+}
+
+} // namespace frostfill

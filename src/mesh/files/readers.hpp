@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// One reader for each format. All but glTF's take the file's bytes, read numbers in double
+// precision, and use memory in proportion to these bytes, whatever the file promises. They throw
+// Unreadable.
+#pragma once
+
+#include <frostfill/mesh.hpp>
+
+#include <string_view>
+
+namespace frostfill
+{
+
+/// Wavefront OBJ: v and f; all else is skipped.
+[[nodiscard]] TriangleMesh readObj(std::string_view text);
+
+/// Object File Format, with colours, normals and texture coordinates or without, not binary.
+[[nodiscard]] TriangleMesh readOff(std::string_view text);
+
+/// Polygon File Format: ascii, little-endian and big-endian, faces and triangle strips [Turk 1994].
+[[nodiscard]] TriangleMesh readPly(std::string_view bytes);
+
+[[nodiscard]] TriangleMesh readAsciiStl(std::string_view text);
+[[nodiscard]] TriangleMesh readBinaryStl(std::string_view bytes);
+
+/// Whether the size is exactly that of a binary STL with as many triangles as it promises.
+[[nodiscard]] bool hasSizeOfBinaryStl(std::string_view bytes);
+
+/// glTF 2.0 and GLB, whose numbers are single precision. Assimp reads the file, and .bin files
+/// beside it; `bytes` are the file's, to say what it needs that no one here can read.
+[[nodiscard]] TriangleMesh readGltf(const std::filesystem::path& file, std::string_view bytes);
+
+} // namespace frostfill

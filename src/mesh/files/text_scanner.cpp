@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/files/text_scanner.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace frostfill
+{
+namespace
+{
+
+constexpr std::size_t kLongestQuote = 40;
+
+void appendUtf8(std::string& text, std::uint32_t code)
+{
+    const auto put = [&](std::uint32_t byte) { text.push_back(static_cast<char>(byte)); };
+    if (code < 0x80)
+    {
+        put(code);
+    }
+    else if (code < 0x800)
+    {
+        put(0xc0 | code >> 6);
+        put(0x80 | (code & 0x3f));
+    }
+    else
+    {
+        put(0xe0 | code >> 12);
+        put(0x80 | (code >> 6 & 0x3f));
+        put(0x80 | (code & 0x3f));
+    }
+}
+
+/// Only names and comments have letters beyond the first 65,536; each half of such a pair becomes a
+/// question mark.
+std::string fromUtf16(std::string_view bytes, bool bigEndian)
+{
+    std::string text;
+    text.reserve(bytes.size() / 2);
+    for (std::size_t i = 0; i + 1 < bytes.size(); i += 2)
+    {
+        const auto first = static_cast<unsigned char>(bytes[i]);
+        const auto second = static_cast<unsigned char>(bytes[i + 1]);
+        const std::uint32_t code = bigEndian ? first << 8U | second : second << 8U | first;
+        appendUtf8(text, code >= 0xd800 && code < 0xe000 ? '?' : code);
+    }
+    return text;
+}
+
+/// Whether a decimal number, of which is known that no double holds it, is too small rather than
+/// too large.
+bool isTiny(std::string_view digits)
+{
+    const std::size_t mark = std::min(digits.find_first_of("eE"), digits.size());
+    const std::string_view mantissa = digits.substr(0, mark);
+    const std::size_t point = std::min(mantissa.find('.'), mantissa.size());
+    const std::size_t leading = mantissa.find_first_of("123456789");
+    if (leading == std::string_view::npos)
+    {
+        return true;
+    }
+    std::int64_t exponent = 0;
+    std::string_view power = digits.substr(std::min(mark + 1, digits.size()));
+    const bool negative = power.starts_with('-');
+    power.remove_prefix(!power.empty() && (negative || power[0] == '+') ? 1 : 0);
+    if (std::from_chars(power.data(), power.data() + power.size(), exponent).ec ==
+        std::errc::result_out_of_range)
+    {
+        return negative;
+    }
+    const auto shift = static_cast<std::int64_t>(point) - static_cast<std::int64_t>(leading);
+    return (negative ? -exponent : exponent) + shift < 0;
+}
+
+} // namespace
+
+std::string decodeText(std::string bytes)
+{
+    const std::string_view view = bytes;
+    if (view.starts_with("\xef\xbb\xbf"))
+    {
+        bytes.erase(0, 3);
+        return bytes;
+    }
+    if (view.starts_with("\xff\xfe") || view.starts_with("\xfe\xff"))
+    {
+        return fromUtf16(view.substr(2), view[0] == '\xfe');
+    }
+    return bytes;
+}
+
+std::string quoted(std::string_view word)
+{
+    std::string text(word.substr(0, kLongestQuote));
+    for (char& c : text)
+    {
+        c = c < ' ' || c == '\x7f' ? '?' : c; // also all that is no ASCII
+    }
+    return "'" + text + (word.size() > kLongestQuote ? "...'" : "'");
+}
+
+TextScanner::TextScanner(std::string_view text, Rules rules, std::uint64_t firstLine)
+    : text_(text), line_(firstLine)
+{
+    const auto set = [&](char c, Kind kind) { kinds_[static_cast<unsigned char>(c)] = kind; };
+    for (const char blank : {' ', '\t', '\v', '\f'})
+    {
+        set(blank, Kind::blank);
+    }
+    set('\n', Kind::endOfLine);
+    set('\r', Kind::endOfLine);
+    if (rules.comment != '\0')
+    {
+        set(rules.comment, Kind::comment);
+    }
+    if (rules.continues)
+    {
+        set('\\', Kind::backslash);
+    }
+}
+
+void TextScanner::skipBlanks()
+{
+    while (true)
+    {
+        if (kindAt(at_) == Kind::blank)
+        {
+            ++at_;
+        }
+        else if (joinsLines(at_))
+        {
+            ++at_;
+            skipEndOfLine();
+        }
+        else
+        {
+            return;
+        }
+    }
+}
+
+void TextScanner::skipLine()
+{
+    while (kindAt(at_) != Kind::endOfLine)
+    {
+        ++at_;
+    }
+}
+
+void TextScanner::skipEndOfLine()
+{
+    if (at_ < text_.size())
+    {
+        at_ += text_.substr(at_).starts_with("\r\n") ? 2 : 1;
+        ++line_;
+    }
+}
+
+bool TextScanner::nextLine()
+{
+    if (started_)
+    {
+        // Not by words: a path at the end of a comment may end in a backslash.
+        skipLine();
+    }
+    started_ = true;
+    while (true)
+    {
+        skipBlanks();
+        if (at_ >= text_.size())
+        {
+            return false;
+        }
+        if (kindAt(at_) == Kind::comment)
+        {
+            skipLine();
+        }
+        if (kindAt(at_) != Kind::endOfLine)
+        {
+            return true;
+        }
+        skipEndOfLine();
+    }
+}
+
+std::string_view TextScanner::word()
+{
+    started_ = true;
+    skipBlanks();
+    const std::size_t begin = at_;
+    // A comment begins only where a word could: 1.#IND is one word.
+    while (kindAt(at_) == Kind::ofWord || (kindAt(at_) == Kind::comment && at_ > begin) ||
+           (kindAt(at_) == Kind::backslash && !joinsLines(at_)))
+    {
+        ++at_;
+    }
+    return text_.substr(begin, at_ - begin);
+}
+
+std::string_view TextScanner::wordAnywhere()
+{
+    std::string_view found = started_ ? word() : std::string_view();
+    if (found.empty() && nextLine())
+    {
+        found = word();
+    }
+    return found;
+}
+
+double TextScanner::toNumber(std::string_view word, std::string_view what) const
+{
+    std::string_view digits = word;
+    if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-')
+    {
+        digits.remove_prefix(1);
+    }
+    double value = 0;
+    const char* end = digits.data() + digits.size();
+    const auto [stop, error] = std::from_chars(digits.data(), end, value);
+    if (word.empty())
+    {
+        refuseAt(place(), fmt::format("{} has too few numbers; export the mesh again", what));
+    }
+    if (error == std::errc::result_out_of_range && stop == end)
+    {
+        if (isTiny(digits.substr(digits.starts_with('-') ? 1 : 0)))
+        {
+            return 0;
+        }
+        refuseAt(place(),
+                 fmt::format("the number {} is too large; export the mesh again", quoted(word)));
+    }
+    if (error != std::errc() || stop != end)
+    {
+        refuseAt(place(), fmt::format("{} is not a number; export the mesh again", quoted(word)));
+    }
+    if (!std::isfinite(value))
+    {
+        refuseAt(place(), fmt::format("{} has a coordinate that is infinite or not a number ({}); "
+                                      "export the mesh again",
+                                      what, quoted(word)));
+    }
+    return value;
+}
+
+std::int64_t TextScanner::toInteger(std::string_view word, std::string_view what) const
+{
+    std::string_view digits = word;
+    if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-')
+    {
+        digits.remove_prefix(1);
+    }
+    std::int64_t value = 0;
+    const char* end = digits.data() + digits.size();
+    const auto [stop, error] = std::from_chars(digits.data(), end, value);
+    if (word.empty())
+    {
+        refuseAt(place(), fmt::format("{} has too few numbers; export the mesh again", what));
+    }
+    if (error != std::errc() || stop != end)
+    {
+        refuseAt(place(), fmt::format("{} is not a whole number of its kind; export the mesh again",
+                                      quoted(word)));
+    }
+    return value;
+}
+
+std::array<double, 3> TextScanner::point(std::string_view what)
+{
+    std::array<double, 3> coordinates{};
+    for (double& coordinate : coordinates)
+    {
+        coordinate = toNumber(word(), what);
+    }
+    return coordinates;
+}
+
+} // namespace frostfill
