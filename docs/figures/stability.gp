@@ -13,8 +13,9 @@ unset xtics
 set format y "%s"
 colour(code) = code == 0 ? 0xb9e3d3 : code == 1 ? 0xd7e3ee : code == 2 ? 0xf6e27a : \
     code == 3 ? 0xe69f00 : code == 4 ? 0xcc79a7 : code == 5 ? 0xd55e00 : code == 6 ? 0x202020 : \
-    code == 7 ? 0x8c8c8c : 0xf4f4f4
-ink(code) = code == 6 ? 0xffffff : code == 5 ? 0xffffff : 0x202020
+    code == 7 ? 0x8c8c8c : code == 9 ? 0x56b4e9 : \
+    code == 10 ? 0x0072b2 : 0xf4f4f4
+ink(code) = code == 6 ? 0xffffff : code == 10 ? 0xffffff : code == 5 ? 0xffffff : 0x202020
 methods = "'fast' 'fast skip' 'paper' 'paper semi-implicit'"
 titles = "'fast' 'fast, from the first contact on' 'paper (explicit Euler)' 'paper, semi-implicit Euler'"
 is(method) = strcol("method") eq method
@@ -25,10 +26,10 @@ stats data using "row" nooutput
 rows = STATS_max + 1
 set yrange [0.6-rows:0.6]
 set xrange [-0.55:10.55]
-names = "'passes' 'refused, saying why' 'gains energy' 'never rests' 'not reproducible' 'a centre outside' 'not finite' 'unfinished' 'not run (all pairs)'"
-do for [k=0:8] {
-    x = 0.11 + (k % 5) * 0.18
-    y = k < 5 ? 0.042 : 0.018
+names = "'passes' 'refused, saying why' 'gains energy' 'never rests' 'not reproducible' 'a centre outside' 'not finite' 'unfinished' 'not run (all pairs)' 'overlaps' 'hangs in the air'"
+do for [k=0:10] {
+    x = 0.11 + (k % 6) * 0.15
+    y = k < 6 ? 0.042 : 0.018
     set object 100+k rectangle from screen x,screen y-0.007 to screen x+0.018,screen y+0.007 \
         fillcolor rgb colour(k) fillstyle solid border rgb "#a0a0a0"
     set label 100+k word(names, k+1) at screen x+0.024,screen y left font ",12.5"
@@ -46,7 +47,7 @@ do for [i=1:4] {
          data using "column":(row(method) - 0.2):(remark(method)):(ink(column("code"))) \
              with labels font ",8" textcolor rgb variable
     if (i == 1) {
-        do for [k=100:108] { unset object k; unset label k }
+        do for [k=100:110] { unset object k; unset label k }
     }
 }
 unset multiplot
