@@ -81,6 +81,9 @@ struct FillResult
     double largestRadius = 0;  ///< [mesh unit]
     bool full = false;
     bool stopped = false;   ///< by stopRequested
+    /// [mesh unit] With which the spheres asked for are expected to fit, the largest of several; if
+    /// the object was full before.
+    std::optional<double> radiusThatFits;
     double wallSeconds = 0; ///< of the whole run
     std::string renderer;   ///< empty when nothing was drawn
     std::string stateHash;
