@@ -80,7 +80,10 @@ struct FillResult
     double smallestRadius = 0; ///< [mesh unit]
     double largestRadius = 0;  ///< [mesh unit]
     bool full = false;
-    bool stopped = false;   ///< by stopRequested
+    bool stopped = false; ///< by stopRequested
+    /// [mesh unit] With which the spheres asked for are expected to fit, the largest of several; if
+    /// the object was full before.
+    std::optional<double> radiusThatFits;
     double wallSeconds = 0; ///< of the whole run
     std::string renderer;   ///< empty when nothing was drawn
     std::string stateHash;

@@ -234,9 +234,15 @@ void validateScene(const Scene& scene);
 [[nodiscard]] double gravityInMeshUnits(const Scene& scene);
 
 /// The largest radius of the run. It is that of the scene, or the radius at which `count` spheres
-/// take 90 % of the wall-corrected estimate phi (V - c r S), phi = 0.586, c = 0.38. Throws Error
-/// usage if the scene gives neither a radius nor a count. A file of radii can throw inputMissing,
-/// or badData with the line.
+/// take 90 % of the wall-corrected estimate phi (V - c r S), phi = 0.586, c = 0.38. It may be too
+/// large for thin walls. Throws Error usage if the scene gives neither a radius nor a count. A file
+/// of radii can throw inputMissing, or badData with the line.
 [[nodiscard]] double sphereRadius(const Scene& scene, const MeshReport& mesh);
+
+/// The same, or a smaller one for an object whose walls are too thin for it: then only the parts
+/// count that are thick enough for a sphere. A Simulation uses this one. `report` is that of
+/// inspectInterior, `mesh` is closed.
+[[nodiscard]] double sphereRadius(const Scene& scene, const MeshReport& report,
+                                  const TriangleMesh& mesh);
 
 } // namespace frostfill

@@ -141,6 +141,10 @@ public:
     /// The target of the run: the count, or an estimate if it fills until full.
     [[nodiscard]] std::size_t expectedSpheres() const;
 
+    /// [mesh unit] A largest radius with which so many spheres are expected to fit, several radii
+    /// alike. Once the object is full, what did fit corrects the estimate.
+    [[nodiscard]] double radiusThatFits(std::size_t count) const;
+
     /// The poses of a moving object from first to last; empty if the object does not move.
     [[nodiscard]] std::vector<Pose> poses() const;
 

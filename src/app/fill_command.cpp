@@ -16,6 +16,7 @@
 #include <csignal>
 #include <ctime>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace frostfill
@@ -172,12 +173,34 @@ void printPlan(const FillRequest& request, const FillPlan& plan)
     }
 }
 
-void printResult(const FillResult& result)
+/// What to give for --radius instead: all radii smaller by one factor.
+std::string radiusAdvice(const std::optional<Radii>& given, const FillResult& result)
+{
+    const double factor = *result.radiusThatFits / result.largestRadius;
+    if (given && !given->file.empty())
+    {
+        return fmt::format("take radii {:.3g} times as large", factor);
+    }
+    const double smallest = factor * result.smallestRadius;
+    const double largest = factor * result.largestRadius;
+    return smallest == largest ? fmt::format("try --radius {:.3g}", largest)
+                               : fmt::format("try --radius {:.3g}..{:.3g}", smallest, largest);
+}
+
+void printResult(const Scene& scene, const FillResult& result)
 {
     fmt::print("{}", setTableText(result));
     if (result.stopped)
     {
         fmt::print("stopped early, with {} of {} spheres\n", result.spheres, result.wanted);
+    }
+    else if (result.radiusThatFits)
+    {
+        fmt::print("full before the count: {} of {} spheres are in, and nowhere else one of {} "
+                   "fits; {}\n",
+                   result.spheres, *scene.spheres.count,
+                   radiiText(result.smallestRadius, result.largestRadius),
+                   radiusAdvice(scene.spheres.radius, result));
     }
     else if (result.full)
     {
@@ -256,7 +279,7 @@ int runFill(const FillArguments& arguments)
     }
     else if (!arguments.quiet)
     {
-        printResult(result);
+        printResult(request.scene, result);
     }
     if (result.failure)
     {

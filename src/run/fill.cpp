@@ -178,6 +178,11 @@ FillResult fill(const FillRequest& request, const FillObserver& observer)
     result.smallestRadius = simulation.smallestRadius();
     result.largestRadius = simulation.radius();
     result.full = simulation.full();
+    const auto& asked = request.scene.spheres.count;
+    if (result.full && asked && result.spheres < *asked)
+    {
+        result.radiusThatFits = simulation.radiusThatFits(*asked);
+    }
     result.stateHash = simulation.stateHash();
     result.quality = simulation.quality();
     result.stray = simulation.stray();

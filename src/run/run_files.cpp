@@ -137,6 +137,16 @@ Json strayJson(const StraySphere& stray)
             {"time", stray.time}};
 }
 
+/// Why there are fewer spheres than asked for, and what would do.
+Json shortfallJson(const RunRecord& run)
+{
+    return {{"reason", "no place is left in which another sphere fits"},
+            {"spheres", run.result.spheres},
+            {"asked_for", *run.request.scene.spheres.count},
+            {"radius", run.result.largestRadius},
+            {"radius_that_fits", *run.result.radiusThatFits}};
+}
+
 const char* outcome(const FillResult& result)
 {
     if (result.failure)
@@ -163,6 +173,10 @@ std::string summaryText(const RunRecord& run)
     if (run.result.stray)
     {
         json["stray"] = strayJson(*run.result.stray);
+    }
+    if (run.result.radiusThatFits)
+    {
+        json["shortfall"] = shortfallJson(run);
     }
     json["scene"] = sceneToJson(run.request.scene);
     json["machine"] = machineJson(run.result.renderer);

@@ -15,6 +15,11 @@ namespace frostfill
 inline constexpr double kPackingFraction = 0.586; ///< phi
 inline constexpr double kWallLayer = 0.38;        ///< c
 
+/// Share of the estimate that is asked for when a radius is chosen: the number that fits differs
+/// from the estimate by a few hundredths. Larger: runs end before their count. Smaller: emptier
+/// objects.
+inline constexpr double kShareOfEstimate = 0.9;
+
 /// The same pair for one motion, fitted to cube, sphere, torus, human and spot (the cow) at
 /// r S / V = 0.15 and 0.3 (means of three and six seeds), and the remaining errors.
 struct PackingCalibration

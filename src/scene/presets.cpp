@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "scene/packing_estimate.hpp"
 #include "scene/radius_distribution.hpp"
+#include "scene/thick_parts.hpp"
 
 #include <frostfill/error.hpp>
 #include <frostfill/scene.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -13,8 +15,21 @@ namespace frostfill
 namespace
 {
 
-// This share of the estimate is certain to fit.
-constexpr double kSurely = 0.9;
+/// [1] Up to this r S / V an object is compact: parts thinner than a sphere hold less of it than
+/// this, and its walls are not looked at. Larger: such parts pass unnoticed. Smaller: time, for
+/// nothing.
+constexpr double kCompact = 0.55;
+
+/// How closely the thickness of an object is looked at.
+struct Closeness
+{
+    std::size_t
+        samples;   ///< Larger: time. Smaller: balls are missed, and thin parts seem to be more.
+    double enough; ///< Estimate over count to leave the radius as it is; 1.11 without thin parts.
+};
+/// The first look, which sees too many thin parts, saves most objects the second. Of 26 lattices,
+/// shells and machine parts one with 1.06 took 298 spheres of 300.
+constexpr Closeness kLooks[] = {{100, 1.04}, {1000, 1.08}};
 
 struct PaperObject
 {
@@ -105,10 +120,31 @@ double sphereRadius(const Scene& scene, const MeshReport& mesh)
         const double middle = (low + high) / 2;
         const double wanted = volumePerCube * middle * middle * middle;
         const double room =
-            kSurely * kPackingFraction * (mesh.volume - kWallLayer * middle * mesh.area);
+            kShareOfEstimate * kPackingFraction * (mesh.volume - kWallLayer * middle * mesh.area);
         (wanted < room ? low : high) = middle;
     }
     return (low + high) / 2;
+}
+
+double sphereRadius(const Scene& scene, const MeshReport& report, const TriangleMesh& mesh)
+{
+    const double compact = sphereRadius(scene, report);
+    if (scene.spheres.radius || compact * report.area <= kCompact * report.volume)
+    {
+        return compact;
+    }
+    const auto count = static_cast<double>(*scene.spheres.count);
+    double radius = compact;
+    for (const Closeness& look : kLooks)
+    {
+        const ThickParts parts(report, mesh, look.samples);
+        if (parts.count(compact) >= look.enough * count)
+        {
+            return compact;
+        }
+        radius = std::min(compact, parts.radius(count / kShareOfEstimate));
+    }
+    return radius;
 }
 
 } // namespace frostfill

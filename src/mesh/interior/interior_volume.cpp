@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/interior/interior_volume.hpp"
 
+#include "mesh/interior/separate_boxes.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -16,6 +18,10 @@ constexpr int kRays = 1024;
 /// By which the grid of rays is turned about their direction [rad]: no wall of a box is then along
 /// a row of rays, where all of them or none would be inside.
 constexpr double kTurn = 0.5;
+
+/// When the parts of a mesh fill less of its box, each has rays of its own. Larger: time, for one
+/// grid would do. Smaller: too few rays meet a part.
+constexpr double kSparse = 0.02;
 
 /// Where a ray passes through a wall.
 struct Passage
@@ -114,9 +120,7 @@ private:
     std::vector<std::vector<Passage>> passages_;
 };
 
-} // namespace
-
-double interiorVolume(const TriangleMesh& mesh)
+double volumeOfPart(const TriangleMesh& mesh)
 {
     const Eigen::AlignedBox3d box = boundingBox(mesh);
     if (mesh.triangles.empty() || !(box.sizes().minCoeff() > 0))
@@ -129,6 +133,28 @@ double interiorVolume(const TriangleMesh& mesh)
         rays.add(mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]);
     }
     return rays.volumeInside();
+}
+
+} // namespace
+
+double interiorVolume(const TriangleMesh& mesh)
+{
+    const std::vector<Eigen::AlignedBox3d> boxes = separateBoxes(mesh, 0);
+    double filled = 0;
+    for (const Eigen::AlignedBox3d& box : boxes)
+    {
+        filled += box.volume();
+    }
+    if (filled >= kSparse * boundingBox(mesh).volume())
+    {
+        return volumeOfPart(mesh);
+    }
+    double volume = 0;
+    for (const TriangleMesh& part : separateParts(mesh, boxes))
+    {
+        volume += volumeOfPart(part);
+    }
+    return volume;
 }
 
 } // namespace frostfill

@@ -21,8 +21,9 @@ namespace
 {
 
 constexpr double kWeldDistance =
-    1e-6;                          // [1] of the diagonal of the box: the rounding of file formats
-constexpr double kNoVolume = 1e-9; // [1] of the cubed diagonal of the box
+    1e-6; // [1] of the diagonal of the box: the rounding of file formats
+/// [1] of the area to the power of 3/2, which does not count the space between parts.
+constexpr double kNoVolume = 1e-9;
 constexpr std::size_t kMostHolesListed = 10;
 
 /// Coordinates for a message; rounding errors are shown as 0.
@@ -167,8 +168,7 @@ void refuseDefects(const MeshReport& report, const Hole& hole, std::string_view 
 
 void refuseUnfillable(const TriangleMesh& mesh, const MeshReport& report, std::string_view name)
 {
-    const double size = report.box.diagonal().norm();
-    const double least = kNoVolume * size * size * size;
+    const double least = kNoVolume * report.area * std::sqrt(report.area);
     // Where a mesh crosses itself, parts of the signed volume may cancel.
     if (!(report.volume > least) && !(interiorVolume(mesh) > least))
     {

@@ -3,6 +3,7 @@
 #include "simulation/engine/make_engine.hpp"
 #include "simulation/quality/quality.hpp"
 #include "simulation/reach/reach_inspection.hpp"
+#include "simulation/world/fitting_radius.hpp"
 #include "simulation/world/state_hash.hpp"
 #include "simulation/world/world.hpp"
 
@@ -128,6 +129,11 @@ std::size_t Simulation::expectedSpheres() const
     return expectedCount(implementation_->world);
 }
 
+double Simulation::radiusThatFits(std::size_t count) const
+{
+    return frostfill::radiusThatFits(implementation_->world, count);
+}
+
 const MeshReport& Simulation::object() const
 {
     return implementation_->world.report;
@@ -227,7 +233,8 @@ void Simulation::capture(Snapshot& snapshot) const
     snapshot.speeds.resize(count);
     for (const std::uint32_t id : changed)
     {
-        snapshot.centres[id] = world.frame.toMeshOffset(world.spheres.position(id)).cast<float>();
+        snapshot.centres[id] =
+            world.frame.toMeshOffset(world.frame.apart(world.spheres.position(id))).cast<float>();
         snapshot.radii[id] = static_cast<float>(world.spheres.radius[id] * world.frame.length);
         snapshot.states[id] = world.spheres.state[id];
         snapshot.groups[id] = world.spheres.group[id];

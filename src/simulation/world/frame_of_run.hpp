@@ -4,8 +4,18 @@
 #include <frostfill/mesh.hpp>
 #include <frostfill/scene.hpp>
 
+#include <vector>
+
 namespace frostfill
 {
+
+/// A part of an object that the run has moved nearer to the others.
+struct MovedPart
+{
+    Eigen::AlignedBox3d box; ///< [r] where it would be
+    Eigen::Vector3d shift;   ///< [r] from there to where it is
+    double end = 0;          ///< [r] the next part's x are larger
+};
 
 /// The simulation's own coordinates: the box's centre is the origin, y is up, lengths are counted
 /// in the largest sphere's radius and times in sqrt(radius / gravity). Every tolerance is then a
@@ -17,16 +27,22 @@ struct FrameOfRun
     double length = 1;                                ///< [mesh unit] of one radius
     double time = 1;                                  ///< [s] of one unit
     double gravity = 1;                               ///< downwards; 1, or 0 without gravity
+    /// In a row along x, ascending: parts that lie so far apart that a grid over all of them would
+    /// hold next to nothing. Empty: nothing is moved.
+    std::vector<MovedPart> moved;
 
     FrameOfRun() = default;
     FrameOfRun(const Scene& scene, const Eigen::AlignedBox3d& box, double radius);
+    /// With the parts of a mesh moved together if they lie far apart, unless the object moves.
+    FrameOfRun(const Scene& scene, const TriangleMesh& mesh, double radius);
 
     [[nodiscard]] Eigen::Vector3d toRun(const Eigen::Vector3d& p) const
     {
         const Eigen::Vector3d q = (p - origin) / length;
-        return {q[axis[0]], q[axis[1]], q[axis[2]]};
+        const Eigen::Vector3d r(q[axis[0]], q[axis[1]], q[axis[2]]);
+        return moved.empty() ? r : together(r);
     }
-    /// Offset from `origin` in mesh coordinates.
+    /// A vector in mesh coordinates.
     [[nodiscard]] Eigen::Vector3d toMeshOffset(const Eigen::Vector3d& p) const
     {
         Eigen::Vector3d q;
@@ -38,7 +54,12 @@ struct FrameOfRun
     }
     [[nodiscard]] Eigen::Vector3d toMesh(const Eigen::Vector3d& p) const
     {
-        return origin + toMeshOffset(p);
+        return origin + toMeshOffset(apart(p));
+    }
+    /// Where a point would be if no part had been moved.
+    [[nodiscard]] Eigen::Vector3d apart(const Eigen::Vector3d& p) const
+    {
+        return moved.empty() ? p : Eigen::Vector3d(p - partAt(p).shift);
     }
     [[nodiscard]] Eigen::Matrix3d toMeshRotation(const Eigen::Matrix3d& rotation) const
     {
@@ -53,6 +74,11 @@ struct FrameOfRun
         return q;
     }
     [[nodiscard]] TriangleMesh toRun(const TriangleMesh& mesh) const;
+
+private:
+    [[nodiscard]] const MovedPart& partAt(const Eigen::Vector3d& p) const;
+    /// The other way round: a point of the nearest part, by where they would be.
+    [[nodiscard]] Eigen::Vector3d together(const Eigen::Vector3d& p) const;
 };
 
 } // namespace frostfill

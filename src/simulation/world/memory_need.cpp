@@ -17,27 +17,23 @@ namespace
 
 /// For each sphere: position, velocity, states, grid [bytes]. Runs of a million take 171.
 constexpr double kBytesASphere = 150;
-/// For each cube of a radius in the box: one bit of inside or outside, a sixty-fourth of a block of
-/// triangles, an eighth of a cell of spheres [bytes].
-constexpr double kBytesACube = 0.6;
 
 } // namespace
 
-double memoryNeed(const MeshReport& object, double radius, double spheres)
+double memoryNeed(double spheres)
 {
-    const double cubes = (object.box.sizes().array() / radius).prod();
-    return kBytesASphere * spheres + kBytesACube * cubes;
+    return kBytesASphere * spheres;
 }
 
 void requireMemory(const Scene& scene, const MeshReport& object, double radius, double spheres,
                    double bytes)
 {
-    if (memoryNeed(object, radius, spheres) <= bytes)
+    if (memoryNeed(spheres) <= bytes)
     {
         return;
     }
     // What a full object of the smallest spheres that there is memory for would take.
-    const double full = kBytesASphere * object.volume + kBytesACube * object.box.volume();
+    const double full = kBytesASphere * object.volume;
     throw Error(ErrorCode::outOfMemory,
                 fmt::format("spheres of radius {:.3g} in {} take more than the {:.3g} GB of memory "
                             "here; take a --radius of {:.2g} or more",

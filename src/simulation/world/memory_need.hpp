@@ -7,12 +7,12 @@
 namespace frostfill
 {
 
-/// A lower bound of what a run takes [bytes]: its spheres, and grids over the box of the object.
-/// `radius` is the largest of the run, `spheres` how many it aims at.
-[[nodiscard]] double memoryNeed(const MeshReport& object, double radius, double spheres);
+/// A lower bound of what so many spheres take [bytes].
+[[nodiscard]] double memoryNeed(double spheres);
 
 /// Throws Error outOfMemory, before anything is set aside, when a run surely takes more than
-/// `bytes` of memory, and names a radius that does not.
+/// `bytes` of memory, and names a radius that does not. `radius` is the largest of the run,
+/// `spheres` how many it aims at.
 void requireMemory(const Scene& scene, const MeshReport& object, double radius, double spheres,
                    double bytes);
 

@@ -20,6 +20,17 @@ inline constexpr double kSphereCell = 2;
 /// What the grids have beyond the object's box. [r] A centre in contact with the outside of a wall
 /// must have a cell.
 inline constexpr double kGridMargin = 2;
+/// From so many cells of a radius on, the parts of an object are moved together if they lie far
+/// apart. Larger: time and memory for cells without anything. Smaller: ordinary objects are
+/// searched for parts, for nothing.
+inline constexpr double kManyCells = 2e7;
+/// And if that saves this factor of cells. Larger and smaller as above.
+inline constexpr double kWorthMoving = 8;
+/// Parts are left so far apart. [r] Smaller than 5: a search for what touches a sphere finds the
+/// next part. Larger: cells without anything.
+inline constexpr double kGapOfParts = 8;
+/// An object with more cells is refused: its grids take two bytes a cell, and minutes.
+inline constexpr double kMostCells = 1e9;
 /// Memory is set aside for so many times the spheres that fit by the estimate. Smaller: arrays of a
 /// large run are copied. Larger: memory that nobody uses.
 inline constexpr double kRoomForSpheres = 1.1;

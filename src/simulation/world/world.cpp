@@ -20,14 +20,15 @@ namespace
 {
 
 /// Of a run that there is memory for.
-RadiusDistribution radiiOf(const Scene& scene, const MeshReport& mesh)
+RadiusDistribution radiiOf(const Scene& scene, const MeshReport& report, const TriangleMesh& mesh)
 {
-    const RadiusDistribution radii(scene.spheres.radius.value_or(sphereRadius(scene, mesh)));
+    const RadiusDistribution radii(
+        scene.spheres.radius.value_or(sphereRadius(scene, report, mesh)));
     const double r = radii.largest();
-    const double most = kPackingFraction * mesh.volume /
+    const double most = kPackingFraction * report.volume /
                         (4.0 / 3.0 * std::numbers::pi * r * r * r * radii.inLargest().meanPower(3));
     const bool counted = scene.spheres.count && !scene.spheres.untilFull;
-    requireMemory(scene, mesh, r,
+    requireMemory(scene, report, r,
                   counted ? std::min(static_cast<double>(*scene.spheres.count), most) : most,
                   memoryAtHand());
     return radii;
@@ -36,6 +37,22 @@ RadiusDistribution radiiOf(const Scene& scene, const MeshReport& mesh)
 GridFrame gridOver(const Surface& surface, double cell)
 {
     return GridFrame::cover(surface.box(), cell, kGridMargin);
+}
+
+/// Throws Error badData for an object that is too large for its grids.
+GridFrame checkedGrid(const Surface& surface, const FrameOfRun& frame, const Scene& scene)
+{
+    const double cells = (surface.box().sizes().array() + 2 * kGridMargin).prod();
+    if (!(cells <= kMostCells))
+    {
+        throw Error(
+            ErrorCode::badData,
+            fmt::format("{} is too large for spheres of radius {:g}: the box around it has "
+                        "room for {:.1g} cubes of that edge, and {:.1g} is the most; choose "
+                        "a larger --radius or a smaller --count",
+                        scene.object.mesh, frame.length, cells, kMostCells));
+    }
+    return gridOver(surface, kTriangleCell);
 }
 
 /// By the estimate that sphereRadius uses, the other way round.
@@ -52,9 +69,9 @@ std::size_t countThatFits(const World& world)
 
 World::World(const Scene& sceneOfRun, const TriangleMesh& mesh)
     : scene(sceneOfRun), walls(classifyWalls(mesh)), report(inspectInterior(mesh, walls)),
-      radii(radiiOf(scene, report)), frame(scene, report.box, radii.largest()),
+      radii(radiiOf(scene, report, mesh)), frame(scene, mesh, radii.largest()),
       surface(frame.toRun(mesh), walls),
-      triangles(surface, gridOver(surface, kTriangleCell), kTriangleReach),
+      triangles(surface, checkedGrid(surface, frame, scene), kTriangleReach),
       inside(surface, triangles), height(surface.box().sizes().y()),
       motion(scene.move, frame, height), pull{.uniform = {0, -frame.gravity, 0}},
       resting(gridOver(surface, kSphereCell)), polygons(mesh.triangles.size(), PolygonState::active)
@@ -206,14 +223,6 @@ void refuseCrowdedPlace(const World& world, const PlacedSphere& sphere)
                 fmt::format("there is no room for a sphere of radius {:g} near its release site "
                             "({:g}, {:g}, {:g})",
                             sphere.radius * world.frame.length, p.x(), p.y(), p.z()));
-}
-
-void refuseTooLarge(const World& world)
-{
-    throw Error(ErrorCode::badData,
-                fmt::format("no sphere of radius {:g} fits into {}: choose a smaller --radius "
-                            "or a larger --count",
-                            world.frame.length * world.radii.smallest(), world.scene.object.mesh));
 }
 
 std::size_t expectedCount(const World& world)

@@ -103,7 +103,8 @@ struct World
 /// Spheres side by side that cover the object's mean cross-section.
 [[nodiscard]] double spheresInLayer(const World& world);
 
-/// Throws Error badData: not one sphere of the run's smallest radius fits into the object.
+/// Throws Error badData: not one sphere of the run's smallest radius fits into the object. Names a
+/// radius that does.
 [[noreturn]] void refuseTooLarge(const World& world);
 
 /// A sphere that appears where it is told to. Units of the run.

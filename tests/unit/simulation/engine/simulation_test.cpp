@@ -259,7 +259,80 @@ TEST(Simulation, RefusesAnObjectIntoWhichNoSphereFits)
     catch (const Error& error)
     {
         EXPECT_EQ(error.code(), ErrorCode::badData);
+        // The largest radius inside, and one for the 80 spheres.
+        EXPECT_NE(std::string(error.what()).find("room for a radius of 0.3"), std::string::npos)
+            << error.what();
+        EXPECT_NE(std::string(error.what()).find("80 of radius 0.1"), std::string::npos)
+            << error.what();
     }
+}
+
+TEST(Simulation, FillsThinWallsToTheCountAtTheDefault)
+{
+    const TriangleMesh plate = shapes::box({0, 0, 0}, {12, 1, 12});
+    for (const Motion motion : {Motion::fall, Motion::skip, Motion::descend})
+    {
+        Scene scene = presetScene(Preset::fast, "plate");
+        scene.spheres.count = 100;
+        scene.motion.mode = motion;
+        Simulation simulation(scene, plate);
+        runToEnd(simulation);
+        EXPECT_EQ(simulation.sphereCount(), 100u);
+        EXPECT_GT(simulation.radius(), 0.3);
+    }
+}
+
+TEST(Simulation, NamesARadiusWithWhichTheCountFitsWhenItIsFullBefore)
+{
+    Scene scene = presetScene(Preset::fast, "torus");
+    scene.motion.mode = Motion::skip;
+    for (const double radius : {0.2, 0.3, 0.38})
+    {
+        scene.spheres.radius = radius;
+        scene.spheres.count = 150;
+        Simulation tooLarge(scene, shapes::torus());
+        runToEnd(tooLarge);
+        ASSERT_TRUE(tooLarge.full());
+        ASSERT_LT(tooLarge.sphereCount(), 150u);
+        scene.spheres.radius = tooLarge.radiusThatFits(150);
+        EXPECT_GT(*scene.spheres.radius, Radii(0.1).largest * 0.9);
+        Simulation asNamed(scene, shapes::torus());
+        runToEnd(asNamed);
+        EXPECT_EQ(asNamed.sphereCount(), 150u) << radius;
+    }
+}
+
+TEST(Simulation, FillsPartsThatLieFarApart)
+{
+    TriangleMesh mesh = shapes::box({0, 0, 0}, {1, 1, 1});
+    const TriangleMesh other = shapes::box({3000, 2000, 0}, {3001, 2001, 1});
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
+    for (const auto& [a, b, c] : other.triangles)
+    {
+        mesh.triangles.push_back({a + first, b + first, c + first});
+    }
+    Scene scene = presetScene(Preset::fast, "parts");
+    scene.spheres.count = 60;
+    scene.motion.mode = Motion::skip;
+    Simulation simulation(scene, mesh);
+    runToEnd(simulation);
+    EXPECT_EQ(simulation.sphereCount(), 60u);
+    std::size_t far = 0;
+    Snapshot snapshot;
+    simulation.capture(snapshot);
+    for (std::size_t id = 0; id < simulation.sphereCount(); ++id)
+    {
+        const Eigen::Vector3d p = simulation.sphere(id).centre;
+        far += p.x() > 1000 ? 1 : 0;
+        const Eigen::Vector3d inPart =
+            p.x() > 1000 ? Eigen::Vector3d(p - Eigen::Vector3d(3000, 2000, 0)) : p;
+        EXPECT_TRUE((inPart.array() > 0).all() && (inPart.array() < 1).all()) << p.transpose();
+        EXPECT_NEAR((snapshot.origin + snapshot.centres[id].cast<double>() - p).norm(), 0, 1e-3);
+    }
+    EXPECT_GT(far, 20u);
+    EXPECT_LT(far, 40u);
+    EXPECT_EQ(simulation.quality().centresOutside, 0u);
 }
 
 TEST(Simulation, StatesFollowTheOrderOfAppearance)

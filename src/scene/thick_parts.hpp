@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "scene/packing_estimate.hpp"
+
+#include <frostfill/mesh.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace frostfill
+{
+
+/// Sizes of spheres, in the radius that is looked for.
+struct RelativeRadii
+{
+    double mean = 1;       ///< mean of r
+    double meanOfCube = 1; ///< mean of r^3
+};
+
+/// How many spheres fit into an object whose parts differ in thickness: N v(r) = phi (V - c r S),
+/// with V and S of the parts that are thick enough for a sphere.
+class ThickParts
+{
+public:
+    /// `report` is that of inspectInterior. `samples`: places of the surface that are looked at;
+    /// more find more of the thin parts.
+    ThickParts(const MeshReport& report, const TriangleMesh& mesh, std::size_t samples);
+
+    /// The radius of about the largest ball inside; 0 if nothing is known of the object.
+    [[nodiscard]] double largest() const { return parts_.empty() ? 0 : parts_.front().thickness; }
+
+    /// How many spheres of this radius fit.
+    [[nodiscard]] double count(double radius, const RelativeRadii& radii = {}) const;
+
+    /// The radius at which `count` spheres fit.
+    [[nodiscard]] double radius(double count, const RelativeRadii& radii = {}) const;
+
+private:
+    /// All that is at least so thick.
+    struct Part
+    {
+        double thickness;
+        double volume;
+        double area;
+    };
+    std::vector<Part> parts_; ///< descending in thickness
+};
+
+} // namespace frostfill

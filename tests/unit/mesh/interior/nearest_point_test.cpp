@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/interior/nearest_point.hpp"
+
+#include "geometry/closest_point.hpp"
+#include "support/shapes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace frostfill
+{
+namespace
+{
+
+double distanceToAll(const TriangleMesh& mesh, const Eigen::Vector3d& p)
+{
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& [a, b, c] : mesh.triangles)
+    {
+        const Eigen::Vector3d point =
+            closestPointOnTriangle(p, mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]).point;
+        least = std::min(least, (point - p).norm());
+    }
+    return least;
+}
+
+TEST(NearestPoint, IsTheNearestOfAllTrianglesHoweverFar)
+{
+    const TriangleMesh torus = shapes::torus();
+    const NearestPoint surface(torus);
+    for (int k = 0; k < 200; ++k)
+    {
+        const Eigen::Vector3d p(3 * std::sin(1.7 * k), 2 * std::sin(2.3 * k), std::sin(0.9 * k));
+        const auto found = surface.find(p, 100);
+        ASSERT_TRUE(found);
+        EXPECT_NEAR((*found - p).norm(), distanceToAll(torus, p), 1e-14);
+    }
+}
+
+TEST(NearestPoint, IsNothingWhenAllIsFartherThanAsked)
+{
+    const TriangleMesh cube = shapes::box({0, 0, 0}, {1, 1, 1});
+    const NearestPoint surface(cube);
+    EXPECT_FALSE(surface.find({0.5, 3, 0.5}, 1.99));
+    EXPECT_TRUE(surface.find({0.5, 3, 0.5}, 2.01));
+    EXPECT_FALSE(NearestPoint({}).find({0, 0, 0}, 1));
+}
+
+} // namespace
+} // namespace frostfill
