@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/repair/clean_mesh.hpp"
 
-#include "mesh/repair/edge_table.hpp"
+#include "mesh/repair/components.hpp"
 #include "mesh/repair/triangle_shape.hpp"
 
 #include <map>
@@ -95,7 +95,14 @@ bool handOver(TriangleMesh& mesh, const EdgeTable& edges, std::uint32_t triangle
     return true;
 }
 
-TriangleMesh withoutDuplicates(const TriangleMesh& mesh, bool cancelOpposites)
+/// One of each group of triangles with the same corners.
+struct SingleTriangles
+{
+    TriangleMesh mesh;
+    std::vector<bool> facesBothWays; ///< [#T] as many of its group face one way as the other
+};
+
+SingleTriangles withoutDuplicates(const TriangleMesh& mesh)
 {
     struct Same
     {
@@ -111,17 +118,64 @@ TriangleMesh withoutDuplicates(const TriangleMesh& mesh, bool cancelOpposites)
         Same& same = groups.try_emplace(sortedCorners(t), Same{i, 0}).first->second;
         same.facing += facing(t);
     }
-    TriangleMesh result;
-    result.vertices = mesh.vertices;
+    SingleTriangles result;
+    result.mesh.vertices = mesh.vertices;
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
     {
         const Same& same = groups.at(sortedCorners(mesh.triangles[i]));
-        if (same.first == i && (!cancelOpposites || same.facing != 0))
+        if (same.first == i)
         {
-            result.triangles.push_back(mesh.triangles[i]);
+            result.mesh.triangles.push_back(mesh.triangles[i]);
+            result.facesBothWays.push_back(same.facing == 0);
         }
     }
     return result;
+}
+
+/// Removes the triangles that face both ways from each connected piece that has fewer bad edges
+/// without them: they are walls between solids. Where nothing of a piece would be left, it is a
+/// surface that was written from both sides, and stays.
+void cancelWalls(SingleTriangles& single)
+{
+    struct Piece
+    {
+        std::size_t left = 0; // triangles that face one way
+        std::size_t bad = 0;  // edges without exactly two triangles
+        std::size_t badWithoutWalls = 0;
+    };
+    TriangleMesh& mesh = single.mesh;
+    const EdgeTable edges(mesh);
+    const std::vector<std::vector<std::uint32_t>> connected = connectedPieces(mesh, edges);
+    std::vector<Piece> pieces(connected.size());
+    std::vector<std::size_t> pieceOf(mesh.triangles.size(), connected.size());
+    for (std::size_t piece = 0; piece < connected.size(); ++piece)
+    {
+        for (const std::uint32_t triangle : connected[piece])
+        {
+            pieceOf[triangle] = piece;
+            pieces[piece].left += single.facesBothWays[triangle] ? 0 : 1;
+        }
+    }
+    edges.forEach(
+        [&](std::span<const EdgeUse> uses)
+        {
+            Piece& piece = pieces[pieceOf[uses[0].triangle]];
+            const auto left = std::count_if(uses.begin(), uses.end(),
+                                            [&](const EdgeUse& use)
+                                            { return !single.facesBothWays[use.triangle]; });
+            piece.bad += uses.size() != 2 ? 1 : 0;
+            piece.badWithoutWalls += left != 0 && left != 2 ? 1 : 0;
+        });
+    for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle)
+    {
+        const bool isOfPiece = pieceOf[triangle] < pieces.size();
+        const Piece piece = isOfPiece ? pieces[pieceOf[triangle]] : Piece();
+        if (single.facesBothWays[triangle] && piece.left > 0 && piece.badWithoutWalls < piece.bad)
+        {
+            mesh.triangles[triangle] = kGone;
+        }
+    }
+    eraseGone(mesh);
 }
 
 } // namespace
@@ -154,14 +208,13 @@ std::size_t dropFlatTriangles(TriangleMesh& mesh)
 std::size_t dropDuplicateTriangles(TriangleMesh& mesh)
 {
     const std::size_t before = mesh.triangles.size();
-    TriangleMesh single = withoutDuplicates(mesh, false);
-    if (single.triangles.size() == before)
+    SingleTriangles single = withoutDuplicates(mesh);
+    if (single.mesh.triangles.size() == before)
     {
         return 0;
     }
-    TriangleMesh cancelled = withoutDuplicates(mesh, true);
-    const bool better = EdgeTable(cancelled).badEdges() < EdgeTable(single).badEdges();
-    mesh = std::move(better ? cancelled : single);
+    cancelWalls(single);
+    mesh = std::move(single.mesh);
     return before - mesh.triangles.size();
 }
 

@@ -13,7 +13,8 @@ namespace frostfill
 std::size_t dropFlatTriangles(TriangleMesh& mesh);
 
 /// Removes all but one of the triangles with the same vertices. Two triangles that face opposite
-/// ways, as between two solids glued together, are both removed if that improves the surface.
+/// ways, as between two solids glued together, are both removed if that improves the connected
+/// piece that they belong to and leaves something of it.
 std::size_t dropDuplicateTriangles(TriangleMesh& mesh);
 
 std::size_t dropUnusedVertices(TriangleMesh& mesh);

@@ -2,11 +2,11 @@
 // The lid of least area, by dynamic programming over the rim: [Barequet & Sharir 1995, 2.3].
 #include "mesh/repair/close_holes.hpp"
 
-#include "mesh/repair/edge_table.hpp"
+#include "mesh/repair/rims.hpp"
+#include "mesh/repair/sheets.hpp"
 #include "mesh/repair/triangle_shape.hpp"
 
 #include <limits>
-#include <map>
 
 namespace frostfill
 {
@@ -19,48 +19,6 @@ constexpr double kLargestShare =
 constexpr double kShortChords =
     1e-3; // [1] weight of squared edges: favours fat triangles in a flat lid
 constexpr double kImpossible = std::numeric_limits<double>::infinity();
-
-using Rim = std::vector<std::uint32_t>;
-
-/// The rims, in the direction of the lids, each without repeated vertices. A path that does not
-/// close, because it ends at an edge of three triangles, is no rim.
-std::vector<Rim> findRims(const EdgeTable& edges)
-{
-    std::multimap<std::uint32_t, std::uint32_t> next;
-    edges.forEach(
-        [&](std::span<const EdgeUse> uses)
-        {
-            if (uses.size() != 1)
-            {
-                return;
-            }
-            const EdgeUse& use = uses[0]; // the lid runs opposite to the triangle
-            next.emplace(use.forward ? use.high : use.low, use.forward ? use.low : use.high);
-        });
-
-    std::vector<Rim> rims;
-    while (!next.empty())
-    {
-        Rim path = {next.begin()->first};
-        for (auto step = next.begin(); step != next.end(); step = next.find(path.back()))
-        {
-            const std::uint32_t vertex = step->second;
-            next.erase(step);
-            // A rim is complete where the path meets itself.
-            const auto loop = std::find(path.begin(), path.end(), vertex);
-            if (loop == path.end())
-            {
-                path.push_back(vertex);
-            }
-            else
-            {
-                rims.emplace_back(loop, path.end());
-                path.erase(loop + 1, path.end());
-            }
-        }
-    }
-    return rims;
-}
 
 double area(const TriangleMesh& mesh, const Triangle& t)
 {
@@ -169,9 +127,12 @@ std::vector<Hole> closeHoles(TriangleMesh& mesh)
     const double surface = surfaceArea(mesh);
     std::vector<Hole> holes;
     std::vector<Triangle> lids;
-    for (const Rim& rim : findRims(edges))
+    const std::vector<Rim> rims = findRims(edges);
+    const Sheets sheets(mesh, edges, rims);
+    for (const Rim& rim : rims)
     {
         Hole hole;
+        hole.ofSheet = sheets.has(edges.find(rim[0], rim[1])[0].triangle);
         hole.edges = rim.size();
         for (const std::uint32_t vertex : rim)
         {
@@ -184,7 +145,7 @@ std::vector<Hole> closeHoles(TriangleMesh& mesh)
             {
                 hole.share += area(mesh, t) / surface;
             }
-            hole.closed = !lid.empty() && hole.share <= kLargestShare;
+            hole.closed = !lid.empty() && !hole.ofSheet && hole.share <= kLargestShare;
             if (hole.closed)
             {
                 lids.insert(lids.end(), lid.begin(), lid.end());

@@ -6,8 +6,9 @@
 #include "mesh/repair/find_nonsense.hpp"
 #include "mesh/repair/orient_mesh.hpp"
 #include "mesh/repair/separate_edges.hpp"
+#include "mesh/repair/sheets.hpp"
+#include "mesh/repair/stitch_seams.hpp"
 #include "mesh/repair/triangle_shape.hpp"
-#include "mesh/repair/weld.hpp"
 
 #include <frostfill/error.hpp>
 
@@ -20,8 +21,6 @@ namespace frostfill
 namespace
 {
 
-constexpr double kWeldDistance =
-    1e-6; // [1] of the diagonal of the box: the rounding of file formats
 /// [1] of the area to the power of 3/2, which does not count the space between parts.
 constexpr double kNoVolume = 1e-9;
 constexpr std::size_t kMostHolesListed = 10;
@@ -54,23 +53,6 @@ void refuseNonsense(const TriangleMesh& mesh, std::string_view name)
     {
         refuse(name, *nonsense + "; export the mesh again");
     }
-}
-
-/// Welds rims that nearly meet, if that improves the surface.
-void weldSeams(TriangleMesh& mesh, std::vector<std::string>& repairs)
-{
-    TriangleMesh welded = mesh;
-    const std::size_t before = EdgeTable(mesh).badEdges();
-    const std::size_t count = weldRims(welded, kWeldDistance * boundingBox(mesh).diagonal().norm());
-    if (count == 0 || EdgeTable(welded).badEdges() >= before)
-    {
-        return;
-    }
-    mesh = std::move(welded);
-    repairs.push_back(
-        fmt::format("joined {} vert{} along open seams to others closer than {:g} of the "
-                    "object's size",
-                    count, count == 1 ? "ex" : "ices", kWeldDistance));
 }
 
 void cleanTriangles(TriangleMesh& mesh, std::vector<std::string>& repairs)
@@ -145,6 +127,12 @@ void refuseDefects(const MeshReport& report, const Hole& hole, std::string_view 
                            "as the skin of a solid",
                            place(report.firstDefect)));
     }
+    if (report.boundaryEdges > 0 && hole.ofSheet)
+    {
+        refuse(name, fmt::format("a hole of {} edges near {} is the rim of a sheet, which would "
+                                 "enclose nothing with a lid; model it as the skin of a solid",
+                                 hole.edges, place(hole.middle)));
+    }
     if (report.boundaryEdges > 0 && hole.share > 0)
     {
         refuse(name, fmt::format("a hole of {} edges near {} is too large to be closed without "
@@ -185,7 +173,7 @@ LoadedMesh repairMesh(TriangleMesh mesh, std::string_view name)
     result.asRead = inspectMesh(mesh);
     if (result.asRead.boundaryEdges > 0)
     {
-        weldSeams(mesh, result.repairs);
+        result.repairs = stitchSeams(mesh);
     }
     cleanTriangles(mesh, result.repairs);
     if (mesh.triangles.empty())
@@ -193,6 +181,11 @@ LoadedMesh repairMesh(TriangleMesh mesh, std::string_view name)
         refuse(name, "none of its triangles has an area");
     }
     straightenWinding(mesh, result.repairs);
+    if (const std::size_t count = dropSheets(mesh))
+    {
+        result.repairs.push_back("removed " + counted(count, "triangle") +
+                                 " of open sheets that enclose nothing");
+    }
     const Hole largestLeft = closeAndReport(mesh, result.repairs);
     if (const std::size_t count = dropUnusedVertices(mesh))
     {

@@ -39,20 +39,6 @@ Cell bitsOf(const Eigen::Vector3d& position)
     return bits;
 }
 
-std::vector<bool> verticesOnRims(const TriangleMesh& mesh)
-{
-    std::vector<bool> onRim(mesh.vertices.size(), false);
-    EdgeTable(mesh).forEach(
-        [&](std::span<const EdgeUse> uses)
-        {
-            if (uses.size() == 1)
-            {
-                onRim[uses[0].low] = onRim[uses[0].high] = true;
-            }
-        });
-    return onRim;
-}
-
 } // namespace
 
 void weldEqualVertices(TriangleMesh& mesh)
@@ -60,6 +46,7 @@ void weldEqualVertices(TriangleMesh& mesh)
     std::unordered_map<Cell, std::uint32_t, CellHash> known;
     std::vector<std::uint32_t> place;
     std::vector<Eigen::Vector3d> kept;
+    place.reserve(mesh.vertices.size());
     for (const Eigen::Vector3d& vertex : mesh.vertices)
     {
         const auto [entry, isNew] =
@@ -80,9 +67,23 @@ void weldEqualVertices(TriangleMesh& mesh)
     mesh.vertices = std::move(kept);
 }
 
+std::vector<bool> verticesOnRims(const TriangleMesh& mesh, const EdgeTable& edges)
+{
+    std::vector<bool> onRim(mesh.vertices.size(), false);
+    edges.forEach(
+        [&](std::span<const EdgeUse> uses)
+        {
+            if (uses.size() == 1)
+            {
+                onRim[uses[0].low] = onRim[uses[0].high] = true;
+            }
+        });
+    return onRim;
+}
+
 std::size_t weldRims(TriangleMesh& mesh, double distance)
 {
-    const std::vector<bool> onRim = verticesOnRims(mesh);
+    const std::vector<bool> onRim = verticesOnRims(mesh, EdgeTable(mesh));
     const Eigen::Vector3d origin = boundingBox(mesh).min();
     const auto cellOf = [&](std::size_t vertex)
     {

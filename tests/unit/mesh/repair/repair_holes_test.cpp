@@ -122,5 +122,47 @@ TEST(RepairHoles, MakesAConsistentSurfaceOfManyDefectsAtOnce)
     EXPECT_NEAR(windingNumber(loaded.mesh, {0, 1.2, 0}), 1, 1e-9);
 }
 
+/// A square in the plane of `height`, of the size of a unit cube's side.
+TriangleMesh square(double height)
+{
+    return {{{0, 0, height}, {1, 0, height}, {1, 1, height}, {0, 1, height}},
+            {{0, 1, 2}, {0, 2, 3}}};
+}
+
+TEST(RepairHoles, MakesNoEnvelopesOfSheets)
+{
+    TriangleMesh mesh;
+    for (int i = 0; i < 30; ++i)
+    {
+        test::append(mesh, square(2 * i)); // a lid would be a thirtieth of the surface
+    }
+    test::expectRefused(ErrorCode::badData, "is the rim of a sheet",
+                        [&] { (void)repairMesh(mesh, "squares"); });
+}
+
+TEST(RepairHoles, RemovesSheetsBesideASolid)
+{
+    TriangleMesh mesh = builtInMesh("cube");
+    test::append(mesh, square(3));
+    test::append(mesh, square(0)); // inside
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(), {{5, 0, 0}, {6, 0.1, 0}, {5.5, 1, 0.3}});
+    mesh.triangles.push_back({first, first + 1, first + 2});
+    const LoadedMesh loaded = repairMesh(mesh, "cube");
+    ASSERT_EQ(loaded.repairs.size(), 2U);
+    EXPECT_EQ(loaded.repairs[0], "removed 5 triangles of open sheets that enclose nothing");
+    EXPECT_EQ(loaded.repairs[1], "removed 11 unused vertices");
+    EXPECT_EQ(loaded.report.volume, 8.0);
+}
+
+TEST(RepairHoles, KeepsThinPiecesThatEncloseSomething)
+{
+    TriangleMesh mesh = test::box({0, 0, 0}, {1, 1, 1e-4}); // a plate with a hole in its rim
+    mesh.triangles.erase(mesh.triangles.begin() + 4);
+    const LoadedMesh loaded = repairMesh(mesh, "plate");
+    test::expectOnlyRepair(loaded, "closed a hole of 3 edges");
+    EXPECT_NEAR(loaded.report.volume, 1e-4, 1e-18);
+}
+
 } // namespace
 } // namespace frostfill

@@ -84,12 +84,11 @@ TEST(RepairMesh, RemovesADuplicateThatFacesTheOtherWay)
     test::expectOnlyRepair(repairMesh(mesh, "box"), "1 duplicate triangle");
 }
 
-TEST(RepairMesh, RemovesTheWallBetweenTwoSolidsThatShareIt)
+/// Two boxes with the same vertices on the face between them, which each of them has.
+TriangleMesh boxesWithAWallBetween()
 {
-    // Two boxes with the same vertices on the face between them.
     TriangleMesh mesh = test::box({0, 0, 0}, {1, 1, 1});
-    TriangleMesh right = test::box({1, 0, 0}, {2, 1, 1});
-    test::append(mesh, right);
+    test::append(mesh, test::box({1, 0, 0}, {2, 1, 1}));
     // The right box's low-x face gets the left one's vertices and the same diagonal.
     for (auto& t : mesh.triangles)
     {
@@ -98,11 +97,56 @@ TEST(RepairMesh, RemovesTheWallBetweenTwoSolidsThatShareIt)
             std::replace(t.begin(), t.end(), own, shared);
         }
     }
+    return mesh;
+}
+
+TEST(RepairMesh, RemovesTheWallBetweenTwoSolidsThatShareIt)
+{
+    const TriangleMesh mesh = boxesWithAWallBetween();
     ASSERT_EQ(mesh.triangles[20], (std::array<std::uint32_t, 3>{1, 5, 7}));
     const LoadedMesh loaded = repairMesh(mesh, "boxes");
     EXPECT_EQ(loaded.report.components, 1U);
     EXPECT_EQ(loaded.report.triangles, 20U);
     EXPECT_EQ(loaded.report.volume, 2.0);
+}
+
+/// Every triangle also wound the other way.
+void addBacks(TriangleMesh& mesh)
+{
+    const std::size_t count = mesh.triangles.size();
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        mesh.triangles.push_back(mesh.triangles[i]);
+        test::flip(mesh.triangles.back());
+    }
+}
+
+TEST(RepairMesh, KeepsASurfaceThatIsThereFromBothSides)
+{
+    TriangleMesh mesh = builtInMesh("cube");
+    mesh.triangles.erase(mesh.triangles.begin() + 100); // so that nothing would be better than this
+    addBacks(mesh);
+    const LoadedMesh loaded = repairMesh(mesh, "cube");
+    EXPECT_EQ(loaded.repairs[0], "removed 767 duplicate triangles");
+    EXPECT_EQ(loaded.report.triangles, 768U);
+    EXPECT_EQ(loaded.report.volume, 8.0);
+}
+
+TEST(RepairMesh, KeepsAPieceFromBothSidesBesideAWallThatIsCancelled)
+{
+    TriangleMesh twoSided = builtInMesh("cube");
+    twoSided.triangles.erase(twoSided.triangles.begin() + 100);
+    addBacks(twoSided);
+    for (Eigen::Vector3d& vertex : twoSided.vertices)
+    {
+        vertex.x() += 9;
+    }
+    TriangleMesh mesh = boxesWithAWallBetween();
+    test::append(mesh, twoSided);
+    const LoadedMesh loaded = repairMesh(mesh, "two");
+    EXPECT_EQ(loaded.report.triangles, 20U + 768);
+    EXPECT_DOUBLE_EQ(loaded.report.volume, 2.0 + 8);
+    EXPECT_EQ(loaded.report.components, 2U);
 }
 
 TEST(RepairMesh, RemovesTrianglesThatRepeatACorner)

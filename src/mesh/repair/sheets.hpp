@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "mesh/repair/rims.hpp"
+
+namespace frostfill
+{
+
+/// Which triangles are of sheets: open pieces that lids make envelopes without volume.
+class Sheets
+{
+public:
+    /// The rims are all that the mesh has.
+    Sheets(const TriangleMesh& mesh, const EdgeTable& edges, const std::vector<Rim>& rims);
+
+    [[nodiscard]] bool has(std::uint32_t triangle) const;
+    [[nodiscard]] bool areAll() const;
+    [[nodiscard]] bool areNone() const;
+
+private:
+    std::vector<std::size_t> pieceOf_; ///< [#T]
+    std::vector<bool> isSheet_;        ///< [#pieces]
+};
+
+/// Removes open pieces that would enclose nothing with lids, sheets, from beside pieces that are
+/// none. Returns the number of removed triangles; 0 if there is nothing but sheets.
+std::size_t dropSheets(TriangleMesh& mesh);
+
+} // namespace frostfill

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/repair/stitch_seams.hpp"
+
+#include "mesh/repair/rim_vertices.hpp"
+#include "mesh/repair/triangle_shape.hpp"
+#include "mesh/repair/weld.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+
+namespace frostfill
+{
+namespace
+{
+
+// [1] of the diagonal of the box: the rounding of file formats, and the cracks of careless export.
+constexpr std::array<double, 3> kSeamDistances = {1e-6, 1e-5, 1e-4};
+constexpr std::size_t kMostPasses = 8;    // a triangle is split at one of its sides in each
+constexpr std::size_t kSplitsPerEdge = 4; // more are no seam
+constexpr std::size_t kSplitsAtLeast = 1000;
+
+/// Vertices on the inner part of a side, in its direction.
+std::vector<std::uint32_t> verticesOnSide(const TriangleMesh& mesh, const RimVertices& rims,
+                                          const Triangle& t, std::size_t side, double distance)
+{
+    const Eigen::Vector3d& a = mesh.vertices[t[side]];
+    const Eigen::Vector3d& b = mesh.vertices[t[(side + 1) % 3]];
+    const double length = (b - a).norm();
+    std::vector<std::pair<double, std::uint32_t>> found;
+    if (length > 2 * distance)
+    {
+        const Eigen::Vector3d along = (b - a) / length;
+        rims.near(a, b, distance,
+                  [&](std::uint32_t vertex)
+                  {
+                      const Eigen::Vector3d arm = mesh.vertices[vertex] - a;
+                      const double where = arm.dot(along);
+                      if (where > distance && where < length - distance &&
+                          (arm - where * along).norm() <= distance && vertex != t[(side + 2) % 3])
+                      {
+                          found.emplace_back(where, vertex);
+                      }
+                  });
+    }
+    std::sort(found.begin(), found.end());
+    std::vector<std::uint32_t> vertices;
+    double last = 0;
+    for (const auto& [where, vertex] : found)
+    {
+        if (where > last + distance) // not two at one place
+        {
+            vertices.push_back(vertex);
+            last = where;
+        }
+    }
+    return vertices;
+}
+
+/// Splits each triangle at one of its open sides. Returns nothing if that takes more than `most`.
+std::optional<std::size_t> splitOnce(TriangleMesh& mesh, double distance, std::size_t most)
+{
+    const EdgeTable edges(mesh);
+    const RimVertices rims(mesh, edges);
+    std::vector<bool> touched(mesh.triangles.size(), false);
+    std::size_t count = 0;
+    edges.forEach(
+        [&](std::span<const EdgeUse> uses)
+        {
+            const EdgeUse& use = uses[0];
+            if (uses.size() != 1 || touched[use.triangle] || count > most)
+            {
+                return;
+            }
+            const Triangle t = mesh.triangles[use.triangle];
+            const auto vertices = verticesOnSide(mesh, rims, t, use.corner, distance);
+            if (vertices.empty())
+            {
+                return;
+            }
+            touched[use.triangle] = true;
+            count += vertices.size();
+            const std::uint32_t tip = t[(use.corner + 2U) % 3U];
+            mesh.triangles[use.triangle] = {t[use.corner], vertices[0], tip};
+            for (std::size_t i = 0; i < vertices.size(); ++i)
+            {
+                const std::uint32_t next =
+                    i + 1 < vertices.size() ? vertices[i + 1] : t[(use.corner + 1U) % 3U];
+                mesh.triangles.push_back({vertices[i], next, tip});
+            }
+        });
+    return count > most ? std::nullopt : std::optional(count);
+}
+
+struct Openness
+{
+    std::size_t open = 0; ///< edges of one triangle
+    std::size_t bad = 0;  ///< edges that do not have two
+};
+
+Openness opennessOf(const TriangleMesh& mesh)
+{
+    Openness result;
+    EdgeTable(mesh).forEach(
+        [&](std::span<const EdgeUse> uses)
+        {
+            result.open += uses.size() == 1 ? 1 : 0;
+            result.bad += uses.size() != 2 ? 1 : 0;
+        });
+    return result;
+}
+
+std::size_t countCollapsed(const TriangleMesh& mesh)
+{
+    return static_cast<std::size_t>(
+        std::count_if(mesh.triangles.begin(), mesh.triangles.end(), repeatsCorner));
+}
+
+std::string sayJoined(std::size_t count, double share)
+{
+    return fmt::format("joined {} vert{} along open seams to others closer than {:g} of the "
+                       "object's size",
+                       count, count == 1 ? "ex" : "ices", share);
+}
+
+std::string saySplit(std::size_t count)
+{
+    return fmt::format("split open edges at {} vert{} of their neighbours that lay on them", count,
+                       count == 1 ? "ex" : "ices");
+}
+
+/// Keeps a repaired copy and its sentence if it has fewer bad edges.
+void keepIfBetter(TriangleMesh& mesh, Openness& now, TriangleMesh&& repaired, std::string sentence,
+                  std::vector<std::string>& repairs)
+{
+    const Openness then = opennessOf(repaired);
+    if (then.bad < now.bad)
+    {
+        mesh = std::move(repaired);
+        now = then;
+        repairs.push_back(std::move(sentence));
+    }
+}
+
+} // namespace
+
+std::size_t splitAtTJunctions(TriangleMesh& mesh, double distance)
+{
+    const std::size_t most = kSplitsAtLeast + kSplitsPerEdge * opennessOf(mesh).open;
+    TriangleMesh split = mesh;
+    std::size_t sum = 0;
+    for (std::size_t pass = 0; pass < kMostPasses; ++pass)
+    {
+        const auto count = splitOnce(split, distance, most - sum);
+        if (!count)
+        {
+            return 0;
+        }
+        sum += *count;
+        if (*count == 0)
+        {
+            break;
+        }
+    }
+    if (sum > 0)
+    {
+        mesh = std::move(split);
+    }
+    return sum;
+}
+
+std::vector<std::string> stitchSeams(TriangleMesh& mesh)
+{
+    std::vector<std::string> repairs;
+    const double size = boundingBox(mesh).diagonal().norm();
+    Openness now = opennessOf(mesh);
+    {
+        TriangleMesh welded = mesh;
+        const std::size_t count = weldRims(welded, kSeamDistances[0] * size);
+        if (count > 0)
+        {
+            keepIfBetter(mesh, now, std::move(welded), sayJoined(count, kSeamDistances[0]),
+                         repairs);
+        }
+    }
+    if (now.open > 0)
+    {
+        TriangleMesh split = mesh;
+        const std::size_t count = splitAtTJunctions(split, kSeamDistances[0] * size);
+        if (count > 0)
+        {
+            keepIfBetter(mesh, now, std::move(split), saySplit(count), repairs);
+        }
+    }
+    for (std::size_t i = 1; i < kSeamDistances.size() && now.open > 0; ++i)
+    {
+        TriangleMesh wide = mesh;
+        const std::size_t joined = weldRims(wide, kSeamDistances[i] * size);
+        // Small triangles beside a wide seam must not vanish in it.
+        if (joined == 0 || countCollapsed(wide) > countCollapsed(mesh))
+        {
+            continue;
+        }
+        const std::size_t split = splitAtTJunctions(wide, kSeamDistances[i] * size);
+        const Openness then = opennessOf(wide);
+        if (then.open > 0 || then.bad >= now.bad)
+        {
+            continue;
+        }
+        mesh = std::move(wide);
+        now = then;
+        repairs.push_back(sayJoined(joined, kSeamDistances[i]));
+        if (split > 0)
+        {
+            repairs.push_back(saySplit(split));
+        }
+    }
+    return repairs;
+}
+
+} // namespace frostfill
