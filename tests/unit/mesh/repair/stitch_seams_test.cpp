@@ -129,7 +129,7 @@ TEST(StitchSeams, JoinsCracksOfUpToATenThousandthOfTheSize)
         EXPECT_TRUE(loaded.report.closed());
         EXPECT_EQ(loaded.report.components, 1U);
         EXPECT_EQ(loaded.report.triangles, 960U);
-        EXPECT_NEAR(loaded.report.volume, volume, 3 * gap);
+        EXPECT_NEAR(loaded.report.volume, volume, 3.2 * gap); // the seam encloses pi gap
     }
     EXPECT_THROW((void)repairMesh(crackedSphere(1e-2), "sphere"), Error);
 }

@@ -295,7 +295,7 @@ TEST(Simulation, NamesARadiusWithWhichTheCountFitsWhenItIsFullBefore)
         ASSERT_TRUE(tooLarge.full());
         ASSERT_LT(tooLarge.sphereCount(), 150u);
         scene.spheres.radius = tooLarge.radiusThatFits(150);
-        EXPECT_GT(*scene.spheres.radius, Radii(0.1).largest * 0.9);
+        EXPECT_GT(scene.spheres.radius->largest, 0.09);
         Simulation asNamed(scene, shapes::torus());
         runToEnd(asNamed);
         EXPECT_EQ(asNamed.sphereCount(), 150u) << radius;
