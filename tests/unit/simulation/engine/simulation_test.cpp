@@ -90,7 +90,7 @@ void expectLemmaInEveryStep(std::uint32_t groupSize, std::uint32_t groupsPerSet)
     scene.spheres.groupSize = groupSize;
     scene.spheres.groupsPerSet = groupsPerSet;
     Simulation simulation(scene, shapes::torus());
-    const std::uint64_t inSet = groupSize * groupsPerSet;
+    const std::uint64_t inSet = std::uint64_t{groupSize} * groupsPerSet;
     OperationCounts before;
     while (simulation.step())
     {
