@@ -21,6 +21,10 @@ namespace frostfill
 /// A step has a dozen loops of some 50 us each with serial work between them, so short that waking
 /// a thread takes as long as its share of the work: threads look for the next loop for a while
 /// before they sleep, and a loop never waits for a thread that has not begun to help.
+///
+/// oneTBB's parallel_for in place of this takes 1.04 to 1.07 times as long for a cube of 10,000 and
+/// one of 100,000 spheres on two cores (`--motion skip --frames none`, medians of 6 and 3 runs, the
+/// best of four partitioners), and a thread sanitizer cannot look into it.
 class Threads
 {
 public:

@@ -3,6 +3,7 @@
 
 #include "geometry/triangle_pair.hpp"
 #include "mesh/interior/fan_sweep.hpp"
+#include "mesh/interior/spread_fan.hpp"
 #include "mesh/interior/triangle_tree.hpp"
 #include "mesh/interior/vertex_triangles.hpp"
 
@@ -140,6 +141,10 @@ private:
         FanSweep sweep;
         for (std::uint32_t vertex = 0; vertex < around.vertices(); ++vertex)
         {
+            if (isSpreadFan(mesh_, vertex, around.at(vertex)))
+            {
+                continue;
+            }
             sweep.forEachPair(mesh_, vertex, around.at(vertex),
                               [&](std::uint32_t one, std::uint32_t other)
                               {

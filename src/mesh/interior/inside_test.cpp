@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/interior/inside_test.hpp"
 
-#include "mesh/interior/winding_number.hpp"
-
 #include <algorithm>
 #include <array>
 
@@ -18,12 +16,9 @@ constexpr double kNearlyAll = 0.99;
 } // namespace
 
 InsideTest::InsideTest(const Surface& surface, const TriangleGrid& grid)
-    : surface_(&surface), grid_(&grid), inside_(grid.frame().size(), false)
+    : surface_(&surface), grid_(&grid), winding_(surface.mesh()),
+      inside_(grid.frame().size(), false)
 {
-    if (surface.anyTwoSided())
-    {
-        winding_ = std::make_unique<WindingColumns>(surface.mesh());
-    }
     const GridFrame& frame = grid.frame();
     std::vector<bool> known(frame.size(), false);
     std::size_t cell = 0;
@@ -109,16 +104,11 @@ double InsideTest::distance(const Eigen::Vector3d& p) const
         return isInsideFarFromSurface(p) ? reach : -reach;
     }
     const auto isTwoSided = [this](std::uint32_t id) { return (*surface_)[id].twoSided; };
-    if (winding_ && std::any_of(triangles.begin(), triangles.end(), isTwoSided))
+    if (surface_->anyTwoSided() && std::any_of(triangles.begin(), triangles.end(), isTwoSided))
     {
         return isInsideByWinding(p) ? std::abs(nearest) : -std::abs(nearest);
     }
     return nearest;
-}
-
-bool InsideTest::isInsideByWinding(const Eigen::Vector3d& p) const
-{
-    return (winding_ ? winding_->at(p) : windingNumber(surface_->mesh(), p)) > kInsideFrom;
 }
 
 // No surface is within the reach of p, so every point within that distance is on the same side as

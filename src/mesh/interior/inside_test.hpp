@@ -3,6 +3,7 @@
 
 #include "mesh/interior/triangle_grid.hpp"
 #include "mesh/interior/winding_columns.hpp"
+#include "mesh/interior/winding_number.hpp"
 
 #include <array>
 #include <memory>
@@ -41,12 +42,15 @@ public:
 private:
     [[nodiscard]] bool isInsideFarFromSurface(const Eigen::Vector3d& p) const;
     void classifyFrom(const std::array<int, 3>& seed, std::vector<bool>& known);
-    [[nodiscard]] bool isInsideByWinding(const Eigen::Vector3d& p) const;
+    [[nodiscard]] bool isInsideByWinding(const Eigen::Vector3d& p) const
+    {
+        return winding_.at(p) > kInsideFrom;
+    }
 
     const Surface* surface_;
     const TriangleGrid* grid_;
-    std::unique_ptr<WindingColumns> winding_; ///< where there are two-sided triangles
-    std::vector<bool> inside_;                ///< [#cells] valid for cells without triangles
+    WindingColumns winding_;
+    std::vector<bool> inside_; ///< [#cells] valid for cells without triangles
     /// For cells with triangles: the side of the points far from the surface, once requested.
     mutable std::unordered_map<std::size_t, bool> farSides_;
     std::unique_ptr<std::mutex> farSidesLock_ = std::make_unique<std::mutex>();

@@ -4,14 +4,18 @@
 #include "mesh/repair/triangle_shape.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <numeric>
 #include <tuple>
 
 namespace frostfill
 {
-
-EdgeTable::EdgeTable(const TriangleMesh& mesh)
+namespace
 {
-    uses_.reserve(3 * mesh.triangles.size());
+
+template <class Visit>
+void forEachSide(const TriangleMesh& mesh, Visit&& visit)
+{
     for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle)
     {
         const Triangle& t = mesh.triangles[triangle];
@@ -22,14 +26,31 @@ EdgeTable::EdgeTable(const TriangleMesh& mesh)
         for (std::uint8_t corner = 0; corner < 3; ++corner)
         {
             const auto [low, high] = std::minmax(t[corner], t[(corner + 1) % 3]);
-            uses_.push_back(
-                {low, high, static_cast<std::uint32_t>(triangle), corner, low == t[corner]});
+            visit(
+                EdgeUse{low, high, static_cast<std::uint32_t>(triangle), corner, low == t[corner]});
         }
     }
-    std::sort(uses_.begin(), uses_.end(),
-              [](const EdgeUse& a, const EdgeUse& b) {
-                  return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
-              });
+}
+
+} // namespace
+
+EdgeTable::EdgeTable(const TriangleMesh& mesh)
+{
+    // In buckets by the lower vertex: most hold a few sides, which are soon sorted.
+    std::vector<std::size_t> ends(mesh.vertices.size() + 1, 0);
+    forEachSide(mesh, [&](const EdgeUse& use) { ++ends[use.low + 1]; });
+    std::partial_sum(ends.begin(), ends.end(), ends.begin());
+    uses_.resize(ends.back());
+    forEachSide(mesh, [&](const EdgeUse& use) { uses_[ends[use.low]++] = use; });
+    auto begin = uses_.begin();
+    for (std::size_t vertex = 0; vertex < mesh.vertices.size(); ++vertex)
+    {
+        const auto end = uses_.begin() + static_cast<std::ptrdiff_t>(ends[vertex]);
+        std::sort(begin, end,
+                  [](const EdgeUse& a, const EdgeUse& b)
+                  { return std::tie(a.high, a.triangle) < std::tie(b.high, b.triangle); });
+        begin = end;
+    }
 }
 
 std::size_t EdgeTable::endOfEdge(std::size_t begin) const

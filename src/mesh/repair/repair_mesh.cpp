@@ -192,14 +192,16 @@ LoadedMesh repairMesh(TriangleMesh mesh, std::string_view name)
         result.repairs.push_back(
             fmt::format("removed {} unused vert{}", count, count == 1 ? "ex" : "ices"));
     }
-    refuseDefects(inspectMesh(mesh), largestLeft, name);
+    // Each repair has a sentence. Without one the mesh is as it was read.
+    result.report = result.repairs.empty() ? result.asRead : inspectMesh(mesh);
+    refuseDefects(result.report, largestLeft, name);
 
     if (const std::size_t count = turnPiecesOutward(mesh))
     {
         result.repairs.push_back(fmt::format("turned {} that {} wound the wrong way round",
                                              counted(count, "piece"), count == 1 ? "was" : "were"));
+        result.report = inspectMesh(mesh);
     }
-    result.report = inspectMesh(mesh);
     refuseUnfillable(mesh, result.report, name);
     result.mesh = std::move(mesh);
     return result;
