@@ -4,6 +4,7 @@
 #include "mesh/repair/close_holes.hpp"
 #include "mesh/repair/edge_table.hpp"
 #include "mesh/repair/find_nonsense.hpp"
+#include "mesh/repair/fins.hpp"
 #include "mesh/repair/orient_mesh.hpp"
 #include "mesh/repair/separate_edges.hpp"
 #include "mesh/repair/sheets.hpp"
@@ -176,6 +177,11 @@ LoadedMesh repairMesh(TriangleMesh mesh, std::string_view name)
         result.repairs = stitchSeams(mesh);
     }
     cleanTriangles(mesh, result.repairs);
+    if (const std::size_t count = result.asRead.boundaryEdges > 0 ? dropFins(mesh) : 0)
+    {
+        result.repairs.push_back("removed " + counted(count, "triangle") +
+                                 " of fins that hang on the surface and enclose nothing");
+    }
     if (mesh.triangles.empty())
     {
         refuse(name, "none of its triangles has an area");
@@ -187,6 +193,11 @@ LoadedMesh repairMesh(TriangleMesh mesh, std::string_view name)
                                  " of open sheets that enclose nothing");
     }
     const Hole largestLeft = closeAndReport(mesh, result.repairs);
+    if (const std::size_t count = largestLeft.edges > 0 ? dropOpenPieces(mesh) : 0)
+    {
+        result.repairs.push_back("removed " + counted(count, "triangle") +
+                                 " of open pieces beside the closed ones");
+    }
     if (const std::size_t count = dropUnusedVertices(mesh))
     {
         result.repairs.push_back(

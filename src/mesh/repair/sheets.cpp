@@ -15,12 +15,6 @@ constexpr double kThinnest =
     1e-6; // [1] volume over area times size: a sheet, of any format's rounding
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
-double areaOf(const TriangleMesh& mesh, const Triangle& t)
-{
-    const Eigen::Vector3d& a = mesh.vertices[t[0]];
-    return 0.5 * (mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a).norm();
-}
-
 /// Of a tetrahedron.
 double volumeOf(const Eigen::Vector3d& origin, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                 const Eigen::Vector3d& c)

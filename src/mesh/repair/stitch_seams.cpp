@@ -15,7 +15,7 @@ namespace
 {
 
 // [1] of the diagonal of the box: the rounding of file formats, and the cracks of careless export.
-constexpr std::array<double, 3> kSeamDistances = {1e-6, 1e-5, 1e-4};
+constexpr std::array<double, 4> kSeamDistances = {1e-6, 1e-5, 1e-4, 1e-3};
 constexpr std::size_t kMostPasses = 8;    // a triangle is split at one of its sides in each
 constexpr std::size_t kSplitsPerEdge = 4; // more are no seam
 constexpr std::size_t kSplitsAtLeast = 1000;

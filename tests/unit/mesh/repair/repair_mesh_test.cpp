@@ -261,12 +261,12 @@ TEST(RepairMesh, RefusesASheetWithoutVolume)
     test::expectRefused(ErrorCode::badData, "area", [&] { (void)repairMesh(line, "line"); });
 }
 
-TEST(RepairMesh, RefusesAFlapAndSaysWhere)
+TEST(RepairMesh, RefusesAnInnerWallAndSaysWhere)
 {
     TriangleMesh mesh = test::box(0, 1);
-    mesh.vertices.emplace_back(-1, -1, 0.5);
-    mesh.triangles.push_back({0, 4, 8});
-    test::expectRefused(ErrorCode::badData, "near (0 0 0.5)",
+    mesh.triangles.push_back({0, 1, 7});
+    mesh.triangles.push_back({0, 7, 6});
+    test::expectRefused(ErrorCode::badData, "near (0.5 0 0)",
                         [&] { (void)repairMesh(mesh, "box"); });
 }
 
