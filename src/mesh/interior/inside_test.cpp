@@ -13,75 +13,194 @@ namespace
 /// side. Larger: rounding may put it beyond. Smaller: more points need a winding number.
 constexpr double kNearlyAll = 0.99;
 
+/// [1] of a cell, by which a point surely lies before the next one. Smaller: rounding puts it
+/// there.
+constexpr double kBorder = 1e-9;
+
 } // namespace
 
+/// Gives adjacent cells without triangles the same side. A block without triangles is one step.
+class InsideTest::Flood
+{
+public:
+    explicit Flood(InsideTest& test)
+        : test_(test), grid_(*test.grid_), blockKnown_(grid_.blocksFrame().size(), false),
+          cellKnown_(TriangleGrid::kInBlock * grid_.blocksWithTriangles(), false)
+    {
+    }
+
+    void fromBlock(const Cell& block)
+    {
+        constexpr int kSide = TriangleGrid::kSide;
+        const Cell first = {block[0] * kSide, block[1] * kSide, block[2] * kSide};
+        const bool one = grid_.blockOf(first[0], first[1], first[2]) == TriangleGrid::kNoTriangles;
+        for (int i = 0; i < (one ? 1 : kSide * kSide * kSide); ++i)
+        {
+            from({first[0] + i % kSide, first[1] + i / kSide % kSide,
+                  first[2] + i / (kSide * kSide)});
+        }
+    }
+
+private:
+    void from(const Cell& seed)
+    {
+        if (!isInFrame(seed) || isKnown(seed))
+        {
+            return;
+        }
+        const bool side = test_.isInsideByWinding(grid_.frame().centre(seed[0], seed[1], seed[2]));
+        waiting_.push_back(seed);
+        while (!waiting_.empty())
+        {
+            const Cell cell = waiting_.back();
+            waiting_.pop_back();
+            if (!isKnown(cell))
+            {
+                const bool isBlock = mark(cell, side);
+                isBlock ? addNeighboursOfBlock(cell) : addNeighbours(cell);
+            }
+        }
+    }
+
+    /// Whether the side of the cell is known, or is none because the cell has triangles.
+    [[nodiscard]] bool isKnown(const Cell& cell) const
+    {
+        const auto [x, y, z] = cell;
+        const std::uint32_t block = grid_.blockOf(x, y, z);
+        return block == TriangleGrid::kNoTriangles
+                   ? blockKnown_[blockIndex(cell)]
+                   : cellKnown_[cellIndex(block, cell)] || !grid_.cell(x, y, z).empty();
+    }
+    /// Returns whether the cell stands for its block.
+    bool mark(const Cell& cell, bool side)
+    {
+        const std::uint32_t block = grid_.blockOf(cell[0], cell[1], cell[2]);
+        if (block == TriangleGrid::kNoTriangles)
+        {
+            blockKnown_[blockIndex(cell)] = true;
+            test_.blockInside_[blockIndex(cell)] = side;
+            return true;
+        }
+        cellKnown_[cellIndex(block, cell)] = true;
+        test_.cellInside_[cellIndex(block, cell)] = side;
+        return false;
+    }
+    [[nodiscard]] bool isInFrame(const Cell& cell) const
+    {
+        const auto& count = grid_.frame().count;
+        return cell[0] >= 0 && cell[0] < count[0] && cell[1] >= 0 && cell[1] < count[1] &&
+               cell[2] >= 0 && cell[2] < count[2];
+    }
+    void add(const Cell& cell)
+    {
+        if (isInFrame(cell) && !isKnown(cell))
+        {
+            waiting_.push_back(cell);
+        }
+    }
+    void addNeighbours(const Cell& cell)
+    {
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            for (const int step : {-1, 1})
+            {
+                Cell other = cell;
+                other[axis] += step;
+                add(other);
+            }
+        }
+    }
+    void addNeighboursOfBlock(Cell cell)
+    {
+        constexpr int kSide = TriangleGrid::kSide;
+        for (int& coordinate : cell)
+        {
+            coordinate -= coordinate % kSide;
+        }
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            for (const int step : {-1, kSide})
+            {
+                Cell other = cell;
+                other[axis] += step;
+                addSide(other, axis);
+            }
+        }
+    }
+    /// Adds the cells of a neighbouring block that touch this one, the first of which is given.
+    void addSide(const Cell& first, int axis)
+    {
+        constexpr int kSide = TriangleGrid::kSide;
+        if (!isInFrame(first))
+        {
+            return;
+        }
+        const bool one = grid_.blockOf(first[0], first[1], first[2]) == TriangleGrid::kNoTriangles;
+        for (int i = 0; i < (one ? 1 : kSide * kSide); ++i)
+        {
+            Cell cell = first;
+            cell[(axis + 1) % 3] += i % kSide;
+            cell[(axis + 2) % 3] += i / kSide;
+            add(cell);
+        }
+    }
+    [[nodiscard]] std::size_t blockIndex(const Cell& cell) const
+    {
+        constexpr int kSide = TriangleGrid::kSide;
+        return grid_.blocksFrame().index(cell[0] / kSide, cell[1] / kSide, cell[2] / kSide);
+    }
+    [[nodiscard]] static std::size_t cellIndex(std::uint32_t block, const Cell& cell)
+    {
+        return block * TriangleGrid::kInBlock + TriangleGrid::inBlock(cell[0], cell[1], cell[2]);
+    }
+
+    InsideTest& test_;
+    const TriangleGrid& grid_;
+    std::vector<bool> blockKnown_, cellKnown_;
+    std::vector<Cell> waiting_;
+};
+
+// Adjacent cells without triangles are on the same side, so one winding number serves all of them.
 InsideTest::InsideTest(const Surface& surface, const TriangleGrid& grid)
     : surface_(&surface), grid_(&grid), winding_(surface.mesh()),
-      inside_(grid.frame().size(), false)
+      blockInside_(grid.blocksFrame().size(), false),
+      cellInside_(TriangleGrid::kInBlock * grid.blocksWithTriangles(), false)
 {
-    const GridFrame& frame = grid.frame();
-    std::vector<bool> known(frame.size(), false);
-    std::size_t cell = 0;
-    for (int z = 0; z < frame.count[2]; ++z)
+    Flood flood(*this);
+    const auto& blocks = grid.blocksFrame().count;
+    for (int z = 0; z < blocks[2]; ++z)
     {
-        for (int y = 0; y < frame.count[1]; ++y)
+        for (int y = 0; y < blocks[1]; ++y)
         {
-            for (int x = 0; x < frame.count[0]; ++x, ++cell)
+            for (int x = 0; x < blocks[0]; ++x)
             {
-                if (!known[cell] && grid.cell(x, y, z).empty())
-                {
-                    classifyFrom({x, y, z}, known);
-                }
+                flood.fromBlock({x, y, z});
             }
         }
     }
 }
 
-// Adjacent cells without triangles are on the same side, so one winding number serves all of them.
-// The flood goes by runs of a row, which keeps the stack short [Smith 1979].
-void InsideTest::classifyFrom(const std::array<int, 3>& seed, std::vector<bool>& known)
+bool InsideTest::isCellInside(const Cell& cell) const
+{
+    const auto [x, y, z] = cell;
+    const std::uint32_t block = grid_->blockOf(x, y, z);
+    constexpr int kSide = TriangleGrid::kSide;
+    return block == TriangleGrid::kNoTriangles
+               ? blockInside_[grid_->blocksFrame().index(x / kSide, y / kSide, z / kSide)]
+               : cellInside_[block * TriangleGrid::kInBlock + TriangleGrid::inBlock(x, y, z)];
+}
+
+double InsideTest::farOutsideUntil(const Eigen::Vector3d& p) const
 {
     const GridFrame& frame = grid_->frame();
-    const bool side = isInsideByWinding(frame.centre(seed[0], seed[1], seed[2]));
-    const auto isNew = [&](int x, int y, int z)
-    { return !known[frame.index(x, y, z)] && grid_->cell(x, y, z).empty(); };
-    std::vector<std::array<int, 3>> waiting = {seed};
-    while (!waiting.empty())
+    auto [x, y, z] = frame.coordinates(p);
+    const int first = x;
+    while (x < frame.count[0] && grid_->blockOf(x, y, z) == TriangleGrid::kNoTriangles &&
+           !isCellInside({x, y, z}))
     {
-        const auto [x, y, z] = waiting.back();
-        waiting.pop_back();
-        int first = x;
-        while (first > 0 && isNew(first - 1, y, z))
-        {
-            --first;
-        }
-        int end = x;
-        for (; end < frame.count[0] && (end < x || isNew(end, y, z)); ++end)
-        {
-        }
-        for (int k = first; k < end; ++k)
-        {
-            known[frame.index(k, y, z)] = true;
-            inside_[frame.index(k, y, z)] = side;
-        }
-        for (const auto& [ny, nz] : {std::array{y - 1, z}, {y + 1, z}, {y, z - 1}, {y, z + 1}})
-        {
-            if (ny < 0 || ny >= frame.count[1] || nz < 0 || nz >= frame.count[2])
-            {
-                continue;
-            }
-            bool inRun = false;
-            for (int k = first; k < end; ++k)
-            {
-                const bool fresh = isNew(k, ny, nz);
-                if (fresh && !inRun)
-                {
-                    waiting.push_back({k, ny, nz});
-                }
-                inRun = fresh;
-            }
-        }
+        x += TriangleGrid::kSide - x % TriangleGrid::kSide;
     }
+    return x == first ? p.x() : frame.origin.x() + frame.cell * (x - kBorder);
 }
 
 bool InsideTest::contains(const Eigen::Vector3d& p) const
@@ -95,7 +214,7 @@ double InsideTest::distance(const Eigen::Vector3d& p) const
     const std::span<const std::uint32_t> triangles = grid_->near(p);
     if (triangles.empty())
     {
-        return inside_[grid_->frame().index(p)] ? reach : -reach;
+        return isCellInside(grid_->frame().coordinates(p)) ? reach : -reach;
     }
     // The nearest triangle of the list is the nearest of all if it is within the reach of the list.
     const double nearest = nearestDistance(*surface_, triangles, p).value;
@@ -121,7 +240,7 @@ bool InsideTest::isInsideFarFromSurface(const Eigen::Vector3d& p) const
         other[direction / 2] += (direction % 2 == 0 ? -1 : 1) * kNearlyAll * grid_->reach();
         if (grid_->near(other).empty() && grid_->frame().contains(other))
         {
-            return inside_[grid_->frame().index(other)];
+            return isCellInside(grid_->frame().coordinates(other));
         }
     }
     // Two such points of one cell are closer to each other than twice the reach. No surface is

@@ -34,14 +34,20 @@ public:
     [[nodiscard]] bool isFarOutside(const Eigen::Vector3d& p) const
     {
         const auto [x, y, z] = grid_->frame().coordinates(p);
-        return !inside_[grid_->frame().index(x, y, z)] && grid_->cell(x, y, z).empty();
+        return grid_->cell(x, y, z).empty() && !isCellInside({x, y, z});
     }
+
+    /// x coordinate up to which all points of p's row, from p on, are surely outside and beyond the
+    /// reach of the grid; that of p if nothing is known. p lies within the frame.
+    [[nodiscard]] double farOutsideUntil(const Eigen::Vector3d& p) const;
 
     [[nodiscard]] double reach() const { return grid_->reach(); }
 
 private:
     [[nodiscard]] bool isInsideFarFromSurface(const Eigen::Vector3d& p) const;
-    void classifyFrom(const std::array<int, 3>& seed, std::vector<bool>& known);
+    using Cell = std::array<int, 3>;
+    class Flood;
+    [[nodiscard]] bool isCellInside(const Cell& cell) const;
     [[nodiscard]] bool isInsideByWinding(const Eigen::Vector3d& p) const
     {
         return winding_.at(p) > kInsideFrom;
@@ -50,7 +56,9 @@ private:
     const Surface* surface_;
     const TriangleGrid* grid_;
     WindingColumns winding_;
-    std::vector<bool> inside_; ///< [#cells] valid for cells without triangles
+    // Sides of what has no triangles: of blocks, and of cells in blocks with triangles.
+    std::vector<bool> blockInside_; ///< [#blocks]
+    std::vector<bool> cellInside_;  ///< [#blocks with triangles x cells of a block]
     /// For cells with triangles: the side of the points far from the surface, once requested.
     mutable std::unordered_map<std::size_t, bool> farSides_;
     std::unique_ptr<std::mutex> farSidesLock_ = std::make_unique<std::mutex>();

@@ -28,7 +28,7 @@ public:
     }
     [[nodiscard]] std::span<const std::uint32_t> cell(int x, int y, int z) const
     {
-        const std::uint32_t block = blocks_[blocksFrame_.index(x / kSide, y / kSide, z / kSide)];
+        const std::uint32_t block = blockOf(x, y, z);
         if (block == kNoTriangles)
         {
             return {};
@@ -40,17 +40,49 @@ public:
     [[nodiscard]] const GridFrame& frame() const { return frame_; }
     [[nodiscard]] double reach() const { return reach_; }
 
-private:
+    // Cells are kept in blocks of kSide cells a side. A block without triangles is one entry.
     static constexpr int kSide = 4; // cells
     static constexpr std::size_t kInBlock = std::size_t{kSide} * kSide * kSide;
     static constexpr std::uint32_t kNoTriangles = 0xffffffff;
 
+    /// Calls visit(x, y, z) for each cell with triangles, with x fastest.
+    template <class Visit>
+    void forEachCellWithTriangles(Visit&& visit) const
+    {
+        for (int z = 0; z < frame_.count[2]; ++z)
+        {
+            for (int y = 0; y < frame_.count[1]; ++y)
+            {
+                for (int x = 0; x < frame_.count[0]; ++x)
+                {
+                    if (blockOf(x, y, z) == kNoTriangles)
+                    {
+                        x += kSide - 1 - x % kSide;
+                    }
+                    else if (!cell(x, y, z).empty())
+                    {
+                        visit(x, y, z);
+                    }
+                }
+            }
+        }
+    }
+
+    [[nodiscard]] const GridFrame& blocksFrame() const { return blocksFrame_; }
+    /// Number of the cell's block among those with triangles, or kNoTriangles.
+    [[nodiscard]] std::uint32_t blockOf(int x, int y, int z) const
+    {
+        return blocks_[blocksFrame_.index(x / kSide, y / kSide, z / kSide)];
+    }
+    [[nodiscard]] std::size_t blocksWithTriangles() const { return starts_.size() / kInBlock; }
+    /// Number of a cell among those of its block.
     [[nodiscard]] static std::size_t inBlock(int x, int y, int z)
     {
         const int index = (z % kSide * kSide + y % kSide) * kSide + x % kSide;
         return static_cast<std::size_t>(index);
     }
 
+private:
     GridFrame frame_;
     double reach_;
     GridFrame blocksFrame_;             ///< of the blocks

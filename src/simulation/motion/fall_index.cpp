@@ -12,21 +12,12 @@ FallIndex::FallIndex(const GridFrame& frame, const TriangleGrid& triangles)
       spheres_(column(0, frame.count[2])), walls_(spheres_.size())
 {
     // A cell is a wall when one of the finer cells of the triangles' grid within it has triangles.
-    const GridFrame& fine = triangles.frame();
-    for (int z = 0; z < fine.count[2]; ++z)
-    {
-        for (int y = 0; y < fine.count[1]; ++y)
+    triangles.forEachCellWithTriangles(
+        [&](int x, int y, int z)
         {
-            for (int x = 0; x < fine.count[0]; ++x)
-            {
-                if (!triangles.cell(x, y, z).empty())
-                {
-                    const auto c = frame_.coordinates(fine.centre(x, y, z));
-                    walls_[column(c[0], c[2]) + c[1] / 64] |= std::uint64_t{1} << (c[1] % 64);
-                }
-            }
-        }
-    }
+            const auto c = frame_.coordinates(triangles.frame().centre(x, y, z));
+            walls_[column(c[0], c[2]) + c[1] / 64] |= std::uint64_t{1} << (c[1] % 64);
+        });
 }
 
 void FallIndex::insert(const Eigen::Vector3d& centre)

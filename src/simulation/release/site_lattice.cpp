@@ -59,11 +59,18 @@ void SiteLattice::openLayer(const InsideTest& inside, int z)
         {
             if (low < least && high >= least)
             {
-                const double distance = inside.distance(lattice_.centre(x, y, z));
+                const Eigen::Vector3d place = lattice_.centre(x, y, z);
+                const double distance = inside.distance(place);
                 // What is beyond the reach of the test is only known to be beyond it.
                 const bool far = std::abs(distance) >= inside.reach();
                 low = far && distance < 0 ? -std::numeric_limits<double>::infinity() : distance;
                 high = far && distance > 0 ? std::numeric_limits<double>::infinity() : distance;
+                if (far && distance < 0)
+                {
+                    const int last = lastBefore(inside.farOutsideUntil(place), x);
+                    site += static_cast<std::size_t>(last - x);
+                    x = last;
+                }
             }
             if (low >= least)
             {
@@ -71,6 +78,17 @@ void SiteLattice::openLayer(const InsideTest& inside, int z)
             }
         }
     }
+}
+
+int SiteLattice::lastBefore(double end, int x) const
+{
+    const double site = std::ceil((end - lattice_.origin.x()) / lattice_.cell - 0.5) - 1;
+    int last = static_cast<int>(std::clamp<double>(site, x, lattice_.count[0] - 1));
+    while (last > x && lattice_.centre(last, 0, 0).x() >= end) // rounding
+    {
+        --last;
+    }
+    return last;
 }
 
 void SiteLattice::close(const Eigen::Vector3d& centre, double radius)

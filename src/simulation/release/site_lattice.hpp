@@ -47,6 +47,8 @@ public:
 
 private:
     void openLayer(const InsideTest& inside, int z);
+    /// The last site of a row, from site x on, that lies before a coordinate; x if none does.
+    [[nodiscard]] int lastBefore(double end, int x) const;
     void closeRun(std::size_t first, std::size_t last);
     /// 64 sites from this one on, the first in the lowest bit.
     [[nodiscard]] std::uint64_t openFrom(std::size_t site) const;
