@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/world/memory_need.hpp"
 
+#include "base/memory_at_hand.hpp"
 #include "support/expect_error.hpp"
 #include "support/shapes.hpp"
 
