@@ -86,6 +86,10 @@ Json timeJson(const RunRecord& run)
         json[stageName(static_cast<Stage>(i))] = run.times.seconds[i];
     }
     json["wall"] = run.result.wallSeconds;
+    for (const auto& [phase, seconds] : run.result.phases)
+    {
+        json["phases"][phase] = seconds;
+    }
     json["simulated"] = run.simulation.time();
     json["steps"] = run.simulation.steps();
     json["step"] = run.simulation.timeStep();

@@ -7,8 +7,10 @@
 #include <frostfill/fill.hpp>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <limits>
 
 namespace frostfill
@@ -44,6 +46,25 @@ std::size_t filesIn(const std::filesystem::path& directory)
         ++count;
     }
     return count;
+}
+
+TEST(FillRun, DividesItsTimeIntoPartsWithoutAGap)
+{
+    const TemporaryFolder folder;
+    const auto start = std::chrono::steady_clock::now();
+    const FillResult result = fill(smallRequest(folder / "run"));
+    const double outside =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const auto time = nlohmann::json::parse(result.summary)["time"];
+    double sum = 0;
+    for (const char* phase : {"loading", "preparing", "simulating", "drawing_the_rest", "judging"})
+    {
+        ASSERT_TRUE(time["phases"].contains(phase)) << phase;
+        sum += time["phases"][phase].get<double>();
+    }
+    EXPECT_EQ(time["phases"].size(), 5u);
+    EXPECT_NEAR(sum, time["wall"].get<double>(), 0.03 * sum);
+    EXPECT_LE(sum, outside);
 }
 
 TEST(FillRun, WritesEveryFileOfARun)
