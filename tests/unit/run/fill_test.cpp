@@ -168,6 +168,25 @@ TEST(FillRun, FailsWhenACentreEndsOutsideButKeepsTheFiles)
     EXPECT_EQ(filesIn(folder / "run"), 5u);
 }
 
+// There is always room for another, as they leave.
+TEST(FillRun, UntilFullEndsWhenTheSpheresTakeMoreThanTheObject)
+{
+    const TemporaryFolder folder;
+    FillRequest request = smallRequest(folder / "run");
+    request.scene = presetScene(Preset::paper, "torus");
+    request.scene.spheres.radius = 0.2;
+    request.scene.spheres.count.reset();
+    request.scene.motion.dt = 0.1;
+    request.scene.motion.restitution = 1;
+    request.scene.frames.enabled = false;
+    const FillResult result = fill(request);
+    EXPECT_TRUE(result.overfull);
+    ASSERT_TRUE(result.failure);
+    EXPECT_NE(result.failure->find("more than the object's volume"), std::string::npos)
+        << *result.failure;
+    EXPECT_EQ(filesIn(folder / "run"), 5u);
+}
+
 /// Leads the newest sphere to no place at all.
 class ToNowhere final : public IntegratorPart
 {
