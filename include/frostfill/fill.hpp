@@ -9,6 +9,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace frostfill
@@ -81,11 +82,16 @@ struct FillResult
     double largestRadius = 0;  ///< [mesh unit]
     bool full = false;
     bool stopped = false; ///< by stopRequested
+    /// A run until full was stopped because its spheres take more than the object's volume.
+    bool overfull = false;
     /// [mesh unit] With which the spheres asked for are expected to fit, the largest of several; if
     /// the object was full before.
     std::optional<double> radiusThatFits;
-    double wallSeconds = 0; ///< of the whole run
-    std::string renderer;   ///< empty when nothing was drawn
+    double wallSeconds = 0; ///< of the whole run but the writing of its last files
+    /// What these seconds went into, one part of the run after the other. The times of stages are
+    /// apart from that: several go on at once.
+    std::vector<std::pair<std::string, double>> phases;
+    std::string renderer; ///< empty when nothing was drawn
     std::string stateHash;
     std::string summary; ///< the text of summary.json
     QualityReport quality;

@@ -67,7 +67,7 @@ void catchSignals()
     struct sigaction action = {};
     action.sa_handler = requestStop;
     action.sa_flags = SA_RESTART; // a file that is being written does not fail for it
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR1})
     {
         sigaction(signal, &action, nullptr);
     }

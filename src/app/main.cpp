@@ -6,12 +6,16 @@
 #include <frostfill/options.hpp>
 
 #include <CLI/CLI.hpp>
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <csignal>
 #include <cstdio>
 #include <memory>
 #include <new>
 #include <system_error>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -123,10 +127,28 @@ int run(int argumentCount, char** arguments)
     return 0;
 }
 
+/// A standard stream that was closed would give its number to the next file that is opened, and
+/// what is printed would end up in that. Each gets a file that fails: it cannot be read or written.
+void occupyClosedStreams()
+{
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    {
+        if (fcntl(stream, F_GETFD) < 0)
+        {
+            std::ignore = open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+        }
+    }
+}
+
 } // namespace
 
 int main(int argumentCount, char** arguments)
 {
+    occupyClosedStreams();
+    // A reader that has gone away and a limit on the size of files are failed writes, and no reason
+    // to lose a run.
+    std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
     try
     {
         const int code = run(argumentCount, arguments);
@@ -149,7 +171,17 @@ int main(int argumentCount, char** arguments)
     }
     catch (const std::system_error& error)
     {
-        // A full disk, or a file system that changes during the run.
+        if (error.code() == std::errc::resource_unavailable_try_again)
+        {
+            return report(static_cast<int>(ErrorCode::outOfMemory),
+                          "no more threads can be started; see ulimit -u");
+        }
+        // fmt could not print; or a file system has changed during the run.
+        if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+        {
+            return report(static_cast<int>(ErrorCode::writeFailed),
+                          "cannot write to standard output");
+        }
         return report(static_cast<int>(ErrorCode::writeFailed), error.what());
     }
     catch (const std::exception& error)

@@ -126,7 +126,7 @@ Command addMeshCommand(CLI::App& program)
     command
         ->add_option("--radius", arguments->radius,
                      "Show the parts that spheres of this radius cannot reach, and leaks")
-        ->check(CLI::PositiveNumber)
+        ->check(CLI::Range(1e-12, 1e12))
         ->type_name("R");
     command->add_option("--repair", arguments->repaired, "Write the repaired mesh to this PLY file")
         ->type_name("OUT");

@@ -2,6 +2,7 @@
 #include "base/threads.hpp"
 
 #include <algorithm>
+#include <system_error>
 #include <utility>
 
 namespace frostfill
@@ -67,9 +68,16 @@ Threads::~Threads()
 
 void Threads::share(std::size_t count, Run run, const void* body)
 {
-    while (helpers_.size() + 1 < concurrency_)
+    try
     {
-        helpers_.emplace_back([this] { help(); });
+        while (helpers_.size() + 1 < concurrency_)
+        {
+            helpers_.emplace_back([this] { help(); });
+        }
+    }
+    catch (const std::system_error&)
+    {
+        concurrency_ = helpers_.size() + 1; // where no more can be started, fewer do the same
     }
     run_.store(run, std::memory_order_relaxed);
     body_.store(body, std::memory_order_relaxed);

@@ -1,25 +1,36 @@
 // SPDX-License-Identifier: MIT
 #include "output/atomic_file.hpp"
 
+#include "base/posix_file.hpp"
+
 #include <frostfill/error.hpp>
 
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
+#include <tuple>
 #include <utility>
 
 namespace frostfill
 {
+namespace
+{
+
+/// What is given to the system at once [bytes].
+constexpr std::size_t kBlock = std::size_t{1} << 16;
+
+} // namespace
 
 AtomicFile::AtomicFile(std::filesystem::path file) : file_(std::move(file)), part_(file_)
 {
     part_ += ".part";
     // What a killed run has left goes, and nothing is written through a symbolic link.
     unlink(part_.c_str());
-    stream_.reset(std::fopen(part_.c_str(), "wbx"));
-    if (!stream_)
+    descriptor_ = createNewFile(part_);
+    if (descriptor_ < 0)
     {
         throw Error(ErrorCode::cannotCreate,
                     fmt::format("cannot create {}: {}", part_.string(), std::strerror(errno)));
@@ -28,47 +39,50 @@ AtomicFile::AtomicFile(std::filesystem::path file) : file_(std::move(file)), par
 
 AtomicFile::~AtomicFile()
 {
-    std::error_code ignored;
-    stream_.reset();
+    if (descriptor_ >= 0)
+    {
+        std::ignore = closeFile(descriptor_);
+    }
     if (!part_.empty())
     {
-        std::filesystem::remove(part_, ignored);
+        unlink(part_.c_str());
     }
 }
 
 void AtomicFile::write(std::string_view text)
 {
-    if (std::fwrite(text.data(), 1, text.size(), stream_.get()) != text.size())
+    waiting_ += text;
+    written_ += text.size();
+    if (waiting_.size() >= kBlock)
     {
-        fail(errno);
+        flush();
     }
+}
+
+void AtomicFile::flush()
+{
+    check(writeAll(descriptor_,
+                   {reinterpret_cast<const std::uint8_t*>(waiting_.data()), waiting_.size()}));
+    waiting_.clear();
 }
 
 void AtomicFile::commit()
 {
-    // A full disk may become apparent only when the buffer is flushed or the file is closed. A name
-    // that survives a power failure must not survive its content.
-    if (std::fflush(stream_.get()) != 0 || fsync(fileno(stream_.get())) != 0)
-    {
-        fail(errno);
-    }
-    if (std::fclose(stream_.release()) != 0)
-    {
-        fail(errno);
-    }
-    std::error_code error;
-    std::filesystem::rename(part_, file_, error);
-    if (error)
-    {
-        fail(error.value());
-    }
+    flush();
+    // A name that survives a power failure must not survive its content. A full disk may become
+    // apparent only when the file is closed.
+    check(syncFile(descriptor_));
+    check(closeFile(std::exchange(descriptor_, -1)));
+    check(std::rename(part_.c_str(), file_.c_str()) != 0 ? errno : 0);
     part_.clear();
 }
 
-void AtomicFile::fail(int error) const
+void AtomicFile::check(int error) const
 {
-    throw Error(ErrorCode::writeFailed,
-                fmt::format("cannot write {}: {}", file_.string(), std::strerror(error)));
+    if (error != 0)
+    {
+        throw Error(ErrorCode::writeFailed, writeFailure(file_, error, written_));
+    }
 }
 
 void createDirectory(const std::filesystem::path& directory)

@@ -3,9 +3,9 @@
 // when it is complete.
 #pragma once
 
-#include <cstdio>
+#include <cstddef>
 #include <filesystem>
-#include <memory>
+#include <string>
 #include <string_view>
 
 namespace frostfill
@@ -29,15 +29,14 @@ public:
     void commit();
 
 private:
-    [[noreturn]] void fail(int error) const;
+    void flush();
+    void check(int error) const;
 
-    struct Closer
-    {
-        void operator()(std::FILE* stream) const { std::fclose(stream); }
-    };
     std::filesystem::path file_;
     std::filesystem::path part_;
-    std::unique_ptr<std::FILE, Closer> stream_;
+    int descriptor_ = -1;
+    std::string waiting_;     ///< not given to the system yet
+    std::size_t written_ = 0; ///< bytes in all
 };
 
 /// Creates `directory` and its missing parents. Throws Error cannotCreate.

@@ -2,6 +2,7 @@
 #include "image/png_bands.hpp"
 #include "image/save_bytes.hpp"
 #include "output/atomic_file.hpp"
+#include "output/thinned_folder.hpp"
 
 #include <frostfill/error.hpp>
 #include <frostfill/output.hpp>
@@ -22,6 +23,11 @@ using Clock = std::chrono::steady_clock;
 double secondsSince(Clock::time_point start)
 {
     return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+std::string fileName(std::size_t index)
+{
+    return fmt::format("frame_{:05}.png", index);
 }
 
 } // namespace
@@ -57,7 +63,7 @@ PngSequence& PngSequence::operator=(PngSequence&&) noexcept = default;
 
 std::filesystem::path PngSequence::file(std::size_t index) const
 {
-    return directory_ / fmt::format("frame_{:05}.png", index);
+    return directory_ / fileName(index);
 }
 
 void PngSequence::put(std::size_t number, const Image& image)
@@ -101,18 +107,7 @@ void PngSequence::put(std::size_t number, const Image& image,
 void PngSequence::thin(std::size_t count)
 {
     const auto start = Clock::now();
-    std::error_code error;
-    for (std::size_t index = 1; index < count && !error; ++index)
-    {
-        if (index % 2 == 1)
-        {
-            std::filesystem::remove(file(index), error);
-        }
-        else
-        {
-            std::filesystem::rename(file(index), file(index / 2), error);
-        }
-    }
+    const std::error_code error = keepEverySecond(directory_, count, &fileName);
     if (error)
     {
         throw Error(ErrorCode::writeFailed, fmt::format("cannot thin out the frames in {}: {}",

@@ -16,7 +16,6 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -92,18 +91,7 @@ Video::Video(std::filesystem::path file, double framesPerSecond)
                         "or omit --video",
                         file_.string()));
     }
-    // The process number separates two runs; the extension tells ffmpeg the format.
-    part_ = file_;
-    part_.replace_extension(fmt::format("{}.part{}", ::getpid(), ending));
-    log_ = file_;
-    log_.replace_extension(fmt::format("{}.log", ::getpid()));
-    const int made = ::open(log_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-    if (made < 0)
-    {
-        throw Error(ErrorCode::cannotCreate,
-                    fmt::format("cannot create {}: {}", file_.string(), std::strerror(errno)));
-    }
-    ::close(made);
+    log_ = std::make_unique<VideoLog>(file_);
 }
 
 Video::~Video()
@@ -113,9 +101,6 @@ Video::~Video()
         ::kill(process_, SIGKILL);
         close();
     }
-    std::error_code ignored;
-    std::filesystem::remove(part_, ignored);
-    std::filesystem::remove(log_, ignored);
 }
 
 void Video::start(const Image& image)
@@ -148,7 +133,7 @@ void Video::start(const Image& image)
         words.push_back(std::move(word));
     }
     // A name that starts with a dash or contains a colon is still a file name.
-    words.push_back("file:" + part_.string());
+    words.push_back("file:" + log_->part().string());
     std::vector<char*> arguments;
     for (std::string& word : words)
     {
@@ -160,8 +145,8 @@ void Video::start(const Image& image)
     ::posix_spawn_file_actions_init(&actions);
     ::posix_spawn_file_actions_adddup2(&actions, ends[1], STDIN_FILENO);
     ::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-    ::posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, log_.c_str(), O_WRONLY | O_TRUNC,
-                                       0);
+    ::posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, log_->path().c_str(),
+                                       O_WRONLY | O_APPEND, 0);
     const int problem =
         ::posix_spawnp(&process_, "ffmpeg", &actions, nullptr, arguments.data(), environ);
     ::posix_spawn_file_actions_destroy(&actions);
@@ -223,12 +208,7 @@ int Video::close()
 
 std::string Video::complaint() const
 {
-    std::ifstream in(log_);
-    std::string last;
-    for (std::string line; std::getline(in, line);)
-    {
-        last = line.empty() ? last : line;
-    }
+    const std::string last = log_->lastLine();
     return last.empty() ? "ffmpeg ended early" : "ffmpeg says: " + last;
 }
 
@@ -243,7 +223,7 @@ void Video::finish()
     const bool worked = !failed_ && WIFEXITED(status) && WEXITSTATUS(status) == 0;
     if (worked)
     {
-        std::filesystem::rename(part_, file_, problem);
+        std::filesystem::rename(log_->part(), file_, problem);
     }
     if (!worked || problem)
     {

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "output/video_log.hpp"
+
 #include <frostfill/image.hpp>
 
 #include <sys/types.h>
 
 #include <filesystem>
+#include <memory>
 #include <string>
 
 namespace frostfill
@@ -39,8 +42,7 @@ private:
     [[nodiscard]] std::string complaint() const;
 
     std::filesystem::path file_;
-    std::filesystem::path part_;
-    std::filesystem::path log_;
+    std::unique_ptr<VideoLog> log_;
     double framesPerSecond_;
     pid_t process_ = -1;
     int socket_ = -1;

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numbers>
 
 namespace frostfill
 {
@@ -22,6 +23,33 @@ namespace
 /// Memory for looking at what the spheres can reach: enough for some 500,000 spheres. Beyond that
 /// it would take longer than a run should.
 constexpr std::size_t kReachBytes = std::size_t{8} << 20;
+
+using Clock = std::chrono::steady_clock;
+
+/// Divides the time of a run into parts without a gap.
+class PhaseClock
+{
+public:
+    /// The part that ends now.
+    void end(const char* phase)
+    {
+        const Clock::time_point now = Clock::now();
+        phases_.emplace_back(phase, std::chrono::duration<double>(now - last_).count());
+        last_ = now;
+    }
+    void enter(FillResult& result) const
+    {
+        result.phases = phases_;
+        for (const auto& [name, seconds] : phases_)
+        {
+            result.wallSeconds += seconds;
+        }
+    }
+
+private:
+    Clock::time_point last_ = Clock::now();
+    std::vector<std::pair<std::string, double>> phases_;
+};
 
 FillPlan makePlan(const Scene& scene, const LoadedMesh& mesh, const Simulation& simulation,
                   const FrameTiming& timing, const ReachInspection& reach)
@@ -45,10 +73,41 @@ FillPlan makePlan(const Scene& scene, const LoadedMesh& mesh, const Simulation& 
     return plan;
 }
 
-/// Steps to the end, or until the caller wants to stop; returns whether it did.
-bool simulate(Simulation& simulation, FrameRecorder* recorder, const FillObserver& observer)
+/// Sums up what the spheres take, as they appear.
+class TakenVolume
+{
+public:
+    /// [unit^3]
+    double operator()(const Simulation& simulation)
+    {
+        // One that is withdrawn has taken as much as the one whose number it had.
+        for (; seen_ < simulation.sphereCount(); ++seen_)
+        {
+            sum_ += 4.0 / 3.0 * std::numbers::pi * std::pow(simulation.sphere(seen_).radius, 3);
+        }
+        return sum_;
+    }
+
+private:
+    std::size_t seen_ = 0;
+    double sum_ = 0;
+};
+
+enum class End
+{
+    itself,
+    stopped,
+    overfull ///< until full, and yet the spheres take more than the object: it would never end
+};
+
+/// Steps to the end, or until the caller wants to stop.
+End simulate(Simulation& simulation, FrameRecorder* recorder, const FillRequest& request,
+             const FillObserver& observer)
 {
     const std::size_t expected = simulation.expectedSpheres();
+    const bool untilFull = !request.scene.spheres.count || request.scene.spheres.untilFull;
+    const double capacity = simulation.object().volume;
+    TakenVolume taken;
     if (recorder)
     {
         recorder->record(simulation);
@@ -66,10 +125,14 @@ bool simulate(Simulation& simulation, FrameRecorder* recorder, const FillObserve
         }
         if (observer.stopRequested && observer.stopRequested())
         {
-            return true;
+            return End::stopped;
+        }
+        if (untilFull && taken(simulation) > capacity)
+        {
+            return End::overfull;
         }
     }
-    return false;
+    return End::itself;
 }
 
 [[noreturn]] void refuseLeak(const Scene& scene, const Eigen::Vector3d& place, double radius)
@@ -127,12 +190,13 @@ FillResult fill(const FillRequest& request, const FillObserver& observer)
                     "--video and --contact-sheet need frames: omit --frames none, "
                     "or omit --video and --contact-sheet");
     }
-    const auto start = std::chrono::steady_clock::now();
+    PhaseClock clock;
     validateScene(request.scene);
     LoadedMesh mesh = loadMesh(request.scene.object.mesh);
     Simulation simulation(request.scene, mesh.mesh);
     mesh.report = simulation.object();
     simulation.stopWhen(observer.stopRequested);
+    clock.end("loading");
     RunDirectory directory(request.directory, request.overwrite);
 
     const FrameTiming timing = frameTiming(request.scene, mesh.report);
@@ -143,6 +207,7 @@ FillResult fill(const FillRequest& request, const FillObserver& observer)
             mesh.mesh, request.scene, timing.interval, colourRange(request.scene, mesh, simulation),
             request.directory, runHash(request.scene, mesh.mesh), request.video,
             simulation.poses());
+        recorder->stopWhen(observer.stopRequested);
     }
     FillResult result;
     result.reach = simulation.inspectReach(kReachBytes);
@@ -156,8 +221,13 @@ FillResult fill(const FillRequest& request, const FillObserver& observer)
         observer.planned(makePlan(request.scene, mesh, simulation, timing, result.reach));
     }
 
+    clock.end("preparing");
+
     result.directory = request.directory;
-    result.stopped = simulate(simulation, recorder.get(), observer);
+    const End end = simulate(simulation, recorder.get(), request, observer);
+    result.stopped = end == End::stopped;
+    result.overfull = end == End::overfull;
+    clock.end("simulating");
     StageTimes times = simulation.times();
     if (recorder)
     {
@@ -172,6 +242,7 @@ FillResult fill(const FillRequest& request, const FillObserver& observer)
         result.renderer = recorder->description();
         times += recorder->times();
     }
+    clock.end("drawing_the_rest");
     result.sets = simulation.sets();
     result.spheres = simulation.sphereCount();
     result.wanted = simulation.expectedSpheres();
@@ -187,8 +258,8 @@ FillResult fill(const FillRequest& request, const FillObserver& observer)
     result.quality = simulation.quality();
     result.stray = simulation.stray();
     result.failure = findFault(request.scene, result, recorder && recorder->blank());
-    result.wallSeconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    clock.end("judging");
+    clock.enter(result);
 
     const RunRecord run{
         request, mesh, simulation, timing, result, times, recorder ? recorder->stride() : 1};

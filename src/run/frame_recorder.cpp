@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "run/frame_recorder.hpp"
 
+#include <frostfill/error.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,6 +33,12 @@ RenderSettings renderSettings(const Scene& scene, const ColourRange& range, std:
 
 namespace
 {
+
+/// Fewer pixels than that may show nothing but the object's colour, and are not looked at.
+constexpr int kFewPixels = 64;
+
+/// Of the small picture in which spheres are looked for.
+constexpr int kLookWidth = 160;
 
 bool allPixelsAlike(const Image& image)
 {
@@ -103,7 +111,7 @@ void FrameRecorder::takeNext(const Simulation& simulation)
 void FrameRecorder::record(const Simulation& simulation)
 {
     // A step may be longer than the time between frames: then several frames show it.
-    while (simulation.time() >= static_cast<double>(next_) * interval_)
+    while (simulation.time() >= static_cast<double>(next_) * interval_ && !stops())
     {
         takeNext(simulation);
     }
@@ -147,7 +155,9 @@ void FrameRecorder::draw(const Order& order)
         const auto spent = [&](Stage stage) { return 1000 * (after[stage] - before[stage]); };
         sets_[snapshot.set].renderMs.push_back(spent(Stage::rendering));
         sets_[snapshot.set].readbackMs.push_back(spent(Stage::readback));
-        blank_ = blank_ || (!snapshot.centres.empty() && allPixelsAlike(*image_));
+        blank_ =
+            blank_ || (!snapshot.centres.empty() && image_->width * image_->height >= kFewPixels &&
+                       allPixelsAlike(*image_));
     }
     noRows_.assign(static_cast<std::size_t>(image_->height), 0);
     writer_.put(order.number, *image_, order.isNew ? renderer_->changedRows() : noRows_,
@@ -160,7 +170,7 @@ void FrameRecorder::draw(const Order& order)
 void FrameRecorder::finish(const Simulation& simulation)
 {
     const auto end = next_ + static_cast<std::size_t>(std::llround(frames_.hold * frames_.fps));
-    while (next_ < end)
+    while (next_ < end && !stops())
     {
         takeNext(simulation);
     }
@@ -206,11 +216,18 @@ void FrameRecorder::lookForSpheres(const Snapshot& snapshot)
     small.style.ambientOcclusion = false;
     small.samples = 1;
     small.supersample = 1;
-    small.size.height = std::max(1, small.size.height * 160 / std::max(160, small.size.width));
-    small.size.width = std::min(160, small.size.width);
-    Image image;
-    Renderer(mesh_, small).render(snapshot, image);
-    blank_ = blank_ || allPixelsAlike(image);
+    small.size.height = std::clamp(kLookWidth * small.size.height / small.size.width, 8, 2560);
+    small.size.width = kLookWidth;
+    try
+    {
+        Image image;
+        Renderer(mesh_, small).render(snapshot, image);
+        blank_ = blank_ || allPixelsAlike(image);
+    }
+    catch (const Error&)
+    {
+        // Without memory for another context the run is no worse.
+    }
 }
 
 } // namespace frostfill

@@ -14,6 +14,7 @@
 
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -44,6 +45,9 @@ public:
 
     /// Takes the frames that are due. Throws what has gone wrong with an earlier one.
     void record(const Simulation& simulation);
+    /// Asks this between frames, of which one step may be due many; once it is true, those of the
+    /// step and those for which the last state is held are left out.
+    void stopWhen(std::function<bool()> requested) { stopRequested_ = std::move(requested); }
 
     /// Takes the last state when no frame shows it yet, waits until everything is written, and
     /// looks whether the spheres can be seen at all. Throws what has gone wrong.
@@ -63,6 +67,8 @@ public:
     [[nodiscard]] bool blank() const { return blank_; }
 
 private:
+    [[nodiscard]] bool stops() const { return stopRequested_ && stopRequested_(); }
+    std::function<bool()> stopRequested_;
     /// A picture on its way to the thread that draws.
     struct Order
     {

@@ -75,6 +75,17 @@ bool holdsSign(const std::filesystem::path& file, std::string_view sign)
     return head.find(sign) != std::string::npos;
 }
 
+/// Where two folders change places in two steps, a run can be killed between them.
+void restore(const std::filesystem::path& folder)
+{
+    const std::filesystem::path old = folder.string() + ".part.old";
+    if (std::filesystem::symlink_status(folder).type() == std::filesystem::file_type::not_found &&
+        std::filesystem::is_directory(std::filesystem::symlink_status(old)))
+    {
+        std::filesystem::rename(old, folder);
+    }
+}
+
 [[noreturn]] void refuse(const std::string& why)
 {
     throw Error(ErrorCode::cannotCreate, why);
@@ -92,7 +103,10 @@ RunDirectory::RunDirectory(std::filesystem::path directory, bool overwrite)
         lookAtFiles();
         for (const char* folder : kFrameFolders)
         {
+            restore(path_ / folder);
             lookAtFrames(path_ / folder);
+            lookAtHalf(path_ / (std::string(folder) + ".part"));
+            lookAtHalf(path_ / (std::string(folder) + ".part.old"));
         }
     }
     catch (const std::filesystem::filesystem_error& error)
@@ -159,6 +173,34 @@ void RunDirectory::lookAtFiles()
             left_.push_back(part);
         }
     }
+    for (const auto& entry : std::filesystem::directory_iterator(path_))
+    {
+        const std::string name = entry.path().filename().string();
+        if (name.starts_with("contact_sheet.png.") && name.ends_with(".tmp") &&
+            entry.symlink_status().type() == std::filesystem::file_type::regular)
+        {
+            left_.push_back(entry.path());
+        }
+    }
+}
+
+// Half of the pictures, or all of them, of a run that was killed while it thinned them out. They
+// are links to those in the folder, or these are to them.
+void RunDirectory::lookAtHalf(const std::filesystem::path& folder)
+{
+    if (std::filesystem::symlink_status(folder).type() != std::filesystem::file_type::directory)
+    {
+        return;
+    }
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+    {
+        if (endingOfFrame(entry.path().filename().string()) == ".png" &&
+            holdsSign(entry.path(), "Frostfill"))
+        {
+            left_.push_back(entry.path());
+        }
+    }
+    halves_.push_back(folder);
 }
 
 void RunDirectory::lookAtFrames(const std::filesystem::path& folder)
@@ -215,6 +257,11 @@ void RunDirectory::begin()
             }
         }
     }
+    for (const std::filesystem::path& half : halves_)
+    {
+        std::filesystem::remove(half, error); // unless something else is in it
+    }
+    halves_.clear();
     left_.clear();
     old_.clear();
 }

@@ -30,6 +30,7 @@ private:
     void lock();
     void lookAtFiles();
     void lookAtFrames(const std::filesystem::path& folder);
+    void lookAtHalf(const std::filesystem::path& folder);
     void takeOver(const std::filesystem::path& file, bool isOurs);
 
     std::filesystem::path path_;
@@ -43,8 +44,9 @@ private:
         ~Lock();
     };
     Lock lock_;
-    std::vector<std::filesystem::path> old_;  ///< of the earlier run
-    std::vector<std::filesystem::path> left_; ///< by one that was killed: not worth keeping
+    std::vector<std::filesystem::path> old_;    ///< of the earlier run
+    std::vector<std::filesystem::path> left_;   ///< by one that was killed: not worth keeping
+    std::vector<std::filesystem::path> halves_; ///< folders of pictures that were being thinned out
 };
 
 } // namespace frostfill

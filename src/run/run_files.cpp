@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "run/run_files.hpp"
 
+#include "base/posix_file.hpp"
 #include "output/atomic_file.hpp"
 #include "output/scene_json.hpp"
 #include "run/machine_json.hpp"
 #include "run/run_hash.hpp"
 #include "run/set_table.hpp"
 
+#include <frostfill/error.hpp>
 #include <frostfill/output.hpp>
 
 #include <algorithm>
@@ -84,6 +86,10 @@ Json timeJson(const RunRecord& run)
         json[stageName(static_cast<Stage>(i))] = run.times.seconds[i];
     }
     json["wall"] = run.result.wallSeconds;
+    for (const auto& [phase, seconds] : run.result.phases)
+    {
+        json["phases"][phase] = seconds;
+    }
     json["simulated"] = run.simulation.time();
     json["steps"] = run.simulation.steps();
     json["step"] = run.simulation.timeStep();
@@ -204,6 +210,13 @@ void writeRunFiles(const RunRecord& run)
         directory / "spheres.csv");
     writePolygonsCsv(run.simulation.polygonStates(), directory / "polygons.csv");
     writeSetsCsv(run.result.sets, run.result.setFrames, directory / "sets.csv");
+    // A summary that survives a power failure says that all before it has. Pictures are not waited
+    // for one by one: 4 ms each on a disk where writing one takes 0.1.
+    if (const int error = syncFileSystem(directory); error != 0)
+    {
+        throw Error(ErrorCode::writeFailed,
+                    writeFailure(directory / "summary.json", error, run.result.summary.size()));
+    }
     AtomicFile summary(directory / "summary.json");
     summary.write(run.result.summary);
     summary.commit();

@@ -77,6 +77,13 @@ std::optional<std::string> findFault(const Scene& scene, const FillResult& resul
         return fmt::format("{} ended at positions that are no numbers; try a smaller --dt",
                            spheres(quality.notFinite));
     }
+    if (result.overfull)
+    {
+        return fmt::format(
+            "the run was stopped after {}, which take more than the object's volume: "
+            "they overlap or have left it; try a smaller --dt, or preset fast",
+            spheres(result.spheres));
+    }
     if (quality.centresOutside > 0)
     {
         return fmt::format("{} ended outside the object; {}", spheres(quality.centresOutside),

@@ -48,6 +48,7 @@ TEST_F(KeepsRuns, ARunThatCannotBeginLeavesTheOldOneAsItIs)
     ASSERT_FALSE(picture.empty());
     const std::string again = kSmall + "--out keep --overwrite ";
     EXPECT_EQ(run(again + "--samples 64").code, 64);
+    EXPECT_EQ(run(again + "--size 16384x16384 --supersample 8").code, 64);
     EXPECT_EQ(run(again + "--video /nonexistent/a.mp4").code, 73);
     EXPECT_EQ(readFile(folder_ / "keep/summary.json"), before);
     EXPECT_EQ(readFile(folder_ / "keep/frames/frame_00000.png"), picture);

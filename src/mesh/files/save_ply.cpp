@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include "base/posix_file.hpp"
+
 #include <frostfill/error.hpp>
 #include <frostfill/mesh.hpp>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <bit>
 #include <cerrno>
@@ -62,33 +65,27 @@ void savePly(const TriangleMesh& mesh, const std::filesystem::path& file)
 {
     const std::string bytes = encode(mesh);
     const std::filesystem::path unfinished = file.string() + ".part";
-    std::FILE* output = std::fopen(unfinished.c_str(), "wb");
-    if (output == nullptr)
+    unlink(unfinished.c_str()); // of a run that was killed
+    const int output = createNewFile(unfinished);
+    if (output < 0)
     {
         throw Error(ErrorCode::cannotCreate,
                     fmt::format("cannot create '{}': {}", file.string(), std::strerror(errno)));
     }
-    bool written = std::fwrite(bytes.data(), 1, bytes.size(), output) == bytes.size();
-    int reason = errno;
-    if (std::fclose(output) != 0 && written)
+    int failure =
+        writeAll(output, {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+    failure = failure != 0 ? failure : syncFile(output);
+    const int atEnd = closeFile(output);
+    failure = failure != 0 ? failure : atEnd;
+    if (failure == 0 && std::rename(unfinished.c_str(), file.c_str()) != 0)
     {
-        written = false;
-        reason = errno;
+        failure = errno;
     }
-    std::error_code ignored;
-    if (!written)
+    if (failure != 0)
     {
-        std::filesystem::remove(unfinished, ignored);
-        throw Error(ErrorCode::writeFailed, fmt::format("cannot write all of '{}': {}",
-                                                        file.string(), std::strerror(reason)));
-    }
-    std::error_code failure;
-    std::filesystem::rename(unfinished, file, failure);
-    if (failure)
-    {
-        std::filesystem::remove(unfinished, ignored);
-        throw Error(ErrorCode::cannotCreate,
-                    fmt::format("cannot create '{}': {}", file.string(), failure.message()));
+        unlink(unfinished.c_str());
+        throw Error(failure == EISDIR ? ErrorCode::cannotCreate : ErrorCode::writeFailed,
+                    writeFailure(file, failure, bytes.size()));
     }
 }
 

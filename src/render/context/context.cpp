@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "render/context/context.hpp"
 
+#include "base/memory_at_hand.hpp"
+#include "base/watchdog.hpp"
+
 #include <frostfill/error.hpp>
 
 #include <fmt/core.h>
+
+#include <atomic>
 
 namespace frostfill
 {
@@ -15,6 +20,27 @@ bool answersTo(Backend choice, Backend asked)
 {
     return asked == Backend::automatic || asked == choice ||
            (asked == Backend::egl && choice != Backend::osmesa);
+}
+
+/// What Mesa maps for a context with its threads [bytes]. When it gets less it may wait for ever
+/// for a thread that it could not start.
+constexpr std::size_t kContextBytes = std::size_t{768} << 20;
+
+/// A context takes a tenth of a second.
+constexpr std::chrono::seconds kPatience{60};
+
+/// Only before the first context: it loads the libraries, and those after it take far less.
+void requireMemory()
+{
+    static std::atomic<bool> asked = false;
+    if (!asked.exchange(true) && !mayMap(kContextBytes))
+    {
+        asked = false;
+        throw Error(ErrorCode::outOfMemory,
+                    fmt::format("OpenGL takes some {} MiB, and the limit on the memory of this "
+                                "process leaves less; raise it (ulimit -v), or give --frames none",
+                                kContextBytes >> 20));
+    }
 }
 
 } // namespace
@@ -60,6 +86,11 @@ const std::vector<BackendChoice>& backendChoices()
 
 std::unique_ptr<Context> openContext(Backend backend)
 {
+    requireMemory();
+    const Watchdog watchdog(kPatience,
+                            "frostfill: OpenGL has not answered for a minute, perhaps for want of "
+                            "memory; try another --backend, or --frames none",
+                            static_cast<int>(ErrorCode::noOpenGl));
     std::string attempts;
     for (const BackendChoice& choice : backendChoices())
     {

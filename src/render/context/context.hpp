@@ -63,7 +63,8 @@ struct BackendChoice
 [[nodiscard]] const std::vector<BackendChoice>& backendChoices();
 
 /// The first of the backend's choices that works. Throws Error noOpenGl, which lists every attempt
-/// and its remedy.
+/// and its remedy, and outOfMemory when the process has too little. A library that hangs for a
+/// minute ends the process with the code of noOpenGl: nothing else gets out of it.
 [[nodiscard]] std::unique_ptr<Context> openContext(Backend backend);
 
 } // namespace frostfill

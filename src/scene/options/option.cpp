@@ -117,7 +117,9 @@ bool allowed(const Option& option, const OptionValue& value)
                inRange(option.range, std::get<double>(value));
     case OptionType::vector:
         return std::holds_alternative<Eigen::Vector3d>(value) &&
-               std::get<Eigen::Vector3d>(value).allFinite();
+               std::get<Eigen::Vector3d>(value).allFinite() &&
+               inRange(option.range, std::get<Eigen::Vector3d>(value).minCoeff()) &&
+               inRange(option.range, std::get<Eigen::Vector3d>(value).maxCoeff());
     case OptionType::radii:
         return std::holds_alternative<std::string>(value) ||
                (std::holds_alternative<double>(value) &&
@@ -171,7 +173,7 @@ std::string describeAllowed(const Option& option)
         what = "a number" + describeRange(option.range);
         break;
     case OptionType::vector:
-        what = "three numbers x,y,z";
+        what = "three numbers x,y,z" + describeRange(option.range);
         break;
     case OptionType::radii:
         what = "a number" + describeRange(option.range) +

@@ -63,6 +63,10 @@ const auto& namesOf()
     }
 }
 
+/// Lengths in mesh units outside of these are nobody's: squares and cubes of them overflow.
+inline constexpr double kSmallestLength = 1e-12;
+inline constexpr double kLargestLength = 1e12;
+
 [[nodiscard]] std::string colourText(const Colour& colour);
 [[nodiscard]] bool readColour(std::string_view text, Colour& colour);
 [[nodiscard]] bool readPictureSize(std::string_view text, PictureSize& size);

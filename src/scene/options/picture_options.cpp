@@ -7,6 +7,12 @@ namespace frostfill
 namespace
 {
 
+/// No picture shows anything beyond.
+constexpr double kLargestZoom = 1e4;
+constexpr double kSlowestMotion = 1e6;
+constexpr double kLongestTurn = 1e6;
+constexpr double kFewestPerSecond = 1e-3;
+
 void addFrames(TableBuilder& table)
 {
     table.heading("Frames");
@@ -32,13 +38,13 @@ void addFrames(TableBuilder& table)
                          return true;
                      }});
     table.add("frames.fps", "--fps", "Frames per second of video", FROSTFILL_FIELD(frames.fps))
-        .above(0, 10000);
+        .range(kFewestPerSecond, 10000);
     table
         .add("frames.slow_motion", "--slow-motion",
              "Video time over simulated time; auto: a fall takes 1.5 s of video",
              FROSTFILL_FIELD(frames.slowMotion))
         .orNothing("auto")
-        .above(0);
+        .range(1 / kSlowestMotion, kSlowestMotion);
     table
         .add("frames.limit", "--max-frames",
              "Largest number of frames kept, evenly thinned out; 0: no limit",
@@ -78,7 +84,7 @@ void addPicture(TableBuilder& table)
     table
         .add("picture.samples", "--samples", "Samples per pixel; 1 turns antialiasing off",
              FROSTFILL_FIELD(samples))
-        .range(1, 64);
+        .range(1, 4);
     table
         .add("picture.supersample", "--supersample",
              "Draw this many times larger, then average: for figures", FROSTFILL_FIELD(supersample))
@@ -136,27 +142,28 @@ void addCamera(TableBuilder& table)
         .add("camera.zoom", "--zoom",
              "Enlargement: 1 shows the whole object, 2 shows it twice as large",
              FROSTFILL_FIELD(camera.zoom))
-        .above(0);
+        .range(1 / kLargestZoom, kLargestZoom);
     table.add("camera.orthographic", "--orthographic", "Parallel projection",
               FROSTFILL_FIELD(camera.orthographic));
     table
         .add("camera.target", "--target",
              "Point in the middle of the picture [mesh unit]; auto: the middle of the object",
              FROSTFILL_FIELD(camera.target))
-        .orNothing("auto");
+        .orNothing("auto")
+        .range(-kLargestLength, kLargestLength);
     table
         .add("camera.distance", "--distance",
              "Distance of the eye from the target [mesh unit], perspective only; auto: the object "
              "fits",
              FROSTFILL_FIELD(camera.distance))
         .orNothing("auto")
-        .above(0);
+        .range(kSmallestLength, kLargestLength);
     table
         .add("camera.turntable", "--turntable",
              "Time in which the camera circles the object once [s of video]",
              FROSTFILL_FIELD(camera.turntable))
         .orNothing("none")
-        .above(0);
+        .range(1 / kLongestTurn, kLongestTurn);
 }
 
 void addColours(TableBuilder& table)

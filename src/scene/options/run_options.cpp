@@ -9,7 +9,11 @@ namespace
 constexpr double kLargestGroup = 1e6;
 constexpr double kMostThreads = 1024;
 constexpr double kMostSweeps = 1000;
-constexpr double kLargestNumber = std::numeric_limits<double>::max();
+// What no run needs, and what would overflow, underflow or go on for ever in it.
+constexpr double kLargestNumber = 1e9;
+constexpr double kLargestGravity = 1e6;
+constexpr double kLongestWait = 1e6;
+constexpr double kLongestMove = 86400;
 
 void addObject(TableBuilder& table)
 {
@@ -26,7 +30,7 @@ void addObject(TableBuilder& table)
         .add("object.units_per_metre", "--units",
              "Unit of the mesh: a name, or the number of units in a metre",
              FROSTFILL_FIELD(object.unitsPerMetre))
-        .above(0)
+        .range(kSmallestLength, kLargestLength)
         .words({{"m", 1}, {"cm", 100}, {"mm", 1000}, {"in", 1 / 0.0254}, {"ft", 1 / 0.3048}});
 }
 
@@ -39,7 +43,7 @@ void addSpheres(TableBuilder& table)
              "full",
              FROSTFILL_FIELD(spheres.radius))
         .orNothing("auto")
-        .above(0);
+        .range(kSmallestLength, kLargestLength);
     table
         .add("spheres.count", "--count",
              "Number of spheres; without --radius, a radius is chosen at which they fit",
@@ -68,7 +72,7 @@ void addMotion(TableBuilder& table)
     table
         .add("motion.gravity", "--gravity", "Gravity, along the down axis [m/s^2]",
              FROSTFILL_FIELD(motion.gravity))
-        .above(0);
+        .range(1 / kLargestGravity, kLargestGravity);
     table.add("motion.mode", "--motion",
               "fall: the whole fall; skip: from the first contact on; descend: drop-and-roll, no "
               "dynamics",
@@ -82,7 +86,7 @@ void addMotion(TableBuilder& table)
              "Time step [s]; the preset fast divides steps above 0.33 sqrt(r/g)",
              FROSTFILL_FIELD(motion.dt))
         .orNothing("auto")
-        .above(0);
+        .range(kSmallestLength, kLongestWait);
     table
         .add("motion.restitution", "--restitution",
              "Normal speed after a contact over the speed before",
@@ -119,14 +123,14 @@ void addMove(TableBuilder& table)
              "Frequency of shaking [1/s]; auto: the peak acceleration is half of gravity",
              FROSTFILL_FIELD(move.frequency))
         .orNothing("auto")
-        .above(0)
+        .range(1 / kLongestWait, kLongestWait)
         .of(Preset::fast);
     table
         .add("move.duration", "--move-for",
              "Duration of the movement [s]; auto: eight falls through the object's height",
              FROSTFILL_FIELD(move.duration))
         .orNothing("auto")
-        .above(0)
+        .range(1 / kLongestWait, kLongestMove)
         .of(Preset::fast);
 }
 
@@ -153,19 +157,19 @@ void addFreezing(TableBuilder& table)
         .add("freezing.rest_speed", "--rest-speed",
              "A sphere rests below this mean speed [sqrt(g r)]",
              FROSTFILL_FIELD(freezing.restSpeed))
-        .above(0)
+        .above(0, kLongestWait)
         .of(Preset::paper);
     table
         .add("freezing.rest_window", "--rest-window",
              "Time over which the mean speed is taken [sqrt(r/g)]",
              FROSTFILL_FIELD(freezing.restWindow))
-        .above(0)
+        .above(0, kLongestWait)
         .of(Preset::paper);
     table
         .add("freezing.set_time_limit", "--set-time-limit",
              "A set counts as at rest after this time [sqrt(r/g)] plus two falls",
              FROSTFILL_FIELD(freezing.setTimeLimit))
-        .above(0);
+        .above(0, kLongestWait);
 }
 
 void addDiscards(TableBuilder& table)

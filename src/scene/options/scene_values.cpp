@@ -32,7 +32,8 @@ bool readNumbers(std::string_view text, std::vector<double>& numbers)
         const std::string_view item = text.substr(0, text.find(','));
         double value = 0;
         const auto [end, error] = std::from_chars(item.data(), item.data() + item.size(), value);
-        if (error != std::errc{} || end != item.data() + item.size() || !std::isfinite(value))
+        if (error != std::errc{} || end != item.data() + item.size() ||
+            !(std::abs(value) <= kLargestLength))
         {
             return false;
         }
@@ -126,7 +127,8 @@ bool readRadii(std::string_view text, Radii& radii)
     {
         return false;
     }
-    if (!(read.smallest > 0 && read.largest >= read.smallest && std::isfinite(read.largest)))
+    if (!(read.smallest >= kSmallestLength && read.largest >= read.smallest &&
+          read.largest <= kLargestLength))
     {
         return false;
     }

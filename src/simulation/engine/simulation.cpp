@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/engine/guard.hpp"
 #include "simulation/engine/make_engine.hpp"
+#include "simulation/engine/tolerances.hpp"
 #include "simulation/quality/quality.hpp"
 #include "simulation/reach/reach_inspection.hpp"
 #include "simulation/world/fitting_radius.hpp"
@@ -9,6 +10,8 @@
 
 #include <frostfill/error.hpp>
 #include <frostfill/simulation.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <atomic>
@@ -28,12 +31,34 @@ std::uint64_t nextSource()
     return ++last;
 }
 
+/// Throws Error usage for a time step in which nothing would ever happen.
+void requireStep(const World& world)
+{
+    const double unit = std::sqrt(world.radii.smallest()) * world.frame.time;
+    const double shortest = kShortestStep * unit;
+    if (world.scene.motion.dt && *world.scene.motion.dt < shortest)
+    {
+        throw Error(ErrorCode::usage,
+                    fmt::format("a time step (--dt) of {:.3g} s is too short for spheres of radius "
+                                "{:.3g}, which take {:.3g} s to fall by half of it: give {:.1g} s "
+                                "or more",
+                                *world.scene.motion.dt, world.frame.length * world.radii.smallest(),
+                                unit, 2 * shortest));
+    }
+}
+
+std::unique_ptr<Engine> makeCheckedEngine(World& world)
+{
+    requireStep(world);
+    return makeEngine(world);
+}
+
 } // namespace
 
 struct Simulation::Implementation
 {
     Implementation(const Scene& scene, const TriangleMesh& mesh)
-        : world(scene, mesh), engine(makeEngine(world)), guard(world)
+        : world(scene, mesh), engine(makeCheckedEngine(world)), guard(world)
     {
     }
 

@@ -76,6 +76,10 @@ inline constexpr std::uint32_t kWindowsToFall = 9;
 // Waking. Which contacts hold a sphere at rest, and which share of the pull they may leave, stands
 // with the other tolerances of contact: kCarryingGap and kCarried in contact/tolerances.hpp.
 
+/// Times that what nothing carries is woken after the object has stopped. Larger: a sphere that is
+/// frozen without support each time, for want of room, runs in vain for longer. Smaller: what the
+/// last ones carried is left hanging.
+inline constexpr int kMostLooks = 10;
 /// Change of the pull's direction that is not worth a look at all spheres at rest [1]. Larger: what
 /// a slow motion lets go wakes late, several layers at once. Smaller: time.
 inline constexpr double kSameDirection = 0.005;

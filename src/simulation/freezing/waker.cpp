@@ -26,7 +26,10 @@ bool Waker::goOn()
 {
     if (isMoving() && timeIsUp())
     {
-        wake(); // by the pull as it stays, whatever was looked at before
+        if (looks_++ < kMostLooks)
+        {
+            wake(); // by the pull as it stays, whatever was looked at before
+        }
         if (runners_.count() == 0)
         {
             phase_ = Phase::over;

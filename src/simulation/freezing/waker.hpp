@@ -41,7 +41,8 @@ public:
     /// to move; it does so once, if at all.
     bool begin();
     /// To be called when nothing runs while it moves. Returns false when it has come to rest with
-    /// all in it.
+    /// all in it, or when spheres that nothing carries have come to rest again and again: the judge
+    /// counts those.
     bool goOn();
     /// To be called at the end of each window. Returns whether the object has just stopped.
     bool stop();
@@ -62,6 +63,7 @@ private:
     World& world_;
     Runners& runners_;
     Phase phase_ = Phase::filling;
+    int looks_ = 0; ///< since the object stopped, after which something ran again
     std::array<Eigen::Vector3d, 8> lookedAt_; ///< the pull's direction at the box's corners when
                                               ///< all at rest were last looked at
     std::vector<Eigen::Vector3d> normals_;    ///< scratch of isSupported

@@ -4,8 +4,6 @@
 #include <frostfill/error.hpp>
 
 #include <fmt/format.h>
-#include <sys/resource.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -38,18 +36,6 @@ void requireMemory(const Scene& scene, const MeshReport& object, double radius, 
                 fmt::format("spheres of radius {:.3g} in {} take more than the {:.3g} GB of memory "
                             "here; take a --radius of {:.2g} or more",
                             radius, scene.object.mesh, bytes / 1e9, std::cbrt(full / bytes)));
-}
-
-double memoryAtHand()
-{
-    double bytes =
-        static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
-    rlimit limit = {};
-    if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
-    {
-        bytes = std::min(bytes, static_cast<double>(limit.rlim_cur));
-    }
-    return bytes;
 }
 
 } // namespace frostfill

@@ -16,7 +16,4 @@ namespace frostfill
 void requireMemory(const Scene& scene, const MeshReport& object, double radius, double spheres,
                    double bytes);
 
-/// Memory of this machine, or what the process may have of it [bytes].
-[[nodiscard]] double memoryAtHand();
-
 } // namespace frostfill

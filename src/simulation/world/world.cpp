@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/world/world.hpp"
 
+#include "base/memory_at_hand.hpp"
 #include "mesh/repair/inspect_interior.hpp"
 #include "scene/packing_estimate.hpp"
 #include "simulation/world/memory_need.hpp"

@@ -87,6 +87,36 @@ TEST(PngSequence, PicturesThatAreNotKeptLeaveTheirChangesToTheNext)
     EXPECT_EQ(numberOf(folder / "frame_00001.png"), 3u);
 }
 
+TEST(PngSequence, ThinningLeavesOtherFilesWhereTheyAre)
+{
+    const test::TemporaryFolder folder;
+    PngSequence sequence(folder / "frames", 4);
+    test::writeFile(folder / "frames/notes.txt", "mine");
+    std::filesystem::create_directory(folder / "frames/more");
+    for (std::size_t i = 0; i < 9; ++i)
+    {
+        sequence.put(i, numberedImage(i));
+    }
+    EXPECT_EQ(sequence.count(), 3u);
+    EXPECT_EQ(test::readFile(folder / "frames/notes.txt"), "mine");
+    EXPECT_TRUE(std::filesystem::is_directory(folder / "frames/more"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "frames.part"));
+}
+
+TEST(PngSequence, ThinsThroughASymbolicLinkWithoutReplacingIt)
+{
+    const test::TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "elsewhere");
+    std::filesystem::create_directory_symlink(folder / "elsewhere", folder / "frames");
+    PngSequence sequence(folder / "frames", 2);
+    for (std::size_t i = 0; i < 5; ++i)
+    {
+        sequence.put(i, numberedImage(i));
+    }
+    EXPECT_TRUE(std::filesystem::is_symlink(folder / "frames"));
+    EXPECT_EQ(numberOf(folder / "elsewhere/frame_00001.png"), sequence.stride());
+}
+
 TEST(PngSequence, TellsThatItsDirectoryCannotBeCreated)
 {
     const test::TemporaryFolder folder;

@@ -7,8 +7,10 @@
 #include <frostfill/fill.hpp>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <limits>
 
 namespace frostfill
@@ -44,6 +46,25 @@ std::size_t filesIn(const std::filesystem::path& directory)
         ++count;
     }
     return count;
+}
+
+TEST(FillRun, DividesItsTimeIntoPartsWithoutAGap)
+{
+    const TemporaryFolder folder;
+    const auto start = std::chrono::steady_clock::now();
+    const FillResult result = fill(smallRequest(folder / "run"));
+    const double outside =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const auto time = nlohmann::json::parse(result.summary)["time"];
+    double sum = 0;
+    for (const char* phase : {"loading", "preparing", "simulating", "drawing_the_rest", "judging"})
+    {
+        ASSERT_TRUE(time["phases"].contains(phase)) << phase;
+        sum += time["phases"][phase].get<double>();
+    }
+    EXPECT_EQ(time["phases"].size(), 5u);
+    EXPECT_NEAR(sum, time["wall"].get<double>(), 0.03 * sum);
+    EXPECT_LE(sum, outside);
 }
 
 TEST(FillRun, WritesEveryFileOfARun)
@@ -144,6 +165,25 @@ TEST(FillRun, FailsWhenACentreEndsOutsideButKeepsTheFiles)
     const auto summary = nlohmann::json::parse(result.summary);
     EXPECT_EQ(summary["outcome"], "failed");
     EXPECT_EQ(summary["error"]["centres_outside"], result.quality.centresOutside);
+    EXPECT_EQ(filesIn(folder / "run"), 5u);
+}
+
+// There is always room for another, as they leave.
+TEST(FillRun, UntilFullEndsWhenTheSpheresTakeMoreThanTheObject)
+{
+    const TemporaryFolder folder;
+    FillRequest request = smallRequest(folder / "run");
+    request.scene = presetScene(Preset::paper, "torus");
+    request.scene.spheres.radius = 0.2;
+    request.scene.spheres.count.reset();
+    request.scene.motion.dt = 0.1;
+    request.scene.motion.restitution = 1;
+    request.scene.frames.enabled = false;
+    const FillResult result = fill(request);
+    EXPECT_TRUE(result.overfull);
+    ASSERT_TRUE(result.failure);
+    EXPECT_NE(result.failure->find("more than the object's volume"), std::string::npos)
+        << *result.failure;
     EXPECT_EQ(filesIn(folder / "run"), 5u);
 }
 

@@ -46,6 +46,13 @@ TEST(Verdict, BlamesOverlapsBeyondAMillionthOfTheRadius)
     EXPECT_TRUE(contains(faultOf(result), "deep in a wall"));
 }
 
+TEST(Verdict, BlamesMoreSpheresThanTheVolumeHolds)
+{
+    FillResult result = goodResult();
+    result.overfull = true;
+    EXPECT_TRUE(contains(faultOf(result), "stopped after 1000 spheres, which take more than"));
+}
+
 TEST(Verdict, BlamesMoreThanHalfAPerCentThatHang)
 {
     FillResult result = goodResult();

@@ -28,18 +28,19 @@ Scene unusualScene()
     scene.seed = 9007199254740992;
     scene.object = {"dir with space/mesh.stl", Axis::z, 1 / 0.0254};
     scene.spheres = {0.1 + 0.2, std::nullopt, true, 3, 7};
-    scene.motion = {1.0 / 3.0, Motion::descend, Integrator::semiImplicitEuler, 1e-300, 1, 9};
-    scene.freezing = {0, 0.30000000000000004, 5e-324, 1e308, true, {}};
+    scene.motion = {
+        1.0 / 3.0, Motion::descend, Integrator::semiImplicitEuler, 1.2345678901234567e-12, 1, 9};
+    scene.freezing = {0, 0.30000000000000004, 5e-324, 999999.9999999999, true, {}};
     scene.discard = {DiscardRule::none, 0, 2};
     scene.search = {SphereSearch::allPairs, PolygonSearch::list};
     scene.frames.enabled = false;
     scene.frames.fps = 23.976023976023978;
-    scene.frames.slowMotion = 1e10;
+    scene.frames.slowMotion = 1e6 / 3;
     scene.frames.limit = 0;
     scene.frames.hold = 0.1;
     scene.frames.passes = {true, false, true};
     scene.size = {1, 16384};
-    scene.camera = {-90, 90, 1.5, 0.01, true, Eigen::Vector3d(-0.0, 1e-17, 100), 0.3, 1e-9};
+    scene.camera = {-90, 90, 1.5, 0.01, true, Eigen::Vector3d(-0.0, 1e-17, 100), 0.3, 1e-5 / 3};
     scene.style.look = Look::paper;
     scene.style.colourBy = ColourBy::speed;
     scene.style.cutaway = {Cutaway::Kind::plane, {0.1, -1.0 / 3.0, 1e-7}, -0.7, 0, 90};

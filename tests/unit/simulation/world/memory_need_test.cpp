@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/world/memory_need.hpp"
 
+#include "base/memory_at_hand.hpp"
 #include "support/expect_error.hpp"
 #include "support/shapes.hpp"
 
@@ -26,7 +27,7 @@ TEST(MemoryNeed, IsThatOfAMillionSpheresToWithinAFactorOfTwo)
 TEST(MemoryNeed, IsRefusedBeforeAnythingIsSetAside)
 {
     const TriangleMesh mesh = shapes::box({-1, -1, -1}, {1, 1, 1});
-    for (const double radius : {1e-5, 1e-10, 1e-300})
+    for (const double radius : {1e-5, 1e-10, 1e-12})
     {
         Scene scene = presetScene(Preset::fast, "cube");
         scene.spheres.radius = radius;

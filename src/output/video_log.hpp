@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace frostfill
+{
+
+/// Where ffmpeg writes what it has to say while it makes a video. It is locked as long as this
+/// lives, so the next video of the same name knows which unfinished files nobody works on any more.
+class VideoLog
+{
+public:
+    /// Removes what killed runs have left of a video of that name. The files are NAME.PROCESS.log
+    /// and NAME.PROCESS.part.ENDING. Throws Error cannotCreate.
+    explicit VideoLog(const std::filesystem::path& video);
+    /// Removes both files.
+    ~VideoLog();
+    VideoLog(const VideoLog&) = delete;
+    VideoLog& operator=(const VideoLog&) = delete;
+
+    [[nodiscard]] const std::filesystem::path& path() const { return log_; }
+    /// The unfinished video.
+    [[nodiscard]] const std::filesystem::path& part() const { return part_; }
+    /// The last line that ffmpeg has written; empty if there is none.
+    [[nodiscard]] std::string lastLine() const;
+
+private:
+    std::filesystem::path log_;
+    std::filesystem::path part_;
+    int descriptor_ = -1;
+};
+
+} // namespace frostfill

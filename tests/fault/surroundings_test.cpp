@@ -1,0 +1,360 @@
+// SPDX-License-Identifier: MIT
+// What is around the program goes wrong: signals, streams, libraries, programs, names, locales,
+// clocks, sizes. Rows F2, F12 and F14 to F21 of docs/reliability.md.
+#include "fault/program.hpp"
+#include "support/temporary_folder.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace frostfill
+{
+namespace
+{
+
+using test::Answer;
+using test::readFile;
+using test::writeFile;
+namespace fs = std::filesystem;
+
+const std::string kSmall =
+    "fill cube --radius 0.3 --count 8 --group-size 2 --size 64x48 --max-frames 4 --threads 1 ";
+// Takes far longer than any test waits.
+const std::string kLong = "fill cube --count 200000 --size 64x48 --max-frames 4 --threads 1 ";
+
+class Surroundings : public ::testing::Test
+{
+protected:
+    [[nodiscard]] Answer run(const std::string& arguments,
+                             const std::string& environment = "") const
+    {
+        return test::runProgram(arguments, folder_.path(), environment);
+    }
+    /// With settings of fault_shim.c; false when the shim cannot be used.
+    [[nodiscard]] static std::string shim(const std::string& settings)
+    {
+        return "LD_PRELOAD='" FROSTFILL_FAULT_SHIM "' " + settings;
+    }
+    [[nodiscard]] static bool hasShim()
+    {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+        return false;
+#else
+        return true;
+#endif
+    }
+    void makeFfmpeg(const std::string& script) const
+    {
+        fs::create_directory(folder_ / "bin");
+        writeFile(folder_ / "bin/ffmpeg", "#!/bin/sh\n" + script);
+        fs::permissions(folder_ / "bin/ffmpeg", fs::perms::owner_all);
+    }
+    test::TemporaryFolder folder_;
+};
+
+double secondsOf(const std::function<void()>& what)
+{
+    const auto start = std::chrono::steady_clock::now();
+    what();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+// On an idle machine it takes a fraction of a second.
+TEST_F(Surroundings, ASignalAtAnyMomentEndsTheRunSoonAndWhole)
+{
+    int moment = 0;
+    for (const char* signal : {"USR1", "TERM", "INT", "HUP", "USR1", "TERM"})
+    {
+        const double wait = 0.35 * ++moment;
+        Answer answer;
+        const double took = secondsOf(
+            [&]
+            {
+                answer =
+                    run(fmt::format("{}--quiet --out {} & process=$!; until test -d {}/frames; "
+                                    "do sleep 0.05; done; sleep {}; kill -{} $process; "
+                                    "wait $process",
+                                    kLong, moment, moment, wait, signal));
+            });
+        EXPECT_LT(took, wait + 15) << signal;
+        EXPECT_EQ(answer.code, 75) << signal << answer.errors;
+        EXPECT_EQ(answer.errors, "") << signal;
+        const auto summary = nlohmann::json::parse(
+            readFile(folder_ / fmt::format("{}/summary.json", moment)), nullptr, false);
+        ASSERT_TRUE(summary.is_object()) << signal;
+        EXPECT_EQ(summary["outcome"], "stopped");
+    }
+}
+
+TEST_F(Surroundings, WithoutOsmesaEglDrawsTheSamePictures)
+{
+    if (!hasShim())
+    {
+        GTEST_SKIP() << "a sanitizer has to be the first library that is loaded";
+    }
+    const Answer other = run(kSmall + "--quiet --out egl", shim("FAULT_LIBRARY=libOSMesa"));
+    if (other.code == 69)
+    {
+        GTEST_SKIP() << "there is no libEGL";
+    }
+    EXPECT_EQ(other.code, 0) << other.errors;
+    ASSERT_EQ(run(kSmall + "--quiet --out osmesa").code, 0);
+    EXPECT_EQ(readFile(folder_ / "egl/spheres.csv"), readFile(folder_ / "osmesa/spheres.csv"));
+    const Answer doctor = run("doctor", shim("FAULT_LIBRARY=libOSMesa"));
+    EXPECT_EQ(doctor.output.find("all is well"), std::string::npos) << doctor.output;
+}
+
+TEST_F(Surroundings, WithoutAnyOpenGlItSaysWhatToInstall)
+{
+    if (!hasShim())
+    {
+        GTEST_SKIP() << "a sanitizer has to be the first library that is loaded";
+    }
+    const std::string none = shim("FAULT_LIBRARY=lib");
+    const Answer answer = run(kSmall + "--out a", none);
+    EXPECT_EQ(answer.code, 69);
+    EXPECT_NE(answer.errors.find("apt install libosmesa6"), std::string::npos) << answer.errors;
+    EXPECT_EQ(run("doctor", none).code, 69);
+    EXPECT_EQ(run(kSmall + "--frames none --quiet --out b", none).code, 0);
+}
+
+TEST_F(Surroundings, WithTooLittleMemoryForOpenGlItSaysSoAndDoesNotHang)
+{
+    if (!hasShim())
+    {
+        GTEST_SKIP() << "a sanitizer takes terabytes of address space";
+    }
+    for (const int mebibytes : {150, 300, 500, 900})
+    {
+        const Answer answer = run(kSmall + fmt::format("--quiet --out {}", mebibytes),
+                                  fmt::format("ulimit -v {}; timeout 100", 1024 * mebibytes));
+        EXPECT_TRUE(answer.code == 71 || answer.code == 0)
+            << mebibytes << " MiB: " << answer.code << answer.errors;
+    }
+}
+
+TEST_F(Surroundings, AClosedOutputIsAFailedWriteAndHarmsNoFile)
+{
+    ASSERT_EQ(run(kSmall + "--quiet --out whole").code, 0);
+    EXPECT_EQ(run(kSmall + "--out closed >&-").code, 74);
+    EXPECT_EQ(run(kSmall + "--json --out json >&-").code, 74);
+    EXPECT_EQ(run(kSmall + "--out errors 2>&-").code, 0);
+    EXPECT_EQ(run(kSmall + "--out all <&- >&- 2>&-").code, 74);
+    for (const char* directory : {"closed", "json", "errors", "all"})
+    {
+        for (const char* file : {"spheres.csv", "mesh.ply", "frames/frame_00000.png"})
+        {
+            EXPECT_TRUE(readFile(folder_ / "whole" / file) == readFile(folder_ / directory / file))
+                << directory << "/" << file;
+        }
+    }
+}
+
+TEST_F(Surroundings, AReaderThatGoesAwayOrIsSlowLosesNoRun)
+{
+    EXPECT_EQ(
+        run(kSmall + "--out gone 2>&1 | head -c 1 >/dev/null; test -s gone/summary.json").code, 0);
+    const Answer slow = run(kSmall + "--json --out slow | (sleep 1; cat)");
+    EXPECT_EQ(slow.output, readFile(folder_ / "slow/summary.json"));
+}
+
+TEST_F(Surroundings, AVideoNeedsFfmpegAndAFfmpegThatDiesCostsTheVideoOnly)
+{
+    EXPECT_EQ(run(kSmall + "--quiet --out none --video film.mp4", "PATH=/nowhere").code, 73);
+    EXPECT_FALSE(fs::exists(folder_ / "none/summary.json"));
+    ASSERT_EQ(run(kSmall + "--quiet --out whole").code, 0);
+    makeFfmpeg("head -c 5000 >/dev/null\nkill -9 $$\n");
+    const Answer killed = run(kSmall + "--quiet --out killed --video film.mp4",
+                              "PATH='" + (folder_ / "bin").string() + "':/bin:/usr/bin");
+    EXPECT_EQ(killed.code, 74) << killed.errors;
+    EXPECT_FALSE(fs::exists(folder_ / "film.mp4"));
+    EXPECT_EQ(readFile(folder_ / "killed/frames/frame_00001.png"),
+              readFile(folder_ / "whole/frames/frame_00001.png"));
+}
+
+TEST_F(Surroundings, TheNextRunClearsAwayTheVideoOfAKilledOne)
+{
+    makeFfmpeg("for last; do :; done\ncat >\"${last#file:}\"\n");
+    const std::string path = "PATH='" + (folder_ / "bin").string() + "':/bin:/usr/bin";
+    writeFile(folder_ / "film.2024.log", "mine");
+    writeFile(folder_ / "film.2024.part.mp4", "mine");
+    const Answer killed = run(kLong + "--quiet --out a --video film.mp4 & process=$!; until ls "
+                                      "film.*.part.mp4 | grep -v 2024 >/dev/null; do sleep 0.05; "
+                                      "done; sleep 0.2; kill -9 $process; wait $process",
+                              path);
+    EXPECT_EQ(killed.code, 128 + 9) << killed.errors;
+    const auto files = [&]
+    {
+        return std::count_if(fs::directory_iterator(folder_.path()), fs::directory_iterator(),
+                             [](const auto& entry)
+                             { return entry.path().filename().string().starts_with("film."); });
+    };
+    EXPECT_EQ(files(), 4);
+    EXPECT_EQ(run(kSmall + "--quiet --out b --video film.mp4", path).code, 0);
+    EXPECT_EQ(files(), 3) << "the new video, and two files of another";
+    EXPECT_EQ(readFile(folder_ / "film.2024.log"), "mine");
+}
+
+// Each of these would simulate for minutes if it began.
+TEST_F(Surroundings, NamesThatCannotBeWrittenAreRefusedBeforeTheSimulation)
+{
+    fs::create_directories(folder_ / "b/frames/frame_00000.png");
+    writeFile(folder_ / "c", "a file");
+    std::vector<std::string> names = {std::string(256, 'a'), "b", "c", "c/d", "/proc/none"};
+    if (geteuid() != 0)
+    {
+        fs::create_directory(folder_ / "locked");
+        fs::permissions(folder_ / "locked", fs::perms::owner_read | fs::perms::owner_exec);
+        names.push_back("locked");
+    }
+    for (const std::string& name : names)
+    {
+        const Answer answer = run(kLong + "--overwrite --out " + name, "timeout 60");
+        EXPECT_EQ(answer.code, 73) << name << answer.errors;
+    }
+}
+
+TEST_F(Surroundings, LocaleTimeZoneAndClockChangeNoByte)
+{
+    ASSERT_EQ(run(kSmall + "--quiet --out plain").code, 0);
+    const auto expectSame = [&](const std::string& directory)
+    {
+        for (const char* file :
+             {"spheres.csv", "polygons.csv", "mesh.ply", "frames/frame_00002.png"})
+        {
+            EXPECT_TRUE(readFile(folder_ / "plain" / file) == readFile(folder_ / directory / file))
+                << directory << "/" << file;
+        }
+    };
+    EXPECT_EQ(run(kSmall + "--quiet --out german",
+                  "LC_ALL=de_DE.UTF-8 LANG=de_DE.UTF-8 TZ=Pacific/Chatham")
+                  .code,
+              0);
+    expectSame("german");
+    for (const char* seconds : {"3600", "86400"})
+    {
+        if (!hasShim())
+        {
+            GTEST_SKIP() << "a sanitizer has to be the first library that is loaded";
+        }
+        const std::string directory = std::string("clock") + seconds;
+        const Answer answer =
+            run(kSmall + "--out " + directory, shim(std::string("FAULT_CLOCK=") + seconds));
+        EXPECT_EQ(answer.code, 0) << answer.errors;
+        EXPECT_FALSE(std::regex_search(answer.errors + answer.output, std::regex(" -[0-9]")))
+            << answer.errors << answer.output;
+        expectSame(directory);
+    }
+}
+
+TEST_F(Surroundings, EveryFrameTakesAsManyHandlesThreadsAndBytesAsTheOneBefore)
+{
+    // Handles, threads and kilobytes after some 100 frames and near the end of some 1,500.
+    const Answer answer =
+        run("fill cube --count 400 --size 160x90 --max-frames 0 --slow-motion 60 --threads 1 "
+            "--quiet --out a & process=$!; for frame in 00100 01400; do until test -e "
+            "a/frames/frame_$frame.png; do kill -0 $process || exit 9; sleep 0.02; done; "
+            "ls /proc/$process/fd | wc -l; ls /proc/$process/task | wc -l; "
+            "grep -o 'VmRSS.*' /proc/$process/status | tr -dc '0-9\\n'; done; "
+            "kill -TERM $process; wait $process; true");
+    ASSERT_EQ(answer.code, 0) << answer.errors;
+    std::istringstream text(answer.output);
+    std::vector<long> early(3);
+    std::vector<long> late(3);
+    text >> early[0] >> early[1] >> early[2] >> late[0] >> late[1] >> late[2];
+    ASSERT_TRUE(text) << answer.output;
+    EXPECT_LE(std::abs(late[0] - early[0]), 2) << "a picture may just be open";
+    EXPECT_EQ(late[1], early[1]);
+    EXPECT_LT(late[2] - early[2], 5000);
+}
+
+TEST_F(Surroundings, SizesThatCannotBeDrawnAreRefusedAndTheSmallestIsDrawn)
+{
+    for (const char* size : {"20000x20000", "0x0", "-5x5", "-5", "16385x1", "1e3x1e3"})
+    {
+        const Answer answer = run(kLong + "--out a --size=" + size, "timeout 60");
+        EXPECT_EQ(answer.code, 64) << size << answer.errors;
+    }
+    EXPECT_FALSE(fs::exists(folder_ / "a"));
+    EXPECT_EQ(run(kLong + "--quiet --size 16384x16384 --supersample 8 --out a", "timeout 60").code,
+              64);
+    for (const char* size : {"1x1", "1x50", "50x1"})
+    {
+        const Answer answer = run("fill cube --count 4 --max-frames 2 --threads 1 --quiet "
+                                  "--overwrite --out b --size " +
+                                  std::string(size));
+        EXPECT_EQ(answer.code, 0) << size << answer.errors;
+    }
+}
+
+TEST_F(Surroundings, PicturesThatShowNothingAreTold)
+{
+    for (const char* view : {"--target 1e6,0,0", "--azimuth 0 --target 0,0,50 --distance 1"})
+    {
+        const Answer answer = run(kSmall + "--quiet --overwrite --out a " + view);
+        EXPECT_EQ(answer.code, 70) << view;
+        EXPECT_NE(answer.errors.find("blank"), std::string::npos) << view << answer.errors;
+        EXPECT_TRUE(fs::exists(folder_ / "a/spheres.csv")) << view;
+    }
+    // Inside the object the spheres are seen from between them.
+    EXPECT_EQ(run(kSmall + "--quiet --overwrite --out a --distance 0.01").code, 0);
+}
+
+TEST_F(Surroundings, ValuesBeyondTheirRangeAreRefusedBeforeTheSimulation)
+{
+    for (const char* option : {"--slow-motion 1e9",
+                               "--slow-motion 1e-300",
+                               "--fps 1e-300",
+                               "--fps 1e9",
+                               "--radius 1e-300",
+                               "--radius 1e-300..1",
+                               "--radius 1e300",
+                               "--gravity 1e300",
+                               "--gravity 1e-300",
+                               "--dt 1e-300",
+                               "--zoom 1e-300",
+                               "--zoom 1e9",
+                               "--distance 1e300",
+                               "--target 1e300,0,0",
+                               "--turntable 1e-300",
+                               "--tilt 1e9",
+                               "--turn 1e9",
+                               "--shake 1e300",
+                               "--move-for 1e300",
+                               "--move-for 1e-300",
+                               "--shake-frequency 1e300",
+                               "--set-time-limit 1e300",
+                               "--rest-window 1e300",
+                               "--threads 100000",
+                               "--samples 64",
+                               "--units 1e-300",
+                               "--hold 1e9",
+                               "--sweeps 1000000",
+                               "--group-size 1e9",
+                               "--discard-epsilon 1e300",
+                               "--cutaway plane:1e300,0,0"})
+    {
+        const Answer answer = run(kLong + "--out a " + option, "timeout 60");
+        EXPECT_EQ(answer.code, 64) << option << answer.errors;
+        EXPECT_EQ(std::count(answer.errors.begin(), answer.errors.end(), '\n'), 1) << option;
+    }
+    writeFile(folder_ / "scene.toml", "[object]\nmesh = \"cube\"\n[frames]\nslow_motion = 1e9\n");
+    const Answer file = run("fill --scene scene.toml --out a", "timeout 60");
+    EXPECT_EQ(file.code, 65) << file.errors;
+    EXPECT_NE(file.errors.find("scene.toml, line 4"), std::string::npos) << file.errors;
+    EXPECT_FALSE(fs::exists(folder_ / "a"));
+}
+
+} // namespace
+} // namespace frostfill
