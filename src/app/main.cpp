@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands.hpp"
 #include "app/message.hpp"
+#include "app/scene_options.hpp"
 
 #include <frostfill/error.hpp>
 #include <frostfill/options.hpp>
@@ -8,6 +9,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <new>
@@ -107,7 +109,9 @@ int run(int argumentCount, char** arguments)
     commands.emplace_back("options", addOptionsCommand(program));
     try
     {
-        program.parse(argumentCount, arguments);
+        std::vector<std::string> given = withImpliedValues(argumentCount, arguments);
+        std::reverse(given.begin(), given.end()); // as CLI11 wants them
+        program.parse(std::move(given));
     }
     catch (const CLI::ParseError& error)
     {
