@@ -14,9 +14,11 @@ namespace frostfill
 namespace
 {
 
-/// [1] of the offset: a skin about a sheet has half its thickness as its volume over its area, and
-/// that is the offset. Less: rolled sheets count as solids. More: thin solids as sheets.
-constexpr double kSheetOfSkin = 1.5;
+/// [1] Volume over area of a skin, over the offset, below which it is about walls only. A skin
+/// about a flat sheet has 1; about the Stanford bunny, whose holes it goes through, 2.8; about
+/// walls of thickness t 1 + t / (2 offset). Less: hollow shells count as solids. More: thin solids
+/// do not.
+constexpr double kSheetOfSkin = 3.5;
 
 } // namespace
 
