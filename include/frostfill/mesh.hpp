@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -62,6 +63,21 @@ struct LoadedMesh
     std::vector<std::string> repairs; ///< one sentence each; empty if the file was clean
 };
 
+/// How an open or broken mesh is made one that can be filled. The last two need the program
+/// frostfill-wrap, which is built with FROSTFILL_WITH_CGAL; without it they throw missingProgram.
+struct LoadMeshOptions
+{
+    /// Close openings of any size with lids: of least area, or flat over the rim's plane, or a
+    /// fan about the rim's middle. A lid may cross the mesh.
+    bool lid = false;
+    /// Replace the mesh by a skin around it, at alpha / 30, that follows it into openings wider
+    /// than some 2 alpha [mesh unit]. 0: alpha is 1/50 of the diagonal of the mesh's box. Lids come
+    /// first.
+    std::optional<double> wrap = {};
+    /// Remove the walls inside the interior, of pieces that pass through each other. Comes last.
+    bool unite = false;
+};
+
 /// Enclosed volume by the divergence theorem, sum of det(a, b, c) / 6. Exact for a closed mesh.
 [[nodiscard]] double signedVolume(const TriangleMesh& mesh);
 [[nodiscard]] double surfaceArea(const TriangleMesh& mesh);
@@ -91,12 +107,15 @@ struct LoadedMesh
 /// Repairs a mesh for filling. Joins seams, drops duplicates and triangles without area, makes
 /// windings consistent and outward (inward for cavities), and closes holes of up to 5 % of the
 /// surface. `name` is used in messages. Throws Error badData if the mesh cannot be filled: no
-/// volume, open beyond repair, numbers that are not finite. Pieces may pass through each other.
-[[nodiscard]] LoadedMesh repairMesh(TriangleMesh mesh, std::string_view name);
+/// volume, open beyond repair, numbers that are not finite. The message names the options that
+/// would help, if any does. Pieces may pass through each other.
+[[nodiscard]] LoadedMesh repairMesh(TriangleMesh mesh, std::string_view name,
+                                    const LoadMeshOptions& options = {});
 
 /// Loads a built-in object by its name, or reads and repairs a file (readMeshInCage,
 /// repairMesh).
-[[nodiscard]] LoadedMesh loadMesh(const std::string& nameOrFile);
+[[nodiscard]] LoadedMesh loadMesh(const std::string& nameOrFile,
+                                  const LoadMeshOptions& options = {});
 
 /// The paper's objects, compiled into the library: "torus", "sphere", "cube", "human".
 [[nodiscard]] bool isBuiltInMesh(std::string_view name);

@@ -48,6 +48,7 @@ struct Option
     std::string help = {};  ///< one line, with the unit
     OptionType type = OptionType::text; ///< of the value, if there is one
     std::string nothing = {}; ///< the word for no value ("auto"); empty if a value is required
+    std::string implied = {}; ///< the value of a flag without one; empty if one is required
     std::string placeholder = "TEXT";      ///< of a text in the help
     std::string form = "text";             ///< description of a text: "a size such as 1280x720"
     std::vector<std::string> choices = {}; ///< of a text; empty: any text

@@ -73,6 +73,7 @@ struct ObjectSettings
     std::string mesh = "torus"; ///< a built-in name or a file
     Axis up = Axis::y;          ///< axis of the mesh that points up
     double unitsPerMetre = 1;   ///< mesh units in a metre: 1000 for a CAD file in millimetres
+    LoadMeshOptions load;       ///< how an open or broken mesh is made whole
 };
 
 /// The radii of the spheres: one radius, a range with uniform distribution, or the radii of a file.

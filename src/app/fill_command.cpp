@@ -29,6 +29,7 @@ constexpr const char* kExamples = R"(Examples:
   frostfill fill human --frames none             tables, no pictures
   frostfill fill part.stl --up z --units mm --count 500
   frostfill fill bunny.obj --radius 0.02 --out output/fine
+  frostfill fill bust.stl --lid                  close a large opening first
   frostfill fill cube --radius 0.04..0.12        radii drawn from a range
   frostfill fill --scene output/torus/summary.json --out output/again
 )";
@@ -160,9 +161,13 @@ void printPlan(const FillRequest& request, const FillPlan& plan)
     if (plan.crossedTriangles > 0)
     {
         const Eigen::Vector3d& p = plan.firstCrossing;
-        say(fmt::format("the mesh crosses itself: {} triangles meet others, the first near {:.6g} "
-                        "{:.6g} {:.6g}; walls inside the object stay as obstacles\n",
-                        plan.crossedTriangles, p.x(), p.y(), p.z()));
+        say(fmt::format(
+            "the mesh crosses itself: {} triangles meet others, the first near {:.6g} "
+            "{:.6g} {:.6g}{}\n",
+            plan.crossedTriangles, p.x(), p.y(), p.z(),
+            request.scene.object.load.unite
+                ? ""
+                : "; walls inside the object stay as obstacles, which --unite removes"));
     }
     say(reachText(plan.reach, plan.smallestRadius, plan.volume));
     if (request.scene.frames.enabled)

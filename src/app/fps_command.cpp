@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands.hpp"
 #include "app/message.hpp"
+#include "app/scene_options.hpp"
 #include "study/fps/fps_compare.hpp"
 #include "study/fps/fps_report.hpp"
 
@@ -42,9 +43,10 @@ struct FpsArguments
     bool csv = false;
     bool json = false;
     bool quiet = false;
+    GivenOptions load;
 };
 
-Scene sceneOf(const std::string& name, std::uint64_t count)
+Scene sceneOf(const std::string& name, std::uint64_t count, const GivenOptions& load)
 {
     Scene scene = name.ends_with(".toml") ? loadScene(name) : presetScene(Preset::paper, name);
     if (scene.spheres.groupSize == 0)
@@ -55,6 +57,7 @@ Scene sceneOf(const std::string& name, std::uint64_t count)
     {
         scene.spheres.count = count;
     }
+    applyGivenOptions(load, scene);
     return scene;
 }
 
@@ -64,7 +67,7 @@ FpsRequest requestOf(const FpsArguments& arguments)
     const std::vector<std::string> all = builtInMeshNames();
     for (const std::string& name : arguments.scenes.empty() ? all : arguments.scenes)
     {
-        request.scenes.push_back(sceneOf(name, arguments.count));
+        request.scenes.push_back(sceneOf(name, arguments.count, arguments.load));
     }
     if (!arguments.searches.empty())
     {
@@ -241,6 +244,7 @@ Command addFpsCommand(CLI::App& program)
         ->group(measurement);
     command->add_flag("--no-render", arguments->noRender, "Draw nothing; needs no OpenGL")
         ->group(measurement);
+    addLoadOptions(*command, arguments->load);
     addOutputOptions(*command, *arguments);
     return [arguments] { return fps(*arguments); };
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands.hpp"
 #include "app/message.hpp"
+#include "app/scene_options.hpp"
 
 #include <frostfill/error.hpp>
 #include <frostfill/options.hpp>
@@ -10,6 +11,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <memory>
@@ -111,7 +113,9 @@ int run(int argumentCount, char** arguments)
     commands.emplace_back("options", addOptionsCommand(program));
     try
     {
-        program.parse(argumentCount, arguments);
+        std::vector<std::string> given = withImpliedValues(argumentCount, arguments);
+        std::reverse(given.begin(), given.end()); // as CLI11 wants them
+        program.parse(std::move(given));
     }
     catch (const CLI::ParseError& error)
     {

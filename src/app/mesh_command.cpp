@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands.hpp"
+#include "app/load_effects.hpp"
 #include "app/reach_text.hpp"
+#include "app/scene_options.hpp"
 
 #include <frostfill/error.hpp>
 #include <frostfill/mesh.hpp>
@@ -21,12 +23,14 @@ constexpr const char* kExamples = R"(Examples:
   frostfill mesh torus
   frostfill mesh human --radius 0.05           parts that such spheres cannot reach
   frostfill mesh bunny.obj --repair bunny.ply
+  frostfill mesh bust.stl --lid --repair bust.ply
 )";
 
 struct MeshArguments
 {
     std::string mesh;
     std::string repaired;
+    GivenOptions load;
     double radius = 0; ///< of spheres whose reach is asked for; 0 for none
 };
 
@@ -63,7 +67,7 @@ void printReport(const std::string& name, const MeshReport& report)
     if (report.crossedTriangles > 0)
     {
         fmt::print("  crossings   {} triangles meet others, the first near {:.6g} {:.6g} {:.6g}; "
-                   "walls inside the object are obstacles\n",
+                   "walls inside the object are obstacles, which --unite removes\n",
                    report.crossedTriangles, report.firstCrossing.x(), report.firstCrossing.y(),
                    report.firstCrossing.z());
     }
@@ -89,8 +93,14 @@ int inspect(const MeshArguments& arguments)
         fmt::print("before repair, {}", reachText(inspectReach(mesh, arguments.radius),
                                                   arguments.radius, asRead.volume));
     }
+    Scene scene;
+    applyGivenOptions(arguments.load, scene);
+    if (arguments.load.empty())
+    {
+        fmt::print("{}", loadEffectsText(mesh, asRead, arguments.mesh));
+    }
     // Throws with the reason when the mesh cannot be filled.
-    const LoadedMesh loaded = repairMesh(std::move(mesh), arguments.mesh);
+    const LoadedMesh loaded = repairMesh(std::move(mesh), arguments.mesh, scene.object.load);
     for (const std::string& repair : loaded.repairs)
     {
         fmt::print("  repair      {}\n", repair);
@@ -128,6 +138,7 @@ Command addMeshCommand(CLI::App& program)
                      "Show the parts that spheres of this radius cannot reach, and leaks")
         ->check(CLI::Range(1e-12, 1e12))
         ->type_name("R");
+    addLoadOptions(*command, arguments->load);
     command->add_option("--repair", arguments->repaired, "Write the repaired mesh to this PLY file")
         ->type_name("OUT");
     return [arguments] { return inspect(*arguments); };

@@ -66,7 +66,11 @@ std::string usageOf(const CLI::Option& option)
     // Behind a colon CLI11 describes what it checks.
     const std::string type = option.get_type_size() == 0 ? "" : option.get_type_name();
     const std::string word = type.substr(0, type.find(':'));
-    const std::string name = option.get_name(false, true);
+    std::string name = option.get_name(false, true);
+    if (const std::size_t mark = name.find("{false}"); mark != std::string::npos)
+    {
+        name.erase(mark, 7); // behind the negative form of a flag
+    }
     return word.empty() ? name : fmt::format("{} {}", name, word);
 }
 

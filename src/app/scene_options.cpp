@@ -62,35 +62,66 @@ std::string helpWithDefault(const Option& option)
                        optionText(option, option.get(standard)));
 }
 
+void addOption(CLI::App& command, const Option& option, GivenOptions& given)
+{
+    const auto keep = [&given, key = option.key](const std::string& text) { given[key] = text; };
+    CLI::Option* added = nullptr;
+    if (option.type == OptionType::boolean)
+    {
+        added = command.add_flag_function(
+            fmt::format("{},!--no-{}", option.flag, option.flag.substr(2)),
+            [keep](std::int64_t times) { keep(times > 0 ? "true" : "false"); },
+            helpWithDefault(option));
+    }
+    else
+    {
+        added =
+            command.add_option_function<std::string>(option.flag, keep, helpWithDefault(option))
+                ->type_name(placeholder(option));
+    }
+    added->group(option.group);
+}
+
 } // namespace
 
 void addSceneOptions(CLI::App& command, GivenOptions& given)
 {
     for (const Option& option : sceneOptions())
     {
-        if (option.flag.empty())
+        if (!option.flag.empty())
         {
-            continue;
+            addOption(command, option, given);
         }
-        const auto keep = [&given, key = option.key](const std::string& text)
-        { given[key] = text; };
-        CLI::Option* added = nullptr;
-        if (option.type == OptionType::boolean)
-        {
-            added = command.add_flag_function(
-                fmt::format("{},!--no-{}", option.flag, option.flag.substr(2)),
-                [keep](std::int64_t times) { keep(times > 0 ? "true" : "false"); },
-                helpWithDefault(option));
-        }
-        else
-        {
-            added =
-                command
-                    .add_option_function<std::string>(option.flag, keep, helpWithDefault(option))
-                    ->type_name(placeholder(option));
-        }
-        added->group(option.group);
     }
+}
+
+void addLoadOptions(CLI::App& command, GivenOptions& given)
+{
+    for (const char* key : {"object.lid", "object.wrap", "object.unite"})
+    {
+        addOption(command, *findOption(key), given);
+    }
+}
+
+std::vector<std::string> withImpliedValues(int count, const char* const* arguments)
+{
+    std::vector<std::string> result;
+    for (int i = 1; i < count; ++i)
+    {
+        result.emplace_back(arguments[i]);
+        for (const Option& option : sceneOptions())
+        {
+            // What cannot be a value is the next argument: `--wrap part.stl`.
+            if (!option.implied.empty() && option.flag == result.back() &&
+                (i + 1 == count || !readOptionText(option, arguments[i + 1]) ||
+                 std::string_view(arguments[i + 1]).starts_with("--")))
+            {
+                result.back() += "=" + option.implied;
+                break;
+            }
+        }
+    }
+    return result;
 }
 
 void applyGivenOptions(const GivenOptions& given, Scene& scene)

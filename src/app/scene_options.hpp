@@ -7,6 +7,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 namespace frostfill
 {
@@ -16,6 +17,12 @@ using GivenOptions = std::map<std::string, std::string>;
 
 /// Adds every option of a scene to a command, grouped, with its default in the help.
 void addSceneOptions(CLI::App& command, GivenOptions& given);
+
+/// Adds those that say how an open or broken mesh is made whole.
+void addLoadOptions(CLI::App& command, GivenOptions& given);
+
+/// The program's arguments with the values of flags that may stand alone, and do.
+[[nodiscard]] std::vector<std::string> withImpliedValues(int count, const char* const* arguments);
 
 /// Sets the given options. Throws Error usage for a value that is not allowed.
 void applyGivenOptions(const GivenOptions& given, Scene& scene);

@@ -192,7 +192,7 @@ FillResult fill(const FillRequest& request, const FillObserver& observer)
     }
     PhaseClock clock;
     validateScene(request.scene);
-    LoadedMesh mesh = loadMesh(request.scene.object.mesh);
+    LoadedMesh mesh = loadMesh(request.scene.object.mesh, request.scene.object.load);
     Simulation simulation(request.scene, mesh.mesh);
     mesh.report = simulation.object();
     simulation.stopWhen(observer.stopRequested);

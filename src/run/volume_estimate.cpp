@@ -39,7 +39,7 @@ VolumeEstimate estimateVolume(const Scene& scene)
         throw Error(ErrorCode::usage, "--estimate-volume needs one radius: the packing fraction is "
                                       "known for equal spheres only");
     }
-    const LoadedMesh mesh = loadMesh(scene.object.mesh);
+    const LoadedMesh mesh = loadMesh(scene.object.mesh, scene.object.load);
     VolumeEstimate estimate;
     estimate.meshVolume = mesh.report.volume;
     const double depth = mesh.report.volume / mesh.report.area;

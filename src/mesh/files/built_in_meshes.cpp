@@ -61,11 +61,11 @@ TriangleMesh builtInMesh(std::string_view name)
     return readObj(object->text());
 }
 
-LoadedMesh loadMesh(const std::string& nameOrFile)
+LoadedMesh loadMesh(const std::string& nameOrFile, const LoadMeshOptions& options)
 {
     return repairMesh(isBuiltInMesh(nameOrFile) ? builtInMesh(nameOrFile)
                                                 : readMeshInCage(nameOrFile),
-                      nameOrFile);
+                      nameOrFile, options);
 }
 
 } // namespace frostfill

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/interior/interior_volume.hpp"
+#include "mesh/repair/advice.hpp"
 #include "mesh/repair/clean_mesh.hpp"
 #include "mesh/repair/close_holes.hpp"
 #include "mesh/repair/edge_table.hpp"
 #include "mesh/repair/find_nonsense.hpp"
 #include "mesh/repair/fins.hpp"
+#include "mesh/repair/openings.hpp"
 #include "mesh/repair/orient_mesh.hpp"
+#include "mesh/repair/replace_surface.hpp"
 #include "mesh/repair/separate_edges.hpp"
 #include "mesh/repair/sheets.hpp"
 #include "mesh/repair/stitch_seams.hpp"
@@ -15,15 +17,14 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include <algorithm>
+#include <optional>
 
 namespace frostfill
 {
 namespace
 {
 
-/// [1] of the area to the power of 3/2, which does not count the space between parts.
-constexpr double kNoVolume = 1e-9;
 constexpr std::size_t kMostHolesListed = 10;
 
 /// Coordinates for a message; rounding errors are shown as 0.
@@ -109,111 +110,194 @@ Hole closeAndReport(TriangleMesh& mesh, std::vector<std::string>& repairs)
     return largestLeft;
 }
 
-void refuseDefects(const MeshReport& report, const Hole& hole, std::string_view name)
+/// Puts lids on all that is still open.
+void lidAndReport(TriangleMesh& mesh, std::vector<std::string>& repairs)
+{
+    const double surface = surfaceArea(mesh);
+    const ClosedOpenings closed = closeOpenings(mesh);
+    if (closed.sheetTriangles > 0)
+    {
+        repairs.push_back("removed " + counted(closed.sheetTriangles, "triangle") +
+                          " of open patches that enclose nothing");
+    }
+    if (closed.walls > 0)
+    {
+        repairs.push_back("doubled " + counted(closed.walls, "triangle") + " of walls within");
+    }
+    if (closed.turnedPatches > 0)
+    {
+        repairs.push_back(
+            fmt::format("turned {} wound against the rest",
+                        counted(closed.turnedPatches, "patch") +
+                            (closed.turnedPatches == 1 ? " that was" : "es that were")));
+    }
+    for (std::size_t i = 0; i < std::min(closed.lids.size(), kMostHolesListed); ++i)
+    {
+        const LidReport& lid = closed.lids[i];
+        repairs.push_back(fmt::format("put a lid on an opening of {} edges near {}: area {:.4g}, "
+                                      "{:.2g} % of the surface",
+                                      lid.edges, place(lid.middle), lid.area,
+                                      100 * lid.area / surface));
+    }
+    if (closed.lids.size() > kMostHolesListed)
+    {
+        repairs.push_back(fmt::format("put lids on {} more",
+                                      counted(closed.lids.size() - kMostHolesListed, "opening")));
+    }
+}
+
+/// Why a mesh as it is now cannot be filled, and what to do with a mesh editor; empty if nothing
+/// stands in the way.
+struct Refusal
+{
+    std::string why;
+    std::string byHand;
+};
+
+std::optional<Refusal> findDefect(const MeshReport& report, const Hole& hole)
 {
     if (report.unbalancedEdges > 0)
     {
-        refuse(name, fmt::format("{} shared by more than two triangles that do not bound solids on "
-                                 "both sides, the first near {}; remove inner walls and loose "
-                                 "flaps there in a mesh editor",
-                                 report.unbalancedEdges == 1
-                                     ? "an edge is"
-                                     : counted(report.unbalancedEdges, "edge") + " are",
-                                 place(report.firstDefect)));
+        return Refusal{
+            fmt::format("{} shared by more than two triangles that do not bound solids on both "
+                        "sides, the first near {}",
+                        report.unbalancedEdges == 1
+                            ? "an edge is"
+                            : counted(report.unbalancedEdges, "edge") + " are",
+                        place(report.firstDefect)),
+            "remove inner walls and loose flaps there in a mesh editor"};
     }
     if (report.inconsistentEdges > 0)
     {
-        refuse(name,
-               fmt::format("its surface is one-sided, like a Moebius strip, near {}; model it "
-                           "as the skin of a solid",
-                           place(report.firstDefect)));
+        return Refusal{fmt::format("its surface is one-sided, like a Moebius strip, near {}",
+                                   place(report.firstDefect)),
+                       "model it as the skin of a solid"};
     }
     if (report.boundaryEdges > 0 && hole.ofSheet)
     {
-        refuse(name, fmt::format("a hole of {} edges near {} is the rim of a sheet, which would "
-                                 "enclose nothing with a lid; model it as the skin of a solid",
-                                 hole.edges, place(hole.middle)));
+        return Refusal{fmt::format("a hole of {} edges near {} is the rim of a sheet, which would "
+                                   "enclose nothing with a lid",
+                                   hole.edges, place(hole.middle)),
+                       "model it as the skin of a solid"};
     }
     if (report.boundaryEdges > 0 && hole.share > 0)
     {
-        refuse(name, fmt::format("a hole of {} edges near {} is too large to be closed without "
-                                 "guessing (a lid would be {:.0f} % of the surface); close it in a "
-                                 "mesh editor",
-                                 hole.edges, place(hole.middle), 100 * hole.share));
+        return Refusal{fmt::format("a hole of {} edges near {} is too large to be closed without "
+                                   "guessing (a lid would be {:.0f} % of the surface)",
+                                   hole.edges, place(hole.middle), 100 * hole.share),
+                       "close it in a mesh editor"};
     }
     if (report.boundaryEdges > 0)
     {
-        refuse(name, fmt::format("it has a hole near {} that no lid fits ({} in all); close it in "
-                                 "a mesh editor",
-                                 hole.edges > 0 ? place(hole.middle) : place(report.firstDefect),
-                                 counted(report.boundaryEdges, "open edge")));
+        return Refusal{fmt::format("it has a hole near {} that no small lid fits ({} in all)",
+                                   hole.edges > 0 ? place(hole.middle) : place(report.firstDefect),
+                                   counted(report.boundaryEdges, "open edge")),
+                       "close it in a mesh editor"};
     }
     if (report.degenerateTriangles > 0)
     {
-        refuse(name, counted(report.degenerateTriangles, "triangle") +
-                         " without area cannot be removed; clean the mesh in a mesh editor");
+        return Refusal{counted(report.degenerateTriangles, "triangle") +
+                           " without area cannot be removed",
+                       "clean the mesh in a mesh editor"};
+    }
+    return std::nullopt;
+}
+
+void refuseDefects(const TriangleMesh& mesh, const MeshReport& report, const Hole& hole,
+                   std::string_view name, const LoadMeshOptions& options)
+{
+    if (const auto defect = findDefect(report, hole))
+    {
+        refuse(name, fmt::format("{}; {}{}", defect->why, optionsThatHelp(mesh, options),
+                                 defect->byHand));
     }
 }
 
-void refuseUnfillable(const TriangleMesh& mesh, const MeshReport& report, std::string_view name)
+/// All repairs that keep the mesh's own surface. Returns the largest opening that is left.
+Hole mend(TriangleMesh& mesh, bool isOpen, bool lid, std::string_view name,
+          std::vector<std::string>& repairs)
 {
-    const double least = kNoVolume * report.area * std::sqrt(report.area);
-    // Where a mesh crosses itself, parts of the signed volume may cancel.
-    if (!(report.volume > least) && !(interiorVolume(mesh) > least))
+    if (isOpen)
     {
-        refuse(name, "it encloses no volume; model it as the skin of a solid");
+        for (std::string& repair : stitchSeams(mesh))
+        {
+            repairs.push_back(std::move(repair));
+        }
     }
-}
-
-} // namespace
-
-LoadedMesh repairMesh(TriangleMesh mesh, std::string_view name)
-{
-    refuseNonsense(mesh, name);
-    LoadedMesh result;
-    result.asRead = inspectMesh(mesh);
-    if (result.asRead.boundaryEdges > 0)
+    cleanTriangles(mesh, repairs);
+    if (const std::size_t count = isOpen ? dropFins(mesh) : 0)
     {
-        result.repairs = stitchSeams(mesh);
-    }
-    cleanTriangles(mesh, result.repairs);
-    if (const std::size_t count = result.asRead.boundaryEdges > 0 ? dropFins(mesh) : 0)
-    {
-        result.repairs.push_back("removed " + counted(count, "triangle") +
-                                 " of fins that hang on the surface and enclose nothing");
+        repairs.push_back("removed " + counted(count, "triangle") +
+                          " of fins that hang on the surface and enclose nothing");
     }
     if (mesh.triangles.empty())
     {
         refuse(name, "none of its triangles has an area");
     }
-    straightenWinding(mesh, result.repairs);
+    straightenWinding(mesh, repairs);
     if (const std::size_t count = dropSheets(mesh))
     {
-        result.repairs.push_back("removed " + counted(count, "triangle") +
-                                 " of open sheets that enclose nothing");
+        repairs.push_back("removed " + counted(count, "triangle") +
+                          " of open sheets that enclose nothing");
     }
-    const Hole largestLeft = closeAndReport(mesh, result.repairs);
-    if (const std::size_t count = largestLeft.edges > 0 ? dropOpenPieces(mesh) : 0)
+    const Hole largestLeft = closeAndReport(mesh, repairs);
+    if (lid)
     {
-        result.repairs.push_back("removed " + counted(count, "triangle") +
-                                 " of open pieces beside the closed ones");
+        lidAndReport(mesh, repairs);
+    }
+    else if (const std::size_t count = largestLeft.edges > 0 ? dropOpenPieces(mesh) : 0)
+    {
+        repairs.push_back("removed " + counted(count, "triangle") +
+                          " of open pieces beside the closed ones");
     }
     if (const std::size_t count = dropUnusedVertices(mesh))
     {
-        result.repairs.push_back(
+        repairs.push_back(
             fmt::format("removed {} unused vert{}", count, count == 1 ? "ex" : "ices"));
     }
+    return largestLeft;
+}
+
+} // namespace
+
+LoadedMesh repairMesh(TriangleMesh mesh, std::string_view name, const LoadMeshOptions& options)
+{
+    refuseNonsense(mesh, name);
+    LoadedMesh result;
+    result.asRead = inspectMesh(mesh);
+    const bool isOpen = result.asRead.boundaryEdges > 0;
+    if (options.wrap)
+    {
+        if (options.lid)
+        {
+            mend(mesh, isOpen, true, name, result.repairs);
+        }
+        putSkinAround(mesh, *options.wrap, name, result.repairs);
+    }
+    const Hole largestLeft = mend(mesh, isOpen && !options.wrap, options.lid, name, result.repairs);
     // Each repair has a sentence. Without one the mesh is as it was read.
     result.report = result.repairs.empty() ? result.asRead : inspectMesh(mesh);
-    refuseDefects(result.report, largestLeft, name);
-
-    if (const std::size_t count = turnPiecesOutward(mesh))
+    refuseDefects(mesh, result.report, largestLeft, name, options);
+    const std::size_t turned = turnPiecesOutward(mesh);
+    if (turned > 0)
     {
         result.repairs.push_back(fmt::format("turned {} that {} wound the wrong way round",
-                                             counted(count, "piece"), count == 1 ? "was" : "were"));
+                                             counted(turned, "piece"),
+                                             turned == 1 ? "was" : "were"));
+    }
+    if (options.unite)
+    {
+        unite(mesh, name, result.repairs);
+    }
+    if (turned > 0 || options.unite)
+    {
         result.report = inspectMesh(mesh);
     }
-    refuseUnfillable(mesh, result.report, name);
+    if (!hasVolume(mesh, result.report))
+    {
+        refuse(name, fmt::format("it encloses no volume; {}model it as the skin of a solid",
+                                 optionsThatHelp(mesh, options)));
+    }
     result.mesh = std::move(mesh);
     return result;
 }

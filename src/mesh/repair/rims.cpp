@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/repair/rims.hpp"
 
-#include <map>
 #include <unordered_map>
 
 namespace frostfill
@@ -9,7 +8,7 @@ namespace frostfill
 
 std::vector<Rim> findRims(const EdgeTable& edges)
 {
-    std::multimap<std::uint32_t, std::uint32_t> next;
+    NextVertices next;
     edges.forEach(
         [&](std::span<const EdgeUse> uses)
         {
@@ -21,6 +20,11 @@ std::vector<Rim> findRims(const EdgeTable& edges)
             next.emplace(use.forward ? use.high : use.low, use.forward ? use.low : use.high);
         });
 
+    return closedPaths(std::move(next));
+}
+
+std::vector<Rim> closedPaths(NextVertices next)
+{
     std::vector<Rim> rims;
     std::unordered_map<std::uint32_t, std::size_t> placeInPath;
     while (!next.empty())
@@ -47,6 +51,16 @@ std::vector<Rim> findRims(const EdgeTable& edges)
         }
     }
     return rims;
+}
+
+Eigen::Vector3d middleOf(const TriangleMesh& mesh, const Rim& rim)
+{
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    for (const std::uint32_t vertex : rim)
+    {
+        middle += mesh.vertices[vertex] / static_cast<double>(rim.size());
+    }
+    return middle;
 }
 
 } // namespace frostfill

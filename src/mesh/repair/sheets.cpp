@@ -11,8 +11,6 @@ namespace frostfill
 namespace
 {
 
-constexpr double kThinnest =
-    1e-6; // [1] volume over area times size: a sheet, of any format's rounding
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
 /// Of a tetrahedron.
@@ -55,10 +53,16 @@ bool isThin(const TriangleMesh& mesh, const std::vector<std::uint32_t>& piece,
             box.extend(mesh.vertices[corner]);
         }
     }
-    return !(std::abs(volume) > kThinnest * surface * box.diagonal().norm());
+    return enclosesNothing(volume, surface, box);
 }
 
 } // namespace
+
+bool enclosesNothing(double volume, double surface, const Eigen::AlignedBox3d& box)
+{
+    constexpr double kThinnest = 1e-6; // [1] below what any format's rounding makes of a flat sheet
+    return !(std::abs(volume) > kThinnest * surface * box.diagonal().norm());
+}
 
 Sheets::Sheets(const TriangleMesh& mesh, const EdgeTable& edges, const std::vector<Rim>& rims)
     : pieceOf_(mesh.triangles.size(), kNone)

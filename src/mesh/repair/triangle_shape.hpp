@@ -33,6 +33,12 @@ inline constexpr double kFlat = 1e-12;
            isFlat(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]);
 }
 
+[[nodiscard]] inline double areaOf(const TriangleMesh& mesh, const Triangle& t)
+{
+    const Eigen::Vector3d& a = mesh.vertices[t[0]];
+    return 0.5 * (mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a).norm();
+}
+
 /// The corners in ascending order. Triangles with the same vertices then compare equal.
 [[nodiscard]] inline Triangle sortedCorners(Triangle t)
 {

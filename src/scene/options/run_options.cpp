@@ -32,6 +32,20 @@ void addObject(TableBuilder& table)
              FROSTFILL_FIELD(object.unitsPerMetre))
         .range(kSmallestLength, kLargestLength)
         .words({{"m", 1}, {"cm", 100}, {"mm", 1000}, {"in", 1 / 0.0254}, {"ft", 1 / 0.3048}});
+    table.add("object.lid", "--lid", "Close openings of any size with lids, such as that of a bust",
+              FROSTFILL_FIELD(object.load.lid));
+    table
+        .add("object.wrap", "--wrap",
+             "Put a skin around the mesh, into openings wider than 2 of these lengths [mesh unit]; "
+             "auto: 1/50 of the box's diagonal; needs frostfill-wrap",
+             FROSTFILL_FIELD(object.load.wrap))
+        .orNothing("none")
+        .range(0, kLargestNumber)
+        .words({{"auto", 0}})
+        .implied("auto");
+    table.add("object.unite", "--unite",
+              "Remove the walls inside the object, of pieces that overlap; needs frostfill-wrap",
+              FROSTFILL_FIELD(object.load.unite));
 }
 
 void addSpheres(TableBuilder& table)

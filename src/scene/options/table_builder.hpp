@@ -42,6 +42,12 @@ public:
         table_.back().range = {low, high, true};
         return *this;
     }
+    /// The value of a flag that stands alone on the command line.
+    TableBuilder& implied(const char* word)
+    {
+        table_.back().implied = word;
+        return *this;
+    }
     /// Only this preset uses the option.
     TableBuilder& of(Preset preset)
     {

@@ -155,7 +155,7 @@ void timeObjectPictures(const FpsRequest& request, const TriangleMesh& mesh, Fps
 FpsObject measureObject(const Scene& scene, const FpsRequest& request, std::string& renderer,
                         const std::function<void(const std::string&)>& say)
 {
-    const LoadedMesh mesh = loadMesh(scene.object.mesh);
+    const LoadedMesh mesh = loadMesh(scene.object.mesh, scene.object.load);
     FpsObject object;
     object.scene = scene;
     object.triangles = mesh.report.triangles;

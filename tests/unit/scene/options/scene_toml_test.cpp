@@ -26,7 +26,7 @@ Scene unusualScene()
     Scene scene = presetScene(Preset::paper, "cube");
     scene.name = "a \"name\" with \\ and \n and ümlaut";
     scene.seed = 9007199254740992;
-    scene.object = {"dir with space/mesh.stl", Axis::z, 1 / 0.0254};
+    scene.object = {"dir with space/mesh.stl", Axis::z, 1 / 0.0254, {true, 0.25, true}};
     scene.spheres = {0.1 + 0.2, std::nullopt, true, 3, 7};
     scene.motion = {
         1.0 / 3.0, Motion::descend, Integrator::semiImplicitEuler, 1.2345678901234567e-12, 1, 9};

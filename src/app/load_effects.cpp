@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "app/load_effects.hpp"
+
+#include <frostfill/error.hpp>
+
+#include <fmt/format.h>
+
+namespace frostfill
+{
+namespace
+{
+
+/// Of what comes out; or why nothing does, without the beginning that all refusals share.
+std::string effect(const TriangleMesh& mesh, const std::string& name,
+                   const LoadMeshOptions& options)
+{
+    try
+    {
+        const MeshReport report = inspectInterior(repairMesh(mesh, name, options).mesh);
+        return fmt::format("volume {:.6g}, area {:.6g}", report.volume, report.area);
+    }
+    catch (const Error& error)
+    {
+        if (error.code() == ErrorCode::missingProgram)
+        {
+            return "the program frostfill-wrap is missing (docs/meshes.md)";
+        }
+        const std::string why = error.what();
+        const std::size_t colon = why.find(": ");
+        return "refused: " + (colon == std::string::npos ? why : why.substr(colon + 2));
+    }
+}
+
+} // namespace
+
+std::string loadEffectsText(const TriangleMesh& mesh, const MeshReport& asRead,
+                            const std::string& name)
+{
+    if (asRead.triangles == 0 || (asRead.closed() && asRead.crossedTriangles == 0))
+    {
+        return "";
+    }
+    const bool open = !asRead.closed();
+    std::string text;
+    const auto add = [&](const char* option, const std::string& what)
+    { text += fmt::format("  with {:<14}{}\n", option, what); };
+    add("--lid", open ? effect(mesh, name, {.lid = true}) : "changes nothing: nothing is open");
+    add("--wrap", effect(mesh, name, {.wrap = 0.0}));
+    add(open ? "--lid --unite" : "--unite", effect(mesh, name, {.lid = open, .unite = true}));
+    return text;
+}
+
+} // namespace frostfill

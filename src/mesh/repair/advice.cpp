@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/repair/advice.hpp"
+
+#include "mesh/interior/interior_volume.hpp"
+#include "mesh/repair/openings.hpp"
+#include "mesh/repair/orient_mesh.hpp"
+#include "mesh/repair/replace_surface.hpp"
+#include "mesh/skin/enclosed_cells.hpp"
+
+#include <cmath>
+
+namespace frostfill
+{
+namespace
+{
+
+/// [1] of the area to the power of 3/2, which does not count the space between parts.
+constexpr double kNoVolume = 1e-9;
+
+bool lidsHelp(TriangleMesh mesh)
+{
+    (void)closeOpenings(mesh);
+    if (!inspectMesh(mesh).closed())
+    {
+        return false;
+    }
+    turnPiecesOutward(mesh);
+    const MeshReport report = inspectMesh(mesh);
+    return report.degenerateTriangles == 0 && hasVolume(mesh, report);
+}
+
+} // namespace
+
+bool hasVolume(const TriangleMesh& mesh, const MeshReport& report)
+{
+    const double least = kNoVolume * report.area * std::sqrt(report.area);
+    // Where a mesh crosses itself, parts of the signed volume may cancel.
+    return report.volume > least || interiorVolume(mesh) > least;
+}
+
+std::string optionsThatHelp(const TriangleMesh& mesh, const LoadMeshOptions& given)
+{
+    const bool lids = !given.lid && lidsHelp(mesh);
+    const bool skin = !given.wrap && enclosesRoom(mesh, automaticAlpha(mesh));
+    if (lids && skin)
+    {
+        return "give --lid or --wrap, or ";
+    }
+    return lids ? "give --lid, or " : (skin ? "give --wrap, or " : "");
+}
+
+} // namespace frostfill

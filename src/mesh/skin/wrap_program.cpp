@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/skin/wrap_program.hpp"
+
+#include "base/run_program.hpp"
+
+#include <frostfill/error.hpp>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+
+namespace frostfill
+{
+namespace
+{
+
+constexpr const char* kProgram = "frostfill-wrap";
+
+/// Of the child. A skin of a million triangles takes a minute and 1.5 GB.
+constexpr std::size_t kBytes = std::size_t{8} << 30;
+constexpr unsigned kSeconds = 600; ///< of processor time
+
+/// A folder that nobody else can look into, and that goes with all its files.
+class PrivateFolder
+{
+public:
+    PrivateFolder()
+    {
+        std::error_code ignored;
+        std::string pattern =
+            (std::filesystem::temp_directory_path(ignored) / "frostfill-XXXXXX").string();
+        if (mkdtemp(pattern.data()) == nullptr)
+        {
+            throw Error(ErrorCode::cannotCreate, fmt::format("cannot create the folder '{}': {}",
+                                                             pattern, std::strerror(errno)));
+        }
+        path_ = pattern;
+    }
+    PrivateFolder(const PrivateFolder&) = delete;
+    PrivateFolder& operator=(const PrivateFolder&) = delete;
+    ~PrivateFolder()
+    {
+        std::error_code ignored;
+        std::filesystem::remove_all(path_, ignored);
+    }
+    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+private:
+    std::filesystem::path path_;
+};
+
+bool canRun(const std::filesystem::path& file)
+{
+    std::error_code ignored;
+    return std::filesystem::is_regular_file(file, ignored) && access(file.c_str(), X_OK) == 0;
+}
+
+std::vector<std::filesystem::path> placesToLook()
+{
+    std::vector<std::filesystem::path> places;
+    std::error_code failure;
+    const auto self = std::filesystem::read_symlink("/proc/self/exe", failure);
+    if (!failure)
+    {
+        places.push_back(self.parent_path());
+        places.push_back(self.parent_path().parent_path() / "libexec");
+    }
+    const char* path = std::getenv("PATH");
+    std::string_view rest = path != nullptr ? path : "";
+    while (!rest.empty())
+    {
+        const std::string_view folder = rest.substr(0, rest.find(':'));
+        if (!folder.empty() && folder[0] == '/')
+        {
+            places.emplace_back(folder);
+        }
+        rest.remove_prefix(std::min(folder.size() + 1, rest.size()));
+    }
+    return places;
+}
+
+std::string lastLine(std::string text)
+{
+    while (!text.empty() && text.back() == '\n')
+    {
+        text.pop_back();
+    }
+    return text.substr(text.rfind('\n') + 1);
+}
+
+std::string whyItFailed(const ProgramRun& ran)
+{
+    if (ran.code == static_cast<int>(ErrorCode::outOfMemory) || ran.code == 128 + SIGABRT)
+    {
+        return fmt::format("{} needs more than {} GB of memory for it", kProgram, kBytes >> 30);
+    }
+    if (ran.code == 128 + SIGXCPU || ran.code == 128 + SIGKILL)
+    {
+        return fmt::format("{} takes more than {} s of processor time for it", kProgram, kSeconds);
+    }
+    if (ran.code > 128)
+    {
+        return fmt::format("{} crashed ({})", kProgram, sigdescr_np(ran.code - 128));
+    }
+    const std::string said = lastLine(ran.said);
+    return said.empty() ? fmt::format("{} ended with exit code {}", kProgram, ran.code) : said;
+}
+
+/// Calls the program with what to do, the file of a mesh, the file to write, the numbers and the
+/// limits.
+TriangleMesh call(const TriangleMesh& mesh, const std::string& what,
+                  const std::vector<double>& numbers, const std::string& subject)
+{
+    const auto program = findWrapProgram();
+    if (!program)
+    {
+        const char* named = std::getenv("FROSTFILL_WRAP");
+        throw Error(ErrorCode::missingProgram,
+                    fmt::format("{}: the program {} is missing ({}); build Frostfill with cmake "
+                                "-DFROSTFILL_WITH_CGAL=ON, which needs Debian's libcgal-dev",
+                                subject, kProgram,
+                                named != nullptr ? fmt::format("FROSTFILL_WRAP names '{}'", named)
+                                                 : "it is neither beside frostfill nor in PATH"));
+    }
+    const PrivateFolder folder;
+    const std::filesystem::path in = folder.path() / "in.ply";
+    const std::filesystem::path out = folder.path() / "out.ply";
+    savePly(mesh, in);
+    std::vector<std::string> arguments = {program->string(), what, in.string(), out.string()};
+    for (const double number : numbers)
+    {
+        arguments.push_back(fmt::format("{}", number));
+    }
+    arguments.push_back(std::to_string(kBytes));
+    arguments.push_back(std::to_string(kSeconds));
+    const ProgramRun ran = runProgram(folder.path(), std::move(arguments));
+    if (ran.error != 0)
+    {
+        throw Error(ErrorCode::missingProgram,
+                    fmt::format("{}: '{}' cannot be started: {}", subject, program->string(),
+                                std::strerror(ran.error)));
+    }
+    if (ran.code != 0)
+    {
+        throw Error(ErrorCode::badData, fmt::format("{}: {}", subject, whyItFailed(ran)));
+    }
+    return readMesh(out);
+}
+
+} // namespace
+
+std::optional<std::filesystem::path> findWrapProgram()
+{
+    if (const char* named = std::getenv("FROSTFILL_WRAP"); named != nullptr && *named != '\0')
+    {
+        return canRun(named) ? std::optional(std::filesystem::absolute(named)) : std::nullopt;
+    }
+    for (const std::filesystem::path& place : placesToLook())
+    {
+        if (canRun(place / kProgram))
+        {
+            return place / kProgram;
+        }
+    }
+    return std::nullopt;
+}
+
+TriangleMesh makeSkin(const TriangleMesh& mesh, double alpha, double offset, std::string_view name)
+{
+    return call(mesh, "skin", {alpha, offset}, fmt::format("'{}' cannot get a skin", name));
+}
+
+TriangleMesh makeUnion(const TriangleMesh& mesh, std::string_view name)
+{
+    return call(mesh, "unite", {}, fmt::format("'{}' cannot be united", name));
+}
+
+} // namespace frostfill

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+// Open and broken meshes on the command line: --lid, --wrap, --unite.
+#include "fault/program.hpp"
+#include "support/temporary_folder.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+
+namespace frostfill
+{
+namespace
+{
+
+using test::Answer;
+using test::readFile;
+using test::writeFile;
+
+/// A cube of edge 2 without its top; and two cubes that overlap.
+class OpenMeshes : public ::testing::Test
+{
+protected:
+    OpenMeshes()
+    {
+        writeFile(folder_ / "tub.obj", "v -1 -1 -1\nv 1 -1 -1\nv 1 -1 1\nv -1 -1 1\n"
+                                       "v -1 1 -1\nv 1 1 -1\nv 1 1 1\nv -1 1 1\n"
+                                       "f 1 2 3 4\nf 1 5 6 2\nf 2 6 7 3\nf 3 7 8 4\nf 4 8 5 1\n");
+        std::string cubes;
+        for (const double low : {0.0, 0.5})
+        {
+            for (int i = 0; i < 8; ++i)
+            {
+                cubes += fmt::format("v {} {} {}\n", low + (i & 1), low + ((i & 2) >> 1),
+                                     low + ((i & 4) >> 2));
+            }
+        }
+        for (const int first : {1, 9})
+        {
+            for (const auto& face :
+                 {std::array{0, 2, 3, 1}, std::array{4, 5, 7, 6}, std::array{0, 1, 5, 4},
+                  std::array{2, 6, 7, 3}, std::array{0, 4, 6, 2}, std::array{1, 3, 7, 5}})
+            {
+                cubes += fmt::format("f {} {} {} {}\n", first + face[0], first + face[1],
+                                     first + face[2], first + face[3]);
+            }
+        }
+        writeFile(folder_ / "cubes.obj", cubes);
+    }
+    [[nodiscard]] Answer run(const std::string& arguments) const
+    {
+        return test::runProgram(arguments, folder_.path(), "FROSTFILL_WRAP=/nowhere/wrap");
+    }
+    void expectRefused(const std::string& arguments, int code, const std::string& part) const
+    {
+        const Answer answer = run(arguments);
+        EXPECT_EQ(answer.code, code) << arguments << "\n" << answer.errors;
+        EXPECT_EQ(std::count(answer.errors.begin(), answer.errors.end(), '\n'), 1) << answer.errors;
+        EXPECT_NE(answer.errors.find(part), std::string::npos) << answer.errors;
+    }
+    test::TemporaryFolder folder_;
+};
+
+TEST_F(OpenMeshes, AreRefusedWithTheOptionThatHelps)
+{
+    expectRefused("fill tub.obj --count 5 --frames none", 65, "give --lid, or close it");
+}
+
+TEST_F(OpenMeshes, FillWithALidAndTheSummaryRepeatsIt)
+{
+    const Answer answer = run("fill tub.obj --lid --count 20 --frames none --out a");
+    EXPECT_EQ(answer.code, 0) << answer.errors;
+    EXPECT_NE(answer.errors.find("put a lid on an opening of 4 edges"), std::string::npos)
+        << answer.errors;
+    const auto first = nlohmann::json::parse(readFile(folder_ / "a/summary.json"));
+    EXPECT_EQ(first["scene"]["object"]["lid"], true);
+    EXPECT_EQ(first["scene"]["object"]["wrap"], nullptr);
+    EXPECT_NEAR(first["error"]["volume_mesh"], 8, 1e-12);
+    ASSERT_EQ(run("fill --scene a/summary.json --out b --quiet").code, 0);
+    const auto second = nlohmann::json::parse(readFile(folder_ / "b/summary.json"));
+    EXPECT_EQ(first["state_hash"], second["state_hash"]);
+}
+
+TEST_F(OpenMeshes, FillByASceneThatAsksForALid)
+{
+    writeFile(folder_ / "scene.toml", "[object]\nmesh = \"tub.obj\"\nlid = true\nwrap = \"none\"\n"
+                                      "unite = false\n[spheres]\ncount = 5\n"
+                                      "[frames]\nwhich = \"none\"\n");
+    EXPECT_EQ(run("fill --scene scene.toml --out a --quiet").code, 0);
+}
+
+TEST_F(OpenMeshes, NeedAProgramForASkinOrAUnion)
+{
+    expectRefused("fill tub.obj --wrap --count 5 --frames none", 69, "-DFROSTFILL_WITH_CGAL=ON");
+    expectRefused("fill cubes.obj --unite --count 5 --frames none", 69, "FROSTFILL_WRAP");
+    expectRefused("fps tub.obj --wrap 0.2 --no-render --quiet", 69, "frostfill-wrap");
+}
+
+TEST_F(OpenMeshes, AlphaMayBeLeftOutBeforeAnotherArgument)
+{
+    expectRefused("fill --wrap tub.obj --count 5 --frames none", 69, "'tub.obj'");
+    expectRefused("fill tub.obj --wrap --lid --frames none", 69, "'tub.obj'");
+    expectRefused("fill tub.obj --wrap -1", 64,
+                  "--wrap is '-1', but it must be a number of at "
+                  "least 0, auto or none");
+}
+
+TEST_F(OpenMeshes, TheCommandMeshTellsWhatEachOptionWouldDo)
+{
+    const Answer open = run("mesh tub.obj");
+    EXPECT_EQ(open.code, 65);
+    EXPECT_NE(open.output.find("with --lid         volume 8, area 24\n"), std::string::npos)
+        << open.output;
+    EXPECT_NE(open.output.find("with --wrap        the program frostfill-wrap is missing"),
+              std::string::npos)
+        << open.output;
+
+    const Answer crossing = run("mesh cubes.obj");
+    EXPECT_EQ(crossing.code, 0) << crossing.errors;
+    EXPECT_NE(crossing.output.find("obstacles, which --unite removes"), std::string::npos);
+    EXPECT_NE(crossing.output.find("with --lid         changes nothing"), std::string::npos)
+        << crossing.output;
+
+    EXPECT_EQ(run("mesh torus").output.find("with --"), std::string::npos);
+}
+
+TEST_F(OpenMeshes, TheCommandMeshWritesTheLiddedMesh)
+{
+    const Answer answer = run("mesh tub.obj --lid --repair closed.ply");
+    EXPECT_EQ(answer.code, 0) << answer.errors;
+    EXPECT_NE(run("mesh closed.ply").output.find("volume      8\n"), std::string::npos);
+}
+
+TEST_F(OpenMeshes, AUnionFillsWithoutWallsInside)
+{
+#ifdef FROSTFILL_WRAP_PROGRAM
+    const Answer answer =
+        test::runProgram("fill cubes.obj --unite --count 20 --frames none --out a", folder_.path(),
+                         "FROSTFILL_WRAP='" FROSTFILL_WRAP_PROGRAM "'");
+    EXPECT_EQ(answer.code, 0) << answer.errors;
+    const auto summary = nlohmann::json::parse(readFile(folder_ / "a/summary.json"));
+    EXPECT_NEAR(summary["error"]["volume_mesh"], 1.875, 1e-12);
+    EXPECT_EQ(summary["mesh"]["crossed_triangles"], 0);
+#else
+    GTEST_SKIP() << "built without FROSTFILL_WITH_CGAL";
+#endif
+}
+
+} // namespace
+} // namespace frostfill

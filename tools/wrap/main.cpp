@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// frostfill-wrap skin IN OUT ALPHA OFFSET BYTES SECONDS
+// frostfill-wrap unite IN OUT BYTES SECONDS
+// Called by frostfill, which writes IN and reads OUT, PLY files. BYTES of address space and SECONDS
+// of processor time are this process's limits. Exit code 65 with a reason on standard output: the
+// mesh cannot be worked on.
+#include "work.hpp"
+
+#include <frostfill/error.hpp>
+
+#include <sys/prctl.h>
+#include <sys/resource.h>
+
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <new>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+using namespace frostfill;
+
+void limit(int what, const std::string& value)
+{
+    rlimit now = {};
+    getrlimit(static_cast<__rlimit_resource>(what), &now);
+    now.rlim_cur = std::min<rlim_t>(now.rlim_max, std::strtoull(value.c_str(), nullptr, 10));
+    setrlimit(static_cast<__rlimit_resource>(what), &now);
+}
+
+void limitThisProcess(const std::string& bytes, const std::string& seconds)
+{
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    limit(RLIMIT_CORE, "0");
+    limit(RLIMIT_CPU, seconds);
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+    limit(RLIMIT_AS, bytes); // sanitizers map terabytes
+#else
+    (void)bytes;
+#endif
+}
+
+int run(const std::vector<std::string>& given)
+{
+    if (given.size() == 7 && given[0] == "skin")
+    {
+        limitThisProcess(given[5], given[6]);
+        const double alpha = std::strtod(given[3].c_str(), nullptr);
+        const double offset = std::strtod(given[4].c_str(), nullptr);
+        savePly(wrap::skinOf(readMesh(given[1]), alpha, offset), given[2]);
+        return 0;
+    }
+    if (given.size() == 5 && given[0] == "unite")
+    {
+        limitThisProcess(given[3], given[4]);
+        savePly(wrap::unionOf(readMesh(given[1])), given[2]);
+        return 0;
+    }
+    std::fputs("frostfill-wrap makes skins and unions for frostfill, which calls it:\n"
+               "  frostfill fill MESH --wrap    frostfill fill MESH --unite\n"
+               "It is free software under the GNU GPL, version 3 or later, and uses CGAL.\n",
+               stdout);
+    return static_cast<int>(ErrorCode::usage);
+}
+
+} // namespace
+
+int main(int argumentCount, char** arguments)
+{
+    try
+    {
+        return run({arguments + 1, arguments + argumentCount});
+    }
+    catch (const wrap::Refused& why)
+    {
+        std::puts(why.what());
+        return static_cast<int>(ErrorCode::badData);
+    }
+    catch (const std::bad_alloc&)
+    {
+        return static_cast<int>(ErrorCode::outOfMemory);
+    }
+    catch (const std::exception& error)
+    {
+        std::puts(error.what());
+        return static_cast<int>(ErrorCode::postcondition);
+    }
+}
