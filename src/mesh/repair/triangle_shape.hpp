@@ -46,10 +46,4 @@ inline constexpr double kFlat = 1e-12;
     return t;
 }
 
-inline double areaOf(const TriangleMesh& mesh, const Triangle& t)
-{
-    const Eigen::Vector3d& a = mesh.vertices[t[0]];
-    return 0.5 * (mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a).norm();
-}
-
 } // namespace frostfill
