@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <vector>
@@ -97,7 +98,12 @@ protected:
             if (!unfinished)
             {
                 ASSERT_TRUE(whole.contains(name)) << what << ": " << name;
-                EXPECT_EQ(content == whole.at(name), true) << what << ": " << name;
+                const auto [here, there] = std::mismatch(
+                    content.begin(), content.end(), whole.at(name).begin(), whole.at(name).end());
+                EXPECT_TRUE(content == whole.at(name))
+                    << what << ": " << name << " has " << content.size() << " bytes instead of "
+                    << whole.at(name).size() << " and differs from byte " << here - content.begin()
+                    << " on; exit code " << answer.code << ", a call has failed: " << hasFailed();
             }
         }
         EXPECT_TRUE(answer.code == 0 || answer.code == 73 || answer.code == 74)
