@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
-// What is around the program goes wrong: signals, streams, libraries, programs, names, locales,
-// clocks, sizes. Rows F2, F12 and F14 to F21 of docs/reliability.md.
-#include "fault/program.hpp"
-#include "support/temporary_folder.hpp"
+// What is around the program goes wrong: signals, streams, libraries, programs, locales, clocks.
+// Rows F2, F12, F14, F15, F17 and F18 of docs/reliability.md.
+#include "fault/surroundings.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -24,44 +22,12 @@ namespace
 {
 
 using test::Answer;
+using test::kLong;
+using test::kSmall;
 using test::readFile;
+using test::Surroundings;
 using test::writeFile;
 namespace fs = std::filesystem;
-
-const std::string kSmall =
-    "fill cube --radius 0.3 --count 8 --group-size 2 --size 64x48 --max-frames 4 --threads 1 ";
-// Takes far longer than any test waits.
-const std::string kLong = "fill cube --count 200000 --size 64x48 --max-frames 4 --threads 1 ";
-
-class Surroundings : public ::testing::Test
-{
-protected:
-    [[nodiscard]] Answer run(const std::string& arguments,
-                             const std::string& environment = "") const
-    {
-        return test::runProgram(arguments, folder_.path(), environment);
-    }
-    /// With settings of fault_shim.c; false when the shim cannot be used.
-    [[nodiscard]] static std::string shim(const std::string& settings)
-    {
-        return "LD_PRELOAD='" FROSTFILL_FAULT_SHIM "' " + settings;
-    }
-    [[nodiscard]] static bool hasShim()
-    {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-        return false;
-#else
-        return true;
-#endif
-    }
-    void makeFfmpeg(const std::string& script) const
-    {
-        fs::create_directory(folder_ / "bin");
-        writeFile(folder_ / "bin/ffmpeg", "#!/bin/sh\n" + script);
-        fs::permissions(folder_ / "bin/ffmpeg", fs::perms::owner_all);
-    }
-    test::TemporaryFolder folder_;
-};
 
 double secondsOf(const std::function<void()>& what)
 {
@@ -206,25 +172,6 @@ TEST_F(Surroundings, TheNextRunClearsAwayTheVideoOfAKilledOne)
     EXPECT_EQ(readFile(folder_ / "film.2024.log"), "mine");
 }
 
-// Each of these would simulate for minutes if it began.
-TEST_F(Surroundings, NamesThatCannotBeWrittenAreRefusedBeforeTheSimulation)
-{
-    fs::create_directories(folder_ / "b/frames/frame_00000.png");
-    writeFile(folder_ / "c", "a file");
-    std::vector<std::string> names = {std::string(256, 'a'), "b", "c", "c/d", "/proc/none"};
-    if (geteuid() != 0)
-    {
-        fs::create_directory(folder_ / "locked");
-        fs::permissions(folder_ / "locked", fs::perms::owner_read | fs::perms::owner_exec);
-        names.push_back("locked");
-    }
-    for (const std::string& name : names)
-    {
-        const Answer answer = run(kLong + "--overwrite --out " + name, "timeout 60");
-        EXPECT_EQ(answer.code, 73) << name << answer.errors;
-    }
-}
-
 TEST_F(Surroundings, LocaleTimeZoneAndClockChangeNoByte)
 {
     ASSERT_EQ(run(kSmall + "--quiet --out plain").code, 0);
@@ -277,83 +224,6 @@ TEST_F(Surroundings, EveryFrameTakesAsManyHandlesThreadsAndBytesAsTheOneBefore)
     EXPECT_LE(std::abs(late[0] - early[0]), 2) << "a picture may just be open";
     EXPECT_EQ(late[1], early[1]);
     EXPECT_LT(late[2] - early[2], 5000);
-}
-
-TEST_F(Surroundings, SizesThatCannotBeDrawnAreRefusedAndTheSmallestIsDrawn)
-{
-    for (const char* size : {"20000x20000", "0x0", "-5x5", "-5", "16385x1", "1e3x1e3"})
-    {
-        const Answer answer = run(kLong + "--out a --size=" + size, "timeout 60");
-        EXPECT_EQ(answer.code, 64) << size << answer.errors;
-    }
-    EXPECT_FALSE(fs::exists(folder_ / "a"));
-    EXPECT_EQ(run(kLong + "--quiet --size 16384x16384 --supersample 8 --out a", "timeout 60").code,
-              64);
-    for (const char* size : {"1x1", "1x50", "50x1"})
-    {
-        const Answer answer = run("fill cube --count 4 --max-frames 2 --threads 1 --quiet "
-                                  "--overwrite --out b --size " +
-                                  std::string(size));
-        EXPECT_EQ(answer.code, 0) << size << answer.errors;
-    }
-}
-
-TEST_F(Surroundings, PicturesThatShowNothingAreTold)
-{
-    for (const char* view : {"--target 1e6,0,0", "--azimuth 0 --target 0,0,50 --distance 1"})
-    {
-        const Answer answer = run(kSmall + "--quiet --overwrite --out a " + view);
-        EXPECT_EQ(answer.code, 70) << view;
-        EXPECT_NE(answer.errors.find("blank"), std::string::npos) << view << answer.errors;
-        EXPECT_TRUE(fs::exists(folder_ / "a/spheres.csv")) << view;
-    }
-    // Inside the object the spheres are seen from between them.
-    EXPECT_EQ(run(kSmall + "--quiet --overwrite --out a --distance 0.01").code, 0);
-}
-
-TEST_F(Surroundings, ValuesBeyondTheirRangeAreRefusedBeforeTheSimulation)
-{
-    for (const char* option : {"--slow-motion 1e9",
-                               "--slow-motion 1e-300",
-                               "--fps 1e-300",
-                               "--fps 1e9",
-                               "--radius 1e-300",
-                               "--radius 1e-300..1",
-                               "--radius 1e300",
-                               "--gravity 1e300",
-                               "--gravity 1e-300",
-                               "--dt 1e-300",
-                               "--zoom 1e-300",
-                               "--zoom 1e9",
-                               "--distance 1e300",
-                               "--target 1e300,0,0",
-                               "--turntable 1e-300",
-                               "--tilt 1e9",
-                               "--turn 1e9",
-                               "--shake 1e300",
-                               "--move-for 1e300",
-                               "--move-for 1e-300",
-                               "--shake-frequency 1e300",
-                               "--set-time-limit 1e300",
-                               "--rest-window 1e300",
-                               "--threads 100000",
-                               "--samples 64",
-                               "--units 1e-300",
-                               "--hold 1e9",
-                               "--sweeps 1000000",
-                               "--group-size 1e9",
-                               "--discard-epsilon 1e300",
-                               "--cutaway plane:1e300,0,0"})
-    {
-        const Answer answer = run(kLong + "--out a " + option, "timeout 60");
-        EXPECT_EQ(answer.code, 64) << option << answer.errors;
-        EXPECT_EQ(std::count(answer.errors.begin(), answer.errors.end(), '\n'), 1) << option;
-    }
-    writeFile(folder_ / "scene.toml", "[object]\nmesh = \"cube\"\n[frames]\nslow_motion = 1e9\n");
-    const Answer file = run("fill --scene scene.toml --out a", "timeout 60");
-    EXPECT_EQ(file.code, 65) << file.errors;
-    EXPECT_NE(file.errors.find("scene.toml, line 4"), std::string::npos) << file.errors;
-    EXPECT_FALSE(fs::exists(folder_ / "a"));
 }
 
 } // namespace

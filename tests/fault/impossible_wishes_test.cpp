@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+// What the program is asked for cannot be: names, sizes, views, values. Rows F16, F19 and F21 of
+// docs/reliability.md.
+#include "fault/surroundings.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace frostfill
+{
+namespace
+{
+
+using test::Answer;
+using test::kLong;
+using test::kSmall;
+using test::Surroundings;
+using test::writeFile;
+namespace fs = std::filesystem;
+
+// Each of these would simulate for minutes if it began.
+TEST_F(Surroundings, NamesThatCannotBeWrittenAreRefusedBeforeTheSimulation)
+{
+    fs::create_directories(folder_ / "b/frames/frame_00000.png");
+    writeFile(folder_ / "c", "a file");
+    std::vector<std::string> names = {std::string(256, 'a'), "b", "c", "c/d", "/proc/none"};
+    if (geteuid() != 0)
+    {
+        fs::create_directory(folder_ / "locked");
+        fs::permissions(folder_ / "locked", fs::perms::owner_read | fs::perms::owner_exec);
+        names.push_back("locked");
+    }
+    for (const std::string& name : names)
+    {
+        const Answer answer = run(kLong + "--overwrite --out " + name, "timeout 60");
+        EXPECT_EQ(answer.code, 73) << name << answer.errors;
+    }
+}
+
+TEST_F(Surroundings, SizesThatCannotBeDrawnAreRefusedAndTheSmallestIsDrawn)
+{
+    for (const char* size : {"20000x20000", "0x0", "-5x5", "-5", "16385x1", "1e3x1e3"})
+    {
+        const Answer answer = run(kLong + "--out a --size=" + size, "timeout 60");
+        EXPECT_EQ(answer.code, 64) << size << answer.errors;
+    }
+    EXPECT_FALSE(fs::exists(folder_ / "a"));
+    EXPECT_EQ(run(kLong + "--quiet --size 16384x16384 --supersample 8 --out a", "timeout 60").code,
+              64);
+    for (const char* size : {"1x1", "1x50", "50x1"})
+    {
+        const Answer answer = run("fill cube --count 4 --max-frames 2 --threads 1 --quiet "
+                                  "--overwrite --out b --size " +
+                                  std::string(size));
+        EXPECT_EQ(answer.code, 0) << size << answer.errors;
+    }
+}
+
+TEST_F(Surroundings, PicturesThatShowNothingAreTold)
+{
+    for (const char* view : {"--target 1e6,0,0", "--azimuth 0 --target 0,0,50 --distance 1"})
+    {
+        const Answer answer = run(kSmall + "--quiet --overwrite --out a " + view);
+        EXPECT_EQ(answer.code, 70) << view;
+        EXPECT_NE(answer.errors.find("blank"), std::string::npos) << view << answer.errors;
+        EXPECT_TRUE(fs::exists(folder_ / "a/spheres.csv")) << view;
+    }
+    // Inside the object the spheres are seen from between them.
+    EXPECT_EQ(run(kSmall + "--quiet --overwrite --out a --distance 0.01").code, 0);
+}
+
+TEST_F(Surroundings, ValuesBeyondTheirRangeAreRefusedBeforeTheSimulation)
+{
+    for (const char* option : {"--slow-motion 1e9",
+                               "--slow-motion 1e-300",
+                               "--fps 1e-300",
+                               "--fps 1e9",
+                               "--radius 1e-300",
+                               "--radius 1e-300..1",
+                               "--radius 1e300",
+                               "--gravity 1e300",
+                               "--gravity 1e-300",
+                               "--dt 1e-300",
+                               "--zoom 1e-300",
+                               "--zoom 1e9",
+                               "--distance 1e300",
+                               "--target 1e300,0,0",
+                               "--turntable 1e-300",
+                               "--tilt 1e9",
+                               "--turn 1e9",
+                               "--shake 1e300",
+                               "--move-for 1e300",
+                               "--move-for 1e-300",
+                               "--shake-frequency 1e300",
+                               "--set-time-limit 1e300",
+                               "--rest-window 1e300",
+                               "--threads 100000",
+                               "--samples 64",
+                               "--units 1e-300",
+                               "--hold 1e9",
+                               "--sweeps 1000000",
+                               "--group-size 1e9",
+                               "--discard-epsilon 1e300",
+                               "--cutaway plane:1e300,0,0"})
+    {
+        const Answer answer = run(kLong + "--out a " + option, "timeout 60");
+        EXPECT_EQ(answer.code, 64) << option << answer.errors;
+        EXPECT_EQ(std::count(answer.errors.begin(), answer.errors.end(), '\n'), 1) << option;
+    }
+    writeFile(folder_ / "scene.toml", "[object]\nmesh = \"cube\"\n[frames]\nslow_motion = 1e9\n");
+    const Answer file = run("fill --scene scene.toml --out a", "timeout 60");
+    EXPECT_EQ(file.code, 65) << file.errors;
+    EXPECT_NE(file.errors.find("scene.toml, line 4"), std::string::npos) << file.errors;
+    EXPECT_FALSE(fs::exists(folder_ / "a"));
+}
+
+} // namespace
+} // namespace frostfill
