@@ -103,8 +103,7 @@ TEST_F(OpenMeshes, AlphaMayBeLeftOutBeforeAnotherArgument)
     expectRefused("fill --wrap tub.obj --count 5 --frames none", 69, "'tub.obj'");
     expectRefused("fill tub.obj --wrap --lid --frames none", 69, "'tub.obj'");
     expectRefused("fill tub.obj --wrap -1", 64,
-                  "--wrap is '-1', but it must be a number of at "
-                  "least 0, auto or none");
+                  "--wrap is '-1', but it must be a number from 0 to");
 }
 
 TEST_F(OpenMeshes, TheCommandMeshTellsWhatEachOptionWouldDo)
