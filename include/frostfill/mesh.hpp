@@ -104,9 +104,9 @@ struct LoadMeshOptions
 /// size. A file on which the reader crashes, hangs or fills the memory is an Error badData.
 [[nodiscard]] TriangleMesh readMeshInCage(const std::filesystem::path& file);
 
-/// Repairs a mesh for filling. Joins seams, drops duplicates and triangles without area, makes
-/// windings consistent and outward (inward for cavities), and closes holes of up to 5 % of the
-/// surface. `name` is used in messages. Throws Error badData if the mesh cannot be filled: no
+/// Repairs a mesh for filling: joins seams and cracks, drops what encloses nothing (fins, sheets,
+/// small open pieces), turns windings outward (inward for cavities), closes holes of up to 5 % of
+/// the surface. `name` is used in messages. Throws Error badData if the mesh cannot be filled: no
 /// volume, open beyond repair, numbers that are not finite. The message names the options that
 /// would help, if any does. Pieces may pass through each other.
 [[nodiscard]] LoadedMesh repairMesh(TriangleMesh mesh, std::string_view name,
