@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/sanitized.hpp"
 #include "fault/program.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -33,7 +34,7 @@ class FailingCalls : public ::testing::Test
 protected:
     void SetUp() override
     {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef FROSTFILL_SANITIZED
         GTEST_SKIP() << "a sanitizer has to be the first library that is loaded";
 #endif
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/sanitized.hpp"
 #include "fault/program.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -32,7 +33,7 @@ protected:
     }
     [[nodiscard]] static bool hasShim()
     {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef FROSTFILL_SANITIZED
         return false;
 #else
         return true;

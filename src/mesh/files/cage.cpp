@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/files/cage.hpp"
 
+#include "base/sanitized.hpp"
+
 #include <frostfill/error.hpp>
 
 #include <fcntl.h>
@@ -38,7 +40,7 @@ constexpr char kRefused = 'E';     // then the error's code in one byte, and its
 constexpr char kOutOfMemory = 'M'; // nothing more
 
 // Sanitizers map terabytes of shadow, which no limit on addresses could leave room for.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef FROSTFILL_SANITIZED
 constexpr bool kLimitsAddresses = false;
 #else
 constexpr bool kLimitsAddresses = true;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/files/cage.hpp"
 
+#include "base/sanitized.hpp"
 #include "support/expect_error.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -69,7 +70,7 @@ TEST(Cage, EndsWhatNeverEnds)
 
 TEST(Cage, RefusesWhatTakesAllMemory)
 {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef FROSTFILL_SANITIZED
     GTEST_SKIP() << "sanitizers map more memory than any limit allows";
 #endif
     expectError(

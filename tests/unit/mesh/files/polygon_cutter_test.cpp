@@ -5,7 +5,6 @@
 #include "unit/mesh/files/mesh_texts.hpp"
 
 #include <cmath>
-#include <ctime>
 #include <numbers>
 #include <numeric>
 
@@ -158,9 +157,7 @@ TEST(PolygonCutter, GivesUpOnAPolygonThatTakesTooLong)
     std::vector<std::uint32_t> corners(comb.size());
     std::iota(corners.begin(), corners.end(), 0U);
     Triangles triangles;
-    const std::clock_t begin = std::clock();
-    (void)PolygonCutter(comb).cut(corners, triangles);
-    EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 5);
+    EXPECT_FALSE(PolygonCutter(comb).cut(corners, triangles));
 }
 
 } // namespace
