@@ -178,6 +178,13 @@ function(check_sizes file room)
     set(faults "${faults}" PARENT_SCOPE)
 endfunction()
 
+file(GLOB_RECURSE files RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/tests/*.?pp ${SOURCE_DIR}/tools/*.?pp)
+foreach(file IN LISTS files)
+    get_filename_component(folder ${file} DIRECTORY)
+    string(MAKE_C_IDENTIFIER ${folder} folder)
+    check_sizes(${file} ${folder})
+endforeach()
+
 file(GLOB_RECURSE files RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/src/*.?pp ${SOURCE_DIR}/include/*.hpp)
 foreach(file IN LISTS files)
     room_of_file(${file} room)

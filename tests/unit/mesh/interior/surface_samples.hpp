@@ -141,4 +141,42 @@ inline TriangleMesh tetrahedra(int count, double size, std::uint64_t seed)
     return mesh;
 }
 
+/// A strip with a thickness, bent along a loop that crosses itself at the origin.
+inline TriangleMesh loopStrip(int steps, double thickness)
+{
+    TriangleMesh mesh;
+    for (int i = 0; i <= steps; ++i)
+    {
+        const double s = -1.4 + 2.8 * i / steps;
+        const Eigen::Vector3d middle(s * s - 1, s * s * s - s, 0);
+        const Eigen::Vector3d normal = Eigen::Vector3d(1 - 3 * s * s, 2 * s, 0).normalized();
+        for (const auto& [side, z] : {std::pair(-1, 0), {1, 0}, {1, 1}, {-1, 1}})
+        {
+            mesh.vertices.emplace_back(middle + side * thickness / 2 * normal +
+                                       z * Eigen::Vector3d::UnitZ());
+        }
+    }
+    const auto quad = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d)
+    {
+        mesh.triangles.push_back({a, b, c});
+        mesh.triangles.push_back({a, c, d});
+    };
+    for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(steps); ++i)
+    {
+        for (std::uint32_t k = 0; k < 4; ++k)
+        {
+            const std::uint32_t next = (k + 1) % 4;
+            quad(4 * i + k, 4 * i + next, 4 * i + 4 + next, 4 * i + 4 + k);
+        }
+    }
+    const auto last = static_cast<std::uint32_t>(4 * steps);
+    quad(3, 2, 1, 0);
+    quad(last, last + 1, last + 2, last + 3);
+    if (signedVolume(mesh) < 0)
+    {
+        flipAll(mesh);
+    }
+    return mesh;
+}
+
 } // namespace frostfill::test
