@@ -54,12 +54,14 @@ function(frostfill_embed target header)
     endforeach()
     set(folder ${CMAKE_CURRENT_BINARY_DIR}/embedded)
     file(CONFIGURE OUTPUT ${folder}/${header} @ONLY CONTENT [=[
-// Generated at configure time: files that the build compiles in.
+// Generated at configure time: files that the build compiles in. Functions have the files' names.
+// NOLINTBEGIN(readability-identifier-naming)
 #pragma once
 #include <string_view>
 namespace frostfill::embedded
 {
 @declarations@} // namespace frostfill::embedded
+// NOLINTEND(readability-identifier-naming)
 ]=])
     target_include_directories(${target} PRIVATE ${folder})
 endfunction()

@@ -42,6 +42,7 @@ bool isBuiltInMesh(std::string_view name)
 std::vector<std::string> builtInMeshNames()
 {
     std::vector<std::string> names;
+    names.reserve(kBuiltIns.size());
     for (const BuiltIn& object : kBuiltIns)
     {
         names.emplace_back(object.name);
