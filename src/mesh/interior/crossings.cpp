@@ -5,7 +5,6 @@
 #include "mesh/interior/fan_sweep.hpp"
 #include "mesh/interior/spread_fan.hpp"
 #include "mesh/interior/triangle_tree.hpp"
-#include "mesh/interior/vertex_triangles.hpp"
 
 #include <algorithm>
 #include <array>
@@ -92,9 +91,9 @@ public:
         }
     }
 
-    Crossings run()
+    Crossings run(const VertexTriangles& around)
     {
-        searchFans();
+        searchFans(around);
         searchTree();
         return result();
     }
@@ -130,14 +129,13 @@ private:
     }
 
     // All pairs with a common vertex.
-    void searchFans()
+    void searchFans(const VertexTriangles& around)
     {
         std::vector<bool> solid(mesh_.triangles.size(), false);
         for (std::size_t place = 0; place < boxes_.size(); ++place)
         {
             solid[tree_.order()[place]] = !boxes_[place].isEmpty();
         }
-        const VertexTriangles around(mesh_);
         FanSweep sweep;
         for (std::uint32_t vertex = 0; vertex < around.vertices(); ++vertex)
         {
@@ -261,9 +259,9 @@ private:
 
 } // namespace
 
-Crossings findCrossings(const TriangleMesh& mesh)
+Crossings findCrossings(const TriangleMesh& mesh, const VertexTriangles& around)
 {
-    return CrossingSearch(mesh).run();
+    return CrossingSearch(mesh).run(around);
 }
 
 } // namespace frostfill

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <frostfill/mesh.hpp>
+#include "mesh/interior/vertex_triangles.hpp"
 
 #include <cstddef>
 #include <vector>
@@ -22,8 +22,8 @@ struct Crossings
 /// Finds all triangles that meet others. Exact, see orient3d. To touch counts, and so do overlaps
 /// in a plane and a fold flat onto a neighbour. Vertices are the same if their indices are: where
 /// two vertices have the same coordinates, two sheets touch, and the nearer one cannot tell the
-/// side. Triangles without area are left out. Takes O(n log n) plus the number of pairs whose boxes
-/// meet, which is O(n) except for needles that lie askew side by side.
-[[nodiscard]] Crossings findCrossings(const TriangleMesh& mesh);
+/// side. Triangles without area are left out. `around`: of the mesh. Takes O(n log n) plus the
+/// number of pairs whose boxes meet, which is O(n) except for needles that lie askew side by side.
+[[nodiscard]] Crossings findCrossings(const TriangleMesh& mesh, const VertexTriangles& around);
 
 } // namespace frostfill

@@ -68,21 +68,23 @@ private:
         const auto [x, y, z] = cell;
         const std::uint32_t block = grid_.blockOf(x, y, z);
         return block == TriangleGrid::kNoTriangles
-                   ? blockKnown_[blockIndex(cell)]
-                   : cellKnown_[cellIndex(block, cell)] || !grid_.cell(x, y, z).empty();
+                   ? blockKnown_[grid_.blockIndex(x, y, z)]
+                   : cellKnown_[TriangleGrid::cellIndex(block, x, y, z)] ||
+                         !grid_.cell(x, y, z).empty();
     }
     /// Returns whether the cell stands for its block.
     bool mark(const Cell& cell, bool side)
     {
-        const std::uint32_t block = grid_.blockOf(cell[0], cell[1], cell[2]);
+        const auto [x, y, z] = cell;
+        const std::uint32_t block = grid_.blockOf(x, y, z);
         if (block == TriangleGrid::kNoTriangles)
         {
-            blockKnown_[blockIndex(cell)] = true;
-            test_.blockInside_[blockIndex(cell)] = side;
+            blockKnown_[grid_.blockIndex(x, y, z)] = true;
+            test_.blockInside_[grid_.blockIndex(x, y, z)] = side;
             return true;
         }
-        cellKnown_[cellIndex(block, cell)] = true;
-        test_.cellInside_[cellIndex(block, cell)] = side;
+        cellKnown_[TriangleGrid::cellIndex(block, x, y, z)] = true;
+        test_.cellInside_[TriangleGrid::cellIndex(block, x, y, z)] = side;
         return false;
     }
     [[nodiscard]] bool isInFrame(const Cell& cell) const
@@ -144,16 +146,6 @@ private:
             add(cell);
         }
     }
-    [[nodiscard]] std::size_t blockIndex(const Cell& cell) const
-    {
-        constexpr int kSide = TriangleGrid::kSide;
-        return grid_.blocksFrame().index(cell[0] / kSide, cell[1] / kSide, cell[2] / kSide);
-    }
-    [[nodiscard]] static std::size_t cellIndex(std::uint32_t block, const Cell& cell)
-    {
-        return block * TriangleGrid::kInBlock + TriangleGrid::inBlock(cell[0], cell[1], cell[2]);
-    }
-
     InsideTest& test_;
     const TriangleGrid& grid_;
     std::vector<bool> blockKnown_, cellKnown_;
@@ -184,10 +176,9 @@ bool InsideTest::isCellInside(const Cell& cell) const
 {
     const auto [x, y, z] = cell;
     const std::uint32_t block = grid_->blockOf(x, y, z);
-    constexpr int kSide = TriangleGrid::kSide;
     return block == TriangleGrid::kNoTriangles
-               ? blockInside_[grid_->blocksFrame().index(x / kSide, y / kSide, z / kSide)]
-               : cellInside_[block * TriangleGrid::kInBlock + TriangleGrid::inBlock(x, y, z)];
+               ? blockInside_[grid_->blockIndex(x, y, z)]
+               : cellInside_[TriangleGrid::cellIndex(block, x, y, z)];
 }
 
 double InsideTest::farOutsideUntil(const Eigen::Vector3d& p) const
@@ -243,15 +234,7 @@ bool InsideTest::isInsideFarFromSurface(const Eigen::Vector3d& p) const
             return isCellInside(grid_->frame().coordinates(other));
         }
     }
-    // Two such points of one cell are closer to each other than twice the reach. No surface is
-    // between them, so one winding number serves the cell.
-    const std::lock_guard lock(*farSidesLock_);
-    const auto [side, isNew] = farSides_.try_emplace(grid_->frame().index(p), false);
-    if (isNew)
-    {
-        side->second = isInsideByWinding(p);
-    }
-    return side->second;
+    return isInsideByWinding(p);
 }
 
 } // namespace frostfill

@@ -6,9 +6,6 @@
 #include "mesh/interior/winding_number.hpp"
 
 #include <array>
-#include <memory>
-#include <mutex>
-#include <unordered_map>
 #include <vector>
 
 namespace frostfill
@@ -59,9 +56,6 @@ private:
     // Sides of what has no triangles: of blocks, and of cells in blocks with triangles.
     std::vector<bool> blockInside_; ///< [#blocks]
     std::vector<bool> cellInside_;  ///< [#blocks with triangles x cells of a block]
-    /// For cells with triangles: the side of the points far from the surface, once requested.
-    mutable std::unordered_map<std::size_t, bool> farSides_;
-    std::unique_ptr<std::mutex> farSidesLock_ = std::make_unique<std::mutex>();
 };
 
 } // namespace frostfill

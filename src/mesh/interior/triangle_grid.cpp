@@ -20,20 +20,20 @@ TriangleGrid::TriangleGrid(const Surface& surface, const GridFrame& frame, doubl
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs; // cell, triangle
     for (std::size_t t = 0; t < surface.size(); ++t)
     {
-        forEachCellNear(
-            frame_, surface[t], reach,
-            [&](int x, int y, int z)
-            {
-                std::uint32_t& block = blocks_[blocksFrame_.index(x / kSide, y / kSide, z / kSide)];
-                if (block == kNoTriangles)
-                {
-                    block = static_cast<std::uint32_t>(starts_.size() / kInBlock);
-                    starts_.resize(starts_.size() + kInBlock, 0);
-                }
-                const std::size_t cell = block * kInBlock + inBlock(x, y, z);
-                ++starts_[cell];
-                pairs.emplace_back(static_cast<std::uint32_t>(cell), static_cast<std::uint32_t>(t));
-            });
+        forEachCellNear(frame_, surface[t], reach,
+                        [&](int x, int y, int z)
+                        {
+                            std::uint32_t& block = blocks_[blockIndex(x, y, z)];
+                            if (block == kNoTriangles)
+                            {
+                                block = static_cast<std::uint32_t>(starts_.size() / kInBlock);
+                                starts_.resize(starts_.size() + kInBlock, 0);
+                            }
+                            const std::size_t cell = cellIndex(block, x, y, z);
+                            ++starts_[cell];
+                            pairs.emplace_back(static_cast<std::uint32_t>(cell),
+                                               static_cast<std::uint32_t>(t));
+                        });
     }
     starts_.push_back(0);
     std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());

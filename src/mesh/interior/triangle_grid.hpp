@@ -33,8 +33,7 @@ public:
         {
             return {};
         }
-        const std::uint32_t* start =
-            starts_.data() + std::size_t{block} * kInBlock + inBlock(x, y, z);
+        const std::uint32_t* start = starts_.data() + cellIndex(block, x, y, z);
         return {ids_.data() + start[0], start[1] - start[0]};
     }
     [[nodiscard]] const GridFrame& frame() const { return frame_; }
@@ -69,10 +68,20 @@ public:
     }
 
     [[nodiscard]] const GridFrame& blocksFrame() const { return blocksFrame_; }
+    /// Number of the cell's block among all.
+    [[nodiscard]] std::size_t blockIndex(int x, int y, int z) const
+    {
+        return blocksFrame_.index(x / kSide, y / kSide, z / kSide);
+    }
     /// Number of the cell's block among those with triangles, or kNoTriangles.
     [[nodiscard]] std::uint32_t blockOf(int x, int y, int z) const
     {
-        return blocks_[blocksFrame_.index(x / kSide, y / kSide, z / kSide)];
+        return blocks_[blockIndex(x, y, z)];
+    }
+    /// Number of a cell among those of all blocks with triangles, of which it has one.
+    [[nodiscard]] static std::size_t cellIndex(std::uint32_t block, int x, int y, int z)
+    {
+        return block * kInBlock + inBlock(x, y, z);
     }
     [[nodiscard]] std::size_t blocksWithTriangles() const { return starts_.size() / kInBlock; }
     /// Number of a cell among those of its block.

@@ -132,13 +132,13 @@ std::size_t countOf(const Flags& flags)
 
 Walls classifyWalls(const TriangleMesh& mesh)
 {
-    Crossings crossings = findCrossings(mesh);
+    const VertexTriangles around(mesh);
+    Crossings crossings = findCrossings(mesh, around);
     Walls walls;
     walls.crossed = crossings.count;
     walls.firstCrossing = crossings.firstPlace;
     walls.twoSided = std::move(crossings.crossed);
 
-    const VertexTriangles around(mesh);
     const EdgeTwins twins(mesh, around);
     flagIrregular(mesh, around, twins, walls.twoSided);
     const std::vector<Patch> patches = findPatches(twins, walls.twoSided);

@@ -34,6 +34,13 @@ void forEachSide(const TriangleMesh& mesh, Visit&& visit)
 
 } // namespace
 
+bool cancels(std::span<const EdgeUse> uses)
+{
+    const auto forward =
+        std::count_if(uses.begin(), uses.end(), [](const EdgeUse& use) { return use.forward; });
+    return 2 * static_cast<std::size_t>(forward) == uses.size();
+}
+
 EdgeTable::EdgeTable(const TriangleMesh& mesh)
 {
     // In buckets by the lower vertex: most hold a few sides, which are soon sorted.

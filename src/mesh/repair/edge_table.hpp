@@ -22,6 +22,9 @@ struct EdgeUse
     bool forward = false;    ///< the side runs from low to high
 };
 
+/// Whether as many triangles pass an edge in one direction as in the other.
+[[nodiscard]] bool cancels(std::span<const EdgeUse> uses);
+
 /// All edges of a mesh, each with its triangles, ordered by vertex numbers. Triangles that repeat a
 /// corner have no edges.
 class EdgeTable

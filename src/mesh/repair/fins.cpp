@@ -23,49 +23,34 @@ using Flags = std::vector<bool>; ///< [#T]
 std::size_t remove(TriangleMesh& mesh, const Flags& flags)
 {
     double removed = 0;
-    double all = 0;
-    std::vector<Triangle> kept;
     for (std::size_t i = 0; i < flags.size(); ++i)
     {
-        const double area = areaOf(mesh, mesh.triangles[i]);
-        all += area;
-        removed += flags[i] ? area : 0;
-        if (!flags[i])
-        {
-            kept.push_back(mesh.triangles[i]);
-        }
+        removed += flags[i] ? areaOf(mesh, mesh.triangles[i]) : 0;
     }
-    if (kept.size() == flags.size() || !(removed < kLeastPart * all))
+    if (!(removed < kLeastPart * surfaceArea(mesh)))
     {
         return 0;
     }
-    mesh.triangles.swap(kept);
-    return kept.size() - mesh.triangles.size();
+    return eraseTriangles(mesh, [&](std::uint32_t triangle) { return flags[triangle]; });
 }
 
 /// Triangles that are connected over edges of exactly two.
-class Patches
+DisjointSets findPatches(const TriangleMesh& mesh, const EdgeTable& edges)
 {
-public:
-    Patches(const TriangleMesh& mesh, const EdgeTable& edges) : sets_(mesh.triangles.size())
-    {
-        edges.forEach(
-            [&](std::span<const EdgeUse> uses)
+    DisjointSets patches(mesh.triangles.size());
+    edges.forEach(
+        [&](std::span<const EdgeUse> uses)
+        {
+            if (uses.size() == 2)
             {
-                if (uses.size() == 2)
-                {
-                    sets_.join(uses[0].triangle, uses[1].triangle);
-                }
-            });
-    }
-    [[nodiscard]] std::size_t of(std::uint32_t triangle) { return sets_.find(triangle); }
-
-private:
-    DisjointSets sets_;
-};
+                patches.join(uses[0].triangle, uses[1].triangle);
+            }
+        });
+    return patches;
+}
 
 /// Which patches end in the open and hang on an edge of more than two.
-Flags hangingPatches(const EdgeTable& edges, Patches& patches, std::size_t count)
+Flags hangingPatches(const EdgeTable& edges, DisjointSets& patches, std::size_t count)
 {
     Flags open(count, false);
     Flags hangs(count, false);
@@ -76,7 +61,7 @@ Flags hangingPatches(const EdgeTable& edges, Patches& patches, std::size_t count
             {
                 if (uses.size() != 2)
                 {
-                    (uses.size() == 1 ? open : hangs)[patches.of(use.triangle)] = true;
+                    (uses.size() == 1 ? open : hangs)[patches.find(use.triangle)] = true;
                 }
             }
         });
@@ -87,13 +72,14 @@ Flags hangingPatches(const EdgeTable& edges, Patches& patches, std::size_t count
 
 /// Takes back patches without which an edge is left with an odd number of triangles. Returns
 /// whether there were any.
-bool keepWhatCloses(const EdgeTable& edges, Patches& patches, Flags& fins)
+bool keepWhatCloses(const EdgeTable& edges, DisjointSets& patches, Flags& fins)
 {
     bool changed = false;
     edges.forEach(
         [&](std::span<const EdgeUse> uses)
         {
-            const auto isLeft = [&](const EdgeUse& use) { return !fins[patches.of(use.triangle)]; };
+            const auto isLeft = [&](const EdgeUse& use)
+            { return !fins[patches.find(use.triangle)]; };
             if (uses.size() <= 2 || std::count_if(uses.begin(), uses.end(), isLeft) % 2 == 0)
             {
                 return;
@@ -101,7 +87,7 @@ bool keepWhatCloses(const EdgeTable& edges, Patches& patches, Flags& fins)
             for (const EdgeUse& use : uses)
             {
                 changed = changed || !isLeft(use);
-                fins[patches.of(use.triangle)] = false;
+                fins[patches.find(use.triangle)] = false;
             }
         });
     return changed;
@@ -112,7 +98,7 @@ bool keepWhatCloses(const EdgeTable& edges, Patches& patches, Flags& fins)
 std::size_t dropFins(TriangleMesh& mesh)
 {
     const EdgeTable edges(mesh);
-    Patches patches(mesh, edges);
+    DisjointSets patches = findPatches(mesh, edges);
     Flags fins = hangingPatches(edges, patches, mesh.triangles.size());
     while (keepWhatCloses(edges, patches, fins))
     {
@@ -120,7 +106,7 @@ std::size_t dropFins(TriangleMesh& mesh)
     Flags flags(mesh.triangles.size(), false);
     for (std::uint32_t i = 0; i < flags.size(); ++i)
     {
-        flags[i] = fins[patches.of(i)];
+        flags[i] = fins[patches.find(i)];
     }
     return remove(mesh, flags);
 }
@@ -128,16 +114,19 @@ std::size_t dropFins(TriangleMesh& mesh)
 std::size_t dropOpenPieces(TriangleMesh& mesh)
 {
     const EdgeTable edges(mesh);
+    Flags isOpen(mesh.triangles.size(), false);
+    edges.forEach(
+        [&](std::span<const EdgeUse> uses)
+        {
+            if (uses.size() == 1)
+            {
+                isOpen[uses[0].triangle] = true;
+            }
+        });
     Flags flags(mesh.triangles.size(), false);
     for (const std::vector<std::uint32_t>& piece : connectedPieces(mesh, edges))
     {
-        const auto isOpen = [&](std::uint32_t triangle)
-        {
-            const Triangle& t = mesh.triangles[triangle];
-            return edges.find(t[0], t[1]).size() == 1 || edges.find(t[1], t[2]).size() == 1 ||
-                   edges.find(t[2], t[0]).size() == 1;
-        };
-        if (std::any_of(piece.begin(), piece.end(), isOpen))
+        if (std::any_of(piece.begin(), piece.end(), [&](auto i) { return isOpen[i]; }))
         {
             std::for_each(piece.begin(), piece.end(), [&](auto i) { flags[i] = true; });
         }

@@ -40,14 +40,6 @@ std::size_t countUnused(const TriangleMesh& mesh)
     return static_cast<std::size_t>(std::count(used.begin(), used.end(), false));
 }
 
-/// Whether as many triangles pass an edge in one direction as in the other.
-bool cancels(std::span<const EdgeUse> uses)
-{
-    const auto forward =
-        std::count_if(uses.begin(), uses.end(), [](const EdgeUse& use) { return use.forward; });
-    return 2 * static_cast<std::size_t>(forward) == uses.size();
-}
-
 void inspectEdges(MeshReport& report, const TriangleMesh& mesh, const EdgeTable& edges)
 {
     std::optional<Eigen::Vector3d> firstDefect;

@@ -27,16 +27,6 @@ struct Patch
     bool isSheet = false;
 };
 
-bool cancels(std::span<const EdgeUse> uses)
-{
-    std::ptrdiff_t sum = 0;
-    for (const EdgeUse& use : uses)
-    {
-        sum += use.forward ? 1 : -1;
-    }
-    return sum == 0;
-}
-
 /// The patches in the order of their first triangles.
 class Patches
 {

@@ -124,17 +124,7 @@ std::size_t dropSheets(TriangleMesh& mesh)
     {
         return 0;
     }
-    std::vector<Triangle> kept;
-    for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i)
-    {
-        if (!sheets.has(i))
-        {
-            kept.push_back(mesh.triangles[i]);
-        }
-    }
-    const std::size_t dropped = mesh.triangles.size() - kept.size();
-    mesh.triangles = std::move(kept);
-    return dropped;
+    return eraseTriangles(mesh, [&](std::uint32_t triangle) { return sheets.has(triangle); });
 }
 
 } // namespace frostfill

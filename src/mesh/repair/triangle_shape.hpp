@@ -46,4 +46,12 @@ inline constexpr double kFlat = 1e-12;
     return t;
 }
 
+/// Removes the triangles whose number fulfils a condition. Returns how many.
+template <class IsGone>
+std::size_t eraseTriangles(TriangleMesh& mesh, IsGone&& isGone)
+{
+    std::uint32_t number = 0;
+    return std::erase_if(mesh.triangles, [&](const Triangle&) { return isGone(number++); });
+}
+
 } // namespace frostfill

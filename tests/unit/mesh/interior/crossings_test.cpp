@@ -65,14 +65,14 @@ TEST(FindCrossings, FindsNoneInTheBuiltInMeshes)
 {
     for (const std::string& name : builtInMeshNames())
     {
-        EXPECT_EQ(findCrossings(builtInMesh(name)).count, 0U) << name;
+        EXPECT_EQ(test::crossingsOf(builtInMesh(name)).count, 0U) << name;
         TriangleMesh turned = builtInMesh(name);
         const Eigen::AngleAxisd turn(0.7, Eigen::Vector3d(1, 2, 3).normalized());
         for (Eigen::Vector3d& vertex : turned.vertices)
         {
             vertex = turn * vertex;
         }
-        EXPECT_EQ(findCrossings(turned).count, 0U) << name;
+        EXPECT_EQ(test::crossingsOf(turned).count, 0U) << name;
     }
 }
 
@@ -116,7 +116,7 @@ TEST(FindCrossings, AgreesWithWholeNumbersOnSoups)
                 }
             }
         }
-        const Crossings found = findCrossings(mesh);
+        const Crossings found = test::crossingsOf(mesh);
         ASSERT_EQ(found.crossed, crossed) << "seed " << seed;
         EXPECT_EQ(found.count,
                   static_cast<std::size_t>(std::count(crossed.begin(), crossed.end(), true)));
@@ -128,7 +128,7 @@ TEST(FindCrossings, MissesNoPairOfATubeThatOverlapsItself)
     for (const double thickness : {0.3, 0.95, 1.1})
     {
         const TriangleMesh tube = test::knotTube(90, 9, thickness);
-        const Crossings found = findCrossings(tube);
+        const Crossings found = test::crossingsOf(tube);
         EXPECT_EQ(found.crossed, crossedByAllPairs(tube)) << thickness;
         EXPECT_EQ(found.none(), thickness < 0.5) << found.count;
     }
@@ -139,17 +139,17 @@ TEST(FindCrossings, MissesNoPairOfNeedlesAndOfLargeAndSmallTriangles)
     TriangleMesh mesh = test::spindle(200);
     test::append(mesh, test::tetrahedra(60, 0.05, 3));
     test::append(mesh, test::box(-50, 0.4));
-    EXPECT_EQ(findCrossings(mesh).crossed, crossedByAllPairs(mesh));
-    EXPECT_FALSE(findCrossings(mesh).none());
+    EXPECT_EQ(test::crossingsOf(mesh).crossed, crossedByAllPairs(mesh));
+    EXPECT_FALSE(test::crossingsOf(mesh).none());
 }
 
 TEST(FindCrossings, FindsTheNeedlesOfAFanThatMeet)
 {
     TriangleMesh mesh = test::spindle(300);
-    ASSERT_TRUE(findCrossings(mesh).none());
+    ASSERT_TRUE(test::crossingsOf(mesh).none());
     // One vertex of the rim goes past the next but one.
     mesh.vertices[52] += 2.5 * (mesh.vertices[53] - mesh.vertices[52]);
-    const Crossings found = findCrossings(mesh);
+    const Crossings found = test::crossingsOf(mesh);
     EXPECT_EQ(found.crossed, crossedByAllPairs(mesh));
     EXPECT_GT(found.count, 2U);
     EXPECT_LT(found.count, 20U);
@@ -158,20 +158,20 @@ TEST(FindCrossings, FindsTheNeedlesOfAFanThatMeet)
 // The boxes of most needles of a lid overlap: at 10,000 needles, that would be 25 million pairs.
 TEST(FindCrossings, GetsByWithManyNeedlesAtOneVertex)
 {
-    EXPECT_TRUE(findCrossings(test::drum(10000)).none());
+    EXPECT_TRUE(test::crossingsOf(test::drum(10000)).none());
 }
 
 TEST(FindCrossings, IsTheSameAtAnyScaleAndFarFromTheOrigin)
 {
     const TriangleMesh tube = test::knotTube(90, 9, 1);
-    const std::vector<bool> crossed = findCrossings(tube).crossed;
+    const std::vector<bool> crossed = test::crossingsOf(tube).crossed;
     for (const double factor : {1e-6, 1e6, 0x1p-60, 0x1p60})
     {
         for (const double move : {0.0, 0x1p-3, 0x1p10, -0x1p16})
         {
             TriangleMesh other = tube;
             scale(other, factor, Eigen::Vector3d::Constant(move * factor));
-            EXPECT_EQ(findCrossings(other).crossed, crossed) << factor << " " << move;
+            EXPECT_EQ(test::crossingsOf(other).crossed, crossed) << factor << " " << move;
         }
     }
 }
@@ -180,7 +180,7 @@ TEST(FindCrossings, CountsATouchBetweenVerticesOfTheSamePlace)
 {
     TriangleMesh mesh = test::box(0, 1);
     test::append(mesh, test::box(1, 2)); // they touch in a corner
-    const Crossings found = findCrossings(mesh);
+    const Crossings found = test::crossingsOf(mesh);
     EXPECT_GT(found.count, 0U);
     EXPECT_NEAR((found.firstPlace - Eigen::Vector3d::Ones()).norm(), 0, 1e-15);
 }
@@ -188,9 +188,9 @@ TEST(FindCrossings, CountsATouchBetweenVerticesOfTheSamePlace)
 TEST(FindCrossings, CountsAFoldAndAnEnvelope)
 {
     const TriangleMesh fold{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2}, {1, 0, 3}}};
-    EXPECT_EQ(findCrossings(fold).count, 2U);
+    EXPECT_EQ(test::crossingsOf(fold).count, 2U);
     const TriangleMesh envelope{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}};
-    EXPECT_EQ(findCrossings(envelope).count, 2U);
+    EXPECT_EQ(test::crossingsOf(envelope).count, 2U);
 }
 
 TEST(FindCrossings, GivesThePlaceOfTheFirst)
@@ -198,7 +198,7 @@ TEST(FindCrossings, GivesThePlaceOfTheFirst)
     // A needle through the face of the box at z = 0, whose triangles come first.
     TriangleMesh mesh = test::box(0, 1);
     test::append(mesh, test::box({0.2, 0.7, -1}, {0.21, 0.71, 0.5}));
-    const Crossings found = findCrossings(mesh);
+    const Crossings found = test::crossingsOf(mesh);
     EXPECT_TRUE(found.crossed[0]);
     EXPECT_LT((found.firstPlace - Eigen::Vector3d(0.2, 0.7, 0)).norm(), 0.02);
 }
@@ -211,8 +211,8 @@ TEST(FindCrossings, LeavesOutTrianglesWithoutArea)
     mesh.vertices.emplace_back(0.5, 0.5, 2);
     mesh.triangles.push_back({8, 9, 10});
     mesh.triangles.push_back({8, 8, 10});
-    EXPECT_EQ(findCrossings(mesh).count, 0U);
-    EXPECT_EQ(findCrossings(TriangleMesh()).count, 0U);
+    EXPECT_EQ(test::crossingsOf(mesh).count, 0U);
+    EXPECT_EQ(test::crossingsOf(TriangleMesh()).count, 0U);
 }
 
 } // namespace

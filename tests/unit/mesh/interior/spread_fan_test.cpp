@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/interior/spread_fan.hpp"
 
-#include "mesh/interior/crossings.hpp"
+#include "unit/mesh/interior/surface_samples.hpp"
 
 #include <gtest/gtest.h>
 
@@ -123,14 +123,14 @@ TEST(SpreadFan, HasNoTrianglesThatCross)
             {
                 TriangleMesh open = mesh;
                 open.triangles.erase(open.triangles.begin() + static_cast<std::ptrdiff_t>(i));
-                ASSERT_TRUE(findCrossings(open).none()) << "seed " << seed;
+                ASSERT_TRUE(test::crossingsOf(open).none()) << "seed " << seed;
             }
         }
         else
         {
             TriangleMesh open = mesh;
             open.triangles.pop_back();
-            crossed += findCrossings(open).none() ? 0 : 1;
+            crossed += test::crossingsOf(open).none() ? 0 : 1;
         }
     }
     EXPECT_GT(spread, 1000);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/random.hpp"
+#include "mesh/interior/crossings.hpp"
 #include "unit/mesh/mesh_samples.hpp"
 
 #include <cmath>
@@ -10,6 +11,11 @@
 
 namespace frostfill::test
 {
+
+inline Crossings crossingsOf(const TriangleMesh& mesh)
+{
+    return findCrossings(mesh, VertexTriangles(mesh));
+}
 
 /// Each triangle in four, at the middles of its edges.
 inline TriangleMesh refined(const TriangleMesh& mesh, int times)
