@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// Room: the run file, run.frost: what any picture of a run needs, appended as the run goes. Its
+// bytes are described in docs/run-file.md.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace frostfill
+{
+
+static_assert(std::endian::native == std::endian::little,
+              "numbers are written as they lie in memory");
+
+/// Bytes that end too early or say what cannot be.
+class DamagedBytes : public std::runtime_error
+{
+public:
+    using std::runtime_error::runtime_error;
+};
+
+/// Appends numbers to a string. Counts and differences take as few bytes as they need (LEB128;
+/// signs are folded in as in Protocol Buffers).
+class ByteWriter
+{
+public:
+    template <typename Value>
+    void raw(const Value& value)
+    {
+        bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
+    }
+    void count(std::uint64_t value)
+    {
+        for (; value >= 0x80; value >>= 7)
+        {
+            bytes_ += static_cast<char>(value | 0x80);
+        }
+        bytes_ += static_cast<char>(value);
+    }
+    void difference(std::int64_t value)
+    {
+        count((static_cast<std::uint64_t>(value) << 1) ^ static_cast<std::uint64_t>(value >> 63));
+    }
+    [[nodiscard]] std::string& bytes() { return bytes_; }
+
+private:
+    std::string bytes_;
+};
+
+/// Reads what ByteWriter wrote. Throws DamagedBytes at the end.
+class ByteReader
+{
+public:
+    explicit ByteReader(std::string_view bytes) : rest_(bytes) {}
+
+    template <typename Value>
+    [[nodiscard]] Value raw()
+    {
+        if (rest_.size() < sizeof(Value))
+        {
+            throw DamagedBytes("ends too early");
+        }
+        Value value;
+        std::memcpy(&value, rest_.data(), sizeof value);
+        rest_.remove_prefix(sizeof value);
+        return value;
+    }
+    [[nodiscard]] std::uint64_t count()
+    {
+        std::uint64_t value = 0;
+        for (int shift = 0; shift < 64; shift += 7)
+        {
+            const auto byte = raw<std::uint8_t>();
+            value |= static_cast<std::uint64_t>(byte & 0x7F) << shift;
+            if (byte < 0x80)
+            {
+                return value;
+            }
+        }
+        throw DamagedBytes("has a number that does not end");
+    }
+    /// A count of things that take at least a byte each.
+    [[nodiscard]] std::size_t countOfMany()
+    {
+        const std::uint64_t value = count();
+        if (value > rest_.size())
+        {
+            throw DamagedBytes("counts more than there is");
+        }
+        return static_cast<std::size_t>(value);
+    }
+    [[nodiscard]] std::int64_t difference()
+    {
+        const std::uint64_t folded = count();
+        return static_cast<std::int64_t>(folded >> 1) ^ -static_cast<std::int64_t>(folded & 1);
+    }
+    [[nodiscard]] bool done() const { return rest_.empty(); }
+
+private:
+    std::string_view rest_;
+};
+
+} // namespace frostfill

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "run_file/bytes.hpp"
+
+#include <frostfill/run_file.hpp>
+
+#include <array>
+#include <vector>
+
+namespace frostfill
+{
+
+/// A sphere that moved in the frame before, on the grid of the file.
+struct Track
+{
+    std::uint32_t id = 0;
+    std::array<std::int64_t, 3> place{};
+    std::array<std::int64_t, 3> step{}; ///< from the frame before that
+};
+
+/// The grid to which places of moving spheres are rounded: a power of two, at most a ten
+/// thousandth of the smallest radius, so that a rounded place is a float's exact value.
+[[nodiscard]] double gridOf(double smallestRadius);
+
+/// Where pictures see a sphere at rest.
+[[nodiscard]] Eigen::Vector3f placeInPictures(const Eigen::Vector3d& exact,
+                                              const Eigen::Vector3d& origin);
+
+/// Writes what has changed from frame to frame.
+class FrameEncoder
+{
+public:
+    explicit FrameEncoder(double grid) : grid_(grid) {}
+    /// Rounds the places in the snapshot.
+    void encode(Snapshot& snapshot, const RunFileWriter::ExactCentre& exact, ByteWriter& out);
+
+private:
+    void sortChanges(Snapshot& snapshot, const RunFileWriter::ExactCentre& exact);
+    void encodeNew(const Snapshot& snapshot, ByteWriter& out) const;
+    void encodeMoving(Snapshot& snapshot, ByteWriter& out);
+    void encodeSettled(const RunFileWriter::ExactCentre& exact, ByteWriter& out) const;
+    void encodePolygons(const Snapshot& snapshot, ByteWriter& out);
+
+    double grid_;
+    std::vector<SphereState> states_;     ///< in the frame before
+    std::vector<Eigen::Vector3f> places_; ///< of spheres at rest
+    std::vector<PolygonState> polygons_;
+    std::vector<Track> moving_;
+    std::vector<std::uint32_t> running_, settled_, discarded_; ///< of this frame
+};
+
+/// Reads what FrameEncoder wrote, in the same order.
+class FrameDecoder
+{
+public:
+    FrameDecoder(double grid, const Eigen::Vector3d& origin, std::size_t polygons);
+    /// Throws DamagedBytes.
+    void decode(ByteReader& in);
+    [[nodiscard]] const Snapshot& snapshot() const { return snapshot_; }
+    [[nodiscard]] const std::vector<Eigen::Vector3d>& centres() const { return centres_; }
+
+private:
+    void decodeNew(ByteReader& in);
+    void decodeMoving(ByteReader& in);
+    void decodeSettled(ByteReader& in);
+    void decodePolygons(ByteReader& in);
+    void setState(std::uint32_t id, SphereState state);
+
+    double grid_;
+    Snapshot snapshot_;
+    std::vector<Eigen::Vector3d> centres_;
+    std::vector<Track> moving_;
+};
+
+} // namespace frostfill

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+// What a run file keeps is what the pictures saw.
+#include "support/temporary_folder.hpp"
+#include "unit/run_file/recorded_run.hpp"
+
+#include <frostfill/error.hpp>
+
+#include <gtest/gtest.h>
+
+namespace frostfill
+{
+namespace
+{
+
+using test::RecordedRun;
+
+Scene someScene(const char* mesh, std::size_t count)
+{
+    Scene scene = presetScene(Preset::fast, mesh);
+    scene.spheres.count = count;
+    return scene;
+}
+
+void expectSame(const Snapshot& read, const Snapshot& written)
+{
+    EXPECT_EQ(read.centres, written.centres);
+    EXPECT_EQ(read.radii, written.radii);
+    EXPECT_EQ(read.states, written.states);
+    EXPECT_EQ(read.groups, written.groups);
+    EXPECT_EQ(read.speeds, written.speeds);
+    EXPECT_EQ(read.polygons, written.polygons);
+    EXPECT_EQ(read.origin, written.origin);
+    EXPECT_EQ(read.pose.rotation, written.pose.rotation);
+    EXPECT_EQ(read.pose.offset, written.pose.offset);
+    EXPECT_EQ(read.time, written.time);
+    EXPECT_EQ(read.step, written.step);
+    EXPECT_EQ(read.set, written.set);
+    EXPECT_EQ(read.running, written.running);
+    EXPECT_EQ(read.frozen, written.frozen);
+    EXPECT_EQ(read.discarded, written.discarded);
+    EXPECT_EQ(read.discardedPolygons, written.discardedPolygons);
+}
+
+class RunFile : public ::testing::Test
+{
+protected:
+    [[nodiscard]] std::filesystem::path file() const { return folder_ / "run.frost"; }
+    void expectToKeep(const Scene& scene, std::size_t every = 3) const
+    {
+        const RecordedRun run = test::recordRun(scene, file(), every);
+        RunFileReader reader(file());
+        EXPECT_EQ(reader.head(), R"({"name": "test"})");
+        EXPECT_EQ(reader.summary(), R"({"outcome": "complete"})");
+        EXPECT_EQ(reader.wholeBytes(), reader.fileBytes());
+        EXPECT_EQ(reader.mesh().vertices, run.mesh.vertices);
+        EXPECT_EQ(reader.mesh().triangles, run.mesh.triangles);
+        ASSERT_EQ(reader.frames(), run.numbers);
+        for (std::size_t k = 0; k < run.frames.size(); ++k)
+        {
+            SCOPED_TRACE(k);
+            expectSame(reader.seek(k), run.frames[k]);
+        }
+        // At rest to the last bit, in motion to the grid.
+        for (std::size_t id = 0; id < run.spheres.size(); ++id)
+        {
+            const SphereRecord& sphere = run.spheres[id];
+            if (sphere.state != SphereState::running)
+            {
+                EXPECT_EQ(reader.centres()[id], sphere.centre);
+            }
+            EXPECT_LT((reader.centres()[id] - sphere.centre).norm(), 1e-4 * sphere.radius);
+        }
+    }
+    test::TemporaryFolder folder_;
+};
+
+TEST_F(RunFile, KeepsEveryFrameOfAFall)
+{
+    expectToKeep(someScene("torus", 60));
+}
+
+TEST_F(RunFile, KeepsEveryFrameOfDropAndRoll)
+{
+    Scene scene = someScene("cube", 200);
+    scene.motion.mode = Motion::descend;
+    expectToKeep(scene, 1);
+}
+
+TEST_F(RunFile, KeepsEveryFrameOfThePapersPreset)
+{
+    Scene scene = presetScene(Preset::paper, "torus");
+    scene.spheres.count = 40;
+    expectToKeep(scene, 25);
+}
+
+TEST_F(RunFile, KeepsMixedRadiiAndTheMotionOfTheObject)
+{
+    Scene scene = someScene("torus", 60);
+    scene.spheres.radius = Radii(0.03, 0.05);
+    scene.move.turn = 90;
+    expectToKeep(scene);
+}
+
+TEST_F(RunFile, FindsAFrameInAnyOrder)
+{
+    const RecordedRun run = test::recordRun(someScene("torus", 40), file());
+    RunFileReader reader(file());
+    const std::size_t last = run.frames.size() - 1;
+    for (const std::size_t k : {last, std::size_t{0}, last / 2, last / 2, last / 2 + 1, last / 3})
+    {
+        SCOPED_TRACE(k);
+        expectSame(reader.seek(k), run.frames[k]);
+    }
+    EXPECT_THROW((void)reader.seek(last + 1), Error);
+}
+
+} // namespace
+} // namespace frostfill
