@@ -56,6 +56,7 @@ struct FillProgress
 /// What the caller wants to hear. Every function may be empty.
 struct FillObserver
 {
+    std::function<void()> loaded; ///< the mesh is read, and nothing is written yet
     std::function<void(const FillPlan&)> planned;
     std::function<void(const FillProgress&)> progressed; ///< after every step
     std::function<bool()> stopRequested;                 ///< asked after every step

@@ -123,7 +123,9 @@ struct LoadMeshOptions
 /// Throws Error badData for an unknown name.
 [[nodiscard]] TriangleMesh builtInMesh(std::string_view name);
 
-/// Binary little-endian PLY in double precision. Throws Error cannotCreate or writeFailed.
+/// Binary little-endian PLY in double precision: the content of a file.
+[[nodiscard]] std::string plyBytes(const TriangleMesh& mesh);
+/// Writes plyBytes. Throws Error cannotCreate or writeFailed.
 void savePly(const TriangleMesh& mesh, const std::filesystem::path& file);
 
 } // namespace frostfill

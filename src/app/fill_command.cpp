@@ -12,12 +12,15 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <unistd.h>
 
 #include <csignal>
 #include <ctime>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <tuple>
 
 namespace frostfill
 {
@@ -35,6 +38,7 @@ constexpr const char* kExamples = R"(Examples:
 )";
 
 volatile std::sig_atomic_t stopSignal = 0;
+volatile std::sig_atomic_t runBegan = 0; ///< whether there is something that a stop could lose
 volatile std::sig_atomic_t stopTime = 0; ///< [s] of the first signal, on a clock that never jumps
 
 /// For so long after the first signal more of them change nothing: `timeout` and job managers send
@@ -48,9 +52,22 @@ std::sig_atomic_t secondsNow()
     return static_cast<std::sig_atomic_t>(now.tv_sec);
 }
 
+/// Ends the process at once. The programs and children that read the mesh end with it.
+[[noreturn]] void stopBeforeTheRun()
+{
+    constexpr std::string_view kMessage =
+        "frostfill: stopped before the run began; nothing was written\n";
+    std::ignore = write(STDERR_FILENO, kMessage.data(), kMessage.size());
+    _exit(static_cast<int>(ErrorCode::stoppedEarly));
+}
+
 /// The first signal stops the run after the step; one that comes well after it kills.
 extern "C" void requestStop(int signal)
 {
+    if (runBegan == 0)
+    {
+        stopBeforeTheRun();
+    }
     if (stopSignal == 0)
     {
         stopTime = secondsNow();
@@ -268,6 +285,7 @@ int runFill(const FillArguments& arguments)
 
     ProgressBar bar;
     FillObserver observer;
+    observer.loaded = [] { runBegan = 1; };
     observer.stopRequested = [] { return stopSignal != 0; };
     if (!arguments.quiet)
     {

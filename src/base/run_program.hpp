@@ -17,7 +17,8 @@ struct ProgramRun
 };
 
 /// Runs a program, found in PATH by the first argument, in a folder, without input; waits for its
-/// end and keeps what it writes to either output.
+/// end and keeps what it writes to either output. It ends with this process, and inherits its open
+/// files that are not marked to be closed.
 [[nodiscard]] ProgramRun runProgram(const std::filesystem::path& folder,
                                     std::vector<std::string> arguments);
 

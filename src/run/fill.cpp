@@ -197,6 +197,10 @@ FillResult fill(const FillRequest& request, const FillObserver& observer)
     mesh.report = simulation.object();
     simulation.stopWhen(observer.stopRequested);
     clock.end("loading");
+    if (observer.loaded)
+    {
+        observer.loaded();
+    }
     RunDirectory directory(request.directory, request.overwrite);
 
     const FrameTiming timing = frameTiming(request.scene, mesh.report);

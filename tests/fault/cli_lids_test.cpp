@@ -18,6 +18,7 @@ namespace
 using test::Answer;
 using test::readFile;
 using test::writeFile;
+namespace fs = std::filesystem;
 
 /// A cube of edge 2 without its top; and two cubes that overlap.
 class OpenMeshes : public ::testing::Test
@@ -130,6 +131,23 @@ TEST_F(OpenMeshes, TheCommandMeshWritesTheLiddedMesh)
     const Answer answer = run("mesh tub.obj --lid --repair closed.ply");
     EXPECT_EQ(answer.code, 0) << answer.errors;
     EXPECT_NE(run("mesh closed.ply").output.find("volume      8\n"), std::string::npos);
+}
+
+TEST_F(OpenMeshes, AStopWhileASkinIsMadeEndsBothProgramsAtOnce)
+{
+    writeFile(folder_ / "wrap", "#!/bin/sh\necho $$ >pid\nexec sleep 60\n");
+    fs::permissions(folder_ / "wrap", fs::perms::owner_all);
+    const Answer answer = test::runProgram(
+        "fill tub.obj --wrap --frames none --out a & process=$!; until test -s pid; "
+        "do sleep 0.05; done; kill -TERM $process; wait $process; code=$?; sleep 0.3; "
+        "case $(cut -d' ' -f3 /proc/$(cat pid)/stat 2>&-) in ''|Z) ;; *) code=1 ;; esac; "
+        "exit $code",
+        folder_.path(), "FROSTFILL_WRAP=./wrap");
+    EXPECT_EQ(answer.code, 75) << answer.errors;
+    EXPECT_NE(answer.errors.find("stopped before the run began; nothing was written"),
+              std::string::npos)
+        << answer.errors;
+    EXPECT_FALSE(fs::exists(folder_ / "a"));
 }
 
 TEST_F(OpenMeshes, AUnionFillsWithoutWallsInside)

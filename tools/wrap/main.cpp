@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // frostfill-wrap skin IN OUT ALPHA OFFSET BYTES SECONDS
 // frostfill-wrap unite IN OUT BYTES SECONDS
-// Called by frostfill, which writes IN and reads OUT, PLY files. BYTES of address space and SECONDS
-// of processor time are this process's limits. Exit code 65 with a reason on standard output: the
-// mesh cannot be worked on.
+// Called by frostfill, which writes IN and reads OUT, PLY files in memory. BYTES of address space
+// and SECONDS of processor time are this process's limits. Exit code 65 with a reason on standard
+// output: the mesh cannot be worked on.
 #include "work.hpp"
 
 #include <frostfill/error.hpp>
@@ -14,6 +14,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <new>
 #include <string>
 #include <vector>
@@ -43,6 +44,17 @@ void limitThisProcess(const std::string& bytes, const std::string& seconds)
 #endif
 }
 
+/// Into a file that is there, because the one who calls waits with it open.
+void write(const TriangleMesh& mesh, const std::string& file)
+{
+    std::ofstream output(file, std::ios::binary);
+    output << plyBytes(mesh) << std::flush;
+    if (!output)
+    {
+        throw std::bad_alloc(); // the file is in memory
+    }
+}
+
 int run(const std::vector<std::string>& given)
 {
     if (given.size() == 7 && given[0] == "skin")
@@ -50,13 +62,13 @@ int run(const std::vector<std::string>& given)
         limitThisProcess(given[5], given[6]);
         const double alpha = std::strtod(given[3].c_str(), nullptr);
         const double offset = std::strtod(given[4].c_str(), nullptr);
-        savePly(wrap::skinOf(readMesh(given[1]), alpha, offset), given[2]);
+        write(wrap::skinOf(readMesh(given[1]), alpha, offset), given[2]);
         return 0;
     }
     if (given.size() == 5 && given[0] == "unite")
     {
         limitThisProcess(given[3], given[4]);
-        savePly(wrap::unionOf(readMesh(given[1])), given[2]);
+        write(wrap::unionOf(readMesh(given[1])), given[2]);
         return 0;
     }
     std::fputs("frostfill-wrap makes skins and unions for frostfill, which calls it:\n"

@@ -67,7 +67,7 @@ void limit(int what, rlim_t value)
 void lockCage(const CageLimits& limits)
 {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXCPU})
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR1, SIGPIPE, SIGXCPU})
     {
         std::signal(signal, SIG_DFL);
     }

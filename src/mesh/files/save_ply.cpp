@@ -27,7 +27,9 @@ void append(std::string& bytes, const Value& value)
     std::memcpy(bytes.data() + size, &value, sizeof value);
 }
 
-std::string encode(const TriangleMesh& mesh)
+} // namespace
+
+std::string plyBytes(const TriangleMesh& mesh)
 {
     std::string bytes = fmt::format("ply\n"
                                     "format binary_little_endian 1.0\n"
@@ -59,11 +61,9 @@ std::string encode(const TriangleMesh& mesh)
     return bytes;
 }
 
-} // namespace
-
 void savePly(const TriangleMesh& mesh, const std::filesystem::path& file)
 {
-    const std::string bytes = encode(mesh);
+    const std::string bytes = plyBytes(mesh);
     const std::filesystem::path unfinished = file.string() + ".part";
     unlink(unfinished.c_str()); // of a run that was killed
     const int output = createNewFile(unfinished);

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/skin/wrap_program.hpp"
 
+#include "base/posix_file.hpp"
 #include "base/run_program.hpp"
 
 #include <frostfill/error.hpp>
 
 #include <fmt/format.h>
+#include <sys/mman.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -24,33 +26,42 @@ constexpr const char* kProgram = "frostfill-wrap";
 constexpr std::size_t kBytes = std::size_t{8} << 30;
 constexpr unsigned kSeconds = 600; ///< of processor time
 
-/// A folder that nobody else can look into, and that goes with all its files.
-class PrivateFolder
+/// A file without a name, in memory. A program that is started inherits it; it is gone when the
+/// last process that has it is, however that ends.
+class MemoryFile
 {
 public:
-    PrivateFolder()
+    explicit MemoryFile(const char* purpose) : descriptor_(memfd_create(purpose, 0))
     {
-        std::error_code ignored;
-        std::string pattern =
-            (std::filesystem::temp_directory_path(ignored) / "frostfill-XXXXXX").string();
-        if (mkdtemp(pattern.data()) == nullptr)
+        if (descriptor_ < 0)
         {
-            throw Error(ErrorCode::cannotCreate, fmt::format("cannot create the folder '{}': {}",
-                                                             pattern, std::strerror(errno)));
+            fail(errno);
         }
-        path_ = pattern;
     }
-    PrivateFolder(const PrivateFolder&) = delete;
-    PrivateFolder& operator=(const PrivateFolder&) = delete;
-    ~PrivateFolder()
+    MemoryFile(const MemoryFile&) = delete;
+    MemoryFile& operator=(const MemoryFile&) = delete;
+    ~MemoryFile() { close(descriptor_); }
+    void write(const std::string& bytes) const
     {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
+        const int failure = writeAll(
+            descriptor_, {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+        if (failure != 0)
+        {
+            fail(failure);
+        }
     }
-    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+    /// For this process as for the one that inherits the file.
+    [[nodiscard]] std::string path() const { return fmt::format("/proc/self/fd/{}", descriptor_); }
 
 private:
-    std::filesystem::path path_;
+    [[noreturn]] static void fail(int why)
+    {
+        throw Error(ErrorCode::outOfMemory,
+                    fmt::format("no memory for what {} reads and writes: {}", kProgram,
+                                std::strerror(why)));
+    }
+
+    int descriptor_;
 };
 
 bool canRun(const std::filesystem::path& file)
@@ -126,18 +137,17 @@ TriangleMesh call(const TriangleMesh& mesh, const std::string& what,
                                 named != nullptr ? fmt::format("FROSTFILL_WRAP names '{}'", named)
                                                  : "it is neither beside frostfill nor in PATH"));
     }
-    const PrivateFolder folder;
-    const std::filesystem::path in = folder.path() / "in.ply";
-    const std::filesystem::path out = folder.path() / "out.ply";
-    savePly(mesh, in);
-    std::vector<std::string> arguments = {program->string(), what, in.string(), out.string()};
+    const MemoryFile in("mesh");
+    const MemoryFile out("skin");
+    in.write(plyBytes(mesh));
+    std::vector<std::string> arguments = {program->string(), what, in.path(), out.path()};
     for (const double number : numbers)
     {
         arguments.push_back(fmt::format("{}", number));
     }
     arguments.push_back(std::to_string(kBytes));
     arguments.push_back(std::to_string(kSeconds));
-    const ProgramRun ran = runProgram(folder.path(), std::move(arguments));
+    const ProgramRun ran = runProgram(".", std::move(arguments));
     if (ran.error != 0)
     {
         throw Error(ErrorCode::missingProgram,
@@ -148,7 +158,7 @@ TriangleMesh call(const TriangleMesh& mesh, const std::string& what,
     {
         throw Error(ErrorCode::badData, fmt::format("{}: {}", subject, whyItFailed(ran)));
     }
-    return readMesh(out);
+    return readMesh(out.path());
 }
 
 } // namespace

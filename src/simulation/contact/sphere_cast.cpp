@@ -83,9 +83,12 @@ double sphereCast(const Surface& surface, const NeighbourList& around, const Eig
     return path;
 }
 
-void contactNormals(const Surface& surface, const NeighbourList& around, const Eigen::Vector3d& p,
-                    double radius, double gap, std::vector<Eigen::Vector3d>& normals)
+Eigen::Vector3d contactNormals(const Surface& surface, const NeighbourList& around,
+                               const Eigen::Vector3d& p, double radius, double gap,
+                               std::vector<Eigen::Vector3d>& normals)
 {
+    Eigen::Vector3d wayOut = Eigen::Vector3d::Zero();
+    double deepest = kCrept * radius;
     normals.clear();
     for (std::size_t k = 0; k < around.spheres(); ++k)
     {
@@ -100,8 +103,14 @@ void contactNormals(const Surface& surface, const NeighbourList& around, const E
         if (const auto contact = frontContact(surface, triangle, p, radius, gap))
         {
             addNormal(normals, contact->normal);
+            if (contact->depth > deepest)
+            {
+                deepest = contact->depth;
+                wayOut = deepest * contact->normal;
+            }
         }
     }
+    return wayOut;
 }
 
 } // namespace frostfill

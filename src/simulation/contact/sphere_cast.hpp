@@ -21,8 +21,10 @@ namespace frostfill
 [[nodiscard]] double castAtTriangle(const SurfaceTriangle& triangle, const Eigen::Vector3d& p,
                                     double radius, const Eigen::Vector3d& direction, double limit);
 
-/// Unit vectors to p from everything that a sphere there touches: gaps of at most `gap`.
-void contactNormals(const Surface& surface, const NeighbourList& around, const Eigen::Vector3d& p,
-                    double radius, double gap, std::vector<Eigen::Vector3d>& normals);
+/// Unit vectors to p from everything that a sphere there touches: gaps of at most `gap`. Returns
+/// the way out of the wall into which the sphere has crept farthest (kCrept), or zero.
+Eigen::Vector3d contactNormals(const Surface& surface, const NeighbourList& around,
+                               const Eigen::Vector3d& p, double radius, double gap,
+                               std::vector<Eigen::Vector3d>& normals);
 
 } // namespace frostfill

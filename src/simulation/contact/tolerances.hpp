@@ -52,6 +52,12 @@ inline constexpr double kCarried = 0.05;
 /// sphere enters what it slides along. Smaller: rounding stops a sphere in mid-slide.
 inline constexpr double kSlides = 1e-7;
 
+/// Depth in a wall from which a sphere that moves is taken back to its surface. [own radius] What
+/// slides may lead into a wall by kSlides, and runners that push each other along a wall add that up
+/// step by step. Larger: the overlaps with walls that remain. Smaller: more positions are corrected,
+/// each of which may press a sphere into another by as much.
+inline constexpr double kCrept = 5e-8;
+
 /// One minus the cosine up to which a plane's normal and the direction from the closest point
 /// agree. Larger: the edge between two triangles of a plane acts as a second contact. Smaller:
 /// rounding hides the plane itself.

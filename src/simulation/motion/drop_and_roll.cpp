@@ -25,7 +25,7 @@ bool DropAndRoll::settle(Eigen::Vector3d& p, double radius, NeighbourList& aroun
     for (std::uint64_t step = 0; step < bound; ++step)
     {
         around.ensure(world_, p, radius, kShortestLook);
-        contactNormals(world_.surface, around, p, radius, kTouch, normals);
+        p += contactNormals(world_.surface, around, p, radius, kTouch, normals);
         const Eigen::Vector3d down = world_.pull.direction(p);
         const Eigen::Vector3d pull = projectToFree(down, normals);
         if (pull.norm() <= kSettled)

@@ -91,8 +91,8 @@ void FreeFlight::advance(Runner& runner, double dt) const
 void FreeFlight::findContacts(Runner& runner, double gap) const
 {
     runner.around.ensure(world_, runner.position, runner.radius, 0);
-    contactNormals(world_.surface, runner.around, runner.position, runner.radius, gap,
-                   runner.normals);
+    runner.position += contactNormals(world_.surface, runner.around, runner.position, runner.radius,
+                                      gap, runner.normals);
 }
 
 // Contacts that are approached fast are bounced off one after another; then whatever still leads
