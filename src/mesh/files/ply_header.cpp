@@ -142,13 +142,14 @@ PlyHeader readPlyHeader(std::string_view bytes)
             header.bodyLine = scanner.place().number + 1;
             return header;
         }
-        else if (keyword != "comment" && keyword != "obj_info")
+        else if (keyword == "property" || keyword == "end_header")
         {
             refuseAt(
                 scanner.place(),
                 fmt::format("{} is not what a PLY header may hold there; export the mesh again",
                             quoted(keyword)));
         }
+        // Any other line is a comment: some programs leave the word out.
     }
     refuseAt(scanner.place(), "the header has no 'end_header'; the file is cut off or damaged: "
                               "export the mesh again");

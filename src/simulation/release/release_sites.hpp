@@ -51,8 +51,9 @@ public:
         }
         startSweep();
         sweep_ = sites_.nextOpen(sweep_);
-        for (std::size_t site = nextFree(sweep_); site < sites_.lattice().size();
-             site = nextFree(site + 1))
+        int misses = 0;
+        for (std::size_t site = nextFree(sweep_);
+             site < sites_.lattice().size() && misses < kMostMisses; site = nextFree(site + 1))
         {
             const Eigen::Vector3d place = prepare(place_);
             if (suits(place))
@@ -60,6 +61,7 @@ public:
                 lastFree_ = site;
                 return place;
             }
+            ++misses;
         }
         return std::nullopt;
     }

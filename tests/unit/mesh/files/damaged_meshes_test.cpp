@@ -11,19 +11,6 @@ namespace frostfill
 namespace
 {
 
-std::string contentOf(const std::filesystem::path& file)
-{
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-std::string plyBytes(const TriangleMesh& mesh)
-{
-    const auto file = test::outputFile("whole.ply");
-    savePly(mesh, file);
-    return contentOf(file);
-}
-
 /// The same damage for the same seed.
 std::string damaged(std::string text, std::uint64_t seed)
 {

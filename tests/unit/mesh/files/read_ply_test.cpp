@@ -207,6 +207,12 @@ TEST(ReadPly, BelievesNoCount)
                      "4000000000 of element 'vertex' are promised");
 }
 
+TEST(ReadPly, TakesALineOfTheHeadThatItDoesNotKnowForAComment)
+{
+    expectSquare(kHead + "Created by a program 2.47, with no word before\n" + kVertices + kFaces +
+                 "end_header\n" + kPoints + "4 0 1 2 3\n");
+}
+
 TEST(ReadPly, RefusesHeadsThatMakeNoMesh)
 {
     const std::string end = "end_header\n";
