@@ -23,6 +23,9 @@ struct FillRequest
     bool overwrite = false;      ///< replace the run that the directory holds
     std::filesystem::path video; ///< .mp4, .webm or .gif; empty for none
     bool contactSheet = false;   ///< contact_sheet.png in the directory
+    /// Where the camera is when: keyframes "0:30,20 8:120,45" of seconds of video, azimuth and
+    /// elevation [degree] and, if wanted, zoom, or a file of such lines; empty for the scene's.
+    std::string cameraPath;
 };
 
 /// What is known before the first step.
@@ -36,8 +39,12 @@ struct FillPlan
     double smallestRadius = 0; ///< [mesh unit]
     double largestRadius = 0;  ///< [mesh unit]
     double timeStep = 0;       ///< [s]
-    double slowMotion = 1;     ///< [1] time in a video over simulated time
-    std::size_t frames = 0;    ///< pictures to expect: a rough estimate
+    double slowMotion = 1;     ///< [1] time in a video over simulated time; 0 when nothing moves
+    double videoSeconds = 0;   ///< [s] of video, of all frames
+    double pictureRate = 0;    ///< pictures per second with which they play like the video
+    double fallSeconds = 0;    ///< [s] of video, of a fall through the object
+    bool fallsLeftOut = false; ///< spheres appear where they land: there are too many to rehearse
+    std::size_t frames = 0;    ///< pictures to expect: within a tenth, as the run was rehearsed
     double frameBytes = 0;     ///< of all pictures: a rough estimate
     double volume = 0;         ///< [unit^3] of the object
     ReachInspection reach;     ///< of the smallest radius
@@ -79,6 +86,8 @@ struct FillResult
     std::size_t frames = 0;
     std::size_t spheres = 0;
     std::size_t wanted = 0;    ///< spheres that the run aimed at
+    /// Equal spheres that would fill the object, within a few per cent; 0 for different radii.
+    std::size_t fitting = 0;
     double smallestRadius = 0; ///< [mesh unit]
     double largestRadius = 0;  ///< [mesh unit]
     bool full = false;

@@ -24,6 +24,10 @@ public:
     /// A limit of 0 keeps all pictures, and a limit of 1 keeps only the first.
     explicit FrameThinning(std::size_t limit) : limit_(limit) {}
 
+    /// Only every so manieth picture is kept from the start, so that the limit is not met. To be
+    /// called before the second picture.
+    void keepEvery(std::size_t stride) { stride_ = stride; }
+
     /// Whether picture `number` would be kept. Otherwise it need not be drawn.
     [[nodiscard]] bool wants(std::size_t number) const { return number % stride_ == 0; }
     /// What to do with a picture.
@@ -63,6 +67,8 @@ public:
     /// differ from the picture before; if it is empty, every row may differ.
     void put(std::size_t number, const Image& image, std::span<const std::uint8_t> changedRows,
              const PngText& text);
+    /// See FrameThinning.
+    void keepEvery(std::size_t stride) { thinning_.keepEvery(stride); }
     [[nodiscard]] bool wants(std::size_t number) const { return thinning_.wants(number); }
     [[nodiscard]] std::size_t count() const { return thinning_.count(); }
     [[nodiscard]] std::size_t stride() const { return thinning_.stride(); }

@@ -183,10 +183,11 @@ struct FrameSettings
     bool enabled = true;              ///< off: no frames, whatever is selected
     double fps = 30;                  ///< frames per second of video
     std::optional<double> slowMotion; ///< video time over simulated time; automatic if not given
-    std::size_t limit = 1000;         ///< most frames kept, evenly thinned out; 0: no limit
+    std::optional<double> duration;   ///< [s] of video; if not given, 20 s, or less for few spheres
+    std::size_t limit = 1000;         ///< most pictures kept, at equal steps; 0: no limit
     double hold = 0;                  ///< [s] for which the video shows the last state
     Passes passes;
-    std::string selection = "all"; ///< "last", "0:100:10", "5,7,90:100", ...
+    std::string selection = "all"; ///< "last", "0:100:10", "5,7,90..100", ...
 };
 
 /// Everything that describes a run: a plain value. Equal scenes give equal results.

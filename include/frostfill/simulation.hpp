@@ -115,7 +115,8 @@ public:
     Simulation& operator=(Simulation&&) noexcept;
 
     /// Advances by one time step, and releases, freezes and discards when due.
-    /// Returns false, and changes nothing, when the run is over.
+    /// Returns false when the run is over; what nothing can touch any more is then discarded, and
+    /// nothing moves.
     bool step();
 
     /// Asks this in the course of every step that takes long; once it is true the step ends early,
@@ -135,6 +136,9 @@ public:
     [[nodiscard]] double radius() const;         ///< [mesh unit] the largest of the scene
     [[nodiscard]] double smallestRadius() const; ///< [mesh unit] the smallest of the scene
     [[nodiscard]] std::uint64_t steps() const;
+    /// Grows whenever something changes that a snapshot shows: with every step, and when the end of
+    /// a run discards more.
+    [[nodiscard]] std::uint64_t revision() const;
     [[nodiscard]] std::size_t sphereCount() const;
     [[nodiscard]] std::size_t restingCount() const; ///< frozen and discarded
     [[nodiscard]] std::size_t groupSize() const;    ///< spheres in a group

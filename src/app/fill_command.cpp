@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands.hpp"
+#include "app/fill_text.hpp"
 #include "app/message.hpp"
 #include "app/progress.hpp"
-#include "app/reach_text.hpp"
 #include "app/scene_options.hpp"
 #include "run/volume_estimate.hpp"
 
@@ -97,6 +97,7 @@ struct FillArguments
     std::string sceneFile;
     std::string directory;
     std::string video;
+    std::string cameraPath;
     bool contactSheet = false;
     bool overwrite = false;
     bool quiet = false;
@@ -152,89 +153,6 @@ void warnOfIgnored(const FillArguments& arguments, Preset preset)
     }
 }
 
-std::string bytesText(double bytes)
-{
-    return bytes < 1e6 ? fmt::format("{:.0f} kB", bytes / 1e3)
-                       : (bytes < 1e9 ? fmt::format("{:.0f} MB", bytes / 1e6)
-                                      : fmt::format("{:.1f} GB", bytes / 1e9));
-}
-
-/// "radius 0.05", or "radii from 0.02 to 0.05".
-std::string radiiText(double smallest, double largest)
-{
-    return smallest == largest ? fmt::format("radius {:.5g}", largest)
-                               : fmt::format("radii from {:.5g} to {:.5g}", smallest, largest);
-}
-
-void printPlan(const FillRequest& request, const FillPlan& plan)
-{
-    for (const std::string& repair : plan.repairs)
-    {
-        say(fmt::format("repaired: {}\n", repair));
-    }
-    say(fmt::format("{}: {} triangles, about {} spheres of {}, time step {:.3g} s\n",
-                    request.scene.name, plan.triangles, plan.spheres,
-                    radiiText(plan.smallestRadius, plan.largestRadius), plan.timeStep));
-    if (plan.crossedTriangles > 0)
-    {
-        const Eigen::Vector3d& p = plan.firstCrossing;
-        say(fmt::format(
-            "the mesh crosses itself: {} triangles meet others, the first near {:.6g} "
-            "{:.6g} {:.6g}{}\n",
-            plan.crossedTriangles, p.x(), p.y(), p.z(),
-            request.scene.object.load.unite
-                ? ""
-                : "; walls inside the object stay as obstacles, which --unite removes"));
-    }
-    say(reachText(plan.reach, plan.smallestRadius, plan.volume));
-    if (request.scene.frames.enabled)
-    {
-        say(fmt::format("expecting about {} frames of {}x{}, {}, slowed down {:.3g} times\n",
-                        plan.frames, request.scene.size.width, request.scene.size.height,
-                        bytesText(plan.frameBytes), plan.slowMotion));
-    }
-}
-
-/// What to give for --radius instead: all radii smaller by one factor.
-std::string radiusAdvice(const std::optional<Radii>& given, const FillResult& result)
-{
-    const double factor = *result.radiusThatFits / result.largestRadius;
-    if (given && !given->file.empty())
-    {
-        return fmt::format("take radii {:.3g} times as large", factor);
-    }
-    const double smallest = factor * result.smallestRadius;
-    const double largest = factor * result.largestRadius;
-    return smallest == largest ? fmt::format("try --radius {:.3g}", largest)
-                               : fmt::format("try --radius {:.3g}..{:.3g}", smallest, largest);
-}
-
-void printResult(const Scene& scene, const FillResult& result)
-{
-    fmt::print("{}", setTableText(result));
-    if (result.stopped)
-    {
-        fmt::print("stopped early, with {} of {} spheres\n", result.spheres, result.wanted);
-    }
-    else if (result.radiusThatFits)
-    {
-        fmt::print("full before the count: {} of {} spheres are in, and nowhere else one of {} "
-                   "fits; {}\n",
-                   result.spheres, *scene.spheres.count,
-                   radiiText(result.smallestRadius, result.largestRadius),
-                   radiusAdvice(scene.spheres.radius, result));
-    }
-    else if (result.full)
-    {
-        fmt::print("full: after {} spheres, no other one fits\n", result.spheres);
-    }
-    fmt::print("{} spheres of {} take {:.1f} % of the volume; {} frames; {:.1f} s; "
-               "results in {}\n",
-               result.spheres, radiiText(result.smallestRadius, result.largestRadius),
-               100 * result.quality.sphereVolume / result.quality.meshVolume, result.frames,
-               result.wallSeconds, result.directory.string());
-}
-
 int printVolume(const FillArguments& arguments)
 {
     Scene scene = requestedScene(arguments);
@@ -282,6 +200,7 @@ int runFill(const FillArguments& arguments)
     request.overwrite = arguments.overwrite;
     request.video = arguments.video;
     request.contactSheet = arguments.contactSheet;
+    request.cameraPath = arguments.cameraPath;
 
     ProgressBar bar;
     FillObserver observer;
@@ -339,6 +258,13 @@ Command addFillCommand(CLI::App& program)
         ->group(output);
     command->add_option("--video", arguments->video, "Also make a video of the frames, with ffmpeg")
         ->type_name("FILE.mp4|.webm|.gif")
+        ->group(output);
+    command
+        ->add_option(
+            "--camera-path", arguments->cameraPath,
+            "Move the camera: keyframes SECONDS:AZIMUTH,ELEVATION[,ZOOM] of the video, such "
+            "as \"0:30,20 8:120,45\", or a file of such lines")
+        ->type_name("KEYS|FILE")
         ->group(output);
     command
         ->add_flag("--contact-sheet", arguments->contactSheet,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "output/video.hpp"
 
+#include "base/run_program.hpp"
+
 #include <frostfill/error.hpp>
 
 #include <fcntl.h>
@@ -16,6 +18,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <optional>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -47,9 +50,34 @@ std::vector<std::string> encoderArguments(const std::string& ending, bool withAl
                 "-cpu-used", "4",
                 "-pix_fmt",  withAlpha ? "yuva420p" : "yuv420p"};
     }
-    // One palette for each frame. A common palette would make ffmpeg keep all frames in memory.
-    return {"-filter_complex",
-            "split[a][b];[a]palettegen=stats_mode=single[p];[b][p]paletteuse=new=1:dither=none"};
+    return {"-c:v", "ffv1", "-level", "3"}; // of the frames of which a GIF is made; see makeGif
+}
+
+/// GIF: one palette for the whole video, which has to be known first, so that only what changes
+/// is stored. Fifteen frames a second are smooth enough, and half the size.
+constexpr double kMostGifFrames = 15;
+
+/// Makes a GIF from all frames. Returns what ffmpeg says when it fails.
+std::optional<std::string> makeGif(const VideoLog& log, double framesPerSecond)
+{
+    const std::string raw = "file:" + std::filesystem::absolute(log.raw()).string();
+    const std::string part = "file:" + std::filesystem::absolute(log.part()).string();
+    const std::string filter =
+        fmt::format("[0:v]fps={0},palettegen=stats_mode=full[p];[1:v]fps={0}[v];"
+                    "[v][p]paletteuse=dither=none:diff_mode=rectangle",
+                    std::min(framesPerSecond, kMostGifFrames));
+    const ProgramRun run = runProgram(".", {"ffmpeg", "-hide_banner", "-loglevel", "error", "-y",
+                                            "-i", raw, "-i", raw, "-filter_complex", filter, part});
+    if (run.error == 0 && run.code == 0)
+    {
+        return std::nullopt;
+    }
+    return run.said.empty() ? "ffmpeg ended early" : "ffmpeg says: " + run.said;
+}
+
+bool isGif(const std::filesystem::path& file)
+{
+    return file.extension() == ".gif";
 }
 
 bool isKnown(const std::string& ending)
@@ -133,7 +161,7 @@ void Video::start(const Image& image)
         words.push_back(std::move(word));
     }
     // A name that starts with a dash or contains a colon is still a file name.
-    words.push_back("file:" + log_->part().string());
+    words.push_back("file:" + (isGif(file_) ? log_->raw() : log_->part()).string());
     std::vector<char*> arguments;
     for (std::string& word : words)
     {
@@ -220,7 +248,13 @@ void Video::finish()
     }
     const int status = close();
     std::error_code problem;
-    const bool worked = !failed_ && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    const bool encoded = !failed_ && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    std::optional<std::string> failure = encoded ? std::nullopt : std::optional(complaint());
+    if (encoded && isGif(file_))
+    {
+        failure = makeGif(*log_, framesPerSecond_);
+    }
+    const bool worked = !failure;
     if (worked)
     {
         std::filesystem::rename(log_->part(), file_, problem);
@@ -229,7 +263,7 @@ void Video::finish()
     {
         throw Error(ErrorCode::writeFailed,
                     fmt::format("the video {} is missing: {}", file_.string(),
-                                worked ? problem.message() : complaint()));
+                                worked ? problem.message() : *failure));
     }
 }
 

@@ -19,7 +19,8 @@ namespace frostfill
 class Video : public ImageSink
 {
 public:
-    /// Starts ffmpeg. The extension selects the format: mp4 (H.264), webm (VP9, with alpha) or gif.
+    /// Starts ffmpeg. The extension selects the format: mp4 (H.264), webm (VP9, with alpha) or gif
+    /// (up to 15 frames a second, at the same speed).
     /// Throws Error usage for another extension and cannotCreate if ffmpeg is missing.
     Video(std::filesystem::path file, double framesPerSecond);
     /// Abandons an unfinished video.

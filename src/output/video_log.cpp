@@ -23,6 +23,8 @@ namespace frostfill
 namespace
 {
 
+constexpr const char* kRaw = ".raw.mkv";
+
 /// The first line, by which a log is known as ours.
 constexpr std::string_view kSign = "Frostfill makes a video\n";
 
@@ -76,6 +78,7 @@ void clearForsaken(const std::filesystem::path& video)
         if (!process.empty() && isForsaken(entry.path()))
         {
             ::unlink(withProcess(video, process, ".part" + video.extension().string()).c_str());
+            ::unlink(withProcess(video, process, kRaw).c_str());
             ::unlink(entry.path().c_str());
         }
     }
@@ -90,6 +93,7 @@ VideoLog::VideoLog(const std::filesystem::path& video)
     const std::string process = fmt::format("{}", ::getpid());
     log_ = withProcess(video, process, ".log");
     part_ = withProcess(video, process, ".part" + video.extension().string());
+    raw_ = withProcess(video, process, kRaw);
     ::unlink(log_.c_str());
     descriptor_ = createNewFile(log_);
     const bool signedIt =
@@ -113,6 +117,7 @@ VideoLog::VideoLog(const std::filesystem::path& video)
 VideoLog::~VideoLog()
 {
     ::unlink(part_.c_str());
+    ::unlink(raw_.c_str());
     ::unlink(log_.c_str());
     std::ignore = closeFile(descriptor_);
 }

@@ -126,8 +126,9 @@ Image makeContactSheet(const ContactSheetRequest& request)
         place.right = place.left + width;
         place.bottom = place.top + height;
         drawSmaller(frame, crop, sheet, place, ground);
-        const std::string text = fmt::format(
-            "{:.3f} s", std::min(static_cast<double>(index) * request.interval, request.end));
+        const std::string text = index < request.times.size()
+                                     ? fmt::format("{:.3f} s", request.times[index])
+                                     : std::string();
         font.draw(sheet, place.left + (width - font.measure(text)) / 2,
                   place.bottom + 1.1 * kCaptionType, text, ink, ground);
     }

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace frostfill
 {
@@ -20,8 +21,7 @@ struct ContactSheetRequest
 {
     std::filesystem::path frames; ///< directory with frame_00000.png, ...
     std::size_t count = 0;        ///< of frames in it
-    double interval = 0;          ///< [s] simulated, from one to the next
-    double end = 0;               ///< [s] simulated; frames after it show the last state
+    std::vector<double> times;    ///< [frames] simulated, for the captions [s]
     std::string title;
     Palette palette;
     Crop crop; ///< what is shown of each

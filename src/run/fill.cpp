@@ -5,6 +5,8 @@
 #include "run/run_files.hpp"
 #include "run/run_hash.hpp"
 #include "run/verdict.hpp"
+#include "scene/frame_selection.hpp"
+#include "scene/packing_estimate.hpp"
 
 #include <frostfill/fill.hpp>
 
@@ -52,7 +54,7 @@ private:
 };
 
 FillPlan makePlan(const Scene& scene, const LoadedMesh& mesh, const Simulation& simulation,
-                  const FrameTiming& timing, const ReachInspection& reach)
+                  const FramePlan& frames, const ReachInspection& reach)
 {
     FillPlan plan;
     plan.repairs = mesh.repairs;
@@ -63,13 +65,16 @@ FillPlan makePlan(const Scene& scene, const LoadedMesh& mesh, const Simulation& 
     plan.smallestRadius = simulation.smallestRadius();
     plan.largestRadius = simulation.radius();
     plan.timeStep = simulation.timeStep();
-    plan.slowMotion = timing.slowMotion;
+    plan.slowMotion = frames.all > 1 ? frames.timing.slowMotion : 0;
+    plan.videoSeconds = frames.seconds;
+    plan.pictureRate = scene.frames.fps / static_cast<double>(frames.stride);
+    plan.fallSeconds = frames.timing.slowMotion * fallTime(scene, mesh.report);
+    plan.fallsLeftOut = scene.preset == Preset::fast && scene.motion.mode != Motion::fall &&
+                        frames.all > 1 && frames.timing.lag == 0;
+    plan.frames = frames.kept;
+    plan.frameBytes = frames.bytes;
     plan.volume = mesh.report.volume;
     plan.reach = reach;
-    const FrameEstimate estimate =
-        estimateFrames(scene, mesh.report, plan.spheres, plan.largestRadius);
-    plan.frames = estimate.frames;
-    plan.frameBytes = estimate.bytes;
     return plan;
 }
 
@@ -164,15 +169,61 @@ ColourRange colourRange(const Scene& scene, const LoadedMesh& mesh, const Simula
     return {};
 }
 
-void writeContactSheet(const FillRequest& request, const FrameRecorder& recorder,
-                       const FrameTiming& timing, double end)
+/// By the estimate from which radii are chosen.
+std::size_t fittingSpheres(const Simulation& simulation)
+{
+    const double radius = simulation.radius();
+    if (simulation.smallestRadius() < radius)
+    {
+        return 0;
+    }
+    const MeshReport& object = simulation.object();
+    const double room = std::max(0.0, object.volume - kWallLayer * radius * object.area);
+    const double one = 4.0 / 3.0 * std::numbers::pi * std::pow(radius, 3);
+    return static_cast<std::size_t>(kPackingFraction * room / one);
+}
+
+/// Nothing has to be known of a run of which only the end is drawn.
+bool lengthMatters(const Scene& scene)
+{
+    const auto selection = FrameSelection::parse(scene.frames.selection);
+    return scene.frames.enabled && selection && !selection->isLastOnly();
+}
+
+/// Which times become pictures. Rehearses the run where that depends on its length. Throws Error
+/// usage when no frame is left of those asked for.
+FramePlan planPictures(const Scene& scene, const LoadedMesh& mesh, const Simulation& simulation,
+                       const FillObserver& observer, FrameRecorder* recorder, double path)
+{
+    const RunLength length = lengthMatters(scene)
+                                 ? rehearse(scene, mesh.mesh, simulation, observer.stopRequested)
+                                 : RunLength{};
+    const FramePlan plan = planFrames(scene, mesh.report, length, path);
+    if (recorder && plan.kept == 0)
+    {
+        throw Error(ErrorCode::usage,
+                    fmt::format("--frames {} leaves no frame: the animation has {}",
+                                scene.frames.selection, plan.all + plan.held));
+    }
+    if (recorder)
+    {
+        recorder->keepTo(plan);
+    }
+    if (recorder && !length.landings.empty())
+    {
+        recorder->drawFalls(
+            std::make_unique<FallingSpheres>(length.landings, mesh.mesh, scene, plan.timing.lag));
+    }
+    return plan;
+}
+
+void writeContactSheet(const FillRequest& request, const FrameRecorder& recorder)
 {
     const auto& [left, top, right, bottom] = recorder.objectRegion();
     ContactSheetRequest sheet;
     sheet.frames = request.directory / "frames";
     sheet.count = recorder.count();
-    sheet.interval = timing.interval * static_cast<double>(recorder.stride());
-    sheet.end = end;
+    sheet.times = recorder.pictureTimes();
     sheet.title = request.scene.name;
     sheet.palette = request.scene.style.palette;
     sheet.crop = {left, top, right, bottom};
@@ -180,9 +231,8 @@ void writeContactSheet(const FillRequest& request, const FrameRecorder& recorder
             {{"Software", "Frostfill"}, {"Title", request.scene.name}});
 }
 
-} // namespace
-
-FillResult fill(const FillRequest& request, const FillObserver& observer)
+/// Throws Error usage for wishes that cannot be met together.
+void requireFramesForPictures(const FillRequest& request)
 {
     if (!request.scene.frames.enabled && (!request.video.empty() || request.contactSheet))
     {
@@ -190,6 +240,18 @@ FillResult fill(const FillRequest& request, const FillObserver& observer)
                     "--video and --contact-sheet need frames: omit --frames none, "
                     "or omit --video and --contact-sheet");
     }
+    if (!request.cameraPath.empty() && request.scene.camera.turntable)
+    {
+        throw Error(ErrorCode::usage,
+                    "--camera-path and --turntable both move the camera: omit one of them");
+    }
+}
+
+} // namespace
+
+FillResult fill(const FillRequest& request, const FillObserver& observer)
+{
+    requireFramesForPictures(request);
     PhaseClock clock;
     validateScene(request.scene);
     LoadedMesh mesh = loadMesh(request.scene.object.mesh, request.scene.object.load);
@@ -203,14 +265,18 @@ FillResult fill(const FillRequest& request, const FillObserver& observer)
     }
     RunDirectory directory(request.directory, request.overwrite);
 
-    const FrameTiming timing = frameTiming(request.scene, mesh.report);
+    std::optional<CameraPath> path;
+    if (!request.cameraPath.empty())
+    {
+        path = CameraPath::read(request.cameraPath);
+    }
     std::unique_ptr<FrameRecorder> recorder;
     if (request.scene.frames.enabled)
     {
         recorder = std::make_unique<FrameRecorder>(
-            mesh.mesh, request.scene, timing.interval, colourRange(request.scene, mesh, simulation),
-            request.directory, runHash(request.scene, mesh.mesh), request.video,
-            simulation.poses());
+            mesh.mesh, request.scene, colourRange(request.scene, mesh, simulation),
+            request.directory, runHash(request.scene, mesh.mesh), request.video, simulation.poses(),
+            path);
         recorder->stopWhen(observer.stopRequested);
     }
     FillResult result;
@@ -219,13 +285,15 @@ FillResult fill(const FillRequest& request, const FillObserver& observer)
     {
         refuseLeak(request.scene, *result.reach.leak, simulation.smallestRadius());
     }
+    clock.end("preparing");
+    const FramePlan frames = planPictures(request.scene, mesh, simulation, observer, recorder.get(),
+                                          path ? path->duration() : 0);
     directory.begin(); // all that can fail before the first step has not
     if (observer.planned)
     {
-        observer.planned(makePlan(request.scene, mesh, simulation, timing, result.reach));
+        observer.planned(makePlan(request.scene, mesh, simulation, frames, result.reach));
     }
-
-    clock.end("preparing");
+    clock.end("rehearsing");
 
     result.directory = request.directory;
     const End end = simulate(simulation, recorder.get(), request, observer);
@@ -240,7 +308,7 @@ FillResult fill(const FillRequest& request, const FillObserver& observer)
         result.videoFailure = recorder->videoFailure();
         if (request.contactSheet)
         {
-            writeContactSheet(request, *recorder, timing, simulation.time());
+            writeContactSheet(request, *recorder);
         }
         result.setFrames = recorder->sets();
         result.renderer = recorder->description();
@@ -250,6 +318,7 @@ FillResult fill(const FillRequest& request, const FillObserver& observer)
     result.sets = simulation.sets();
     result.spheres = simulation.sphereCount();
     result.wanted = simulation.expectedSpheres();
+    result.fitting = fittingSpheres(simulation);
     result.smallestRadius = simulation.smallestRadius();
     result.largestRadius = simulation.radius();
     result.full = simulation.full();
@@ -266,7 +335,7 @@ FillResult fill(const FillRequest& request, const FillObserver& observer)
     clock.enter(result);
 
     const RunRecord run{
-        request, mesh, simulation, timing, result, times, recorder ? recorder->stride() : 1};
+        request, mesh, simulation, frames, result, times, recorder ? recorder->stride() : 1};
     result.summary = summaryText(run);
     writeRunFiles(run);
     return result;

@@ -40,6 +40,14 @@ constexpr int kFewPixels = 64;
 /// Of the small picture in which spheres are looked for.
 constexpr int kLookWidth = 160;
 
+/// The scene's selection; of a single picture it is the last.
+FrameSelection framesToDraw(const Scene& scene)
+{
+    const auto selection = FrameSelection::parse(scene.frames.selection).value();
+    return scene.frames.limit == 1 && selection.hasLast() ? FrameSelection::parse("last").value()
+                                                          : selection;
+}
+
 bool allPixelsAlike(const Image& image)
 {
     const auto channels = static_cast<std::ptrdiff_t>(image.channels);
@@ -48,17 +56,22 @@ bool allPixelsAlike(const Image& image)
 
 } // namespace
 
-FrameRecorder::FrameRecorder(const TriangleMesh& mesh, const Scene& scene, double interval,
-                             const ColourRange& range, const std::filesystem::path& directory,
-                             const std::string& run, const std::filesystem::path& video,
-                             std::vector<Pose> poses)
+FrameRecorder::FrameRecorder(const TriangleMesh& mesh, const Scene& scene, const ColourRange& range,
+                             const std::filesystem::path& directory, const std::string& run,
+                             const std::filesystem::path& video, std::vector<Pose> poses,
+                             std::optional<CameraPath> path)
     : mesh_(mesh), settings_(renderSettings(scene, range, std::move(poses))),
-      selection_(FrameSelection::parse(scene.frames.selection).value()),
-      thinning_(scene.frames.limit), frames_(scene.frames), interval_(interval),
+      selection_(framesToDraw(scene)), thinning_(scene.frames.limit), frames_(scene.frames),
+      path_(std::move(path)), held_(heldFrames(scene, path_ ? path_->duration() : 0)),
       writer_(directory / "frames", scene.frames.limit,
               {{"Software", "Frostfill"}, {"Title", scene.name}, {"Run", run}}),
       sideOutputs_(scene, directory, video)
 {
+    if (path_)
+    {
+        settings_.camera = path_->at(0, settings_.camera);
+        settings_.camera.turntable = 1; // the object fits, equally large, at all angles
+    }
     // A context belongs to the thread that draws with it.
     drawing_.push([this] { renderer_ = std::make_unique<Renderer>(mesh_, settings_); });
     drawing_.finish();
@@ -92,12 +105,25 @@ bool FrameRecorder::wants(std::size_t number) const
 double FrameRecorder::angleAt(std::size_t frame) const
 {
     const auto& turn = settings_.camera.turntable;
-    return turn ? 360 * std::fmod(static_cast<double>(frame) / (frames_.fps * *turn), 1.0) : 0;
+    return turn && !path_ ? 360 * std::fmod(static_cast<double>(frame) / (frames_.fps * *turn), 1.0)
+                          : 0;
 }
 
-void FrameRecorder::takeNext(const Simulation& simulation)
+void FrameRecorder::keepTo(const FramePlan& plan)
 {
-    if (selection_.has(next_))
+    interval_ = plan.timing.interval;
+    thinning_.keepEvery(plan.stride);
+    drawing_.push(
+        [this, stride = plan.stride]
+        {
+            writer_.keepEvery(stride);
+            sideOutputs_.keepEvery(stride);
+        });
+}
+
+void FrameRecorder::takeNext(const Simulation& simulation, bool selected)
+{
+    if (selected)
     {
         if (wants(selected_))
         {
@@ -108,12 +134,33 @@ void FrameRecorder::takeNext(const Simulation& simulation)
     ++next_;
 }
 
+double FrameRecorder::timeAt(std::size_t frame) const
+{
+    return static_cast<double>(frame) * interval_ - (falls_ ? falls_->lag() : 0);
+}
+
 void FrameRecorder::record(const Simulation& simulation)
 {
     // A step may be longer than the time between frames: then several frames show it.
-    while (simulation.time() >= static_cast<double>(next_) * interval_ && !stops())
+    while (simulation.time() >= timeAt(next_) && !stops())
     {
-        takeNext(simulation);
+        takeNext(simulation, selection_.has(next_));
+    }
+}
+
+void FrameRecorder::capture(const Simulation& simulation, double time)
+{
+    // With one job at most waiting and one being done, the third snapshot is free.
+    newest_ = (newest_ + 1) % snapshots_.size();
+    Snapshot& snapshot = snapshots_[newest_];
+    if (falls_)
+    {
+        FallingSpheres::takeFrom(snapshot, real_[newest_]);
+    }
+    simulation.capture(snapshot);
+    if (falls_)
+    {
+        real_[newest_] = falls_->addTo(snapshot, time);
     }
 }
 
@@ -121,21 +168,36 @@ void FrameRecorder::take(const Simulation& simulation, std::size_t number)
 {
     Order order;
     order.angle = angleAt(next_);
-    order.isNew = takenStep_ != simulation.steps() || takenAngle_ != order.angle;
-    if (takenStep_ != simulation.steps())
+    const bool stands = taken_ == simulation.revision() && (!falls_ || over_);
+    order.seconds =
+        path_ ? std::min(static_cast<double>(next_) / frames_.fps, path_->duration()) : 0;
+    order.isNew = !stands || takenAngle_ != order.angle || takenSeconds_ != order.seconds;
+    if (!stands)
     {
-        // With one job at most waiting and one being done, the third snapshot is free.
-        newest_ = (newest_ + 1) % snapshots_.size();
-        simulation.capture(snapshots_[newest_]);
+        capture(simulation, over_ ? simulation.time() : std::min(timeAt(next_), simulation.time()));
     }
-    takenStep_ = simulation.steps();
+    taken_ = simulation.revision();
     takenAngle_ = order.angle;
+    takenSeconds_ = order.seconds;
     order.snapshot = &snapshots_[newest_];
     order.number = number;
     order.frame = next_;
     // A picture at which thinning begins may fall to it itself: the passes have to hear of it.
     order.keep = thinning_.wants(number);
-    thinning_.take(number);
+    const FrameThinning::Decision decision = thinning_.take(number);
+    if (decision.thin)
+    {
+        for (std::size_t i = 0; i < pictureTimes_.size(); i += 2)
+        {
+            pictureTimes_[i / 2] = pictureTimes_[i];
+        }
+        pictureTimes_.resize((pictureTimes_.size() + 1) / 2);
+    }
+    if (decision.keep)
+    {
+        pictureTimes_.push_back(snapshots_[newest_].time);
+        kept_ = falls_ && !over_ ? kept_ : taken_;
+    }
     drawing_.push([this, order] { draw(order); });
 }
 
@@ -144,7 +206,14 @@ void FrameRecorder::draw(const Order& order)
     const Snapshot& snapshot = *order.snapshot;
     if (order.isNew)
     {
-        renderer_->turn(order.angle);
+        if (path_)
+        {
+            renderer_->setCamera(path_->at(order.seconds, settings_.camera));
+        }
+        else
+        {
+            renderer_->turn(order.angle);
+        }
         const StageTimes before = renderer_->times();
         image_ = &renderer_->draw(snapshot);
         const StageTimes& after = renderer_->times();
@@ -163,26 +232,28 @@ void FrameRecorder::draw(const Order& order)
     writer_.put(order.number, *image_, order.isNew ? renderer_->changedRows() : noRows_,
                 snapshot.set,
                 {{"Frame", fmt::format("{}", order.frame)},
-                 {"Time", fmt::format("{:.9g} s", snapshot.time)}});
+                 {"Time", fmt::format("{:.9g} s", snapshot.time)},
+                 {"State", fmt::format("{} running, {} frozen, {} discarded, {} polygons discarded",
+                                       snapshot.running, snapshot.frozen, snapshot.discarded,
+                                       snapshot.discardedPolygons)}});
     sideOutputs_.put(order.number, order.keep, *renderer_, snapshot, *image_);
 }
 
 void FrameRecorder::finish(const Simulation& simulation)
 {
-    const auto end = next_ + static_cast<std::size_t>(std::llround(frames_.hold * frames_.fps));
-    while (next_ < end && !stops())
+    taken_ = over_ || !falls_ ? taken_ : ~0ULL;
+    over_ = true;
+    if (selection_.isLastOnly())
     {
-        takeNext(simulation);
+        next_ = 0; // a turn begins with it
     }
-    if (selection_.hasLast() && takenStep_ != simulation.steps())
+    for (const std::size_t end = next_ + held_; next_ < end && !stops();)
     {
-        // Thinning may double the stride under our hands; the last state has to survive it.
-        do
-        {
-            const std::size_t stride = thinning_.stride();
-            selected_ = (selected_ + stride - 1) / stride * stride;
-            take(simulation, selected_);
-        } while (!thinning_.wants(selected_));
+        takeNext(simulation, selection_.hasLast() || selection_.has(next_));
+    }
+    if (selection_.hasLast() && kept_ != simulation.revision())
+    {
+        keepLast(simulation);
     }
     const Snapshot& last = snapshots_[newest_];
     drawing_.push(
@@ -205,6 +276,17 @@ void FrameRecorder::finish(const Simulation& simulation)
     {
         sets_[set].encodeMs = encoding[set];
     }
+}
+
+void FrameRecorder::keepLast(const Simulation& simulation)
+{
+    // Thinning may double the stride under our hands; the last state has to survive it.
+    do
+    {
+        const std::size_t stride = thinning_.stride();
+        selected_ = (selected_ + stride - 1) / stride * stride;
+        take(simulation, selected_);
+    } while (!thinning_.wants(selected_));
 }
 
 void FrameRecorder::lookForSpheres(const Snapshot& snapshot)

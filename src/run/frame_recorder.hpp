@@ -2,6 +2,9 @@
 #pragma once
 
 #include "base/ordered_worker.hpp"
+#include "run/camera_path.hpp"
+#include "run/falling_spheres.hpp"
+#include "run/frame_timing.hpp"
 #include "run/frame_writer.hpp"
 #include "run/side_outputs.hpp"
 #include "scene/frame_selection.hpp"
@@ -34,15 +37,20 @@ namespace frostfill
 class FrameRecorder
 {
 public:
-    /// Opens the renderer. `interval` is the simulated time between frames [s], `range` that of the
-    /// colours, `directory` the run's, `video` a file's or empty; `run` identifies the run in the
-    /// pictures, `poses` is what of a moving object has to fit.
-    FrameRecorder(const TriangleMesh& mesh, const Scene& scene, double interval,
-                  const ColourRange& range, const std::filesystem::path& directory,
-                  const std::string& run, const std::filesystem::path& video = {},
-                  std::vector<Pose> poses = {});
+    /// Opens the renderer. `range` is that of the colours, `directory` the run's, `video` a file's
+    /// or empty; `run` identifies the run in the pictures, `poses` is what of a moving object has
+    /// to fit.
+    FrameRecorder(const TriangleMesh& mesh, const Scene& scene, const ColourRange& range,
+                  const std::filesystem::path& directory, const std::string& run,
+                  const std::filesystem::path& video = {}, std::vector<Pose> poses = {},
+                  std::optional<CameraPath> path = {});
     ~FrameRecorder();
 
+    /// Takes over which times become frames, and which of these pictures. Before it only the first
+    /// frame is due, that of the start.
+    void keepTo(const FramePlan& plan);
+    /// Draws falls that the motion leaves out.
+    void drawFalls(std::unique_ptr<FallingSpheres> falls) { falls_ = std::move(falls); }
     /// Takes the frames that are due. Throws what has gone wrong with an earlier one.
     void record(const Simulation& simulation);
     /// Asks this between frames, of which one step may be due many; once it is true, those of the
@@ -55,6 +63,8 @@ public:
 
     [[nodiscard]] std::size_t count() const { return thinning_.count(); }
     [[nodiscard]] std::size_t stride() const { return thinning_.stride(); }
+    /// Simulated times of the pictures kept [s].
+    [[nodiscard]] const std::vector<double>& pictureTimes() const { return pictureTimes_; }
     [[nodiscard]] const std::string& description() const { return description_; }
     /// Where the object is in the pictures; see Renderer::objectRegion.
     [[nodiscard]] const std::array<int, 4>& objectRegion() const { return objectRegion_; }
@@ -75,6 +85,7 @@ private:
         const Snapshot* snapshot = nullptr;
         bool isNew = false;     ///< differs from the picture before
         double angle = 0;       ///< that the camera has gone round [degree]
+        double seconds = 0;     ///< of video, on the camera\'s path
         std::size_t number = 0; ///< among the frames that are selected
         std::size_t frame = 0;  ///< among all frames
         bool keep = false;      ///< as a picture
@@ -83,8 +94,12 @@ private:
     [[nodiscard]] bool wants(std::size_t number) const;
     /// How far the camera has gone round at a frame. [degree]
     [[nodiscard]] double angleAt(std::size_t frame) const;
-    void takeNext(const Simulation& simulation);
+    /// The simulated time that a frame shows. [s]
+    [[nodiscard]] double timeAt(std::size_t frame) const;
+    void capture(const Simulation& simulation, double time);
+    void takeNext(const Simulation& simulation, bool selected);
     void take(const Simulation& simulation, std::size_t number);
+    void keepLast(const Simulation& simulation);
     void draw(const Order& order);
     void lookForSpheres(const Snapshot& snapshot);
     void closeRenderer();
@@ -97,12 +112,20 @@ private:
     FrameSettings frames_;
     std::string description_;
     std::array<int, 4> objectRegion_{};
-    double interval_;
-    std::size_t next_ = 0;              ///< number of the frame that is due next
-    std::size_t selected_ = 0;          ///< frames that were selected so far
-    std::uint64_t takenStep_ = ~0ULL;   ///< the step that the newest snapshot shows
+    std::optional<CameraPath> path_;
+    std::size_t held_; ///< frames for which the last state is held
+    double interval_ = FrameTiming{}.interval;
+    std::unique_ptr<FallingSpheres> falls_;
+    bool over_ = false;        ///< nothing falls any more
+    std::size_t next_ = 0;     ///< number of the frame that is due next
+    std::size_t selected_ = 0; ///< frames that were selected so far
+    std::vector<double> pictureTimes_;
+    std::uint64_t taken_ = ~0ULL;       ///< the revision that the newest snapshot shows
+    std::uint64_t kept_ = ~0ULL;        ///< the same of the last picture that is kept
     double takenAngle_ = 0;             ///< and from where it is drawn [degree]
+    double takenSeconds_ = 0;           ///< the same on the camera\'s path [s]
     std::array<Snapshot, 3> snapshots_; ///< one is filled, one waits, one is being drawn
+    std::array<std::size_t, 3> real_{}; ///< spheres of each that the run has, if falls are drawn
     std::size_t newest_ = 0;            ///< in snapshots_
 
     // Of the thread that draws.

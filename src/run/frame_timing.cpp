@@ -2,6 +2,7 @@
 #include "run/frame_timing.hpp"
 
 #include "scene/frame_selection.hpp"
+#include "scene/usual_duration.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,15 +12,35 @@ namespace frostfill
 namespace
 {
 
-constexpr double kFallInVideo = 1.5; // [s]
-// By runs of the four objects with their default settings: from its appearance to its rest a set
-// takes about so many falls through the object and so many sqrt(r/g).
-constexpr double kFallsPerSet = 0.5;
-constexpr double kRadiusTimesPerSet = 20;
+constexpr double kDrawnFall = 1;   // [s] of video, of falls that are drawn but not simulated
+constexpr double kSlowestFall = 3; // [s] of video, through the object, unless asked for
+// Frames that more may come than a model of the run has told [1].
+constexpr double kMoreThanModel = 1.25;
 // What a picture takes as a PNG: the mean over runs of torus and human at 1280x720.
 constexpr double kBytesPerPixel = 0.33;
-// Spheres in a group when the scene leaves that open.
-constexpr double kGroup = 10;
+constexpr double kMostFrames = 9e15; // exact and in range
+
+/// Pictures that remain of so many frames. The last state is kept whatever its number.
+std::size_t keptOf(std::size_t frames, std::size_t stride, bool last)
+{
+    const std::size_t kept = (frames + stride - 1) / stride;
+    return kept + (last && frames > 0 && (frames - 1) % stride != 0 ? 1 : 0);
+}
+
+/// The smallest stride with which so many frames stay within the limit.
+std::size_t strideFor(std::size_t frames, std::size_t limit, bool last)
+{
+    if (limit == 0 || frames <= limit)
+    {
+        return 1;
+    }
+    const std::size_t even = (frames + limit - 1) / limit;
+    if (limit == 1 || keptOf(frames, even, last) <= limit)
+    {
+        return even;
+    }
+    return (frames - 1 + limit - 2) / (limit - 1);
+}
 
 } // namespace
 
@@ -29,43 +50,76 @@ double fallTime(const Scene& scene, const MeshReport& mesh)
     return std::sqrt(2 * height / gravityInMeshUnits(scene));
 }
 
-FrameTiming frameTiming(const Scene& scene, const MeshReport& mesh)
+FrameTiming frameTiming(const Scene& scene, const MeshReport& mesh, double seconds, bool falls)
 {
+    const FrameSettings& frames = scene.frames;
     FrameTiming timing;
-    timing.slowMotion = scene.frames.slowMotion.value_or(kFallInVideo / fallTime(scene, mesh));
-    timing.interval = 1 / (scene.frames.fps * timing.slowMotion);
+    const double slowest = kSlowestFall / fallTime(scene, mesh);
+    timing.slowMotion = slowest;
+    if (seconds > 0)
+    {
+        // The first frame shows the start and the last one the end.
+        const double wished = frames.duration.value_or(kUsualDuration) - 1 / frames.fps;
+        const double ofRun = falls ? wished - std::min(kDrawnFall, wished / 4) : wished;
+        timing.slowMotion = std::max(ofRun, 1 / frames.fps) / seconds;
+        if (!frames.duration && !falls)
+        {
+            timing.slowMotion = std::min(timing.slowMotion, slowest);
+        }
+        timing.lag = falls ? (wished - ofRun) / timing.slowMotion : 0;
+    }
+    if (frames.slowMotion)
+    {
+        timing.slowMotion = *frames.slowMotion;
+        timing.lag = falls ? kDrawnFall / timing.slowMotion : 0;
+    }
+    timing.interval = 1 / (frames.fps * timing.slowMotion);
     return timing;
 }
 
-FrameEstimate estimateFrames(const Scene& scene, const MeshReport& mesh, std::size_t spheres,
-                             double radius)
+std::size_t heldFrames(const Scene& scene, double path)
 {
-    FrameEstimate estimate;
-    if (!scene.frames.enabled)
+    const auto selection = FrameSelection::parse(scene.frames.selection);
+    double seconds = scene.frames.hold;
+    if (seconds == 0 && selection && selection->isLastOnly())
     {
-        return estimate;
+        seconds = path > 0 ? path : scene.camera.turntable.value_or(0);
     }
-    const double sets =
-        std::ceil(static_cast<double>(spheres) / (std::max(kGroup, 1.0 * scene.spheres.groupSize) *
-                                                  static_cast<double>(scene.spheres.groupsPerSet)));
-    const double secondsPerSet = kFallsPerSet * fallTime(scene, mesh) +
-                                 kRadiusTimesPerSet * std::sqrt(radius / gravityInMeshUnits(scene));
-    const double frames = sets * secondsPerSet / frameTiming(scene, mesh).interval + 2;
-    // Thinning halves the number until it is within the limit.
-    double kept = frames;
-    while (scene.frames.limit > 1 && kept > static_cast<double>(scene.frames.limit))
+    return static_cast<std::size_t>(std::min(std::round(seconds * scene.frames.fps), kMostFrames));
+}
+
+FramePlan planFrames(const Scene& scene, const MeshReport& mesh, const RunLength& length,
+                     double path)
+{
+    FramePlan plan;
+    const auto selection = FrameSelection::parse(scene.frames.selection);
+    if (!scene.frames.enabled || !selection)
     {
-        kept /= 2;
+        return plan;
     }
-    estimate.frames = static_cast<std::size_t>(
-        scene.frames.limit == 1 ? 1.0 : std::min(kept, 9e15)); // 9e15: exact and in range
-    if (const auto selection = FrameSelection::parse(scene.frames.selection))
+    plan.timing = frameTiming(scene, mesh, length.seconds, !length.landings.empty());
+    plan.held = heldFrames(scene, path);
+    std::size_t selected = 0;
+    if (selection->isLastOnly() || scene.frames.limit == 1)
     {
-        estimate.frames = selection->countOf(estimate.frames);
+        selected = std::max<std::size_t>(1, plan.held);
     }
-    estimate.bytes = static_cast<double>(estimate.frames) * kBytesPerPixel * scene.size.width *
-                     scene.size.height;
-    return estimate;
+    else
+    {
+        const double shown = (length.seconds + plan.timing.lag) / plan.timing.interval;
+        plan.all = static_cast<std::size_t>(std::min(std::floor(shown + 1e-6) + 1, kMostFrames));
+        selected = selection->hasLast() ? selection->countOf(plan.all) + plan.held
+                                        : selection->countOf(plan.all + plan.held);
+    }
+    const double most = static_cast<double>(selected) * (length.exact ? 1 : kMoreThanModel);
+    plan.stride = strideFor(static_cast<std::size_t>(std::ceil(most)), scene.frames.limit,
+                            selection->hasLast());
+    plan.kept = scene.frames.limit == 1 ? std::min<std::size_t>(1, selected)
+                                        : keptOf(selected, plan.stride, selection->hasLast());
+    plan.seconds = static_cast<double>(selected) / scene.frames.fps;
+    plan.bytes =
+        static_cast<double>(plan.kept) * kBytesPerPixel * scene.size.width * scene.size.height;
+    return plan;
 }
 
 } // namespace frostfill

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "run/rehearsal.hpp"
+
 #include <frostfill/mesh.hpp>
 #include <frostfill/scene.hpp>
 
 #include <cstddef>
+#include <limits>
 
 namespace frostfill
 {
@@ -13,23 +16,47 @@ namespace frostfill
 struct FrameTiming
 {
     double slowMotion = 1; ///< [1] video time over simulated time
-    double interval = 1;   ///< [s] simulated, between two frames
+    /// [s] simulated, between two frames; the default never comes to a second frame
+    double interval = std::numeric_limits<double>::max();
+    /// [s] simulated, by which pictures show the run later, so that spheres which appear at their
+    /// first contact can be seen falling; see FallingSpheres
+    double lag = 0;
 };
 
-/// The scene's slow motion, or the one at which a fall through the object's height takes 1.5 s of
-/// video.
-[[nodiscard]] FrameTiming frameTiming(const Scene& scene, const MeshReport& mesh);
+/// The scene's slow motion, or the one with which a run of so many simulated seconds takes the
+/// scene's duration. Without either it is 20 s, or less where a fall through the object would take
+/// more than 3 s of video. `falls`: those that the motion leaves out are drawn.
+[[nodiscard]] FrameTiming frameTiming(const Scene& scene, const MeshReport& mesh, double seconds,
+                                      bool falls = false);
 
 /// Time of a fall through the object's height. [s]
 [[nodiscard]] double fallTime(const Scene& scene, const MeshReport& mesh);
 
-/// What a run will write, roughly: before it starts nobody knows how long sets take to settle.
-struct FrameEstimate
+/// The pictures of a run, known before it begins.
+struct FramePlan
 {
-    std::size_t frames = 0;
-    double bytes = 0; ///< of all frames
+    FrameTiming timing;
+    std::size_t all = 0;    ///< frames of the whole animation, without what is held
+    std::size_t held = 0;   ///< frames for which the last state is held
+    std::size_t stride = 1; ///< every so manieth of those that are selected is kept as a picture
+    std::size_t kept = 0;   ///< pictures
+    double seconds = 0;     ///< [s] of video, of all frames that are selected
+    double bytes = 0;       ///< of all pictures, roughly
+
+    /// Pictures per second with which the kept ones play like the video.
+    [[nodiscard]] double picturesPerSecond(double fps) const
+    {
+        return fps / static_cast<double>(stride);
+    }
 };
-[[nodiscard]] FrameEstimate estimateFrames(const Scene& scene, const MeshReport& mesh,
-                                           std::size_t spheres, double radius);
+
+/// Nothing is kept without frames. The stride keeps the pictures within the limit; playback speed
+/// does not depend on it.
+[[nodiscard]] FramePlan planFrames(const Scene& scene, const MeshReport& mesh,
+                                   const RunLength& length, double path = 0);
+
+/// Frames for which the last state is held: --hold, or a whole turn of the turntable if only that
+/// state is drawn and nothing is said. `path`: the same for a camera's path [s].
+[[nodiscard]] std::size_t heldFrames(const Scene& scene, double path = 0);
 
 } // namespace frostfill

@@ -69,6 +69,11 @@ void FrameWriter::write(const Parcel& parcel)
     milliseconds_[parcel.set].push_back(1000 * (spent() - before));
 }
 
+void FrameWriter::keepEvery(std::size_t stride)
+{
+    worker_.push([this, stride] { sequence_.keepEvery(stride); });
+}
+
 void FrameWriter::finish()
 {
     worker_.finish();

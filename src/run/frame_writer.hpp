@@ -27,6 +27,8 @@ public:
     /// what has gone wrong with an earlier picture.
     void put(std::size_t number, const Image& image, std::span<const std::uint8_t> changedRows,
              std::size_t set, PngText text);
+    /// See FrameThinning.
+    void keepEvery(std::size_t stride);
     /// Waits until everything is written. Throws what has gone wrong.
     void finish();
 

@@ -7,6 +7,7 @@
 #include "run/machine_json.hpp"
 #include "run/run_hash.hpp"
 #include "run/set_table.hpp"
+#include "scene/frame_selection.hpp"
 
 #include <frostfill/error.hpp>
 #include <frostfill/output.hpp>
@@ -153,6 +154,20 @@ Json shortfallJson(const RunRecord& run)
             {"radius_that_fits", *run.result.radiusThatFits}};
 }
 
+/// How the pictures play like the video; null where they are not at equal steps.
+void addPlayback(const RunRecord& run, Json& json)
+{
+    const FrameSettings& settings = run.request.scene.frames;
+    const auto selection = FrameSelection::parse(settings.selection);
+    const auto step =
+        static_cast<double>(selection && run.frames.all > 1 ? selection->evenStep() : 0);
+    const auto stride = static_cast<double>(run.stride);
+    const bool plays = step > 0;
+    json["frame_interval"] = plays ? Json(run.frames.timing.interval * step * stride) : Json();
+    json["frames_per_second"] = plays ? Json(settings.fps / stride) : Json();
+    json["slow_motion"] = plays ? Json(run.frames.timing.slowMotion / step) : Json();
+}
+
 const char* outcome(const FillResult& result)
 {
     if (result.failure)
@@ -196,8 +211,7 @@ std::string summaryText(const RunRecord& run)
     json["run_hash"] = runHash(run.request.scene, run.mesh.mesh);
     json["state_hash"] = run.result.stateHash;
     json["frames"] = run.result.frames;
-    json["frame_interval"] = run.timing.interval * static_cast<double>(run.frameStride);
-    json["slow_motion"] = run.timing.slowMotion;
+    addPlayback(run, json);
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -19,10 +19,10 @@ struct RunRecord
     const FillRequest& request;
     const LoadedMesh& mesh;
     const Simulation& simulation;
-    const FrameTiming& timing;
+    const FramePlan& frames;
     const FillResult& result;
-    StageTimes times;            ///< of simulation and pictures together
-    std::size_t frameStride = 1; ///< every so manieth frame was kept
+    StageTimes times;       ///< of simulation and pictures together
+    std::size_t stride = 1; ///< every so manieth of the selected frames was kept
 };
 
 /// The text of summary.json.

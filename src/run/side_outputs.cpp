@@ -20,6 +20,18 @@ SideOutputs::SideOutputs(const Scene& scene, std::filesystem::path directory,
     }
 }
 
+void SideOutputs::keepEvery(std::size_t stride)
+{
+    stride_ = stride;
+    for (auto* sequence : {&depth_, &normal_, &identity_})
+    {
+        if (*sequence)
+        {
+            (*sequence)->keepEvery(stride);
+        }
+    }
+}
+
 void SideOutputs::put(std::size_t number, bool kept, Renderer& renderer, const Snapshot& snapshot,
                       const Image& image)
 {
@@ -46,6 +58,7 @@ void SideOutputs::putPasses(std::size_t number, Renderer& renderer, const Snapsh
         if (wanted && !sequence)
         {
             sequence.emplace(directory_ / name, limit_, range);
+            sequence->keepEvery(stride_);
         }
         if (wanted)
         {

@@ -25,6 +25,8 @@ public:
 
     /// Whether frames are wanted that are not kept as pictures.
     [[nodiscard]] bool wantEveryFrame() const { return video_.has_value(); }
+    /// See FrameThinning; for the passes. The video gets every frame.
+    void keepEvery(std::size_t stride);
     /// Takes a frame that the renderer has just drawn; passes are for those that are `kept`.
     void put(std::size_t number, bool kept, Renderer& renderer, const Snapshot& snapshot,
              const Image& image);
@@ -36,6 +38,7 @@ private:
 
     Passes passes_;
     std::size_t limit_;
+    std::size_t stride_ = 1;
     std::filesystem::path directory_;
     std::optional<Video> video_;
     std::optional<std::size_t> passesDrawn_; ///< number of the frame that the passes show

@@ -35,6 +35,44 @@ std::optional<std::size_t> wholeNumber(std::string_view text)
 
 } // namespace
 
+/// "7", "3:6", "8:" or "0:30:10".
+std::optional<FrameSelection::Range> FrameSelection::rangeWithoutEnd(std::string_view part)
+{
+    const auto parts = std::count(part.begin(), part.end(), ':') + 1;
+    if (parts > 3 || (!part.empty() && part.back() == ':' && parts != 2))
+    {
+        return std::nullopt;
+    }
+    const auto start = wholeNumber(takePart(part, ':'));
+    // "100:" continues to the end.
+    const auto end = parts == 1     ? std::optional(kEndless)
+                     : part.empty() ? std::optional(kEndless)
+                                    : wholeNumber(takePart(part, ':'));
+    const auto step = parts == 3 ? wholeNumber(part) : std::optional<std::size_t>(1);
+    if (!start || !end || !step || *start == kEndless)
+    {
+        return std::nullopt;
+    }
+    return Range{*start, parts == 1 ? *start + 1 : *end, *step};
+}
+
+/// "0..30", "8.." or "0..30:10".
+std::optional<FrameSelection::Range> FrameSelection::rangeWithLast(std::string_view part)
+{
+    const std::size_t dots = part.find("..");
+    const auto start = wholeNumber(part.substr(0, dots));
+    part.remove_prefix(dots + 2);
+    const bool hasStep = part.find(':') != std::string_view::npos;
+    const std::string_view lastText = takePart(part, ':');
+    const auto last = lastText.empty() ? std::optional(kEndless - 1) : wholeNumber(lastText);
+    const auto step = hasStep ? wholeNumber(part) : std::optional<std::size_t>(1);
+    if (!start || !last || !step || *last == kEndless)
+    {
+        return std::nullopt;
+    }
+    return Range{*start, *last + 1, *step};
+}
+
 std::optional<FrameSelection> FrameSelection::parse(std::string_view text)
 {
     FrameSelection selection;
@@ -60,22 +98,13 @@ std::optional<FrameSelection> FrameSelection::parse(std::string_view text)
             selection.last_ = true;
             continue;
         }
-        const auto parts = std::count(part.begin(), part.end(), ':') + 1;
-        if (parts > 3 || (!part.empty() && part.back() == ':' && parts != 2))
+        const auto range =
+            part.find("..") == std::string_view::npos ? rangeWithoutEnd(part) : rangeWithLast(part);
+        if (!range || range->step == 0 || range->start >= range->end)
         {
             return std::nullopt;
         }
-        const auto start = wholeNumber(takePart(part, ':'));
-        // "100:" continues to the end.
-        const auto end = parts == 1     ? std::optional(kEndless)
-                         : part.empty() ? std::optional(kEndless)
-                                        : wholeNumber(takePart(part, ':'));
-        const auto step = parts == 3 ? wholeNumber(part) : std::optional<std::size_t>(1);
-        if (!start || !end || !step || *step == 0)
-        {
-            return std::nullopt;
-        }
-        selection.ranges_.push_back({*start, parts == 1 ? *start + 1 : *end, *step});
+        selection.ranges_.push_back(*range);
     }
     return selection;
 }
@@ -90,15 +119,30 @@ bool FrameSelection::has(std::size_t number) const
                        });
 }
 
+std::size_t FrameSelection::evenStep() const
+{
+    const bool even = ranges_.size() == 1 && (!last_ || has(kEndless - 1));
+    return even ? ranges_.front().step : 0;
+}
+
 std::size_t FrameSelection::countOf(std::size_t frames) const
 {
-    std::size_t count = 0;
+    constexpr std::size_t kOneByOne = 1000000;
+    std::size_t count = last_ && frames > 0 && !has(frames - 1) ? 1 : 0;
+    if (ranges_.size() > 1 && frames <= kOneByOne)
+    {
+        for (std::size_t number = 0; number < frames; ++number)
+        {
+            count += has(number) ? 1 : 0;
+        }
+        return count;
+    }
     for (const Range& range : ranges_)
     {
         const std::size_t end = std::min(range.end, frames);
         count += end > range.start ? (end - range.start - 1) / range.step + 1 : 0;
     }
-    return std::min(frames, std::max<std::size_t>(count, last_ ? 1 : 0));
+    return std::min(frames, count);
 }
 
 } // namespace frostfill

@@ -12,6 +12,7 @@ constexpr double kLargestZoom = 1e4;
 constexpr double kSlowestMotion = 1e6;
 constexpr double kLongestTurn = 1e6;
 constexpr double kFewestPerSecond = 1e-3;
+constexpr double kShortestVideo = 0.01;
 
 void addFrames(TableBuilder& table)
 {
@@ -20,9 +21,10 @@ void addFrames(TableBuilder& table)
                      .flag = "--frames",
                      .group = table.group(),
                      .help = "Frames to draw: all, none, last, or numbers and ranges such as "
-                             "0:100:10,250; never changes the simulation",
+                             "0..100:10,250; 0:100:10 ends before 100; never changes the "
+                             "simulation",
                      .placeholder = "WHICH",
-                     .form = "all, none, or a list such as 0:100:10,250,last",
+                     .form = "all, none, or a list such as 0..100:10,250,last",
                      .get = [](const Scene& scene)
                      { return scene.frames.enabled ? scene.frames.selection : "none"; },
                      .set =
@@ -41,17 +43,23 @@ void addFrames(TableBuilder& table)
         .range(kFewestPerSecond, 10000);
     table
         .add("frames.slow_motion", "--slow-motion",
-             "Video time over simulated time; auto: a fall takes 1.5 s of video",
+             "Video time over simulated time; auto: as the duration asks for",
              FROSTFILL_FIELD(frames.slowMotion))
         .orNothing("auto")
         .range(1 / kSlowestMotion, kSlowestMotion);
     table
+        .add("frames.duration", "--duration",
+             "How long the animation takes [s of video]; auto: 20 s, less for a few spheres",
+             FROSTFILL_FIELD(frames.duration))
+        .orNothing("auto")
+        .range(kShortestVideo, kLongestTurn);
+    table
         .add("frames.limit", "--max-frames",
-             "Largest number of frames kept, evenly thinned out; 0: no limit",
+             "Largest number of pictures kept, at equal steps; the video has all; 0: no limit",
              FROSTFILL_FIELD(frames.limit))
         .range(0, kLargestWhole);
     table
-        .add("frames.hold", "--hold", "Time for which the video shows the last state [s]",
+        .add("frames.hold", "--hold", "Time for which the last state is shown [s of video]",
              FROSTFILL_FIELD(frames.hold))
         .range(0, 3600);
     table.add("frames.passes", "--passes",
@@ -160,7 +168,9 @@ void addCamera(TableBuilder& table)
         .range(kSmallestLength, kLargestLength);
     table
         .add("camera.turntable", "--turntable",
-             "Time in which the camera circles the object once [s of video]",
+             "Time in which the camera circles the object once [s of video]; with --frames last, "
+             "the "
+             "full object turns once",
              FROSTFILL_FIELD(camera.turntable))
         .orNothing("none")
         .range(1 / kLongestTurn, kLongestTurn);

@@ -2,8 +2,10 @@
 #include "simulation/discard/exact_discard.hpp"
 
 #include "simulation/discard/tolerances.hpp"
+#include "simulation/reach/voxel_rows.hpp"
 
 #include <algorithm>
+#include <bit>
 
 namespace frostfill
 {
@@ -23,6 +25,7 @@ void ExactDiscard::build()
         map_ = std::make_unique<ReachMap>(world_.surface, world_.inside, radii, margins,
                                           ReachMap::Resolution{kReachVoxel});
         holding_.assign(map_->layout().words, 0);
+        polygonWitness_.assign(world_.polygons.size(), kNoCube);
         // The margin is widest for the smallest contact.
         const double overlap = radii.smallest - map_->exclusion(radii.smallest);
         clear_ = std::make_unique<ClearSearch>(world_.resting, world_.surface, world_.triangles,
@@ -54,6 +57,12 @@ void ExactDiscard::renumber(std::uint32_t from, std::uint32_t to)
     }
 }
 
+// A picture in which more than that is discarded at once seems to jump.
+std::size_t ExactDiscard::batch() const
+{
+    return std::max<std::size_t>(1, expectedCount(world_) / kUpdates);
+}
+
 void ExactDiscard::afterStep(std::span<Runner> runners)
 {
     if (!map_ || !map_->active())
@@ -62,9 +71,8 @@ void ExactDiscard::afterStep(std::span<Runner> runners)
     }
     const auto astray = [this](const Runner& runner) { return !map_->contains(runner.position); };
     const bool trip = std::any_of(runners.begin(), runners.end(), astray);
-    const auto batch = std::max(
-        kSmallestBatch, static_cast<std::size_t>(kBatch * static_cast<double>(kept_.size())));
-    if (!trip && pending_.size() < batch)
+    // The newest one waits: it is the last one if nothing follows; see finish.
+    if (!trip && pending_.size() <= batch())
     {
         return;
     }
@@ -73,22 +81,28 @@ void ExactDiscard::afterStep(std::span<Runner> runners)
     {
         centres_.push_back(runner.position);
     }
-    if (!trip)
+    const std::size_t before = violations_;
+    trip ? restoreAll() : updateWithoutTheNewest();
+    if (violations_ == before)
     {
-        const std::size_t before = violations_;
-        update(centres_);
-        if (violations_ == before)
-        {
-            return;
-        }
-    }
-    else
-    {
-        restoreAll();
+        return;
     }
     for (Runner& runner : runners)
     {
         runner.around.invalidate();
+    }
+}
+
+void ExactDiscard::updateWithoutTheNewest()
+{
+    const std::size_t before = violations_;
+    const std::uint32_t newest = pending_.back();
+    pending_.pop_back();
+    clear_->ignore(newest);
+    update(centres_);
+    if (violations_ == before)
+    {
+        pending_.push_back(newest);
     }
 }
 
@@ -99,6 +113,7 @@ void ExactDiscard::finish(bool full)
         return;
     }
     centres_.clear();
+    clear_->ignore(ClearSearch::kNone);
     if (full && !pending_.empty())
     {
         // No place is left, so only the last sphere could touch anything.
@@ -121,26 +136,47 @@ void ExactDiscard::update(std::span<const Eigen::Vector3d> running)
     const std::size_t before = kept_.size();
     for (const std::uint32_t id : pending_)
     {
-        map_->addResting(world_.spheres.position(id), world_.spheres.radius[id]);
-        kept_.push_back({id, 0});
+        addToMap(id);
+        kept_.push_back({id});
     }
-    restedSincePolygons_ += pending_.size();
     pending_.clear();
     if (!map_->update(running))
     {
         restoreAll();
         return;
     }
-    holding_.assign(map_->layout().words, 0);
     // Spheres that have only just come to rest are mostly at the surface of the pile.
     dropSpheres(before);
-    const std::size_t active = world_.polygons.size() - world_.discardedPolygons;
-    if (restedSincePolygons_ >=
-        std::max(expectedCount(world_) / kPolygonRounds,
-                 static_cast<std::size_t>(kPolygonBatch * static_cast<double>(active))))
+    dropPolygons();
+}
+
+// Places that the sphere may take are no longer known to be there.
+void ExactDiscard::addToMap(std::uint32_t id)
+{
+    const Eigen::Vector3d centre = world_.spheres.position(id);
+    const double radius = world_.spheres.radius[id];
+    map_->addResting(centre, radius);
+    const VoxelLayout& layout = map_->layout();
+    const BallRows rows(layout.frame, centre, radius + world_.radii.smallest(), kMeetsBall);
+    const VoxelRun widest = rows.widest();
+    if (widest.first > widest.last)
     {
-        dropPolygons();
+        return;
     }
+    rows.window().forEach(
+        [&](int y, int z)
+        {
+            if (!layout.any(holding_, y, z, widest.first, widest.last))
+            {
+                return;
+            }
+            const VoxelRun run = rows.run(y, z);
+            if (run.first <= run.last)
+            {
+                layout.forEachWord(y, z, run.first, run.last,
+                                   [&](VoxelWord w) { holding_[w.word] &= ~w.bits; });
+            }
+        });
 }
 
 // Looks at the oldest ones of those that are kept.
@@ -162,7 +198,6 @@ void ExactDiscard::dropSpheres(std::size_t count)
 
 void ExactDiscard::dropPolygons()
 {
-    restedSincePolygons_ = 0;
     for (std::uint32_t t = 0; t < world_.polygons.size(); ++t)
     {
         if (world_.polygons[t] == PolygonState::active && polygonDroppable(t))
@@ -174,34 +209,63 @@ void ExactDiscard::dropPolygons()
 
 bool ExactDiscard::sphereDroppable(Kept& kept)
 {
-    return map_->sphereDroppable(world_.spheres.position(kept.id), world_.spheres.radius[kept.id],
-                                 kept.cursor,
-                                 [this](int x, int y, int z) { return holdsPlace(x, y, z); });
+    if (stands(kept.witness))
+    {
+        return false;
+    }
+    const bool droppable = map_->sphereDroppable(
+        world_.spheres.position(kept.id), world_.spheres.radius[kept.id], kept.cursor,
+        [this](int x, int y, int z) { return holdsPlace(x, y, z); });
+    kept.witness = lastHolding_;
+    return droppable;
 }
 
 bool ExactDiscard::polygonDroppable(std::uint32_t triangle)
 {
-    return map_->polygonDroppable(triangle,
-                                  [this](int x, int y, int z) { return holdsPlace(x, y, z); });
+    if (stands(polygonWitness_[triangle]))
+    {
+        return false;
+    }
+    const bool droppable = map_->polygonDroppable(triangle, [this](int x, int y, int z)
+                                                  { return holdsPlace(x, y, z); });
+    polygonWitness_[triangle] = lastHolding_;
+    return droppable;
 }
 
 // Whether a reached cube may hold a free place. Many obstacles ask for the same cube, which is
-// looked at only once an update.
+// looked at only once until something comes to rest beside it.
 bool ExactDiscard::holdsPlace(int x, int y, int z)
 {
     const VoxelWord cube = map_->layout().at(x, y, z);
-    if ((holding_[cube.word] & cube.bits) != 0)
+    if ((holding_[cube.word] & cube.bits) == 0)
     {
-        return true;
-    }
-    const GridFrame& frame = map_->layout().frame;
-    if (clear_->mayBeClear(frame.centre(x, y, z), frame.cell))
-    {
+        const GridFrame& frame = map_->layout().frame;
+        if (!clear_->mayBeClear(frame.centre(x, y, z), frame.cell))
+        {
+            map_->closeCube(x, y, z);
+            return false;
+        }
         holding_[cube.word] |= cube.bits;
-        return true;
     }
-    map_->closeCube(x, y, z);
-    return false;
+    lastHolding_ =
+        64 * static_cast<Cube>(cube.word) + static_cast<Cube>(std::countr_zero(cube.bits));
+    return true;
+}
+
+// Whether a place that was found before is still reached and free.
+bool ExactDiscard::stands(Cube witness)
+{
+    if (witness == kNoCube)
+    {
+        return false;
+    }
+    const VoxelWord cube = {witness / 64, std::uint64_t{1} << witness % 64};
+    if ((map_->reached()[cube.word] & cube.bits) == 0)
+    {
+        return false;
+    }
+    const auto c = map_->layout().coordinates(cube.word);
+    return holdsPlace(c[0] + static_cast<int>(witness % 64), c[1], c[2]);
 }
 
 // A guard has tripped: some centre is where the map says that none can be. Everything comes back,
@@ -215,7 +279,7 @@ void ExactDiscard::restoreAll()
     {
         if (world_.spheres.state[id] == SphereState::frozen)
         {
-            kept_.push_back({id, 0});
+            kept_.push_back({id});
         }
     }
     ++violations_;

@@ -18,6 +18,10 @@ namespace frostfill
 /// as without. See ReachMap for the rule and its proof. A sphere may yet be released wherever one
 /// fits, in a hole of the pile as well as above it, so releases need no check of their own.
 ///
+/// Looking often is cheap. What is kept has a witness, a reached cube with a place from which it
+/// can be touched, and is looked at again only when that cube is lost or something comes to rest
+/// beside it: the watched literals of SAT solvers [Moskewicz et al. 2001].
+///
 /// What was discarded at the end of a run is what a further sphere could not touch: nowhere that
 /// one still fits, whether or not the run would have released it. When the object is full, so that
 /// none fits anywhere, it is what the last sphere could not touch any more just before it came to
@@ -32,26 +36,34 @@ public:
 
     /// Checks that every runner is within the reached set; when one
     /// is not, everything discarded comes back and the runners forget what they know of it. Drops
-    /// what is out of reach, once enough spheres have come to rest since the last time; that is
-    /// decided from counts, never from the clock.
+    /// what is out of reach, whenever a fiftieth of the run has come to rest since the last time;
+    /// that is decided from counts, never from the clock.
     void afterStep(std::span<Runner> runners) override;
 
     void finish(bool full) override;
 
 private:
+    /// A cube by its number among all; see VoxelLayout.
+    using Cube = std::uint64_t;
+    static constexpr Cube kNoCube = ~Cube{0};
     struct Kept
     {
         std::uint32_t id;
-        ReachMap::Cursor cursor;
+        ReachMap::Cursor cursor = 0;
+        Cube witness = kNoCube; ///< a place from which it can be touched
     };
 
     void build();
+    [[nodiscard]] std::size_t batch() const;
     void update(std::span<const Eigen::Vector3d> running);
+    void updateWithoutTheNewest();
+    void addToMap(std::uint32_t id);
     void dropSpheres(std::size_t count);
     void dropPolygons();
     [[nodiscard]] bool sphereDroppable(Kept& kept);
     [[nodiscard]] bool polygonDroppable(std::uint32_t triangle);
     [[nodiscard]] bool holdsPlace(int x, int y, int z);
+    [[nodiscard]] bool stands(Cube witness);
     void restoreAll();
 
     World& world_;
@@ -59,10 +71,11 @@ private:
     std::unique_ptr<ClearSearch> clear_;
     std::size_t violations_ = 0;         ///< guards that have tripped, each for wider margins
     std::vector<std::uint32_t> pending_; ///< at rest, but not yet in the map
-    std::size_t restedSincePolygons_ = 0;
-    std::vector<Kept> kept_; ///< spheres at rest in the map that are not dropped
+    std::vector<Kept> kept_;             ///< spheres at rest in the map that are not dropped
+    std::vector<Cube> polygonWitness_;   ///< [#T]
     std::vector<Eigen::Vector3d> centres_;
-    VoxelBits holding_; ///< cubes that may hold a place, as was found in this update
+    VoxelBits holding_;    ///< cubes that may hold a place: nothing has come to rest there since
+    Cube lastHolding_ = 0; ///< that holdsPlace has confirmed
 };
 
 } // namespace frostfill

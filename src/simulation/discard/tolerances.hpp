@@ -28,16 +28,9 @@ inline constexpr std::array<ReachMap::Margins, 2> kReachMargins = {
 /// looked at where they decide, hardly more is dropped.
 inline constexpr double kReachVoxel = 0.69;
 
-// An update looks at all that is kept, so its price for a sphere that comes to rest is bounded when
-// it waits for a share of that. Larger: what is out of reach is tested for longer. Smaller: time.
-
-/// Spheres that come to rest between two updates at least.
-inline constexpr std::size_t kSmallestBatch = 20;
-/// Spheres that come to rest for each that is kept [1].
-inline constexpr double kBatch = 2;
-/// Spheres that come to rest for each polygon that is kept [1].
-inline constexpr double kPolygonBatch = 2;
-/// Polygons are looked at about so often in a run.
-inline constexpr std::size_t kPolygonRounds = 2;
+/// Updates in a run about; each looks at a share of all spheres that come to rest. An update costs
+/// a few ns for each sphere and polygon that is kept. Larger: time. Smaller: what is out of reach
+/// is tested for longer, and pictures jump when it goes.
+inline constexpr std::size_t kUpdates = 50;
 
 } // namespace frostfill

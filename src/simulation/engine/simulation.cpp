@@ -140,6 +140,11 @@ std::uint64_t Simulation::steps() const
 {
     return implementation_->world.steps;
 }
+std::uint64_t Simulation::revision() const
+{
+    const World& world = implementation_->world;
+    return world.steps + world.stateChanges.size() + world.polygonChanges;
+}
 std::size_t Simulation::sphereCount() const
 {
     return implementation_->world.spheres.size();

@@ -26,6 +26,7 @@ public:
     {
     }
 
+    static constexpr std::uint32_t kNone = 0xffffffff;
     /// Looks as if this sphere were not at rest.
     void ignore(std::uint32_t id) { ignored_ = id; }
 
@@ -70,7 +71,7 @@ private:
     const TriangleGrid& triangles_;
     double probe_;
     double overlap_;
-    std::uint32_t ignored_ = 0xffffffff;
+    std::uint32_t ignored_ = kNone;
     std::vector<Exclusion> balls_;     ///< of the cube, then of the part of it in hand, and so on
     std::vector<std::uint32_t> walls_; ///< triangles near the cube
 };

@@ -40,6 +40,10 @@ inline constexpr double kOnTheWall = 1e-9;
 /// Share of the object's mean cross-section that a set covers when its size is not given. Larger:
 /// faster fillings with more collisions on the way. Smaller: more sets.
 inline constexpr double kFootprint = 0.1;
+/// Video in which a set falls and comes to rest [s]: the whole run takes the scene's duration, so
+/// this decides how many sets there are. Larger: falls are slower in the video, and more spheres
+/// fall at once, which takes longer to simulate. Smaller: falls are too fast to be seen.
+inline constexpr double kSecondsPerSet = 0.8;
 /// Spheres in a group at least when its size is not given: the paper's number.
 inline constexpr std::size_t kSmallestGroup = 10;
 

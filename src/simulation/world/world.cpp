@@ -4,6 +4,7 @@
 #include "base/memory_at_hand.hpp"
 #include "mesh/repair/inspect_interior.hpp"
 #include "scene/packing_estimate.hpp"
+#include "scene/usual_duration.hpp"
 #include "simulation/world/memory_need.hpp"
 #include "simulation/world/tolerances.hpp"
 
@@ -167,6 +168,7 @@ void World::restoreDiscarded()
     }
     ++restoredDiscards;
     discardedCount = 0;
+    ++polygonChanges;
     std::fill(polygons.begin(), polygons.end(), PolygonState::active);
     discardedPolygons = 0;
 }
@@ -175,6 +177,7 @@ void World::discardPolygon(std::uint32_t polygon)
 {
     polygons[polygon] = PolygonState::discarded;
     ++discardedPolygons;
+    ++polygonChanges;
 }
 
 std::size_t groupSize(const World& world)
@@ -184,7 +187,15 @@ std::size_t groupSize(const World& world)
     {
         return spheres.groupSize;
     }
-    const auto inSet = static_cast<std::size_t>(kFootprint * spheresInLayer(world));
+    auto inSet = static_cast<std::size_t>(kFootprint * spheresInLayer(world));
+    if (world.scene.motion.mode == Motion::fall)
+    {
+        // As many at once as pour into the object in the time of the animation, drawn or not.
+        const double seconds = world.scene.frames.duration.value_or(kUsualDuration);
+        const double sets = std::max(1.0, seconds / kSecondsPerSet);
+        inSet = std::max(
+            inSet, static_cast<std::size_t>(static_cast<double>(expectedCount(world)) / sets));
+    }
     return std::max(kSmallestGroup, inSet / spheres.groupsPerSet);
 }
 

@@ -74,6 +74,7 @@ struct World
 
     /// Ids in the order in which their state changed: what Simulation::capture reads.
     std::vector<std::uint32_t> stateChanges;
+    std::uint64_t polygonChanges = 0;      ///< times that a polygon changed its state
     std::vector<std::uint32_t> runningIds; ///< ascending
 
     [[nodiscard]] bool stops() const { return stopRequested && stopRequested(); }

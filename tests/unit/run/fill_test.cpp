@@ -57,12 +57,13 @@ TEST(FillRun, DividesItsTimeIntoPartsWithoutAGap)
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const auto time = nlohmann::json::parse(result.summary)["time"];
     double sum = 0;
-    for (const char* phase : {"loading", "preparing", "simulating", "drawing_the_rest", "judging"})
+    for (const char* phase :
+         {"loading", "preparing", "rehearsing", "simulating", "drawing_the_rest", "judging"})
     {
         ASSERT_TRUE(time["phases"].contains(phase)) << phase;
         sum += time["phases"][phase].get<double>();
     }
-    EXPECT_EQ(time["phases"].size(), 5u);
+    EXPECT_EQ(time["phases"].size(), 6u);
     EXPECT_NEAR(sum, time["wall"].get<double>(), 0.03 * sum);
     EXPECT_LE(sum, outside);
 }

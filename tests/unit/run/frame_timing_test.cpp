@@ -17,16 +17,25 @@ MeshReport meshOfHeight(double height)
     return mesh;
 }
 
-TEST(FrameTiming, ShowsAFallThroughTheObjectInOneAndAHalfSecondsWhateverItsSize)
+TEST(FrameTiming, ARunTakesTwentySecondsOfVideoWhateverItsSizeAndLength)
 {
     for (const double height : {0.15, 2.8, 500.0})
     {
         const Scene scene = presetScene(Preset::paper, "torus");
-        const FrameTiming timing = frameTiming(scene, meshOfHeight(height));
-        const double fall = std::sqrt(2 * height / 9.81);
-        EXPECT_NEAR(fall / timing.interval, 1.5 * 30, 1e-9);
-        EXPECT_NEAR(timing.slowMotion * fall, 1.5, 1e-12);
+        const double fall = fallTime(scene, meshOfHeight(height));
+        const FrameTiming timing = frameTiming(scene, meshOfHeight(height), 10 * fall);
+        EXPECT_NEAR(10 * fall / timing.interval, 20 * 30 - 1, 1e-9);
+        EXPECT_NEAR(timing.slowMotion * 10 * fall, 20 - 1 / 30.0, 1e-12);
     }
+}
+
+TEST(FrameTiming, AFewSpheresDoNotCreepUnlessAskedTo)
+{
+    Scene scene = presetScene(Preset::fast, "torus");
+    const double fall = fallTime(scene, meshOfHeight(1));
+    EXPECT_NEAR(frameTiming(scene, meshOfHeight(1), 2 * fall).slowMotion * fall, 3, 1e-12);
+    scene.frames.duration = 20;
+    EXPECT_NEAR(frameTiming(scene, meshOfHeight(1), 2 * fall).slowMotion * fall, 10, 0.1);
 }
 
 TEST(FrameTiming, KnowsUnitsAndTheUpAxis)
@@ -43,22 +52,26 @@ TEST(FrameTiming, TakesTheSlowMotionThatIsGiven)
     Scene scene = presetScene(Preset::paper, "torus");
     scene.frames.slowMotion = 4;
     scene.frames.fps = 25;
-    EXPECT_DOUBLE_EQ(frameTiming(scene, meshOfHeight(1)).interval, 0.01);
+    EXPECT_DOUBLE_EQ(frameTiming(scene, meshOfHeight(1), 9).interval, 0.01);
 }
 
-TEST(FrameEstimate, StaysWithinTheLimitAndIsNothingWithoutFrames)
+TEST(FramePlan, StaysWithinTheLimitAndIsNothingWithoutFrames)
 {
     Scene scene = presetScene(Preset::paper, "torus");
-    for (const std::size_t limit : {1u, 2u, 10u, 1000u})
+    const RunLength length = {1000, true};
+    for (const std::size_t limit : {1u, 2u, 10u, 40u, 599u, 600u, 1000u})
     {
         scene.frames.limit = limit;
-        EXPECT_LE(estimateFrames(scene, meshOfHeight(1), 1000000, 0.1).frames, limit);
-        EXPECT_GE(estimateFrames(scene, meshOfHeight(1), 1000000, 0.1).frames, 1u);
+        const FramePlan plan = planFrames(scene, meshOfHeight(1), length);
+        EXPECT_LE(plan.kept, limit);
+        EXPECT_GE(10 * plan.kept, 8 * std::min<std::size_t>(limit, 600)) << limit;
+        EXPECT_NEAR(plan.timing.slowMotion, 0.02, 0.001) << "the limit changes no speed";
     }
     scene.frames.limit = 0;
-    EXPECT_GT(estimateFrames(scene, meshOfHeight(1), 1000000, 0.1).frames, 10000u);
+    scene.frames.slowMotion = 1;
+    EXPECT_GT(planFrames(scene, meshOfHeight(1), length).kept, 29000u);
     scene.frames.enabled = false;
-    EXPECT_EQ(estimateFrames(scene, meshOfHeight(1), 1000, 0.1).frames, 0u);
+    EXPECT_EQ(planFrames(scene, meshOfHeight(1), length).kept, 0u);
 }
 
 } // namespace

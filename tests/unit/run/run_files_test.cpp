@@ -29,13 +29,13 @@ class RunFiles : public ::testing::Test
 protected:
     [[nodiscard]] Json summary() const
     {
-        return Json::parse(summaryText({request, mesh, simulation, timing, result, times, 3}));
+        return Json::parse(summaryText({request, mesh, simulation, frames, result, times, 3}));
     }
 
     FillRequest request = differentRadii();
     LoadedMesh mesh = loadMesh("cube");
     Simulation simulation{request.scene, mesh.mesh};
-    FrameTiming timing = frameTiming(request.scene, mesh.report);
+    FramePlan frames;
     FillResult result;
     StageTimes times;
 };

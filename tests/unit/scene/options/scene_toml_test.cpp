@@ -36,6 +36,7 @@ Scene unusualScene()
     scene.frames.enabled = false;
     scene.frames.fps = 23.976023976023978;
     scene.frames.slowMotion = 1e6 / 3;
+    scene.frames.duration = 12.5;
     scene.frames.limit = 0;
     scene.frames.hold = 0.1;
     scene.frames.passes = {true, false, true};

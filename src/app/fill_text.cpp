@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "app/fill_text.hpp"
+
+#include "app/message.hpp"
+#include "app/reach_text.hpp"
+
+#include <fmt/format.h>
+
+#include <string>
+
+namespace frostfill
+{
+namespace
+{
+
+std::string bytesText(double bytes)
+{
+    return bytes < 1e6 ? fmt::format("{:.0f} kB", bytes / 1e3)
+                       : (bytes < 1e9 ? fmt::format("{:.0f} MB", bytes / 1e6)
+                                      : fmt::format("{:.1f} GB", bytes / 1e9));
+}
+
+/// "radius 0.05", or "radii from 0.02 to 0.05".
+std::string radiiText(double smallest, double largest)
+{
+    return smallest == largest ? fmt::format("radius {:.5g}", largest)
+                               : fmt::format("radii from {:.5g} to {:.5g}", smallest, largest);
+}
+
+/// ": 20 s at 30 a second, 1.4 times slower than life"; nothing for a still.
+std::string playbackText(const FillPlan& plan)
+{
+    if (plan.videoSeconds <= 0 || plan.frames < 2 || plan.slowMotion <= 0)
+    {
+        return "";
+    }
+    const bool slow = plan.slowMotion >= 1;
+    return fmt::format(": {:.3g} s at {:.3g} a second, {:.3g} times {} than life, a fall takes "
+                       "{:.2g} s",
+                       plan.videoSeconds, plan.pictureRate,
+                       slow ? plan.slowMotion : 1 / plan.slowMotion, slow ? "slower" : "faster",
+                       plan.fallSeconds);
+}
+
+/// What to give for --radius instead: all radii smaller by one factor.
+std::string radiusAdvice(const std::optional<Radii>& given, const FillResult& result)
+{
+    const double factor = *result.radiusThatFits / result.largestRadius;
+    if (given && !given->file.empty())
+    {
+        return fmt::format("take radii {:.3g} times as large", factor);
+    }
+    const double smallest = factor * result.smallestRadius;
+    const double largest = factor * result.largestRadius;
+    return smallest == largest ? fmt::format("try --radius {:.3g}", largest)
+                               : fmt::format("try --radius {:.3g}..{:.3g}", smallest, largest);
+}
+
+/// What would fill an object that the count leaves partly empty.
+std::string fillingText(const Scene& scene, const FillResult& result)
+{
+    if (result.full || result.stopped || scene.spheres.untilFull ||
+        result.fitting <= result.spheres)
+    {
+        return "";
+    }
+    return fmt::format("there is room left; about {} spheres fill the object: add --until-full\n",
+                       result.fitting);
+}
+
+} // namespace
+
+void printPlan(const FillRequest& request, const FillPlan& plan)
+{
+    for (const std::string& repair : plan.repairs)
+    {
+        say(fmt::format("repaired: {}\n", repair));
+    }
+    say(fmt::format("{}: {} triangles, about {} spheres of {}, time step {:.3g} s\n",
+                    request.scene.name, plan.triangles, plan.spheres,
+                    radiiText(plan.smallestRadius, plan.largestRadius), plan.timeStep));
+    if (plan.crossedTriangles > 0)
+    {
+        const Eigen::Vector3d& p = plan.firstCrossing;
+        say(fmt::format(
+            "the mesh crosses itself: {} triangles meet others, the first near {:.6g} "
+            "{:.6g} {:.6g}{}\n",
+            plan.crossedTriangles, p.x(), p.y(), p.z(),
+            request.scene.object.load.unite
+                ? ""
+                : "; walls inside the object stay as obstacles, which --unite removes"));
+    }
+    say(reachText(plan.reach, plan.smallestRadius, plan.volume));
+    if (request.scene.frames.enabled)
+    {
+        say(fmt::format("expecting about {} frames of {}x{}, {}{}\n", plan.frames,
+                        request.scene.size.width, request.scene.size.height,
+                        bytesText(plan.frameBytes), playbackText(plan)));
+    }
+    if (plan.fallsLeftOut)
+    {
+        say("spheres appear where they land: for so many, falls that --motion leaves out are not "
+            "drawn\n");
+    }
+}
+
+void printResult(const Scene& scene, const FillResult& result)
+{
+    fmt::print("{}", setTableText(result));
+    if (result.stopped)
+    {
+        fmt::print("stopped early, with {} of {} spheres\n", result.spheres, result.wanted);
+    }
+    else if (result.radiusThatFits)
+    {
+        fmt::print("full before the count: {} of {} spheres are in, and nowhere else one of {} "
+                   "fits; {}\n",
+                   result.spheres, *scene.spheres.count,
+                   radiiText(result.smallestRadius, result.largestRadius),
+                   radiusAdvice(scene.spheres.radius, result));
+    }
+    else if (result.full)
+    {
+        fmt::print("full: after {} spheres, no other one fits\n", result.spheres);
+    }
+    fmt::print("{}", fillingText(scene, result));
+    fmt::print("{} spheres of {} take {:.1f} % of the volume; {} frames; {:.1f} s; "
+               "results in {}\n",
+               result.spheres, radiiText(result.smallestRadius, result.largestRadius),
+               100 * result.quality.sphereVolume / result.quality.meshVolume, result.frames,
+               result.wallSeconds, result.directory.string());
+}
+
+} // namespace frostfill

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "run/falling_spheres.hpp"
+
+#include "run/ceilings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace frostfill
+{
+namespace
+{
+
+/// What waits for its fall is drawn that small, so that nobody sees it [r].
+constexpr double kUnseen = 1e-3;
+/// Of a sphere at its ceiling, from its middle to the wall; more than 1, as ceilings slope [r].
+constexpr double kBelowCeiling = 1.5;
+
+} // namespace
+
+FallingSpheres::FallingSpheres(std::vector<Landing> landings, const TriangleMesh& mesh,
+                               const Scene& scene, double lag)
+    : landings_(std::move(landings)), up_(upVector(scene.object.up)), lag_(lag)
+{
+    const Ceilings ceilings(mesh, up_);
+    double highest = 0;
+    heights_.reserve(landings_.size());
+    for (const Landing& landing : landings_)
+    {
+        const double height =
+            std::max(0.0, ceilings.above(landing.place) - kBelowCeiling * landing.radius);
+        heights_.push_back(static_cast<float>(height));
+        highest = std::max(highest, height);
+    }
+    pull_ = std::max(2 * highest / (lag * lag), std::numeric_limits<double>::min());
+}
+
+std::size_t FallingSpheres::landedBy(double time) const
+{
+    const auto later = [](double t, const Landing& landing) { return t < landing.time; };
+    return static_cast<std::size_t>(
+        std::upper_bound(landings_.begin(), landings_.end(), time, later) - landings_.begin());
+}
+
+void FallingSpheres::takeFrom(Snapshot& snapshot, std::size_t real)
+{
+    if (real < snapshot.centres.size())
+    {
+        snapshot.centres.resize(real);
+        snapshot.radii.resize(real);
+        snapshot.states.resize(real);
+        snapshot.groups.resize(real);
+        snapshot.speeds.resize(real);
+    }
+}
+
+std::size_t FallingSpheres::addTo(Snapshot& snapshot, double now) const
+{
+    const std::size_t landed = std::min(landedBy(now), snapshot.centres.size());
+    const std::size_t end = std::max(landed, landedBy(now + lag_));
+    for (std::size_t id = landed; id < snapshot.centres.size(); ++id)
+    {
+        const SphereState state = snapshot.states[id];
+        snapshot.running -= state == SphereState::running ? 1 : 0;
+        snapshot.frozen -= state == SphereState::frozen ? 1 : 0;
+        snapshot.discarded -= state == SphereState::discarded ? 1 : 0;
+    }
+    snapshot.centres.resize(end);
+    snapshot.radii.resize(end);
+    snapshot.states.resize(end);
+    snapshot.groups.resize(end);
+    snapshot.speeds.resize(end);
+    auto& changed = snapshot.changed;
+    changed.erase(std::lower_bound(changed.begin(), changed.end(), landed), changed.end());
+    for (std::size_t id = landed; id < end; ++id)
+    {
+        put(snapshot, id, now);
+        changed.push_back(static_cast<std::uint32_t>(id));
+    }
+    snapshot.time = now + lag_;
+    return landed;
+}
+
+void FallingSpheres::put(Snapshot& snapshot, std::size_t id, double now) const
+{
+    const Landing& landing = landings_[id];
+    const double height = heights_[id];
+    const double fall = std::sqrt(2 * height / pull_);
+    const double fallen = fall - (landing.time - now); // [s] since it began to fall
+    const double down = std::min(height, fallen > 0 ? pull_ * fallen * fallen / 2 : 0);
+    const Eigen::Vector3d place = landing.place + (height - down) * up_;
+    snapshot.centres[id] = (place - snapshot.origin).cast<float>();
+    snapshot.radii[id] = static_cast<float>((fallen > 0 ? 1 : kUnseen) * landing.radius);
+    snapshot.states[id] = SphereState::running;
+    snapshot.groups[id] = landing.group;
+    snapshot.speeds[id] = static_cast<float>(fallen > 0 ? pull_ * fallen : 0);
+    snapshot.running += fallen > 0 ? 1 : 0;
+}
+
+} // namespace frostfill

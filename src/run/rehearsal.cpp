@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include "run/rehearsal.hpp"
+
+#include "run/frame_timing.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace frostfill
+{
+namespace
+{
+
+/// Spheres of a run that is rehearsed itself, and of the model of a larger one. Larger: runs start
+/// later. Smaller: more runs whose length is known only roughly.
+constexpr double kRehearsed = 12000;
+constexpr double kRehearsedPaper = 2000;
+constexpr double kRehearsedDescent = 50000; // quick
+constexpr double kModel = 3000;
+constexpr double kModelPaper = 1000;
+
+/// Falls through the object that a set takes, beside a time that goes with sqrt(r/g) [1]: by runs
+/// of the four objects with 320 to 20,000 spheres.
+constexpr double kFallsPerSet = 0.7;
+
+/// Enters the spheres that appeared in the last step, one after the other.
+void enterLandings(const Simulation& simulation, double before, std::vector<Landing>& landings)
+{
+    const std::size_t known = std::min(landings.size(), simulation.sphereCount());
+    landings.resize(known);
+    const auto fresh = static_cast<double>(simulation.sphereCount() - known);
+    for (std::size_t id = known; id < simulation.sphereCount(); ++id)
+    {
+        const SphereRecord sphere = simulation.sphere(id);
+        const double share = static_cast<double>(id - known + 1) / fresh;
+        landings.push_back({before + share * (simulation.time() - before), sphere.centre,
+                            sphere.radius, sphere.group});
+    }
+}
+
+double lengthOf(Simulation& simulation, const std::function<bool()>& stopRequested,
+                std::vector<Landing>* landings = nullptr)
+{
+    simulation.stopWhen(stopRequested);
+    for (double before = 0; simulation.step() && !(stopRequested && stopRequested());
+         before = simulation.time())
+    {
+        if (landings != nullptr)
+        {
+            enterLandings(simulation, before, *landings);
+        }
+    }
+    return simulation.time();
+}
+
+/// The same run without what changes nothing in it but takes time, or memory.
+Scene withoutExtras(const Scene& scene)
+{
+    Scene bare = scene;
+    if (scene.preset == Preset::fast && scene.discard.rule == DiscardRule::exact)
+    {
+        bare.discard.rule = DiscardRule::none;
+    }
+    // They find the same pairs in the same order.
+    if (scene.search.spheres == SphereSearch::allPairs)
+    {
+        bare.search.spheres = SphereSearch::grid;
+    }
+    if (scene.search.polygons <= PolygonSearch::quadtree)
+    {
+        bare.search.polygons = PolygonSearch::grid;
+    }
+    return bare;
+}
+
+double setsOf(const Scene& scene, const Simulation& simulation)
+{
+    const auto set = static_cast<double>(simulation.groupSize() * scene.spheres.groupsPerSet);
+    return std::max(1.0, std::ceil(static_cast<double>(simulation.expectedSpheres()) / set));
+}
+
+/// The scene with its spheres `factor` times as large, and as many fewer.
+Scene modelOf(const Scene& scene, const Simulation& simulation, double factor)
+{
+    Scene model = withoutExtras(scene);
+    const double share = std::pow(factor, -3);
+    model.spheres.radius =
+        Radii(factor * simulation.smallestRadius(), factor * simulation.radius());
+    const auto fewer = [&](auto number)
+    {
+        return static_cast<decltype(number)>(
+            std::max(1.0, std::round(share * static_cast<double>(number))));
+    };
+    if (scene.spheres.count)
+    {
+        model.spheres.count = fewer(*scene.spheres.count);
+    }
+    if (scene.spheres.groupSize > 0)
+    {
+        model.spheres.groupSize = fewer(scene.spheres.groupSize);
+    }
+    if (scene.motion.dt)
+    {
+        model.motion.dt = *scene.motion.dt * std::sqrt(factor);
+    }
+    return model;
+}
+
+} // namespace
+
+RunLength rehearse(const Scene& scene, const TriangleMesh& mesh, const Simulation& simulation,
+                   const std::function<bool()>& stopRequested)
+{
+    const auto spheres = static_cast<double>(simulation.expectedSpheres());
+    const bool paper = scene.preset == Preset::paper;
+    const bool descends = !paper && scene.motion.mode == Motion::descend;
+    if (spheres <= (paper ? kRehearsedPaper : descends ? kRehearsedDescent : kRehearsed))
+    {
+        Simulation same(withoutExtras(scene), mesh);
+        RunLength length = {0, true, {}};
+        const bool falls = paper || scene.motion.mode == Motion::fall;
+        length.seconds = lengthOf(same, stopRequested, falls ? nullptr : &length.landings);
+        return length;
+    }
+    const double factor = std::cbrt(spheres / (paper ? kModelPaper : kModel));
+    const Scene smaller = modelOf(scene, simulation, factor);
+    Simulation model(smaller, mesh);
+    const double falls = scene.motion.mode == Motion::fall || paper
+                             ? kFallsPerSet * fallTime(scene, simulation.object())
+                             : 0;
+    const double perSet = lengthOf(model, stopRequested) / setsOf(smaller, model);
+    const double settling = std::max(0.0, perSet - falls) / std::sqrt(factor);
+    return {setsOf(scene, simulation) * (std::min(perSet, falls) + settling), false, {}};
+}
+
+} // namespace frostfill
