@@ -7,6 +7,9 @@ const uint kFrozen = 1u;
 const uint kDiscarded = 2u;
 const uint kDiscardedPolygon = 1u;
 
+// Of a sphere's hatch that is dark.
+const float kHatchShare = 0.34;
+
 // Three lights that stay with the camera: key from the upper left, fill from the right, and one from
 // behind and above that parts the upper rims from what is behind them; and a sky whose light grows
 // evenly from below to above. Directions to the light.

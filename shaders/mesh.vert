@@ -4,7 +4,7 @@
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
-layout(location = 2) in vec4 edges; // how strong the edge opposite each vertex is to be drawn, 0..1
+layout(location = 2) in vec4 edges; // what the edge opposite each vertex is; distance from the nearest crease
 layout(location = 3) in uint polygonState;
 
 uniform mat4 view;
@@ -14,6 +14,7 @@ out vec3 eyePosition;
 out vec3 eyeNormal;
 out vec3 barycentric;
 flat out vec3 edgeStrength;
+out float creaseDistance;
 flat out uint state;
 
 void main()
@@ -24,6 +25,7 @@ void main()
     int vertex = gl_VertexID % 3;
     barycentric = vec3(vertex == 0, vertex == 1, vertex == 2);
     edgeStrength = edges.xyz;
+    creaseDistance = edges.w;
     state = polygonState;
     gl_Position = projection * eye;
 }

@@ -53,17 +53,72 @@ int samplesInside()
 uniform float outlineWidth; // [pixel]
 #endif
 
+#ifdef STUDIO
+flat in vec4 occluder[12];
+flat in vec2 openTo;
+
+uniform vec3 lamp; // towards it
+uniform vec3 above; // away from the ground
+
+const float kSoftness = 0.3; // the lamp's half width, seen from anywhere
+
+// What reaches a point of the sphere of the sky and of the lamp. Neighbours are spheres too, so that
+// what they hide is known in closed form: of the sky, by [Quilez 2014], of a round lamp, from how
+// far the ray to its middle passes from their surface.
+vec2 lightLeft(vec3 normal)
+{
+    vec2 left = openTo;
+    for (int i = 0; i < 12; ++i)
+    {
+        vec3 way = occluder[i].xyz - normal;
+        float radius = occluder[i].w;
+        float squared = dot(way, way);
+        float facing = clamp(0.5 * radius * (dot(normal, way) + radius) / squared, 0.0, 1.0);
+        left.x *= 1.0 - 0.85 * facing * sqrt(facing);
+
+        float ahead = dot(way, lamp);
+        float beside = sqrt(max(squared - ahead * ahead, 0.0));
+        float hidden = clamp(0.5 + (radius - beside) / (2.0 * kSoftness * abs(ahead) + 0.04), 0.0, 1.0);
+        left.y *= ahead > 0.0 ? 1.0 - hidden : 1.0;
+    }
+    return left;
+}
+
+vec3 inStudio(vec3 normal)
+{
+    vec2 left = lightLeft(normal);
+    float facing = dot(normal, lamp);
+    float sky = mix(0.34, 0.66, 0.5 + 0.5 * dot(normal, above)) * left.x;
+    float key = 0.74 * max(facing, 0.0) * left.y;
+    // Light that has been to the neighbours and back has their colour, which is mostly the sphere's.
+    vec3 tint = tintAndSteepness.rgb;
+    vec3 ambient = sky * mix(tint, vec3(1.0), 0.04) * (1.0 + 0.25 * (1.0 - left.x) * tint);
+    float gloss = max(dot(normal, normalize(lamp + vec3(0.0, 0.0, 1.0))), 0.0);
+    gloss *= gloss;
+    gloss *= gloss;
+    gloss *= gloss;
+    gloss *= gloss;
+    return ambient + tint * key + 0.10 * gloss * left.y;
+}
+#endif
+
 // Colour at a place of the sphere: `rhoSquared` is 0 in the middle of the disc that is seen, 1 at its
 // rim; `shade` is what keeps light from it.
 vec3 shaded(vec3 normal, float rhoSquared, float shade)
 {
     float pixel = hazeAndPixel.a;
+#ifdef STUDIO
+    vec3 lit = inStudio(normal);
+    float light = 1.0;
+#else
+    vec3 lit = tintAndSteepness.rgb;
     float light = lightOn(normal) * shade;
+#endif
 
     // The marks of all states, without branches: a software renderer runs every branch anyway. The
     // gloss is the 32nd power of the cosine to the highlight's middle.
     float ring = clamp((rhoSquared - 0.76) / (2.0 * pixel + 0.02) + 0.5, 0.0, 1.0);
-    float hatch = stripes((corner.x + corner.y) * 1.3 + 0.25, 0.34, pixel * 1.84);
+    float hatch = stripes((corner.x + corner.y) * 1.3 + 0.25, kHatchShare, pixel * 1.84);
     float gloss = max(dot(normal, kHighlight), 0.0);
     gloss *= gloss;
     gloss *= gloss;
@@ -74,7 +129,7 @@ vec3 shaded(vec3 normal, float rhoSquared, float shade)
 #ifdef OUTLINES
     light *= 1.0 - 0.8 * clamp(outlineWidth - (1.0 - sqrt(rhoSquared)) / pixel + 0.5, 0.0, 1.0);
 #endif
-    return tintAndSteepness.rgb * light + marks.x * gloss + hazeAndPixel.rgb;
+    return lit * light + marks.x * gloss + hazeAndPixel.rgb;
 }
 
 #ifdef CUTAWAY
@@ -129,7 +184,7 @@ void main()
         float inside = sqrt(discSquared) - sqrt(innerSquared);
         float rim = clamp((inside - hazeAndPixel.a) / (hazeAndPixel.a + 0.02), 0.0, 1.0);
         vec3 tint = mix(tintAndSteepness.rgb, vec3(1.0), 0.34);
-        float hatch = stripes((at.x + at.y) * 1.3 + 0.25, 0.34, hazeAndPixel.a * 1.84);
+        float hatch = stripes((at.x + at.y) * 1.3 + 0.25, kHatchShare, hazeAndPixel.a * 1.84);
         float light = (0.80 + 0.15 * lightOn(cap)) * (1.0 - marks.z * hatch);
         light *= 1.0 - 0.7 * (1.0 - rim);
         light *= 1.0 - marks.y * clamp((innerSquared / discSquared - 0.6) / 0.06, 0.0, 1.0) * rim;

@@ -14,6 +14,16 @@ layout(location = 0) in vec4 sphere; // centre and radius
 layout(location = 1) in uint sphereState;
 layout(location = 2) in vec4 sphereColour;
 
+#ifdef STUDIO
+// SphereLight of sphere_pass.hpp, in unit space.
+layout(location = 3) in vec4 occluders[12];
+layout(location = 15) in vec4 open;
+
+flat out vec4 occluder[12]; // way to the centre and radius, in the sphere's radius [eye space]
+flat out vec2 openTo; // what all others let through of the sky, of the lamp
+const float kOccluderRange = 7.0;
+#endif
+
 uniform mat4 view;
 uniform mat4 projection;
 
@@ -37,14 +47,24 @@ flat out uint identity; // index of the sphere
 const vec3 kMarks[3] = vec3[3](vec3(0.65, 0.8, 0.0), vec3(0.0), vec3(0.0, 0.0, 0.42));
 
 // All that is the same over one sphere is worked out here, once a corner and not once a pixel.
-void setColours(vec3 centre)
+// `pixel` is the length of one in the sphere's radius.
+void setColours(vec3 centre, float pixel)
 {
     // The foot of a pile gets less light than its top, and what is far fades.
     float foot = 0.86 + 0.14 * clamp(dot(heightPlane, vec4(centre, 1.0)), 0.0, 1.0);
     float far = haze * clamp(dot(distancePlane, vec4(centre, 1.0)), 0.0, 1.0);
     tintAndSteepness.rgb = sphereColour.rgb * foot * (1.0 - far);
-    hazeAndPixel.rgb = background.rgb * background.a * far;
+    hazeAndPixel = vec4(background.rgb * background.a * far, pixel);
     marks = kMarks[sphereState] * vec3(gloss, 1.0, 1.0);
+#ifdef STUDIO
+    marks.z = 0.0;
+#endif
+#ifndef OUTLINES
+    // On small spheres a hatch is noise. It fades to its mean, and is gone at 12 pixels across.
+    float shown = smoothstep(12.0, 120.0, 2.0 / pixel);
+    tintAndSteepness.rgb *= 1.0 - kHatchShare * marks.z * (1.0 - shown);
+    marks.z *= shown;
+#endif
 }
 
 void main()
@@ -54,17 +74,23 @@ void main()
     vec3 centre = (view * vec4(sphere.xyz, 1.0)).xyz;
     float radius = sphere.w;
     centreAndCurvature = vec4(centre, 1.0 / radius);
-    setColours(centre);
+#ifdef STUDIO
+    for (int i = 0; i < 12; ++i)
+    {
+        occluder[i] = kOccluderRange * vec4(mat3(view) * occluders[i].xyz, occluders[i].w);
+    }
+    openTo = open.xy;
+#endif
 #ifdef ORTHOGRAPHIC
+    setColours(centre, 1.0 / (pixelScale * radius));
     tintAndSteepness.a = radius;
-    hazeAndPixel.a = 1.0 / (pixelScale * radius);
     onPlane = centre + radius * vec3(corner, 0.0);
     gl_Position = projection * vec4(onPlane, 1.0);
 #else
     float distance = length(centre);
     float steepness = radius / distance;
+    setColours(centre, -centre.z / (pixelScale * radius));
     tintAndSteepness.a = steepness;
-    hazeAndPixel.a = -centre.z / (pixelScale * radius);
     if (steepness >= 1.0 || centre.z >= 0.0)
     {
         // The eye is in the sphere or past it: there is no such circle.

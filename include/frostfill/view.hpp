@@ -16,10 +16,11 @@ namespace frostfill
 /// changes that view.
 struct Camera
 {
-    double azimuth = 30;   ///< [degree] about the up axis; 0 looks along the horizontal depth axis
-    double elevation = 20; ///< [degree] above the horizon, -90..90
-    double fieldOfView = 35; ///< [degree] vertical
-    double zoom = 1;         ///< [1] 1 fits the object into the picture, 2 shows it twice as large
+    std::optional<double> azimuth; ///< [degree] about the up axis; 0 looks along the horizontal
+                                   ///< depth axis; if not given, the object is seen from its front
+    double elevation = 20;         ///< [degree] above the horizon, -90..90
+    double fieldOfView = 35;       ///< [degree] vertical
+    double zoom = 1; ///< [1] 1 fits the object into the picture, 2 shows it twice as large
     bool orthographic = false;
     std::optional<Eigen::Vector3d> target; ///< mesh coordinates of the point in the middle; if not
                                            ///< given, the outline of the object is centred
@@ -57,7 +58,7 @@ struct Palette
     Colour background = {255, 255, 255, 255};
     Colour running = {230, 159, 0, 255};     ///< orange
     Colour frozen = {0, 114, 178, 255};      ///< blue
-    Colour discarded = {187, 187, 187, 255}; ///< light grey
+    Colour discarded = {204, 201, 194, 255}; ///< light grey
     Colour activePolygon = {86, 180, 233, 40};
     Colour discardedPolygon = {204, 121, 167, 110}; ///< reddish purple
     Colour text = {32, 32, 32, 255};
@@ -99,9 +100,18 @@ struct Cutaway
 /// A set of colours and outlines for one purpose.
 enum class Look : std::uint8_t
 {
-    clean, ///< for a bright screen
-    paper, ///< for print: outlines around all spheres, no haze, no gloss
-    dark,  ///< for slides and a dark screen
+    clean,  ///< for a bright screen
+    paper,  ///< for print: outlines around all spheres, no haze, no gloss
+    dark,   ///< for slides and a dark screen
+    studio, ///< for a cover: one soft lamp, shadows, crevices, a ground
+};
+
+/// Which edges of the mesh are drawn. Silhouettes and creases always are.
+enum class EdgeLines : std::uint8_t
+{
+    automatic, ///< those of triangles that are large in the picture
+    on,        ///< all but those of triangles as small as a line is wide, which have no room for it
+    off,       ///< none
 };
 
 struct Style
@@ -111,8 +121,12 @@ struct Style
     ColourBy colourBy = ColourBy::state;
     Cutaway cutaway;
     bool legend = true;
-    bool shell = true;             ///< draw the mesh as a translucent shell with its edges
-    bool ambientOcclusion = false; ///< darken crevices; draws everything twice
+    bool shell = true; ///< draw the mesh as a translucent shell with its edges
+    EdgeLines edges = EdgeLines::automatic;
+    std::optional<double> shellOpacity; ///< 0..1 of the shell where it is seen straight on; if not
+                                        ///< given, the palette's
+    bool ambientOcclusion = false;      ///< darken crevices; draws everything twice
+    bool ground = true; ///< the studio's, with the shadow of the object; not if the object moves
 };
 
 /// The colours of a look.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/pipeline.hpp"
 
+#include "render/framing/front.hpp"
 #include "render/framing/pose_framing.hpp"
 
 #include <frostfill/error.hpp>
@@ -33,8 +34,10 @@ std::string describe(const Context& context, const GlFunctions& gl)
                        text(GL_VERSION));
 }
 
-const RenderSettings& checked(const RenderSettings& settings)
+/// Refuses what cannot be drawn, and finds the front of the object.
+RenderSettings checked(const RenderSettings& wanted, const TriangleMesh& mesh)
 {
+    RenderSettings settings = wanted;
     if (settings.samples < 1 || settings.samples > kMostSamples)
     {
         throw Error(ErrorCode::usage,
@@ -46,25 +49,29 @@ const RenderSettings& checked(const RenderSettings& settings)
         throw Error(ErrorCode::usage, fmt::format("a picture of {}x{} pixels cannot be drawn",
                                                   settings.size.width, settings.size.height));
     }
+    if (!settings.camera.azimuth)
+    {
+        settings.camera.azimuth = frontAzimuth(mesh, settings.up.normalized());
+    }
     return settings;
 }
 
 } // namespace
 
-Pipeline::Pipeline(const TriangleMesh& mesh, const RenderSettings& settings)
-    : settings_(checked(settings)), vertices_(verticesInPoses(mesh.vertices, settings.poses)),
-      colours_(settings, vertices_), legend_(settings, mesh.triangles.size(), colours_),
-      still_(frameBesideLegend(vertices_, settings, legend_)), framing_(still_),
-      context_(openContext(settings.backend)), gl_(loadGlFunctions(*context_)),
+Pipeline::Pipeline(const TriangleMesh& mesh, const RenderSettings& wanted)
+    : settings_(checked(wanted, mesh)), vertices_(verticesInPoses(mesh.vertices, wanted.poses)),
+      colours_(settings_, vertices_), legend_(settings_, mesh.triangles.size(), colours_),
+      still_(frameBesideLegend(vertices_, settings_, legend_)), framing_(still_),
+      context_(openContext(wanted.backend)), gl_(loadGlFunctions(*context_)),
       description_(describe(*context_, gl_)),
-      framebuffer_(gl_, settings.size.width, settings.size.height, settings.samples),
-      painter_(gl_, mesh, settings, legend_, colours_, framing_, samplePositions()),
-      projector_(framing_, settings.size), dirty_(settings.size.width, settings.size.height),
+      framebuffer_(gl_, wanted.size.width, wanted.size.height, wanted.samples),
+      painter_(gl_, mesh, settings_, legend_, colours_, framing_, samplePositions()),
+      projector_(framing_, wanted.size), dirty_(wanted.size.width, wanted.size.height),
       covered_(dirty_)
 {
-    if (settings.staticLayer)
+    if (wanted.staticLayer)
     {
-        layer_.emplace(gl_, settings.size, settings.samples);
+        layer_.emplace(gl_, wanted.size, wanted.samples);
     }
 }
 
@@ -100,7 +107,9 @@ void Pipeline::lookFrom(const Camera& camera)
         throw Error(ErrorCode::usage,
                     "a renderer cannot change between perspective and parallel projection");
     }
+    const double azimuth = *settings_.camera.azimuth;
     settings_.camera = camera;
+    settings_.camera.azimuth = camera.azimuth.value_or(azimuth);
     still_ = frameBesideLegend(vertices_, settings_, legend_);
     turned_ = 0;
     useFraming();
@@ -152,6 +161,7 @@ const std::vector<PixelRectangle>& Pipeline::draw(const Snapshot& snapshot)
         ledger_.sortFrontToBack(framing_);
     }
     stale_ = false;
+    renewSurroundings(changes);
     dirty_.clear();
     if (layer_)
     {
@@ -168,10 +178,26 @@ const std::vector<PixelRectangle>& Pipeline::draw(const Snapshot& snapshot)
     return parts;
 }
 
+void Pipeline::renewSurroundings(const SphereLedger::Changes& changes)
+{
+    Surroundings* surroundings = painter_.surroundings();
+    const auto resting = ledger_.resting();
+    if (surroundings && (changes.everything || changes.firstArrival == 0))
+    {
+        surroundings->start(resting);
+        return;
+    }
+    for (std::size_t i = changes.firstArrival; surroundings && i < resting.size(); ++i)
+    {
+        surroundings->add(resting[i]);
+    }
+}
+
 void Pipeline::drawEverything()
 {
     framebuffer_.bind();
     painter_.clear();
+    painter_.paintGround();
     painter_.paintSpheres(ledger_.resting());
     painter_.paintSpheres(ledger_.running());
     painter_.paintShell();
@@ -193,6 +219,22 @@ void Pipeline::updateLayer(const SphereLedger::Changes& changes,
     for (const std::size_t index : changes.recoloured)
     {
         covered_.add(layer_->whereSeen(index));
+    }
+    if (const Surroundings* surroundings = painter_.surroundings())
+    {
+        // What comes to rest takes light from what lies there.
+        const auto resting = ledger_.resting();
+        layer_->eachSeen(
+            [&](std::size_t index, const PixelRectangle& pixels)
+            {
+                const auto arrivals = resting.subspan(changes.firstArrival);
+                if (std::any_of(arrivals.begin(), arrivals.end(),
+                                [&](const SphereInstance& arrival)
+                                { return surroundings->reaches(arrival, resting[index]); }))
+                {
+                    covered_.add(pixels);
+                }
+            });
     }
     dirty_.add(running_);
     if (!covered_.empty())
@@ -263,8 +305,8 @@ void Pipeline::drawSurfaces(const Snapshot& snapshot, const PictureSize& size, S
                                     });
     SurfacePass& pass = found != surfacePasses_.end()
                             ? **found
-                            : *surfacePasses_.emplace_back(
-                                  std::make_unique<SurfacePass>(gl_, painter_.variant(), size));
+                            : *surfacePasses_.emplace_back(std::make_unique<SurfacePass>(
+                                  gl_, shapesOnly(painter_.variant()), size));
     pass.draw(placeSpheres(snapshot, framing_), painter_.uniforms(), surfaces);
 }
 

@@ -23,6 +23,14 @@ constexpr Palette kDark = {.background = {18, 22, 28, 255},
                            .discardedPolygon = {220, 130, 180, 110},
                            .text = {226, 230, 235, 255}};
 
+constexpr Palette kStudio = {.background = {246, 246, 244, 255},
+                             .running = {238, 162, 20, 255},
+                             .frozen = {24, 122, 190, 255},
+                             .discarded = {205, 203, 198, 255},
+                             .activePolygon = {86, 160, 205, 30},
+                             .discardedPolygon = {204, 121, 167, 60},
+                             .text = {40, 40, 40, 255}};
+
 } // namespace
 
 Palette paletteOf(Look look)
@@ -33,6 +41,8 @@ Palette paletteOf(Look look)
         return kPaper;
     case Look::dark:
         return kDark;
+    case Look::studio:
+        return kStudio;
     case Look::clean:
         break;
     }

@@ -107,10 +107,11 @@ Timing everythingRedrawn(const Options& options, std::size_t frozen, bool layer)
     settings.staticLayer = layer;
     const RenderScene scene(frozen, 20);
     Renderer renderer(unitCube(1), settings);
+    double azimuth = 30;
     return timed(options.quick ? 3 : 20,
                  [&]
                  {
-                     settings.camera.azimuth += 7;
+                     settings.camera.azimuth = azimuth += 7;
                      renderer.setCamera(settings.camera);
                      static_cast<void>(renderer.draw(scene.snapshot));
                  });

@@ -135,33 +135,55 @@ def near_pairs(centres, radii):
     return i[keep], j[keep], distance[keep]
 
 
+def inner(a, b):
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def cross(a, b):
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
+def left_by_two(m, n, down):
+    """What of the weight is left when two normals carry it, or 1 if one of them would have to pull."""
+    mn = inner(m, n)
+    area = 1 - mn * mn
+    if area <= 1e-14:
+        return 1.0
+    md, nd = inner(m, down), inner(n, down)
+    a, b = (mn * nd - md) / area, (mn * md - nd) / area
+    if a < 0 or b < 0:
+        return 1.0
+    rest = [down[k] + a * m[k] + b * n[k] for k in range(3)]
+    return math.sqrt(inner(rest, rest))
+
+
+def three_carry(l, m, n, down):
+    """Whether three independent normals carry the weight without pulling."""
+    lm, mn, nl = cross(l, m), cross(m, n), cross(n, l)
+    volume = inner(lm, n)
+    if volume * volume <= 1e-14:
+        return False
+    return all(-inner(c, down) * volume >= 0 for c in (mn, nl, lm))
+
+
 def rest_of_weight(normals, down):
-    """The least |down + sum of lambda n|, lambda >= 0, over subsets of at most three normals."""
-    best = 1.0
+    """The least |down + sum of lambda n|, lambda >= 0, over subsets of at most three normals; or the
+    first that is small enough. In plain numbers: contacts are few, and arrays of them are slow."""
     if len(normals) > 60:  # those of fine meshes: nearly equal ones do as one
         normals = normals[np.unique(np.round(normals, 2), axis=0, return_index=True)[1]]
-    n = len(normals)
-    if n == 0:
-        return best
-    push = -normals @ down
-    for k in np.nonzero(push > 0)[0]:
-        best = min(best, float(np.linalg.norm(down + push[k] * normals[k])))
-    for size in (2, 3):
-        if n < size or best <= UNSUPPORTED:
-            continue
-        subsets = np.array(list(itertools.combinations(range(n), size)))
-        for begin in range(0, len(subsets), 200_000):
-            m = normals[subsets[begin:begin + 200_000]]
-            gram = np.einsum("sik,sjk->sij", m, m)
-            flat = np.abs(np.linalg.det(gram)) > 1e-14
-            if not flat.any():
-                continue
-            m, gram = m[flat], gram[flat]
-            force = np.linalg.solve(gram, -(m @ down)[..., None])[..., 0]
-            pushes = (force >= 0).all(axis=1)
-            if pushes.any():
-                left = down + np.einsum("si,sik->sk", force[pushes], m[pushes])
-                best = min(best, float(np.sqrt((left ** 2).sum(axis=1)).min()))
+    normals, down = [tuple(map(float, n)) for n in normals], tuple(map(float, down))
+    best = 1.0
+    for n in normals:
+        push = -inner(n, down)
+        if push > 0:
+            best = min(best, math.sqrt(max(0.0, 1 - push * push)))
+    for m, n in itertools.combinations(normals, 2):
+        if best <= UNSUPPORTED:
+            return best
+        best = min(best, left_by_two(m, n, down))
+    if best > UNSUPPORTED and any(three_carry(*three, down)
+                                  for three in itertools.combinations(normals, 3)):
+        return 0.0
     return best
 
 

@@ -7,8 +7,11 @@
 #include <frostfill/error.hpp>
 
 #include <fmt/core.h>
+#include <unistd.h>
 
 #include <atomic>
+#include <cstdlib>
+#include <filesystem>
 
 namespace frostfill
 {
@@ -108,6 +111,33 @@ std::unique_ptr<Context> openContext(Backend backend)
         }
     }
     throw Error(ErrorCode::noOpenGl, "no OpenGL context is available:" + attempts);
+}
+
+void keepCompiledShaders()
+{
+    namespace fs = std::filesystem;
+    if (std::getenv("MESA_SHADER_CACHE_DISABLE") != nullptr ||
+        std::getenv("MESA_SHADER_CACHE_DIR") != nullptr)
+    {
+        return;
+    }
+    const char* cache = std::getenv("XDG_CACHE_HOME");
+    const char* home = std::getenv("HOME");
+    fs::path folder = cache != nullptr && *cache == '/' ? fs::path(cache)
+                      : home != nullptr && *home == '/' ? fs::path(home) / ".cache"
+                                                        : fs::path();
+    std::error_code error;
+    if (!folder.empty())
+    {
+        folder /= "frostfill";
+        fs::create_directories(folder, error);
+    }
+    if (folder.empty() || error || ::access(folder.c_str(), W_OK) != 0)
+    {
+        ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
+        return;
+    }
+    ::setenv("MESA_SHADER_CACHE_DIR", folder.c_str(), 1);
 }
 
 } // namespace frostfill

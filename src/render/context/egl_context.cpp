@@ -67,8 +67,7 @@ struct EglLibrary
 
 EglLibrary openLibrary()
 {
-    // See osmesa_context.cpp: four short shaders need no cache.
-    ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
+    keepCompiledShaders();
     EglLibrary egl;
     void* library = ::dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
     if (library == nullptr)

@@ -46,10 +46,7 @@ void resolve(void* library, const char* name, OsmesaLibrary& result, Function& f
 
 OsmesaLibrary openLibrary()
 {
-    // Mesa shares compiled shaders between processes through files, and complains on standard error
-    // when another process tidies them away. We compile four short shaders: that needs no cache.
-    ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
-
+    keepCompiledShaders();
     OsmesaLibrary result;
     for (const char* name : {"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"})
     {

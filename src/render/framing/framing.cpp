@@ -40,7 +40,7 @@ struct Axes
 void check(const RenderSettings& settings)
 {
     const Camera& camera = settings.camera;
-    const bool finite = std::isfinite(camera.azimuth) && std::isfinite(camera.zoom) &&
+    const bool finite = std::isfinite(camera.azimuth.value_or(0)) && std::isfinite(camera.zoom) &&
                         (!camera.target || camera.target->allFinite()) && settings.up.allFinite();
     if (!finite || settings.up.norm() < 1e-9)
     {
@@ -65,18 +65,13 @@ void check(const RenderSettings& settings)
     }
 }
 
-glm::dvec3 unitVector(const Eigen::Vector3d& v)
-{
-    const Eigen::Vector3d unit = v.normalized();
-    return {unit.x(), unit.y(), unit.z()};
-}
-
 Axes axesOf(const Camera& camera, const Eigen::Vector3d& upwards)
 {
     const glm::dvec3 up = unitVector(upwards);
     const double elevation = glm::radians(camera.elevation);
-    const glm::dvec3 around = horizontalDirection(upwards, camera.azimuth);
-    return {horizontalDirection(upwards, camera.azimuth + 90),
+    const double azimuth = camera.azimuth.value_or(kUsualAzimuth);
+    const glm::dvec3 around = horizontalDirection(upwards, azimuth);
+    return {horizontalDirection(upwards, azimuth + 90),
             std::cos(elevation) * up - std::sin(elevation) * around,
             std::cos(elevation) * around + std::sin(elevation) * up};
 }

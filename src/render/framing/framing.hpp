@@ -50,6 +50,9 @@ struct Framing
     }
 };
 
+/// Where the camera stands if nothing is known of the object. [degree]
+inline constexpr double kUsualAzimuth = 30;
+
 /// Looks at all the vertices from the camera's direction, from so far away that they just fill the
 /// region (at zoom 1). Throws Error usage for a camera that makes no sense.
 [[nodiscard]] Framing frame(std::span<const Eigen::Vector3d> vertices,
@@ -58,6 +61,13 @@ struct Framing
 /// The same picture after the camera has gone round the pivot by an angle about the up axis
 /// [degree].
 [[nodiscard]] Framing revolved(const Framing& framing, const Eigen::Vector3d& up, double degrees);
+
+/// The direction of a vector.
+[[nodiscard]] inline glm::dvec3 unitVector(const Eigen::Vector3d& v)
+{
+    const Eigen::Vector3d unit = v.normalized();
+    return {unit.x(), unit.y(), unit.z()};
+}
 
 /// The horizontal direction, in mesh or unit space, in which a camera at this azimuth [degree]
 /// stands.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/layer/scene_painter.hpp"
 
+#include "render/layer/painter_settings.hpp"
 #include "render/layer/swatch_mesh.hpp"
 
 #include <algorithm>
@@ -16,37 +17,13 @@ namespace
 /// Share of the background in the furthest spheres.
 constexpr float kHaze = 0.26F;
 
+/// Towards the studio's lamp, before it is raised a little, where the camera stands at first.
+const glm::dvec3 kLamp(-0.50, 0.50, 0.72);
+constexpr float kRaised = 0.4F;
+
 /// A sphere that is smaller by this covers a pixel's centre only where the full one covers all
 /// samples of the pixel, and lies in front of the small one there. [pixel]
 constexpr float kOccluderShrink = 1.25F;
-
-/// Strokes grow with the picture, so that a large one looks like a small one, only sharper.
-MeshStrokes strokesFor(const RenderSettings& settings)
-{
-    const auto edge = static_cast<float>(std::min(settings.size.width, settings.size.height));
-    const auto pixel = static_cast<float>(settings.supersample); // of the picture made small
-    return {std::max(0.75F * pixel, edge / 720), std::max(6.0F * pixel, edge / 72)};
-}
-
-SphereUniforms uniformsOf(const Framing& framing, const PictureSize& size)
-{
-    SphereUniforms uniforms;
-    uniforms.view = framing.view;
-    uniforms.projection = framing.projection;
-    uniforms.depthAtInfinity = static_cast<float>(framing.depthAtInfinity);
-    uniforms.depthSlope = static_cast<float>(framing.depthSlope);
-    uniforms.pixelScale =
-        0.5F * static_cast<float>(framing.projection[1][1]) * static_cast<float>(size.height);
-    uniforms.heightPlane = framing.heightPlane;
-    uniforms.distancePlane = framing.distancePlane;
-    return uniforms;
-}
-
-ShaderVariant variantOf(const RenderSettings& settings)
-{
-    return {settings.camera.orthographic, settings.style.cutaway.kind != Cutaway::Kind::none,
-            settings.style.look == Look::paper};
-}
 
 } // namespace
 
@@ -55,50 +32,72 @@ ScenePainter::ScenePainter(const GlFunctions& gl, const TriangleMesh& mesh,
                            const SphereColours& colours, const Framing& framing,
                            std::span<const glm::vec2> samplePositions)
     : gl_(gl), legend_(legend), colours_(colours), size_(settings.size), style_(settings.style),
-      variant_(variantOf(settings)),
+      variant_(variantOf(settings, mesh)), up_(unitVector(settings.up)),
       spherePass_(gl, variant_, samplePositions, style_, strokesFor(settings).lineWidth),
-      meshPass_(gl, variant_, style_.palette, strokesFor(settings)), spheres_(gl),
-      regions_(settings.size.width, settings.size.height)
+      meshPass_(gl, variant_, shellPalette(style_), strokesFor(settings)),
+      spheres_(gl, variant_.studio), regions_(settings.size.width, settings.size.height)
 {
     if (variant_.cutaway)
     {
         cutPlanes_ = cutPlanes(style_.cutaway, framing, settings.up);
     }
     setView(framing);
-    if (settings.style.shell)
-    {
-        uploadMesh(mesh);
-    }
-    if (legend_.visible())
-    {
-        const ShaderVariant flat{true, false, variant_.outlines};
-        if (!variant_.orthographic || variant_.cutaway)
-        {
-            flatSpherePass_.emplace(gl_, flat, samplePositions, style_,
-                                    strokesFor(settings).lineWidth);
-        }
-        if (variant_.cutaway)
-        {
-            wholeMeshPass_.emplace(gl_, flat, style_.palette, strokesFor(settings));
-        }
-        uploadSwatches();
-    }
-    if (samplePositions.size() > 1)
-    {
-        plainSpherePass_.emplace(gl_, variant_, std::span<const glm::vec2>(), style_,
-                                 strokesFor(settings).lineWidth);
-    }
-}
-
-void ScenePainter::uploadMesh(const TriangleMesh& mesh)
-{
     std::vector<glm::vec3> positions;
     positions.reserve(mesh.vertices.size());
     for (const Eigen::Vector3d& vertex : mesh.vertices)
     {
         positions.emplace_back(framing_.toUnit(vertex));
     }
-    shaded_ = shadeMesh(mesh, positions);
+    if (variant_.studio)
+    {
+        lightStudio(mesh, positions, style_.ground && settings.poses.empty());
+    }
+    if (settings.style.shell)
+    {
+        uploadMesh(mesh, positions);
+    }
+    if (legend_.visible())
+    {
+        ShaderVariant flat = variant_;
+        flat.orthographic = true;
+        flat.cutaway = false;
+        flat.studio = false;
+        if (!variant_.orthographic || variant_.cutaway || variant_.studio)
+        {
+            flatSpherePass_.emplace(gl_, flat, samplePositions, style_,
+                                    strokesFor(settings).lineWidth);
+        }
+        if (variant_.cutaway)
+        {
+            wholeMeshPass_.emplace(gl_, flat, shellPalette(style_), strokesFor(settings));
+        }
+        uploadSwatches();
+    }
+    if (samplePositions.size() > 1)
+    {
+        plainSpherePass_.emplace(gl_, shapesOnly(variant_), std::span<const glm::vec2>(), style_,
+                                 strokesFor(settings).lineWidth);
+    }
+}
+
+void ScenePainter::lightStudio(const TriangleMesh& mesh, const std::vector<glm::vec3>& positions,
+                               bool ground)
+{
+    const glm::dmat3 toUnit = glm::transpose(glm::dmat3(framing_.view));
+    lamp_ = glm::normalize(glm::vec3(toUnit * kLamp) + kRaised * up_);
+    surroundings_.emplace(lamp_, cutPlanes_);
+    if (ground)
+    {
+        const GroundShadow shadow = groundShadow(mesh, positions, up_, lamp_);
+        ground_ = std::make_unique<GroundPass>(gl_, shadow);
+        groundLevel_ = shadow.level;
+    }
+    setView(framing_);
+}
+
+void ScenePainter::uploadMesh(const TriangleMesh& mesh, const std::vector<glm::vec3>& positions)
+{
+    shaded_ = shadeMesh(mesh, positions, variant_.fadingLines);
     shell_ = std::make_unique<MeshBuffer>(
         gl_, shaded_, edgeStrengths(shaded_, glm::vec3(framing_.eye), framing_.orthographic));
     tiles_.emplace(shaded_, framing_, size_);
@@ -137,6 +136,9 @@ void ScenePainter::setView(const Framing& framing)
     framing_ = framing;
     uniforms_ = uniformsOf(framing, size_);
     uniforms_.haze = style_.look == Look::paper ? 0 : kHaze;
+    const glm::mat3 toEye(framing.view);
+    uniforms_.lamp = toEye * lamp_;
+    uniforms_.above = toEye * up_;
     if (cutPlanes_)
     {
         uniforms_.cutPlanes = toEyeSpace(*cutPlanes_, framing);
@@ -177,6 +179,16 @@ void ScenePainter::clear()
     gl_.clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
 }
 
+void ScenePainter::paintGround()
+{
+    const glm::vec3 eye(framing_.eye);
+    const float height = glm::dot(eye, up_) - (framing_.orthographic ? 0 : groundLevel_);
+    if (ground_ && height > 0)
+    {
+        ground_->draw(uniforms_.view, uniforms_.projection);
+    }
+}
+
 void ScenePainter::clearMarks()
 {
     gl_.clearStencil(0);
@@ -199,6 +211,15 @@ void ScenePainter::paintSpheres(std::span<const SphereInstance> spheres)
     if (!spheres.empty())
     {
         spheres_.update(spheres);
+        if (surroundings_)
+        {
+            lights_.clear();
+            for (const SphereInstance& sphere : spheres)
+            {
+                lights_.push_back(surroundings_->of(sphere));
+            }
+            spheres_.light(lights_);
+        }
         spherePass_.draw(spheres_, uniforms_);
     }
 }

@@ -6,9 +6,11 @@
 #include "render/framing/pixel_rectangle.hpp"
 #include "render/layer/dirty_rectangles.hpp"
 #include "render/layer/projected_sphere.hpp"
+#include "render/layer/surroundings.hpp"
 #include "render/layer/triangle_tiles.hpp"
 #include "render/overlay/colour_scale.hpp"
 #include "render/overlay/legend.hpp"
+#include "render/passes/ground_pass.hpp"
 #include "render/passes/mesh_pass.hpp"
 #include "render/passes/sphere_pass.hpp"
 
@@ -43,6 +45,8 @@ public:
     std::span<const PixelRectangle> setPolygons(std::span<const PolygonState> states);
 
     void clear();
+    /// The studio's, where the camera looks down at it.
+    void paintGround();
     /// Everything that is painted from now on, clearing too, is confined to the rectangle.
     void confine(const PixelRectangle& part);
     void confineNoMore();
@@ -54,6 +58,9 @@ public:
     void paintShell();
     void paintShell(std::span<const TriangleTiles::Part> parts);
     void paintLegend();
+
+    /// In the studio: what is at rest, which keeps light from what is painted. Else none.
+    [[nodiscard]] Surroundings* surroundings() { return surroundings_ ? &*surroundings_ : nullptr; }
 
     [[nodiscard]] const SphereUniforms& uniforms() const { return uniforms_; }
     [[nodiscard]] const ShaderVariant& variant() const { return variant_; }
@@ -76,7 +83,9 @@ private:
         MeshBuffer polygons;
     };
 
-    void uploadMesh(const TriangleMesh& mesh);
+    void uploadMesh(const TriangleMesh& mesh, const std::vector<glm::vec3>& positions);
+    void lightStudio(const TriangleMesh& mesh, const std::vector<glm::vec3>& positions,
+                     bool ground);
     void uploadSwatches();
     void paintSwatchPolygons();
     /// paintShell, only in and closely around the parts.
@@ -90,6 +99,13 @@ private:
     Style style_;
     ShaderVariant variant_;
     std::optional<CutPlanes> cutPlanes_;
+    glm::vec3 lamp_{
+        0, 1, 0}; ///< towards the studio's lamp, which the camera leaves where it is [unit space]
+    glm::vec3 up_;
+    std::optional<Surroundings> surroundings_;
+    std::unique_ptr<GroundPass> ground_;
+    float groundLevel_ = 0; ///< along up_ [unit space]
+    std::vector<SphereLight> lights_;
     Framing framing_;
     SphereUniforms uniforms_;
     SphereUniforms flatUniforms_; ///< of the swatches

@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace frostfill
@@ -74,6 +75,15 @@ MeshBuffer::MeshBuffer(const GlFunctions& gl, const ShadedMesh& mesh,
         gl.enableVertexAttribArray(attribute);
     }
     gl.bindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers_[3]);
+    edges_.assign(triangles_ * 3, {0, 0, 0, 255});
+    for (std::size_t t = 0; t < mesh.creaseDistances.size(); ++t)
+    {
+        for (std::size_t corner = 0; corner < 3; ++corner)
+        {
+            edges_[3 * t + corner][3] =
+                static_cast<std::uint8_t>(std::lround(255 * mesh.creaseDistances[t][corner]));
+        }
+    }
     setEdges(edgeStrengths);
 }
 
@@ -85,14 +95,12 @@ MeshBuffer::~MeshBuffer()
 
 void MeshBuffer::setEdges(const std::vector<std::array<std::uint8_t, 3>>& edgeStrengths)
 {
-    std::vector<std::array<std::uint8_t, 4>> corners;
-    corners.reserve(triangles_ * 3);
-    for (const auto& [a, b, c] : edgeStrengths)
+    for (std::size_t i = 0; i < edges_.size(); ++i)
     {
-        corners.insert(corners.end(), 3, {a, b, c, 0});
+        std::copy_n(edgeStrengths[i / 3].begin(), 3, edges_[i].begin());
     }
     gl_.bindBuffer(GL_ARRAY_BUFFER, buffers_[2]);
-    gl_.bufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners.size() * 4), corners.data(),
+    gl_.bufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(edges_.size() * 4), edges_.data(),
                    GL_DYNAMIC_DRAW);
 }
 
@@ -169,6 +177,7 @@ MeshPass::MeshPass(const GlFunctions& gl, const ShaderVariant& variant, const Pa
     program_.set("discardedColour", discarded);
     program_.set("lineWidth", strokes.lineWidth);
     program_.set("hatchPeriod", strokes.hatchPeriod);
+    program_.set("edgeFade", std::array{glm::vec2(strokes.edgeFade[0], strokes.edgeFade[1])});
 }
 
 void MeshPass::setCutPlanes(const std::array<glm::vec4, 2>& planes) const

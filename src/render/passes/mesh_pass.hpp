@@ -41,9 +41,10 @@ private:
     std::size_t triangles_;
     std::array<std::size_t, 2> chosen_{}; ///< backs, fronts
     GLuint array_ = 0;
-    std::array<GLuint, 4> buffers_{};  ///< shape; states; edges; indices of the chosen
-    std::vector<PolygonState> held_;   ///< [#T] what OpenGL has
-    std::vector<std::uint8_t> staged_; ///< [#T x 3]
+    std::array<GLuint, 4> buffers_{}; ///< shape; states; edges; indices of the chosen
+    std::vector<std::array<std::uint8_t, 4>> edges_; ///< [#T x 3] the three; distance from a crease
+    std::vector<PolygonState> held_;                 ///< [#T] what OpenGL has
+    std::vector<std::uint8_t> staged_;               ///< [#T x 3]
     std::vector<std::uint32_t> changed_;
     std::vector<std::uint32_t> indices_;
 };
@@ -53,6 +54,8 @@ struct MeshStrokes
 {
     float lineWidth = 1;
     float hatchPeriod = 8;
+    std::array<float, 2> edgeFade = {0, 0}; ///< plain edges appear as triangles grow from one to
+                                            ///< the other
 };
 
 /// The program that draws the shell.

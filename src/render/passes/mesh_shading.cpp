@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "render/passes/mesh_shading.hpp"
 
+#include "render/passes/mesh_creases.hpp"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -8,15 +10,14 @@
 
 namespace frostfill
 {
+using namespace line_strength;
+
 namespace
 {
 
 /// Edges that are bent by more than 35 degrees are drawn, and not smoothed over. A round thing of
 /// twelve sides, which bends by 30, is meant to be smooth.
 constexpr float kCreaseCosine = 0.819F;
-
-constexpr std::uint8_t kStrong = 190;
-constexpr std::uint8_t kFaint = 60;
 
 /// A crease is drawn in full from a bend of 65 degrees on.
 constexpr float kSharpCosine = 0.423F;
@@ -31,7 +32,7 @@ std::uint8_t creaseStrength(const glm::vec3& a, const glm::vec3& b)
     }
     const float sharpness =
         std::min((kCreaseCosine - cosine) / (kCreaseCosine - kSharpCosine), 1.0F);
-    return static_cast<std::uint8_t>(std::lround(kFaint + sharpness * (kStrong - kFaint)));
+    return static_cast<std::uint8_t>(std::lround(kPlain + sharpness * (kStrong - kPlain)));
 }
 
 glm::vec3 unitOrZero(const glm::vec3& v)
@@ -123,6 +124,7 @@ void findEdges(const TriangleMesh& mesh, ShadedMesh& shaded)
         ShadedMesh::Edge edge;
         edge.triangles[0] = sides[i].triangle;
         edge.corners[0] = sides[i].corner;
+        edge.ends = sides[i].ends;
         edge.crease = paired ? 0 : kStrong;
         if (paired)
         {
@@ -138,7 +140,8 @@ void findEdges(const TriangleMesh& mesh, ShadedMesh& shaded)
 
 } // namespace
 
-ShadedMesh shadeMesh(const TriangleMesh& mesh, const std::vector<glm::vec3>& positions)
+ShadedMesh shadeMesh(const TriangleMesh& mesh, const std::vector<glm::vec3>& positions,
+                     bool fadingLines)
 {
     ShadedMesh shaded;
     for (const auto& triangle : mesh.triangles)
@@ -151,6 +154,11 @@ ShadedMesh shadeMesh(const TriangleMesh& mesh, const std::vector<glm::vec3>& pos
     }
     smoothNormals(mesh, shaded);
     findEdges(mesh, shaded);
+    if (fadingLines)
+    {
+        findStrayCreases(positions, shaded);
+        shaded.creaseDistances = distancesFromCreases(mesh, positions, shaded.edges);
+    }
     return shaded;
 }
 
@@ -168,7 +176,8 @@ std::vector<std::array<std::uint8_t, 3>> edgeStrengths(const ShadedMesh& mesh, c
         const bool paired = edge.triangles[1] != ShadedMesh::Edge::kNone;
         const bool outline =
             paired && facesViewer(edge.triangles[0]) != facesViewer(edge.triangles[1]);
-        const std::uint8_t strength = outline ? kStrong : std::max(edge.crease, kFaint);
+        const std::uint8_t crease = edge.stray ? kPlain : std::max(edge.crease, kPlain);
+        const std::uint8_t strength = outline ? kOutline : crease;
         for (std::size_t side = 0; side < (paired ? 2U : 1U); ++side)
         {
             strengths[edge.triangles[side]][edge.corners[side]] = strength;

@@ -21,23 +21,41 @@ struct ShadedMesh
         static constexpr std::uint32_t kNone = 0xffffffffU;
         std::array<std::uint32_t, 2> triangles{kNone, kNone};
         std::array<std::uint8_t, 2> corners{}; ///< the corner opposite the edge in each triangle
+        std::array<std::uint32_t, 2> ends{};   ///< vertices of the mesh
         std::uint8_t crease =
-            0; ///< how strongly it is drawn whatever the view; 0 where it is smooth
+            0;              ///< how strongly it is drawn whatever the view; 0 where it is smooth
+        bool stray = false; ///< a crease too short to be one: noise of a scan
     };
 
     std::vector<std::array<glm::vec3, 3>> corners; ///< [#T x 3] positions
     std::vector<std::array<glm::vec3, 3>> normals; ///< [#T x 3] smooth but across creases
     std::vector<glm::vec3> faceNormals;            ///< [#T] unit, or zero
     std::vector<Edge> edges;
+    /// [#T x 3] from each corner to the nearest crease, 0..1 for 0..kCreaseReach; empty if there is
+    /// none.
+    std::vector<std::array<float, 3>> creaseDistances;
 };
 
-/// `positions` are the mesh's vertices in unit space.
-[[nodiscard]] ShadedMesh shadeMesh(const TriangleMesh& mesh,
-                                   const std::vector<glm::vec3>& positions);
+/// How far from a crease triangles know of it [unit space]: some pixels in a picture of usual size.
+inline constexpr float kCreaseReach = 0.02F;
 
-/// How strongly each edge of each triangle is drawn, 0..255, in the order of the opposite corners:
-/// rims and the outline seen from `eye` in full, creases the more the sharper they are, all others
-/// faintly.
+/// What a line of the shell is, 0..255, as edgeStrengths gives it and mesh.frag reads it.
+namespace line_strength
+{
+inline constexpr std::uint8_t kPlain = 60;    ///< an edge within a smooth surface
+inline constexpr std::uint8_t kStrong = 190;  ///< the sharpest crease, and a rim; those less sharp
+                                              ///< lie between
+inline constexpr std::uint8_t kOutline = 255; ///< what the viewer sees the surface end at
+} // namespace line_strength
+
+/// `positions` are the mesh's vertices in unit space. Without `fadingLines` no crease is stray, and
+/// triangles know of their own edges only.
+[[nodiscard]] ShadedMesh shadeMesh(const TriangleMesh& mesh,
+                                   const std::vector<glm::vec3>& positions,
+                                   bool fadingLines = true);
+
+/// What each edge of each triangle is, a line_strength, in the order of the opposite corners: rims
+/// and the outline seen from `eye`, creases the stronger the sharper they are, all others plain.
 /// Without perspective `eye` is the direction towards the viewer.
 [[nodiscard]] std::vector<std::array<std::uint8_t, 3>>
 edgeStrengths(const ShadedMesh& mesh, const glm::vec3& eye, bool orthographic);

@@ -48,6 +48,8 @@ std::string ShaderVariant::definitions() const
     lines += orthographic ? "#define ORTHOGRAPHIC\n" : "";
     lines += cutaway ? "#define CUTAWAY\n" : "";
     lines += outlines ? "#define OUTLINES\n" : "";
+    lines += studio ? "#define STUDIO\n" : "";
+    lines += fadingLines ? "#define FADING_LINES\n" : "";
     return lines;
 }
 
@@ -56,10 +58,10 @@ glm::vec4 toVector(const Colour& colour)
     return glm::vec4(colour[0], colour[1], colour[2], colour[3]) / 255.0F;
 }
 
-SphereBuffer::SphereBuffer(const GlFunctions& gl) : gl_(gl)
+SphereBuffer::SphereBuffer(const GlFunctions& gl, bool lit) : gl_(gl)
 {
     gl.genVertexArrays(1, &array_);
-    gl.genBuffers(2, buffers_.data());
+    gl.genBuffers(3, buffers_.data());
     gl.bindVertexArray(array_);
     gl.bindBuffer(GL_ARRAY_BUFFER, buffers_[0]);
     gl.vertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, sizeof(SphereInstance), nullptr);
@@ -71,6 +73,18 @@ SphereBuffer::SphereBuffer(const GlFunctions& gl) : gl_(gl)
     {
         gl.enableVertexAttribArray(attribute);
     }
+    if (lit)
+    {
+        gl.bindBuffer(GL_ARRAY_BUFFER, buffers_[2]);
+        constexpr std::size_t kListed = SphereLight{}.occluders.size();
+        for (std::size_t i = 0; i <= kListed; ++i)
+        {
+            const auto attribute = static_cast<GLuint>(3 + i);
+            gl.vertexAttribPointer(attribute, 4, i < kListed ? GL_BYTE : GL_UNSIGNED_BYTE, GL_TRUE,
+                                   sizeof(SphereLight), reinterpret_cast<const void*>(4 * i));
+            gl.enableVertexAttribArray(attribute);
+        }
+    }
     const std::vector<std::uint16_t> indices = indicesOfSquares();
     gl.bindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers_[1]);
     gl.bufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size() * 2),
@@ -79,7 +93,7 @@ SphereBuffer::SphereBuffer(const GlFunctions& gl) : gl_(gl)
 
 SphereBuffer::~SphereBuffer()
 {
-    gl_.deleteBuffers(2, buffers_.data());
+    gl_.deleteBuffers(3, buffers_.data());
     gl_.deleteVertexArrays(1, &array_);
 }
 
@@ -96,6 +110,18 @@ void SphereBuffer::update(std::span<const SphereInstance> spheres)
                    static_cast<GLsizeiptr>(corners_.size() * sizeof(SphereInstance)),
                    corners_.data(), GL_STREAM_DRAW);
     count_ = spheres.size();
+}
+
+void SphereBuffer::light(std::span<const SphereLight> lights)
+{
+    lights_.resize(lights.size() * 4);
+    for (std::size_t i = 0; i < lights.size(); ++i)
+    {
+        std::fill_n(lights_.begin() + static_cast<std::ptrdiff_t>(4 * i), 4, lights[i]);
+    }
+    gl_.bindBuffer(GL_ARRAY_BUFFER, buffers_[2]);
+    gl_.bufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(lights_.size() * sizeof(SphereLight)),
+                   lights_.data(), GL_STREAM_DRAW);
 }
 
 void SphereBuffer::draw() const
@@ -138,6 +164,8 @@ void SpherePass::draw(const SphereBuffer& spheres, const SphereUniforms& uniform
     program_.set("distancePlane", std::span(&uniforms.distancePlane, 1));
     program_.set("haze", uniforms.haze);
     program_.set("cutPlanes", uniforms.cutPlanes);
+    program_.set("lamp", uniforms.lamp);
+    program_.set("above", uniforms.above);
     gl_.enable(GL_DEPTH_TEST);
     gl_.depthMask(GL_TRUE);
     gl_.disable(GL_BLEND);

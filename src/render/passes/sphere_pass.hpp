@@ -27,26 +27,43 @@ struct SphereInstance
     friend bool operator==(const SphereInstance&, const SphereInstance&) = default;
 };
 
+/// Longest way and largest radius that SphereLight tells [radius of the sphere that is lit].
+inline constexpr float kOccluderRange = 7;
+
+/// What keeps light from one sphere.
+struct SphereLight
+{
+    /// The neighbours that hide most from it: the way to their centres and their radii, over
+    /// kOccluderRange times its own radius, -127..127 for -1..1. All 0: there is none.
+    std::array<std::array<std::int8_t, 4>, 12> occluders{};
+    /// What all others let through to it, 0..255 for 0..1: of the sky, of the lamp.
+    std::array<std::uint8_t, 4> open{255, 255, 0, 0};
+};
+
 /// Spheres in the memory of OpenGL, each as the four corners of its square: software renderers take
 /// twice as long for instances. Owns what it creates.
 class SphereBuffer
 {
 public:
-    explicit SphereBuffer(const GlFunctions& gl);
+    /// `lit`: with what keeps light from each.
+    explicit SphereBuffer(const GlFunctions& gl, bool lit = false);
     ~SphereBuffer();
     SphereBuffer(const SphereBuffer&) = delete;
     SphereBuffer& operator=(const SphereBuffer&) = delete;
 
     /// Makes the buffer hold these spheres.
     void update(std::span<const SphereInstance> spheres);
+    /// [spheres] for a lit buffer, after update().
+    void light(std::span<const SphereLight> lights);
     void draw() const;
 
 private:
     const GlFunctions& gl_;
     GLuint array_ = 0;
-    std::array<GLuint, 2> buffers_{}; ///< corners and indices
+    std::array<GLuint, 3> buffers_{}; ///< corners, indices, lights
     std::vector<SphereInstance> corners_;
-    std::size_t count_ = 0; ///< of spheres
+    std::vector<SphereLight> lights_; ///< of the corners
+    std::size_t count_ = 0;           ///< of spheres
 };
 
 /// What the sphere shaders need beside the spheres.
@@ -60,6 +77,8 @@ struct SphereUniforms
     glm::vec4 heightPlane{0, 0, 0, 1};
     glm::vec4 distancePlane{0};
     float haze = 0;
+    glm::vec3 lamp{0, 0, 1};              ///< towards it, in eye space; studio
+    glm::vec3 above{0, 1, 0};             ///< away from the ground, in eye space; studio
     std::array<glm::vec4, 2> cutPlanes{}; ///< in eye space; see CutPlanes
 };
 
@@ -68,10 +87,19 @@ struct ShaderVariant
 {
     bool orthographic = false;
     bool cutaway = false;
-    bool outlines = false; ///< around every sphere
+    bool outlines = false;    ///< around every sphere, and hatched polygons: for print
+    bool fadingLines = false; ///< the shell's lines suit triangles of any size
+    bool studio = false;      ///< spheres keep light from each other
     /// Lines for the front of both stages.
     [[nodiscard]] std::string definitions() const;
 };
+
+/// For passes that show no colours.
+[[nodiscard]] inline ShaderVariant shapesOnly(ShaderVariant variant)
+{
+    variant.studio = false;
+    return variant;
+}
 
 /// The program that draws spheres exactly, as one square each; sphere.frag has the mathematics.
 class SpherePass

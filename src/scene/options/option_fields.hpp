@@ -44,9 +44,14 @@ struct EnumNames<ColourBy>
                                                           "height"};
 };
 template <>
+struct EnumNames<EdgeLines>
+{
+    static constexpr std::array<const char*, 3> kNames = {"auto", "on", "off"};
+};
+template <>
 struct EnumNames<Look>
 {
-    static constexpr std::array<const char*, 3> kNames = {"clean", "paper", "dark"};
+    static constexpr std::array<const char*, 4> kNames = {"clean", "paper", "dark", "studio"};
 };
 
 /// The names of an enumeration's values, those of parts that were added included.

@@ -70,12 +70,13 @@ void addFrames(TableBuilder& table)
 /// A look sets the colours, so colours that are given must be set after it.
 void addLook(TableBuilder& table)
 {
-    Option look =
-        fieldOption({.key = "picture.style",
-                     .flag = "--style",
-                     .group = table.group(),
-                     .help = "Colours and outlines for a screen, for print or for slides"},
-                    FROSTFILL_FIELD(style.look));
+    Option look = fieldOption(
+        {.key = "picture.style",
+         .flag = "--style",
+         .group = table.group(),
+         .help = "Colours, outlines and light for a screen, for print, for slides or for a "
+                 "cover"},
+        FROSTFILL_FIELD(style.look));
     look.set = [set = look.set](Scene& scene, const OptionValue& value)
     {
         const bool known = set(scene, value);
@@ -111,6 +112,18 @@ void addPicture(TableBuilder& table)
               FROSTFILL_FIELD(style.legend));
     table.add("picture.shell", "--shell", "Show the mesh as a translucent shell",
               FROSTFILL_FIELD(style.shell));
+    table.add("picture.edges", "--edges",
+              "Edges of the shell besides silhouettes and creases; auto: where triangles are large",
+              FROSTFILL_FIELD(style.edges));
+    table
+        .add("picture.shell_opacity", "--shell-opacity",
+             "How much the shell hides, 0 to 1; auto: that of its colour",
+             FROSTFILL_FIELD(style.shellOpacity))
+        .orNothing("auto")
+        .range(0, 1);
+    table.add("picture.ground", "--ground",
+              "With the style studio: show a ground with the shadow of the object",
+              FROSTFILL_FIELD(style.ground));
     table.add(Option{.key = "picture.static_layer",
                      .flag = "--static-layer",
                      .group = table.group(),
@@ -135,8 +148,11 @@ void addCamera(TableBuilder& table)
 {
     table.heading("Camera");
     table
-        .add("camera.azimuth", "--azimuth", "Angle of the view about the up axis [degree]",
+        .add("camera.azimuth", "--azimuth",
+             "Angle of the view about the up axis [degree]; auto: 30, or 210 where that would show "
+             "the back of an object whose upper half leans to the other side",
              FROSTFILL_FIELD(camera.azimuth))
+        .orNothing("auto")
         .range(-3600, 3600);
     table
         .add("camera.elevation", "--elevation", "Angle of the view above the horizon [degree]",

@@ -22,5 +22,7 @@ void addVolumeRuns(std::vector<ErrorTask>& tasks, const std::vector<std::string>
 void addLayerRuns(std::vector<ErrorTask>& tasks, bool quick);
 /// Samples a pixel against a picture of many more, for exact and tessellated spheres.
 void addRenderRuns(std::vector<ErrorTask>& tasks, bool quick);
+/// The same for the shell, with few and with very many triangles.
+void addShellRuns(std::vector<ErrorTask>& tasks, bool quick);
 
 } // namespace frostfill

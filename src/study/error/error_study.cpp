@@ -65,6 +65,7 @@ std::vector<ErrorPoint> measureErrors(bool quick, const std::vector<std::string>
     addVolumeRuns(tasks, objects, quick);
     addLayerRuns(tasks, quick);
     addRenderRuns(tasks, quick);
+    addShellRuns(tasks, quick);
     std::vector<ErrorPoint> points;
     for (const ErrorTask& task : tasks)
     {

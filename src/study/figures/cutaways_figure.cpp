@@ -20,8 +20,10 @@ Scene sceneOf(const std::string& object, bool quick)
     makePanel(scene, kSide);
     // The quarter that is nearest to the camera.
     scene.style.cutaway.kind = Cutaway::Kind::wedge;
-    scene.style.cutaway.from = scene.camera.azimuth - 45;
-    scene.style.cutaway.to = scene.camera.azimuth + 45;
+    constexpr double kAzimuth = 30;
+    scene.camera.azimuth = kAzimuth;
+    scene.style.cutaway.from = kAzimuth - 45;
+    scene.style.cutaway.to = kAzimuth + 45;
     return scene;
 }
 

@@ -72,6 +72,22 @@ INSTANTIATE_TEST_SUITE_P(
                               s.style.look = Look::dark;
                               s.style.palette = paletteOf(Look::dark);
                           }},
+                    Look_{"Studio",
+                          [](RenderSettings& s)
+                          {
+                              s.style.look = Look::studio;
+                              s.style.palette = paletteOf(Look::studio);
+                          }},
+                    Look_{"StudioCutOpen",
+                          [](RenderSettings& s)
+                          {
+                              s.style.look = Look::studio;
+                              s.style.palette = paletteOf(Look::studio);
+                              s.style.cutaway = kWedge;
+                          }},
+                    Look_{"AllEdges", [](RenderSettings& s) { s.style.edges = EdgeLines::on; }},
+                    Look_{"NoEdges", [](RenderSettings& s) { s.style.edges = EdgeLines::off; }},
+                    Look_{"DenseShell", [](RenderSettings& s) { s.style.shellOpacity = 0.6; }},
                     Look_{"Transparent",
                           [](RenderSettings& s) { s.style.palette.background[3] = 0; }},
                     Look_{"Plane",

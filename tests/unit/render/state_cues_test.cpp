@@ -27,6 +27,7 @@ Vector3d meanColour(SphereState state, Look look)
     RenderSettings settings;
     settings.style.look = look;
     settings.style.palette = paletteOf(look);
+    settings.style.ground = false;
     const Colour& ground = settings.style.palette.background;
     settings.size = {100, 100};
     settings.style.legend = false;
@@ -57,7 +58,7 @@ Vector3d meanColour(SphereState state, Look look)
 
 TEST(StateCues, ColoursDifferForEveryKindOfColourVision)
 {
-    for (const Look look : {Look::clean, Look::paper, Look::dark})
+    for (const Look look : {Look::clean, Look::paper, Look::dark, Look::studio})
     {
         std::array<Vector3d, 3> colours;
         for (std::size_t i = 0; i < kStates.size(); ++i)

@@ -231,7 +231,7 @@ TEST(Framing, TurningIsLookingFromAnotherAzimuth)
     settings.camera.turntable = 5;
     const Framing turned =
         revolved(frame(mesh.vertices, settings, {0, 0, 640, 360}), settings.up, 70);
-    settings.camera.azimuth += 70;
+    settings.camera.azimuth = settings.camera.azimuth.value_or(30) + 70;
     const Framing there = frame(mesh.vertices, settings, {0, 0, 640, 360});
     for (const Eigen::Vector3d& vertex : mesh.vertices)
     {

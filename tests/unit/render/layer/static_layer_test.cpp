@@ -117,7 +117,7 @@ TEST_P(StaticLayer, IsDrawnAnewForAnotherCamera)
     Camera camera = settings.camera;
     for (const double zoom : {1.0, 2.5, 9.0})
     {
-        camera.azimuth += 47;
+        camera.azimuth = camera.azimuth.value_or(30) + 47;
         camera.zoom = zoom;
         on->setCamera(camera);
         off->setCamera(camera);
@@ -189,6 +189,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"WithoutShell", 1, false, false, 60, 0.1},
                     Case{"ManySmall", 1, false, true, 4000, 0.02},
                     Case{"CoarseShell", 4, false, true, 60, 0.05, 12},
+                    Case{"FineShell", 4, false, true, 60, 0.1, 300},
                     Case{"Egl", 1, false, true, 60, 0.1, 48, Backend::eglSurfaceless},
                     Case{"EglFourSamples", 4, false, true, 60, 0.1, 48, Backend::eglSurfaceless},
                     Case{"ManySmallFourSamples", 4, false, true, 4000, 0.02}),

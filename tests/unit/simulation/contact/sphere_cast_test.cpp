@@ -2,6 +2,7 @@
 #include "simulation/contact/sphere_cast.hpp"
 
 #include "base/random.hpp"
+#include "simulation/contact/tolerances.hpp"
 #include "support/shapes.hpp"
 #include "support/small_world.hpp"
 
@@ -53,6 +54,22 @@ TEST(SphereCast, IsNotStoppedByTheFloorItSlidesAlong)
 {
     const auto world = smallWorld(shapes::box({-5, -5, -5}, {5, 5, 5}, 7));
     EXPECT_EQ(pathFrom(*world, {0.1, -4, 0.2}, Eigen::Vector3d(1, 0, 0.3).normalized(), 0.5), 0.5);
+}
+
+TEST(SphereCast, TellsTheWayOutOfAWallIntoWhichASphereHasCrept)
+{
+    const auto world = smallWorld(shapes::box({-5, -5, -5}, {5, 5, 5}, 3));
+    std::vector<Eigen::Vector3d> normals;
+    const auto wayOut = [&](double depth)
+    {
+        const Eigen::Vector3d p(0.3, -4 - depth, 0.2);
+        NeighbourList around;
+        around.ensure(*world, p, 1, 0);
+        return contactNormals(world->surface, around, p, 1, kTouch, normals);
+    };
+    EXPECT_EQ(wayOut(0.9 * kCrept), Eigen::Vector3d(0, 0, 0));
+    EXPECT_LT((wayOut(3 * kCrept) - Eigen::Vector3d(0, 3 * kCrept, 0)).norm(), 1e-14);
+    EXPECT_EQ(normals.size(), 1u);
 }
 
 // Brute force: along the path no gap is negative, and where it ends early something is touched.

@@ -77,6 +77,24 @@ TEST_F(ReleaseSitesTest, LookingAheadOnTwoThreadsFindsTheSamePlaces)
     EXPECT_GT(found, 10000u);
 }
 
+// Each place costs a fall through the object, and there are thousands.
+TEST_F(ReleaseSitesTest, GivesUpForNowWhenManyPlacesInARowDoNotSuit)
+{
+    World world(scene, mesh);
+    Threads threads(1);
+    ReleaseSites sites(world, 1, -1, threads);
+    int asked = 0;
+    const auto asItIs = [](const Eigen::Vector3d& p) { return p; };
+    EXPECT_FALSE(sites.find(asItIs,
+                            [&](const Eigen::Vector3d&)
+                            {
+                                ++asked;
+                                return false;
+                            }));
+    EXPECT_EQ(asked, kMostMisses);
+    EXPECT_TRUE(sites.any());
+}
+
 // The oracle is random points of the room that the walls leave: the largest gap among them.
 TEST_F(ReleaseSitesTest, LeavesNoPlaceInAnObjectThatIsFull)
 {

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "render/layer/painter_settings.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace frostfill
+{
+namespace
+{
+
+/// In print, meshes of at most so many triangles have all their edges, as in the paper.
+constexpr std::size_t kCoarse = 5000;
+
+/// Heights of triangles between which their edges appear, in widths of a line.
+std::array<float, 2> edgeFade(EdgeLines edges)
+{
+    switch (edges)
+    {
+    case EdgeLines::on:
+        return {1.5F, 3.5F};
+    case EdgeLines::off:
+        return {1e8F, 2e8F};
+    case EdgeLines::automatic:
+        break;
+    }
+    return {6, 14};
+}
+
+} // namespace
+
+MeshStrokes strokesFor(const RenderSettings& settings)
+{
+    const auto edge = static_cast<float>(std::min(settings.size.width, settings.size.height));
+    const auto pixel = static_cast<float>(settings.supersample); // of the picture made small
+    const float width = std::max(0.75F * pixel, edge / 720);
+    const auto [from, to] = edgeFade(settings.style.edges);
+    return {width, std::max(6.0F * pixel, edge / 72), {from * width, to * width}};
+}
+
+SphereUniforms uniformsOf(const Framing& framing, const PictureSize& size)
+{
+    SphereUniforms uniforms;
+    uniforms.view = framing.view;
+    uniforms.projection = framing.projection;
+    uniforms.depthAtInfinity = static_cast<float>(framing.depthAtInfinity);
+    uniforms.depthSlope = static_cast<float>(framing.depthSlope);
+    uniforms.pixelScale =
+        0.5F * static_cast<float>(framing.projection[1][1]) * static_cast<float>(size.height);
+    uniforms.heightPlane = framing.heightPlane;
+    uniforms.distancePlane = framing.distancePlane;
+    return uniforms;
+}
+
+ShaderVariant variantOf(const RenderSettings& settings, const TriangleMesh& mesh)
+{
+    const bool paper = settings.style.look == Look::paper;
+    const bool asInThePaper =
+        paper && mesh.triangles.size() <= kCoarse && settings.style.edges == EdgeLines::automatic;
+    return {.orthographic = settings.camera.orthographic,
+            .cutaway = settings.style.cutaway.kind != Cutaway::Kind::none,
+            .outlines = paper,
+            .fadingLines = !asInThePaper,
+            .studio = settings.style.look == Look::studio};
+}
+
+Palette shellPalette(const Style& style)
+{
+    Palette palette = style.palette;
+    if (style.shellOpacity)
+    {
+        const double active = std::max<double>(palette.activePolygon[3], 1);
+        const double wanted = 255 * *style.shellOpacity;
+        palette.activePolygon[3] = static_cast<std::uint8_t>(std::lround(wanted));
+        palette.discardedPolygon[3] = static_cast<std::uint8_t>(
+            std::lround(std::min(255.0, palette.discardedPolygon[3] * wanted / active)));
+    }
+    return palette;
+}
+
+} // namespace frostfill

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "render/layer/surroundings.hpp"
+
+#include "support/pictures.hpp"
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+
+namespace frostfill
+{
+namespace
+{
+
+using namespace testing_support;
+
+const glm::vec3 kLamp = glm::normalize(glm::vec3(-0.5F, 0.9F, 0.6F));
+
+SphereInstance sphereAt(const glm::vec3& place, float radius)
+{
+    return {place.x, place.y, place.z, radius, 1, {}};
+}
+
+std::vector<SphereInstance> cloud(std::size_t count)
+{
+    Numbers numbers;
+    std::vector<SphereInstance> spheres;
+    const auto next = [&] { return static_cast<float>(2 * numbers.next() - 1); };
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        const glm::vec3 place(next(), next(), next());
+        spheres.push_back(sphereAt(place, 0.03F + 0.04F * std::abs(next())));
+    }
+    return spheres;
+}
+
+bool same(const SphereLight& a, const SphereLight& b)
+{
+    return a.occluders == b.occluders && a.open == b.open;
+}
+
+TEST(Surroundings, OfALoneSphereHideNothing)
+{
+    Surroundings surroundings(kLamp, {});
+    const SphereInstance sphere = sphereAt({0, 0, 0}, 0.1F);
+    EXPECT_TRUE(same(surroundings.of(sphere), SphereLight{}));
+    surroundings.add(sphere);
+    EXPECT_TRUE(same(surroundings.of(sphere), SphereLight{})) << "it does not hide itself";
+    surroundings.add(sphereAt({1, 0, 0}, 0.1F));
+    EXPECT_TRUE(same(surroundings.of(sphere), SphereLight{})) << "too far away";
+}
+
+TEST(Surroundings, TellWhereANeighbourIsInTheRadiusOfTheSphere)
+{
+    Surroundings surroundings(kLamp, {});
+    surroundings.add(sphereAt({0.3F, 0, 0}, 0.2F));
+    const SphereLight light = surroundings.of(sphereAt({0, 0, 0}, 0.1F));
+    EXPECT_NEAR(light.occluders[0][0] * kOccluderRange / 127, 3, 0.03);
+    EXPECT_EQ(light.occluders[0][1], 0);
+    EXPECT_NEAR(light.occluders[0][3] * kOccluderRange / 127, 2, 0.03);
+    EXPECT_EQ(light.occluders[1][3], 0) << "the only one";
+}
+
+TEST(Surroundings, DoNotDependOnTheOrderInWhichTheyCame)
+{
+    std::vector<SphereInstance> spheres = cloud(1500);
+    Surroundings forwards(kLamp, {});
+    forwards.start(spheres);
+    std::reverse(spheres.begin(), spheres.end());
+    Surroundings backwards(kLamp, {});
+    backwards.start(std::span(spheres).first(700));
+    for (const SphereInstance& sphere : std::span(spheres).subspan(700))
+    {
+        backwards.add(sphere);
+    }
+    for (const SphereInstance& sphere : spheres)
+    {
+        ASSERT_TRUE(same(forwards.of(sphere), backwards.of(sphere)));
+    }
+}
+
+TEST(Surroundings, ChangeOnlyTheLightOfThoseThatAnArrivalReaches)
+{
+    const std::vector<SphereInstance> spheres = cloud(1200);
+    Surroundings surroundings(kLamp, {});
+    surroundings.start(std::span(spheres).first(1000));
+    int changed = 0;
+    int reached = 0;
+    for (std::size_t i = 1000; i < spheres.size(); ++i)
+    {
+        std::vector<SphereLight> before;
+        for (std::size_t k = 0; k < 1000; ++k)
+        {
+            before.push_back(surroundings.of(spheres[k]));
+        }
+        surroundings.add(spheres[i]);
+        for (std::size_t k = 0; k < 1000; ++k)
+        {
+            const bool differs = !same(before[k], surroundings.of(spheres[k]));
+            const bool reaches = surroundings.reaches(spheres[i], spheres[k]);
+            ASSERT_TRUE(reaches || !differs) << i << " on " << k;
+            changed += differs ? 1 : 0;
+            reached += reaches ? 1 : 0;
+        }
+        i += 9;
+    }
+    EXPECT_GT(changed, 100);
+    EXPECT_LT(reached, 3 * changed) << "says that it reaches nearly all";
+}
+
+TEST(Surroundings, ForgetWhatACutTakesAway)
+{
+    // Everything to the right.
+    const glm::dvec4 plane(1, 0, 0, 0);
+    Surroundings surroundings(kLamp, CutPlanes{plane, plane});
+    surroundings.add(sphereAt({0.2F, 0, 0}, 0.1F));
+    EXPECT_TRUE(same(surroundings.of(sphereAt({-0.01F, 0, 0}, 0.1F)), SphereLight{}));
+    surroundings.add(sphereAt({-0.2F, 0, 0}, 0.1F));
+    EXPECT_FALSE(same(surroundings.of(sphereAt({-0.01F, 0, 0}, 0.1F)), SphereLight{}));
+}
+
+} // namespace
+} // namespace frostfill
