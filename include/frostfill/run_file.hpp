@@ -21,8 +21,8 @@ namespace frostfill
 class RunFileWriter
 {
 public:
-    /// The place of a sphere at rest, exact [mesh unit].
-    using ExactCentre = std::function<Eigen::Vector3d(std::uint32_t id)>;
+    /// A sphere's radius, and its place if it is at rest, exact [mesh unit].
+    using Exact = std::function<SphereRecord(std::uint32_t id)>;
 
     /// Begins a new file. `head` describes the run, as JSON; `smallestRadius` [mesh unit] sets how
     /// finely places of moving spheres are kept. Throws Error cannotCreate or writeFailed.
@@ -35,7 +35,7 @@ public:
     /// Appends a frame. Rounds the places of moving spheres in the snapshot to the grid of the
     /// file, so that who draws it and who reads it from the file see the same bits. Frames of one
     /// simulation come in order. Throws Error writeFailed.
-    void put(std::size_t frame, Snapshot& snapshot, const ExactCentre& exact);
+    void put(std::size_t frame, Snapshot& snapshot, const Exact& exact);
 
     /// Appends the summary, without which the run counts as unfinished, and waits until all is on
     /// the disk. Throws Error writeFailed.
@@ -72,6 +72,8 @@ public:
     [[nodiscard]] const Snapshot& seek(std::size_t index);
     /// Exact where the sphere is at rest at the frame that was sought, [mesh unit].
     [[nodiscard]] const std::vector<Eigen::Vector3d>& centres() const;
+    /// The same of the radii.
+    [[nodiscard]] const std::vector<double>& radii() const;
 
 private:
     struct Implementation;

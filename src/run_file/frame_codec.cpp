@@ -82,7 +82,7 @@ Eigen::Vector3f placeInPictures(const Eigen::Vector3d& exact, const Eigen::Vecto
 
 // ---- Writing
 
-void FrameEncoder::encode(Snapshot& snapshot, const RunFileWriter::ExactCentre& exact,
+void FrameEncoder::encode(Snapshot& snapshot, const RunFileWriter::Exact& exact,
                           ByteWriter& out)
 {
     const bool hasPose = !snapshot.pose.rotation.isIdentity(0) || !snapshot.pose.offset.isZero(0);
@@ -105,7 +105,7 @@ void FrameEncoder::encode(Snapshot& snapshot, const RunFileWriter::ExactCentre& 
         }
     }
     sortChanges(snapshot, exact);
-    encodeNew(snapshot, out);
+    encodeNew(snapshot, exact, out);
     encodeMoving(snapshot, out);
     encodeSettled(exact, out);
     encodePolygons(snapshot, out);
@@ -119,7 +119,7 @@ void FrameEncoder::encode(Snapshot& snapshot, const RunFileWriter::ExactCentre& 
 // `changed` may name more than has changed since the last frame, because the snapshot is one of
 // several that are filled in turn; it never names less. What has woken and come to rest again
 // between two frames is told by its place.
-void FrameEncoder::sortChanges(Snapshot& snapshot, const RunFileWriter::ExactCentre& exact)
+void FrameEncoder::sortChanges(Snapshot& snapshot, const RunFileWriter::Exact& exact)
 {
     running_.clear();
     settled_.clear();
@@ -134,7 +134,7 @@ void FrameEncoder::sortChanges(Snapshot& snapshot, const RunFileWriter::ExactCen
             continue;
         }
         const bool wasAtRest = id < states_.size() && states_[id] != SphereState::running;
-        const Eigen::Vector3f place = placeInPictures(exact(id), snapshot.origin);
+        const Eigen::Vector3f place = placeInPictures(exact(id).centre, snapshot.origin);
         const bool settles = !wasAtRest || places_[id] != place;
         if (settles)
         {
@@ -150,13 +150,14 @@ void FrameEncoder::sortChanges(Snapshot& snapshot, const RunFileWriter::ExactCen
     }
 }
 
-void FrameEncoder::encodeNew(const Snapshot& snapshot, ByteWriter& out) const
+void FrameEncoder::encodeNew(const Snapshot& snapshot, const RunFileWriter::Exact& exact,
+                             ByteWriter& out) const
 {
     const std::size_t known = states_.size();
     out.count(snapshot.states.size() - known);
     for (std::size_t id = known; id < snapshot.states.size(); ++id)
     {
-        out.raw(snapshot.radii[id]);
+        out.raw(exact(static_cast<std::uint32_t>(id)).radius);
     }
     std::int64_t before = 0;
     for (std::size_t id = known; id < snapshot.states.size(); ++id)
@@ -196,14 +197,14 @@ void FrameEncoder::encodeMoving(Snapshot& snapshot, ByteWriter& out)
     moving_ = std::move(now);
 }
 
-void FrameEncoder::encodeSettled(const RunFileWriter::ExactCentre& exact, ByteWriter& out) const
+void FrameEncoder::encodeSettled(const RunFileWriter::Exact& exact, ByteWriter& out) const
 {
     putIds(settled_, out);
     for (int axis = 0; axis < 3; ++axis)
     {
         for (const std::uint32_t id : settled_)
         {
-            out.raw(exact(id)[axis]);
+            out.raw(exact(id).centre[axis]);
         }
     }
     putIds(discarded_, out);
@@ -284,9 +285,11 @@ void FrameDecoder::decodeNew(ByteReader& in)
     snapshot_.centres.resize(count, Eigen::Vector3f::Zero());
     snapshot_.speeds.resize(count, 0);
     centres_.resize(count, Eigen::Vector3d::Zero());
+    radii_.resize(count);
     for (std::size_t id = known; id < count; ++id)
     {
-        snapshot_.radii[id] = in.raw<float>();
+        radii_[id] = in.raw<double>();
+        snapshot_.radii[id] = static_cast<float>(radii_[id]);
     }
     std::int64_t before = 0;
     for (std::size_t id = known; id < count; ++id)

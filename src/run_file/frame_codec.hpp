@@ -33,13 +33,14 @@ class FrameEncoder
 public:
     explicit FrameEncoder(double grid) : grid_(grid) {}
     /// Rounds the places in the snapshot.
-    void encode(Snapshot& snapshot, const RunFileWriter::ExactCentre& exact, ByteWriter& out);
+    void encode(Snapshot& snapshot, const RunFileWriter::Exact& exact, ByteWriter& out);
 
 private:
-    void sortChanges(Snapshot& snapshot, const RunFileWriter::ExactCentre& exact);
-    void encodeNew(const Snapshot& snapshot, ByteWriter& out) const;
+    void sortChanges(Snapshot& snapshot, const RunFileWriter::Exact& exact);
+    void encodeNew(const Snapshot& snapshot, const RunFileWriter::Exact& exact,
+                   ByteWriter& out) const;
     void encodeMoving(Snapshot& snapshot, ByteWriter& out);
-    void encodeSettled(const RunFileWriter::ExactCentre& exact, ByteWriter& out) const;
+    void encodeSettled(const RunFileWriter::Exact& exact, ByteWriter& out) const;
     void encodePolygons(const Snapshot& snapshot, ByteWriter& out);
 
     double grid_;
@@ -59,6 +60,7 @@ public:
     void decode(ByteReader& in);
     [[nodiscard]] const Snapshot& snapshot() const { return snapshot_; }
     [[nodiscard]] const std::vector<Eigen::Vector3d>& centres() const { return centres_; }
+    [[nodiscard]] const std::vector<double>& radii() const { return radii_; }
 
 private:
     void decodeNew(ByteReader& in);
@@ -70,6 +72,7 @@ private:
     double grid_;
     Snapshot snapshot_;
     std::vector<Eigen::Vector3d> centres_;
+    std::vector<double> radii_;
     std::vector<Track> moving_;
 };
 

@@ -203,4 +203,9 @@ const std::vector<Eigen::Vector3d>& RunFileReader::centres() const
     return implementation_->decoder->centres();
 }
 
+const std::vector<double>& RunFileReader::radii() const
+{
+    return implementation_->decoder->radii();
+}
+
 } // namespace frostfill

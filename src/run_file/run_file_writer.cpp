@@ -88,7 +88,7 @@ RunFileWriter::~RunFileWriter()
     }
 }
 
-void RunFileWriter::put(std::size_t frame, Snapshot& snapshot, const ExactCentre& exact)
+void RunFileWriter::put(std::size_t frame, Snapshot& snapshot, const Exact& exact)
 {
     implementation_->encoder.encode(snapshot, exact, implementation_->waiting);
     implementation_->numbers.push_back(static_cast<std::uint32_t>(frame));

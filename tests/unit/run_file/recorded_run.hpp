@@ -34,7 +34,7 @@ inline RecordedRun recordRun(const Scene& scene, const std::filesystem::path& fi
         Snapshot& snapshot = snapshots[run.numbers.size() % 3];
         simulation.capture(snapshot);
         writer.put(number, snapshot,
-                   [&](std::uint32_t id) { return simulation.sphere(id).centre; });
+                   [&](std::uint32_t id) { return simulation.sphere(id); });
         run.numbers.push_back(number);
         run.frames.push_back(snapshot);
     };

@@ -68,6 +68,7 @@ protected:
             {
                 EXPECT_EQ(reader.centres()[id], sphere.centre);
             }
+            EXPECT_EQ(reader.radii()[id], sphere.radius);
             EXPECT_LT((reader.centres()[id] - sphere.centre).norm(), 1e-4 * sphere.radius);
         }
     }
