@@ -15,10 +15,12 @@ uniform vec3 activeInk; // of lines
 uniform vec3 discardedInk;
 uniform float lineWidth; // [pixel]
 uniform float hatchPeriod; // [pixel]
+uniform float pixelLength; // of one, in eye space at distance 1, or at any without perspective
 uniform vec2 edgeFade; // plain edges appear where triangles grow from one to the other [pixel]
 
 out vec4 colour;
 
+const float kSteepest = 4.0; // slope of the distance from a cut that is drawn smoothly
 const float kPlain = 60.0 / 255.0;
 const float kStrong = 190.0 / 255.0;
 
@@ -114,7 +116,16 @@ void main()
     float left = 1.0;
 #ifdef CUTAWAY
     // What is left ends in a line of its own.
-    float pixels = cutDepth(eyePosition) / max(fwidth(cutDepth(eyePosition)), 1e-6);
+    float slope = max(fwidth(cutDepth(eyePosition)), 1e-6);
+#ifdef FADING_LINES
+    // Triangles that are seen edge-on end sharply at the cut: they would leave specks beyond it.
+#ifdef ORTHOGRAPHIC
+    slope = min(slope, kSteepest * pixelLength);
+#else
+    slope = min(slope, kSteepest * pixelLength * -eyePosition.z);
+#endif
+#endif
+    float pixels = cutDepth(eyePosition) / slope;
     left = clamp(0.5 - pixels, 0.0, 1.0);
     line = max(line, 0.85 * clamp(1.5 * lineWidth + pixels + 0.5, 0.0, 1.0));
 #endif

@@ -111,6 +111,8 @@ plot data using (on("exact spheres","seconds")):(on("exact spheres","error")) wi
     data using (on("tessellated spheres","seconds")):(on("tessellated spheres","error")) \
         with points pointtype 7 pointsize 1.3 linecolor rgb vermillion \
         title "tessellated, 80 to 5120 triangles", \
+    data using (on("shell","seconds")):(on("shell","error")) with points pointtype 9 \
+        pointsize 1.3 linecolor rgb sky title "shell of 1,152 to 294,912 triangles, samples 1, 4", \
     data using (front("seconds")):(front("error")) with points pointtype 6 pointsize 2.4 \
         linewidth 2 linecolor rgb black title "Pareto front", \
     data using (ours("seconds")):(ours("error")) with points pointtype 4 pointsize 3 \

@@ -42,7 +42,7 @@ struct FillPlan
     double slowMotion = 1;     ///< [1] time in a video over simulated time; 0 when nothing moves
     double videoSeconds = 0;   ///< [s] of video, of all frames
     double pictureRate = 0;    ///< pictures per second with which they play like the video
-    double fallSeconds = 0;    ///< [s] of video, of a fall through the object
+    double fallSeconds = 0;    ///< [s] of video, of a fall through the object as it is drawn
     bool fallsLeftOut = false; ///< spheres appear where they land: there are too many to rehearse
     std::size_t frames = 0;    ///< pictures to expect: within a tenth, as the run was rehearsed
     double frameBytes = 0;     ///< of all pictures: a rough estimate

@@ -10,8 +10,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <iterator>
 #include <memory>
+#include <span>
 
 namespace frostfill
 {
@@ -22,21 +24,51 @@ constexpr const char* kExamples = R"(Examples:
   frostfill figures                          all figures into docs/figures, with recorded times
   frostfill figures --measure                with new times; use an idle machine
   frostfill figures --only operations --out output/figures
+  frostfill figures --object bunny.obj --out output/bunny
+                                             stages, cutaways, discards and volume of one object
 )";
 
 struct FiguresArguments
 {
     std::vector<std::string> only;
     FigureRequest request;
-    std::string directory = "docs/figures";
+    std::string directory; ///< empty: the one of the documentation, or of the object
     std::string recorded = "docs/figures";
     bool list = false;
     bool quiet = false;
+
+    [[nodiscard]] std::span<const Figure> figures() const
+    {
+        return request.object.empty() ? allFigures() : objectFigures();
+    }
 };
 
-int listFigures()
+/// Where figures go if the user does not say.
+std::string usualDirectory(const std::string& object)
 {
-    for (const Figure& figure : allFigures())
+    return object.empty() ? "docs/figures"
+                          : "output/figures-" + std::filesystem::path(object).stem().string();
+}
+
+/// Throws Error usage for a name that is no figure of these.
+void checkNames(const FiguresArguments& arguments)
+{
+    const auto figures = arguments.figures();
+    for (const std::string& name : arguments.only)
+    {
+        if (std::none_of(figures.begin(), figures.end(),
+                         [&](const Figure& figure) { return figure.name == name; }))
+        {
+            throw Error(ErrorCode::usage,
+                        fmt::format("there is no figure '{}'; figures{} --list names them", name,
+                                    arguments.request.object.empty() ? "" : " --object"));
+        }
+    }
+}
+
+int listFigures(std::span<const Figure> figures)
+{
+    for (const Figure& figure : figures)
     {
         fmt::print("{:12} {}{}\n", figure.name, figure.title,
                    figure.measured ? " (measured times)" : "");
@@ -54,13 +86,16 @@ int figures(FiguresArguments& arguments)
 {
     if (arguments.list)
     {
-        return listFigures();
+        return listFigures(arguments.figures());
     }
+    checkNames(arguments);
     FigureRequest& request = arguments.request;
-    request.directory = arguments.directory;
+    request.directory =
+        arguments.directory.empty() ? usualDirectory(request.object) : arguments.directory;
+    request.pdf = request.pdf || !request.object.empty();
     request.recorded = arguments.recorded;
     std::vector<Figure> chosen;
-    std::copy_if(allFigures().begin(), allFigures().end(), std::back_inserter(chosen),
+    std::copy_if(arguments.figures().begin(), arguments.figures().end(), std::back_inserter(chosen),
                  [&](const Figure& figure) { return wanted(arguments, figure); });
     const auto secondsOf = [&](const Figure& figure)
     { return figure.measured && !request.measure ? 1 : figure.seconds; };
@@ -101,17 +136,18 @@ Command addFiguresCommand(CLI::App& program)
     CLI::App* command = program.add_subcommand(
         "figures", "Make the figures of the documentation: SVG, PNG, data and script");
     command->footer(kExamples);
-    std::vector<std::string> names;
-    for (const Figure& figure : allFigures())
-    {
-        names.emplace_back(figure.name);
-    }
     command->add_option("--only", arguments->only, "Only these figures; see --list")
         ->delimiter(',')
-        ->check(CLI::IsMember(names))
         ->type_name("NAME,...");
+    command
+        ->add_option("--object", arguments->request.object,
+                     "Figures of this object, a built-in mesh or a file, with PDF")
+        ->type_name("MESH");
+    command->add_flag("--pdf", arguments->request.pdf, "Draw PDF beside SVG and PNG");
     command->add_flag("--list", arguments->list, "List the figures");
-    command->add_option("--out", arguments->directory, "Directory of the figures (docs/figures)")
+    command
+        ->add_option("--out", arguments->directory,
+                     "Directory of the figures (docs/figures, or output/figures-OBJECT)")
         ->type_name("DIR");
     command->add_flag("--measure", arguments->request.measure,
                       "Measure times again; by default recorded times are drawn");

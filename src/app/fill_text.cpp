@@ -27,19 +27,23 @@ std::string radiiText(double smallest, double largest)
                                : fmt::format("radii from {:.5g} to {:.5g}", smallest, largest);
 }
 
-/// ": 20 s at 30 a second, 1.4 times slower than life"; nothing for a still.
-std::string playbackText(const FillPlan& plan)
+/// ": 20 s at 30 a second, 1.4 times slower than life, ..."; nothing for a still.
+std::string playbackText(const Scene& scene, const FillPlan& plan)
 {
     if (plan.videoSeconds <= 0 || plan.frames < 2 || plan.slowMotion <= 0)
     {
         return "";
     }
     const bool slow = plan.slowMotion >= 1;
-    return fmt::format(": {:.3g} s at {:.3g} a second, {:.3g} times {} than life, a fall takes "
-                       "{:.2g} s",
-                       plan.videoSeconds, plan.pictureRate,
-                       slow ? plan.slowMotion : 1 / plan.slowMotion, slow ? "slower" : "faster",
-                       plan.fallSeconds);
+    // Without dynamics there is no life to compare with.
+    const std::string speed =
+        scene.preset == Preset::fast && scene.motion.mode == Motion::descend
+            ? ""
+            : fmt::format(", {:.3g} times {} than life",
+                          slow ? plan.slowMotion : 1 / plan.slowMotion, slow ? "slower" : "faster");
+    return fmt::format(
+        ": {:.3g} s at {:.3g} a second{}{}", plan.videoSeconds, plan.pictureRate, speed,
+        plan.fallsLeftOut ? "" : fmt::format(", a fall takes {:.2g} s", plan.fallSeconds));
 }
 
 /// What to give for --radius instead: all radii smaller by one factor.
@@ -95,7 +99,7 @@ void printPlan(const FillRequest& request, const FillPlan& plan)
     {
         say(fmt::format("expecting about {} frames of {}x{}, {}{}\n", plan.frames,
                         request.scene.size.width, request.scene.size.height,
-                        bytesText(plan.frameBytes), playbackText(plan)));
+                        bytesText(plan.frameBytes), playbackText(request.scene, plan)));
     }
     if (plan.fallsLeftOut)
     {

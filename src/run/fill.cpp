@@ -68,7 +68,8 @@ FillPlan makePlan(const Scene& scene, const LoadedMesh& mesh, const Simulation& 
     plan.slowMotion = frames.all > 1 ? frames.timing.slowMotion : 0;
     plan.videoSeconds = frames.seconds;
     plan.pictureRate = scene.frames.fps / static_cast<double>(frames.stride);
-    plan.fallSeconds = frames.timing.slowMotion * fallTime(scene, mesh.report);
+    plan.fallSeconds = frames.timing.slowMotion *
+                       (frames.timing.lag > 0 ? frames.timing.lag : fallTime(scene, mesh.report));
     plan.fallsLeftOut = scene.preset == Preset::fast && scene.motion.mode != Motion::fall &&
                         frames.all > 1 && frames.timing.lag == 0;
     plan.frames = frames.kept;

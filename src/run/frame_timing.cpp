@@ -111,7 +111,9 @@ FramePlan planFrames(const Scene& scene, const MeshReport& mesh, const RunLength
         selected = selection->hasLast() ? selection->countOf(plan.all) + plan.held
                                         : selection->countOf(plan.all + plan.held);
     }
-    const double most = static_cast<double>(selected) * (length.exact ? 1 : kMoreThanModel);
+    // The end of the run may discard something, which takes one picture more to show.
+    const double most = static_cast<double>(selected + (selection->hasLast() ? 1 : 0)) *
+                        (length.exact ? 1 : kMoreThanModel);
     plan.stride = strideFor(static_cast<std::size_t>(std::ceil(most)), scene.frames.limit,
                             selection->hasLast());
     plan.kept = scene.frames.limit == 1 ? std::min<std::size_t>(1, selected)

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "run/rehearsal.hpp"
 
-#include "run/frame_timing.hpp"
-
 #include <algorithm>
 #include <cmath>
 
@@ -16,12 +14,16 @@ namespace
 constexpr double kRehearsed = 12000;
 constexpr double kRehearsedPaper = 2000;
 constexpr double kRehearsedDescent = 50000; // quick
+/// Steps of the motion descend, however many spheres; see DropAndRollEngine.
+constexpr double kStepsOfDescent = 200;
 constexpr double kModel = 3000;
 constexpr double kModelPaper = 1000;
 
-/// Falls through the object that a set takes, beside a time that goes with sqrt(r/g) [1]: by runs
-/// of the four objects with 320 to 20,000 spheres.
-constexpr double kFallsPerSet = 0.7;
+/// How the time of a set goes with the size of its spheres, with as many sets: r to this power.
+/// Where spheres fall, larger sets of smaller spheres lie deeper and settle longer: by runs of the
+/// cube with 5,000, 10,000 and 20,000 spheres. Where they do not, a set takes some sqrt(r/g).
+constexpr double kGrowthOfFalls = -0.7;
+constexpr double kGrowthOfSettling = 0.5;
 
 /// Enters the spheres that appeared in the last step, one after the other.
 void enterLandings(const Simulation& simulation, double before, std::vector<Landing>& landings)
@@ -122,15 +124,17 @@ RunLength rehearse(const Scene& scene, const TriangleMesh& mesh, const Simulatio
         length.seconds = lengthOf(same, stopRequested, falls ? nullptr : &length.landings);
         return length;
     }
+    if (descends)
+    {
+        return {kStepsOfDescent * simulation.timeStep(), false, {}};
+    }
     const double factor = std::cbrt(spheres / (paper ? kModelPaper : kModel));
     const Scene smaller = modelOf(scene, simulation, factor);
     Simulation model(smaller, mesh);
-    const double falls = scene.motion.mode == Motion::fall || paper
-                             ? kFallsPerSet * fallTime(scene, simulation.object())
-                             : 0;
+    const bool falls = paper || scene.motion.mode == Motion::fall;
     const double perSet = lengthOf(model, stopRequested) / setsOf(smaller, model);
-    const double settling = std::max(0.0, perSet - falls) / std::sqrt(factor);
-    return {setsOf(scene, simulation) * (std::min(perSet, falls) + settling), false, {}};
+    const double growth = std::pow(factor, falls ? -kGrowthOfFalls : -kGrowthOfSettling);
+    return {setsOf(scene, simulation) * perSet * growth, false, {}};
 }
 
 } // namespace frostfill

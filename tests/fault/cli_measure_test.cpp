@@ -151,6 +151,27 @@ TEST_F(MeasureCommands, FiguresAreTheSameByteForByte)
     EXPECT_GE(files, 4u + 6 + 3);
 }
 
+TEST_F(MeasureCommands, FiguresOfAnObjectOfOnesOwnComeWithPdfAndAreTheSameByteForByte)
+{
+    const std::string which = "figures --object sphere --quick --quiet ";
+    ASSERT_EQ(run(which + "--out a").code, 0);
+    ASSERT_EQ(run(which + "--only stages,volume --out b").code, 0);
+    for (const std::string name : {"stages", "cutaways", "discards", "volume"})
+    {
+        for (const std::string ending : {".svg", ".png", ".pdf"})
+        {
+            EXPECT_TRUE(std::filesystem::exists(folder_ / ("a/" + name + ending)))
+                << name << ending;
+        }
+    }
+    for (const std::string name : {"stages.pdf", "volume.pdf", "volume.svg", "stages.png"})
+    {
+        EXPECT_EQ(readFile(folder_ / ("a/" + name)), readFile(folder_ / ("b/" + name))) << name;
+    }
+    EXPECT_EQ(run(which + "--only operations --out c").code, 64);
+    EXPECT_EQ(run("figures --object nothing.obj --quiet --out d").code, 66);
+}
+
 TEST_F(MeasureCommands, FiguresDrawRecordedTimesAgain)
 {
     std::filesystem::create_directory(folder_ / "recorded");

@@ -11,11 +11,10 @@ namespace frostfill::test
 {
 
 Answer runProgram(const std::string& arguments, const std::string& folder,
-                  const std::string& environment)
+                  const std::string& environment, const std::string& program)
 {
-    const std::string command = "cd '" + folder + "' && { " + environment +
-                                " '" FROSTFILL_PROGRAM "' " + arguments +
-                                "; } >answer.out 2>answer.err";
+    const std::string command = "cd '" + folder + "' && { " + environment + " '" + program + "' " +
+                                arguments + "; } >answer.out 2>answer.err";
     const int status = std::system(command.c_str());
     Answer answer;
     answer.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);

@@ -14,9 +14,10 @@ struct Answer
     std::string errors;
 };
 
-/// Runs the frostfill program in `folder`; `arguments` is read by a shell and may redirect.
-/// `environment` is put before the program, such as "PATH=/nowhere".
+/// Runs the frostfill program, or another, in `folder`; `arguments` is read by a shell and may
+/// redirect. `environment` is put before the program, such as "PATH=/nowhere".
 [[nodiscard]] Answer runProgram(const std::string& arguments, const std::string& folder,
-                                const std::string& environment = "");
+                                const std::string& environment = "",
+                                const std::string& program = FROSTFILL_PROGRAM);
 
 } // namespace frostfill::test

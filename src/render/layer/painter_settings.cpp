@@ -36,7 +36,10 @@ MeshStrokes strokesFor(const RenderSettings& settings)
     const auto pixel = static_cast<float>(settings.supersample); // of the picture made small
     const float width = std::max(0.75F * pixel, edge / 720);
     const auto [from, to] = edgeFade(settings.style.edges);
-    return {width, std::max(6.0F * pixel, edge / 72), {from * width, to * width}};
+    return {width,
+            std::max(6.0F * pixel, edge / 72),
+            static_cast<float>(settings.size.height),
+            {from * width, to * width}};
 }
 
 SphereUniforms uniformsOf(const Framing& framing, const PictureSize& size)

@@ -4,6 +4,9 @@
 #include "render/layer/painter_settings.hpp"
 #include "render/layer/swatch_mesh.hpp"
 
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,9 +24,10 @@ constexpr float kHaze = 0.26F;
 const glm::dvec3 kLamp(-0.50, 0.50, 0.72);
 constexpr float kRaised = 0.4F;
 
-/// A sphere that is smaller by this covers a pixel's centre only where the full one covers all
-/// samples of the pixel, and lies in front of the small one there. [pixel]
-constexpr float kOccluderShrink = 1.25F;
+/// A sphere that is smaller by this, and by as far as the outermost sample is from a pixel's
+/// centre, covers a centre only where the full one covers all samples of the pixel, and lies in
+/// front of the small one there. For rounding. [pixel]
+constexpr float kOccluderSlack = 0.1F;
 
 } // namespace
 
@@ -72,6 +76,10 @@ ScenePainter::ScenePainter(const GlFunctions& gl, const TriangleMesh& mesh,
             wholeMeshPass_.emplace(gl_, flat, shellPalette(style_), strokesFor(settings));
         }
         uploadSwatches();
+    }
+    for (const glm::vec2& sample : samplePositions)
+    {
+        occluderShrink_ = std::max(occluderShrink_, glm::length(sample) + kOccluderSlack);
     }
     if (samplePositions.size() > 1)
     {
@@ -235,7 +243,7 @@ void ScenePainter::paintOccluders(std::span<const SphereInstance> spheres,
     for (SphereInstance sphere : spheres)
     {
         const float ahead = framing_.orthographic ? 1 : projector.project(sphere).ahead;
-        sphere.radius -= kOccluderShrink * ahead / uniforms_.pixelScale;
+        sphere.radius -= occluderShrink_ * ahead / uniforms_.pixelScale;
         if (sphere.radius > 0 && ahead > 0)
         {
             shrunk_.push_back(sphere);

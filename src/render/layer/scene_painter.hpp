@@ -121,6 +121,7 @@ private:
     std::unique_ptr<Swatches> swatches_;
     std::vector<PixelRectangle> changed_;
     std::vector<SphereInstance> shrunk_;
+    float occluderShrink_ = 0; ///< [pixel]
     DirtyRectangles regions_;
     std::vector<TriangleTiles::Part> regionParts_;
     int mark_ = 0;

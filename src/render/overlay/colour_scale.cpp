@@ -22,6 +22,13 @@ constexpr std::array<std::array<double, 3>, 9> kScale = {{{68, 1, 84},
                                                           {170, 220, 50},
                                                           {253, 231, 37}}};
 
+/// What rests has no speed worth a colour. Discarded spheres are as in other pictures.
+constexpr Colour kResting = {138, 142, 146, 255};
+
+/// Where spheres fall through a pile that grows evenly, 19 of 20 are seen slower than this share of
+/// the speed of a fall through all of the object. (1.5 x - 0.5 x^3 = 0.95)
+constexpr double kFastShare = 0.81;
+
 const char* titleOf(ColourBy by)
 {
     switch (by)
@@ -41,6 +48,44 @@ const char* titleOf(ColourBy by)
 }
 
 } // namespace
+
+double roundUp(double value)
+{
+    if (!(value > 0) || !std::isfinite(value))
+    {
+        return 1;
+    }
+    const double power = std::pow(10, std::floor(std::log10(value)));
+    for (const double digit : {1.0, 2.0, 4.0, 5.0, 6.0, 8.0})
+    {
+        if (digit * power >= value * (1 - 1e-9))
+        {
+            return digit * power;
+        }
+    }
+    return 10 * power;
+}
+
+std::vector<double> roundNumbers(const ColourRange& range, bool whole)
+{
+    const double width = range.high - range.low;
+    if (!(width > 0))
+    {
+        return {range.low};
+    }
+    double step = roundUp(width / 3);
+    if (whole)
+    {
+        step = std::max(1.0, std::ceil(step));
+    }
+    std::vector<double> numbers;
+    for (double number = std::ceil(range.low / step - 1e-9) * step + 0.0; // not -0
+         number <= range.high + 1e-9 * width; number += step)
+    {
+        numbers.push_back(number);
+    }
+    return numbers;
+}
 
 Colour scaleColour(double value)
 {
@@ -63,6 +108,10 @@ SphereColours::SphereColours(const RenderSettings& settings,
       title_(titleOf(by_)), groupsPerSet_(std::max(1U, settings.groupsPerSet)),
       unitsPerMetre_(settings.unitsPerMetre), up_(settings.up)
 {
+    if (by_ == ColourBy::speed)
+    {
+        range_ = {0, roundUp(kFastShare * range_.high)};
+    }
     if (by_ != ColourBy::height || vertices.empty())
     {
         return;
@@ -110,13 +159,26 @@ Colour SphereColours::of(const Snapshot& snapshot, std::size_t sphere) const
     {
         return ofState(snapshot.states[sphere]);
     }
+    if (by_ == ColourBy::speed && snapshot.states[sphere] != SphereState::running)
+    {
+        return restingColour(snapshot.states[sphere]);
+    }
     const double width = range_.high - range_.low;
     return scaleColour(width > 0 ? (value(snapshot, sphere) - range_.low) / width : 0);
 }
 
 Colour SphereColours::ofSwatch(SphereState state) const
 {
+    if (by_ == ColourBy::speed && state != SphereState::running)
+    {
+        return restingColour(state);
+    }
     return hasScale() ? scaleColour(0.5) : ofState(state);
+}
+
+Colour SphereColours::restingColour(SphereState state) const
+{
+    return state == SphereState::frozen ? kResting : palette_.discarded;
 }
 
 } // namespace frostfill

@@ -6,6 +6,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 namespace frostfill
 {
@@ -13,6 +14,13 @@ namespace frostfill
 /// The scale viridis at 0..1 (values beyond become the ends): its lightness grows evenly, for every
 /// kind of colour vision and in grey. [van der Walt & Smith 2015]
 [[nodiscard]] Colour scaleColour(double value);
+
+/// The least number of the form 1, 2, 4, 5, 6, 8 times a power of ten that is not below a value; 1
+/// for what is not positive.
+[[nodiscard]] double roundUp(double value);
+
+/// Some round numbers in a range, ascending: what to write beside its scale. `whole`: no fractions.
+[[nodiscard]] std::vector<double> roundNumbers(const ColourRange& range, bool whole);
 
 /// What colours of spheres mean in one picture.
 class SphereColours
@@ -35,6 +43,7 @@ public:
 
 private:
     [[nodiscard]] Colour ofState(SphereState state) const;
+    [[nodiscard]] Colour restingColour(SphereState state) const; ///< of speeds
     [[nodiscard]] double value(const Snapshot& snapshot, std::size_t sphere) const;
 
     ColourBy by_;

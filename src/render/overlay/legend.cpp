@@ -194,13 +194,14 @@ void Legend::addScale(std::vector<Piece>& pieces) const
     const auto [left, top, right, bottom] = barBounds();
     const double baseline = scaleTop_ + (kScaleHeight + 0.5 * (kLine - 1) + 0.85) * size;
     const auto& [low, high] = colours_->range();
-    const double middle = colours_->countsWhole() ? std::floor((low + high) / 2) : (low + high) / 2;
-    for (const double value : {low, middle, high})
+    for (const double value : roundNumbers(colours_->range(), colours_->countsWhole()))
     {
         const double place = high > low ? (value - low) / (high - low) : 0;
-        const std::string text =
-            colours_->countsWhole() ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value);
-        const double x = left + place * (right - left - font_->measure(text));
+        const std::string text = fmt::format("{:.6g}", value);
+        // Under its colour, but not beyond the bar.
+        const double wide = font_->measure(text);
+        const double x = std::clamp(left + place * (right - left) - wide / 2, double(left),
+                                    std::max<double>(left, right - wide));
         pieces.push_back({Piece::Kind::text, x, baseline, text});
     }
 }

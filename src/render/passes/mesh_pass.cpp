@@ -166,7 +166,8 @@ void MeshBuffer::drawChosen(bool fronts) const
 MeshPass::MeshPass(const GlFunctions& gl, const ShaderVariant& variant, const Palette& palette,
                    const MeshStrokes& strokes)
     : gl_(gl), program_(gl, variant.definitions(), embedded::shader_mesh_vert(),
-                        embedded::shader_mesh_frag())
+                        embedded::shader_mesh_frag()),
+      pictureHeight_(strokes.pictureHeight)
 {
     program_.use();
     const std::array active = {toVector(palette.activePolygon)};
@@ -192,6 +193,7 @@ void MeshPass::draw(const MeshBuffer& mesh, const glm::mat4& view, const glm::ma
     program_.use();
     program_.set("view", view);
     program_.set("projection", projection);
+    program_.set("pixelLength", 2 / (projection[1][1] * pictureHeight_));
     gl_.enable(GL_DEPTH_TEST);
     gl_.depthMask(GL_FALSE);
     gl_.enable(GL_BLEND);

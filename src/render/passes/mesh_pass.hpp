@@ -54,6 +54,7 @@ struct MeshStrokes
 {
     float lineWidth = 1;
     float hatchPeriod = 8;
+    float pictureHeight = 720;
     std::array<float, 2> edgeFade = {0, 0}; ///< plain edges appear as triangles grow from one to
                                             ///< the other
 };
@@ -81,6 +82,7 @@ public:
 private:
     const GlFunctions& gl_;
     ShaderProgram program_;
+    float pictureHeight_; ///< [pixel]
 };
 
 } // namespace frostfill

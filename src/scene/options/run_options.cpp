@@ -68,7 +68,7 @@ void addSpheres(TableBuilder& table)
               FROSTFILL_FIELD(spheres.untilFull));
     table
         .add("spheres.group_size", "--group-size",
-             "Spheres in a group; 0 means 10, or more in a large object",
+             "Spheres in a group; 0 means 10, or more in a large object or, if they fall, of many",
              FROSTFILL_FIELD(spheres.groupSize))
         .range(0, kLargestGroup);
     table

@@ -15,9 +15,10 @@ DropAndRollEngine::DropAndRollEngine(World& world)
       dropAndRoll_(world, followers_.falls)
 {
     const SphereSettings& spheres = world.scene.spheres;
-    world.dt = kTimeOfSet;
     setSize_ = std::max<std::size_t>(groupSize(world) * spheres.groupsPerSet,
                                      expectedCount(world) / kMostSets);
+    stepSize_ = std::max<std::size_t>(1, expectedCount(world) / kMostSets);
+    world.dt = kTimeOfSet * static_cast<double>(stepSize_) / static_cast<double>(setSize_);
     if (!followers_.release->any())
     {
         refuseTooLarge(world);
@@ -30,21 +31,25 @@ bool DropAndRollEngine::step()
     {
         return false;
     }
-    std::size_t wanted = setSize_;
+    std::size_t wanted = std::min(stepSize_, setSize_ - inSet_);
     if (world_.targetCount > 0)
     {
         wanted = std::min(wanted, world_.targetCount - world_.spheres.size());
     }
-    clock_.open(world_, 0);
+    if (inSet_ == 0)
+    {
+        clock_.open(world_, 0);
+    }
+    std::size_t placed = 0;
     {
         const StageTimer timer(world_.times, Stage::motion);
-        std::size_t placed = 0;
         bool stopped = false;
         while (placed < wanted && !(stopped = world_.stops()) && placeOne())
         {
             ++placed;
         }
-        world_.sets.back().spheres = placed;
+        inSet_ += placed;
+        world_.sets.back().spheres = inSet_;
         world_.full = placed < wanted && !stopped;
     }
     ++world_.steps;
@@ -55,8 +60,12 @@ bool DropAndRollEngine::step()
         discard->afterFreezing();
         world_.finished ? discard->finish(world_.full) : discard->afterStep({});
     }
-    world_.time += world_.dt;
-    clock_.close(world_);
+    world_.time += kTimeOfSet * static_cast<double>(placed) / static_cast<double>(setSize_);
+    if (world_.finished || inSet_ == setSize_ || world_.stops())
+    {
+        clock_.close(world_);
+        inSet_ = 0;
+    }
     return true;
 }
 

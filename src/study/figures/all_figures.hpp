@@ -7,6 +7,7 @@ namespace frostfill
 {
 
 [[nodiscard]] Figure torusFigure();       ///< a picture alone
+[[nodiscard]] Figure studioFigure();      ///< a picture alone
 [[nodiscard]] Figure volumeFigure();      ///< PAPER, Figure 1
 [[nodiscard]] Figure interactionFigure(); ///< PAPER, Figure 2
 [[nodiscard]] Figure fillingFigure();     ///< the objects while they fill

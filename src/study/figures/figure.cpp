@@ -16,9 +16,9 @@ namespace
 {
 
 /// The palette of the pictures, as gnuplot variables, so that figures use the same colours.
-std::string paletteScript()
+std::string paletteScript(Look look)
 {
-    const Palette palette = paletteOf(Look::paper);
+    const Palette palette = paletteOf(look);
     std::string text;
     const auto define = [&](const char* name, const Colour& colour)
     {
@@ -98,11 +98,15 @@ void drawFigure(const Figure& figure, const FigureRequest& request)
 {
     const FigureFolder folder(request);
     const std::string script = fmt::format("{}.gp", figure.name);
-    folder.write("style.gp", std::string(embedded::figure_style()) + paletteScript());
+    folder.write("style.gp", std::string(embedded::figure_style()) +
+                                 paletteScript(request.object.empty() ? Look::paper : Look::clean));
     folder.write(script, figure.script());
-    for (const char* format : {"svg", "png"})
+    for (const char* format : {"svg", "png", "pdf"})
     {
-        runGnuplot(request.directory, script, format);
+        if (request.pdf || std::string_view(format) != "pdf")
+        {
+            runGnuplot(request.directory, script, format);
+        }
     }
 }
 

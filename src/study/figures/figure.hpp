@@ -25,6 +25,8 @@ struct FigureRequest
     std::filesystem::path recorded = "docs/figures";
     bool measure = false; ///< measure times anew
     bool quick = false;   ///< few spheres, for a look and for tests
+    bool pdf = false;     ///< also draw NAME.pdf
+    std::string object;   ///< of objectFigures: a built-in mesh or a file
     std::function<void(const std::string&)> say = [](const std::string&) {};
     /// Hears how far the figure is that is being made: parts done, parts in all, what has ended.
     std::function<void(std::size_t, std::size_t, const std::string&)> progress =
@@ -46,6 +48,7 @@ public:
     [[nodiscard]] bool reuse(const std::string& name) const;
 
     [[nodiscard]] bool quick() const { return request_.quick; }
+    [[nodiscard]] const std::string& object() const { return request_.object; }
     void say(const std::string& what) const { request_.say(what); }
     void progress(std::size_t done, std::size_t all, const std::string& what) const
     {
@@ -69,11 +72,14 @@ struct Figure
     std::string_view (*script)();
 };
 
-/// All of them. A new figure is a file that defines one and a line in registry.cpp.
+/// Those of the documentation. A new figure is a file that defines one and a line in registry.cpp.
 [[nodiscard]] std::span<const Figure> allFigures();
 
-/// Makes one figure: its data, its script, NAME.svg and NAME.png. Throws Error, missingProgram
-/// without gnuplot where there is a script.
+/// Those of one object, which the request names.
+[[nodiscard]] std::span<const Figure> objectFigures();
+
+/// Makes one figure: its data, its script, NAME.svg, NAME.png and, if wanted, NAME.pdf. Throws
+/// Error, missingProgram without gnuplot where there is a script.
 void makeFigure(const Figure& figure, const FigureRequest& request);
 
 /// Draws one figure from data that are there already. Throws like makeFigure.

@@ -9,10 +9,10 @@ namespace frostfill
 std::span<const Figure> allFigures()
 {
     static const std::array kFigures = {
-        torusFigure(),     volumeFigure(),     interactionFigure(), timesFigure(),
-        claimFigure(),     operationsFigure(), discardedFigure(),   densityFigure(),
-        fillingFigure(),   cutawaysFigure(),   closedFormsFigure(), errorFigure(),
-        stabilityFigure(),
+        torusFigure(),   studioFigure(),    volumeFigure(),     interactionFigure(),
+        timesFigure(),   claimFigure(),     operationsFigure(), discardedFigure(),
+        densityFigure(), fillingFigure(),   cutawaysFigure(),   closedFormsFigure(),
+        errorFigure(),   stabilityFigure(),
     };
     return kFigures;
 }

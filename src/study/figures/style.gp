@@ -8,10 +8,12 @@ if (!exists("height")) height = 540
 if (!exists("scale")) scale = 1.5
 if (format eq "svg") {
     set terminal svg size width,height font "DejaVu Sans,15" background "#ffffff"
+} else { if (format eq "pdf") {
+    set terminal pdfcairo size width/96.0,height/96.0 font "DejaVu Sans,11"
 } else {
     set terminal pngcairo size scale*width,scale*height font "DejaVu Sans,15" \
         fontscale 0.75*scale linewidth scale pointscale scale
-}
+} }
 set output name.".".format
 set encoding utf8
 set datafile separator ","

@@ -18,7 +18,27 @@ void makeData(const FigureFolder& folder)
     folder.write("torus.png", drawMoments(scene, mesh, momentsOf(scene, mesh, spheres)).front());
 }
 
+/// The same with smaller spheres in the style for covers.
+void makeStudio(const FigureFolder& folder)
+{
+    Scene scene = presetScene(Preset::fast, "torus");
+    scene.spheres.count = folder.quick() ? 60UL : 1500UL;
+    scene.spheres.radius.reset();
+    scene.spheres.groupSize = 40;
+    scene.style.look = Look::studio;
+    scene.style.palette = paletteOf(Look::studio);
+    const std::array<std::size_t, 1> spheres = {*scene.spheres.count * 5 / 8};
+    const TriangleMesh mesh = builtInMesh("torus");
+    folder.write("studio.png", drawMoments(scene, mesh, momentsOf(scene, mesh, spheres)).front());
+}
+
 } // namespace
+
+Figure studioFigure()
+{
+    return {"studio", "the torus while it fills, in the style studio", false, 1, makeStudio,
+            nullptr};
+}
 
 Figure torusFigure()
 {

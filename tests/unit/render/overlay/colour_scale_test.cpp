@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace frostfill
 {
 namespace
@@ -54,6 +56,44 @@ TEST(ColourScale, ValuesBeyondItBecomeItsEnds)
     EXPECT_EQ(scaleColour(-3), scaleColour(0));
     EXPECT_EQ(scaleColour(7), scaleColour(1));
     EXPECT_EQ(scaleColour(std::nan("")), scaleColour(0));
+}
+
+TEST(ColourScale, IsLabelledWithRoundNumbers)
+{
+    EXPECT_EQ(roundUp(0.037), 0.04);
+    EXPECT_EQ(roundUp(5), 5);
+    EXPECT_EQ(roundUp(91), 100);
+    EXPECT_EQ(roundUp(0), 1);
+    EXPECT_EQ(roundNumbers({0, 6}, false), (std::vector<double>{0, 2, 4, 6}));
+    EXPECT_EQ(roundNumbers({0, 2.8}, false), (std::vector<double>{0, 1, 2}));
+    EXPECT_EQ(roundNumbers({0, 31}, true), (std::vector<double>{0, 20}));
+    EXPECT_EQ(roundNumbers({0, 1}, true), (std::vector<double>{0, 1}));
+    EXPECT_EQ(roundNumbers({3, 3}, true), (std::vector<double>{3}));
+}
+
+TEST(ColourScale, OfSpeedsIsForWhatRunsAndCoversTheSpeedsThatAreSeen)
+{
+    RenderSettings settings;
+    settings.style.colourBy = ColourBy::speed;
+    settings.range = {0, 6.2}; // of a fall through the object
+    const SphereColours colours(settings, {});
+    EXPECT_EQ(colours.range().high, 6);
+    Snapshot snapshot;
+    for (const SphereState state :
+         {SphereState::running, SphereState::frozen, SphereState::discarded})
+    {
+        snapshot.states.push_back(state);
+        snapshot.speeds.push_back(3);
+    }
+    EXPECT_EQ(colours.of(snapshot, 0), scaleColour(0.5));
+    for (const std::size_t atRest : {1U, 2U})
+    {
+        const Colour grey = colours.of(snapshot, atRest);
+        EXPECT_LT(*std::max_element(grey.begin(), grey.begin() + 3) -
+                      *std::min_element(grey.begin(), grey.begin() + 3),
+                  15);
+        EXPECT_EQ(grey, colours.ofSwatch(snapshot.states[atRest]));
+    }
 }
 
 } // namespace

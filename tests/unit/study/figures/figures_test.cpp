@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <set>
+#include <span>
 
 namespace frostfill
 {
@@ -28,10 +29,10 @@ std::size_t testsIn(const Table& table)
     return tests;
 }
 
-TEST(Figures, HaveNamesOfTheirOwn)
+void expectNamesOfTheirOwn(std::span<const Figure> figures, std::size_t least)
 {
     std::set<std::string> names;
-    for (const Figure& figure : allFigures())
+    for (const Figure& figure : figures)
     {
         EXPECT_TRUE(names.insert(figure.name).second) << figure.name;
         if (!figure.script)
@@ -42,7 +43,17 @@ TEST(Figures, HaveNamesOfTheirOwn)
                   std::string_view::npos)
             << figure.name;
     }
-    EXPECT_GE(names.size(), 9u);
+    EXPECT_GE(names.size(), least);
+}
+
+TEST(Figures, HaveNamesOfTheirOwn)
+{
+    expectNamesOfTheirOwn(allFigures(), 9);
+}
+
+TEST(Figures, OfAnObjectHaveNamesOfTheirOwn)
+{
+    expectNamesOfTheirOwn(objectFigures(), 4);
 }
 
 TEST(Figures, MeasuredTimesAreTakenFromWhereTheyWereRecorded)
