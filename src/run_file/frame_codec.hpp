@@ -19,6 +19,28 @@ struct Track
     std::array<std::int64_t, 3> step{}; ///< from the frame before that
 };
 
+/// In the flags of a frame: its pose follows.
+inline constexpr std::uint64_t kHasPose = 1;
+
+/// Goes through the tracks of the frame before along with ascending ids.
+class TrackFinder
+{
+public:
+    explicit TrackFinder(const std::vector<Track>& before) : before_(before) {}
+    [[nodiscard]] const Track* operator()(std::uint32_t id)
+    {
+        while (at_ < before_.size() && before_[at_].id < id)
+        {
+            ++at_;
+        }
+        return at_ < before_.size() && before_[at_].id == id ? &before_[at_] : nullptr;
+    }
+
+private:
+    const std::vector<Track>& before_;
+    std::size_t at_ = 0;
+};
+
 /// The grid to which places of moving spheres are rounded: a power of two, at most a ten
 /// thousandth of the smallest radius, so that a rounded place is a float's exact value.
 [[nodiscard]] double gridOf(double smallestRadius);

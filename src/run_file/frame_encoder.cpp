@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+#include "run_file/frame_codec.hpp"
+
+#include <cmath>
+
+namespace frostfill
+{
+namespace
+{
+
+constexpr double kGridsInARadius = 10000;
+constexpr int kSpeedBits = 12; ///< of a float's 23 that speeds lose
+
+float rounded(float speed)
+{
+    constexpr std::uint32_t kHalf = 1U << (kSpeedBits - 1);
+    const auto bits = std::bit_cast<std::uint32_t>(speed) + kHalf;
+    const float result = std::bit_cast<float>(bits >> kSpeedBits << kSpeedBits);
+    return std::isfinite(result) ? result : speed;
+}
+
+/// Ascending ids, each as the difference from the one before.
+void putIds(const std::vector<std::uint32_t>& ids, ByteWriter& out)
+{
+    out.count(ids.size());
+    std::uint32_t before = 0;
+    for (const std::uint32_t id : ids)
+    {
+        out.count(id - before);
+        before = id;
+    }
+}
+
+} // namespace
+
+double gridOf(double smallestRadius)
+{
+    return std::exp2(std::floor(std::log2(smallestRadius / kGridsInARadius)));
+}
+
+Eigen::Vector3f placeInPictures(const Eigen::Vector3d& exact, const Eigen::Vector3d& origin)
+{
+    return (exact - origin).cast<float>();
+}
+
+void FrameEncoder::encode(Snapshot& snapshot, const RunFileWriter::Exact& exact, ByteWriter& out)
+{
+    const bool hasPose = !snapshot.pose.rotation.isIdentity(0) || !snapshot.pose.offset.isZero(0);
+    out.raw(snapshot.time);
+    out.count(snapshot.step);
+    out.count(snapshot.set);
+    out.count(hasPose ? kHasPose : 0);
+    if (hasPose)
+    {
+        for (int row = 0; row < 3; ++row)
+        {
+            for (int column = 0; column < 3; ++column)
+            {
+                out.raw(snapshot.pose.rotation(row, column));
+            }
+        }
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            out.raw(snapshot.pose.offset[axis]);
+        }
+    }
+    sortChanges(snapshot, exact);
+    encodeNew(snapshot, exact, out);
+    encodeMoving(snapshot, out);
+    encodeSettled(exact, out);
+    encodePolygons(snapshot, out);
+    states_.resize(snapshot.states.size());
+    for (const std::uint32_t id : snapshot.changed)
+    {
+        states_[id] = snapshot.states[id];
+    }
+}
+
+// `changed` may name more than has changed since the last frame, because the snapshot is one of
+// several that are filled in turn; it never names less. What has woken and come to rest again
+// between two frames is told by its place.
+void FrameEncoder::sortChanges(Snapshot& snapshot, const RunFileWriter::Exact& exact)
+{
+    running_.clear();
+    settled_.clear();
+    discarded_.clear();
+    places_.resize(snapshot.states.size(), Eigen::Vector3f::Zero());
+    for (const std::uint32_t id : snapshot.changed)
+    {
+        const SphereState now = snapshot.states[id];
+        if (now == SphereState::running)
+        {
+            running_.push_back(id);
+            continue;
+        }
+        const bool wasAtRest = id < states_.size() && states_[id] != SphereState::running;
+        const Eigen::Vector3f place = placeInPictures(exact(id).centre, snapshot.origin);
+        const bool settles = !wasAtRest || places_[id] != place;
+        if (settles)
+        {
+            settled_.push_back(id);
+        }
+        places_[id] = place;
+        snapshot.centres[id] = place;
+        const bool isFrozenSoFar = settles || states_[id] == SphereState::frozen;
+        if ((now == SphereState::frozen) != isFrozenSoFar)
+        {
+            discarded_.push_back(id);
+        }
+    }
+}
+
+void FrameEncoder::encodeNew(const Snapshot& snapshot, const RunFileWriter::Exact& exact,
+                             ByteWriter& out) const
+{
+    const std::size_t known = states_.size();
+    out.count(snapshot.states.size() - known);
+    for (std::size_t id = known; id < snapshot.states.size(); ++id)
+    {
+        out.raw(exact(static_cast<std::uint32_t>(id)).radius);
+    }
+    std::int64_t before = 0;
+    for (std::size_t id = known; id < snapshot.states.size(); ++id)
+    {
+        out.difference(snapshot.groups[id] - before);
+        before = snapshot.groups[id];
+    }
+}
+
+void FrameEncoder::encodeMoving(Snapshot& snapshot, ByteWriter& out)
+{
+    putIds(running_, out);
+    std::vector<Track> now;
+    now.reserve(running_.size());
+    TrackFinder find(moving_);
+    for (const std::uint32_t id : running_)
+    {
+        Track track{id, {}, {}};
+        const Track* before = find(id);
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            const auto a = static_cast<std::size_t>(axis);
+            track.place[a] = std::llround(snapshot.centres[id][axis] / grid_);
+            snapshot.centres[id][axis] =
+                static_cast<float>(static_cast<double>(track.place[a]) * grid_);
+            track.step[a] = before != nullptr ? track.place[a] - before->place[a] : 0;
+            out.difference(before != nullptr ? track.place[a] - before->place[a] - before->step[a]
+                                             : track.place[a]);
+        }
+        now.push_back(track);
+    }
+    for (const std::uint32_t id : running_)
+    {
+        snapshot.speeds[id] = rounded(snapshot.speeds[id]);
+        out.raw(snapshot.speeds[id]);
+    }
+    moving_ = std::move(now);
+}
+
+void FrameEncoder::encodeSettled(const RunFileWriter::Exact& exact, ByteWriter& out) const
+{
+    putIds(settled_, out);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        for (const std::uint32_t id : settled_)
+        {
+            out.raw(exact(id).centre[axis]);
+        }
+    }
+    putIds(discarded_, out);
+}
+
+void FrameEncoder::encodePolygons(const Snapshot& snapshot, ByteWriter& out)
+{
+    std::vector<std::uint32_t> turned;
+    polygons_.resize(snapshot.polygons.size(), PolygonState::active);
+    for (std::size_t polygon = 0; polygon < polygons_.size(); ++polygon)
+    {
+        if (polygons_[polygon] != snapshot.polygons[polygon])
+        {
+            turned.push_back(static_cast<std::uint32_t>(polygon));
+        }
+    }
+    polygons_ = snapshot.polygons;
+    putIds(turned, out);
+}
+
+} // namespace frostfill
