@@ -85,7 +85,7 @@ struct FillResult
     std::vector<SetFrames> setFrames; ///< by the index of the set; empty when nothing was drawn
     std::size_t frames = 0;
     std::size_t spheres = 0;
-    std::size_t wanted = 0;    ///< spheres that the run aimed at
+    std::size_t wanted = 0; ///< spheres that the run aimed at
     /// Equal spheres that would fill the object, within a few per cent; 0 for different radii.
     std::size_t fitting = 0;
     double smallestRadius = 0; ///< [mesh unit]

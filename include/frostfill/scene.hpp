@@ -106,7 +106,7 @@ struct SphereSettings
     std::optional<std::uint64_t> count; ///< stop at this number; if not given, fill until full
     bool untilFull = false;             ///< continue after `count` until no sphere fits
     std::uint32_t groupSize = 0; ///< gamma: spheres in a group; 0 (fast only): 10, or more if the
-                                 ///< object is large compared with a sphere
+                                 ///< object is large, or to pour in the animation's duration
     std::uint32_t groupsPerSet = 2;              ///< k: groups that appear together
     ReleaseRule release = ReleaseRule::ceilings; ///< where spheres appear
 };
@@ -177,7 +177,7 @@ struct Passes
     [[nodiscard]] bool any() const { return depth || normal || identity; }
 };
 
-/// Which states become pictures. Never changes the simulation.
+/// Which states become pictures. Only the duration matters to the simulation; see groupSize.
 struct FrameSettings
 {
     bool enabled = true;              ///< off: no frames, whatever is selected

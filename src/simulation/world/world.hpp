@@ -98,7 +98,7 @@ struct World
 [[nodiscard]] std::size_t expectedCount(const World& world);
 
 /// PAPER: gamma. Spheres in a group: the scene's, or, when that is 0, 10 or as many as make a set
-/// cover a tenth of the object's mean cross-section.
+/// cover a tenth of the object's mean cross-section, or pour into it in the scene's duration.
 [[nodiscard]] std::size_t groupSize(const World& world);
 
 /// Spheres side by side that cover the object's mean cross-section.
