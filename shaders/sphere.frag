@@ -63,8 +63,9 @@ uniform vec3 above; // away from the ground
 const float kSoftness = 0.3; // the lamp's half width, seen from anywhere
 
 // What reaches a point of the sphere of the sky and of the lamp. Neighbours are spheres too, so that
-// what they hide is known in closed form: of the sky, by [Quilez 2014], of a round lamp, from how
-// far the ray to its middle passes from their surface.
+// no rays are needed: what they hide of the sky is a power that fits the exact formula also where
+// the horizon cuts them [Quilez 2014]; of a round lamp, it follows from how far the ray to its
+// middle passes from their surface.
 vec2 lightLeft(vec3 normal)
 {
     vec2 left = openTo;
