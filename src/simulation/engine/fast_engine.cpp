@@ -106,6 +106,7 @@ std::size_t FastEngine::release(std::size_t wanted)
 {
     ReleaseQuery query;
     query.ahead = true;
+    query.givesUp = true; // when those that run have come to rest, every free place suits
     query.suits = [this](const Eigen::Vector3d& place, double radius)
     { return runners_.isClear(place, radius); };
     // Free flight is analytic: with Motion::skip a sphere appears where it would touch first.

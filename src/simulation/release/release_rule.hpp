@@ -21,6 +21,9 @@ struct ReleaseQuery
     std::function<bool(const Eigen::Vector3d& place, double radius)> suits = {};
     /// `prepare` changes nothing and may be called on several threads at once.
     bool ahead = false;
+    /// Whether to give up for now after many places in a row that do not suit. Otherwise a place is
+    /// found if there is one.
+    bool givesUp = false;
 };
 
 /// A release rule: where spheres appear, and so when the object is full. Units of the run.

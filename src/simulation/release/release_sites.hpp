@@ -27,10 +27,11 @@ public:
     /// A place that is clear of walls and of spheres at rest, taken from there to `prepare(place)`,
     /// and for which `suits` then holds. Places that do not suit now are left for later. Empty when
     /// there is none. With `ahead`, what the next draws lead to is found out on all threads at
-    /// once; `prepare` may then not change anything. The answer is the same.
+    /// once; `prepare` may then not change anything. The answer is the same. With `givesUp` a
+    /// search everywhere ends after as many places that do not suit as one below the ceilings.
     template <class Prepare, class Suits>
     [[nodiscard]] std::optional<Eigen::Vector3d> find(Prepare&& prepare, Suits&& suits,
-                                                      bool ahead = false)
+                                                      bool ahead = false, bool givesUp = false)
     {
         for (const bool highOnly : {true, false})
         {
@@ -53,7 +54,8 @@ public:
         sweep_ = sites_.nextOpen(sweep_);
         int misses = 0;
         for (std::size_t site = nextFree(sweep_);
-             site < sites_.lattice().size() && misses < kMostMisses; site = nextFree(site + 1))
+             site < sites_.lattice().size() && (!givesUp || misses < kMostMisses);
+             site = nextFree(site + 1))
         {
             const Eigen::Vector3d place = prepare(place_);
             if (suits(place))

@@ -77,7 +77,8 @@ std::optional<Eigen::Vector3d> Releases::place(double radius, const ReleaseQuery
     { return query.prepare ? query.prepare(place, radius) : place; };
     const auto suits = [&](const Eigen::Vector3d& place) { return query.suits(place, radius); };
     // A draw that is known ahead is so for one radius.
-    return classes_[lastClass_].sites.find(prepare, suits, query.ahead && world_.radii.equal());
+    return classes_[lastClass_].sites.find(prepare, suits, query.ahead && world_.radii.equal(),
+                                           query.givesUp);
 }
 
 void Releases::close(const Eigen::Vector3d& centre, double radius)

@@ -85,12 +85,14 @@ TEST_F(ReleaseSitesTest, GivesUpForNowWhenManyPlacesInARowDoNotSuit)
     ReleaseSites sites(world, 1, -1, threads);
     int asked = 0;
     const auto asItIs = [](const Eigen::Vector3d& p) { return p; };
-    EXPECT_FALSE(sites.find(asItIs,
-                            [&](const Eigen::Vector3d&)
-                            {
-                                ++asked;
-                                return false;
-                            }));
+    EXPECT_FALSE(sites.find(
+        asItIs,
+        [&](const Eigen::Vector3d&)
+        {
+            ++asked;
+            return false;
+        },
+        false, true));
     EXPECT_EQ(asked, kMostMisses);
     EXPECT_TRUE(sites.any());
 }
