@@ -749,12 +749,12 @@ def obj_variants(make):
 
 
 def strips_of(rows, columns, mesh):
-    """Triangle strips of a grid that is closed both ways."""
+    """Triangle strips of a grid that is closed both ways, with the diagonals of the mesh."""
     strips = []
     for i in range(rows):
         strip = []
         for j in range(columns + 1):
-            strip += [i * columns + j % columns, (i + 1) % rows * columns + j % columns]
+            strip += [(i + 1) % rows * columns + j % columns, i * columns + j % columns]
         strips.append(strip)
     return strips
 
