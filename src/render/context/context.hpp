@@ -69,8 +69,8 @@ struct BackendChoice
 
 /// Tells Mesa where it may keep what it compiles, before its library is opened: most of the time
 /// before a first picture goes into compiling. The folder is our own, in the user's cache, for Mesa
-/// complains on standard error when another program tidies away what it shares with others. What the
-/// environment says about it stands; where there is no such folder nothing is kept.
+/// complains on standard error when another program tidies away what it shares with others. What
+/// the environment says about it stands; where there is no such folder nothing is kept.
 void keepCompiledShaders();
 
 } // namespace frostfill

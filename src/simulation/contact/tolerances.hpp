@@ -53,9 +53,9 @@ inline constexpr double kCarried = 0.05;
 inline constexpr double kSlides = 1e-7;
 
 /// Depth in a wall from which a sphere that moves is taken back to its surface. [own radius] What
-/// slides may lead into a wall by kSlides, and runners that push each other along a wall add that up
-/// step by step. Larger: the overlaps with walls that remain. Smaller: more positions are corrected,
-/// each of which may press a sphere into another by as much.
+/// slides may lead into a wall by kSlides, and runners that push each other along a wall add that
+/// up step by step. Larger: the overlaps with walls that remain. Smaller: more positions are
+/// corrected, each of which may press a sphere into another by as much.
 inline constexpr double kCrept = 5e-8;
 
 /// One minus the cosine up to which a plane's normal and the direction from the closest point
