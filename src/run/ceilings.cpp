@@ -15,15 +15,12 @@ constexpr int kMostCells = 1024; // along an axis
 
 } // namespace
 
-Ceilings::Ceilings(const TriangleMesh& mesh, const Eigen::Vector3d& up) : mesh_(mesh)
+Ceilings::Ceilings(const TriangleMesh& mesh, const Eigen::Vector3d& up)
+    : mesh_(mesh), box_(boundingBox(mesh))
 {
     up.maxCoeff(&up_);
     ground_[0] = (up_ + 1) % 3;
     ground_[1] = (up_ + 2) % 3;
-    for (const Eigen::Vector3d& vertex : mesh.vertices)
-    {
-        box_.extend(vertex);
-    }
     const double cells = std::sqrt(static_cast<double>(mesh.triangles.size()) / kTrianglesPerCell);
     count_ = std::clamp(static_cast<int>(cells), 1, kMostCells);
 

@@ -67,7 +67,7 @@ FillPlan makePlan(const Scene& scene, const LoadedMesh& mesh, const Simulation& 
     plan.timeStep = simulation.timeStep();
     plan.slowMotion = frames.all > 1 ? frames.timing.slowMotion : 0;
     plan.videoSeconds = frames.seconds;
-    plan.pictureRate = scene.frames.fps / static_cast<double>(frames.stride);
+    plan.pictureRate = frames.picturesPerSecond(scene.frames.fps);
     plan.fallSeconds = frames.timing.slowMotion *
                        (frames.timing.lag > 0 ? frames.timing.lag : fallTime(scene, mesh.report));
     plan.fallsLeftOut = scene.preset == Preset::fast && scene.motion.mode != Motion::fall &&
@@ -179,9 +179,7 @@ std::size_t fittingSpheres(const Simulation& simulation)
         return 0;
     }
     const MeshReport& object = simulation.object();
-    const double room = std::max(0.0, object.volume - kWallLayer * radius * object.area);
-    const double one = 4.0 / 3.0 * std::numbers::pi * std::pow(radius, 3);
-    return static_cast<std::size_t>(kPackingFraction * room / one);
+    return static_cast<std::size_t>(packedCount(object.volume, object.area, radius));
 }
 
 /// Nothing has to be known of a run of which only the end is drawn.

@@ -85,7 +85,7 @@ private:
         const Snapshot* snapshot = nullptr;
         bool isNew = false;     ///< differs from the picture before
         double angle = 0;       ///< that the camera has gone round [degree]
-        double seconds = 0;     ///< of video, on the camera\'s path
+        double seconds = 0;     ///< of video, on the camera's path
         std::size_t number = 0; ///< among the frames that are selected
         std::size_t frame = 0;  ///< among all frames
         bool keep = false;      ///< as a picture
@@ -123,7 +123,7 @@ private:
     std::uint64_t taken_ = ~0ULL;       ///< the revision that the newest snapshot shows
     std::uint64_t kept_ = ~0ULL;        ///< the same of the last picture that is kept
     double takenAngle_ = 0;             ///< and from where it is drawn [degree]
-    double takenSeconds_ = 0;           ///< the same on the camera\'s path [s]
+    double takenSeconds_ = 0;           ///< the same on the camera's path [s]
     std::array<Snapshot, 3> snapshots_; ///< one is filled, one waits, one is being drawn
     std::array<std::size_t, 3> real_{}; ///< spheres of each that the run has, if falls are drawn
     std::size_t newest_ = 0;            ///< in snapshots_

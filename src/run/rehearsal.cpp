@@ -115,12 +115,12 @@ RunLength rehearse(const Scene& scene, const TriangleMesh& mesh, const Simulatio
 {
     const auto spheres = static_cast<double>(simulation.expectedSpheres());
     const bool paper = scene.preset == Preset::paper;
+    const bool falls = paper || scene.motion.mode == Motion::fall;
     const bool descends = !paper && scene.motion.mode == Motion::descend;
     if (spheres <= (paper ? kRehearsedPaper : descends ? kRehearsedDescent : kRehearsed))
     {
         Simulation same(withoutExtras(scene), mesh);
         RunLength length = {0, true, {}};
-        const bool falls = paper || scene.motion.mode == Motion::fall;
         length.seconds = lengthOf(same, stopRequested, falls ? nullptr : &length.landings);
         return length;
     }
@@ -131,7 +131,6 @@ RunLength rehearse(const Scene& scene, const TriangleMesh& mesh, const Simulatio
     const double factor = std::cbrt(spheres / (paper ? kModelPaper : kModel));
     const Scene smaller = modelOf(scene, simulation, factor);
     Simulation model(smaller, mesh);
-    const bool falls = paper || scene.motion.mode == Motion::fall;
     const double perSet = lengthOf(model, stopRequested) / setsOf(smaller, model);
     const double growth = std::pow(factor, falls ? -kGrowthOfFalls : -kGrowthOfSettling);
     return {setsOf(scene, simulation) * perSet * growth, false, {}};

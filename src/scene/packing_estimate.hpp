@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace frostfill
 {
@@ -14,6 +15,23 @@ namespace frostfill
 // radii. One pair of numbers serves to estimate how many spheres fit, for all motions.
 inline constexpr double kPackingFraction = 0.586; ///< phi
 inline constexpr double kWallLayer = 0.38;        ///< c
+
+/// Sizes of spheres, in the radius that is looked for.
+struct RelativeRadii
+{
+    double mean = 1;       ///< mean of r
+    double meanOfCube = 1; ///< mean of r^3
+};
+
+/// How many spheres fill an object of this volume [unit^3] and surface [unit^2]: phi (V - c r S)
+/// over the volume of one.
+[[nodiscard]] inline double packedCount(double volume, double area, double radius,
+                                        const RelativeRadii& radii = {})
+{
+    const double room = volume - kWallLayer * radius * radii.mean * area;
+    const double one = 4.0 / 3.0 * std::numbers::pi * radius * radius * radius * radii.meanOfCube;
+    return std::max(0.0, kPackingFraction * room / one);
+}
 
 /// Share of the estimate that is asked for when a radius is chosen: the number that fits differs
 /// from the estimate by a few hundredths. Larger: runs end before their count. Smaller: emptier

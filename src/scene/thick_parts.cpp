@@ -15,11 +15,6 @@ namespace
 /// smaller spheres than need be. Smaller: a sphere fits so closely that no place for it is found.
 constexpr double kEase = 1.03;
 
-double volumeOfSpheres(double count, double radius, const RelativeRadii& radii)
-{
-    return count * 4.0 / 3.0 * M_PI * radius * radius * radius * radii.meanOfCube;
-}
-
 } // namespace
 
 ThickParts::ThickParts(const MeshReport& report, const TriangleMesh& mesh, std::size_t samples)
@@ -55,8 +50,7 @@ double ThickParts::count(double radius, const RelativeRadii& radii) const
         return 0;
     }
     const Part& part = *std::prev(end);
-    const double room = part.volume - kWallLayer * radius * radii.mean * part.area;
-    return std::max(0.0, kPackingFraction * room / volumeOfSpheres(1, radius, radii));
+    return packedCount(part.volume, part.area, radius, radii);
 }
 
 double ThickParts::radius(double count, const RelativeRadii& radii) const

@@ -11,13 +11,6 @@
 namespace frostfill
 {
 
-/// Sizes of spheres, in the radius that is looked for.
-struct RelativeRadii
-{
-    double mean = 1;       ///< mean of r
-    double meanOfCube = 1; ///< mean of r^3
-};
-
 /// How many spheres fit into an object whose parts differ in thickness: N v(r) = phi (V - c r S),
 /// with V and S of the parts that are thick enough for a sphere.
 class ThickParts

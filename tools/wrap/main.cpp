@@ -4,14 +4,14 @@
 // Called by frostfill, which writes IN and reads OUT, PLY files in memory. BYTES of address space
 // and SECONDS of processor time are this process's limits. Exit code 65 with a reason on standard
 // output: the mesh cannot be worked on.
+#include "base/sanitized.hpp"
 #include "work.hpp"
 
 #include <frostfill/error.hpp>
 
-#include <sys/prctl.h>
 #include <sys/resource.h>
 
-#include <csignal>
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -34,11 +34,10 @@ void limit(int what, const std::string& value)
 
 void limitThisProcess(const std::string& bytes, const std::string& seconds)
 {
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
     limit(RLIMIT_CORE, "0");
     limit(RLIMIT_CPU, seconds);
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-    limit(RLIMIT_AS, bytes); // sanitizers map terabytes
+#ifndef FROSTFILL_SANITIZED
+    limit(RLIMIT_AS, bytes);
 #else
     (void)bytes;
 #endif

@@ -22,11 +22,7 @@ constexpr double kBehind = -0.8;
 
 double frontAzimuth(const TriangleMesh& mesh, const Eigen::Vector3d& up)
 {
-    Eigen::AlignedBox3d box;
-    for (const Eigen::Vector3d& vertex : mesh.vertices)
-    {
-        box.extend(vertex);
-    }
+    const Eigen::AlignedBox3d box = boundingBox(mesh);
     if (box.isEmpty())
     {
         return kUsualAzimuth;

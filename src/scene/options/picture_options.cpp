@@ -185,8 +185,7 @@ void addCamera(TableBuilder& table)
     table
         .add("camera.turntable", "--turntable",
              "Time in which the camera circles the object once [s of video]; with --frames last, "
-             "the "
-             "full object turns once",
+             "the full object turns once",
              FROSTFILL_FIELD(camera.turntable))
         .orNothing("none")
         .range(1 / kLongestTurn, kLongestTurn);

@@ -60,11 +60,10 @@ GridFrame checkedGrid(const Surface& surface, const FrameOfRun& frame, const Sce
 /// By the estimate that sphereRadius uses, the other way round.
 std::size_t countThatFits(const World& world)
 {
-    const double r = world.frame.length;
-    const double layer = kWallLayer * r * world.radii.meanPower(1);
-    const double room = std::max(0.0, world.report.volume - layer * world.report.area);
-    const double one = 4.0 / 3.0 * std::numbers::pi * r * r * r * world.radii.meanPower(3);
-    return static_cast<std::size_t>(std::max(1.0, kPackingFraction * room / one));
+    const RelativeRadii radii{world.radii.meanPower(1), world.radii.meanPower(3)};
+    const double fitting =
+        packedCount(world.report.volume, world.report.area, world.frame.length, radii);
+    return static_cast<std::size_t>(std::max(1.0, fitting));
 }
 
 } // namespace
