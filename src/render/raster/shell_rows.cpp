@@ -134,7 +134,6 @@ FROSTFILL_INLINE void drawRows(const Setup& setup, const Frame& frame, const Pix
     const Frame f = frame;
     float nearX = 0;
     float nearY = 0;
-    float nearFrom = 0;
     std::array<std::array<float, samples>, 3> edgeAt;
     std::array<float, samples> nearAt;
     std::array<float, 3> overAcross;
@@ -143,7 +142,6 @@ FROSTFILL_INLINE void drawRows(const Setup& setup, const Frame& frame, const Pix
         overAcross[i] = 1 / s.across[i];
         nearX += s.near[i] * s.across[i];
         nearY += s.near[i] * s.upwards[i];
-        nearFrom += s.near[i] * s.from[i];
     }
     for (std::size_t k = 0; k < samples; ++k)
     {
@@ -182,7 +180,9 @@ FROSTFILL_INLINE void drawRows(const Setup& setup, const Frame& frame, const Pix
             {
                 continue;
             }
-            const auto [film, line] = filmAndLine<lines>(s, f, xAt, yAt, d0, d1, d2);
+            const auto filmWithLine = filmAndLine<lines>(s, f, xAt, yAt, d0, d1, d2);
+            const Film& film = filmWithLine.first;
+            const Floats line = filmWithLine.second;
             const Words alpha = byteOf(255 * (film.share + line));
             const Floats limit = __builtin_convertvector(reinterpret_cast<Mask>(alpha), Floats);
             const Floats lit = film.share * film.light;
