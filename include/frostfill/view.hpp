@@ -30,15 +30,16 @@ struct Camera
                                            ///< the object fitting at all angles; not given: none
 };
 
-/// The OpenGL implementation to draw with.
+/// What to draw with: OpenGL, or the processor alone.
 enum class Backend : std::uint8_t
 {
-    automatic, ///< the first that works
+    automatic, ///< builtin if it has the style, or the first OpenGL that works
     osmesa,
     egl,            ///< the first of the following that works
     eglHardware,    ///< a graphics card
     eglSoftware,    ///< the software device of Mesa
     eglSurfaceless, ///< Mesa without a device
+    builtin,        ///< without OpenGL; styles clean and dark without cutaway and ambient occlusion
 };
 
 /// Size of a picture in pixels.

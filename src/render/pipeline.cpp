@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "render/pipeline.hpp"
 
-#include "render/framing/front.hpp"
-#include "render/framing/pose_framing.hpp"
-
 #include <frostfill/error.hpp>
 
 #include <fmt/core.h>
@@ -17,12 +14,6 @@ namespace frostfill
 namespace
 {
 
-/// Nearest first pays from so many spheres at rest: only then are many of them found hidden.
-constexpr std::size_t kSortFrom = 2000;
-
-/// More samples a pixel than this are not to be had from OSMesa.
-constexpr int kMostSamples = 4;
-
 std::string describe(const Context& context, const GlFunctions& gl)
 {
     const auto text = [&](GLenum name)
@@ -34,39 +25,15 @@ std::string describe(const Context& context, const GlFunctions& gl)
                        text(GL_VERSION));
 }
 
-/// Refuses what cannot be drawn, and finds the front of the object.
-RenderSettings checked(const RenderSettings& wanted, const TriangleMesh& mesh)
-{
-    RenderSettings settings = wanted;
-    if (settings.samples < 1 || settings.samples > kMostSamples)
-    {
-        throw Error(ErrorCode::usage,
-                    fmt::format("samples per pixel must be between 1 and {}, not {}", kMostSamples,
-                                settings.samples));
-    }
-    if (settings.size.width < 1 || settings.size.height < 1)
-    {
-        throw Error(ErrorCode::usage, fmt::format("a picture of {}x{} pixels cannot be drawn",
-                                                  settings.size.width, settings.size.height));
-    }
-    if (!settings.camera.azimuth)
-    {
-        settings.camera.azimuth = frontAzimuth(mesh, settings.up.normalized());
-    }
-    return settings;
-}
-
 } // namespace
 
 Pipeline::Pipeline(const TriangleMesh& mesh, const RenderSettings& wanted)
-    : settings_(checked(wanted, mesh)), vertices_(verticesInPoses(mesh.vertices, wanted.poses)),
-      colours_(settings_, vertices_), legend_(settings_, mesh.triangles.size(), colours_),
-      still_(frameBesideLegend(vertices_, settings_, legend_)), framing_(still_),
-      context_(openContext(wanted.backend)), gl_(loadGlFunctions(*context_)),
-      description_(describe(*context_, gl_)),
+    : viewpoint_(mesh, wanted), context_(openContext(wanted.backend)),
+      gl_(loadGlFunctions(*context_)), description_(describe(*context_, gl_)),
       framebuffer_(gl_, wanted.size.width, wanted.size.height, wanted.samples),
-      painter_(gl_, mesh, settings_, legend_, colours_, framing_, samplePositions()),
-      projector_(framing_, wanted.size), dirty_(wanted.size.width, wanted.size.height),
+      painter_(gl_, mesh, viewpoint_.settings(), legend(), viewpoint_.colours(), framing(),
+               samplePositions()),
+      projector_(framing(), wanted.size), dirty_(wanted.size.width, wanted.size.height),
       covered_(dirty_)
 {
     if (wanted.staticLayer)
@@ -102,49 +69,31 @@ std::vector<glm::vec2> Pipeline::samplePositions() const
 
 void Pipeline::lookFrom(const Camera& camera)
 {
-    if (camera.orthographic != framing_.orthographic)
-    {
-        throw Error(ErrorCode::usage,
-                    "a renderer cannot change between perspective and parallel projection");
-    }
-    const double azimuth = *settings_.camera.azimuth;
-    settings_.camera = camera;
-    settings_.camera.azimuth = camera.azimuth.value_or(azimuth);
-    still_ = frameBesideLegend(vertices_, settings_, legend_);
-    turned_ = 0;
+    viewpoint_.lookFrom(camera);
     useFraming();
 }
 
 void Pipeline::turn(double degrees)
 {
-    if (degrees != turned_)
+    if (viewpoint_.turn(degrees))
     {
-        turned_ = degrees;
         useFraming();
     }
 }
 
 void Pipeline::follow(const Snapshot& snapshot)
 {
-    if (snapshot.pose.rotation != pose_.rotation || snapshot.pose.offset != pose_.offset)
+    if (viewpoint_.follow(snapshot))
     {
-        pose_ = snapshot.pose;
-        origin_ = snapshot.origin;
-        moved_ = true;
         useFraming();
     }
 }
 
 void Pipeline::useFraming()
 {
-    framing_ = turned_ != 0 ? revolved(still_, settings_.up, turned_) : still_;
-    if (moved_)
-    {
-        framing_ = posed(framing_, pose_, origin_);
-    }
     context_->makeCurrent();
-    painter_.lookFrom(framing_);
-    projector_ = SphereProjector(framing_, settings_.size);
+    painter_.lookFrom(framing());
+    projector_ = SphereProjector(framing(), viewpoint_.settings().size);
     stale_ = true;
 }
 
@@ -153,12 +102,13 @@ const std::vector<PixelRectangle>& Pipeline::draw(const Snapshot& snapshot)
     context_->makeCurrent();
     follow(snapshot);
     renewMarks();
-    const SphereLedger::Changes& changes = ledger_.update(snapshot, framing_, colours_);
+    const SphereLedger::Changes& changes =
+        ledger_.update(snapshot, framing(), viewpoint_.colours());
     const auto polygonParts = painter_.setPolygons(snapshot.polygons);
     const bool startAgain = stale_ || changes.everything;
     if (startAgain && ledger_.resting().size() >= kSortFrom)
     {
-        ledger_.sortFrontToBack(framing_);
+        ledger_.sortFrontToBack(framing());
     }
     stale_ = false;
     renewSurroundings(changes);
@@ -285,7 +235,7 @@ void Pipeline::renewMarks()
 void Pipeline::readColour(Image& image, std::span<const PixelRectangle> parts)
 {
     context_->makeCurrent();
-    framebuffer_.readColour(image, parts, settings_.style.palette.background[3] < 255);
+    framebuffer_.readColour(image, parts, viewpoint_.settings().style.palette.background[3] < 255);
 }
 
 void Pipeline::readColour(Image& image)
@@ -307,7 +257,7 @@ void Pipeline::drawSurfaces(const Snapshot& snapshot, const PictureSize& size, S
                             ? **found
                             : *surfacePasses_.emplace_back(std::make_unique<SurfacePass>(
                                   gl_, shapesOnly(painter_.variant()), size));
-    pass.draw(placeSpheres(snapshot, framing_), painter_.uniforms(), surfaces);
+    pass.draw(placeSpheres(snapshot, framing()), painter_.uniforms(), surfaces);
 }
 
 std::vector<double> Pipeline::readDepth()
@@ -319,8 +269,8 @@ std::vector<double> Pipeline::readDepth()
     depth.reserve(bottomUp.size());
     for (auto row = bottomUp.end(); row != bottomUp.begin();)
     {
-        row -= settings_.size.width;
-        std::transform(row, row + settings_.size.width, std::back_inserter(depth),
+        row -= viewpoint_.settings().size.width;
+        std::transform(row, row + viewpoint_.settings().size.width, std::back_inserter(depth),
                        [](std::uint32_t bits) { return (bits >> 8) / double{0xffffff}; });
     }
     return depth;

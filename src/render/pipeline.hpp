@@ -5,14 +5,12 @@
 
 #include "render/context/context.hpp"
 #include "render/context/framebuffer.hpp"
-#include "render/framing/framing.hpp"
 #include "render/layer/dirty_rectangles.hpp"
 #include "render/layer/projected_sphere.hpp"
 #include "render/layer/scene_painter.hpp"
 #include "render/layer/sphere_ledger.hpp"
 #include "render/layer/static_layer.hpp"
-#include "render/overlay/colour_scale.hpp"
-#include "render/overlay/legend.hpp"
+#include "render/overlay/viewpoint.hpp"
 #include "render/passes/surface_pass.hpp"
 
 #include <frostfill/renderer.hpp>
@@ -35,10 +33,8 @@ public:
     Pipeline(const Pipeline&) = delete;
     Pipeline& operator=(const Pipeline&) = delete;
 
-    /// Looks from somewhere else from now on. Whether there is perspective cannot change. Throws
-    /// Error usage for a camera that makes no sense.
+    /// As Viewpoint has them.
     void lookFrom(const Camera& camera);
-    /// Turns the camera about the up axis, from where lookFrom or the settings have it [degree].
     void turn(double degrees);
 
     /// Draws and waits until it is done. Returns the parts of the picture that may differ from the
@@ -53,8 +49,8 @@ public:
     /// Window depth in 0..1, top row first; for samples == 1.
     [[nodiscard]] std::vector<double> readDepth();
 
-    [[nodiscard]] const Framing& framing() const { return framing_; }
-    [[nodiscard]] const Legend& legend() const { return legend_; }
+    [[nodiscard]] const Framing& framing() const { return viewpoint_.framing(); }
+    [[nodiscard]] const Legend& legend() const { return viewpoint_.legend(); }
     [[nodiscard]] const std::string& description() const { return description_; }
     /// Of the last picture, in the order in which they were drawn.
     [[nodiscard]] const SphereLedger& spheres() const { return ledger_; }
@@ -71,16 +67,7 @@ private:
     void drawOverLayer();
     void renewMarks();
 
-    RenderSettings settings_;
-    std::vector<Eigen::Vector3d> vertices_; ///< of the mesh, for framing
-    SphereColours colours_;
-    Legend legend_;
-    Framing still_;                                    ///< as the camera has it
-    Framing framing_;                                  ///< turned, and with the object moved
-    double turned_ = 0;                                ///< [degree]
-    bool moved_ = false;                               ///< the object has been in a pose of its own
-    Pose pose_;                                        ///< of the object
-    Eigen::Vector3d origin_ = Eigen::Vector3d::Zero(); ///< about which it is
+    Viewpoint viewpoint_;
     std::unique_ptr<Context> context_;
     GlFunctions gl_;
     std::string description_;

@@ -4,11 +4,13 @@
 #include "render/passes/pass_pictures.hpp"
 #include "render/passes/shrink.hpp"
 #include "render/pipeline.hpp"
+#include "render/raster/tile_pipeline.hpp"
 
 #include <frostfill/error.hpp>
 #include <frostfill/renderer.hpp>
 
 #include <chrono>
+#include <optional>
 
 namespace frostfill
 {
@@ -64,11 +66,53 @@ bool drawsASphere(Pipeline& pipeline)
 
 } // namespace
 
+/// Whether it is drawn without OpenGL. Throws Error usage if that was asked for and cannot be.
+bool drawsWithoutOpenGl(const RenderSettings& settings)
+{
+    const bool can = TilePipeline::draws(settings);
+    if (settings.backend == Backend::builtin && !can)
+    {
+        throw Error(ErrorCode::usage,
+                    "the backend builtin draws no cutaways, no ambient occlusion, and only the "
+                    "styles clean and dark; omit --backend");
+    }
+    return can && (settings.backend == Backend::builtin || settings.backend == Backend::automatic);
+}
+
 struct Renderer::Implementation
 {
-    Implementation(const TriangleMesh& mesh, const RenderSettings& wanted)
-        : settings(wanted), pipeline(mesh, enlarged(wanted))
+    Implementation(const TriangleMesh& itsMesh, const RenderSettings& wanted) : settings(wanted)
     {
+        if (drawsWithoutOpenGl(settings))
+        {
+            mesh = itsMesh;
+            tiles.emplace(mesh, enlarged(settings));
+        }
+        else
+        {
+            pipeline = std::make_unique<Pipeline>(itsMesh, enlarged(settings));
+        }
+    }
+
+    /// OpenGL, which what is drawn in tiles needs only for other pictures of the same view.
+    Pipeline& withOpenGl()
+    {
+        if (!pipeline)
+        {
+            RenderSettings own = tiles->viewpoint().settings();
+            own.backend = Backend::automatic;
+            pipeline = std::make_unique<Pipeline>(mesh, own);
+            pipeline->turn(turned);
+        }
+        return *pipeline;
+    }
+    [[nodiscard]] const Legend& legend() const
+    {
+        return tiles ? tiles->viewpoint().legend() : pipeline->legend();
+    }
+    [[nodiscard]] const Framing& framing() const
+    {
+        return tiles ? tiles->viewpoint().framing() : pipeline->framing();
     }
 
     /// What is done to a picture as a whole.
@@ -81,13 +125,13 @@ struct Renderer::Implementation
         whole = picture.pixels();
         if (settings.style.ambientOcclusion && !snapshot.centres.empty())
         {
-            const double reach = kOcclusionReach * meanRadius(snapshot) * pipeline.framing().scale;
-            pipeline.drawSurfaces(snapshot, {whole.width, whole.height}, surfaces);
-            applyAmbientLight(ambientLight(surfaces, pipeline.framing(), reach), whole);
+            const double reach = kOcclusionReach * meanRadius(snapshot) * framing().scale;
+            withOpenGl().drawSurfaces(snapshot, {whole.width, whole.height}, surfaces);
+            applyAmbientLight(ambientLight(surfaces, framing(), reach), whole);
         }
-        for (const Legend::Piece& piece : pipeline.legend().pieces(snapshot))
+        for (const Legend::Piece& piece : legend().pieces(snapshot))
         {
-            pipeline.legend().draw(whole, piece);
+            legend().draw(whole, piece);
         }
         if (settings.supersample > 1)
         {
@@ -97,7 +141,10 @@ struct Renderer::Implementation
     }
 
     RenderSettings settings;
-    Pipeline pipeline;
+    TriangleMesh mesh;                  ///< if it is drawn in tiles
+    std::optional<TilePipeline> tiles;  ///< draws the picture, or else the pipeline does
+    std::unique_ptr<Pipeline> pipeline; ///< once needed
+    double turned = 0;                  ///< [degree]
     AnnotatedPicture picture;
     StageTimes times;
     Image whole; ///< if the picture is finished as a whole
@@ -116,28 +163,32 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 const Image& Renderer::draw(const Snapshot& snapshot)
 {
-    auto& pipeline = implementation_->pipeline;
-    auto& picture = implementation_->picture;
-    auto& times = implementation_->times;
+    auto& own = *implementation_;
+    auto& picture = own.picture;
+    auto& times = own.times;
     const auto drawing = Clock::now();
-    const auto& parts = pipeline.draw(snapshot);
+    const auto& parts =
+        own.tiles ? own.tiles->draw(snapshot, picture.pixels()) : own.pipeline->draw(snapshot);
     times[Stage::rendering] += secondsSince(drawing);
 
     const auto reading = Clock::now();
-    pipeline.readColour(picture.pixels(), parts);
+    if (!own.tiles)
+    {
+        own.pipeline->readColour(picture.pixels(), parts);
+    }
     times[Stage::readback] += secondsSince(reading);
 
     const auto writing = Clock::now();
-    if (implementation_->finishesWhole())
+    if (own.finishesWhole())
     {
-        implementation_->finishWhole(snapshot);
+        own.finishWhole(snapshot);
     }
     else
     {
-        picture.finish(parts, pipeline.legend(), snapshot);
+        picture.finish(parts, own.legend(), snapshot);
     }
     times[Stage::rendering] += secondsSince(writing);
-    return implementation_->finishesWhole() ? implementation_->whole : picture.image();
+    return own.finishesWhole() ? own.whole : picture.image();
 }
 
 std::span<const std::uint8_t> Renderer::changedRows() const
@@ -154,26 +205,45 @@ void Renderer::render(const Snapshot& snapshot, Image& image)
 
 void Renderer::setCamera(const Camera& camera)
 {
-    implementation_->pipeline.lookFrom(camera);
+    auto& own = *implementation_;
+    own.turned = 0;
+    if (own.tiles)
+    {
+        own.tiles->lookFrom(camera);
+    }
+    if (own.pipeline)
+    {
+        own.pipeline->lookFrom(camera);
+    }
 }
 
 void Renderer::turn(double degrees)
 {
-    implementation_->pipeline.turn(degrees);
+    auto& own = *implementation_;
+    own.turned = degrees;
+    if (own.tiles)
+    {
+        own.tiles->turn(degrees);
+    }
+    if (own.pipeline)
+    {
+        own.pipeline->turn(degrees);
+    }
 }
 
 void Renderer::renderPasses(const Snapshot& snapshot, PassPictures& pictures)
 {
     auto& own = *implementation_;
     const auto drawing = Clock::now();
-    own.pipeline.drawSurfaces(snapshot, own.settings.size, own.surfaces);
-    makePassPictures(own.surfaces, own.pipeline.framing(), pictures);
+    Pipeline& pipeline = own.withOpenGl();
+    pipeline.drawSurfaces(snapshot, own.settings.size, own.surfaces);
+    makePassPictures(own.surfaces, pipeline.framing(), pictures);
     own.times[Stage::rendering] += secondsSince(drawing);
 }
 
 std::array<int, 4> Renderer::objectRegion() const
 {
-    const auto& [left, top, right, bottom] = implementation_->pipeline.framing().region;
+    const auto& [left, top, right, bottom] = implementation_->framing().region;
     const auto inPicture = [&](double edge)
     { return static_cast<int>(edge / implementation_->settings.supersample); };
     return {inPicture(left), inPicture(top), inPicture(right), inPicture(bottom)};
@@ -181,7 +251,8 @@ std::array<int, 4> Renderer::objectRegion() const
 
 const std::string& Renderer::description() const
 {
-    return implementation_->pipeline.description();
+    static const std::string builtin = "builtin: spheres and shell on the processor";
+    return implementation_->tiles ? builtin : implementation_->pipeline->description();
 }
 
 const StageTimes& Renderer::times() const

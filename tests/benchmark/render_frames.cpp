@@ -2,7 +2,8 @@
 // What a frame takes: to memory with the static layer, with everything redrawn, with the shell; and
 // to PNG files, beside a naive pipeline. Milliseconds and frames a second of one run on this
 // machine. Run it by hand on an idle machine:
-// build/release/tests/benchmark/benchmark_render [--samples 4] [--quick]
+// build/release/tests/benchmark/benchmark_render [--samples 4] [--quick] [--opengl]
+// `--opengl` draws with OpenGL what is otherwise drawn without it.
 
 #include "benchmark/naive_pipeline.hpp"
 #include "benchmark/render_scene.hpp"
@@ -69,12 +70,14 @@ struct Options
 {
     int samples = 1;
     bool quick = false;
+    bool openGl = false;
 };
 
 RenderSettings settingsFor(const Options& options)
 {
     RenderSettings settings;
     settings.samples = options.samples;
+    settings.backend = options.openGl ? Backend::osmesa : Backend::automatic;
     settings.style.legend = false;
     settings.style.shell = false;
     return settings;
@@ -101,14 +104,15 @@ Timing frameToMemory(const Options& options, std::size_t frozen, std::size_t run
                  });
 }
 
-Timing everythingRedrawn(const Options& options, std::size_t frozen, bool layer)
+Timing everythingRedrawn(const Options& options, std::size_t frozen, bool layer, int quads = 0)
 {
     RenderSettings settings = settingsFor(options);
     settings.staticLayer = layer;
+    settings.style.shell = settings.style.legend = quads > 0;
     const RenderScene scene(frozen, 20);
-    Renderer renderer(unitCube(1), settings);
+    Renderer renderer(unitCube(std::max(quads, 1)), settings);
     double azimuth = 30;
-    return timed(options.quick ? 3 : 20,
+    return timed(options.quick ? 5 : 20,
                  [&]
                  {
                      settings.camera.azimuth = azimuth += 7;
@@ -178,6 +182,9 @@ void run(const Options& options)
     print("10k frozen + 200 running", frameToMemory(options, 10000, 200, 0));
     print("100k frozen + 20 running", frameToMemory(options, 100000, 20, 0));
     print("10k + 20 and a shell of 5,292 triangles", frameToMemory(options, 10000, 20, 21));
+    print("the same with a legend: a default picture", frameToMemory(options, 10000, 20, 21, true));
+    print("10k, default picture, camera moves", everythingRedrawn(options, 10000, true, 21));
+    print("1M, default picture, camera moves", everythingRedrawn(options, 1000000, true, 21));
     compareFiles(options);
     print("10k, camera moves", everythingRedrawn(options, 10000, true));
     print("10k, camera moves, layer off", everythingRedrawn(options, 10000, false));
@@ -198,6 +205,7 @@ int main(int argc, char** argv)
     frostfill::benchmark::Options options;
     for (int i = 1; i < argc; ++i)
     {
+        options.openGl = options.openGl || std::strcmp(argv[i], "--opengl") == 0;
         options.quick = options.quick || std::strcmp(argv[i], "--quick") == 0;
         if (std::strcmp(argv[i], "--samples") == 0 && i + 1 < argc)
         {

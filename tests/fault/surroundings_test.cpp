@@ -69,13 +69,14 @@ TEST_F(Surroundings, WithoutOsmesaEglDrawsTheSamePictures)
     {
         GTEST_SKIP() << "a sanitizer has to be the first library that is loaded";
     }
-    const Answer other = run(kSmall + "--quiet --out egl", shim("FAULT_LIBRARY=libOSMesa"));
+    const Answer other =
+        run(kSmall + "--style paper --quiet --out egl", shim("FAULT_LIBRARY=libOSMesa"));
     if (other.code == 69)
     {
         GTEST_SKIP() << "there is no libEGL";
     }
     EXPECT_EQ(other.code, 0) << other.errors;
-    ASSERT_EQ(run(kSmall + "--quiet --out osmesa").code, 0);
+    ASSERT_EQ(run(kSmall + "--style paper --quiet --out osmesa").code, 0);
     EXPECT_EQ(readFile(folder_ / "egl/spheres.csv"), readFile(folder_ / "osmesa/spheres.csv"));
     const Answer doctor = run("doctor", shim("FAULT_LIBRARY=libOSMesa"));
     EXPECT_EQ(doctor.output.find("all is well"), std::string::npos) << doctor.output;
@@ -88,11 +89,12 @@ TEST_F(Surroundings, WithoutAnyOpenGlItSaysWhatToInstall)
         GTEST_SKIP() << "a sanitizer has to be the first library that is loaded";
     }
     const std::string none = shim("FAULT_LIBRARY=lib");
-    const Answer answer = run(kSmall + "--out a", none);
+    const Answer answer = run(kSmall + "--style paper --out a", none);
     EXPECT_EQ(answer.code, 69);
     EXPECT_NE(answer.errors.find("apt install libosmesa6"), std::string::npos) << answer.errors;
     EXPECT_EQ(run("doctor", none).code, 69);
     EXPECT_EQ(run(kSmall + "--frames none --quiet --out b", none).code, 0);
+    EXPECT_EQ(run(kSmall + "--quiet --out c", none).code, 0) << "the default style needs none";
 }
 
 TEST_F(Surroundings, WithTooLittleMemoryForOpenGlItSaysSoAndDoesNotHang)
@@ -103,7 +105,7 @@ TEST_F(Surroundings, WithTooLittleMemoryForOpenGlItSaysSoAndDoesNotHang)
     }
     for (const int mebibytes : {150, 300, 500, 900})
     {
-        const Answer answer = run(kSmall + fmt::format("--quiet --out {}", mebibytes),
+        const Answer answer = run(kSmall + fmt::format("--style paper --quiet --out {}", mebibytes),
                                   fmt::format("ulimit -v {}; timeout 100", 1024 * mebibytes));
         EXPECT_TRUE(answer.code == 71 || answer.code == 0)
             << mebibytes << " MiB: " << answer.code << answer.errors;

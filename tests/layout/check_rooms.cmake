@@ -55,7 +55,9 @@ room(render/context ${seen} render/framing)
 room(render/passes ${seen} render/framing render/context)
 room(render/overlay ${seen} render/framing render/context render/passes)
 room(render/layer ${seen} render/framing render/context render/passes render/overlay)
-room(render ${seen} render/framing render/context render/passes render/overlay render/layer)
+room(render/raster ${seen} render/framing render/passes render/overlay render/layer)
+room(render ${seen} render/framing render/context render/passes render/overlay render/layer
+     render/raster)
 
 room(run_file base ${mesh} snapshot)
 room(output base snapshot scene scene/options image)

@@ -13,6 +13,9 @@ namespace
 /// In print, meshes of at most so many triangles have all their edges, as in the paper.
 constexpr std::size_t kCoarse = 5000;
 
+/// Share of the background in the furthest spheres.
+constexpr float kHaze = 0.26F;
+
 /// Heights of triangles between which their edges appear, in widths of a line.
 std::array<float, 2> edgeFade(EdgeLines edges)
 {
@@ -42,7 +45,7 @@ MeshStrokes strokesFor(const RenderSettings& settings)
             {from * width, to * width}};
 }
 
-SphereUniforms uniformsOf(const Framing& framing, const PictureSize& size)
+SphereUniforms uniformsOf(const Framing& framing, const PictureSize& size, Look look)
 {
     SphereUniforms uniforms;
     uniforms.view = framing.view;
@@ -53,6 +56,7 @@ SphereUniforms uniformsOf(const Framing& framing, const PictureSize& size)
         0.5F * static_cast<float>(framing.projection[1][1]) * static_cast<float>(size.height);
     uniforms.heightPlane = framing.heightPlane;
     uniforms.distancePlane = framing.distancePlane;
+    uniforms.haze = look == Look::paper ? 0 : kHaze;
     return uniforms;
 }
 

@@ -17,9 +17,6 @@ namespace frostfill
 namespace
 {
 
-/// Share of the background in the furthest spheres.
-constexpr float kHaze = 0.26F;
-
 /// Towards the studio's lamp, before it is raised a little, where the camera stands at first.
 const glm::dvec3 kLamp(-0.50, 0.50, 0.72);
 constexpr float kRaised = 0.4F;
@@ -142,8 +139,7 @@ void ScenePainter::uploadSwatches()
 void ScenePainter::setView(const Framing& framing)
 {
     framing_ = framing;
-    uniforms_ = uniformsOf(framing, size_);
-    uniforms_.haze = style_.look == Look::paper ? 0 : kHaze;
+    uniforms_ = uniformsOf(framing, size_, style_.look);
     const glm::mat3 toEye(framing.view);
     uniforms_.lamp = toEye * lamp_;
     uniforms_.above = toEye * up_;

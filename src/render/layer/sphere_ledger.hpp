@@ -14,6 +14,9 @@
 namespace frostfill
 {
 
+/// Nearest first pays from so many spheres at rest: only then are many of them found hidden.
+inline constexpr std::size_t kSortFrom = 2000;
+
 /// The spheres of the last snapshot in the order in which they are drawn: those at rest first, in
 /// the order in which they came to rest, then those that run, by id. Where two surfaces have the
 /// same depth the one that is drawn first stays, so that pictures depend on the order; and it has

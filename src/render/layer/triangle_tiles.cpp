@@ -16,9 +16,6 @@ namespace frostfill
 namespace
 {
 
-/// Edge of a tile. [pixel]
-constexpr int kTile = 32;
-
 /// Around a triangle, so that a pixel of which only a sample is covered counts. [pixel]
 constexpr double kMargin = 1.5;
 

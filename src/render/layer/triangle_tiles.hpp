@@ -19,6 +19,15 @@ class TriangleTiles
 public:
     TriangleTiles(const ShadedMesh& mesh, const Framing& framing, const PictureSize& size);
 
+    /// Edge of a tile. [pixel]
+    static constexpr int kTile = 32;
+    /// Those that may be seen in a tile, ascending; tiles count from the lower left corner.
+    [[nodiscard]] std::span<const std::uint32_t> inTile(int column, int row) const
+    {
+        const auto tile = static_cast<std::size_t>(row * columns_ + column);
+        return std::span(triangles_).subspan(starts_[tile], starts_[tile + 1] - starts_[tile]);
+    }
+
     /// A part of the picture, down to a window depth. It may reach beyond the picture.
     struct Part
     {

@@ -34,20 +34,19 @@ std::vector<Vertex> verticesOf(const ShadedMesh& mesh)
     return vertices;
 }
 
-/// Darker than the surface on a light ground, lighter on a dark one.
-glm::vec3 inkFor(const Colour& surface, const Colour& background)
-{
-    const glm::vec3 own(toVector(surface));
-    const bool dark = background[3] > 127 && background[0] + background[1] + background[2] < 3 * 96;
-    return dark ? glm::mix(own, glm::vec3(1), 0.12F) : 0.38F * own;
-}
-
 const void* offset(std::size_t bytes)
 {
     return reinterpret_cast<const void*>(bytes);
 }
 
 } // namespace
+
+glm::vec3 inkFor(const Colour& surface, const Colour& background)
+{
+    const glm::vec3 own(toVector(surface));
+    const bool dark = background[3] > 127 && background[0] + background[1] + background[2] < 3 * 96;
+    return dark ? glm::mix(own, glm::vec3(1), 0.12F) : 0.38F * own;
+}
 
 MeshBuffer::MeshBuffer(const GlFunctions& gl, const ShadedMesh& mesh,
                        const std::vector<std::array<std::uint8_t, 3>>& edgeStrengths)

@@ -59,6 +59,9 @@ struct MeshStrokes
                                             ///< the other
 };
 
+/// Of lines: darker than the surface on a light ground, lighter on a dark one.
+[[nodiscard]] glm::vec3 inkFor(const Colour& surface, const Colour& background);
+
 /// The program that draws the shell.
 class MeshPass
 {

@@ -34,8 +34,8 @@ struct EnumNames<Motion>
 template <>
 struct EnumNames<Backend>
 {
-    static constexpr std::array<const char*, 6> kNames = {
-        "auto", "osmesa", "egl", "egl-hardware", "egl-software", "egl-surfaceless"};
+    static constexpr std::array<const char*, 7> kNames = {
+        "auto", "osmesa", "egl", "egl-hardware", "egl-software", "egl-surfaceless", "builtin"};
 };
 template <>
 struct EnumNames<ColourBy>

@@ -140,7 +140,7 @@ void addPicture(TableBuilder& table)
     table.add("picture.background", "--background", "Colour of the background",
               FROSTFILL_FIELD(style.palette.background));
     table.add("picture.backend", "--backend",
-              "OpenGL to draw with; auto: OSMesa, or EGL if there is none",
+              "what draws; auto: builtin, for styles that it lacks OSMesa, or EGL if there is none",
               FROSTFILL_FIELD(backend));
 }
 

@@ -74,6 +74,34 @@ TEST_F(Backends, EglDrawsTheBytesOfOsmesaOnTheSameMesa)
     }
 }
 
+// Lines and corners on a boundary between pixels may fall to either side; all else may be rounded
+// differently.
+TEST_F(Backends, TheBuiltInOneDrawsThePicturesOfOsmesa)
+{
+    std::string driver;
+    for (const bool orthographic : {false, true})
+    {
+        for (const int samples : {1, 4})
+        {
+            settings.camera.orthographic = orthographic;
+            settings.samples = samples;
+            const Image reference = draw(Backend::osmesa, driver);
+            const Image image = draw(Backend::builtin, driver);
+            const ImageDifference difference = compareImages(reference, image);
+            EXPECT_LT(difference.rootMeanSquare, 2) << orthographic << ", " << samples;
+            EXPECT_LT(difference.pixelsApart, image.pixels.size() / 3 / 500)
+                << orthographic << ", " << samples;
+        }
+    }
+}
+
+TEST_F(Backends, TheBuiltInOneRefusesStylesThatItDoesNotHave)
+{
+    settings.backend = Backend::builtin;
+    settings.style.look = Look::studio;
+    EXPECT_THROW(Renderer(mesh, settings), Error);
+}
+
 TEST_F(Backends, ContextsOfTwoLibrariesTakeTurnsInOneThread)
 {
     if (!hasEgl())

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "render/raster/sample_tile.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+// Several pixels at once, in vectors of the compiler's own: as a register of AVX2 or two of any
+// x86-64 processor, whichever the function is compiled for. No product is fused with a sum, so that
+// both give the same bits. What is declared here has to be inlined into such a function.
+
+#define FROSTFILL_INLINE inline __attribute__((always_inline))
+
+#if defined(__x86_64__)
+#define FROSTFILL_AVX2 __attribute__((target("avx2")))
+#define FROSTFILL_HAS_AVX2 (__builtin_cpu_supports("avx2") != 0)
+#else
+#define FROSTFILL_AVX2
+#define FROSTFILL_HAS_AVX2 false
+#endif
+
+namespace frostfill::lanes
+{
+
+using Floats = float __attribute__((vector_size(4 * kLanes)));
+using Words = std::uint32_t __attribute__((vector_size(4 * kLanes)));
+using Mask = std::int32_t __attribute__((vector_size(4 * kLanes))); ///< all bits, or none
+
+FROSTFILL_INLINE Floats all(float value)
+{
+    return Floats{} + value;
+}
+
+template <class To, class From>
+FROSTFILL_INLINE To load(const From* from)
+{
+    To result;
+    std::memcpy(&result, from, sizeof(result));
+    return result;
+}
+
+template <class From, class To>
+FROSTFILL_INLINE void store(const From& from, To* to)
+{
+    std::memcpy(to, &from, sizeof(from));
+}
+
+FROSTFILL_INLINE Words chosen(Mask mask, Words a, Words b)
+{
+    const auto bits = reinterpret_cast<Words>(mask);
+    return (a & bits) | (b & ~bits);
+}
+
+FROSTFILL_INLINE Floats chosen(Mask mask, Floats a, Floats b)
+{
+    return reinterpret_cast<Floats>(
+        chosen(mask, reinterpret_cast<Words>(a), reinterpret_cast<Words>(b)));
+}
+
+FROSTFILL_INLINE bool any(Mask mask)
+{
+    std::array<std::uint64_t, kLanes / 2> words;
+    std::memcpy(words.data(), &mask, sizeof(words));
+    return (words[0] | words[1] | words[2] | words[3]) != 0;
+}
+
+FROSTFILL_INLINE Floats least(Floats a, Floats b)
+{
+    return chosen(a < b, a, b);
+}
+
+FROSTFILL_INLINE Floats most(Floats a, Floats b)
+{
+    return chosen(a > b, a, b);
+}
+
+FROSTFILL_INLINE Floats least(Floats a, float b)
+{
+    return least(a, all(b));
+}
+
+FROSTFILL_INLINE Floats most(Floats a, float b)
+{
+    return most(a, all(b));
+}
+
+FROSTFILL_INLINE Floats clamped(Floats value)
+{
+    return least(most(value, 0), 1);
+}
+
+FROSTFILL_INLINE Floats root(Floats value)
+{
+    Floats result;
+    for (int i = 0; i < kLanes; ++i)
+    {
+        result[i] = std::sqrt(value[i]);
+    }
+    return result;
+}
+
+/// As GLSL has it.
+FROSTFILL_INLINE Floats smoothstep(float from, float to, Floats value)
+{
+    const Floats t = clamped((value - from) * (1 / (to - from)));
+    return t * t * (3 - 2 * t);
+}
+
+/// To the nearest number in 0..255.
+FROSTFILL_INLINE Words byteOf(Floats value)
+{
+    return reinterpret_cast<Words>(
+        __builtin_convertvector(least(most(value, 0), 255) + 0.5F, Mask));
+}
+
+/// 0, 1 and so on.
+FROSTFILL_INLINE Floats counted()
+{
+    return Floats{0, 1, 2, 3, 4, 5, 6, 7};
+}
+
+/// Light on a surface; common.glsl has the same.
+template <class Up, class Key, class Fill, class Back>
+FROSTFILL_INLINE Floats lightOf(const Up& up, const Key& key, const Fill& fill, const Back& back)
+{
+    return 0.56F + 0.13F * up + 0.50F * most(key, 0) + 0.16F * most(fill, 0) + 0.5F * most(back, 0);
+}
+
+} // namespace frostfill::lanes

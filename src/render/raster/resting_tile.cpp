@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+#include "render/raster/resting_tile.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+namespace frostfill
+{
+namespace
+{
+
+/// Pixels that are drawn before what they hide is looked for, which takes as long as to draw some
+/// tens of them.
+constexpr std::int64_t kBatch = 400;
+
+void fill(SampleTile& tile, const PixelRectangle& pixels, std::uint32_t background)
+{
+    for (std::size_t k = 0; k < kMostTileSamples; ++k)
+    {
+        for (int y = pixels.bottom; y < pixels.top; ++y)
+        {
+            const int first = y * kTileEdge + pixels.left;
+            std::fill_n(tile.nearness[k].begin() + first, pixels.width(), kNothing);
+            std::fill_n(tile.colour[k].begin() + first, pixels.width(), background);
+        }
+    }
+}
+
+} // namespace
+
+RestingTile::RestingTile(const Colour& background) : background_(premultiplied(background))
+{
+}
+
+bool RestingTile::lists(std::uint32_t sphere) const
+{
+    const auto place =
+        std::lower_bound(spheres_.begin(), spheres_.end(), sphere,
+                         [](const Listed& a, std::uint32_t index) { return a.index < index; });
+    return place != spheres_.end() && place->index == sphere;
+}
+
+void RestingTile::start(const PixelRectangle& pixels)
+{
+    if (!samples_)
+    {
+        samples_ = std::make_unique<SampleTile>();
+        fill(*samples_, {0, 0, kTileEdge, kTileEdge}, background_);
+        furthest_.fill(kNothing);
+        furthestOfAll_ = kNothing;
+        return;
+    }
+    fill(*samples_, pixels, background_);
+}
+
+void RestingTile::findFurthestAtTimes(std::int64_t drawn)
+{
+    drawn_ += drawn;
+    if (drawn_ < kBatch)
+    {
+        return;
+    }
+    drawn_ = 0;
+    for (std::size_t block = 0; block < furthest_.size(); ++block)
+    {
+        const auto first =
+            static_cast<std::size_t>(kBlock) * (block / kBlocks * kTileEdge + block % kBlocks);
+        std::array<float, kBlock> least;
+        least.fill(std::numeric_limits<float>::max());
+        for (const auto& plane : samples_->nearness)
+        {
+            for (std::size_t y = 0; y < kBlock; ++y)
+            {
+                const float* row = plane.data() + first + y * kTileEdge;
+                for (std::size_t x = 0; x < kBlock; ++x)
+                {
+                    least[x] = row[x] < least[x] ? row[x] : least[x];
+                }
+            }
+        }
+        furthest_[block] = *std::min_element(least.begin(), least.end());
+    }
+    furthestOfAll_ = *std::min_element(furthest_.begin(), furthest_.end());
+}
+
+bool RestingTile::hides(const PlacedSphere& sphere, const TilePart& whole) const
+{
+    const PixelRectangle in = whole.within(sphere.pixels);
+    if (in.empty())
+    {
+        return true;
+    }
+    for (int y = in.bottom / kBlock; samples_ && y <= (in.top - 1) / kBlock; ++y)
+    {
+        for (int x = in.left / kBlock; x <= (in.right - 1) / kBlock; ++x)
+        {
+            if (furthest_[static_cast<std::size_t>(y * kBlocks + x)] < sphere.nearest)
+            {
+                return false;
+            }
+        }
+    }
+    return samples_ != nullptr;
+}
+
+void RestingTile::repaint(const SphereRaster& raster, std::span<const SphereInstance> resting,
+                          std::span<const PlacedSphere> placed, const TilePart& part, bool cull)
+{
+    if (spheres_.empty())
+    {
+        samples_.reset();
+        return;
+    }
+    start(part.pixels);
+    if (cull)
+    {
+        furthest_.fill(kNothing);
+        furthestOfAll_ = kNothing;
+    }
+    drawn_ = 0;
+    std::size_t kept = 0;
+    for (const Listed& listed : spheres_)
+    {
+        const std::uint32_t sphere = listed.index;
+        if (cull && (listed.nearest <= furthestOfAll_ || hides(placed[sphere], part)))
+        {
+            continue;
+        }
+        spheres_[kept++] = listed;
+        raster.draw(resting[sphere], placed[sphere].pixels, part, *samples_);
+        findFurthestAtTimes(cull ? part.within(placed[sphere].pixels).area() : 0);
+    }
+    spheres_.erase(spheres_.begin() + static_cast<std::ptrdiff_t>(kept), spheres_.end());
+}
+
+bool RestingTile::add(const SphereRaster& raster, const SphereInstance& sphere,
+                      const PlacedSphere& placed, std::uint32_t index, const TilePart& whole)
+{
+    if (hides(placed, whole))
+    {
+        return false;
+    }
+    if (!samples_)
+    {
+        start(whole.pixels);
+    }
+    spheres_.push_back({index, placed.nearest});
+    raster.draw(sphere, placed.pixels, whole, *samples_);
+    findFurthestAtTimes(whole.within(placed.pixels).area());
+    return true;
+}
+
+void RestingTile::copyTo(SampleTile& tile, const PixelRectangle& pixels, int samples) const
+{
+    if (!samples_)
+    {
+        fill(tile, pixels, background_);
+        return;
+    }
+    const auto bytes = static_cast<std::size_t>(pixels.width()) * 4;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(samples); ++k)
+    {
+        for (int y = pixels.bottom; y < pixels.top; ++y)
+        {
+            const int first = y * kTileEdge + pixels.left;
+            std::memcpy(tile.nearness[k].data() + first, samples_->nearness[k].data() + first,
+                        bytes);
+            std::memcpy(tile.colour[k].data() + first, samples_->colour[k].data() + first, bytes);
+        }
+    }
+}
+
+} // namespace frostfill

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "render/raster/sample_tile.hpp"
+#include "render/raster/sphere_raster.hpp"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace frostfill
+{
+
+/// Where a sphere may be seen in the picture, and how near it comes.
+struct PlacedSphere
+{
+    PixelRectangle pixels;
+    float nearest = 0;
+};
+
+/// The spheres at rest in one tile, drawn once and kept.
+class RestingTile
+{
+public:
+    explicit RestingTile(const Colour& background);
+
+    /// Forgets all.
+    void clear() { spheres_.clear(); }
+    /// The next of the spheres at rest; it is not drawn yet.
+    void list(std::uint32_t sphere, float nearest) { spheres_.push_back({sphere, nearest}); }
+    [[nodiscard]] bool empty() const { return spheres_.empty(); }
+    [[nodiscard]] bool lists(std::uint32_t sphere) const;
+
+    /// Draws a part anew. With `cull`, spheres that are found to be hidden are not listed any more;
+    /// the part has to be the whole tile then.
+    void repaint(const SphereRaster& raster, std::span<const SphereInstance> resting,
+                 std::span<const PlacedSphere> placed, const TilePart& part, bool cull);
+    /// Lists a sphere and draws it over what is there, unless it is hidden. Returns whether it may
+    /// be seen.
+    bool add(const SphereRaster& raster, const SphereInstance& sphere, const PlacedSphere& placed,
+             std::uint32_t index, const TilePart& whole);
+
+    /// Hidden in this tile by what is at rest.
+    [[nodiscard]] bool hides(const PlacedSphere& sphere, const TilePart& whole) const;
+    /// Copies a part, or the background where nothing lies.
+    void copyTo(SampleTile& tile, const PixelRectangle& pixels, int samples) const;
+
+private:
+    static constexpr int kBlock = 8; ///< edge [pixel]
+    static constexpr int kBlocks = kTileEdge / kBlock;
+
+    /// A sphere, and how near it comes: most are found hidden without another look.
+    struct Listed
+    {
+        std::uint32_t index;
+        float nearest;
+    };
+
+    void start(const PixelRectangle& pixels);
+    void findFurthestAtTimes(std::int64_t drawn);
+
+    std::uint32_t background_;    ///< premultiplied
+    std::vector<Listed> spheres_; ///< that may be seen, ascending
+    std::unique_ptr<SampleTile> samples_;
+    std::int64_t drawn_ = 0; ///< pixels since it was looked for what is hidden
+    std::array<float, kBlocks * kBlocks> furthest_{}; ///< of a block's samples, when last looked at
+    float furthestOfAll_ = kNothing;
+};
+
+} // namespace frostfill

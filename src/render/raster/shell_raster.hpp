@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "render/passes/mesh_pass.hpp"
+#include "render/passes/mesh_shading.hpp"
+#include "render/raster/resting_tile.hpp"
+#include "render/raster/sample_tile.hpp"
+#include "render/raster/sphere_raster.hpp"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace frostfill
+{
+
+/// Draws the shell as mesh.vert and mesh.frag do with FADING_LINES, a sample at a time. A length in
+/// the picture that is the same over most of a triangle is worked out once for it.
+class ShellRaster
+{
+public:
+    /// `mesh` must stay.
+    ShellRaster(const ShadedMesh& mesh, const Palette& palette, const MeshStrokes& strokes,
+                int samples);
+
+    /// `front` is added to what is near without perspective. `edgeOn` draws small triangles as
+    /// densely as if they were seen at a grazing angle.
+    void lookFrom(const SphereUniforms& uniforms, bool orthographic, const PictureSize& size,
+                  std::vector<std::array<std::uint8_t, 3>> edgeStrengths, float front = 0,
+                  bool edgeOn = false);
+    /// Takes the states of the triangles; those beyond the span's end are active. Returns which
+    /// triangles have changed, until the next call.
+    std::span<const std::uint32_t> setStates(std::span<const PolygonState> states);
+
+    /// Around a triangle in the picture.
+    [[nodiscard]] PixelRectangle bounds(std::uint32_t triangle);
+    /// Blends those that turn their backs to the viewer, then those that face the viewer. What
+    /// spheres at rest hide may be left out.
+    void draw(std::span<const std::uint32_t> triangles, const TilePart& part, SampleTile& tile,
+              const RestingTile* resting = nullptr);
+
+    /// How one triangle looks.
+    struct Setup
+    {
+        bool ready = false;
+        bool front = false; ///< faces the viewer
+        bool seen = false;  ///< is not seen edge-on, and not clear
+        bool lines = false; ///< has any
+        PixelRectangle pixels;
+        float nearest = 0; ///< no point of it is nearer; see kNothing
+        /// Distance from each edge: across * x + upwards * y + from, inside positive [pixel].
+        std::array<float, 3> across, upwards, from;
+        std::array<float, 3> least; ///< the distance has to be more; of two triangles at an edge
+                                    ///< one has what lies exactly on it
+        std::array<float, 3> share; ///< barycentric coordinate = share * distance / sum of all
+        std::array<float, 3> near;  ///< nearness = sum of near * distance
+        std::array<glm::vec3, 3> normals; ///< towards the viewer [eye space]
+        bool flat = false;                ///< light and angle are those of the corners, mixed
+        std::array<float, 3> light;       ///< on the corners
+        std::array<float, 3> facing;      ///< cosine of the angle to the viewer at the corners
+        glm::vec3 base;                   ///< colour [0..255]
+        float density = 0, rimDensity = 0;
+        glm::vec3 ink;                 ///< [0..255]
+        std::array<float, 3> strength; ///< of the lines along the edges
+        float contour = 0;             ///< strength of the outline of the smooth surface
+        float pixelsOfFacing = 0;      ///< the length over which facing changes by 1 [pixel]
+        float crease = 0;              ///< strength of others' creases
+        float pixelsOfCrease = 0;
+        std::array<float, 3> creaseDistance;
+    };
+
+private:
+    const Setup& setupOf(std::uint32_t triangle);
+    void place(std::uint32_t triangle, Setup& setup) const;
+    void setStrokes(std::uint32_t triangle, Setup& setup) const;
+
+    const ShadedMesh& mesh_;
+    MeshStrokes strokes_;
+    int samples_;
+    std::array<glm::vec4, 2> colours_; ///< [PolygonState]
+    std::array<glm::vec3, 2> inks_;    ///< [PolygonState]
+    glm::mat4 view_{1};
+    PixelGrid grid_;
+    PictureSize size_;
+    float front_ = 0;
+    bool edgeOn_ = false;
+    std::vector<std::array<std::uint8_t, 3>> edges_; ///< [#T]
+    std::vector<PolygonState> states_;               ///< [#T]
+    std::vector<Setup> setups_;                      ///< [#T] for this camera, once needed
+    std::vector<std::uint32_t> changed_;
+};
+
+} // namespace frostfill

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: MIT
+#include "render/raster/shell_rows.hpp"
+
+#include "render/raster/lanes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace frostfill
+{
+namespace
+{
+
+using namespace lanes;
+using Setup = ShellRaster::Setup;
+using Frame = ShellRows;
+
+/// Both channels of a word times `share` / 255, rounded.
+FROSTFILL_INLINE Words scaled(Words channels, Words share)
+{
+    const Words product = channels * share + 0x00800080U;
+    return ((product + ((product >> 8) & 0x00ff00ffU)) >> 8) & 0x00ff00ffU;
+}
+
+/// Columns of the row, in the tile, at which any sample may be inside; not yet in whole lanes.
+FROSTFILL_INLINE std::array<int, 2> columnsOf(const Setup& s,
+                                              const std::array<float, 3>& overAcross, float left,
+                                              float y, int first, int end)
+{
+    auto low = static_cast<float>(first);
+    auto high = static_cast<float>(end);
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+        // A sample is at most 0.4 pixels from the middle; the distances have a slope of 1.
+        const float atLeft = s.across[i] * (left + 0.5F) + s.upwards[i] * y + s.from[i] + 0.6F;
+        if (s.across[i] > 1e-6F)
+        {
+            low = std::max(low, -atLeft * overAcross[i]);
+        }
+        else if (s.across[i] < -1e-6F)
+        {
+            high = std::min(high, -atLeft * overAcross[i] + 1);
+        }
+        else if (atLeft < 0)
+        {
+            high = low;
+        }
+    }
+    return low < high ? std::array{static_cast<int>(low), static_cast<int>(std::ceil(high))}
+                      : std::array{0, 0};
+}
+
+struct Film
+{
+    Floats share;
+    Floats light;
+};
+
+/// The light on a point of the film, and how far it faces the viewer, from the normal there.
+FROSTFILL_INLINE Floats curved(const Setup& s, const Frame& f, Floats x, float y, Floats b0,
+                               Floats b1, Floats b2, Floats& facing)
+{
+    const Floats nx = b0 * s.normals[0].x + b1 * s.normals[1].x + b2 * s.normals[2].x;
+    const Floats ny = b0 * s.normals[0].y + b1 * s.normals[1].y + b2 * s.normals[2].y;
+    const Floats nz = b0 * s.normals[0].z + b1 * s.normals[1].z + b2 * s.normals[2].z;
+    const Floats length = 1 / root(most(nx * nx + ny * ny + nz * nz, 1e-12F));
+    const Floats rayX = f.left + f.perColumn * x;
+    const float rayY = f.bottom + f.perRow * y;
+    const Floats towards =
+        (nz - nx * rayX - ny * rayY) * length / root(rayX * rayX + (1 + rayY * rayY));
+    facing = most(towards, -towards);
+    const auto along = [&](float ofX, float ofY, float ofZ) __attribute__((always_inline))
+    {
+        return (nx * ofX + ny * ofY + nz * ofZ) * length;
+    };
+    return 0.55F + 0.45F * lightOf(ny * length, along(-0.424F, 0.636F, 0.645F),
+                                   along(0.802F, 0.134F, 0.582F), along(0.258F, 0.602F, -0.756F));
+}
+
+/// Of the film: how much it covers and the light on it; and how much its lines cover.
+template <bool lines>
+FROSTFILL_INLINE std::pair<Film, Floats> filmAndLine(const Setup& s, const Frame& f, Floats x,
+                                                     float y, Floats d0, Floats d1, Floats d2)
+{
+    const Floats l0 = s.share[0] * d0;
+    const Floats l1 = s.share[1] * d1;
+    const Floats l2 = s.share[2] * d2;
+    const Floats over = 1 / most(l0 + l1 + l2, 1e-12F);
+    const Floats b0 = l0 * over;
+    const Floats b1 = l1 * over;
+    const Floats b2 = l2 * over;
+    Film film;
+    Floats facing;
+    if (s.flat)
+    {
+        facing = b0 * s.facing[0] + b1 * s.facing[1] + b2 * s.facing[2];
+        facing = most(facing, -facing);
+        film.light = b0 * s.light[0] + b1 * s.light[1] + b2 * s.light[2];
+    }
+    else
+    {
+        film.light = curved(s, f, x, y, b0, b1, b2, facing);
+    }
+    film.share = least(s.density + s.rimDensity * ((1 - facing) * (1 - facing)), 0.85F);
+    if constexpr (!lines)
+    {
+        return {film, Floats{}};
+    }
+    const float reach = f.lineWidth + 0.5F;
+    Floats line =
+        most(s.strength[0] * clamped(reach - d0),
+             most(s.strength[1] * clamped(reach - d1), s.strength[2] * clamped(reach - d2)));
+    if (s.contour > 0 || s.crease > 0)
+    {
+        const Floats contour = s.contour * (1 - smoothstep(0.3F, 0.5F, facing)) *
+                               clamped(reach - 0.5F * facing * s.pixelsOfFacing);
+        const Floats off =
+            b0 * s.creaseDistance[0] + b1 * s.creaseDistance[1] + b2 * s.creaseDistance[2];
+        const Floats creased =
+            s.crease * (1 - smoothstep(0.6F, 0.9F, off)) * clamped(reach - off * s.pixelsOfCrease);
+        line = most(line, most(contour, creased));
+    }
+    film.share *= 1 - line;
+    return {film, line};
+}
+
+template <int samples, bool lines>
+FROSTFILL_INLINE void drawRows(const Setup& setup, const Frame& frame, const PixelRectangle& rows,
+                               const TilePart& part, SampleTile& tile)
+{
+    const Setup s = setup; // so that the tile cannot be part of it
+    const Frame f = frame;
+    float nearX = 0;
+    float nearY = 0;
+    std::array<std::array<float, samples>, 3> edgeAt;
+    std::array<float, samples> nearAt;
+    std::array<float, 3> overAcross;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+        overAcross[i] = 1 / s.across[i];
+        nearX += s.near[i] * s.across[i];
+        nearY += s.near[i] * s.upwards[i];
+    }
+    for (std::size_t k = 0; k < samples; ++k)
+    {
+        const SampleOffset at = samples > 1 ? kFourSamples[k] : SampleOffset{};
+        nearAt[k] = nearX * at.x + nearY * at.y;
+        for (std::size_t i = 0; i < 3; ++i)
+        {
+            edgeAt[i][k] = s.across[i] * at.x + s.upwards[i] * at.y;
+        }
+    }
+    for (int y = rows.bottom; y < rows.top; ++y)
+    {
+        const float yAt = static_cast<float>(part.bottom + y) + 0.5F;
+        const auto [from, to] =
+            columnsOf(s, overAcross, static_cast<float>(part.left), yAt, rows.left, rows.right);
+        for (int x = from & ~(kLanes - 1); x < to; x += kLanes)
+        {
+            const Floats xAt = static_cast<float>(part.left + x) + 0.5F + counted();
+            const Floats d0 = s.across[0] * xAt + (s.upwards[0] * yAt + s.from[0]);
+            const Floats d1 = s.across[1] * xAt + (s.upwards[1] * yAt + s.from[1]);
+            const Floats d2 = s.across[2] * xAt + (s.upwards[2] * yAt + s.from[2]);
+            const Floats isNear = s.near[0] * d0 + s.near[1] * d1 + s.near[2] * d2;
+            const std::size_t at = static_cast<std::size_t>(y * kTileEdge + x);
+            std::array<Words, samples> seen;
+            Mask seenAtAll{};
+            for (std::size_t k = 0; k < samples; ++k)
+            {
+                const Mask is = (d0 + edgeAt[0][k] > s.least[0]) &
+                                (d1 + edgeAt[1][k] > s.least[1]) &
+                                (d2 + edgeAt[2][k] > s.least[2]) &
+                                (isNear + nearAt[k] > load<Floats>(tile.nearness[k].data() + at));
+                seen[k] = reinterpret_cast<Words>(is);
+                seenAtAll |= is;
+            }
+            if (!any(seenAtAll))
+            {
+                continue;
+            }
+            const auto filmWithLine = filmAndLine<lines>(s, f, xAt, yAt, d0, d1, d2);
+            const Film& film = filmWithLine.first;
+            const Floats line = filmWithLine.second;
+            const Words alpha = byteOf(255 * (film.share + line));
+            const Floats limit = __builtin_convertvector(reinterpret_cast<Mask>(alpha), Floats);
+            const Floats lit = film.share * film.light;
+            const auto channel = [&](float base, float ink) __attribute__((always_inline))
+            {
+                return byteOf(least(base * lit + ink * line, limit));
+            };
+            const Words redBlue = channel(s.base.r, s.ink.r) | channel(s.base.b, s.ink.b) << 16;
+            const Words greenAlpha = channel(s.base.g, s.ink.g) | alpha << 16;
+            for (std::size_t k = 0; k < samples; ++k)
+            {
+                // What is not seen is clear.
+                std::uint32_t* shown = tile.colour[k].data() + at;
+                const Words left = 255 - (alpha & seen[k]);
+                const auto below = load<Words>(shown);
+                store((scaled(below & 0x00ff00ffU, left) + (redBlue & seen[k])) |
+                          (scaled((below >> 8) & 0x00ff00ffU, left) + (greenAlpha & seen[k])) << 8,
+                      shown);
+            }
+        }
+    }
+}
+
+FROSTFILL_INLINE void drawAny(int samples, const Setup& setup, const Frame& frame,
+                              const PixelRectangle& rows, const TilePart& part, SampleTile& tile)
+{
+    if (samples > 1)
+    {
+        setup.lines ? drawRows<kMostTileSamples, true>(setup, frame, rows, part, tile)
+                    : drawRows<kMostTileSamples, false>(setup, frame, rows, part, tile);
+    }
+    else
+    {
+        setup.lines ? drawRows<1, true>(setup, frame, rows, part, tile)
+                    : drawRows<1, false>(setup, frame, rows, part, tile);
+    }
+}
+
+FROSTFILL_AVX2 void drawAvx2(int samples, const Setup& setup, const Frame& frame,
+                             const PixelRectangle& rows, const TilePart& part, SampleTile& tile)
+{
+    drawAny(samples, setup, frame, rows, part, tile);
+}
+
+void drawPlain(int samples, const Setup& setup, const Frame& frame, const PixelRectangle& rows,
+               const TilePart& part, SampleTile& tile)
+{
+    drawAny(samples, setup, frame, rows, part, tile);
+}
+
+} // namespace
+
+void drawShellRows(int samples, const ShellRaster::Setup& setup, const ShellRows& frame,
+                   const PixelRectangle& rows, const TilePart& part, SampleTile& tile)
+{
+    static const bool avx2 = FROSTFILL_HAS_AVX2;
+    (avx2 ? drawAvx2 : drawPlain)(samples, setup, frame, rows, part, tile);
+}
+
+} // namespace frostfill

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "render/raster/sample_tile.hpp"
+#include "render/raster/shell_raster.hpp"
+
+namespace frostfill
+{
+
+/// What the loops need beside the triangle. The ray through (x, y) is (left + perColumn * x, bottom
+/// + perRow * y, -1).
+struct ShellRows
+{
+    float left, bottom, perColumn, perRow;
+    float lineWidth;
+};
+
+/// Blends a triangle over these rows of a tile.
+void drawShellRows(int samples, const ShellRaster::Setup& setup, const ShellRows& frame,
+                   const PixelRectangle& rows, const TilePart& part, SampleTile& tile);
+
+} // namespace frostfill

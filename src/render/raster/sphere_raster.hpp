@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "render/passes/sphere_pass.hpp"
+#include "render/raster/sample_tile.hpp"
+
+#include <array>
+#include <span>
+
+namespace frostfill
+{
+
+/// From pixels to what is seen there. Of the point where pixel (x, y) meets the plane at distance 1
+/// ahead, or without perspective of the place itself: left + perColumn * x, bottom + perRow * y.
+struct PixelGrid
+{
+    bool orthographic = false;
+    float left = 0;
+    float bottom = 0;
+    float perColumn = 0;
+    float perRow = 0;
+};
+
+[[nodiscard]] PixelGrid pixelGrid(const glm::mat4& projection, bool orthographic,
+                                  const PictureSize& size);
+
+/// Draws spheres as sphere.vert and sphere.frag do, which have the mathematics. As there, depth and
+/// colour are those of a pixel's middle for all its samples.
+class SphereRaster
+{
+public:
+    /// `background` is the palette's; `front` is added to what is near without perspective.
+    SphereRaster(const SphereUniforms& uniforms, bool orthographic, const PictureSize& size,
+                 const Colour& background, int samples, float front = 0);
+
+    /// `pixels` is around it in the picture.
+    void draw(const SphereInstance& sphere, const PixelRectangle& pixels, const TilePart& part,
+              SampleTile& tile) const;
+
+    /// No point of it is nearer; see kNothing.
+    [[nodiscard]] float nearest(const SphereInstance& sphere) const;
+
+    /// What is the same over one sphere. Let dx, dy be pixels from its middle. With D the ray, C
+    /// the centre, R and A unit vectors to the right and above in the plane of the circle:
+    struct Setup
+    {
+        float x, y;                  ///< its middle in the picture [pixel]
+        float acrossX;               ///< K D.R = acrossX dx
+        float aboveX, aboveY;        ///< K D.A = aboveX dx + aboveY dy
+        float along, alongX, alongY; ///< D.C = along + alongX dx + alongY dy
+        float steepness;             ///< e; 0 without perspective
+        float nearScale, rise;       ///< nearness = q + (q e + rise) w, q = D.C nearScale
+        /// Of the normal's product with what it is compared with: for (e + w) t, for the two
+        /// coordinates on the circle times t, where t = 1 / (1 + e w).
+        struct Slope
+        {
+            float axis, right, above;
+        };
+        Slope up, key, fill, back, highlight;
+        std::array<float, 3> tint;                                      ///< [0..255]
+        std::array<float, 3> haze;                                      ///< [0..255]
+        float gloss, ring, hatch;                                       ///< strengths of the marks
+        float pixel;                                                    ///< in its radius
+        std::array<float, kMostTileSamples> acrossAt, aboveAt, alongAt; ///< from a pixel's middle
+    };
+
+private:
+    bool setUp(const SphereInstance& sphere, Setup& setup) const;
+    void setColours(const SphereInstance& sphere, const glm::vec3& centre, Setup& setup) const;
+
+    SphereUniforms uniforms_;
+    PixelGrid grid_;
+    glm::vec3 background_; ///< [0..1] premultiplied
+    int samples_;
+    float front_;
+};
+
+} // namespace frostfill

@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: MIT
+#include "render/raster/tile_pipeline.hpp"
+
+#include "render/layer/painter_settings.hpp"
+#include "render/raster/resolve.hpp"
+
+#include <frostfill/error.hpp>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace frostfill
+{
+namespace
+{
+
+/// Longest edge of a picture, as OpenGL has it here.
+constexpr int kLongestEdge = 16384;
+
+} // namespace
+
+bool TilePipeline::draws(const RenderSettings& settings)
+{
+    const Style& style = settings.style;
+    return (style.look == Look::clean || style.look == Look::dark) &&
+           style.cutaway.kind == Cutaway::Kind::none && !style.ambientOcclusion;
+}
+
+TilePipeline::TilePipeline(const TriangleMesh& mesh, const RenderSettings& settings)
+    : viewpoint_(mesh, settings), size_(settings.size),
+      samples_(settings.samples > 1 ? kMostTileSamples : 1),
+      columns_((size_.width + kTileEdge - 1) / kTileEdge),
+      rows_((size_.height + kTileEdge - 1) / kTileEdge)
+{
+    if (size_.width > kLongestEdge || size_.height > kLongestEdge)
+    {
+        throw Error(ErrorCode::usage,
+                    fmt::format("a picture of {}x{} pixels cannot be drawn: each edge must be "
+                                "between 1 and {} pixels",
+                                size_.width, size_.height, kLongestEdge));
+    }
+    const auto count = static_cast<std::size_t>(columns_ * rows_);
+    tiles_.reserve(count);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        tiles_.push_back({RestingTile(settings.style.palette.background), {}, {}});
+    }
+    if (settings.style.shell)
+    {
+        addShell(mesh);
+    }
+    if (viewpoint_.legend().visible())
+    {
+        swatches_ = std::make_unique<SwatchRaster>(viewpoint_, samples_);
+    }
+    useFraming();
+}
+
+void TilePipeline::addShell(const TriangleMesh& mesh)
+{
+    std::vector<glm::vec3> positions;
+    positions.reserve(mesh.vertices.size());
+    for (const Eigen::Vector3d& vertex : mesh.vertices)
+    {
+        positions.emplace_back(viewpoint_.framing().toUnit(vertex));
+    }
+    shaded_ = shadeMesh(mesh, positions, true);
+    shell_ = std::make_unique<ShellRaster>(shaded_, shellPalette(viewpoint_.settings().style),
+                                           strokesFor(viewpoint_.settings()), samples_);
+}
+
+void TilePipeline::lookFrom(const Camera& camera)
+{
+    viewpoint_.lookFrom(camera);
+    useFraming();
+}
+
+void TilePipeline::turn(double degrees)
+{
+    if (viewpoint_.turn(degrees))
+    {
+        useFraming();
+    }
+}
+
+void TilePipeline::useFraming()
+{
+    const Framing& framing = viewpoint_.framing();
+    const Style& style = viewpoint_.settings().style;
+    const SphereUniforms uniforms = uniformsOf(framing, size_, style.look);
+    raster_.emplace(uniforms, framing.orthographic, size_, style.palette.background, samples_);
+    projector_.emplace(framing, size_);
+    if (shell_)
+    {
+        shell_->lookFrom(uniforms, framing.orthographic, size_,
+                         edgeStrengths(shaded_, glm::vec3(framing.eye), framing.orthographic));
+        triangles_.emplace(shaded_, framing, size_);
+    }
+    stale_ = true;
+}
+
+TilePart TilePipeline::part(std::size_t tile) const
+{
+    const auto columns = static_cast<std::size_t>(columns_);
+    return {static_cast<int>(tile % columns) * kTileEdge,
+            static_cast<int>(tile / columns) * kTileEdge,
+            {0, 0, kTileEdge, kTileEdge}};
+}
+
+template <typename Visit>
+void TilePipeline::eachTile(const PixelRectangle& pixels, Visit visit) const
+{
+    const PixelRectangle inside = common(pixels, {0, 0, size_.width, size_.height});
+    if (inside.empty())
+    {
+        return;
+    }
+    for (int y = inside.bottom / kTileEdge; y <= (inside.top - 1) / kTileEdge; ++y)
+    {
+        for (int x = inside.left / kTileEdge; x <= (inside.right - 1) / kTileEdge; ++x)
+        {
+            visit(static_cast<std::size_t>(y * columns_ + x));
+        }
+    }
+}
+
+void TilePipeline::markDirty(const PixelRectangle& pixels)
+{
+    eachTile(pixels, [&](std::size_t tile)
+             { tiles_[tile].dirty = around(tiles_[tile].dirty, part(tile).within(pixels)); });
+}
+
+PlacedSphere TilePipeline::place(const SphereInstance& sphere) const
+{
+    return {projector_->project(sphere).pixels, raster_->nearest(sphere)};
+}
+
+const std::vector<PixelRectangle>& TilePipeline::draw(const Snapshot& snapshot, Image& image)
+{
+    if (viewpoint_.follow(snapshot))
+    {
+        useFraming();
+    }
+    const bool layer = viewpoint_.settings().staticLayer;
+    const SphereLedger::Changes& changes =
+        ledger_.update(snapshot, viewpoint_.framing(), viewpoint_.colours());
+    const bool startAgain = stale_ || changes.everything;
+    if (startAgain && ledger_.resting().size() >= kSortFrom)
+    {
+        ledger_.sortFrontToBack(viewpoint_.framing());
+    }
+    if (shell_)
+    {
+        for (const std::uint32_t triangle : shell_->setStates(snapshot.polygons))
+        {
+            markDirty(shell_->bounds(triangle));
+        }
+    }
+    stale_ = false;
+    if (startAgain || !layer)
+    {
+        rebuild();
+    }
+    else
+    {
+        repaintResting(changes.recoloured);
+        addArrivals(changes.firstArrival);
+    }
+    placeRunning();
+
+    image.width = size_.width;
+    image.height = size_.height;
+    image.channels = viewpoint_.settings().style.palette.background[3] < 255 ? 4 : 3;
+    image.pixels.resize(static_cast<std::size_t>(image.width * image.height) *
+                        static_cast<std::size_t>(image.channels));
+    parts_.clear();
+    for (std::size_t tile = 0; tile < tiles_.size(); ++tile)
+    {
+        if (!tiles_[tile].dirty.empty())
+        {
+            compose(tile, image);
+        }
+    }
+    return parts_;
+}
+
+void TilePipeline::rebuild()
+{
+    const bool cull = viewpoint_.settings().staticLayer;
+    const auto resting = ledger_.resting();
+    for (Tile& tile : tiles_)
+    {
+        tile.resting.clear();
+    }
+    placed_.clear();
+    placed_.reserve(resting.size());
+    for (std::uint32_t i = 0; i < resting.size(); ++i)
+    {
+        placed_.push_back(place(resting[i]));
+        const PlacedSphere& placed = placed_.back();
+        eachTile(placed.pixels,
+                 [&](std::size_t tile) { tiles_[tile].resting.list(i, placed.nearest); });
+    }
+    for (std::size_t tile = 0; tile < tiles_.size(); ++tile)
+    {
+        const TilePart whole = part(tile);
+        tiles_[tile].resting.repaint(*raster_, resting, placed_, whole, cull);
+        tiles_[tile].dirty = whole.pixels;
+    }
+}
+
+void TilePipeline::repaintResting(std::span<const std::size_t> recoloured)
+{
+    for (const std::size_t sphere : recoloured)
+    {
+        eachTile(placed_[sphere].pixels,
+                 [&](std::size_t tile)
+                 {
+                     RestingTile& resting = tiles_[tile].resting;
+                     if (resting.lists(static_cast<std::uint32_t>(sphere)))
+                     {
+                         TilePart changed = part(tile);
+                         changed.pixels = changed.within(placed_[sphere].pixels);
+                         resting.repaint(*raster_, ledger_.resting(), placed_, changed, false);
+                         tiles_[tile].dirty = around(tiles_[tile].dirty, changed.pixels);
+                     }
+                 });
+    }
+}
+
+void TilePipeline::addArrivals(std::size_t first)
+{
+    const auto resting = ledger_.resting();
+    for (std::size_t i = first; i < resting.size(); ++i)
+    {
+        placed_.push_back(place(resting[i]));
+        const PlacedSphere& placed = placed_.back();
+        eachTile(placed.pixels,
+                 [&](std::size_t tile)
+                 {
+                     const TilePart whole = part(tile);
+                     if (tiles_[tile].resting.add(*raster_, resting[i], placed,
+                                                  static_cast<std::uint32_t>(i), whole))
+                     {
+                         tiles_[tile].dirty =
+                             around(tiles_[tile].dirty, whole.within(placed.pixels));
+                     }
+                 });
+    }
+}
+
+void TilePipeline::placeRunning()
+{
+    for (const PlacedSphere& before : running_)
+    {
+        eachTile(before.pixels,
+                 [&](std::size_t tile)
+                 {
+                     Tile& own = tiles_[tile];
+                     if (!own.running.empty()) // it was seen here
+                     {
+                         own.dirty = around(own.dirty, part(tile).within(before.pixels));
+                     }
+                 });
+    }
+    for (const PlacedSphere& before : running_)
+    {
+        eachTile(before.pixels, [&](std::size_t tile) { tiles_[tile].running.clear(); });
+    }
+    running_.clear();
+    for (const SphereInstance& sphere : ledger_.running())
+    {
+        const auto index = static_cast<std::uint32_t>(running_.size());
+        running_.push_back(place(sphere));
+        const PlacedSphere& now = running_.back();
+        eachTile(now.pixels,
+                 [&](std::size_t tile)
+                 {
+                     Tile& own = tiles_[tile];
+                     const TilePart whole = part(tile);
+                     if (!own.resting.hides(now, whole))
+                     {
+                         own.running.push_back(index);
+                         own.dirty = around(own.dirty, whole.within(now.pixels));
+                     }
+                 });
+    }
+}
+
+void TilePipeline::compose(std::size_t tile, Image& image)
+{
+    Tile& own = tiles_[tile];
+    TilePart dirty = part(tile);
+    dirty.pixels = own.dirty;
+    own.dirty = {};
+    own.resting.copyTo(work_, dirty.pixels, samples_);
+    for (const std::uint32_t sphere : own.running)
+    {
+        raster_->draw(ledger_.running()[sphere], running_[sphere].pixels, dirty, work_);
+    }
+    if (shell_)
+    {
+        const auto columns = static_cast<std::size_t>(columns_);
+        shell_->draw(
+            triangles_->inTile(static_cast<int>(tile % columns), static_cast<int>(tile / columns)),
+            dirty, work_, viewpoint_.settings().staticLayer ? &own.resting : nullptr);
+    }
+    const PixelRectangle& pixels = dirty.pixels;
+    const PixelRectangle inPicture = {dirty.left + pixels.left, dirty.bottom + pixels.bottom,
+                                      std::min(dirty.left + pixels.right, size_.width),
+                                      std::min(dirty.bottom + pixels.top, size_.height)};
+    if (swatches_ && swatches_->pixels().overlaps(inPicture))
+    {
+        swatches_->draw(dirty, work_);
+    }
+    if (!inPicture.empty())
+    {
+        resolve(work_, dirty, samples_, image);
+        parts_.push_back(inPicture);
+    }
+}
+
+} // namespace frostfill
