@@ -19,6 +19,7 @@ Command addFillCommand(CLI::App& program);
 Command addFpsCommand(CLI::App& program);
 Command addMeshCommand(CLI::App& program);
 Command addDoctorCommand(CLI::App& program);
+Command addRenderCommand(CLI::App& program);
 Command addOptionsCommand(CLI::App& program);
 
 } // namespace frostfill

@@ -79,6 +79,7 @@ set(sees_all_public_headers app)
 set(common error measure)
 # The public headers that are not named after their room.
 set(room_of_fill run)
+set(room_of_render_run run)
 set(room_of_options scene/options)
 
 function(room_of_header name result)
