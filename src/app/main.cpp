@@ -32,6 +32,7 @@ constexpr const char* kUsage = R"(Examples:
   frostfill render output/torus --azimuth 60 --style dark   draw a kept run again
   frostfill fps                           frames per second, the paper's and ours
   frostfill mesh bunny.stl                inspect a mesh
+  frostfill check packing.csv --mesh part.stl   judge anybody's packing
   frostfill COMMAND --help                all options of a command
 )";
 
@@ -109,6 +110,7 @@ int run(int argumentCount, char** arguments)
     commands.emplace_back("render", addRenderCommand(program));
     commands.emplace_back("fps", addFpsCommand(program));
     commands.emplace_back("bench", addBenchCommand(program));
+    commands.emplace_back("check", addCheckCommand(program));
     commands.emplace_back("figures", addFiguresCommand(program));
     commands.emplace_back("mesh", addMeshCommand(program));
     commands.emplace_back("doctor", addDoctorCommand(program));

@@ -127,6 +127,12 @@ void addLoadOptions(CLI::App& command, GivenOptions& given)
     }
 }
 
+void addCheckOptions(CLI::App& command, GivenOptions& given)
+{
+    addOption(command, *findOption("object.up"), given);
+    addLoadOptions(command, given);
+}
+
 std::vector<std::string> withImpliedValues(int count, const char* const* arguments)
 {
     std::vector<std::string> result;

@@ -25,6 +25,9 @@ void addPictureOptions(CLI::App& command, GivenOptions& given);
 /// Adds those that say how an open or broken mesh is made whole.
 void addLoadOptions(CLI::App& command, GivenOptions& given);
 
+/// Adds those that say what a mesh is in which spheres lie: the axis up, and how it is made whole.
+void addCheckOptions(CLI::App& command, GivenOptions& given);
+
 /// The program's arguments with the values of flags that may stand alone, and do.
 [[nodiscard]] std::vector<std::string> withImpliedValues(int count, const char* const* arguments);
 

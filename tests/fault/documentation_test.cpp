@@ -147,6 +147,7 @@ void prepare(const std::filesystem::path& folder)
                     "facet normal 1 1 1\nouter loop\nvertex 9 0 0\nvertex 0 9 0\nvertex 0 0 9\n"
                     "endloop\nendfacet\n"
                     "endsolid part\n");
+    test::writeFile(folder / "packing.csv", "x,y,z,radius\n1.5,1.5,0.5,0.5\n");
     test::writeFile(folder / "scene.toml", "[object]\nmesh = \"cube\"\n[spheres]\ncount = 6\n");
     std::filesystem::create_directories(folder / "docs"); // of a clone
     // What scripts/run leaves behind.
@@ -218,7 +219,7 @@ void expectShownCommandsWork(bool studies)
         }
     }
     for (const char* name :
-         {"fill", "render", "fps", "bench", "figures", "mesh", "doctor"})
+         {"fill", "render", "check", "fps", "bench", "figures", "mesh", "doctor"})
     {
         EXPECT_EQ(names.count(name), 1u) << "no page shows frostfill " << name;
     }

@@ -58,12 +58,13 @@ room(render/layer ${seen} render/framing render/context render/passes render/ove
 room(render ${seen} render/framing render/context render/passes render/overlay render/layer)
 
 room(run_file base ${mesh} snapshot)
+room(packing ${mesh} scene scene/options snapshot simulation simulation/quality run_file)
 room(output base snapshot scene scene/options image)
 room(run base mesh view scene scene/options snapshot simulation image renderer render/overlay run_file output)
 
 set(below base geometry ${mesh} view scene scene/options snapshot simulation simulation/world ${parts}
           simulation/quality simulation/engine image renderer render/framing render/context
-          render/passes render/overlay run_file output run)
+          render/passes render/overlay run_file packing output run)
 room(study ${below})
 room(study/stability ${below} study)
 room(study/operations ${below} study)
