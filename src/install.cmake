@@ -15,7 +15,10 @@ target_sources(frostfill_render PUBLIC FILE_SET HEADERS BASE_DIRS ${public} FILE
     ${public}/frostfill/fill.hpp
     ${public}/frostfill/image.hpp
     ${public}/frostfill/output.hpp
-    ${public}/frostfill/renderer.hpp)
+    ${public}/frostfill/packing.hpp
+    ${public}/frostfill/render_run.hpp
+    ${public}/frostfill/renderer.hpp
+    ${public}/frostfill/run_file.hpp)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/frostfill)
 foreach(component core render)

@@ -20,7 +20,11 @@ struct FillRequest
 {
     Scene scene; ///< with the mesh, by file or by name
     std::filesystem::path directory;
-    bool overwrite = false;      ///< replace the run that the directory holds
+    bool overwrite = false; ///< replace the run that the directory holds
+    /// Go on with the run that the directory holds, begun with the same scene by the same version.
+    /// It is simulated again from its start; pictures that are there are not drawn again. Without a
+    /// run in the directory it is begun.
+    bool resume = false;
     std::filesystem::path video; ///< .mp4, .webm or .gif; empty for none
     bool contactSheet = false;   ///< contact_sheet.png in the directory
     /// Where the camera is when: keyframes "0:30,20 8:120,45" of seconds of video, azimuth and
@@ -84,6 +88,7 @@ struct FillResult
     std::vector<SetRecord> sets;
     std::vector<SetFrames> setFrames; ///< by the index of the set; empty when nothing was drawn
     std::size_t frames = 0;
+    std::size_t skippedFrames = 0; ///< of them, that were there already
     std::size_t spheres = 0;
     std::size_t wanted = 0; ///< spheres that the run aimed at
     /// Equal spheres that would fill the object, within a few per cent; 0 for different radii.
@@ -116,6 +121,14 @@ struct FillResult
 /// Does what `frostfill fill` does: loads the mesh, fills it, draws frames and writes every file of
 /// a run into the directory. Throws Error; see ErrorCode.
 [[nodiscard]] FillResult fill(const FillRequest& request, const FillObserver& observer = {});
+
+/// The request with which the run in a directory was begun, to go on with it. Throws Error
+/// inputMissing if none was kept there, or badData.
+[[nodiscard]] FillRequest resumeRequest(const std::filesystem::path& directory);
+
+/// How the run in a directory has ended, as in summary.json: "full", "count reached", "stopped" or
+/// "failed"; empty if it has not.
+[[nodiscard]] std::string outcomeOfRun(const std::filesystem::path& directory);
 
 /// Reads the scene of a run: from a scene file (TOML), or from the summary.json of a run to repeat.
 /// Throws Error inputMissing or badData.

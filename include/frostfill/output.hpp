@@ -11,6 +11,7 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace frostfill
@@ -67,6 +68,10 @@ public:
     /// differ from the picture before; if it is empty, every row may differ.
     void put(std::size_t number, const Image& image, std::span<const std::uint8_t> changedRows,
              const PngText& text);
+    /// Leaves a picture as it is whose file is there already.
+    void skip(std::size_t number);
+    /// Of the picture with this index among those kept.
+    [[nodiscard]] static std::string fileName(std::size_t index);
     /// See FrameThinning.
     void keepEvery(std::size_t stride) { thinning_.keepEvery(stride); }
     [[nodiscard]] bool wants(std::size_t number) const { return thinning_.wants(number); }

@@ -16,6 +16,13 @@
 namespace frostfill
 {
 
+/// What is done with a run file that is there.
+enum class EarlierFile
+{
+    replace,   ///< it goes as soon as the new one has its head and its mesh
+    continued, ///< what is equal stays; from the first difference on it is written anew
+};
+
 /// Writes a run file: what any picture of a run needs, appended frame by frame, so that a run that
 /// is killed leaves all but its last frames. docs/run-file.md describes the bytes.
 class RunFileWriter
@@ -25,9 +32,14 @@ public:
     using Exact = std::function<SphereRecord(std::uint32_t id)>;
 
     /// Begins a new file. `head` describes the run, as JSON; `smallestRadius` [mesh unit] sets how
-    /// finely places of moving spheres are kept. Throws Error cannotCreate or writeFailed.
+    /// finely places of moving spheres are kept. The file appears with its head and its mesh.
+    /// Throws Error cannotCreate or writeFailed.
     RunFileWriter(const std::filesystem::path& file, std::string_view head,
-                  const TriangleMesh& mesh, double smallestRadius);
+                  const TriangleMesh& mesh, double smallestRadius,
+                  EarlierFile earlier = EarlierFile::replace);
+    /// Writes no file: only rounds the places as if there were one, so that pictures do not depend
+    /// on it.
+    explicit RunFileWriter(double smallestRadius);
     ~RunFileWriter();
     RunFileWriter(const RunFileWriter&) = delete;
     RunFileWriter& operator=(const RunFileWriter&) = delete;
@@ -36,6 +48,8 @@ public:
     /// file, so that who draws it and who reads it from the file see the same bits. Frames of one
     /// simulation come in order. Throws Error writeFailed.
     void put(std::size_t frame, Snapshot& snapshot, const Exact& exact);
+    /// Appends a frame that shows the state of the frame before. Throws Error writeFailed.
+    void repeat(std::size_t frame);
 
     /// Appends the summary, without which the run counts as unfinished, and waits until all is on
     /// the disk. Throws Error writeFailed.
@@ -68,8 +82,13 @@ public:
     [[nodiscard]] std::uint64_t fileBytes() const;
 
     /// The state at frames()[index]. Reads on from the frame before, or from the beginning. The
-    /// reference is good until the next call. Throws Error badData.
+    /// reference is good until the next call. Snapshot::changed names what has changed since
+    /// forgetChanges() was last called. Throws Error badData.
     [[nodiscard]] const Snapshot& seek(std::size_t index);
+    /// Called when the snapshot was drawn.
+    void forgetChanges();
+    /// Grows from frame to frame unless a frame shows the state of the frame before.
+    [[nodiscard]] std::uint64_t revision() const;
     /// Exact where the sphere is at rest at the frame that was sought, [mesh unit].
     [[nodiscard]] const std::vector<Eigen::Vector3d>& centres() const;
     /// The same of the radii.

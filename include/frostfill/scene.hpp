@@ -187,6 +187,7 @@ struct FrameSettings
     std::size_t limit = 1000;         ///< most pictures kept, at equal steps; 0: no limit
     double hold = 0;                  ///< [s] for which the video shows the last state
     Passes passes;
+    std::optional<bool> keepRun; ///< in run.frost, every frame; if not given, when frames are drawn
     std::string selection = "all"; ///< "last", "0:100:10", "5,7,90..100", ...
 };
 

@@ -4,6 +4,8 @@
 #include "app/message.hpp"
 #include "app/progress.hpp"
 #include "app/scene_options.hpp"
+#include "app/stop_signals.hpp"
+#include "run/resume.hpp"
 #include "run/volume_estimate.hpp"
 
 #include <frostfill/fill.hpp>
@@ -12,15 +14,10 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <unistd.h>
 
-#include <csignal>
-#include <ctime>
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
-#include <tuple>
 
 namespace frostfill
 {
@@ -35,67 +32,15 @@ constexpr const char* kExamples = R"(Examples:
   frostfill fill bust.stl --lid                  close a large opening first
   frostfill fill cube --radius 0.04..0.12        radii drawn from a range
   frostfill fill --scene output/torus/summary.json --out output/again
+  frostfill fill --resume output/torus           go on after a kill or a stop
 )";
-
-volatile std::sig_atomic_t stopSignal = 0;
-volatile std::sig_atomic_t runBegan = 0; ///< whether there is something that a stop could lose
-volatile std::sig_atomic_t stopTime = 0; ///< [s] of the first signal, on a clock that never jumps
-
-/// For so long after the first signal more of them change nothing: `timeout` and job managers send
-/// the same one to a process and to its group. [s]
-constexpr std::sig_atomic_t kPatience = 3;
-
-std::sig_atomic_t secondsNow()
-{
-    timespec now = {};
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return static_cast<std::sig_atomic_t>(now.tv_sec);
-}
-
-/// Ends the process at once. The programs and children that read the mesh end with it.
-[[noreturn]] void stopBeforeTheRun()
-{
-    constexpr std::string_view kMessage =
-        "frostfill: stopped before the run began; nothing was written\n";
-    std::ignore = write(STDERR_FILENO, kMessage.data(), kMessage.size());
-    _exit(static_cast<int>(ErrorCode::stoppedEarly));
-}
-
-/// The first signal stops the run after the step; one that comes well after it kills.
-extern "C" void requestStop(int signal)
-{
-    if (runBegan == 0)
-    {
-        stopBeforeTheRun();
-    }
-    if (stopSignal == 0)
-    {
-        stopTime = secondsNow();
-        stopSignal = signal;
-    }
-    else if (secondsNow() - stopTime > kPatience)
-    {
-        std::signal(signal, SIG_DFL);
-        std::raise(signal);
-    }
-}
-
-void catchSignals()
-{
-    struct sigaction action = {};
-    action.sa_handler = requestStop;
-    action.sa_flags = SA_RESTART; // a file that is being written does not fail for it
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR1})
-    {
-        sigaction(signal, &action, nullptr);
-    }
-}
 
 struct FillArguments
 {
     std::string mesh;
     std::string sceneFile;
     std::string directory;
+    std::string resume;
     std::string video;
     std::string cameraPath;
     bool contactSheet = false;
@@ -123,9 +68,10 @@ Scene requestedScene(const FillArguments& arguments)
 {
     if (arguments.mesh.empty() && arguments.sceneFile.empty())
     {
-        throw Error(ErrorCode::usage,
-                    "give a MESH (torus, sphere, cube, human or a file) or a --scene; see "
-                    "frostfill fill --help");
+        throw Error(
+            ErrorCode::usage,
+            "give a MESH (torus, sphere, cube, human or a file), a --scene or a --resume; see "
+            "frostfill fill --help");
     }
     Scene scene = arguments.sceneFile.empty()
                       ? presetScene(requestedPreset(arguments.given), arguments.mesh)
@@ -185,33 +131,67 @@ int printVolume(const FillArguments& arguments)
     return 0;
 }
 
+/// Without a MESH or a scene, the run that is resumed says all.
+FillRequest requestOf(const FillArguments& arguments)
+{
+    if (!arguments.resume.empty() && (!arguments.directory.empty() || arguments.overwrite))
+    {
+        throw Error(ErrorCode::usage, "--resume names the directory of the run and keeps what is "
+                                      "in it: omit --out and --overwrite");
+    }
+    if (!arguments.resume.empty() && arguments.mesh.empty() && arguments.sceneFile.empty())
+    {
+        FillRequest request = resumeRequest(arguments.resume);
+        applyGivenOptions(arguments.given, request.scene);
+        return request;
+    }
+    FillRequest request;
+    request.scene = requestedScene(arguments);
+    request.resume = !arguments.resume.empty();
+    const std::string& directory = request.resume ? arguments.resume : arguments.directory;
+    request.directory = directory.empty() ? std::filesystem::path("output") / request.scene.name
+                                          : std::filesystem::path(directory);
+    request.overwrite = arguments.overwrite;
+    request.video = arguments.video;
+    request.contactSheet = arguments.contactSheet;
+    request.cameraPath = arguments.cameraPath;
+    return request;
+}
+
+/// Whether a run that is to be resumed has come to its end before. Throws Error if it is not the
+/// one that is requested.
+bool hasEnded(const FillRequest& request, const std::string& outcome)
+{
+    return request.resume && !outcome.empty() && outcome != "stopped" &&
+           meshOfEarlierRun(request).has_value();
+}
+
 int runFill(const FillArguments& arguments)
 {
     if (arguments.estimateVolume)
     {
         return printVolume(arguments);
     }
-    FillRequest request;
-    request.scene = requestedScene(arguments);
+    const FillRequest request = requestOf(arguments);
     warnOfIgnored(arguments, request.scene.preset);
-    request.directory = arguments.directory.empty()
-                            ? std::filesystem::path("output") / request.scene.name
-                            : std::filesystem::path(arguments.directory);
-    request.overwrite = arguments.overwrite;
-    request.video = arguments.video;
-    request.contactSheet = arguments.contactSheet;
-    request.cameraPath = arguments.cameraPath;
+    const std::string outcome = request.resume ? outcomeOfRun(request.directory) : "";
+    if (hasEnded(request, outcome))
+    {
+        say(fmt::format("the run in {} has ended ({}): nothing to resume\n",
+                        request.directory.string(), outcome));
+        return outcome == "failed" ? static_cast<int>(ErrorCode::postcondition) : 0;
+    }
 
     ProgressBar bar;
     FillObserver observer;
-    observer.loaded = [] { runBegan = 1; };
-    observer.stopRequested = [] { return stopSignal != 0; };
+    observer.loaded = [] { runHasBegun(); };
+    observer.stopRequested = &stopRequested;
     if (!arguments.quiet)
     {
         observer.planned = [&](const FillPlan& plan) { printPlan(request, plan); };
         observer.progressed = [&](const FillProgress& progress) { bar.update(progress); };
     }
-    catchSignals();
+    catchStopSignals();
     const FillResult result = fill(request, observer);
     bar.close();
 
@@ -254,6 +234,12 @@ Command addFillCommand(CLI::App& program)
     addSceneOptions(*command, arguments->given);
     const char* output = "Output";
     command->add_option("--out", arguments->directory, "Directory of the run (output/NAME)")
+        ->type_name("DIR")
+        ->group(output);
+    command
+        ->add_option("--resume", arguments->resume,
+                     "Go on with the run in this directory, to the same results; with the options "
+                     "of the run or none")
         ->type_name("DIR")
         ->group(output);
     command->add_option("--video", arguments->video, "Also make a video of the frames, with ffmpeg")

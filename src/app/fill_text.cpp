@@ -128,6 +128,11 @@ void printResult(const Scene& scene, const FillResult& result)
         fmt::print("full: after {} spheres, no other one fits\n", result.spheres);
     }
     fmt::print("{}", fillingText(scene, result));
+    if (result.skippedFrames > 0)
+    {
+        fmt::print("{} of the {} pictures were there already\n", result.skippedFrames,
+                   result.frames);
+    }
     fmt::print("{} spheres of {} take {:.1f} % of the volume; {} frames; {:.1f} s; "
                "results in {}\n",
                result.spheres, radiiText(result.smallestRadius, result.largestRadius),

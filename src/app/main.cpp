@@ -29,8 +29,10 @@ using namespace frostfill;
 constexpr const char* kUsage = R"(Examples:
   frostfill fill torus                    the paper's torus: frames and tables in output/torus
   frostfill fill bunny.stl --radius 0.02  any closed mesh, until it is full
+  frostfill render output/torus --azimuth 60 --style dark   draw a kept run again
   frostfill fps                           frames per second, the paper's and ours
   frostfill mesh bunny.stl                inspect a mesh
+  frostfill check packing.csv --mesh part.stl   judge anybody's packing
   frostfill COMMAND --help                all options of a command
 )";
 
@@ -105,8 +107,10 @@ int run(int argumentCount, char** arguments)
 
     std::vector<std::pair<std::string, Command>> commands;
     commands.emplace_back("fill", addFillCommand(program));
+    commands.emplace_back("render", addRenderCommand(program));
     commands.emplace_back("fps", addFpsCommand(program));
     commands.emplace_back("bench", addBenchCommand(program));
+    commands.emplace_back("check", addCheckCommand(program));
     commands.emplace_back("figures", addFiguresCommand(program));
     commands.emplace_back("mesh", addMeshCommand(program));
     commands.emplace_back("doctor", addDoctorCommand(program));

@@ -19,7 +19,8 @@ Lengths in [mesh unit] are in the unit of the mesh file. r is the radius of the 
 
 ## Scenes
 
-The command `fill` takes all of these options. A scene file (`--scene FILE.toml`) and `summary.json` use the keys.
+The command `fill` takes all of these options, and `render` those of frames, picture and camera but `--slow-motion`, `--duration` and
+`--keep-run`. A scene file (`--scene FILE.toml`) and `summary.json` use the keys.
 The defaults are those of `frostfill fill torus`.
 )";
 
@@ -74,8 +75,8 @@ std::string usageOf(const CLI::Option& option)
     return word.empty() ? name : fmt::format("{} {}", name, word);
 }
 
-/// A row for each option of a command. The options of scenes, which only fill has, have tables of
-/// their own.
+/// A row for each option of a command. The options of scenes, which fill and render have, have
+/// tables of their own.
 std::string rowsOf(const CLI::App& command)
 {
     std::string rows;
@@ -83,7 +84,8 @@ std::string rowsOf(const CLI::App& command)
     {
         const std::string name = option->get_name(false, true);
         if (option == command.get_help_ptr() ||
-            (command.get_name() == "fill" && isSceneOption(name.substr(0, name.find(',')))))
+            ((command.get_name() == "fill" || command.get_name() == "render") &&
+             isSceneOption(name.substr(0, name.find(',')))))
         {
             continue;
         }

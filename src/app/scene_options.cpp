@@ -8,6 +8,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
+#include <string_view>
+
 namespace frostfill
 {
 namespace
@@ -62,7 +66,8 @@ std::string helpWithDefault(const Option& option)
                        optionText(option, option.get(standard)));
 }
 
-void addOption(CLI::App& command, const Option& option, GivenOptions& given)
+void addOption(CLI::App& command, const Option& option, GivenOptions& given,
+               const std::string& help)
 {
     const auto keep = [&given, key = option.key](const std::string& text) { given[key] = text; };
     CLI::Option* added = nullptr;
@@ -70,16 +75,19 @@ void addOption(CLI::App& command, const Option& option, GivenOptions& given)
     {
         added = command.add_flag_function(
             fmt::format("{},!--no-{}", option.flag, option.flag.substr(2)),
-            [keep](std::int64_t times) { keep(times > 0 ? "true" : "false"); },
-            helpWithDefault(option));
+            [keep](std::int64_t times) { keep(times > 0 ? "true" : "false"); }, help);
     }
     else
     {
-        added =
-            command.add_option_function<std::string>(option.flag, keep, helpWithDefault(option))
-                ->type_name(placeholder(option));
+        added = command.add_option_function<std::string>(option.flag, keep, help)
+                    ->type_name(placeholder(option));
     }
     added->group(option.group);
+}
+
+void addOption(CLI::App& command, const Option& option, GivenOptions& given)
+{
+    addOption(command, option, given, helpWithDefault(option));
 }
 
 } // namespace
@@ -95,12 +103,34 @@ void addSceneOptions(CLI::App& command, GivenOptions& given)
     }
 }
 
+void addPictureOptions(CLI::App& command, GivenOptions& given)
+{
+    constexpr std::array<std::string_view, 3> kGroups = {"Frames", "Picture", "Camera"};
+    constexpr std::array<std::string_view, 3> kOfTheRun = {"frames.slow_motion", "frames.duration",
+                                                           "frames.keep_run"};
+    const auto isIn = [](const auto& names, const std::string& name)
+    { return std::find(names.begin(), names.end(), name) != names.end(); };
+    for (const Option& option : sceneOptions())
+    {
+        if (!option.flag.empty() && isIn(kGroups, option.group) && !isIn(kOfTheRun, option.key))
+        {
+            addOption(command, option, given, option.help); // otherwise it is as in the run
+        }
+    }
+}
+
 void addLoadOptions(CLI::App& command, GivenOptions& given)
 {
     for (const char* key : {"object.lid", "object.wrap", "object.unite"})
     {
         addOption(command, *findOption(key), given);
     }
+}
+
+void addCheckOptions(CLI::App& command, GivenOptions& given)
+{
+    addOption(command, *findOption("object.up"), given);
+    addLoadOptions(command, given);
 }
 
 std::vector<std::string> withImpliedValues(int count, const char* const* arguments)

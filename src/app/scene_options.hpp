@@ -18,8 +18,15 @@ using GivenOptions = std::map<std::string, std::string>;
 /// Adds every option of a scene to a command, grouped, with its default in the help.
 void addSceneOptions(CLI::App& command, GivenOptions& given);
 
+/// Adds those of the pictures of a run that is over: all of frames, picture and camera but what
+/// decides which states there are.
+void addPictureOptions(CLI::App& command, GivenOptions& given);
+
 /// Adds those that say how an open or broken mesh is made whole.
 void addLoadOptions(CLI::App& command, GivenOptions& given);
+
+/// Adds those that say what a mesh is in which spheres lie: the axis up, and how it is made whole.
+void addCheckOptions(CLI::App& command, GivenOptions& given);
 
 /// The program's arguments with the values of flags that may stand alone, and do.
 [[nodiscard]] std::vector<std::string> withImpliedValues(int count, const char* const* arguments);

@@ -25,11 +25,6 @@ double secondsSince(Clock::time_point start)
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-std::string fileName(std::size_t index)
-{
-    return fmt::format("frame_{:05}.png", index);
-}
-
 } // namespace
 
 FrameThinning::Decision FrameThinning::take(std::size_t number)
@@ -60,6 +55,20 @@ PngSequence::PngSequence(std::filesystem::path directory, std::size_t limit, Png
 PngSequence::~PngSequence() = default;
 PngSequence::PngSequence(PngSequence&&) noexcept = default;
 PngSequence& PngSequence::operator=(PngSequence&&) noexcept = default;
+
+std::string PngSequence::fileName(std::size_t index)
+{
+    return fmt::format("frame_{:05}.png", index);
+}
+
+void PngSequence::skip(std::size_t number)
+{
+    const std::size_t before = thinning_.count();
+    if (thinning_.take(number).thin)
+    {
+        thin(before);
+    }
+}
 
 std::filesystem::path PngSequence::file(std::size_t index) const
 {

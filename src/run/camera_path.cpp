@@ -124,6 +124,17 @@ CameraPath CameraPath::read(const std::string& textOrFile)
     return path;
 }
 
+std::string CameraPath::text() const
+{
+    std::string text;
+    for (const Key& key : keys_)
+    {
+        text += fmt::format("{}{}:{},{},{}", text.empty() ? "" : " ", key.time, key.azimuth,
+                            key.elevation, key.zoom);
+    }
+    return text;
+}
+
 Camera CameraPath::at(double seconds, Camera camera) const
 {
     const auto later = [](double t, const Key& key) { return t < key.time; };

@@ -24,6 +24,8 @@ public:
 
     /// The camera with the path's azimuth, elevation and zoom at a time of the video [s].
     [[nodiscard]] Camera at(double seconds, Camera camera) const;
+    /// The keyframes, of which `read` makes the same path.
+    [[nodiscard]] std::string text() const;
     /// [s] of video, of the last keyframe
     [[nodiscard]] double duration() const { return keys_.back().time; }
 

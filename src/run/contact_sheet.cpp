@@ -135,4 +135,19 @@ Image makeContactSheet(const ContactSheetRequest& request)
     return sheet;
 }
 
+void writeContactSheet(const Scene& scene, const std::filesystem::path& directory,
+                       const FramePainter& painter)
+{
+    const auto& [left, top, right, bottom] = painter.objectRegion();
+    ContactSheetRequest sheet;
+    sheet.frames = directory / "frames";
+    sheet.count = painter.count();
+    sheet.times = painter.pictureTimes();
+    sheet.title = scene.name;
+    sheet.palette = scene.style.palette;
+    sheet.crop = {left, top, right, bottom};
+    savePng(makeContactSheet(sheet), directory / "contact_sheet.png",
+            {{"Software", "Frostfill"}, {"Title", scene.name}});
+}
+
 } // namespace frostfill

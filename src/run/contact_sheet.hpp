@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "run/frame_painter.hpp"
+
 #include <frostfill/image.hpp>
 #include <frostfill/renderer.hpp>
 
@@ -30,5 +32,9 @@ struct ContactSheetRequest
 /// Up to twelve frames at equal steps, first and last among them, each over the time it shows.
 /// Throws Error inputMissing or badData when a frame cannot be read.
 [[nodiscard]] Image makeContactSheet(const ContactSheetRequest& request);
+
+/// Writes contact_sheet.png beside the pictures that the painter has drawn for a run. Throws Error.
+void writeContactSheet(const Scene& scene, const std::filesystem::path& directory,
+                       const FramePainter& painter);
 
 } // namespace frostfill

@@ -2,6 +2,7 @@
 #include "run/falling_spheres.hpp"
 
 #include "run/ceilings.hpp"
+#include "run_file/frame_codec.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +13,6 @@ namespace frostfill
 namespace
 {
 
-/// What waits for its fall is drawn that small, so that nobody sees it [r].
-constexpr double kUnseen = 1e-3;
 /// Of a sphere at its ceiling, from its middle to the wall; more than 1, as ceilings slope [r].
 constexpr double kBelowCeiling = 1.5;
 
@@ -82,6 +81,16 @@ std::size_t FallingSpheres::addTo(Snapshot& snapshot, double now) const
     return landed;
 }
 
+SphereRecord FallingSpheres::sphere(std::size_t id) const
+{
+    const Landing& landing = landings_[id];
+    SphereRecord sphere;
+    sphere.centre = landing.place;
+    sphere.radius = landing.radius;
+    sphere.group = landing.group;
+    return sphere;
+}
+
 void FallingSpheres::put(Snapshot& snapshot, std::size_t id, double now) const
 {
     const Landing& landing = landings_[id];
@@ -91,7 +100,8 @@ void FallingSpheres::put(Snapshot& snapshot, std::size_t id, double now) const
     const double down = std::min(height, fallen > 0 ? pull_ * fallen * fallen / 2 : 0);
     const Eigen::Vector3d place = landing.place + (height - down) * up_;
     snapshot.centres[id] = (place - snapshot.origin).cast<float>();
-    snapshot.radii[id] = static_cast<float>((fallen > 0 ? 1 : kUnseen) * landing.radius);
+    snapshot.radii[id] =
+        fallen > 0 ? static_cast<float>(landing.radius) : waitingRadius(landing.radius);
     snapshot.states[id] = SphereState::running;
     snapshot.groups[id] = landing.group;
     snapshot.speeds[id] = static_cast<float>(fallen > 0 ? pull_ * fallen : 0);

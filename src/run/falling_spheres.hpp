@@ -38,6 +38,8 @@ public:
     [[nodiscard]] std::size_t addTo(Snapshot& snapshot, double now) const;
 
     [[nodiscard]] double lag() const { return lag_; }
+    /// A sphere that the run does not have yet, where it will appear.
+    [[nodiscard]] SphereRecord sphere(std::size_t id) const;
 
 private:
     [[nodiscard]] std::size_t landedBy(double time) const;

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "run/contact_sheet.hpp"
-#include "run/frame_recorder.hpp"
+#include "run/recording.hpp"
+#include "run/resume.hpp"
 #include "run/run_directory.hpp"
 #include "run/run_files.hpp"
-#include "run/run_hash.hpp"
 #include "run/verdict.hpp"
-#include "scene/frame_selection.hpp"
 #include "scene/packing_estimate.hpp"
 
 #include <frostfill/fill.hpp>
@@ -149,27 +148,6 @@ End simulate(Simulation& simulation, FrameRecorder* recorder, const FillRequest&
                             scene.object.mesh, radius, place.x(), place.y(), place.z()));
 }
 
-/// Of what the colours of spheres mean over the whole run, so that a colour never changes its
-/// meaning. Sets and groups are counted from 0. [1], for speeds [m/s]
-ColourRange colourRange(const Scene& scene, const LoadedMesh& mesh, const Simulation& simulation)
-{
-    const auto groups = std::max(1.0, std::ceil(static_cast<double>(simulation.expectedSpheres()) /
-                                                static_cast<double>(simulation.groupSize())));
-    switch (scene.style.colourBy)
-    {
-    case ColourBy::set:
-        return {0, std::max(1.0, std::ceil(groups / scene.spheres.groupsPerSet) - 1)};
-    case ColourBy::group:
-        return {0, std::max(1.0, groups - 1)};
-    case ColourBy::speed: // of a fall through the object
-        return {0, scene.motion.gravity * fallTime(scene, mesh.report)};
-    case ColourBy::state:
-    case ColourBy::height: // the renderer knows
-        break;
-    }
-    return {};
-}
-
 /// By the estimate from which radii are chosen.
 std::size_t fittingSpheres(const Simulation& simulation)
 {
@@ -180,54 +158,6 @@ std::size_t fittingSpheres(const Simulation& simulation)
     }
     const MeshReport& object = simulation.object();
     return static_cast<std::size_t>(packedCount(object.volume, object.area, radius));
-}
-
-/// Nothing has to be known of a run of which only the end is drawn.
-bool lengthMatters(const Scene& scene)
-{
-    const auto selection = FrameSelection::parse(scene.frames.selection);
-    return scene.frames.enabled && selection && !selection->isLastOnly();
-}
-
-/// Which times become pictures. Rehearses the run where that depends on its length. Throws Error
-/// usage when no frame is left of those asked for.
-FramePlan planPictures(const Scene& scene, const LoadedMesh& mesh, const Simulation& simulation,
-                       const FillObserver& observer, FrameRecorder* recorder, double path)
-{
-    const RunLength length = lengthMatters(scene)
-                                 ? rehearse(scene, mesh.mesh, simulation, observer.stopRequested)
-                                 : RunLength{};
-    const FramePlan plan = planFrames(scene, mesh.report, length, path);
-    if (recorder && plan.kept == 0)
-    {
-        throw Error(ErrorCode::usage,
-                    fmt::format("--frames {} leaves no frame: the animation has {}",
-                                scene.frames.selection, plan.all + plan.held));
-    }
-    if (recorder)
-    {
-        recorder->keepTo(plan);
-    }
-    if (recorder && !length.landings.empty())
-    {
-        recorder->drawFalls(
-            std::make_unique<FallingSpheres>(length.landings, mesh.mesh, scene, plan.timing.lag));
-    }
-    return plan;
-}
-
-void writeContactSheet(const FillRequest& request, const FrameRecorder& recorder)
-{
-    const auto& [left, top, right, bottom] = recorder.objectRegion();
-    ContactSheetRequest sheet;
-    sheet.frames = request.directory / "frames";
-    sheet.count = recorder.count();
-    sheet.times = recorder.pictureTimes();
-    sheet.title = request.scene.name;
-    sheet.palette = request.scene.style.palette;
-    sheet.crop = {left, top, right, bottom};
-    savePng(makeContactSheet(sheet), request.directory / "contact_sheet.png",
-            {{"Software", "Frostfill"}, {"Title", request.scene.name}});
 }
 
 /// Throws Error usage for wishes that cannot be met together.
@@ -253,7 +183,9 @@ FillResult fill(const FillRequest& request, const FillObserver& observer)
     requireFramesForPictures(request);
     PhaseClock clock;
     validateScene(request.scene);
-    LoadedMesh mesh = loadMesh(request.scene.object.mesh, request.scene.object.load);
+    std::optional<LoadedMesh> earlier = request.resume ? meshOfEarlierRun(request) : std::nullopt;
+    LoadedMesh mesh = earlier ? std::move(*earlier)
+                              : loadMesh(request.scene.object.mesh, request.scene.object.load);
     Simulation simulation(request.scene, mesh.mesh);
     mesh.report = simulation.object();
     simulation.stopWhen(observer.stopRequested);
@@ -262,20 +194,16 @@ FillResult fill(const FillRequest& request, const FillObserver& observer)
     {
         observer.loaded();
     }
-    RunDirectory directory(request.directory, request.overwrite);
+    RunDirectory directory(request.directory, earlierFiles(request, earlier.has_value()));
 
     std::optional<CameraPath> path;
     if (!request.cameraPath.empty())
     {
         path = CameraPath::read(request.cameraPath);
     }
-    std::unique_ptr<FrameRecorder> recorder;
-    if (request.scene.frames.enabled)
+    const std::unique_ptr<FrameRecorder> recorder = makeRecorder(request, mesh, simulation, path);
+    if (recorder)
     {
-        recorder = std::make_unique<FrameRecorder>(
-            mesh.mesh, request.scene, colourRange(request.scene, mesh, simulation),
-            request.directory, runHash(request.scene, mesh.mesh), request.video, simulation.poses(),
-            path);
         recorder->stopWhen(observer.stopRequested);
     }
     FillResult result;
@@ -288,6 +216,10 @@ FillResult fill(const FillRequest& request, const FillObserver& observer)
     const FramePlan frames = planPictures(request.scene, mesh, simulation, observer, recorder.get(),
                                           path ? path->duration() : 0);
     directory.begin(); // all that can fail before the first step has not
+    if (isKept(request.scene))
+    {
+        keepRun(*recorder, request, mesh, simulation, frames, path);
+    }
     if (observer.planned)
     {
         observer.planned(makePlan(request.scene, mesh, simulation, frames, result.reach));
@@ -300,18 +232,23 @@ FillResult fill(const FillRequest& request, const FillObserver& observer)
     result.overfull = end == End::overfull;
     clock.end("simulating");
     StageTimes times = simulation.times();
+    const FramePainter* painter = recorder ? recorder->painter() : nullptr;
     if (recorder)
     {
         recorder->finish(simulation);
-        result.frames = recorder->count();
-        result.videoFailure = recorder->videoFailure();
+    }
+    if (painter != nullptr)
+    {
+        result.frames = painter->count();
+        result.skippedFrames = painter->skipped();
+        result.videoFailure = painter->videoFailure();
         if (request.contactSheet)
         {
-            writeContactSheet(request, *recorder);
+            writeContactSheet(request.scene, request.directory, *painter);
         }
-        result.setFrames = recorder->sets();
-        result.renderer = recorder->description();
-        times += recorder->times();
+        result.setFrames = painter->sets();
+        result.renderer = painter->description();
+        times += painter->times();
     }
     clock.end("drawing_the_rest");
     result.sets = simulation.sets();
@@ -329,13 +266,17 @@ FillResult fill(const FillRequest& request, const FillObserver& observer)
     result.stateHash = simulation.stateHash();
     result.quality = simulation.quality();
     result.stray = simulation.stray();
-    result.failure = findFault(request.scene, result, recorder && recorder->blank());
+    result.failure = findFault(request.scene, result, painter != nullptr && painter->blank());
     clock.end("judging");
     clock.enter(result);
 
     const RunRecord run{
         request, mesh, simulation, frames, result, times, recorder ? recorder->stride() : 1};
     result.summary = summaryText(run);
+    if (recorder && recorder->file() != nullptr)
+    {
+        recorder->file()->finish(result.summary);
+    }
     writeRunFiles(run);
     return result;
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "run/frame_timing.hpp"
 
-#include "scene/frame_selection.hpp"
 #include "scene/usual_duration.hpp"
 
 #include <algorithm>
@@ -27,7 +26,8 @@ std::size_t keptOf(std::size_t frames, std::size_t stride, bool last)
     return kept + (last && frames > 0 && (frames - 1) % stride != 0 ? 1 : 0);
 }
 
-/// The smallest stride with which so many frames stay within the limit.
+} // namespace
+
 std::size_t strideFor(std::size_t frames, std::size_t limit, bool last)
 {
     if (limit == 0 || frames <= limit)
@@ -41,8 +41,6 @@ std::size_t strideFor(std::size_t frames, std::size_t limit, bool last)
     }
     return (frames - 1 + limit - 2) / (limit - 1);
 }
-
-} // namespace
 
 double fallTime(const Scene& scene, const MeshReport& mesh)
 {
@@ -75,6 +73,13 @@ FrameTiming frameTiming(const Scene& scene, const MeshReport& mesh, double secon
     }
     timing.interval = 1 / (frames.fps * timing.slowMotion);
     return timing;
+}
+
+FrameSelection framesToDraw(const Scene& scene)
+{
+    const auto selection = FrameSelection::parse(scene.frames.selection).value();
+    return scene.frames.limit == 1 && selection.hasLast() ? FrameSelection::parse("last").value()
+                                                          : selection;
 }
 
 std::size_t heldFrames(const Scene& scene, double path)

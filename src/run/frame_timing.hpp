@@ -2,6 +2,7 @@
 #pragma once
 
 #include "run/rehearsal.hpp"
+#include "scene/frame_selection.hpp"
 
 #include <frostfill/mesh.hpp>
 #include <frostfill/scene.hpp>
@@ -54,6 +55,13 @@ struct FramePlan
 /// does not depend on it.
 [[nodiscard]] FramePlan planFrames(const Scene& scene, const MeshReport& mesh,
                                    const RunLength& length, double path = 0);
+
+/// The frames of which the scene wants pictures; if it wants a single one, the last.
+[[nodiscard]] FrameSelection framesToDraw(const Scene& scene);
+
+/// The smallest stride with which so many frames stay within the limit; 0: no limit. `last`: the
+/// last one is kept whatever its number.
+[[nodiscard]] std::size_t strideFor(std::size_t frames, std::size_t limit, bool last);
 
 /// Frames for which the last state is held: --hold, or a whole turn of the turntable if only that
 /// state is drawn and nothing is said. `path`: the same for a camera's path [s].

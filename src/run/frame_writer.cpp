@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "run/frame_writer.hpp"
 
+#include "image/png_facts.hpp"
+
 #include <algorithm>
 #include <utility>
 
@@ -8,8 +10,20 @@ namespace frostfill
 {
 
 FrameWriter::FrameWriter(const std::filesystem::path& directory, std::size_t limit, PngText text)
-    : sequence_(directory, limit, std::move(text))
+    : directory_(directory), text_(text), sequence_(directory, limit, std::move(text))
 {
+}
+
+bool FrameWriter::has(std::size_t index, PictureSize size, const PngText& text) const
+{
+    constexpr std::size_t kPackedAtMost = 64; // [1] of what has any content
+    const auto facts = pngFacts(directory_ / PngSequence::fileName(index));
+    PngText all = text_;
+    all.insert(all.end(), text.begin(), text.end());
+    const std::size_t bytes =
+        3 * static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+    return facts && facts->width == size.width && facts->height == size.height &&
+           facts->text == all && facts->packedBytes * kPackedAtMost > bytes;
 }
 
 void FrameWriter::put(std::size_t number, const Image& image,
@@ -67,6 +81,11 @@ void FrameWriter::write(const Parcel& parcel)
         milliseconds_.resize(parcel.set + 1);
     }
     milliseconds_[parcel.set].push_back(1000 * (spent() - before));
+}
+
+void FrameWriter::skip(std::size_t number)
+{
+    worker_.push([this, number] { sequence_.skip(number); });
 }
 
 void FrameWriter::keepEvery(std::size_t stride)

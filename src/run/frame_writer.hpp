@@ -4,6 +4,7 @@
 #include "base/ordered_worker.hpp"
 
 #include <frostfill/output.hpp>
+#include <frostfill/view.hpp>
 
 #include <array>
 #include <cstdint>
@@ -27,6 +28,12 @@ public:
     /// what has gone wrong with an earlier picture.
     void put(std::size_t number, const Image& image, std::span<const std::uint8_t> changedRows,
              std::size_t set, PngText text);
+    /// Whether the picture with this index among those kept is there already: whole, of this size,
+    /// with the text of all pictures and with `text`. One of which all pixels may be alike is not
+    /// taken for it, so that it is drawn again and told.
+    [[nodiscard]] bool has(std::size_t index, PictureSize size, const PngText& text) const;
+    /// Leaves a picture as it is whose file is there already.
+    void skip(std::size_t number);
     /// See FrameThinning.
     void keepEvery(std::size_t stride);
     /// Waits until everything is written. Throws what has gone wrong.
@@ -54,6 +61,8 @@ private:
 
     void write(const Parcel& parcel);
 
+    std::filesystem::path directory_;
+    PngText text_; ///< of all pictures
     PngSequence sequence_;
     Image image_;
     std::vector<std::vector<double>> milliseconds_;

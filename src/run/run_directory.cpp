@@ -34,7 +34,8 @@ constexpr KnownFile kFiles[] = {{"spheres.csv", "id,group,x,y,z,radius"},
                                 {"sets.csv", "set,spheres"},
                                 {"summary.json", "\"outcome\""},
                                 {"mesh.ply", "Frostfill"},
-                                {"contact_sheet.png", "Frostfill"}};
+                                {"contact_sheet.png", "Frostfill"},
+                                {"run.frost", "frostrun"}};
 
 constexpr const char* kFrameFolders[] = {"frames", "depth", "normal", "identity"};
 
@@ -93,8 +94,8 @@ void restore(const std::filesystem::path& folder)
 
 } // namespace
 
-RunDirectory::RunDirectory(std::filesystem::path directory, bool overwrite)
-    : path_(std::move(directory))
+RunDirectory::RunDirectory(std::filesystem::path directory, EarlierRun earlier)
+    : path_(std::move(directory)), earlier_(earlier)
 {
     createDirectory(path_);
     lock();
@@ -114,7 +115,7 @@ RunDirectory::RunDirectory(std::filesystem::path directory, bool overwrite)
         refuse(
             fmt::format("cannot use the directory {}: {}", path_.string(), error.code().message()));
     }
-    if (!old_.empty() && !overwrite)
+    if (!old_.empty() && earlier == EarlierRun::refuse)
     {
         refuse(fmt::format("{} already holds a run; give --overwrite to replace it, or another "
                            "directory with --out",
@@ -240,7 +241,10 @@ void RunDirectory::takeOver(const std::filesystem::path& file, bool isOurs)
                            "or give another directory with --out",
                            file.string()));
     }
-    old_.push_back(file);
+    if (earlier_ != EarlierRun::keep || file.filename() == "summary.json")
+    {
+        old_.push_back(file);
+    }
 }
 
 void RunDirectory::begin()

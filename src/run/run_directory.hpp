@@ -7,6 +7,14 @@
 namespace frostfill
 {
 
+/// What is done with the files of an earlier run.
+enum class EarlierRun
+{
+    refuse,
+    replace,
+    keep, ///< but for its summary, without which it is not complete
+};
+
 /// The directory that a run writes to. It is looked at, locked and found writable first; an earlier
 /// run in it goes only when the new one begins. Files that no run of ours has written are never
 /// touched, nor is anything behind a symbolic link.
@@ -14,14 +22,14 @@ class RunDirectory
 {
 public:
     /// Creates the directory with what is missing above it. Throws Error cannotCreate when it
-    /// cannot be written to, when another process runs in it, when it holds an earlier run and
-    /// `overwrite` is not set, and when something that is no file of a run has the name of one.
-    RunDirectory(std::filesystem::path directory, bool overwrite);
+    /// cannot be written to, when another process runs in it, when it holds an earlier run that is
+    /// refused, and when something that is no file of a run has the name of one.
+    RunDirectory(std::filesystem::path directory, EarlierRun earlier);
     ~RunDirectory();
     RunDirectory(const RunDirectory&) = delete;
     RunDirectory& operator=(const RunDirectory&) = delete;
 
-    /// Removes the files of the earlier run. Throws Error cannotCreate.
+    /// Removes the files of the earlier run that are not kept. Throws Error cannotCreate.
     void begin();
 
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
@@ -34,6 +42,7 @@ private:
     void takeOver(const std::filesystem::path& file, bool isOurs);
 
     std::filesystem::path path_;
+    EarlierRun earlier_;
     /// The directory itself, opened; closed also when the rest of the construction fails.
     struct Lock
     {

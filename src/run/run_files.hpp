@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Room: what the command fill does: plan, run, record frames, write the files. It joins
-// simulation and renderer, which do not know each other.
+// Room: what the commands fill and render do: plan, run, record and paint frames, write the files.
+// It joins simulation and renderer, which do not know each other.
 #pragma once
 
 #include "run/frame_timing.hpp"

@@ -41,14 +41,21 @@ private:
 
 std::string runHash(const Scene& scene, const TriangleMesh& mesh)
 {
-    // How many threads there are, and how pictures are kept, changes no result.
+    // How many threads there are, which frames are drawn, and what is kept how, changes neither a
+    // result nor a picture.
     Scene same = scene;
+    same.frames.enabled = true;
+    same.frames.selection = FrameSettings{}.selection;
+    same.frames.limit = FrameSettings{}.limit;
+    same.frames.hold = FrameSettings{}.hold;
+    same.frames.passes = {};
     same.threads = 0;
     same.staticLayer = true;
     same.backend = Backend::automatic;
     Hash hash;
-    hash.add(
-        sceneToJson(same).dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+    nlohmann::ordered_json json = sceneToJson(same);
+    json["frames"].erase("keep_run");
+    hash.add(json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
     hash.add(mesh.vertices);
     hash.add(mesh.triangles);
     return fmt::format("{:016x}", hash.value());

@@ -99,6 +99,7 @@ public:
         return static_cast<std::int64_t>(folded >> 1) ^ -static_cast<std::int64_t>(folded & 1);
     }
     [[nodiscard]] bool done() const { return rest_.empty(); }
+    [[nodiscard]] std::size_t left() const { return rest_.size(); }
 
 private:
     std::string_view rest_;

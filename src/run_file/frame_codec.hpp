@@ -19,8 +19,18 @@ struct Track
     std::array<std::int64_t, 3> step{}; ///< from the frame before that
 };
 
-/// In the flags of a frame: its pose follows.
+/// In the flags of a frame: its pose follows; it shows the state of the frame before, and nothing
+/// follows.
 inline constexpr std::uint64_t kHasPose = 1;
+inline constexpr std::uint64_t kIsRepeated = 2;
+
+/// How large a sphere is drawn that has a number and only waits for its fall: so small that nobody
+/// sees it. [mesh unit]
+[[nodiscard]] inline float waitingRadius(double radius)
+{
+    constexpr double kUnseen = 1e-3;
+    return static_cast<float>(kUnseen * radius);
+}
 
 /// Goes through the tracks of the frame before along with ascending ids.
 class TrackFinder
@@ -56,42 +66,62 @@ public:
     explicit FrameEncoder(double grid) : grid_(grid) {}
     /// Rounds the places in the snapshot.
     void encode(Snapshot& snapshot, const RunFileWriter::Exact& exact, ByteWriter& out);
+    /// The frame before once more.
+    void repeat(ByteWriter& out) const;
 
 private:
     void sortChanges(Snapshot& snapshot, const RunFileWriter::Exact& exact);
-    void encodeNew(const Snapshot& snapshot, const RunFileWriter::Exact& exact,
-                   ByteWriter& out) const;
+    void sortRenewed(const Snapshot& snapshot, const RunFileWriter::Exact& exact);
+    void encodeRenewed(const Snapshot& snapshot, ByteWriter& out) const;
     void encodeMoving(Snapshot& snapshot, ByteWriter& out);
     void encodeSettled(const RunFileWriter::Exact& exact, ByteWriter& out) const;
     void encodePolygons(const Snapshot& snapshot, ByteWriter& out);
 
     double grid_;
-    std::vector<SphereState> states_;     ///< in the frame before
+    double time_ = 0; ///< of the frame before [s], and so on
+    std::uint64_t step_ = 0;
+    std::uint32_t set_ = 0;
+    std::vector<SphereState> states_;
+    std::vector<double> radii_; ///< [mesh unit]
+    std::vector<std::uint32_t> groups_;
     std::vector<Eigen::Vector3f> places_; ///< of spheres at rest
     std::vector<PolygonState> polygons_;
     std::vector<Track> moving_;
-    std::vector<std::uint32_t> running_, settled_, discarded_; ///< of this frame
+    std::vector<std::uint32_t> renewed_, running_, waiting_, settled_, discarded_; ///< of this one
 };
 
 /// Reads what FrameEncoder wrote, in the same order.
 class FrameDecoder
 {
 public:
-    FrameDecoder(double grid, const Eigen::Vector3d& origin, std::size_t polygons);
-    /// Throws DamagedBytes.
+    FrameDecoder(double grid, const Eigen::Vector3d& origin, std::size_t polygons,
+                 std::uint64_t source);
+    /// Throws DamagedBytes. Snapshot::changed grows until forgetChanges().
     void decode(ByteReader& in);
+    /// Brings Snapshot::changed into order, each sphere once. To be called before it is looked at.
+    void sortChanges();
     [[nodiscard]] const Snapshot& snapshot() const { return snapshot_; }
+    void forgetChanges();
+    /// Number of different states so far.
+    [[nodiscard]] std::uint64_t states() const { return states_; }
     [[nodiscard]] const std::vector<Eigen::Vector3d>& centres() const { return centres_; }
     [[nodiscard]] const std::vector<double>& radii() const { return radii_; }
 
 private:
-    void decodeNew(ByteReader& in);
+    void decodePose(ByteReader& in);
+    void decodeRenewed(ByteReader& in);
     void decodeMoving(ByteReader& in);
+    void decodeWaiting(ByteReader& in);
     void decodeSettled(ByteReader& in);
     void decodePolygons(ByteReader& in);
+    [[nodiscard]] std::size_t& counter(SphereState state);
+    void resize(std::size_t count);
     void setState(std::uint32_t id, SphereState state);
+    void awaken();
 
     double grid_;
+    std::uint64_t states_ = 0;
+    std::vector<std::uint32_t> waiting_;
     Snapshot snapshot_;
     std::vector<Eigen::Vector3d> centres_;
     std::vector<double> radii_;

@@ -8,6 +8,9 @@ namespace frostfill
 namespace
 {
 
+/// How often changes may name each sphere before they are sorted.
+constexpr std::size_t kTimesNamed = 4;
+
 std::vector<std::uint32_t> getIds(ByteReader& in, std::size_t below)
 {
     std::vector<std::uint32_t> ids(in.countOfMany());
@@ -26,72 +29,133 @@ std::vector<std::uint32_t> getIds(ByteReader& in, std::size_t below)
 
 } // namespace
 
-FrameDecoder::FrameDecoder(double grid, const Eigen::Vector3d& origin, std::size_t polygons)
+FrameDecoder::FrameDecoder(double grid, const Eigen::Vector3d& origin, std::size_t polygons,
+                           std::uint64_t source)
     : grid_(grid)
 {
+    snapshot_.source = source;
     snapshot_.origin = origin;
     snapshot_.polygons.resize(polygons, PolygonState::active);
 }
 
 void FrameDecoder::decode(ByteReader& in)
 {
-    snapshot_.changed.clear();
     snapshot_.time = in.raw<double>();
     snapshot_.step = in.count();
     snapshot_.set = static_cast<std::uint32_t>(in.count());
-    snapshot_.pose = {};
-    if (in.count() == kHasPose)
+    const std::uint64_t flags = in.count();
+    if (flags == kIsRepeated)
     {
-        for (int row = 0; row < 3; ++row)
-        {
-            for (int column = 0; column < 3; ++column)
-            {
-                snapshot_.pose.rotation(row, column) = in.raw<double>();
-            }
-        }
-        for (int axis = 0; axis < 3; ++axis)
-        {
-            snapshot_.pose.offset[axis] = in.raw<double>();
-        }
+        return;
     }
-    decodeNew(in);
+    ++states_;
+    snapshot_.pose = {};
+    if (flags == kHasPose)
+    {
+        decodePose(in);
+    }
+    awaken();
+    decodeRenewed(in);
     decodeMoving(in);
+    decodeWaiting(in);
     decodeSettled(in);
     decodePolygons(in);
+    if (snapshot_.changed.size() > kTimesNamed * snapshot_.states.size())
+    {
+        sortChanges(); // before it takes more memory than the spheres
+    }
+}
+
+void FrameDecoder::sortChanges()
+{
+    auto& changed = snapshot_.changed;
+    std::sort(changed.begin(), changed.end());
+    changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+    const auto gone = std::lower_bound(changed.begin(), changed.end(), snapshot_.states.size());
+    changed.erase(gone, changed.end());
+}
+
+void FrameDecoder::forgetChanges()
+{
+    snapshot_.changed.clear();
+    snapshot_.polygonsChanged = false;
+    snapshot_.changedSince = snapshot_.step;
+}
+
+void FrameDecoder::decodePose(ByteReader& in)
+{
+    for (int row = 0; row < 3; ++row)
+    {
+        for (int column = 0; column < 3; ++column)
+        {
+            snapshot_.pose.rotation(row, column) = in.raw<double>();
+        }
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        snapshot_.pose.offset[axis] = in.raw<double>();
+    }
+}
+
+std::size_t& FrameDecoder::counter(SphereState state)
+{
+    return state == SphereState::running  ? snapshot_.running
+           : state == SphereState::frozen ? snapshot_.frozen
+                                          : snapshot_.discarded;
 }
 
 void FrameDecoder::setState(std::uint32_t id, SphereState state)
 {
-    const auto counter = [&](SphereState of) -> std::size_t&
-    {
-        return of == SphereState::running  ? snapshot_.running
-               : of == SphereState::frozen ? snapshot_.frozen
-                                           : snapshot_.discarded;
-    };
     --counter(snapshot_.states[id]);
     snapshot_.states[id] = state;
     ++counter(state);
 }
 
-void FrameDecoder::decodeNew(ByteReader& in)
+// What waited in the frame before counts again, until this one says that it waits.
+void FrameDecoder::awaken()
+{
+    for (const std::uint32_t id : waiting_)
+    {
+        snapshot_.radii[id] = static_cast<float>(radii_[id]);
+        ++snapshot_.running;
+    }
+    waiting_.clear();
+}
+
+void FrameDecoder::resize(std::size_t count)
 {
     const std::size_t known = snapshot_.states.size();
-    const std::size_t count = known + in.countOfMany();
+    for (std::size_t id = count; id < known; ++id)
+    {
+        --counter(snapshot_.states[id]);
+    }
+    snapshot_.running += count - std::min(known, count);
     snapshot_.radii.resize(count);
     snapshot_.groups.resize(count);
     snapshot_.states.resize(count, SphereState::running);
-    snapshot_.running += count - known;
     snapshot_.centres.resize(count, Eigen::Vector3f::Zero());
     snapshot_.speeds.resize(count, 0);
     centres_.resize(count, Eigen::Vector3d::Zero());
     radii_.resize(count);
-    for (std::size_t id = known; id < count; ++id)
+}
+
+void FrameDecoder::decodeRenewed(ByteReader& in)
+{
+    const std::uint64_t count = in.count();
+    if (count > snapshot_.states.size() + in.left())
+    {
+        throw DamagedBytes("counts more spheres than there are");
+    }
+    resize(static_cast<std::size_t>(count));
+    const std::vector<std::uint32_t> renewed = getIds(in, snapshot_.states.size());
+    for (const std::uint32_t id : renewed)
     {
         radii_[id] = in.raw<double>();
         snapshot_.radii[id] = static_cast<float>(radii_[id]);
+        snapshot_.changed.push_back(id);
     }
     std::int64_t before = 0;
-    for (std::size_t id = known; id < count; ++id)
+    for (const std::uint32_t id : renewed)
     {
         before += in.difference();
         snapshot_.groups[id] = static_cast<std::uint32_t>(before);
@@ -132,6 +196,20 @@ void FrameDecoder::decodeMoving(ByteReader& in)
     moving_ = std::move(now);
 }
 
+void FrameDecoder::decodeWaiting(ByteReader& in)
+{
+    waiting_ = getIds(in, snapshot_.states.size());
+    for (const std::uint32_t id : waiting_)
+    {
+        if (snapshot_.states[id] != SphereState::running)
+        {
+            throw DamagedBytes("has a sphere that waits at rest");
+        }
+        snapshot_.radii[id] = waitingRadius(radii_[id]);
+        --snapshot_.running;
+    }
+}
+
 void FrameDecoder::decodeSettled(ByteReader& in)
 {
     const std::vector<std::uint32_t> settled = getIds(in, snapshot_.states.size());
@@ -156,9 +234,6 @@ void FrameDecoder::decodeSettled(ByteReader& in)
                                                                     : SphereState::discarded);
         snapshot_.changed.push_back(id);
     }
-    std::sort(snapshot_.changed.begin(), snapshot_.changed.end());
-    snapshot_.changed.erase(std::unique(snapshot_.changed.begin(), snapshot_.changed.end()),
-                            snapshot_.changed.end());
 }
 
 void FrameDecoder::decodePolygons(ByteReader& in)
@@ -171,7 +246,7 @@ void FrameDecoder::decodePolygons(ByteReader& in)
         state = wasActive ? PolygonState::discarded : PolygonState::active;
         snapshot_.discardedPolygons += wasActive ? 1 : static_cast<std::size_t>(-1);
     }
-    snapshot_.polygonsChanged = !turned.empty();
+    snapshot_.polygonsChanged = snapshot_.polygonsChanged || !turned.empty();
 }
 
 } // namespace frostfill

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "run_file/frame_codec.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace frostfill
 {
@@ -46,9 +48,12 @@ Eigen::Vector3f placeInPictures(const Eigen::Vector3d& exact, const Eigen::Vecto
 void FrameEncoder::encode(Snapshot& snapshot, const RunFileWriter::Exact& exact, ByteWriter& out)
 {
     const bool hasPose = !snapshot.pose.rotation.isIdentity(0) || !snapshot.pose.offset.isZero(0);
-    out.raw(snapshot.time);
-    out.count(snapshot.step);
-    out.count(snapshot.set);
+    time_ = snapshot.time;
+    step_ = snapshot.step;
+    set_ = snapshot.set;
+    out.raw(time_);
+    out.count(step_);
+    out.count(set_);
     out.count(hasPose ? kHasPose : 0);
     if (hasPose)
     {
@@ -64,8 +69,9 @@ void FrameEncoder::encode(Snapshot& snapshot, const RunFileWriter::Exact& exact,
             out.raw(snapshot.pose.offset[axis]);
         }
     }
+    sortRenewed(snapshot, exact);
     sortChanges(snapshot, exact);
-    encodeNew(snapshot, exact, out);
+    encodeRenewed(snapshot, out);
     encodeMoving(snapshot, out);
     encodeSettled(exact, out);
     encodePolygons(snapshot, out);
@@ -73,6 +79,45 @@ void FrameEncoder::encode(Snapshot& snapshot, const RunFileWriter::Exact& exact,
     for (const std::uint32_t id : snapshot.changed)
     {
         states_[id] = snapshot.states[id];
+    }
+}
+
+void FrameEncoder::repeat(ByteWriter& out) const
+{
+    out.raw(time_);
+    out.count(step_);
+    out.count(set_);
+    out.count(kIsRepeated);
+}
+
+// A number is new, or has gone to another sphere because its own was withdrawn.
+void FrameEncoder::sortRenewed(const Snapshot& snapshot, const RunFileWriter::Exact& exact)
+{
+    const std::size_t count = snapshot.states.size();
+    const std::size_t known = std::min(states_.size(), count);
+    renewed_.clear();
+    waiting_.clear();
+    radii_.resize(count);
+    groups_.resize(count);
+    for (const std::uint32_t id : snapshot.changed)
+    {
+        const float radius = snapshot.radii[id];
+        if (id < known && groups_[id] == snapshot.groups[id] &&
+            radius == static_cast<float>(radii_[id]))
+        {
+            continue;
+        }
+        const bool waited = id < known && radius == waitingRadius(radii_[id]);
+        if (!waited || groups_[id] != snapshot.groups[id])
+        {
+            renewed_.push_back(id);
+            radii_[id] = exact(id).radius;
+            groups_[id] = snapshot.groups[id];
+        }
+        if (radius == waitingRadius(radii_[id]))
+        {
+            waiting_.push_back(id);
+        }
     }
 }
 
@@ -84,6 +129,7 @@ void FrameEncoder::sortChanges(Snapshot& snapshot, const RunFileWriter::Exact& e
     running_.clear();
     settled_.clear();
     discarded_.clear();
+    states_.resize(std::min(states_.size(), snapshot.states.size()));
     places_.resize(snapshot.states.size(), Eigen::Vector3f::Zero());
     for (const std::uint32_t id : snapshot.changed)
     {
@@ -110,20 +156,19 @@ void FrameEncoder::sortChanges(Snapshot& snapshot, const RunFileWriter::Exact& e
     }
 }
 
-void FrameEncoder::encodeNew(const Snapshot& snapshot, const RunFileWriter::Exact& exact,
-                             ByteWriter& out) const
+void FrameEncoder::encodeRenewed(const Snapshot& snapshot, ByteWriter& out) const
 {
-    const std::size_t known = states_.size();
-    out.count(snapshot.states.size() - known);
-    for (std::size_t id = known; id < snapshot.states.size(); ++id)
+    out.count(snapshot.states.size());
+    putIds(renewed_, out);
+    for (const std::uint32_t id : renewed_)
     {
-        out.raw(exact(static_cast<std::uint32_t>(id)).radius);
+        out.raw(radii_[id]);
     }
     std::int64_t before = 0;
-    for (std::size_t id = known; id < snapshot.states.size(); ++id)
+    for (const std::uint32_t id : renewed_)
     {
-        out.difference(snapshot.groups[id] - before);
-        before = snapshot.groups[id];
+        out.difference(groups_[id] - before);
+        before = groups_[id];
     }
 }
 
@@ -154,6 +199,7 @@ void FrameEncoder::encodeMoving(Snapshot& snapshot, ByteWriter& out)
         snapshot.speeds[id] = rounded(snapshot.speeds[id]);
         out.raw(snapshot.speeds[id]);
     }
+    putIds(waiting_, out);
     moving_ = std::move(now);
 }
 
@@ -174,14 +220,21 @@ void FrameEncoder::encodePolygons(const Snapshot& snapshot, ByteWriter& out)
 {
     std::vector<std::uint32_t> turned;
     polygons_.resize(snapshot.polygons.size(), PolygonState::active);
-    for (std::size_t polygon = 0; polygon < polygons_.size(); ++polygon)
+    // Most frames change none, and a mesh may have a million.
+    const bool same =
+        polygons_.empty() || std::memcmp(polygons_.data(), snapshot.polygons.data(),
+                                         polygons_.size() * sizeof(PolygonState)) == 0;
+    for (std::size_t polygon = 0; !same && polygon < polygons_.size(); ++polygon)
     {
         if (polygons_[polygon] != snapshot.polygons[polygon])
         {
             turned.push_back(static_cast<std::uint32_t>(polygon));
         }
     }
-    polygons_ = snapshot.polygons;
+    for (const std::uint32_t polygon : turned)
+    {
+        polygons_[polygon] = snapshot.polygons[polygon];
+    }
     putIds(turned, out);
 }
 

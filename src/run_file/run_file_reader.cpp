@@ -9,10 +9,19 @@
 
 #include <fmt/format.h>
 
+#include <atomic>
+
 namespace frostfill
 {
 namespace
 {
+
+/// Tells the snapshots of files from those of simulations and of other files.
+std::uint64_t newSource()
+{
+    static std::atomic<std::uint64_t> next = std::uint64_t{1} << 63;
+    return ++next;
+}
 
 [[noreturn]] void refuse(const std::filesystem::path& file, std::string_view what)
 {
@@ -85,7 +94,7 @@ struct RunFileReader::Implementation
 
     void rewind()
     {
-        decoder = FrameDecoder(grid, origin, mesh.triangles.size());
+        decoder = FrameDecoder(grid, origin, mesh.triangles.size(), newSource());
         decoded = 0;
         record = 0;
         rest.reset();
@@ -190,12 +199,23 @@ const Snapshot& RunFileReader::seek(std::size_t index)
         {
             it.decodeNext();
         }
+        it.decoder->sortChanges();
     }
     catch (const DamagedBytes& damage)
     {
         refuse(it.file, damage.what());
     }
     return it.decoder->snapshot();
+}
+
+void RunFileReader::forgetChanges()
+{
+    implementation_->decoder->forgetChanges();
+}
+
+std::uint64_t RunFileReader::revision() const
+{
+    return implementation_->decoder->states();
 }
 
 const std::vector<Eigen::Vector3d>& RunFileReader::centres() const

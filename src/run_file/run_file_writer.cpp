@@ -6,10 +6,12 @@
 #include <frostfill/error.hpp>
 #include <frostfill/run_file.hpp>
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <utility>
 
 namespace frostfill
@@ -26,22 +28,106 @@ constexpr std::size_t kBytesInARecord = std::size_t{1} << 20;
 
 struct RunFileWriter::Implementation
 {
-    Implementation(std::filesystem::path name, double grid) : file(std::move(name)), encoder(grid)
+    explicit Implementation(double grid) : encoder(grid) {}
+    ~Implementation()
     {
+        if (descriptor >= 0)
+        {
+            close(descriptor);
+        }
+    }
+    Implementation(const Implementation&) = delete;
+    Implementation& operator=(const Implementation&) = delete;
+
+    [[noreturn]] void refuse(int failure, std::size_t bytes) const
+    {
+        throw Error(ErrorCode::writeFailed, writeFailure(file, failure, bytes));
+    }
+
+    /// Under another name, so that a run file has a head from its first moment.
+    void create(std::string_view start)
+    {
+        const std::filesystem::path part = file.string() + ".part";
+        unlink(part.c_str());
+        descriptor = createNewFile(part);
+        if (descriptor < 0)
+        {
+            throw Error(ErrorCode::cannotCreate,
+                        fmt::format("cannot create '{}': {}", part.string(), std::strerror(errno)));
+        }
+        append(start);
+        if (std::rename(part.c_str(), file.c_str()) != 0)
+        {
+            const int failure = errno;
+            unlink(part.c_str());
+            refuse(failure, 0);
+        }
+    }
+
+    /// Opens a file that begins like this one; false for any other.
+    bool reopen(std::string_view start)
+    {
+        descriptor = open(file.c_str(), O_RDWR | O_CLOEXEC);
+        if (descriptor >= 0 && isThere(start))
+        {
+            at += static_cast<off_t>(start.size());
+            return true;
+        }
+        if (descriptor >= 0)
+        {
+            close(std::exchange(descriptor, -1));
+        }
+        return false;
+    }
+
+    /// Whether the bytes are what the file has next.
+    [[nodiscard]] bool isThere(std::string_view bytes) const
+    {
+        std::string there(bytes.size(), '\0');
+        const ssize_t read = pread(descriptor, there.data(), there.size(), at);
+        return read == static_cast<ssize_t>(bytes.size()) && there == bytes;
     }
 
     void write(std::string_view bytes)
+    {
+        if (descriptor < 0)
+        {
+            return;
+        }
+        if (continues && isThere(bytes))
+        {
+            at += static_cast<off_t>(bytes.size());
+            return;
+        }
+        if (std::exchange(continues, false) &&
+            (ftruncate(descriptor, at) != 0 || lseek(descriptor, at, SEEK_SET) != at))
+        {
+            refuse(errno, bytes.size());
+        }
+        append(bytes);
+    }
+
+    void append(std::string_view bytes) const
     {
         const int failure = writeAll(
             descriptor, {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
         if (failure != 0)
         {
-            throw Error(ErrorCode::writeFailed, writeFailure(file, failure, bytes.size()));
+            refuse(failure, bytes.size());
+        }
+    }
+
+    void add(std::size_t frame)
+    {
+        numbers.push_back(static_cast<std::uint32_t>(frame));
+        if (numbers.size() == kFramesInARecord || waiting.bytes().size() >= kBytesInARecord)
+        {
+            writeFrames();
         }
     }
     void writeFrames()
     {
-        if (!numbers.empty())
+        if (!numbers.empty() && descriptor >= 0)
         {
             write(packRecord(RecordKind::frames, numbers, waiting.bytes()));
         }
@@ -50,65 +136,73 @@ struct RunFileWriter::Implementation
     }
 
     std::filesystem::path file;
-    int descriptor = -1;
+    int descriptor = -1;    ///< -1: no file is written
+    bool continues = false; ///< what follows may be there already
+    off_t at = 0;           ///< where, if it continues
     FrameEncoder encoder;
     ByteWriter waiting;
     std::vector<std::uint32_t> numbers; ///< of the frames that wait
 };
 
 RunFileWriter::RunFileWriter(const std::filesystem::path& file, std::string_view head,
-                             const TriangleMesh& mesh, double smallestRadius)
-    : implementation_(std::make_unique<Implementation>(file, gridOf(smallestRadius)))
+                             const TriangleMesh& mesh, double smallestRadius, EarlierFile earlier)
+    : RunFileWriter(smallestRadius)
 {
-    unlink(file.c_str()); // of a run that is overwritten
-    implementation_->descriptor = createNewFile(file);
-    if (implementation_->descriptor < 0)
-    {
-        throw Error(ErrorCode::cannotCreate,
-                    fmt::format("cannot create '{}': {}", file.string(), std::strerror(errno)));
-    }
-    implementation_->write(kRunFileMark);
-    ByteWriter bytes;
-    bytes.raw(gridOf(smallestRadius));
+    ByteWriter numbers;
+    numbers.raw(gridOf(smallestRadius));
     const Eigen::Vector3d origin = boundingBox(mesh).center();
     for (int axis = 0; axis < 3; ++axis)
     {
-        bytes.raw(origin[axis]);
+        numbers.raw(origin[axis]);
     }
-    bytes.bytes() += head;
-    implementation_->write(packRecord(RecordKind::head, {}, bytes.bytes()));
-    implementation_->write(packRecord(RecordKind::mesh, {}, plyBytes(mesh)));
+    numbers.bytes() += head;
+    const std::string start = std::string(kRunFileMark) +
+                              packRecord(RecordKind::head, {}, numbers.bytes()) +
+                              packRecord(RecordKind::mesh, {}, plyBytes(mesh));
+    implementation_->file = file;
+    implementation_->continues =
+        earlier == EarlierFile::continued && implementation_->reopen(start);
+    if (!implementation_->continues)
+    {
+        implementation_->create(start);
+    }
 }
 
-RunFileWriter::~RunFileWriter()
+RunFileWriter::RunFileWriter(double smallestRadius)
+    : implementation_(std::make_unique<Implementation>(gridOf(smallestRadius)))
 {
-    if (implementation_->descriptor >= 0)
-    {
-        close(implementation_->descriptor);
-    }
 }
+
+RunFileWriter::~RunFileWriter() = default;
 
 void RunFileWriter::put(std::size_t frame, Snapshot& snapshot, const Exact& exact)
 {
     implementation_->encoder.encode(snapshot, exact, implementation_->waiting);
-    implementation_->numbers.push_back(static_cast<std::uint32_t>(frame));
-    if (implementation_->numbers.size() == kFramesInARecord ||
-        implementation_->waiting.bytes().size() >= kBytesInARecord)
-    {
-        implementation_->writeFrames();
-    }
+    implementation_->add(frame);
+}
+
+void RunFileWriter::repeat(std::size_t frame)
+{
+    implementation_->encoder.repeat(implementation_->waiting);
+    implementation_->add(frame);
 }
 
 void RunFileWriter::finish(std::string_view summary)
 {
-    implementation_->writeFrames();
-    implementation_->write(packRecord(RecordKind::summary, {}, summary));
-    int failure = syncFile(implementation_->descriptor);
-    const int atEnd = closeFile(std::exchange(implementation_->descriptor, -1));
+    Implementation& it = *implementation_;
+    it.writeFrames();
+    if (it.descriptor < 0)
+    {
+        return;
+    }
+    it.write(packRecord(RecordKind::summary, {}, summary));
+    int failure = it.continues && ftruncate(it.descriptor, it.at) != 0 ? errno : 0;
+    failure = failure != 0 ? failure : syncFile(it.descriptor);
+    const int atEnd = closeFile(std::exchange(it.descriptor, -1));
     failure = failure != 0 ? failure : atEnd;
     if (failure != 0)
     {
-        throw Error(ErrorCode::writeFailed, writeFailure(implementation_->file, failure, 0));
+        it.refuse(failure, 0);
     }
 }
 

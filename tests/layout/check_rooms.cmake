@@ -60,12 +60,13 @@ room(render ${seen} render/framing render/context render/passes render/overlay r
      render/raster)
 
 room(run_file base ${mesh} snapshot)
+room(packing ${mesh} scene scene/options snapshot simulation simulation/quality run_file)
 room(output base snapshot scene scene/options image)
 room(run base mesh view scene scene/options snapshot simulation image renderer render/overlay run_file output)
 
 set(below base geometry ${mesh} view scene scene/options snapshot simulation simulation/world ${parts}
           simulation/quality simulation/engine image renderer render/framing render/context
-          render/passes render/overlay run_file output run)
+          render/passes render/overlay run_file packing output run)
 room(study ${below})
 room(study/stability ${below} study)
 room(study/operations ${below} study)
@@ -81,6 +82,7 @@ set(sees_all_public_headers app)
 set(common error measure)
 # The public headers that are not named after their room.
 set(room_of_fill run)
+set(room_of_render_run run)
 set(room_of_options scene/options)
 
 function(room_of_header name result)

@@ -14,6 +14,34 @@ constexpr double kLongestTurn = 1e6;
 constexpr double kFewestPerSecond = 1e-3;
 constexpr double kShortestVideo = 0.01;
 
+void addKeepRun(TableBuilder& table)
+{
+    table.add(Option{.key = "frames.keep_run",
+                     .flag = "--keep-run",
+                     .group = table.group(),
+                     .help =
+                         "Keep the run in run.frost, to draw it again (frostfill render) and to "
+                         "resume it; auto: when frames are drawn",
+                     .choices = {"auto", "on", "off"},
+                     .get =
+                         [](const Scene& scene)
+                     {
+                         const auto& keep = scene.frames.keepRun;
+                         return std::string(!keep ? "auto" : *keep ? "on" : "off");
+                     },
+                     .set =
+                         [](Scene& scene, const OptionValue& value)
+                     {
+                         const auto& text = std::get<std::string>(value);
+                         scene.frames.keepRun.reset();
+                         if (text != "auto")
+                         {
+                             scene.frames.keepRun = text == "on";
+                         }
+                         return true;
+                     }});
+}
+
 void addFrames(TableBuilder& table)
 {
     table.heading("Frames");
@@ -65,6 +93,7 @@ void addFrames(TableBuilder& table)
     table.add("frames.passes", "--passes",
               "Also draw depth, normals or sphere identities of each frame",
               FROSTFILL_FIELD(frames.passes));
+    addKeepRun(table);
 }
 
 /// A look sets the colours, so colours that are given must be set after it.

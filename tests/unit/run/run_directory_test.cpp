@@ -22,6 +22,7 @@ void writeOldRun(const std::filesystem::path& folder)
     writeFile(folder / "sets.csv", "set,spheres,frames\n");
     writeFile(folder / "summary.json", "{\n  \"outcome\": \"full\"}");
     writeFile(folder / "mesh.ply", "ply\ncomment Frostfill\n");
+    writeFile(folder / "run.frost", "frostrun\x01");
     writeFile(folder / "frames/frame_00000.png", "\x89PNG tEXtSoftware Frostfill");
 }
 
@@ -39,11 +40,11 @@ TEST(RunDirectory, IsCreatedWithWhatIsMissingAboveIt)
 {
     const TemporaryFolder folder;
     {
-        RunDirectory directory(folder / "a/b", false);
+        RunDirectory directory(folder / "a/b", EarlierRun::refuse);
         directory.begin();
         EXPECT_TRUE(std::filesystem::is_empty(folder / "a/b"));
     }
-    const RunDirectory again(folder / "a/b", false);
+    const RunDirectory again(folder / "a/b", EarlierRun::refuse);
 }
 
 TEST(RunDirectory, IsRefusedWhenItHoldsARun)
@@ -51,9 +52,10 @@ TEST(RunDirectory, IsRefusedWhenItHoldsARun)
     const TemporaryFolder folder;
     writeOldRun(folder.path());
     expectError(
-        ErrorCode::cannotCreate, [&] { const RunDirectory directory(folder.path(), false); },
-        "--overwrite", folder.path().string());
-    EXPECT_EQ(countFiles(folder.path()), 6u);
+        ErrorCode::cannotCreate,
+        [&] { const RunDirectory directory(folder.path(), EarlierRun::refuse); }, "--overwrite",
+        folder.path().string());
+    EXPECT_EQ(countFiles(folder.path()), 7u);
 }
 
 TEST(RunDirectory, KeepsTheOldRunUntilTheNewOneBegins)
@@ -61,12 +63,25 @@ TEST(RunDirectory, KeepsTheOldRunUntilTheNewOneBegins)
     const TemporaryFolder folder;
     writeOldRun(folder.path());
     {
-        const RunDirectory directory(folder.path(), true); // and then something else fails
+        const RunDirectory directory(folder.path(),
+                                     EarlierRun::replace); // and then something else fails
     }
-    EXPECT_EQ(countFiles(folder.path()), 6u);
-    RunDirectory directory(folder.path(), true);
+    EXPECT_EQ(countFiles(folder.path()), 7u);
+    RunDirectory directory(folder.path(), EarlierRun::replace);
     directory.begin();
     EXPECT_EQ(countFiles(folder.path()), 0u);
+}
+
+TEST(RunDirectory, KeepsARunThatIsResumedButForItsSummary)
+{
+    const TemporaryFolder folder;
+    writeOldRun(folder.path());
+    writeFile(folder / "frames/frame_00012.png.4711.tmp", "\x89P");
+    RunDirectory directory(folder.path(), EarlierRun::keep);
+    directory.begin();
+    EXPECT_EQ(countFiles(folder.path()), 6u);
+    EXPECT_FALSE(std::filesystem::exists(folder / "summary.json"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "frames/frame_00012.png.4711.tmp"));
 }
 
 TEST(RunDirectory, TouchesNoFileThatNoRunHasWritten)
@@ -79,7 +94,7 @@ TEST(RunDirectory, TouchesNoFileThatNoRunHasWritten)
         writeFile(folder / mine, "mine");
     }
     {
-        RunDirectory directory(folder.path(), true);
+        RunDirectory directory(folder.path(), EarlierRun::replace);
         directory.begin();
     }
     EXPECT_EQ(countFiles(folder.path()), 5u);
@@ -88,13 +103,15 @@ TEST(RunDirectory, TouchesNoFileThatNoRunHasWritten)
 TEST(RunDirectory, RefusesFilesOfOthersUnderItsOwnNames)
 {
     const TemporaryFolder folder;
-    for (const char* mine : {"spheres.csv", "summary.json", "mesh.ply", "frames/frame_00007.png"})
+    for (const char* mine :
+         {"spheres.csv", "summary.json", "mesh.ply", "run.frost", "frames/frame_00007.png"})
     {
         std::filesystem::create_directory(folder / "frames");
         writeFile(folder / mine, "mine");
         expectError(
-            ErrorCode::cannotCreate, [&] { const RunDirectory directory(folder.path(), true); },
-            mine, "was not written by a run");
+            ErrorCode::cannotCreate,
+            [&] { const RunDirectory directory(folder.path(), EarlierRun::replace); }, mine,
+            "was not written by a run");
         EXPECT_EQ(test::readFile(folder / mine), "mine");
         std::filesystem::remove(folder / mine);
     }
@@ -107,14 +124,15 @@ TEST(RunDirectory, FollowsNoSymbolicLink)
     std::filesystem::create_directory(folder / "run");
     std::filesystem::create_directory_symlink(folder / "elsewhere/frames", folder / "run/frames");
     expectError(
-        ErrorCode::cannotCreate, [&] { const RunDirectory directory(folder / "run", true); },
+        ErrorCode::cannotCreate,
+        [&] { const RunDirectory directory(folder / "run", EarlierRun::replace); },
         "frames is in the way");
     std::filesystem::remove(folder / "run/frames");
     std::filesystem::create_symlink(folder / "elsewhere/mesh.ply", folder / "run/mesh.ply");
     expectError(
-        ErrorCode::cannotCreate, [&] { const RunDirectory directory(folder / "run", true); },
-        "mesh.ply");
-    EXPECT_EQ(countFiles(folder / "elsewhere"), 6u);
+        ErrorCode::cannotCreate,
+        [&] { const RunDirectory directory(folder / "run", EarlierRun::replace); }, "mesh.ply");
+    EXPECT_EQ(countFiles(folder / "elsewhere"), 7u);
 }
 
 TEST(RunDirectory, ClearsAwayWhatAKilledRunHasLeft)
@@ -122,8 +140,9 @@ TEST(RunDirectory, ClearsAwayWhatAKilledRunHasLeft)
     const TemporaryFolder folder;
     std::filesystem::create_directory(folder / "frames");
     writeFile(folder / "sets.csv.part", "se");
+    writeFile(folder / "run.frost.part", "fro");
     writeFile(folder / "frames/frame_00012.png.4711.tmp", "\x89P");
-    RunDirectory directory(folder.path(), false); // that is no run
+    RunDirectory directory(folder.path(), EarlierRun::refuse); // that is no run
     directory.begin();
     EXPECT_EQ(countFiles(folder.path()), 0u);
 }
@@ -141,7 +160,7 @@ TEST(RunDirectory, ClearsAwayTheHalfOfPicturesThatWereThinnedOut)
     writeFile(folder / "frames.part/notes.txt", "mine");
     writeFile(folder / "contact_sheet.png.4711.tmp", "\x89P");
     {
-        RunDirectory directory(folder.path(), true);
+        RunDirectory directory(folder.path(), EarlierRun::replace);
         directory.begin();
     }
     EXPECT_EQ(countFiles(folder.path()), 1u);
@@ -156,8 +175,8 @@ TEST(RunDirectory, KeepsPicturesThatWereBetweenTwoFolders)
     std::filesystem::create_directory(folder / "frames.part.old");
     writeFile(folder / "frames.part.old/frame_00000.png", "\x89PNG tEXtSoftware Frostfill");
     expectError(
-        ErrorCode::cannotCreate, [&] { const RunDirectory directory(folder.path(), false); },
-        "--overwrite");
+        ErrorCode::cannotCreate,
+        [&] { const RunDirectory directory(folder.path(), EarlierRun::refuse); }, "--overwrite");
     EXPECT_TRUE(std::filesystem::exists(folder / "frames/frame_00000.png"));
 }
 
@@ -165,12 +184,13 @@ TEST(RunDirectory, IsRefusedWhileAnotherRunWritesToIt)
 {
     const TemporaryFolder folder;
     {
-        const RunDirectory first(folder.path(), false);
+        const RunDirectory first(folder.path(), EarlierRun::refuse);
         expectError(
-            ErrorCode::cannotCreate, [&] { const RunDirectory second(folder.path(), true); },
+            ErrorCode::cannotCreate,
+            [&] { const RunDirectory second(folder.path(), EarlierRun::replace); },
             "another run is writing to", folder.path().string());
     }
-    const RunDirectory third(folder.path(), false);
+    const RunDirectory third(folder.path(), EarlierRun::refuse);
     EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
@@ -179,8 +199,8 @@ TEST(RunDirectory, IsRefusedWhenAFileIsInTheWay)
     const TemporaryFolder folder;
     writeFile(folder / "file", "");
     expectError(
-        ErrorCode::cannotCreate, [&] { const RunDirectory directory(folder / "file", true); },
-        "file");
+        ErrorCode::cannotCreate,
+        [&] { const RunDirectory directory(folder / "file", EarlierRun::replace); }, "file");
 }
 
 } // namespace

@@ -21,12 +21,13 @@ struct RecordedRun
 
 /// Three snapshots are filled in turn, as by the recorder of pictures; `every` so many steps.
 inline RecordedRun recordRun(const Scene& scene, const std::filesystem::path& file,
-                             std::size_t every = 3)
+                             std::size_t every = 3, EarlierFile earlier = EarlierFile::replace)
 {
     RecordedRun run;
     run.mesh = loadMesh(scene.object.mesh).mesh;
     Simulation simulation(scene, run.mesh);
-    RunFileWriter writer(file, R"({"name": "test"})", run.mesh, simulation.smallestRadius());
+    RunFileWriter writer(file, R"({"name": "test"})", run.mesh, simulation.smallestRadius(),
+                         earlier);
     std::array<Snapshot, 3> snapshots;
     const auto take = [&]
     {

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <frostfill/scene.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace frostfill
+{
+
+/// A run that was kept, to be drawn again, and how.
+struct RenderRequest
+{
+    std::filesystem::path run;       ///< its directory or its run.frost
+    std::filesystem::path directory; ///< for the pictures; empty: "render" in the run's
+    /// Changes frames, picture and camera of the run's scene. Empty: all as in the run.
+    std::function<void(Scene&)> change;
+    bool overwrite = false; ///< replace what the directory holds
+    /// Leave pictures as they are that are whole and say of themselves what would be drawn.
+    bool skipExisting = false;
+    std::filesystem::path video; ///< .mp4, .webm or .gif; empty for none
+    bool contactSheet = false;   ///< contact_sheet.png in the directory
+    std::string cameraPath;      ///< see FillRequest; empty for the run's
+};
+
+/// What the caller wants to hear. Every function may be empty.
+struct RenderObserver
+{
+    std::function<void(std::size_t done, std::size_t all)> progressed; ///< frames
+    std::function<bool()> stopRequested;                               ///< asked before every frame
+};
+
+struct RenderResult
+{
+    std::filesystem::path directory;
+    std::size_t frames = 0;                  ///< pictures
+    std::size_t skippedFrames = 0;           ///< of them, that were there already
+    std::size_t keptFrames = 0;              ///< frames in the run file
+    bool ended = false;                      ///< the run, when the file was read
+    std::uint64_t wholeBytes = 0;            ///< of the run file
+    std::uint64_t fileBytes = 0;             ///< more than that if its end is torn
+    bool stopped = false;                    ///< by stopRequested
+    bool blank = false;                      ///< some picture shows nothing
+    std::optional<std::string> videoFailure; ///< in a sentence; the pictures are all there
+    std::string renderer;
+    double wallSeconds = 0;
+};
+
+/// Does what `frostfill render` does: draws a kept run again. A picture depends on the run, the
+/// settings and the number of its frame alone; with the settings of the run it has the bytes of the
+/// picture that `fill` drew. Throws Error; see ErrorCode.
+[[nodiscard]] RenderResult renderRun(const RenderRequest& request,
+                                     const RenderObserver& observer = {});
+
+} // namespace frostfill

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+#include "app/commands.hpp"
+#include "app/message.hpp"
+#include "app/scene_options.hpp"
+
+#include <frostfill/error.hpp>
+#include <frostfill/packing.hpp>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace frostfill
+{
+namespace
+{
+
+constexpr const char* kExamples = R"(Examples:
+  frostfill check output/torus                                a run of our own, against its mesh
+  frostfill check packing.csv --mesh part.stl --up z --max-overlap 0.01
+  frostfill check dump.lammpstrj --mesh box.stl --json
+
+FILE is the directory of a run, a run.frost, a table with columns x, y, z and radius (CSV, or
+separated by semicolons or spaces), extended XYZ, or a LAMMPS dump; of several moments the last.
+)";
+
+struct CheckArguments
+{
+    std::string file;
+    std::string mesh;
+    std::optional<double> radius;
+    std::optional<double> mostOverlap, mostWallOverlap;
+    std::optional<std::size_t> mostOutside, mostUnsupported;
+    bool json = false;
+    GivenOptions given;
+};
+
+TriangleMesh meshOf(const CheckArguments& arguments, const Packing& packing, const Scene& scene)
+{
+    if (!arguments.mesh.empty())
+    {
+        LoadedMesh loaded = loadMesh(arguments.mesh, scene.object.load);
+        for (const std::string& repair : loaded.repairs)
+        {
+            say(fmt::format("repaired: {}\n", repair));
+        }
+        return std::move(loaded.mesh);
+    }
+    if (!packing.mesh)
+    {
+        throw Error(ErrorCode::usage,
+                    fmt::format("'{}' has spheres and no mesh: give the one they are in with "
+                                "--mesh",
+                                arguments.file));
+    }
+    return *packing.mesh;
+}
+
+/// What is more than it may be, each in a few words.
+std::vector<std::string> exceeded(const CheckArguments& arguments, const QualityReport& quality)
+{
+    std::vector<std::string> faults;
+    const auto compare = [&](const auto& most, auto value, const char* what)
+    {
+        if (most && value > *most)
+        {
+            faults.push_back(fmt::format("{} {:.4g}, more than {:.4g}", what,
+                                         static_cast<double>(value), static_cast<double>(*most)));
+        }
+    };
+    compare(arguments.mostOverlap, quality.maxOverlap, "largest overlap");
+    compare(arguments.mostWallOverlap, quality.maxWallOverlap, "largest overlap with a wall");
+    compare(arguments.mostOutside, quality.centresOutside + quality.notFinite, "centres outside");
+    compare(arguments.mostUnsupported, quality.unsupported, "spheres that nothing carries");
+    return faults;
+}
+
+void printTable(const Packing& packing, const QualityReport& quality)
+{
+    const auto [smallest, largest] =
+        std::minmax_element(packing.radii.begin(), packing.radii.end());
+    const auto row = [](const char* what, const std::string& value)
+    { fmt::print("{:<28} {}\n", what, value); };
+    row("spheres", fmt::format("{}, from {}", packing.centres.size(), packing.format));
+    row("radii", *smallest == *largest ? fmt::format("{:.6g}", *largest)
+                                       : fmt::format("{:.6g} to {:.6g}", *smallest, *largest));
+    row("largest overlap", fmt::format("{:.4g} of the smaller radius", quality.maxOverlap));
+    row("mean overlap of contacts",
+        fmt::format("{:.4g} of the smaller radius", quality.meanOverlap));
+    row("largest overlap with a wall", fmt::format("{:.4g} of the radius", quality.maxWallOverlap));
+    row("centres outside the mesh", fmt::format("{}", quality.centresOutside));
+    row("places that are no numbers", fmt::format("{}", quality.notFinite));
+    const auto resting = std::count(packing.atRest.begin(), packing.atRest.end(), true);
+    row("spheres that nothing carries",
+        fmt::format("{} of {} at rest", quality.unsupported, resting));
+    row("volume of the mesh", fmt::format("{:.6g}", quality.meshVolume));
+    row("volume of the spheres", fmt::format("{:.6g}, {:.2f} % of it", quality.sphereVolume,
+                                             100 * quality.sphereVolume / quality.meshVolume));
+}
+
+void printJson(const Packing& packing, const QualityReport& quality,
+               const std::vector<std::string>& faults)
+{
+    const auto [smallest, largest] =
+        std::minmax_element(packing.radii.begin(), packing.radii.end());
+    const nlohmann::ordered_json json = {
+        {"format", packing.format},
+        {"spheres", packing.centres.size()},
+        {"at_rest", std::count(packing.atRest.begin(), packing.atRest.end(), true)},
+        {"smallest_radius", *smallest},
+        {"largest_radius", *largest},
+        {"max_overlap_over_radius", quality.maxOverlap},
+        {"mean_overlap_over_radius", quality.meanOverlap},
+        {"max_wall_overlap_over_radius", quality.maxWallOverlap},
+        {"centres_outside", quality.centresOutside},
+        {"not_finite", quality.notFinite},
+        {"unsupported_frozen", quality.unsupported},
+        {"volume_mesh", quality.meshVolume},
+        {"volume_spheres", quality.sphereVolume},
+        {"packing_fraction", quality.sphereVolume / quality.meshVolume},
+        {"exceeded", faults}};
+    fmt::print("{}\n", json.dump(2));
+}
+
+int check(const CheckArguments& arguments)
+{
+    const Packing packing = readPacking(arguments.file, arguments.radius.value_or(0));
+    Scene scene;
+    scene.object.up = packing.up.value_or(scene.object.up);
+    applyGivenOptions(arguments.given, scene);
+    const TriangleMesh mesh = meshOf(arguments, packing, scene);
+    const QualityReport quality = judgePacking(mesh, packing, scene.object.up);
+    const std::vector<std::string> faults = exceeded(arguments, quality);
+    if (arguments.json)
+    {
+        printJson(packing, quality, faults);
+    }
+    else
+    {
+        printTable(packing, quality);
+    }
+    if (!faults.empty())
+    {
+        say(fmt::format("frostfill: {}: {}\n", arguments.file, fmt::join(faults, "; ")));
+        return static_cast<int>(ErrorCode::thresholdFailed);
+    }
+    return 0;
+}
+
+} // namespace
+
+Command addCheckCommand(CLI::App& program)
+{
+    const auto arguments = std::make_shared<CheckArguments>();
+    CLI::App* command = program.add_subcommand(
+        "check", "Judge anybody's packing: overlaps, walls, centres outside, support");
+    command->footer(kExamples);
+    command->add_option("FILE", arguments->file, "The packing")->required();
+    command
+        ->add_option("--mesh", arguments->mesh,
+                     "The mesh it is in: a file, or torus, sphere, cube, human (that of the run)")
+        ->type_name("MESH");
+    addCheckOptions(*command, arguments->given);
+    const auto limit = [&](const char* flag, auto& value, const char* help, const char* type)
+    { command->add_option(flag, value, help)->check(CLI::NonNegativeNumber)->type_name(type); };
+    limit("--radius", arguments->radius, "Radius of all spheres of a file without radii", "R");
+    limit("--max-overlap", arguments->mostOverlap,
+          "Exit with 2 if two spheres overlap by more of the smaller radius", "X");
+    limit("--max-wall-overlap", arguments->mostWallOverlap,
+          "The same for a sphere and the mesh, of its radius", "X");
+    limit("--max-outside", arguments->mostOutside,
+          "Exit with 2 if more centres are outside, or are no numbers", "N");
+    limit("--max-unsupported", arguments->mostUnsupported,
+          "Exit with 2 if more spheres at rest hang in the air", "N");
+    command->add_flag("--json", arguments->json, "Print JSON");
+    return [arguments] { return check(*arguments); };
+}
+
+} // namespace frostfill

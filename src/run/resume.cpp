@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "run/resume.hpp"
+
+#include "run/run_head.hpp"
+
+#include <frostfill/error.hpp>
+#include <frostfill/measure.hpp>
+#include <frostfill/options.hpp>
+#include <frostfill/run_file.hpp>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <string_view>
+
+namespace frostfill
+{
+namespace
+{
+
+/// With these a run may be resumed differently: they change no bit.
+constexpr std::array<std::string_view, 4> kWithoutEffect = {"threads", "picture.static_layer",
+                                                            "picture.backend", "frames.keep_run"};
+
+void refuseAnotherScene(const Scene& begun, const Scene& now,
+                        const std::filesystem::path& directory)
+{
+    for (const Option& option : sceneOptions())
+    {
+        if (std::find(kWithoutEffect.begin(), kWithoutEffect.end(), option.key) ==
+                kWithoutEffect.end() &&
+            option.get(begun) != option.get(now))
+        {
+            throw Error(ErrorCode::usage,
+                        fmt::format("the run in {} was begun with {} = {}, not {}; resume it with "
+                                    "the same options or none, or replace it with --overwrite",
+                                    directory.string(), option.key,
+                                    optionText(option, option.get(begun)),
+                                    optionText(option, option.get(now))));
+        }
+    }
+}
+
+bool isThere(const std::filesystem::path& file)
+{
+    std::error_code error;
+    return std::filesystem::exists(file, error);
+}
+
+} // namespace
+
+std::optional<LoadedMesh> meshOfEarlierRun(const FillRequest& request)
+{
+    const std::filesystem::path file = request.directory / kRunFile;
+    if (!isThere(file))
+    {
+        return std::nullopt;
+    }
+    const RunFileReader reader(file);
+    const RunHead head = readHead(reader.head(), file.string());
+    const std::string version = describeMachine().version;
+    if (head.version != version)
+    {
+        throw Error(ErrorCode::badData,
+                    fmt::format("the run in {} was begun by Frostfill {}, and this is {}, which "
+                                "may not repeat it to the bit; begin it again with --overwrite",
+                                request.directory.string(), head.version, version));
+    }
+    refuseAnotherScene(head.scene, request.scene, request.directory);
+    LoadedMesh mesh;
+    mesh.mesh = reader.mesh();
+    mesh.repairs = head.repairs;
+    return mesh;
+}
+
+EarlierRun earlierFiles(const FillRequest& request, bool resumes)
+{
+    if (resumes)
+    {
+        return EarlierRun::keep;
+    }
+    // Without a run file there is nothing to go on with. What a run has left that was killed as it
+    // began is not worth keeping; one that has ended is.
+    const bool begins = request.resume && !isThere(request.directory / "summary.json");
+    return request.overwrite || begins ? EarlierRun::replace : EarlierRun::refuse;
+}
+
+FillRequest resumeRequest(const std::filesystem::path& directory)
+{
+    const std::filesystem::path file = directory / kRunFile;
+    if (!isThere(file))
+    {
+        throw Error(ErrorCode::inputMissing,
+                    fmt::format("{} holds no run to resume: {} is missing; a run keeps it with "
+                                "--keep-run on",
+                                directory.string(), kRunFile));
+    }
+    const RunHead head = readHead(RunFileReader(file).head(), file.string());
+    FillRequest request;
+    request.scene = head.scene;
+    request.directory = directory;
+    request.video = head.video;
+    request.cameraPath = head.cameraPath;
+    request.contactSheet = head.contactSheet;
+    request.resume = true;
+    return request;
+}
+
+std::string outcomeOfRun(const std::filesystem::path& directory)
+{
+    std::ifstream in(directory / "summary.json");
+    const auto summary = nlohmann::json::parse(in, nullptr, false);
+    return summary.is_object() && summary.contains("outcome") && summary["outcome"].is_string()
+               ? summary["outcome"].get<std::string>()
+               : "";
+}
+
+} // namespace frostfill

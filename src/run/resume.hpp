@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "run/run_directory.hpp"
+
+#include <frostfill/fill.hpp>
+
+#include <optional>
+
+namespace frostfill
+{
+
+/// The name of a run's file in its directory.
+inline constexpr const char* kRunFile = "run.frost";
+
+/// The mesh of the run that the directory holds, as it is simulated; empty if none is kept there.
+/// Throws Error badData or usage for a run of another version or another scene, with which the
+/// request cannot go on.
+[[nodiscard]] std::optional<LoadedMesh> meshOfEarlierRun(const FillRequest& request);
+
+/// What to do with the files in the directory of a request; `resumes`: with a run that is kept.
+[[nodiscard]] EarlierRun earlierFiles(const FillRequest& request, bool resumes);
+
+} // namespace frostfill

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#include "run/run_head.hpp"
+
+#include "output/scene_json.hpp"
+#include "run/frame_timing.hpp"
+
+#include <frostfill/error.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace frostfill
+{
+namespace
+{
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kNever = std::numeric_limits<double>::max();
+
+/// The rotation row by row, then the offset.
+Json poseToJson(const Pose& pose)
+{
+    Json numbers = Json::array();
+    for (int row = 0; row < 3; ++row)
+    {
+        for (int column = 0; column < 3; ++column)
+        {
+            numbers.push_back(pose.rotation(row, column));
+        }
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        numbers.push_back(pose.offset[axis]);
+    }
+    return numbers;
+}
+
+Pose poseFromJson(const Json& numbers)
+{
+    Pose pose;
+    for (int i = 0; i < 9; ++i)
+    {
+        pose.rotation(i / 3, i % 3) = numbers.at(static_cast<std::size_t>(i)).get<double>();
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        pose.offset[axis] = numbers.at(static_cast<std::size_t>(9 + axis)).get<double>();
+    }
+    return pose;
+}
+
+} // namespace
+
+ColourFacts colourFacts(const Scene& scene, const Simulation& simulation)
+{
+    const auto spheres = static_cast<double>(simulation.expectedSpheres());
+    const auto group = static_cast<double>(simulation.groupSize());
+    return {std::max(1.0, std::ceil(spheres / group)), fallTime(scene, simulation.object())};
+}
+
+ColourRange colourRange(const Scene& scene, const ColourFacts& facts)
+{
+    switch (scene.style.colourBy)
+    {
+    case ColourBy::set:
+        return {0, std::max(1.0, std::ceil(facts.groups / scene.spheres.groupsPerSet) - 1)};
+    case ColourBy::group:
+        return {0, std::max(1.0, facts.groups - 1)};
+    case ColourBy::speed: // of a fall through the object
+        return {0, scene.motion.gravity * facts.fallSeconds};
+    case ColourBy::state:
+    case ColourBy::height: // the renderer knows
+        break;
+    }
+    return {};
+}
+
+std::string headText(const RunHead& head)
+{
+    Json json;
+    json["frostfill"] = head.version;
+    json["scene"] = sceneToJson(head.scene);
+    json["repairs"] = head.repairs;
+    json["video"] = head.video;
+    json["camera_path"] = head.cameraPath;
+    json["contact_sheet"] = head.contactSheet;
+    json["groups"] = head.colours.groups;
+    json["fall_seconds"] = head.colours.fallSeconds;
+    json["frame_interval"] = head.interval < kNever ? Json(head.interval) : Json();
+    json["stride"] = head.stride;
+    json["poses"] = Json::array();
+    for (const Pose& pose : head.poses)
+    {
+        json["poses"].push_back(poseToJson(pose));
+    }
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+RunHead readHead(const std::string& text, const std::string& nameForMessages)
+{
+    const auto refuse = [&]
+    {
+        return Error(ErrorCode::badData,
+                     fmt::format("the head of '{}' is not that of a run of frostfill fill",
+                                 nameForMessages));
+    };
+    const Json json = Json::parse(text, nullptr, false);
+    if (!json.is_object() || !json.contains("scene"))
+    {
+        throw refuse();
+    }
+    try
+    {
+        RunHead head;
+        head.version = json.at("frostfill").get<std::string>();
+        head.scene = sceneFromJson(json.at("scene"), nameForMessages);
+        head.repairs = json.at("repairs").get<std::vector<std::string>>();
+        head.video = json.at("video").get<std::string>();
+        head.cameraPath = json.at("camera_path").get<std::string>();
+        head.contactSheet = json.at("contact_sheet").get<bool>();
+        head.colours = {json.at("groups").get<double>(), json.at("fall_seconds").get<double>()};
+        const Json& interval = json.at("frame_interval");
+        head.interval = interval.is_null() ? kNever : interval.get<double>();
+        head.stride = std::max<std::size_t>(1, json.at("stride").get<std::size_t>());
+        for (const Json& pose : json.at("poses"))
+        {
+            head.poses.push_back(poseFromJson(pose));
+        }
+        return head;
+    }
+    catch (const Json::exception&)
+    {
+        throw refuse();
+    }
+}
+
+} // namespace frostfill

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <frostfill/scene.hpp>
+#include <frostfill/simulation.hpp>
+
+#include <string>
+#include <vector>
+
+namespace frostfill
+{
+
+/// From which the meaning of colours follows, over the whole run.
+struct ColourFacts
+{
+    double groups = 1;      ///< that are expected
+    double fallSeconds = 0; ///< of a fall through the object
+};
+
+[[nodiscard]] ColourFacts colourFacts(const Scene& scene, const Simulation& simulation);
+
+/// Of what the colours of spheres mean over the whole run, so that a colour never changes its
+/// meaning. Sets and groups are counted from 0. [1], for speeds [m/s]
+[[nodiscard]] ColourRange colourRange(const Scene& scene, const ColourFacts& facts);
+
+/// What a run file says of its run before the first frame: all that a picture needs beside mesh and
+/// states, and all that it takes to go on with the run.
+struct RunHead
+{
+    Scene scene;
+    std::vector<std::string> repairs; ///< of the mesh
+    std::string video;                ///< file, absolute; empty for none
+    std::string cameraPath;           ///< as given; empty for none
+    bool contactSheet = false;
+    ColourFacts colours;
+    double interval = 0;     ///< [s] simulated, between two frames
+    std::size_t stride = 1;  ///< every so manieth frame is kept as a picture
+    std::vector<Pose> poses; ///< of a moving object, that have to fit into the picture
+    std::string version;     ///< of the program
+};
+
+/// JSON.
+[[nodiscard]] std::string headText(const RunHead& head);
+/// Throws Error badData.
+[[nodiscard]] RunHead readHead(const std::string& text, const std::string& nameForMessages);
+
+} // namespace frostfill

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// The command check, as its user meets it.
+#include "fault/program.hpp"
+#include "support/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
+
+namespace frostfill
+{
+namespace
+{
+
+using test::Answer;
+using test::writeFile;
+
+class CheckCommand : public ::testing::Test
+{
+protected:
+    CheckCommand()
+    {
+        writeFile(folder_ / "two.csv", "x,y,z,radius\n0,-0.75,0,0.25\n0,-0.275,0,0.25\n");
+    }
+    [[nodiscard]] Answer run(const std::string& arguments) const
+    {
+        return test::runProgram(arguments, folder_.path());
+    }
+    test::TemporaryFolder folder_;
+};
+
+TEST_F(CheckCommand, MeasuresThePackingOfAnybody)
+{
+    const Answer table = run("check two.csv --mesh cube");
+    EXPECT_EQ(table.code, 0) << table.errors;
+    EXPECT_NE(table.output.find("0.1 of the smaller radius"), std::string::npos) << table.output;
+    const Answer answer = run("check two.csv --mesh cube --json");
+    EXPECT_EQ(answer.code, 0) << answer.errors;
+    const auto json = nlohmann::json::parse(answer.output);
+    EXPECT_NEAR(json["max_overlap_over_radius"].get<double>(), 0.1, 1e-9);
+    EXPECT_EQ(json["centres_outside"], 0);
+    EXPECT_EQ(json["spheres"], 2);
+}
+
+TEST_F(CheckCommand, MeasuresARunAsItsSummarySays)
+{
+    ASSERT_EQ(run("fill cube --radius 0.2 --count 40 --frames none --quiet --out run").code, 0);
+    const auto summary =
+        nlohmann::json::parse(test::readFile(folder_ / "run/summary.json"))["error"];
+    const Answer answer = run("check run --json");
+    EXPECT_EQ(answer.code, 0) << answer.errors;
+    const auto json = nlohmann::json::parse(answer.output);
+    for (const char* key : {"max_overlap_over_radius", "max_wall_overlap_over_radius",
+                            "centres_outside", "unsupported_frozen", "volume_mesh"})
+    {
+        EXPECT_EQ(json[key], summary[key]) << key;
+    }
+    EXPECT_EQ(run("check run --mesh sphere --max-outside 0").code, 2);
+}
+
+TEST_F(CheckCommand, EndsWithTwoWhereMoreIsFoundThanMayBe)
+{
+    EXPECT_EQ(run("check two.csv --mesh cube --max-overlap 0.2 --max-unsupported 2").code, 0);
+    const Answer answer = run("check two.csv --mesh cube --max-overlap 0.01 --max-outside 0");
+    EXPECT_EQ(answer.code, 2);
+    EXPECT_NE(answer.errors.find("largest overlap 0.1, more than 0.01"), std::string::npos)
+        << answer.errors;
+    EXPECT_EQ(answer.errors.find("outside"), std::string::npos) << answer.errors;
+}
+
+TEST_F(CheckCommand, RefusesInASentenceWhatItCannotMeasure)
+{
+    writeFile(folder_ / "bad.csv", "x,y,z,radius\n0,0,0,0.1\n0,0,zero,0.1\n");
+    writeFile(folder_ / "flat.csv", "x,y,z,radius\n0,0,0,0\n");
+    struct Case
+    {
+        std::string arguments;
+        int code;
+        std::string says;
+    };
+    const std::vector<Case> cases = {
+        {"check", 64, "FILE"},
+        {"check two.csv", 64, "--mesh"},
+        {"check missing.csv --mesh cube", 66, "missing.csv"},
+        {"check bad.csv --mesh cube", 65, "line 3"},
+        {"check flat.csv --mesh cube", 65, "above 0"},
+        {"check two.csv --mesh missing.stl", 66, "missing.stl"},
+        {"check two.csv --mesh cube --max-overlap -1", 64, "--max-overlap"},
+    };
+    for (const Case& each : cases)
+    {
+        const Answer answer = run(each.arguments);
+        EXPECT_EQ(answer.code, each.code) << each.arguments << answer.errors;
+        EXPECT_NE(answer.errors.find(each.says), std::string::npos)
+            << each.arguments << ": " << answer.errors;
+    }
+}
+
+} // namespace
+} // namespace frostfill

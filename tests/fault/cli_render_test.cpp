@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+// The command render, as its user meets it.
+#include "fault/program.hpp"
+#include "fault/run_file_bytes.hpp"
+#include "support/temporary_folder.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
+
+namespace frostfill
+{
+namespace
+{
+
+using test::Answer;
+using test::readFile;
+using test::writeFile;
+
+const std::string kLonger = "fill cube --radius 0.3 --count 8 --quiet --out run ";
+const std::string kSmall = kLonger + "--size 64x48 --duration 0.5 ";
+
+class RenderCommand : public ::testing::Test
+{
+protected:
+    RenderCommand() { EXPECT_EQ(run(kSmall).code, 0); }
+    [[nodiscard]] Answer run(const std::string& arguments) const
+    {
+        return test::runProgram(arguments, folder_.path());
+    }
+    [[nodiscard]] std::string picture(const std::string& folder, int number) const
+    {
+        return readFile(folder_ / folder / fmt::format("frames/frame_{:05}.png", number));
+    }
+    test::TemporaryFolder folder_;
+};
+
+TEST_F(RenderCommand, DrawsBesideTheRunWhatFillHasDrawn)
+{
+    const Answer answer = run("render run");
+    EXPECT_EQ(answer.code, 0) << answer.errors;
+    EXPECT_NE(answer.output.find("run/render"), std::string::npos) << answer.output;
+    EXPECT_EQ(picture("run/render", 3), picture("run", 3));
+    EXPECT_FALSE(picture("run", 3).empty());
+    const Answer again = run("render run/run.frost --skip-existing --json");
+    EXPECT_EQ(again.code, 0) << again.errors;
+    const auto json = nlohmann::json::parse(again.output);
+    EXPECT_GT(json["frames"], 10);
+    EXPECT_EQ(json["skipped_frames"], json["frames"]);
+}
+
+TEST_F(RenderCommand, TakesEveryOptionOfPicturesAndNoneOfTheRun)
+{
+    const std::string help = run("render --help").output;
+    for (const char* option :
+         {"--frames",    "--fps",           "--max-frames",  "--hold",        "--passes",
+          "--size",      "--samples",       "--supersample", "--style",       "--color-by",
+          "--cutaway",   "--legend",        "--shell",       "--azimuth",     "--zoom",
+          "--target",    "--turntable",     "--video",       "--camera-path", "--contact-sheet",
+          "--overwrite", "--skip-existing", "--json",        "--quiet"})
+    {
+        EXPECT_NE(help.find(option), std::string::npos) << option;
+    }
+    for (const char* option : {"--count", "--radius", "--duration", "--slow-motion", "--seed"})
+    {
+        EXPECT_EQ(help.find(option), std::string::npos) << option;
+    }
+    const Answer answer =
+        run("render run --frames 2..4,last --size 80x60 --style dark --color-by speed --passes all "
+            "--supersample 2 --cutaway plane:1,0,0 --hold 0.1 --contact-sheet --out other");
+    EXPECT_EQ(answer.code, 0) << answer.errors;
+    EXPECT_FALSE(picture("other", 5).empty());
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "other/contact_sheet.png"));
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "other/depth/frame_00002.png"));
+}
+
+TEST_F(RenderCommand, RefusesInASentenceWhatItCannotDraw)
+{
+    ASSERT_EQ(run("render run --out there").code, 0);
+    writeFile(folder_ / "text", "solid cube");
+    std::filesystem::create_directory(folder_ / "empty");
+    std::filesystem::create_directory(folder_ / "begun");
+    writeFile(folder_ / "begun/run.frost", readFile(folder_ / "run/run.frost").substr(0, 300));
+    struct Case
+    {
+        std::string arguments;
+        int code;
+        std::string says;
+    };
+    const std::vector<Case> cases = {
+        {"render", 64, "RUN"},
+        {"render nowhere", 66, "run.frost"},
+        {"render empty", 66, "run.frost"},
+        {"render text --out new", 65, "is no run file"},
+        {"render begun --out new", 65, "killed as it began"},
+        {"render run --out there", 73, "--overwrite"},
+        {"render run --out run --overwrite", 64, "the directory of the run itself"},
+        {"render run --frames none --out new", 64, "nothing to draw"},
+        {"render run --frames 900..950 --out new", 64, "leaves no frame"},
+        {"render run --samples 64 --out new", 64, "--samples"},
+        {"render run --count 9 --out new", 64, "--count"},
+        {"render run --overwrite --skip-existing --out there", 64, "omit one"},
+        {"render run --turntable 2 --camera-path 0:1,2 --out new", 64, "omit one"},
+    };
+    for (const Case& each : cases)
+    {
+        const Answer answer = run(each.arguments);
+        EXPECT_EQ(answer.code, each.code) << each.arguments << answer.errors;
+        EXPECT_NE(answer.errors.find(each.says), std::string::npos)
+            << each.arguments << ": " << answer.errors;
+    }
+    EXPECT_FALSE(picture("run", 0).empty());
+    EXPECT_FALSE(picture("there", 0).empty());
+}
+
+TEST_F(RenderCommand, SaysThatAFileIsTornAndDrawsWhatIsWhole)
+{
+    ASSERT_EQ(run(kLonger + "--overwrite --size 64x48 --duration 3").code, 0);
+    const std::string whole = readFile(folder_ / "run/run.frost");
+    writeFile(folder_ / "run/run.frost",
+              test::withoutSummary(whole).substr(0, test::withoutSummary(whole).size() - 9));
+    const Answer answer = run("render run");
+    EXPECT_EQ(answer.code, 0) << answer.errors;
+    EXPECT_NE(answer.errors.find("is torn"), std::string::npos) << answer.errors;
+    EXPECT_EQ(picture("run/render", 3), picture("run", 3));
+}
+
+TEST_F(RenderCommand, GoesOnAfterAKill)
+{
+    ASSERT_EQ(run(kLonger + "--overwrite --duration 8 --size 320x240").code, 0);
+    (void)run("render run --quiet & process=$!; sleep 0.7; kill -KILL $process; wait $process");
+    ASSERT_EQ(run("render run --quiet --skip-existing").code, 0);
+    for (int k = 0; !picture("run", k).empty(); ++k)
+    {
+        EXPECT_TRUE(picture("run", k) == picture("run/render", k)) << k;
+    }
+}
+
+} // namespace
+} // namespace frostfill

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+// What the simulation seldom does to its spheres, and falls that are only drawn.
+#include "run_file/frame_codec.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+namespace frostfill
+{
+namespace
+{
+
+/// Writes frames by hand and reads them again.
+class FrameCodec : public ::testing::Test
+{
+protected:
+    void addSphere(SphereState state, double radius, std::uint32_t group)
+    {
+        const auto id = static_cast<float>(snapshot_.centres.size());
+        snapshot_.centres.emplace_back(id, 0.5F * id, -id);
+        snapshot_.radii.push_back(static_cast<float>(radius));
+        snapshot_.states.push_back(state);
+        snapshot_.groups.push_back(group);
+        snapshot_.speeds.push_back(0);
+        radii_.push_back(radius);
+    }
+    void withdrawLast()
+    {
+        snapshot_.centres.pop_back();
+        snapshot_.radii.pop_back();
+        snapshot_.states.pop_back();
+        snapshot_.groups.pop_back();
+        snapshot_.speeds.pop_back();
+        radii_.pop_back();
+    }
+    void waits(std::size_t id) { snapshot_.radii[id] = waitingRadius(radii_[id]); }
+    void falls(std::size_t id) { snapshot_.radii[id] = static_cast<float>(radii_[id]); }
+    /// `changed` may name too much, as from snapshots that are filled in turn.
+    void put()
+    {
+        snapshot_.changed.resize(snapshot_.centres.size());
+        std::iota(snapshot_.changed.begin(), snapshot_.changed.end(), 0U);
+        count();
+        encoder_.encode(
+            snapshot_,
+            [&](std::uint32_t id)
+            {
+                SphereRecord sphere;
+                sphere.centre = snapshot_.centres[id].cast<double>();
+                sphere.radius = radii_[id];
+                return sphere;
+            },
+            bytes_);
+        expectTheSame();
+    }
+    void repeat()
+    {
+        encoder_.repeat(bytes_);
+        expectTheSame();
+    }
+    void expectTheSame()
+    {
+        ByteReader reader(bytes_.bytes());
+        decoder_.decode(reader);
+        EXPECT_TRUE(reader.done());
+        bytes_.bytes().clear();
+        const Snapshot& read = decoder_.snapshot();
+        EXPECT_EQ(read.centres, snapshot_.centres);
+        EXPECT_EQ(read.radii, snapshot_.radii);
+        EXPECT_EQ(read.states, snapshot_.states);
+        EXPECT_EQ(read.groups, snapshot_.groups);
+        EXPECT_EQ(read.running, snapshot_.running);
+        EXPECT_EQ(read.frozen, snapshot_.frozen);
+        EXPECT_EQ(read.discarded, snapshot_.discarded);
+    }
+
+    Snapshot snapshot_;
+    std::vector<double> radii_;
+    FrameEncoder encoder_{gridOf(1)};
+    FrameDecoder decoder_{gridOf(1), Eigen::Vector3d::Zero(), 0, 1};
+
+private:
+    void count()
+    {
+        const auto of = [&](SphereState state)
+        {
+            std::size_t n = 0;
+            for (std::size_t id = 0; id < radii_.size(); ++id)
+            {
+                const bool waiting = snapshot_.radii[id] == waitingRadius(radii_[id]);
+                n += snapshot_.states[id] == state && !waiting ? 1 : 0;
+            }
+            return n;
+        };
+        snapshot_.running = of(SphereState::running);
+        snapshot_.frozen = of(SphereState::frozen);
+        snapshot_.discarded = of(SphereState::discarded);
+    }
+    ByteWriter bytes_;
+};
+
+TEST_F(FrameCodec, KeepsASphereThatIsWithdrawnAndOneThatTakesItsNumber)
+{
+    addSphere(SphereState::running, 1, 0);
+    addSphere(SphereState::frozen, 1.25, 0);
+    addSphere(SphereState::running, 1.5, 1);
+    put();
+    // Number 0 is withdrawn, and the last sphere takes its number.
+    radii_[0] = 1.5;
+    snapshot_.radii[0] = 1.5;
+    snapshot_.groups[0] = 1;
+    snapshot_.centres[0] = snapshot_.centres[2];
+    withdrawLast();
+    put();
+    addSphere(SphereState::running, 1, 2);
+    addSphere(SphereState::discarded, 1.25, 2);
+    put();
+    withdrawLast();
+    withdrawLast();
+    withdrawLast();
+    put();
+}
+
+TEST_F(FrameCodec, KeepsSpheresThatWaitForTheirFall)
+{
+    addSphere(SphereState::running, 1, 0);
+    addSphere(SphereState::running, 1.1, 0);
+    waits(0);
+    waits(1);
+    put();
+    falls(1);
+    put();
+    falls(0);
+    snapshot_.states[1] = SphereState::frozen;
+    put();
+    addSphere(SphereState::running, 1.2, 1);
+    waits(2);
+    put();
+    withdrawLast();
+    put();
+}
+
+TEST_F(FrameCodec, TellsARepeatedStateFromANewOne)
+{
+    addSphere(SphereState::running, 1, 0);
+    put();
+    EXPECT_EQ(decoder_.states(), 1U);
+    repeat();
+    EXPECT_EQ(decoder_.states(), 1U);
+    put();
+    EXPECT_EQ(decoder_.states(), 2U);
+}
+
+TEST_F(FrameCodec, GathersChangesUntilTheyAreForgotten)
+{
+    addSphere(SphereState::running, 1, 0);
+    put();
+    addSphere(SphereState::frozen, 1, 0);
+    snapshot_.step = 7;
+    put();
+    decoder_.sortChanges();
+    EXPECT_EQ(decoder_.snapshot().changed, (std::vector<std::uint32_t>{0, 1}));
+    decoder_.forgetChanges();
+    EXPECT_TRUE(decoder_.snapshot().changed.empty());
+    EXPECT_EQ(decoder_.snapshot().changedSince, 7U);
+    repeat();
+    EXPECT_TRUE(decoder_.snapshot().changed.empty());
+}
+
+} // namespace
+} // namespace frostfill
