@@ -14,11 +14,16 @@ using Command = std::function<int()>;
 
 /// Each function adds a command to the program and returns the function that runs it.
 Command addBenchCommand(CLI::App& program);
+Command addExportCommand(CLI::App& program);
 Command addFiguresCommand(CLI::App& program);
 Command addFillCommand(CLI::App& program);
 Command addFpsCommand(CLI::App& program);
 Command addMeshCommand(CLI::App& program);
 Command addDoctorCommand(CLI::App& program);
 Command addOptionsCommand(CLI::App& program);
+Command addHelpCommand(CLI::App& program);
+Command addVersionCommand(CLI::App& program);
+Command addCompletionCommand(CLI::App& program);
+Command addManCommand(CLI::App& program);
 
 } // namespace frostfill
