@@ -12,6 +12,7 @@ target_sources(frostfill_core PUBLIC FILE_SET HEADERS BASE_DIRS ${public} FILES
     ${public}/frostfill/snapshot.hpp
     ${public}/frostfill/view.hpp)
 target_sources(frostfill_render PUBLIC FILE_SET HEADERS BASE_DIRS ${public} FILES
+    ${public}/frostfill/export.hpp
     ${public}/frostfill/fill.hpp
     ${public}/frostfill/image.hpp
     ${public}/frostfill/output.hpp

@@ -15,6 +15,7 @@ using Command = std::function<int()>;
 /// Each function adds a command to the program and returns the function that runs it.
 Command addBenchCommand(CLI::App& program);
 Command addCheckCommand(CLI::App& program);
+Command addExportCommand(CLI::App& program);
 Command addFiguresCommand(CLI::App& program);
 Command addFillCommand(CLI::App& program);
 Command addFpsCommand(CLI::App& program);
@@ -22,5 +23,9 @@ Command addMeshCommand(CLI::App& program);
 Command addDoctorCommand(CLI::App& program);
 Command addRenderCommand(CLI::App& program);
 Command addOptionsCommand(CLI::App& program);
+Command addHelpCommand(CLI::App& program);
+Command addVersionCommand(CLI::App& program);
+Command addCompletionCommand(CLI::App& program);
+Command addManCommand(CLI::App& program);
 
 } // namespace frostfill

@@ -74,7 +74,43 @@ std::string didYouMean(const CLI::App& program, const std::string& argument)
     return nearest.empty() ? "" : "; did you mean " + nearest + "?";
 }
 
-int reportParseError(const CLI::App& program, const CLI::ParseError& error)
+/// The first word, where a command should stand and does not; empty if there is none.
+std::string wrongCommand(const CLI::App& program, const std::vector<std::string>& words)
+{
+    const CLI::App* at = &program;
+    for (const std::string& word : words)
+    {
+        const auto commands = at->get_subcommands(nullptr);
+        const auto found =
+            std::find_if(commands.begin(), commands.end(),
+                         [&](const CLI::App* each) { return each->get_name() == word; });
+        if (found == commands.end())
+        {
+            return commands.empty() || word.starts_with('-') ? "" : word;
+        }
+        at = *found;
+    }
+    return "";
+}
+
+/// The commands that could stand in place of the wrong one.
+std::vector<std::string> commandsLike(const CLI::App& program, const std::string& first)
+{
+    const CLI::App* at = &program;
+    for (const CLI::App* command : program.get_subcommands(nullptr))
+    {
+        at = command->get_name() == first ? command : at;
+    }
+    std::vector<std::string> names;
+    for (const CLI::App* command : at->get_subcommands(nullptr))
+    {
+        names.push_back(command->get_name());
+    }
+    return names;
+}
+
+int reportParseError(const CLI::App& program, const CLI::ParseError& error,
+                     const std::vector<std::string>& words)
 {
     // CLI11 also reports help and version as exceptions.
     if (error.get_exit_code() == 0)
@@ -82,6 +118,15 @@ int reportParseError(const CLI::App& program, const CLI::ParseError& error)
         return program.exit(error);
     }
     constexpr int kUsageError = static_cast<int>(ErrorCode::usage);
+    if (const std::string wrong = wrongCommand(program, words);
+        !wrong.empty() && dynamic_cast<const CLI::RequiredError*>(&error) != nullptr)
+    {
+        const std::string nearest = nearestName(wrong, commandsLike(program, words.front()));
+        return report(kUsageError,
+                      fmt::format("no command '{}'{}", wrong,
+                                  nearest.empty() ? "; see frostfill --help"
+                                                  : fmt::format("; did you mean {}?", nearest)));
+    }
     if (dynamic_cast<const CLI::ExtrasError*>(&error))
     {
         for (const CLI::App* command : program.get_subcommands())
@@ -112,18 +157,23 @@ int run(int argumentCount, char** arguments)
     commands.emplace_back("bench", addBenchCommand(program));
     commands.emplace_back("check", addCheckCommand(program));
     commands.emplace_back("figures", addFiguresCommand(program));
+    commands.emplace_back("export", addExportCommand(program));
     commands.emplace_back("mesh", addMeshCommand(program));
     commands.emplace_back("doctor", addDoctorCommand(program));
     commands.emplace_back("options", addOptionsCommand(program));
+    commands.emplace_back("help", addHelpCommand(program));
+    commands.emplace_back("version", addVersionCommand(program));
+    commands.emplace_back("completion", addCompletionCommand(program));
+    commands.emplace_back("man", addManCommand(program));
+    const std::vector<std::string> words = withImpliedValues(argumentCount, arguments);
     try
     {
-        std::vector<std::string> given = withImpliedValues(argumentCount, arguments);
-        std::reverse(given.begin(), given.end()); // as CLI11 wants them
-        program.parse(std::move(given));
+        program.parse(
+            std::vector<std::string>(words.rbegin(), words.rend())); // as CLI11 wants them
     }
     catch (const CLI::ParseError& error)
     {
-        return reportParseError(program, error);
+        return reportParseError(program, error, words);
     }
     for (const auto& [name, command] : commands)
     {

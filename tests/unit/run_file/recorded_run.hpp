@@ -5,6 +5,7 @@
 #include <frostfill/simulation.hpp>
 
 #include <filesystem>
+#include <string_view>
 #include <vector>
 
 namespace frostfill::test
@@ -21,13 +22,13 @@ struct RecordedRun
 
 /// Three snapshots are filled in turn, as by the recorder of pictures; `every` so many steps.
 inline RecordedRun recordRun(const Scene& scene, const std::filesystem::path& file,
-                             std::size_t every = 3, EarlierFile earlier = EarlierFile::replace)
+                             std::size_t every = 3, EarlierFile earlier = EarlierFile::replace,
+                             std::string_view head = R"({"name": "test"})")
 {
     RecordedRun run;
     run.mesh = loadMesh(scene.object.mesh).mesh;
     Simulation simulation(scene, run.mesh);
-    RunFileWriter writer(file, R"({"name": "test"})", run.mesh, simulation.smallestRadius(),
-                         earlier);
+    RunFileWriter writer(file, head, run.mesh, simulation.smallestRadius(), earlier);
     std::array<Snapshot, 3> snapshots;
     const auto take = [&]
     {

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// Room: a run in the formats of other programs. It reads the run file and simulates nothing.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace frostfill
+{
+
+/// What other programs read. docs/exports.md has the columns of each.
+enum class ExportFormat
+{
+    vtp,          ///< VTK PolyData a frame, spheres and mesh, and a .pvd over all: ParaView
+    lammpsDump,   ///< one text file of all frames: LAMMPS, OVITO, VMD
+    lammpsData,   ///< the packing as atom_style sphere, for read_data
+    xyz,          ///< extended XYZ of all frames: OVITO, ASE
+    glb,          ///< glTF 2.0 with an animation; each sphere is a node: Blender, F3D
+    glbInstanced, ///< the packing as glTF 2.0 with EXT_mesh_gpu_instancing: three.js, Babylon.js
+    ply,          ///< a binary table of spheres a frame
+    csv,          ///< a text table of spheres a frame, states as numbers
+    npz,          ///< NumPy arrays of all frames
+};
+
+struct ExportFormatInfo
+{
+    ExportFormat format;
+    const char* name;    ///< on the command line
+    const char* frames;  ///< selected by default: "all" or "last"
+    const char* purpose; ///< for --help
+};
+
+[[nodiscard]] std::span<const ExportFormatInfo> exportFormats();
+/// Throws Error usage with the nearest name.
+[[nodiscard]] const ExportFormatInfo& exportFormat(std::string_view name);
+
+struct ExportRequest
+{
+    std::filesystem::path run; ///< a run file, or a folder that has run.frost
+    ExportFormat format = ExportFormat::vtp;
+    std::string frames;        ///< as --frames; empty for the format's default
+    std::filesystem::path out; ///< a folder; it is made if need be
+    bool overwrite = false;    ///< files of an earlier export
+};
+
+struct ExportResult
+{
+    std::vector<std::filesystem::path> files; ///< the one to open comes first
+    std::size_t frames = 0;
+    std::size_t spheres = 0; ///< in the last frame
+    std::uint64_t bytes = 0; ///< of all files
+    bool unfinished = false; ///< the run was stopped, or is still under way
+};
+
+/// Called after each frame with the number that are done and all; false stops.
+using ExportProgress = std::function<bool(std::size_t done, std::size_t all)>;
+
+/// Writes frames of a run in another format. Lengths are in the unit of the mesh, times in seconds,
+/// and positions are those of the world: a moved object and its spheres are where they were moved.
+/// Places of resting spheres are exact; those of moving ones are rounded to 1/10,000 of a radius.
+/// Throws Error inputMissing or badData for a run that cannot be read, usage for a selection
+/// without a frame, cannotCreate if a file is there already, writeFailed, and stoppedEarly.
+ExportResult exportRun(const ExportRequest& request, const ExportProgress& progress = {});
+
+} // namespace frostfill

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "app/commands.hpp"
+#include "app/progress.hpp"
+#include "app/stop_signals.hpp"
+
+#include <frostfill/export.hpp>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace frostfill
+{
+namespace
+{
+
+constexpr const char* kExamples = R"(Examples:
+  frostfill export output/torus --to vtp                 for ParaView: open output/torus/export/run.pvd
+  frostfill export output/torus --to glb --frames 0..600:10
+  frostfill export output/torus --to csv,lammps-data --out tables
+)";
+
+struct ExportArguments
+{
+    std::string run;
+    std::vector<std::string> formats;
+    std::string frames;
+    std::string out;
+    bool overwrite = false;
+    bool quiet = false;
+};
+
+std::string describeFormats()
+{
+    std::string text = "Formats:\n";
+    for (const ExportFormatInfo& format : exportFormats())
+    {
+        text += fmt::format("  {:<14}{}, {}\n", format.name, format.purpose,
+                            format.frames == std::string("all") ? "all frames by default"
+                                                                : "the last frame by default");
+    }
+    return text + "\n";
+}
+
+int exportAll(const ExportArguments& arguments)
+{
+    const std::filesystem::path run = arguments.run;
+    // Every name is checked before the first file is written.
+    std::vector<ExportRequest> requests;
+    for (const std::string& name : arguments.formats)
+    {
+        requests.push_back({.run = run,
+                            .format = exportFormat(name).format,
+                            .frames = arguments.frames,
+                            .out = arguments.out,
+                            .overwrite = arguments.overwrite});
+        if (arguments.out.empty())
+        {
+            const bool folder = std::filesystem::is_directory(run);
+            requests.back().out = (folder ? run : run.parent_path()) / "export";
+        }
+    }
+    catchStopSignals();
+    runHasBegun();
+    for (const ExportRequest& request : requests)
+    {
+        TaskBar bar;
+        const ExportResult result = exportRun(request,
+                                              [&](std::size_t done, std::size_t all)
+                                              {
+                                                  if (!arguments.quiet)
+                                                  {
+                                                      bar.update(done, all, "frames");
+                                                  }
+                                                  return !stopRequested();
+                                              });
+        bar.close();
+        if (!arguments.quiet)
+        {
+            const std::string others =
+                result.files.size() > 1
+                    ? fmt::format(" and {} files beside it", result.files.size() - 1)
+                    : "";
+            fmt::print("{}{}: {} {}, {} spheres, {:.3g} MB{}\n", result.files.front().string(),
+                       others, result.frames, result.frames == 1 ? "frame" : "frames",
+                       result.spheres, static_cast<double>(result.bytes) / 1e6,
+                       result.unfinished ? "; the run has not ended" : "");
+        }
+    }
+    return 0;
+}
+
+} // namespace
+
+Command addExportCommand(CLI::App& program)
+{
+    const auto arguments = std::make_shared<ExportArguments>();
+    CLI::App* command =
+        program.add_subcommand("export", "Write a kept run in the formats of other programs");
+    command->footer(describeFormats() + kExamples);
+    command->add_option("RUN", arguments->run, "The folder of a run, or its run.frost")->required();
+    command->add_option("--to", arguments->formats, "Formats, separated by commas; see below")
+        ->required()
+        ->delimiter(',')
+        ->type_name("FORMAT");
+    command
+        ->add_option("--frames", arguments->frames,
+                     "Frames to write, as for fill: all, last, numbers, ranges")
+        ->type_name("SELECTION");
+    command->add_option("--out", arguments->out, "Folder to write to [export, beside the run file]")
+        ->type_name("DIR");
+    command->add_flag("--overwrite", arguments->overwrite, "Replace files of an earlier export");
+    command->add_flag("--quiet", arguments->quiet, "Print nothing but errors");
+    return [arguments] { return exportAll(*arguments); };
+}
+
+} // namespace frostfill

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+// Commands that say how to use the others: help, version, completion, man.
+#include "app/commands.hpp"
+#include "app/completion.hpp"
+#include "app/man_pages.hpp"
+
+#include <frostfill/error.hpp>
+#include <frostfill/options.hpp>
+#include <frostfill/output.hpp>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+namespace frostfill
+{
+namespace
+{
+
+/// The command of this name, such as {"bench", "error"}.
+const CLI::App& commandOf(const CLI::App& program, const std::vector<std::string>& names)
+{
+    const CLI::App* found = &program;
+    for (const std::string& name : names)
+    {
+        const CLI::App* next = nullptr;
+        std::vector<std::string> known;
+        for (const CLI::App* command : found->get_subcommands(nullptr))
+        {
+            known.push_back(command->get_name());
+            next = command->get_name() == name ? command : next;
+        }
+        if (next == nullptr)
+        {
+            const std::string nearest = nearestName(name, known);
+            throw Error(ErrorCode::usage,
+                        fmt::format("no command '{}'; {}", name,
+                                    nearest.empty() ? "see frostfill --help"
+                                                    : fmt::format("did you mean {}?", nearest)));
+        }
+        found = next;
+    }
+    return *found;
+}
+
+int writePages(const CLI::App& program, const std::filesystem::path& folder)
+{
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    for (const auto& [name, page] : manPages(commandTexts(program), program.get_footer()))
+    {
+        std::ofstream file(folder / name, std::ios::binary);
+        file << page << std::flush;
+        if (!file)
+        {
+            throw Error(ErrorCode::cannotCreate,
+                        fmt::format("cannot write '{}'", (folder / name).string()));
+        }
+    }
+    return 0;
+}
+
+} // namespace
+
+Command addHelpCommand(CLI::App& program)
+{
+    const auto names = std::make_shared<std::vector<std::string>>();
+    CLI::App* command = program.add_subcommand("help", "Print the help of a command");
+    command->add_option("COMMAND", *names, "Such as fill, or bench error");
+    return [names, &program]
+    {
+        fmt::print("{}", commandOf(program, *names).help());
+        return 0;
+    };
+}
+
+Command addVersionCommand(CLI::App& program)
+{
+    program.add_subcommand("version", "Print the version");
+    return []
+    {
+        fmt::print("frostfill {}\n", FROSTFILL_VERSION);
+        return 0;
+    };
+}
+
+Command addCompletionCommand(CLI::App& program)
+{
+    const auto shell = std::make_shared<std::string>();
+    CLI::App* command =
+        program.add_subcommand("completion", "Print a script that completes commands in a shell");
+    command->add_option("SHELL", *shell, "bash, zsh or fish")
+        ->required()
+        ->check(CLI::IsMember(shells()));
+    command->footer("Examples:\n  source <(frostfill completion bash)      in this shell\n"
+                    "  frostfill completion fish > ~/.config/fish/completions/frostfill.fish\n");
+    return [shell, &program]
+    {
+        fmt::print("{}", completionScript(*shell, commandTexts(program)));
+        return 0;
+    };
+}
+
+Command addManCommand(CLI::App& program)
+{
+    const auto folder = std::make_shared<std::string>();
+    CLI::App* command =
+        program.add_subcommand("man", "Write the manual pages, one for each command");
+    command->add_option("DIR", *folder, "Folder to write to")->required();
+    command->footer("Example:\n  frostfill man pages && man pages/frostfill-fill.1\n");
+    return [folder, &program] { return writePages(program, *folder); };
+}
+
+} // namespace frostfill

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+#include "export/exporter.hpp"
+#include "output/atomic_file.hpp"
+#include "output/scene_json.hpp"
+#include "scene/frame_selection.hpp"
+
+#include <frostfill/error.hpp>
+#include <frostfill/run_file.hpp>
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <set>
+
+namespace frostfill
+{
+namespace
+{
+
+std::filesystem::path runFile(const std::filesystem::path& run)
+{
+    return std::filesystem::is_directory(run) ? run / "run.frost" : run;
+}
+
+/// Indices in reader.frames() of the frames that are selected.
+std::vector<std::size_t> selectedFrames(const RunFileReader& reader, const std::string& text)
+{
+    const std::vector<std::size_t>& frames = reader.frames();
+    const auto selection = FrameSelection::parse(text);
+    if (!selection)
+    {
+        throw Error(ErrorCode::usage, fmt::format("'{}' selects no frames; write all, last, or "
+                                                  "numbers and ranges such as 0..100:10",
+                                                  text));
+    }
+    std::vector<std::size_t> chosen;
+    for (std::size_t i = 0; i < frames.size(); ++i)
+    {
+        if (selection->has(frames[i]) || (selection->hasLast() && i + 1 == frames.size()))
+        {
+            chosen.push_back(i);
+        }
+    }
+    if (chosen.empty())
+    {
+        throw Error(ErrorCode::usage,
+                    frames.empty()
+                        ? "the run file has no frame yet"
+                        : fmt::format("the run file has no frame in '{}'; its {} frames "
+                                      "are numbered {} to {}",
+                                      text, frames.size(), frames.front(), frames.back()));
+    }
+    return chosen;
+}
+
+/// Groups per set and the axis that points up, where the head of the file tells them.
+void readScene(const RunFileReader& reader, const std::string& name, ExportedRun& run)
+{
+    const auto head = nlohmann::ordered_json::parse(reader.head(), nullptr, false);
+    if (head.is_object() && head.contains("scene"))
+    {
+        const Scene scene = sceneFromJson(head["scene"], name);
+        run.groupsPerSet = std::max<std::uint32_t>(1, scene.spheres.groupsPerSet);
+        run.up = static_cast<int>(scene.object.up);
+    }
+}
+
+std::unique_ptr<Exporter> makeExporter(ExportFormat format, const ExportedRun& run,
+                                       const std::filesystem::path& folder)
+{
+    switch (format)
+    {
+    case ExportFormat::vtp:
+        return makeVtpExporter(run, folder);
+    case ExportFormat::lammpsDump:
+        return makeLammpsDumpExporter(run, folder);
+    case ExportFormat::lammpsData:
+        return makeLammpsDataExporter(run, folder);
+    case ExportFormat::xyz:
+        return makeXyzExporter(run, folder);
+    case ExportFormat::glb:
+        return makeGlbExporter(run, folder);
+    case ExportFormat::glbInstanced:
+        return makeGlbInstancedExporter(run, folder);
+    case ExportFormat::ply:
+        return makePlyExporter(run, folder);
+    case ExportFormat::csv:
+        return makeCsvExporter(run, folder);
+    case ExportFormat::npz:
+        break;
+    }
+    return makeNpzExporter(run, folder);
+}
+
+void requireFree(const std::filesystem::path& folder, const std::vector<std::string>& names)
+{
+    for (const std::string& name : names)
+    {
+        if (std::filesystem::exists(std::filesystem::symlink_status(folder / name)))
+        {
+            throw Error(ErrorCode::cannotCreate,
+                        fmt::format("'{}' is there already; give --overwrite, or another --out",
+                                    (folder / name).string()));
+        }
+    }
+}
+
+} // namespace
+
+Eigen::AlignedBox3d boxInWorld(const ExportedRun& run, const ExportedFrame& frame)
+{
+    Eigen::AlignedBox3d box;
+    for (int corner = 0; corner < 8; ++corner)
+    {
+        box.extend(
+            frame.inWorld(run.box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner))));
+    }
+    return box;
+}
+
+ExportResult exportRun(const ExportRequest& request, const ExportProgress& progress)
+{
+    const std::filesystem::path file = runFile(request.run);
+    const ExportFormatInfo& format = exportFormats()[static_cast<std::size_t>(request.format)];
+    RunFileReader reader(file);
+    const std::vector<std::size_t> chosen =
+        selectedFrames(reader, request.frames.empty() ? format.frames : request.frames);
+    ExportedRun run{reader.mesh(), boundingBox(reader.mesh())};
+    readScene(reader, file.string(), run);
+    for (const std::size_t index : chosen)
+    {
+        run.numbers.push_back(reader.frames()[index]);
+    }
+    // Arrays of all frames are as long as the last one.
+    run.spheres = reader.seek(chosen.back()).states.size();
+
+    const std::vector<std::string> names = exportFiles(request.format, run.numbers);
+    if (!request.overwrite)
+    {
+        requireFree(request.out, names);
+    }
+    createDirectory(request.out);
+    const auto exporter = makeExporter(request.format, run, request.out);
+    std::size_t done = 0;
+    for (const std::size_t index : chosen)
+    {
+        const Snapshot& state = reader.seek(index);
+        ExportedFrame frame{reader.frames()[index], state, reader.centres(), reader.radii()};
+        frame.moved = !state.pose.rotation.isIdentity(0) || !state.pose.offset.isZero(0);
+        exporter->add(frame);
+        ++done;
+        if (progress && !progress(done, chosen.size()))
+        {
+            throw Error(ErrorCode::stoppedEarly, "the export was stopped; what is missing can be "
+                                                 "made with the same command");
+        }
+    }
+    exporter->finish();
+
+    ExportResult result{.files = exporter->files(),
+                        .frames = done,
+                        .spheres = run.spheres,
+                        .unfinished = !reader.summary()};
+    for (const std::filesystem::path& each : result.files)
+    {
+        result.bytes += std::filesystem::file_size(each);
+    }
+    return result;
+}
+
+} // namespace frostfill

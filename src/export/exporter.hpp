@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <frostfill/export.hpp>
+#include <frostfill/mesh.hpp>
+#include <frostfill/snapshot.hpp>
+
+#include <Eigen/Geometry>
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace frostfill
+{
+
+/// What holds for all frames of an export.
+struct ExportedRun
+{
+    const TriangleMesh& mesh;
+    Eigen::AlignedBox3d box;               ///< of the mesh
+    std::uint32_t groupsPerSet = 1;        ///< groups that appear together
+    int up = 1;                            ///< axis of the mesh that points up
+    std::vector<std::size_t> numbers = {}; ///< of the frames that are exported, ascending
+    std::size_t spheres = 0;               ///< in the last of them
+};
+
+/// A frame as it is exported.
+struct ExportedFrame
+{
+    std::size_t number;
+    const Snapshot& state;                       ///< states, groups, speeds, polygons, time
+    const std::vector<Eigen::Vector3d>& centres; ///< [#S] mesh coordinates
+    const std::vector<double>& radii;            ///< [#S]
+
+    /// Where a point of the mesh, or of a sphere in it, is in the world.
+    [[nodiscard]] Eigen::Vector3d inWorld(const Eigen::Vector3d& p) const
+    {
+        if (!moved)
+        {
+            return p; // to the last bit
+        }
+        return state.origin + state.pose.offset + state.pose.rotation * (p - state.origin);
+    }
+    [[nodiscard]] Eigen::Vector3d centre(std::size_t sphere) const
+    {
+        return inWorld(centres[sphere]);
+    }
+    bool moved = false; ///< the object is not where the mesh is
+};
+
+/// Box around the mesh in the world.
+[[nodiscard]] Eigen::AlignedBox3d boxInWorld(const ExportedRun& run, const ExportedFrame& frame);
+
+/// Writes one format. Frames come in order.
+class Exporter
+{
+public:
+    virtual ~Exporter() = default;
+    virtual void add(const ExportedFrame& frame) = 0;
+    /// After the last frame.
+    virtual void finish() = 0;
+    /// All that was written, the one to open first.
+    [[nodiscard]] const std::vector<std::filesystem::path>& files() const { return files_; }
+
+protected:
+    Exporter() = default;
+    std::vector<std::filesystem::path> files_;
+};
+
+/// Names of the files that an exporter of this format writes for these frames.
+[[nodiscard]] std::vector<std::string> exportFiles(ExportFormat format,
+                                                   const std::vector<std::size_t>& numbers);
+
+/// frame_00042.vtp and the like.
+[[nodiscard]] std::string numberedName(const char* what, std::size_t number, const char* ending);
+
+// The makers, each in a file of its own. `run` outlives the exporter.
+using MakeExporter = std::unique_ptr<Exporter>(const ExportedRun& run,
+                                               const std::filesystem::path& folder);
+MakeExporter makeVtpExporter;
+MakeExporter makeLammpsDumpExporter;
+MakeExporter makeLammpsDataExporter;
+MakeExporter makeXyzExporter;
+MakeExporter makeGlbExporter;
+MakeExporter makeGlbInstancedExporter;
+MakeExporter makePlyExporter;
+MakeExporter makeCsvExporter;
+MakeExporter makeNpzExporter;
+
+} // namespace frostfill
