@@ -55,7 +55,15 @@ struct RunFileWriter::Implementation
             throw Error(ErrorCode::cannotCreate,
                         fmt::format("cannot create '{}': {}", part.string(), std::strerror(errno)));
         }
-        append(start);
+        try
+        {
+            append(start);
+        }
+        catch (const Error&)
+        {
+            unlink(part.c_str());
+            throw;
+        }
         if (std::rename(part.c_str(), file.c_str()) != 0)
         {
             const int failure = errno;

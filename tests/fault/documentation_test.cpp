@@ -3,6 +3,7 @@
 // order in which they are shown; and follows every link between their files.
 
 #include "fault/program.hpp"
+#include "fault/shown_commands.hpp"
 #include "support/paths.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -20,6 +21,9 @@ namespace
 {
 
 using test::Answer;
+using test::argumentsOf;
+using test::commandsOf;
+using test::madeSmall;
 using test::readFile;
 
 const std::filesystem::path kSource = testing_support::sourceFolder();
@@ -36,99 +40,6 @@ std::vector<std::filesystem::path> pages()
     }
     std::sort(found.begin() + 1, found.end());
     return found;
-}
-
-/// Commands in code blocks, which are indented, and between backticks.
-std::vector<std::string> commandsOf(const std::string& text)
-{
-    static const std::regex kCommand(
-        "(?:^|\\n)    ((?:build/release/)?frostfill [^\\n]*)|`((?:build/release/)?frostfill "
-        "[^`\\n]*)`|(?:^|\\n)    (gnuplot [^\\n]*)");
-    std::vector<std::string> commands;
-    for (std::sregex_iterator it(text.begin(), text.end(), kCommand), end; it != end; ++it)
-    {
-        for (std::size_t group = 1; group <= 3; ++group)
-        {
-            if ((*it)[group].matched)
-            {
-                commands.push_back((*it)[group].str());
-            }
-        }
-    }
-    return commands;
-}
-
-/// The program's arguments, without what explains them, with real names for placeholders.
-std::string argumentsOf(std::string command)
-{
-    command = command.substr(command.find("frostfill ") + std::string("frostfill ").size());
-    command = command.substr(0, command.find("  "));
-    for (const auto& [from, to] :
-         std::vector<std::pair<std::string, std::string>>{{"\\bFILE\\.toml\\b", "scene.toml"},
-                                                          {"\\b(FILE|MESH)\\b", "part.stl"},
-                                                          {"\\bDIR\\b", "somewhere"},
-                                                          {"\\bOPTIONS\\.\\.\\.", ""}})
-    {
-        command = std::regex_replace(command, std::regex(from), to);
-    }
-    return command;
-}
-
-/// The same command with little to do.
-std::string madeSmall(std::string arguments)
-{
-    if (arguments.find("--help") != std::string::npos)
-    {
-        return arguments;
-    }
-    const std::string name = arguments.substr(0, arguments.find(' '));
-    const auto without = [&](const std::string& option)
-    { arguments = std::regex_replace(arguments, std::regex(" --" + option + "[ =][^ ]+"), ""); };
-    std::string small;
-    if (arguments.rfind("fill --resume", 0) == 0)
-    {
-        return arguments;
-    }
-    if (name == "render")
-    {
-        without("size");
-        without("supersample");
-        small = " --size 64x48 --overwrite";
-        return arguments + small;
-    }
-    if (name == "fill")
-    {
-        for (const char* option : {"count", "radius", "size", "max-frames"})
-        {
-            without(option);
-        }
-        const bool draws = arguments.find("--frames none") == std::string::npos;
-        small = draws ? " --count 6 --size 64x48 --max-frames 2" : " --count 6";
-        if (arguments.find("--overwrite") == std::string::npos &&
-            arguments.find("--resume") == std::string::npos)
-        {
-            small += " --overwrite";
-        }
-    }
-    else if (name == "fps")
-    {
-        without("count");
-        without("repeats");
-        small = " --count 12 --repeats 1";
-        // The times of so few frames differ by anything.
-        if (arguments.find("--compare") != std::string::npos)
-        {
-            small += " --threshold 1000000";
-        }
-        without("threshold");
-    }
-    else if ((name == "bench" || name == "figures") &&
-             arguments.find("--quick") == std::string::npos &&
-             arguments.find("--list") == std::string::npos)
-    {
-        return arguments + " --quick";
-    }
-    return name + small + arguments.substr(name.size());
 }
 
 void prepare(const std::filesystem::path& folder)

@@ -228,7 +228,7 @@ TEST(FillRun, RefusesBlankPicturesButKeepsTheFiles)
     const FillResult result = fill(request);
     ASSERT_TRUE(result.failure);
     EXPECT_NE(result.failure->find("blank"), std::string::npos);
-    EXPECT_EQ(filesIn(folder / "run"), 6u);
+    EXPECT_EQ(filesIn(folder / "run"), 7u);
 }
 
 } // namespace

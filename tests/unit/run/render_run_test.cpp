@@ -248,9 +248,9 @@ TEST_F(RenderRun, ReadsATornFileUpToItsLastWholeRecord)
     request.scene.frames.duration = 3; // more than one record
     ASSERT_FALSE(fill(request).failure);
     const std::filesystem::path file = folder_ / "run/run.frost";
-    const std::string bytes = readFile(file);
-    const std::size_t summary = wholeRecords(bytes).back().bytes.size();
-    std::filesystem::resize_file(file, bytes.size() - summary - sizeof(RecordHeader) - 9);
+    const std::string whole = readFile(file);
+    const std::size_t summary = wholeRecords(whole).back().bytes.size();
+    std::filesystem::resize_file(file, whole.size() - summary - sizeof(RecordHeader) - 9);
     const RenderResult result = renderRun(again());
     EXPECT_FALSE(result.ended);
     EXPECT_LT(result.wholeBytes, result.fileBytes);
