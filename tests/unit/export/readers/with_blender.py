@@ -4,6 +4,9 @@ import pathlib
 import sys
 
 import bpy
+import numpy
+
+numpy.bool = bool  # the importer of Debian 12's Blender asks for this name, which NumPy 1.24 has dropped
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 from oracle import Oracle  # noqa: E402
