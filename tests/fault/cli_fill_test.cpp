@@ -149,7 +149,8 @@ TEST_F(FillCommand, StopsWith75WhenAskedToAndWritesEverything)
 {
     // The shell sends the signal a moment after the start; the run would take far longer.
     const Answer answer = run("fill cube --count 20000 --frames none --quiet --out a & "
-                              "process=$!; sleep 0.5; kill -TERM $process; wait $process");
+                              "process=$!; until test -d a; do sleep 0.05; done; sleep 0.5; "
+                              "kill -TERM $process; wait $process");
     EXPECT_EQ(answer.code, 75) << answer.errors;
     const auto summary =
         nlohmann::json::parse(readFile(folder_ / "a/summary.json"), nullptr, false);

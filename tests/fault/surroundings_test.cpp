@@ -36,7 +36,14 @@ double secondsOf(const std::function<void()>& what)
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// On an idle machine it takes a fraction of a second.
+/// [s] In which a run stops on a machine that does other work; alone it takes a fraction of a
+/// second.
+#ifdef FROSTFILL_SANITIZED
+constexpr double kPatience = 60;
+#else
+constexpr double kPatience = 15;
+#endif
+
 TEST_F(Surroundings, ASignalAtAnyMomentEndsTheRunSoonAndWhole)
 {
     int moment = 0;
@@ -53,7 +60,7 @@ TEST_F(Surroundings, ASignalAtAnyMomentEndsTheRunSoonAndWhole)
                                     "wait $process",
                                     kLong, moment, moment, wait, signal));
             });
-        EXPECT_LT(took, wait + 15) << signal;
+        EXPECT_LT(took, wait + kPatience) << signal;
         EXPECT_EQ(answer.code, 75) << signal << answer.errors;
         EXPECT_EQ(answer.errors, "") << signal;
         const auto summary = nlohmann::json::parse(
@@ -224,6 +231,9 @@ TEST_F(Surroundings, LocaleTimeZoneAndClockChangeNoByte)
 
 TEST_F(Surroundings, EveryFrameTakesAsManyHandlesThreadsAndBytesAsTheOneBefore)
 {
+#ifdef FROSTFILL_SANITIZED
+    GTEST_SKIP() << "a sanitizer keeps what was freed";
+#endif
     // Handles, threads and kilobytes after some 100 frames and near the end of some 1,500.
     const Answer answer =
         run("fill cube --count 400 --size 160x90 --max-frames 0 --slow-motion 60 --threads 1 "
