@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// Room: a run in the formats of other programs. It reads the run file and simulates nothing.
 #pragma once
 
 #include <cstddef>

@@ -151,9 +151,10 @@ std::string zshScript(const std::vector<CommandText>& commands)
                     : option.choices.empty()
                         ? ":value:_files"
                         : fmt::format(":value:({})", fmt::join(option.choices, " "));
+                text += ' ';
                 text += option.positional
-                            ? " '*:file:_files'"
-                            : " " + inQuotes(name + "[" + zshHelp(option.help) + "]" + value);
+                            ? "'*:file:_files'"
+                            : inQuotes(fmt::format("{}[{}]{}", name, zshHelp(option.help), value));
             }
         }
         text += " ;;\n";

@@ -33,6 +33,16 @@ struct ExportArguments
     bool quiet = false;
 };
 
+std::vector<std::string> formatNames()
+{
+    std::vector<std::string> names;
+    for (const ExportFormatInfo& format : exportFormats())
+    {
+        names.emplace_back(format.name);
+    }
+    return names;
+}
+
 std::string describeFormats()
 {
     std::string text = "Formats:\n";
@@ -102,7 +112,10 @@ Command addExportCommand(CLI::App& program)
         program.add_subcommand("export", "Write a kept run in the formats of other programs");
     command->footer(describeFormats() + kExamples);
     command->add_option("RUN", arguments->run, "The folder of a run, or its run.frost")->required();
-    command->add_option("--to", arguments->formats, "Formats, separated by commas; see below")
+    command
+        ->add_option(
+            "--to", arguments->formats,
+            fmt::format("Formats, separated by commas: {}", fmt::join(formatNames(), ", ")))
         ->required()
         ->delimiter(',')
         ->type_name("FORMAT");

@@ -20,10 +20,11 @@ namespace frostfill
 namespace
 {
 
-/// The command of this name, such as {"bench", "error"}.
-const CLI::App& commandOf(const CLI::App& program, const std::vector<std::string>& names)
+/// The help of the command of this name, such as {"bench", "error"}.
+std::string helpOf(const CLI::App& program, const std::vector<std::string>& names)
 {
     const CLI::App* found = &program;
+    std::string whole = program.get_name();
     for (const std::string& name : names)
     {
         const CLI::App* next = nullptr;
@@ -42,8 +43,10 @@ const CLI::App& commandOf(const CLI::App& program, const std::vector<std::string
                                                     : fmt::format("did you mean {}?", nearest)));
         }
         found = next;
+        whole += " " + name;
     }
-    return *found;
+    // App::help would give that of the command which was given, which is this one.
+    return found->get_formatter()->make_help(found, whole, CLI::AppFormatMode::Normal);
 }
 
 int writePages(const CLI::App& program, const std::filesystem::path& folder)
@@ -72,7 +75,7 @@ Command addHelpCommand(CLI::App& program)
     command->add_option("COMMAND", *names, "Such as fill, or bench error");
     return [names, &program]
     {
-        fmt::print("{}", commandOf(program, *names).help());
+        fmt::print("{}", helpOf(program, *names));
         return 0;
     };
 }

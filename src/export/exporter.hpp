@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Room: a kept run in the formats of other programs. It reads the run file and simulates nothing.
 #pragma once
 
 #include <frostfill/export.hpp>

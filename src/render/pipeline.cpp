@@ -221,7 +221,9 @@ void Pipeline::drawOverLayer()
 
 void Pipeline::renewMarks()
 {
-    if (!layer_ || !painter_.outOfMarks())
+    // For what comes to rest, and for what runs.
+    constexpr int kMarksOfAPicture = 2;
+    if (!layer_ || !painter_.outOfMarks(kMarksOfAPicture))
     {
         return;
     }

@@ -3,6 +3,7 @@
 // FROSTFILL_UPDATE_GOLDEN=1 in the environment rewrites it; look at it again then.
 #include "support/pictures.hpp"
 
+#include "support/drawn_with.hpp"
 #include "support/paths.hpp"
 
 #include <frostfill/image.hpp>
@@ -84,6 +85,7 @@ class GoldenPictures : public testing::Test
 protected:
     GoldenPictures()
     {
+        settings.backend = test::drawnWith();
         settings.size = {320, 180};
         settings.title = "torus";
     }

@@ -69,9 +69,9 @@ public:
     /// where they may be seen.
     void addSpheres(std::span<const SphereInstance> spheres,
                     std::span<const TriangleTiles::Part> parts);
-    /// addSpheres marks what it has painted with a new number each time. When there is none left
-    /// clearMarks has to be called on every framebuffer that it was used on, then startMarks.
-    [[nodiscard]] bool outOfMarks() const { return mark_ == 255; }
+    /// addSpheres marks what it has painted with a new number each time. When so many more are too
+    /// many, clearMarks has to be called on every framebuffer that it was used on, then startMarks.
+    [[nodiscard]] bool outOfMarks(int wanted) const { return mark_ + wanted > 255; }
     void clearMarks();
     void startMarks() { mark_ = 0; }
 

@@ -2,6 +2,7 @@
 #include "render/raster/shell_rows.hpp"
 
 #include "render/raster/lanes.hpp"
+#include "render/raster/vector_width.hpp"
 
 #include <algorithm>
 #include <array>
@@ -238,8 +239,7 @@ void drawPlain(int samples, const Setup& setup, const Frame& frame, const PixelR
 void drawShellRows(int samples, const ShellRaster::Setup& setup, const ShellRows& frame,
                    const PixelRectangle& rows, const TilePart& part, SampleTile& tile)
 {
-    static const bool avx2 = FROSTFILL_HAS_AVX2;
-    (avx2 ? drawAvx2 : drawPlain)(samples, setup, frame, rows, part, tile);
+    (lanes::usesAvx2() ? drawAvx2 : drawPlain)(samples, setup, frame, rows, part, tile);
 }
 
 } // namespace frostfill

@@ -2,6 +2,7 @@
 #include "render/raster/sphere_raster.hpp"
 
 #include "render/raster/lanes.hpp"
+#include "render/raster/vector_width.hpp"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -334,8 +335,7 @@ void SphereRaster::draw(const SphereInstance& sphere, const PixelRectangle& pixe
     {
         return;
     }
-    static const bool avx2 = FROSTFILL_HAS_AVX2;
-    (avx2 ? drawAvx2 : drawPlain)(samples_, setup, rows, part, tile);
+    (lanes::usesAvx2() ? drawAvx2 : drawPlain)(samples_, setup, rows, part, tile);
 }
 
 } // namespace frostfill

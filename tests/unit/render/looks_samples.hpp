@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "support/drawn_with.hpp"
 #include "support/pictures.hpp"
 
 #include <frostfill/renderer.hpp>
@@ -85,6 +86,7 @@ inline Image over(const Image& image, int ground)
 inline RenderSettings smallSettings()
 {
     RenderSettings settings;
+    settings.backend = test::drawnWith();
     settings.size = {300, 200};
     return settings;
 }
@@ -92,6 +94,7 @@ inline RenderSettings smallSettings()
 inline RenderSettings squareOn()
 {
     RenderSettings settings;
+    settings.backend = test::drawnWith();
     settings.size = {200, 200};
     settings.camera.azimuth = 0;
     settings.camera.elevation = 0;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "support/drawn_with.hpp"
 #include "support/pictures.hpp"
 
 #include <frostfill/error.hpp>
@@ -32,6 +33,7 @@ Snapshot packOf(const TriangleMesh& mesh, int count)
 RenderSettings smallSettings()
 {
     RenderSettings settings;
+    settings.backend = test::drawnWith();
     settings.size = {480, 270};
     settings.title = "torus";
     return settings;

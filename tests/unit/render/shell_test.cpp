@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The shell: clean lines however small its triangles are in the picture.
+#include "support/drawn_with.hpp"
 #include "support/pictures.hpp"
 
 #include <frostfill/renderer.hpp>
@@ -18,6 +19,7 @@ using namespace testing_support;
 RenderSettings shellSettings()
 {
     RenderSettings settings;
+    settings.backend = test::drawnWith();
     settings.size = {320, 180};
     settings.style.legend = false;
     return settings;

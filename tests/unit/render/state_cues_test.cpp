@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Can everyone tell the states apart? Measured on spheres as they are drawn.
 #include "support/colour_vision.hpp"
+#include "support/drawn_with.hpp"
 #include "support/pictures.hpp"
 
 #include <frostfill/renderer.hpp>
@@ -25,6 +26,7 @@ constexpr std::array kStates = {SphereState::running, SphereState::frozen, Spher
 Vector3d meanColour(SphereState state, Look look)
 {
     RenderSettings settings;
+    settings.backend = test::drawnWith();
     settings.style.look = look;
     settings.style.palette = paletteOf(look);
     settings.style.ground = false;
@@ -83,6 +85,7 @@ TEST(StateCues, ColoursDifferForEveryKindOfColourVision)
 std::vector<int> profile(SphereState state)
 {
     RenderSettings settings;
+    settings.backend = test::drawnWith();
     settings.size = {200, 200};
     settings.camera.elevation = 0;
     settings.camera.azimuth = 0;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "render/raster/vector_width.hpp"
 #include "support/pictures.hpp"
 
 #include <frostfill/error.hpp>
@@ -91,6 +92,29 @@ TEST_F(Backends, TheBuiltInOneDrawsThePicturesOfOsmesa)
             EXPECT_LT(difference.rootMeanSquare, 2) << orthographic << ", " << samples;
             EXPECT_LT(difference.pixelsApart, image.pixels.size() / 3 / 500)
                 << orthographic << ", " << samples;
+        }
+    }
+}
+
+TEST_F(Backends, TheBuiltInOneGivesTheSameBytesWithoutAvx2)
+{
+    if (!lanes::usesAvx2())
+    {
+        GTEST_SKIP() << "this processor has no AVX2";
+    }
+    std::string driver;
+    for (const bool orthographic : {false, true})
+    {
+        for (const int samples : {1, 4})
+        {
+            settings.camera.orthographic = orthographic;
+            settings.samples = samples;
+            lanes::usesAvx2() = true;
+            const Image wide = draw(Backend::builtin, driver);
+            lanes::usesAvx2() = false;
+            const Image narrow = draw(Backend::builtin, driver);
+            lanes::usesAvx2() = true;
+            EXPECT_EQ(wide.pixels, narrow.pixels) << orthographic << ", " << samples;
         }
     }
 }

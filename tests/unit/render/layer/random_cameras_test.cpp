@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Any camera, size, zoom and number of samples: the static layer gives the bytes of drawing
 // everything, and nothing is read or written beyond the picture (the asan preset would tell).
+#include "support/drawn_with.hpp"
 #include "support/made_up_run.hpp"
 
 #include <frostfill/renderer.hpp>
@@ -20,6 +21,7 @@ RenderSettings randomSettings(Numbers& numbers)
     const auto between = [&](double low, double high)
     { return low + (high - low) * numbers.next(); };
     RenderSettings settings;
+    settings.backend = test::drawnWith();
     settings.size = {static_cast<int>(between(1, 250)), static_cast<int>(between(1, 160))};
     settings.samples = numbers.next() < 0.5 ? 1 : 4;
     settings.style.shell = numbers.next() < 0.9;
@@ -86,6 +88,7 @@ TEST(RandomCameras, EqualsFullDrawingForManyMoreCameras)
 TEST(RandomCameras, RepaintsPolygonsAtThePicturesEdge)
 {
     RenderSettings settings;
+    settings.backend = test::drawnWith();
     settings.size = {320, 180};
     settings.camera.zoom = 2;
     expectLayerEqualsFullDrawing(settings, 0);

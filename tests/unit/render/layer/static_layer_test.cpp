@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The static layer against drawing everything for every picture, which has to give the same bytes.
+#include "support/drawn_with.hpp"
 #include "support/made_up_run.hpp"
 
 #include <frostfill/error.hpp>
@@ -44,7 +45,8 @@ protected:
         settings.camera.orthographic = GetParam().orthographic;
         settings.style.shell = GetParam().shell;
         settings.title = "a title that is a good deal wider than the table below it";
-        settings.backend = GetParam().backend;
+        settings.backend =
+            GetParam().backend == Backend::automatic ? test::drawnWith() : GetParam().backend;
     }
 
     void SetUp() override
@@ -178,6 +180,37 @@ TEST_P(StaticLayer, WritesOnlyTextThatReadsDifferently)
     expectSame(run.snapshot, "and numbers have, one of them a good deal wider");
     run.snapshot.set = 1;
     expectSame(run.snapshot, "and narrower again");
+}
+
+// A picture in which one sphere comes to rest while others run takes two marks, of which the second
+// may not be one too many.
+TEST(StaticLayerMarks, LastWhereverThePictureFallsThatTakesTwo)
+{
+    const TriangleMesh mesh = torusMesh(1, 0.4, 24, 8);
+    RenderSettings settings;
+    settings.size = {90, 60};
+    settings.samples = 1;
+    settings.backend = Backend::osmesa;
+    RenderSettings plain = settings;
+    plain.staticLayer = false;
+    Renderer off(mesh, plain);
+    for (const int before : {252, 253, 254, 255})
+    {
+        Renderer on(mesh, settings);
+        MadeUpRun run(mesh, 0.1);
+        run.release(12);
+        for (int frame = 0; frame < before + 2; ++frame)
+        {
+            run.snapshot.centres[11].y() += 0.001F;
+            run.snapshot.states[0] = frame < before ? SphereState::running : SphereState::frozen;
+            const Image& image = on.draw(run.snapshot);
+            if (frame >= before)
+            {
+                EXPECT_TRUE(image.pixels == off.draw(run.snapshot).pixels)
+                    << frame << " after " << before;
+            }
+        }
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(

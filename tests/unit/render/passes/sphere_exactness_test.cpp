@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The squares that stand for spheres against a ray caster in double precision.
 #include "render/pipeline.hpp"
+#include "support/drawn_with.hpp"
 #include "support/pictures.hpp"
 
 #include <glm/geometric.hpp>
@@ -158,6 +159,7 @@ void compare(RenderSettings settings, const Cloud& cloud = {})
 TEST(SphereExactness, PerspectiveOutlinesAndDepthsAreThoseOfTheRayCaster)
 {
     RenderSettings settings;
+    settings.backend = test::drawnWith();
     settings.size = {320, 240};
     compare(settings);
 }
@@ -165,6 +167,7 @@ TEST(SphereExactness, PerspectiveOutlinesAndDepthsAreThoseOfTheRayCaster)
 TEST(SphereExactness, WideAnglesStretchSpheresAsTheyShould)
 {
     RenderSettings settings;
+    settings.backend = test::drawnWith();
     settings.size = {640, 400};
     settings.camera.fieldOfView = 100;
     settings.camera.azimuth = -70;
@@ -174,6 +177,7 @@ TEST(SphereExactness, WideAnglesStretchSpheresAsTheyShould)
 TEST(SphereExactness, SpheresOfAMillionAreAsExact)
 {
     RenderSettings settings;
+    settings.backend = test::drawnWith();
     settings.size = {640, 400};
     settings.camera.zoom = 4;
     compare(settings, {700, 0.15, 0.004, 0.012});
@@ -182,6 +186,7 @@ TEST(SphereExactness, SpheresOfAMillionAreAsExact)
 TEST(SphereExactness, OrthographicOutlinesAndDepthsAreThoseOfTheRayCaster)
 {
     RenderSettings settings;
+    settings.backend = test::drawnWith();
     settings.size = {400, 300};
     settings.camera.orthographic = true;
     settings.camera.elevation = 65;
@@ -191,6 +196,7 @@ TEST(SphereExactness, OrthographicOutlinesAndDepthsAreThoseOfTheRayCaster)
 TEST(SphereExactness, FourSamplesSmoothTheOutline)
 {
     RenderSettings settings;
+    settings.backend = test::drawnWith();
     settings.size = {200, 200};
     settings.style.legend = false;
     settings.style.shell = false;
