@@ -74,10 +74,13 @@ void printVerdict(std::span<const BackendAttempt> attempts, const BackendAttempt
 {
     if (chosen.name == attempts.front().name)
     {
-        fmt::print("all is well: pictures are drawn with {}\n", chosen.name);
+        fmt::print(
+            "all is well: the styles clean and dark are drawn without OpenGL, others with {}\n",
+            chosen.name);
         return;
     }
-    fmt::print("pictures are drawn with {}, because {} does not work; they can differ from its "
+    fmt::print("the styles clean and dark are drawn without OpenGL, others with {}, because {} "
+               "does not work; they can differ from its "
                "pictures in single bits\n",
                chosen.name, attempts.front().name);
 }
@@ -101,7 +104,8 @@ int examine()
     if (chosen == attempts.end())
     {
         throw Error(ErrorCode::noOpenGl,
-                    "no OpenGL is available, so frames cannot be drawn; --frames none still works");
+                    "no OpenGL is available: the styles clean and dark are drawn without it, but "
+                    "paper, studio, cutaways, ambient occlusion and passes cannot be");
     }
     printVerdict(attempts, *chosen);
     return 0;
