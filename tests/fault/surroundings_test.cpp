@@ -121,7 +121,8 @@ TEST_F(Surroundings, WithTooLittleMemoryForOpenGlItSaysSoAndDoesNotHang)
 
 TEST_F(Surroundings, WithoutAPlaceForCompiledShadersItDrawsTheSamePictures)
 {
-    ASSERT_EQ(run(kSmall + "--style paper --quiet --out none", "XDG_CACHE_HOME=/dev/null/x").code, 0);
+    ASSERT_EQ(run(kSmall + "--style paper --quiet --out none", "XDG_CACHE_HOME=/dev/null/x").code,
+              0);
     const std::string kept = fmt::format("XDG_CACHE_HOME={}", (folder_ / "cache").string());
     ASSERT_EQ(run(kSmall + "--style paper --quiet --out first", kept).code, 0);
     EXPECT_TRUE(std::filesystem::is_directory(folder_ / "cache/frostfill"));
