@@ -11,19 +11,6 @@ namespace frostfill
 namespace
 {
 
-std::vector<std::string> partsOf(const std::string& text, char border)
-{
-    std::vector<std::string> parts;
-    std::size_t from = 0;
-    while (from <= text.size())
-    {
-        const std::size_t to = std::min(text.find(border, from), text.size());
-        parts.push_back(text.substr(from, to - from));
-        from = to + 1;
-    }
-    return parts;
-}
-
 /// "fast" is a word to type; "FILE" and "X..Y" stand for something.
 bool isWord(const std::string& part)
 {
@@ -39,7 +26,7 @@ OptionText textOf(const CLI::Option& option)
     OptionText text;
     text.positional = option.get_positional();
     // "{false}" stands behind the negative form of a flag.
-    for (const std::string& name : partsOf(option.get_name(text.positional, true), ','))
+    for (const std::string& name : CLI::detail::split(option.get_name(text.positional, true), ','))
     {
         text.names.push_back(name.substr(0, name.find('{')));
     }
@@ -48,7 +35,7 @@ OptionText textOf(const CLI::Option& option)
     text.value = text.positional ? "" : type.substr(0, type.find(':'));
     text.help = option.get_description();
     text.group = option.get_group();
-    for (const std::string& part : partsOf(text.value, '|'))
+    for (const std::string& part : CLI::detail::split(text.value, '|'))
     {
         if (isWord(part))
         {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "app/command_text.hpp"
 #include "app/commands.hpp"
 #include "run/options_page.hpp"
 
@@ -58,54 +59,28 @@ std::string cell(const std::string& text)
 }
 
 /// The option as the command line takes it: "--out DIR", or "MESH" for a positional one.
-std::string usageOf(const CLI::Option& option)
+std::string usageOf(const OptionText& option)
 {
-    if (option.get_positional())
-    {
-        return option.get_name(true);
-    }
-    // Behind a colon CLI11 describes what it checks.
-    const std::string type = option.get_type_size() == 0 ? "" : option.get_type_name();
-    const std::string word = type.substr(0, type.find(':'));
-    std::string name = option.get_name(false, true);
-    if (const std::size_t mark = name.find("{false}"); mark != std::string::npos)
-    {
-        name.erase(mark, 7); // behind the negative form of a flag
-    }
-    return word.empty() ? name : fmt::format("{} {}", name, word);
+    const std::string names = fmt::format("{}", fmt::join(option.names, ","));
+    return option.value.empty() ? names : fmt::format("{} {}", names, option.value);
 }
 
 /// A row for each option of a command. The options of scenes, which fill and render have, have
 /// tables of their own.
-std::string rowsOf(const CLI::App& command)
+std::string rowsOf(const CommandText& command)
 {
     std::string rows;
-    for (const CLI::Option* option : command.get_options())
+    for (const OptionText& option : command.options)
     {
-        const std::string name = option->get_name(false, true);
-        if (option == command.get_help_ptr() ||
-            ((command.get_name() == "fill" || command.get_name() == "render") &&
-             isSceneOption(name.substr(0, name.find(',')))))
+        if (option.names.back() == "--help" ||
+            ((command.name == "fill" || command.name == "render") &&
+             isSceneOption(option.names.front())))
         {
             continue;
         }
-        rows +=
-            fmt::format("| `{}` | {} |\n", cell(usageOf(*option)), cell(option->get_description()));
+        rows += fmt::format("| `{}` | {} |\n", cell(usageOf(option)), cell(option.help));
     }
     return rows;
-}
-
-void addTables(const CLI::App& command, const std::string& name, std::string& text)
-{
-    const std::string rows = rowsOf(command);
-    if (!rows.empty())
-    {
-        text += fmt::format("\n### {}\n\n| option | meaning |\n|---|---|\n{}", name, rows);
-    }
-    for (const CLI::App* inner : command.get_subcommands(nullptr))
-    {
-        addTables(*inner, fmt::format("{} {}", name, inner->get_name()), text);
-    }
 }
 
 } // namespace
@@ -116,9 +91,13 @@ Command addOptionsCommand(CLI::App& program)
     return [&program]
     {
         std::string text = kStart + sceneOptionsMarkdown() + "\n## Commands\n";
-        for (const CLI::App* command : program.get_subcommands(nullptr))
+        for (const CommandText& command : commandTexts(program))
         {
-            addTables(*command, "frostfill " + command->get_name(), text);
+            if (const std::string rows = rowsOf(command); !rows.empty())
+            {
+                text += fmt::format("\n### frostfill {}\n\n| option | meaning |\n|---|---|\n{}",
+                                    command.name, rows);
+            }
         }
         fmt::print("{}{}", text, kEnd);
         return 0;

@@ -2,6 +2,7 @@
 #include "export/exporter.hpp"
 #include "output/atomic_file.hpp"
 #include "output/scene_json.hpp"
+#include "run_file/file_of_run.hpp"
 #include "scene/frame_selection.hpp"
 
 #include <frostfill/error.hpp>
@@ -16,11 +17,6 @@ namespace frostfill
 {
 namespace
 {
-
-std::filesystem::path runFile(const std::filesystem::path& run)
-{
-    return std::filesystem::is_directory(run) ? run / "run.frost" : run;
-}
 
 /// Indices in reader.frames() of the frames that are selected.
 std::vector<std::size_t> selectedFrames(const RunFileReader& reader, const std::string& text)
@@ -120,7 +116,7 @@ Eigen::AlignedBox3d boxInWorld(const ExportedRun& run, const ExportedFrame& fram
 
 ExportResult exportRun(const ExportRequest& request, const ExportProgress& progress)
 {
-    const std::filesystem::path file = runFile(request.run);
+    const std::filesystem::path file = fileOfRun(request.run);
     const ExportFormatInfo& format = exportFormats()[static_cast<std::size_t>(request.format)];
     RunFileReader reader(file);
     const std::vector<std::size_t> chosen =
@@ -131,8 +127,12 @@ ExportResult exportRun(const ExportRequest& request, const ExportProgress& progr
     {
         run.numbers.push_back(reader.frames()[index]);
     }
-    // Arrays of all frames are as long as the last one.
-    run.spheres = reader.seek(chosen.back()).states.size();
+    if (request.format == ExportFormat::npz)
+    {
+        // Arrays of all frames are as long as the last one, which all frames have to be unpacked
+        // for.
+        run.spheres = reader.seek(chosen.back()).states.size();
+    }
 
     const std::vector<std::string> names = exportFiles(request.format, run.numbers);
     if (!request.overwrite)
@@ -142,12 +142,14 @@ ExportResult exportRun(const ExportRequest& request, const ExportProgress& progr
     createDirectory(request.out);
     const auto exporter = makeExporter(request.format, run, request.out);
     std::size_t done = 0;
+    std::size_t spheres = 0;
     for (const std::size_t index : chosen)
     {
         const Snapshot& state = reader.seek(index);
         ExportedFrame frame{reader.frames()[index], state, reader.centres(), reader.radii()};
         frame.moved = !state.pose.rotation.isIdentity(0) || !state.pose.offset.isZero(0);
         exporter->add(frame);
+        spheres = state.states.size();
         ++done;
         if (progress && !progress(done, chosen.size()))
         {
@@ -159,7 +161,7 @@ ExportResult exportRun(const ExportRequest& request, const ExportProgress& progr
 
     ExportResult result{.files = exporter->files(),
                         .frames = done,
-                        .spheres = run.spheres,
+                        .spheres = spheres,
                         .unfinished = !reader.summary()};
     for (const std::filesystem::path& each : result.files)
     {

@@ -25,7 +25,7 @@ struct ExportedRun
     std::uint32_t groupsPerSet = 1;        ///< groups that appear together
     int up = 1;                            ///< axis of the mesh that points up
     std::vector<std::size_t> numbers = {}; ///< of the frames that are exported, ascending
-    std::size_t spheres = 0;               ///< in the last of them
+    std::size_t spheres = 0;               ///< in the last of them; for npz alone
 };
 
 /// A frame as it is exported.

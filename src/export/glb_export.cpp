@@ -98,7 +98,7 @@ private:
         const auto meshes = addShapes(file, run_, last.state.origin);
         Json& nodes = file.json()["nodes"] = Json::array();
         Json children = Json::array();
-        for (std::size_t i = 0; i < run_.spheres; ++i)
+        for (std::size_t i = 0; i < last.radii.size(); ++i)
         {
             const Eigen::Vector3d p = last.centres[i] - last.state.origin;
             const double r = last.radii[i];

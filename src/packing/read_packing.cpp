@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "packing/text_lines.hpp"
+#include "run_file/file_of_run.hpp"
 #include "simulation/quality/quality.hpp"
 
 #include <frostfill/error.hpp>
@@ -76,9 +77,9 @@ Packing lastOfRun(const std::filesystem::path& file)
 /// Of a run that was not kept there are tables.
 Packing readDirectory(const std::filesystem::path& directory)
 {
-    if (isRunFile(directory / "run.frost"))
+    if (isRunFile(directory / kRunFile))
     {
-        return lastOfRun(directory / "run.frost");
+        return lastOfRun(directory / kRunFile);
     }
     const std::filesystem::path table = directory / "spheres.csv";
     const std::string text = contentOf(table);

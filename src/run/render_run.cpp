@@ -6,6 +6,7 @@
 #include "run/run_directory.hpp"
 #include "run/run_hash.hpp"
 #include "run/run_head.hpp"
+#include "run_file/file_of_run.hpp"
 
 #include <frostfill/error.hpp>
 #include <frostfill/render_run.hpp>
@@ -20,22 +21,6 @@ namespace frostfill
 {
 namespace
 {
-
-/// The file of a run that is named by its file or its directory. Throws Error inputMissing.
-std::filesystem::path fileOfRun(const std::filesystem::path& run)
-{
-    std::error_code error;
-    const std::filesystem::path file =
-        std::filesystem::is_directory(run, error) ? run / kRunFile : run;
-    if (!std::filesystem::is_regular_file(file, error))
-    {
-        throw Error(ErrorCode::inputMissing,
-                    fmt::format("'{}' is not there: give the directory of a run that was kept, or "
-                                "its {}",
-                                file.string(), kRunFile));
-    }
-    return file;
-}
 
 /// The camera's path: the one asked for, or that of the run unless a turntable was asked for.
 std::optional<CameraPath> cameraPath(const RenderRequest& request, const RunHead& head,

@@ -2,6 +2,7 @@
 #include "run/resume.hpp"
 
 #include "run/run_head.hpp"
+#include "run_file/file_of_run.hpp"
 
 #include <frostfill/error.hpp>
 #include <frostfill/measure.hpp>

@@ -10,9 +10,6 @@
 namespace frostfill
 {
 
-/// The name of a run's file in its directory.
-inline constexpr const char* kRunFile = "run.frost";
-
 /// The mesh of the run that the directory holds, as it is simulated; empty if none is kept there.
 /// Throws Error badData or usage for a run of another version or another scene, with which the
 /// request cannot go on.

@@ -2,6 +2,7 @@
 #include "run/run_directory.hpp"
 
 #include "output/atomic_file.hpp"
+#include "run_file/file_of_run.hpp"
 
 #include <frostfill/error.hpp>
 
@@ -35,7 +36,7 @@ constexpr KnownFile kFiles[] = {{"spheres.csv", "id,group,x,y,z,radius"},
                                 {"summary.json", "\"outcome\""},
                                 {"mesh.ply", "Frostfill"},
                                 {"contact_sheet.png", "Frostfill"},
-                                {"run.frost", "frostrun"}};
+                                {kRunFile, "frostrun"}};
 
 constexpr const char* kFrameFolders[] = {"frames", "depth", "normal", "identity"};
 
