@@ -28,6 +28,18 @@ std::uint64_t newSource()
     throw Error(ErrorCode::badData, fmt::format("'{}' {}", file.string(), what));
 }
 
+[[noreturn]] void refuseAsNoRunFile(std::string_view bytes)
+{
+    const std::string_view name = kRunFileMark.substr(0, kRunFileVersionAt);
+    if (bytes.size() <= kRunFileVersionAt || !bytes.starts_with(name))
+    {
+        throw DamagedBytes("is no run file (run.frost)");
+    }
+    throw DamagedBytes(fmt::format("is of version {}, and this Frostfill reads version {}",
+                                   static_cast<unsigned char>(bytes[kRunFileVersionAt]),
+                                   static_cast<unsigned char>(kRunFileMark[kRunFileVersionAt])));
+}
+
 } // namespace
 
 struct RunFileReader::Implementation
@@ -56,9 +68,7 @@ struct RunFileReader::Implementation
         const std::string_view bytes = mapped.bytes();
         if (!bytes.starts_with(kRunFileMark))
         {
-            throw DamagedBytes(bytes.starts_with(kRunFileMark.substr(0, 8))
-                                   ? "was written by another version of Frostfill"
-                                   : "is no run file (run.frost)");
+            refuseAsNoRunFile(bytes);
         }
         std::vector<Record> all = wholeRecords(bytes);
         whole = kRunFileMark.size();

@@ -160,6 +160,20 @@ TEST_F(Resume, GoesOnWithARunThatWasStopped)
     expectTheSame("stopped");
 }
 
+TEST_F(Resume, GoesOnAfterADiskWasFull)
+{
+    complete(kRuns[0]);
+    for (const int blocks : {20, 30})
+    {
+        std::filesystem::remove_all(folder_ / "killed");
+        const Answer full = test::runProgram(kRuns[0] + "--out killed", folder_.path(),
+                                             fmt::format("ulimit -f {};", blocks));
+        EXPECT_EQ(full.code, 74) << full.errors;
+        EXPECT_EQ(run("fill --quiet --resume killed").code, 0);
+        expectTheSame(fmt::format("no file could be longer than {} blocks", blocks));
+    }
+}
+
 TEST_F(Resume, LeavesPicturesThatAreThereAsTheyAre)
 {
     complete(kRuns[0]);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A run file that is cut off or damaged is read up to its last whole record.
+#include "run_file/records.hpp"
 #include "support/temporary_folder.hpp"
 #include "unit/run_file/recorded_run.hpp"
 
@@ -74,14 +75,56 @@ TEST_F(TornRunFile, IsReadUpToItsLastWholeRecordAtTwoHundredLengths)
 TEST_F(TornRunFile, IsReadUpToTheRecordInWhichAByteIsDamaged)
 {
     std::mt19937 random(8); // NOLINT(cert-msc32-c,cert-msc51-cpp): the same bytes every time
+    std::string damaged = bytes_;
     for (int i = 0; i < 200; ++i)
     {
-        std::string damaged = bytes_;
         const std::size_t at = random() % bytes_.size();
         damaged[at] = static_cast<char>(damaged[at] ^ (1 << random() % 8));
         expectAPrefix(damaged, std::to_string(at));
+        damaged[at] = bytes_[at];
     }
     EXPECT_GT(mostFrames_, 0U);
+}
+
+TEST_F(TornRunFile, ShowsEachOfTenThousandFlippedBits)
+{
+    std::mt19937 random(9); // NOLINT(cert-msc32-c,cert-msc51-cpp): the same bits every time
+    const auto wholeBytes = [](std::string_view file)
+    {
+        std::size_t whole = file.starts_with(kRunFileMark) ? kRunFileMark.size() : 0;
+        for (const Record& record : wholeRecords(file))
+        {
+            whole += sizeof record.header + record.bytes.size();
+        }
+        return whole;
+    };
+    ASSERT_EQ(wholeBytes(bytes_), bytes_.size());
+    for (int i = 0; i < 10'000; ++i)
+    {
+        const std::size_t at = random() % bytes_.size();
+        const char was = bytes_[at];
+        bytes_[at] = static_cast<char>(was ^ (1 << random() % 8));
+        ASSERT_LT(wholeBytes(bytes_), bytes_.size()) << "byte " << at;
+        bytes_[at] = was;
+    }
+}
+
+TEST_F(TornRunFile, OfAnotherVersionIsRefusedNamingBoth)
+{
+    bytes_[8] = 2;
+    writeFile(folder_ / "newer.frost", bytes_);
+    try
+    {
+        RunFileReader reader(folder_ / "newer.frost");
+        FAIL();
+    }
+    catch (const Error& error)
+    {
+        EXPECT_EQ(error.code(), ErrorCode::badData);
+        const std::string said = error.what();
+        EXPECT_NE(said.find("is of version 2"), std::string::npos) << said;
+        EXPECT_NE(said.find("version 1"), std::string::npos) << said;
+    }
 }
 
 TEST_F(TornRunFile, OfAnotherKindIsRefusedInASentence)
