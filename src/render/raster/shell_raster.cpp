@@ -196,7 +196,6 @@ void ShellRaster::setStrokes(std::uint32_t triangle, Setup& setup) const
     glm::vec2 slopeOfSum(0);
     std::array<glm::vec2, 3> parts;
     float most = 0;
-    glm::dvec2 middle(0);
     // Barycentric coordinates are all 1/3 where share * distance is the same for all three; its
     // value there is 1 / (3 w) with w the mean of the corners'.
     float sum = 0;

@@ -30,6 +30,7 @@ void ExactDiscard::build()
         const double overlap = radii.smallest - map_->exclusion(radii.smallest);
         clear_ = std::make_unique<ClearSearch>(world_.resting, world_.surface, world_.triangles,
                                                radii.smallest, overlap);
+        clear_->halve(closer_ ? kHalvingsWhenNearlyFull : kHalvings);
         for (const Kept& kept : kept_)
         {
             map_->addResting(world_.spheres.position(kept.id), world_.spheres.radius[kept.id]);
@@ -93,8 +94,22 @@ void ExactDiscard::afterStep(std::span<Runner> runners)
     }
 }
 
+// Cubes of which the coarse search said that they may hold a place are then asked once more.
+void ExactDiscard::lookCloserNearTheEnd()
+{
+    const bool untilFull = world_.targetCount == 0;
+    const auto resting = static_cast<double>(world_.discardedCount + kept_.size());
+    if (!closer_ && untilFull && resting > kNearlyFull * static_cast<double>(expectedCount(world_)))
+    {
+        closer_ = true;
+        clear_->halve(kHalvingsWhenNearlyFull);
+        std::fill(holding_.begin(), holding_.end(), 0);
+    }
+}
+
 void ExactDiscard::updateWithoutTheNewest()
 {
+    lookCloserNearTheEnd();
     const std::size_t before = violations_;
     const std::uint32_t newest = pending_.back();
     pending_.pop_back();

@@ -64,11 +64,13 @@ private:
     [[nodiscard]] bool polygonDroppable(std::uint32_t triangle);
     [[nodiscard]] bool holdsPlace(int x, int y, int z);
     [[nodiscard]] bool stands(Cube witness);
+    void lookCloserNearTheEnd();
     void restoreAll();
 
     World& world_;
     std::unique_ptr<ReachMap> map_;
     std::unique_ptr<ClearSearch> clear_;
+    bool closer_ = false;                ///< cubes are halved as when the object is nearly full
     std::size_t violations_ = 0;         ///< guards that have tripped, each for wider margins
     std::vector<std::uint32_t> pending_; ///< at rest, but not yet in the map
     std::vector<Kept> kept_;             ///< spheres at rest in the map that are not dropped

@@ -30,11 +30,14 @@ public:
     /// Looks as if this sphere were not at rest.
     void ignore(std::uint32_t id) { ignored_ = id; }
 
+    /// How often a cube is halved; see kHalvings, which it is at first.
+    void halve(int times) { halvings_ = times; }
+
     /// False only when no point of the cube is clear.
     [[nodiscard]] bool mayBeClear(const Eigen::Vector3d& middle, double edge)
     {
         gather(middle, edge);
-        return search(middle, edge, kHalvings, {0, balls_.size()});
+        return search(middle, edge, halvings_, {0, balls_.size()});
     }
 
 private:
@@ -71,6 +74,7 @@ private:
     const TriangleGrid& triangles_;
     double probe_;
     double overlap_;
+    int halvings_ = kHalvings;
     std::uint32_t ignored_ = kNone;
     std::vector<Exclusion> balls_;     ///< of the cube, then of the part of it in hand, and so on
     std::vector<std::uint32_t> walls_; ///< triangles near the cube

@@ -104,6 +104,25 @@ TEST(ExactDiscard, DropsMostOfWhatAPileCovers)
     }
 }
 
+// A picture jumps in which the last sphere's rest decides about much of the object.
+TEST(ExactDiscard, LeavesFewPolygonsToTheEndOfARunUntilFull)
+{
+    Scene scene = sceneOf("human", Motion::fall, 1, 300);
+    scene.spheres.untilFull = true;
+    scene.discard.rule = DiscardRule::exact;
+    const TriangleMesh mesh = builtInMesh("human");
+    Simulation simulation(scene, mesh);
+    Snapshot snapshot;
+    std::size_t before = 0;
+    while (simulation.step())
+    {
+        before = snapshot.discardedPolygons;
+        simulation.capture(snapshot);
+    }
+    simulation.capture(snapshot);
+    EXPECT_LT(snapshot.discardedPolygons - before, mesh.triangles.size() / 15);
+}
+
 /// A box full of a face-centred cubic packing that nothing more fits into, but for a hole where one
 /// sphere is missing.
 class FullBox : public ::testing::Test
