@@ -23,7 +23,7 @@ function showHeader() {
     ? `, radius ${summary.spheres.smallest_radius === summary.spheres.radius ? ""
       : `${readable(summary.spheres.smallest_radius)} to `}${readable(summary.spheres.radius)}` : "";
   part("subtitle").textContent = `${readable(film.spheres)} spheres${radius} · ` +
-    `preset ${scene.preset}, motion ${scene.motion.mode}`;
+    `preset ${scene.preset}${scene.preset === "fast" ? `, motion ${scene.motion.mode}` : ""}`;
   const verdict = part("verdict");
   verdict.classList.toggle("bad", Boolean(summary?.failure));
   verdict.textContent = !summary ? "The run had not ended when this page was written."
