@@ -42,6 +42,12 @@ endfunction()
 # In C++, with #include "ROOM/HEADER.hpp":
 #   namespace frostfill::embedded { std::string_view NAME(); }
 function(frostfill_embed target header)
+    frostfill_embed_for("" ${target} ${header} ${ARGN})
+    target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/embedded)
+endfunction()
+
+# The same, but only the given sources of the target see the header.
+function(frostfill_embed_for sources target header)
     set(declarations "")
     list(LENGTH ARGN words)
     math(EXPR last "${words} - 1")
@@ -63,7 +69,10 @@ namespace frostfill::embedded
 @declarations@} // namespace frostfill::embedded
 // NOLINTEND(readability-identifier-naming)
 ]=])
-    target_include_directories(${target} PRIVATE ${folder})
+    if(sources)
+        set_source_files_properties(${sources} TARGET_DIRECTORY ${target} PROPERTIES
+            INCLUDE_DIRECTORIES ${folder})
+    endif()
 endfunction()
 
 function(frostfill_embed_one target name file)

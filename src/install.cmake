@@ -17,6 +17,7 @@ target_sources(frostfill_render PUBLIC FILE_SET HEADERS BASE_DIRS ${public} FILE
     ${public}/frostfill/image.hpp
     ${public}/frostfill/output.hpp
     ${public}/frostfill/packing.hpp
+    ${public}/frostfill/page.hpp
     ${public}/frostfill/render_run.hpp
     ${public}/frostfill/renderer.hpp
     ${public}/frostfill/run_file.hpp)

@@ -5,6 +5,8 @@
 #include "app/progress.hpp"
 #include "app/scene_options.hpp"
 #include "app/stop_signals.hpp"
+#include "app/view_text.hpp"
+#include "run/recording.hpp"
 #include "run/resume.hpp"
 #include "run/volume_estimate.hpp"
 
@@ -33,6 +35,7 @@ constexpr const char* kExamples = R"(Examples:
   frostfill fill cube --radius 0.04..0.12        radii drawn from a range
   frostfill fill --scene output/torus/summary.json --out output/again
   frostfill fill --resume output/torus           go on after a kill or a stop
+  frostfill fill torus --view                    also a page to look at: output/torus/view.html
 )";
 
 struct FillArguments
@@ -48,6 +51,7 @@ struct FillArguments
     bool quiet = false;
     bool json = false;
     bool estimateVolume = false;
+    bool view = false;
     GivenOptions given;
 };
 
@@ -158,6 +162,28 @@ FillRequest requestOf(const FillArguments& arguments)
     return request;
 }
 
+/// The page of a run that has just been written replaces that of an earlier one. Returns what went
+/// wrong, which matters less than what went wrong with the run.
+std::optional<Error> writePageOf(const FillResult& result, const FillArguments& arguments)
+{
+    if (!arguments.view || result.stopped)
+    {
+        return std::nullopt;
+    }
+    PageRequest page;
+    page.run = result.directory;
+    page.overwrite = true;
+    try
+    {
+        writePageAloud(page, arguments.quiet || arguments.json);
+    }
+    catch (const Error& error)
+    {
+        return error;
+    }
+    return std::nullopt;
+}
+
 /// Whether a run that is to be resumed has come to its end before. Throws Error if it is not the
 /// one that is requested.
 bool hasEnded(const FillRequest& request, const std::string& outcome)
@@ -173,6 +199,11 @@ int runFill(const FillArguments& arguments)
         return printVolume(arguments);
     }
     const FillRequest request = requestOf(arguments);
+    if (arguments.view && !isKept(request.scene))
+    {
+        throw Error(ErrorCode::usage, "--view shows the run file, which this run does not write: "
+                                      "add --keep-run on, or omit --view");
+    }
     warnOfIgnored(arguments, request.scene.preset);
     const std::string outcome = request.resume ? outcomeOfRun(request.directory) : "";
     if (hasEnded(request, outcome))
@@ -203,6 +234,7 @@ int runFill(const FillArguments& arguments)
     {
         printResult(request.scene, result);
     }
+    const std::optional<Error> pageFailure = writePageOf(result, arguments);
     if (result.failure)
     {
         throw Error(
@@ -214,6 +246,10 @@ int runFill(const FillArguments& arguments)
         throw Error(ErrorCode::writeFailed,
                     fmt::format("{}; the frames are in {}", *result.videoFailure,
                                 result.directory.string()));
+    }
+    if (pageFailure)
+    {
+        throw *pageFailure;
     }
     return result.stopped ? static_cast<int>(ErrorCode::stoppedEarly) : 0;
 }
@@ -255,6 +291,10 @@ Command addFillCommand(CLI::App& program)
     command
         ->add_flag("--contact-sheet", arguments->contactSheet,
                    "Also show twelve frames in one picture, contact_sheet.png")
+        ->group(output);
+    command
+        ->add_flag("--view", arguments->view,
+                   "Also write view.html, a page that shows the run in any browser")
         ->group(output);
     command
         ->add_flag("--estimate-volume", arguments->estimateVolume,

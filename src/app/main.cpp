@@ -30,6 +30,7 @@ constexpr const char* kUsage = R"(Examples:
   frostfill fill torus                    the paper's torus: frames and tables in output/torus
   frostfill fill bunny.stl --radius 0.02  any closed mesh, until it is full
   frostfill render output/torus --azimuth 60 --style dark   draw a kept run again
+  frostfill view output/torus             a page to look at in any browser
   frostfill fps                           frames per second, the paper's and ours
   frostfill mesh bunny.stl                inspect a mesh
   frostfill check packing.csv --mesh part.stl   judge anybody's packing
@@ -153,6 +154,7 @@ int run(int argumentCount, char** arguments)
     std::vector<std::pair<std::string, Command>> commands;
     commands.emplace_back("fill", addFillCommand(program));
     commands.emplace_back("render", addRenderCommand(program));
+    commands.emplace_back("view", addViewCommand(program));
     commands.emplace_back("fps", addFpsCommand(program));
     commands.emplace_back("bench", addBenchCommand(program));
     commands.emplace_back("check", addCheckCommand(program));

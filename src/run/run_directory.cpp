@@ -36,6 +36,7 @@ constexpr KnownFile kFiles[] = {{"spheres.csv", "id,group,x,y,z,radius"},
                                 {"summary.json", "\"outcome\""},
                                 {"mesh.ply", "Frostfill"},
                                 {"contact_sheet.png", "Frostfill"},
+                                {"view.html", "Frostfill"},
                                 {kRunFile, "frostrun"}};
 
 constexpr const char* kFrameFolders[] = {"frames", "depth", "normal", "identity"};

@@ -46,6 +46,7 @@ public:
         count((static_cast<std::uint64_t>(value) << 1) ^ static_cast<std::uint64_t>(value >> 63));
     }
     [[nodiscard]] std::string& bytes() { return bytes_; }
+    [[nodiscard]] const std::string& bytes() const { return bytes_; }
 
 private:
     std::string bytes_;

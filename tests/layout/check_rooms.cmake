@@ -64,6 +64,8 @@ room(packing ${mesh} scene scene/options snapshot simulation simulation/quality 
 room(output base snapshot scene scene/options image)
 room(export base mesh view scene scene/options snapshot run_file output)
 room(run base mesh view scene scene/options snapshot simulation image renderer render/overlay run_file output)
+room(page mesh view scene snapshot renderer render/framing render/context render/passes render/overlay
+     render/layer run_file output run)
 
 set(below base geometry ${mesh} view scene scene/options snapshot simulation simulation/world ${parts}
           simulation/quality simulation/engine image renderer render/framing render/context
@@ -77,7 +79,7 @@ room(study/peers ${below} study study/stability)
 room(study/figures ${below} study study/error study/fps study/operations study/peers
      study/stability)
 # The command line stands where any program stands: on the public headers, and on run and study.
-room(app run study study/error study/figures study/fps study/operations study/peers study/stability)
+room(app run page study study/error study/figures study/fps study/operations study/peers study/stability)
 set(sees_all_public_headers app)
 
 set(common error measure)

@@ -29,18 +29,16 @@ inline Scene fewSpheres(bool moved = false)
     return scene;
 }
 
-/// Records a run, and writes beside it what its frames hold, as JSON: the oracle of the readers.
-/// Places are those of the world, with the pose applied anew.
-inline RecordedRun recordWithOracle(const Scene& scene, const std::filesystem::path& folder)
+/// Writes beside a run file what its frames hold, as JSON: the oracle of the readers. Places are
+/// those of the world, with the pose applied anew.
+inline void writeOracle(const std::filesystem::path& folder, std::uint32_t groupsPerSet)
 {
-    const nlohmann::ordered_json head = {{"scene", sceneToJson(scene)}};
-    const RecordedRun run =
-        recordRun(scene, folder / "run.frost", 20, EarlierFile::replace, head.dump());
     RunFileReader reader(folder / "run.frost");
     nlohmann::json frames = nlohmann::json::array();
     for (std::size_t k = 0; k < reader.frames().size(); ++k)
     {
         const Snapshot& state = reader.seek(k);
+        const bool moved = !state.pose.rotation.isIdentity(0) || !state.pose.offset.isZero(0);
         nlohmann::json frame;
         frame["number"] = reader.frames()[k];
         frame["time"] = state.time;
@@ -48,11 +46,13 @@ inline RecordedRun recordWithOracle(const Scene& scene, const std::filesystem::p
         {
             const Eigen::Vector3d p = reader.centres()[i];
             const Eigen::Vector3d world =
-                scene.move.any() ? Eigen::Vector3d(state.origin + state.pose.offset +
-                                                   state.pose.rotation * (p - state.origin))
-                                 : p;
+                moved ? Eigen::Vector3d(state.origin + state.pose.offset +
+                                        state.pose.rotation * (p - state.origin))
+                      : p;
             frame["centres"].push_back({world.x(), world.y(), world.z()});
             frame["radii"].push_back(reader.radii()[i]);
+            frame["waiting"].push_back(static_cast<double>(state.radii[i]) <
+                                       0.5 * reader.radii()[i]);
             frame["states"].push_back(static_cast<int>(state.states[i]));
             frame["groups"].push_back(state.groups[i]);
             frame["speeds"].push_back(state.speeds[i]);
@@ -63,13 +63,23 @@ inline RecordedRun recordWithOracle(const Scene& scene, const std::filesystem::p
         }
         frames.push_back(frame);
     }
-    nlohmann::json all = {{"frames", frames}, {"groups_per_set", scene.spheres.groupsPerSet}};
-    for (const Eigen::Vector3d& vertex : run.mesh.vertices)
+    nlohmann::json all = {{"frames", frames}, {"groups_per_set", groupsPerSet}};
+    for (const Eigen::Vector3d& vertex : reader.mesh().vertices)
     {
         all["vertices"].push_back({vertex.x(), vertex.y(), vertex.z()});
     }
-    all["triangles"] = run.mesh.triangles;
+    all["triangles"] = reader.mesh().triangles;
     writeFile(folder / "oracle.json", all.dump());
+}
+
+/// Records a run with its oracle.
+inline RecordedRun recordWithOracle(const Scene& scene, const std::filesystem::path& folder,
+                                    const std::string& givenHead = "")
+{
+    const nlohmann::ordered_json head = {{"scene", sceneToJson(scene)}};
+    const RecordedRun run = recordRun(scene, folder / "run.frost", 20, EarlierFile::replace,
+                                      givenHead.empty() ? head.dump() : givenHead);
+    writeOracle(folder, scene.spheres.groupsPerSet);
     return run;
 }
 

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// What colours of spheres mean, as in src/render/overlay/colour_scale.cpp, which wrote the scale and
+// the ranges into the page.
+
+/** Four bytes as WebGL reads them. */
+const packed = (colour) =>
+  (colour[0] | colour[1] << 8 | colour[2] << 16 | 255 << 24) >>> 0;
+
+const kScale = Uint32Array.from(facts.scale, packed);
+
+function coloursOfStates(look) {
+  return [look.running, look.frozen, look.discarded, look.running].map(packed);
+}
+
+/** Colours of all spheres of the film's frame, into `colours`. */
+function colourSpheres(film, by, look, colours) {
+  const ofState = coloursOfStates(look);
+  const { low, high } = facts.colours.find((each) => each.by === by);
+  const width = high > low ? high - low : Infinity;
+  const fromScale = (value) =>
+    kScale[Math.round(255 * Math.min(1, Math.max(0, (value - low) / width)))];
+  const resting = packed(facts.resting);
+  const height = heightOf();
+  const valueOf = {
+    state: (id) => ofState[film.states[id]],
+    set: (id) => fromScale(Math.floor(film.groups[id] / facts.groups_per_set)),
+    group: (id) => fromScale(film.groups[id]),
+    speed: (id) => film.states[id] === kRunning ? kScale[film.speeds[id]]
+      : film.states[id] === kDiscarded ? ofState[kDiscarded] : resting,
+    height: (id) => fromScale(height(film, id)),
+  }[by];
+  for (let id = 0; id < film.spheres; ++id) {
+    colours[id] = valueOf(id);
+  }
+}
+
+/** The height of a sphere above the object's foot [mesh unit], as the mesh stands. */
+function heightOf() {
+  const { step } = facts.film;
+  const base = dot(facts.up, facts.origin) - facts.foot;
+  const [x, y, z] = facts.up;
+  return (film, id) => base + step *
+    (x * film.places[3 * id] + y * film.places[3 * id + 1] + z * film.places[3 * id + 2]);
+}

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <frostfill/page.hpp>
+
+namespace frostfill
+{
+
+/// Writes a page, with a bar on standard error and what came of it on standard output.
+void writePageAloud(const PageRequest& request, bool quiet);
+
+} // namespace frostfill

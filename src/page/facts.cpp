@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: MIT
+#include "page/facts.hpp"
+
+#include "render/framing/cutaway_planes.hpp"
+#include "render/framing/front.hpp"
+#include "render/framing/pose_framing.hpp"
+#include "render/layer/painter_settings.hpp"
+#include "render/overlay/colour_scale.hpp"
+#include "run/frame_painter.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace frostfill
+{
+namespace
+{
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::array<std::pair<Look, const char*>, 4> kLooks = {{{Look::clean, "Clean"},
+                                                                 {Look::dark, "Dark"},
+                                                                 {Look::paper, "Paper"},
+                                                                 {Look::studio, "Studio"}}};
+constexpr std::array<std::pair<ColourBy, const char*>, 5> kColours = {
+    {{ColourBy::state, "state"},
+     {ColourBy::set, "set"},
+     {ColourBy::group, "group"},
+     {ColourBy::speed, "speed"},
+     {ColourBy::height, "height"}}};
+
+Json vectorJson(const Eigen::Vector3d& v)
+{
+    return {v.x(), v.y(), v.z()};
+}
+
+Json inkJson(const Colour& surface, const Colour& background)
+{
+    const glm::vec3 ink = inkFor(surface, background);
+    return {ink.x, ink.y, ink.z};
+}
+
+/// Colours and lines of a look, as pictures have them. Lamps and shadows of the studio are left to
+/// pictures.
+Json lookJson(const char* name, const Palette& palette, const PageView& view,
+              const TriangleMesh& mesh, Look look)
+{
+    RenderSettings settings = view.settings;
+    settings.style.look = look;
+    const ShaderVariant variant = variantOf(settings, mesh);
+    return {{"name", name},
+            {"background", palette.background},
+            {"running", palette.running},
+            {"frozen", palette.frozen},
+            {"discarded", palette.discarded},
+            {"active_polygon", palette.activePolygon},
+            {"discarded_polygon", palette.discardedPolygon},
+            {"text", palette.text},
+            {"active_ink", inkJson(palette.activePolygon, palette.background)},
+            {"discarded_ink", inkJson(palette.discardedPolygon, palette.background)},
+            {"haze", uniformsOf(view.framing, settings.size, look).haze},
+            {"gloss", look == Look::paper ? 0 : 1},
+            {"outlines", variant.outlines},
+            {"fading_lines", variant.fadingLines}};
+}
+
+bool sameColours(const Palette& a, const Palette& b)
+{
+    return a.background == b.background && a.running == b.running && a.frozen == b.frozen &&
+           a.discarded == b.discarded && a.activePolygon == b.activePolygon &&
+           a.discardedPolygon == b.discardedPolygon && a.text == b.text;
+}
+
+/// All looks, and one with the run's own colours if it has such; `look` is the index of the run's.
+void addLooks(const PageView& view, const TriangleMesh& mesh, Json& facts)
+{
+    const Style& style = view.settings.style;
+    facts["looks"] = Json::array();
+    for (const auto& [look, name] : kLooks)
+    {
+        if (look == style.look)
+        {
+            facts["look"] = facts["looks"].size();
+        }
+        facts["looks"].push_back(lookJson(name, paletteOf(look), view, mesh, look));
+    }
+    if (!sameColours(style.palette, paletteOf(style.look)))
+    {
+        facts["look"] = facts["looks"].size();
+        facts["looks"].push_back(lookJson("The run's own", style.palette, view, mesh, style.look));
+    }
+}
+
+/// What colours mean, and the colours of the scale from 0 to 1.
+void addColours(const RunHead& head, const PageView& view, Json& facts)
+{
+    facts["colours"] = Json::array();
+    for (const auto& [by, name] : kColours)
+    {
+        Scene scene = head.scene;
+        scene.style.colourBy = by;
+        RenderSettings settings = view.settings;
+        settings.style.colourBy = by;
+        settings.range = colourRange(scene, head.colours);
+        const SphereColours colours(settings, view.vertices);
+        facts["colours"].push_back({{"by", name},
+                                    {"title", colours.title()},
+                                    {"low", colours.range().low},
+                                    {"high", colours.range().high},
+                                    {"whole", colours.countsWhole()}});
+        if (by == view.settings.style.colourBy)
+        {
+            facts["colour_by"] = name;
+        }
+        if (by == ColourBy::speed)
+        {
+            Snapshot still;
+            still.states = {SphereState::frozen};
+            facts["resting"] = colours.of(still, 0);
+        }
+    }
+    facts["scale"] = Json::array();
+    for (int i = 0; i < 256; ++i)
+    {
+        facts["scale"].push_back(scaleColour(i / 255.0));
+    }
+}
+
+/// Widths of lines are the greater of two: so many pixels, and a share of the picture's edge.
+void addStrokes(const PageView& view, Json& facts)
+{
+    constexpr int kLarge = 1 << 20;
+    RenderSettings settings = view.settings;
+    settings.supersample = 1;
+    settings.size = {1, 1};
+    const MeshStrokes small = strokesFor(settings);
+    settings.size = {kLarge, kLarge};
+    const MeshStrokes large = strokesFor(settings);
+    facts["strokes"] = {
+        {"line", {small.lineWidth, large.lineWidth / kLarge}},
+        {"hatch", {small.hatchPeriod, large.hatchPeriod / kLarge}},
+        {"fade", {large.edgeFade[0] / large.lineWidth, large.edgeFade[1] / large.lineWidth}}};
+}
+
+Json cutawayJson(const PageView& view)
+{
+    const Cutaway& cutaway = view.settings.style.cutaway;
+    if (cutaway.kind == Cutaway::Kind::none)
+    {
+        return nullptr;
+    }
+    Json planes = Json::array();
+    for (const glm::dvec4& plane : cutPlanes(cutaway, view.framing, view.settings.up))
+    {
+        planes.push_back({plane.x, plane.y, plane.z, plane.w});
+    }
+    return planes;
+}
+
+Json cameraJson(const PageView& view)
+{
+    const Camera& camera = view.settings.camera;
+    return {{"azimuth", *camera.azimuth},
+            {"elevation", camera.elevation},
+            {"field_of_view", camera.fieldOfView},
+            {"zoom", camera.zoom},
+            {"target", camera.target ? vectorJson(*camera.target) : Json()},
+            {"distance", camera.distance ? Json(*camera.distance) : Json()}};
+}
+
+Json poseJson(const Pose& pose)
+{
+    Json numbers = Json::array();
+    for (int i = 0; i < 9; ++i)
+    {
+        numbers.push_back(pose.rotation(i / 3, i % 3));
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        numbers.push_back(pose.offset[axis]);
+    }
+    return numbers;
+}
+
+} // namespace
+
+PageView pageView(const RunHead& head, const TriangleMesh& mesh)
+{
+    PageView view;
+    view.settings = renderSettings(head.scene, {}, head.poses);
+    view.settings.camera.orthographic = false;
+    if (!view.settings.camera.azimuth)
+    {
+        view.settings.camera.azimuth = frontAzimuth(mesh, view.settings.up.normalized());
+    }
+    view.vertices = verticesInPoses(mesh.vertices, head.poses);
+    const PictureSize size = view.settings.size;
+    view.framing = frame(view.vertices, view.settings,
+                         {0, 0, static_cast<double>(size.width), static_cast<double>(size.height)});
+    return view;
+}
+
+double fastestColour(const RunHead& head, const PageView& view)
+{
+    Scene scene = head.scene;
+    scene.style.colourBy = ColourBy::speed;
+    RenderSettings settings = view.settings;
+    settings.style.colourBy = ColourBy::speed;
+    settings.range = colourRange(scene, head.colours);
+    return SphereColours(settings, {}).range().high * settings.unitsPerMetre;
+}
+
+Json pageFacts(const RunFileReader& run, const RunHead& head, const PageView& view,
+               const std::string& sets)
+{
+    Json facts;
+    facts["version"] = head.version;
+    facts["name"] = head.scene.name;
+    facts["centre"] = vectorJson(view.framing.centre);
+    facts["scale_of_unit"] = view.framing.scale;
+    facts["origin"] = vectorJson(boundingBox(run.mesh()).center());
+    facts["up"] = vectorJson(view.settings.up);
+    double foot = std::numeric_limits<double>::infinity();
+    for (const Eigen::Vector3d& vertex : view.vertices)
+    {
+        foot = std::min(foot, view.settings.up.dot(vertex));
+    }
+    facts["foot"] = foot; // the lowest point, along up
+    facts["groups_per_set"] = view.settings.groupsPerSet;
+    facts["triangles"] = run.mesh().triangles.size();
+    facts["poses"] = Json::array();
+    for (const Pose& pose : head.poses)
+    {
+        facts["poses"].push_back(poseJson(pose));
+    }
+    facts["camera"] = cameraJson(view);
+    facts["cutaway"] = cutawayJson(view);
+    facts["shell"] = view.settings.style.shell;
+    facts["shell_opacity"] =
+        view.settings.style.shellOpacity ? Json(*view.settings.style.shellOpacity) : Json();
+    addLooks(view, run.mesh(), facts);
+    addColours(head, view, facts);
+    addStrokes(view, facts);
+    const double rate = head.interval * head.scene.frames.fps;
+    facts["rate"] = rate < 1e30 ? Json(rate) : Json(); // simulated seconds a second of video
+    facts["scene"] = Json::parse(run.head()).at("scene");
+    facts["summary"] =
+        run.summary() ? Json::parse(*run.summary(), nullptr, false) : Json(); // null: not ended
+    facts["sets"] = sets;
+    return facts;
+}
+
+} // namespace frostfill

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// The command view, and fill --view, as their user meets them.
+#include "fault/program.hpp"
+#include "support/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+namespace frostfill
+{
+namespace
+{
+
+using test::Answer;
+using test::readFile;
+using test::writeFile;
+
+const std::string kRun = "fill cube --radius 0.3 --count 8 --size 64x48 --duration 0.5 --out run ";
+
+class ViewCommand : public ::testing::Test
+{
+protected:
+    [[nodiscard]] Answer run(const std::string& arguments) const
+    {
+        return test::runProgram(arguments, folder_.path());
+    }
+    test::TemporaryFolder folder_;
+};
+
+TEST_F(ViewCommand, WritesAPageBesideTheRunAndSaysHowLargeItIs)
+{
+    ASSERT_EQ(run(kRun + "--quiet").code, 0);
+    const Answer answer = run("view run");
+    EXPECT_EQ(answer.code, 0) << answer.errors;
+    EXPECT_NE(answer.output.find("run/view.html"), std::string::npos) << answer.output;
+    EXPECT_NE(answer.output.find(" frames, 8 spheres, "), std::string::npos) << answer.output;
+    EXPECT_NE(answer.output.find(" MB; places are within 0.000"), std::string::npos)
+        << answer.output;
+    const Answer again = run("view run/run.frost");
+    EXPECT_EQ(again.code, 73);
+    EXPECT_NE(again.errors.find("--overwrite"), std::string::npos) << again.errors;
+    EXPECT_EQ(run("view run --output other.html --quiet").output, "");
+    EXPECT_EQ(readFile(folder_ / "other.html"), readFile(folder_ / "run/view.html"));
+}
+
+TEST_F(ViewCommand, SaysWhenMotionDoesNotFit)
+{
+    ASSERT_EQ(run(kRun + "--quiet").code, 0);
+    const Answer small = run("view run --max-size 0.1");
+    EXPECT_TRUE(small.code == 0 || small.code == 64);
+    const std::string size = "last frame alone";
+    EXPECT_NE(small.errors.find(size), std::string::npos) << small.errors;
+    EXPECT_NE(small.errors.find("--max-size"), std::string::npos) << small.errors;
+}
+
+TEST_F(ViewCommand, RefusesWhatItCannotRead)
+{
+    EXPECT_EQ(run("view nothing").code, 66);
+    writeFile(folder_ / "text.frost", "no run");
+    EXPECT_EQ(run("view text.frost").code, 65);
+    EXPECT_EQ(run("view").code, 64);
+    EXPECT_EQ(run("view text.frost --max-size 0").code, 64);
+    ASSERT_EQ(run(kRun + "--quiet").code, 0);
+    EXPECT_EQ(run("view run --output missing/page.html").code, 73);
+}
+
+TEST_F(ViewCommand, IsDoneByFillToo)
+{
+    const Answer answer = run(kRun + "--view");
+    EXPECT_EQ(answer.code, 0) << answer.errors;
+    EXPECT_NE(answer.output.find("run/view.html: "), std::string::npos) << answer.output;
+    const std::string page = readFile(folder_ / "run/view.html");
+    EXPECT_NE(page.find("\"outcome\":\"count reached\""), std::string::npos);
+    // The page belongs to the run: it goes with it.
+    EXPECT_EQ(run(kRun + "--quiet").code, 73);
+    EXPECT_EQ(run(kRun + "--quiet --overwrite").code, 0);
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "run/view.html"));
+    EXPECT_EQ(run(kRun + "--quiet --overwrite --frames none --keep-run on --view").code, 0);
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "run/view.html"));
+}
+
+TEST_F(ViewCommand, NeedsARunThatIsKept)
+{
+    for (const char* how : {"--keep-run off", "--frames none"})
+    {
+        const Answer answer = run(kRun + "--view " + how);
+        EXPECT_EQ(answer.code, 64);
+        EXPECT_NE(answer.errors.find("--keep-run on"), std::string::npos) << answer.errors;
+        EXPECT_FALSE(std::filesystem::exists(folder_ / "run"));
+    }
+}
+
+} // namespace
+} // namespace frostfill
