@@ -65,6 +65,8 @@ room(output base snapshot scene scene/options image)
 room(export base mesh view scene scene/options snapshot run_file output)
 room(run base mesh view scene scene/options snapshot simulation image renderer render/overlay run_file output)
 
+room(import mesh scene snapshot run_file packing run)
+
 set(below base geometry ${mesh} view scene scene/options snapshot simulation simulation/world ${parts}
           simulation/quality simulation/engine image renderer render/framing render/context
           render/passes render/overlay run_file packing output run)
