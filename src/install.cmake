@@ -15,6 +15,7 @@ target_sources(frostfill_render PUBLIC FILE_SET HEADERS BASE_DIRS ${public} FILE
     ${public}/frostfill/export.hpp
     ${public}/frostfill/fill.hpp
     ${public}/frostfill/image.hpp
+    ${public}/frostfill/import.hpp
     ${public}/frostfill/output.hpp
     ${public}/frostfill/packing.hpp
     ${public}/frostfill/page.hpp

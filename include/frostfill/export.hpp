@@ -53,6 +53,7 @@ struct ExportResult
     std::vector<std::filesystem::path> files; ///< the one to open comes first
     std::size_t frames = 0;
     std::size_t spheres = 0; ///< in the last frame
+    std::size_t repeats = 0; ///< frames left out because another shows the same moment
     std::uint64_t bytes = 0; ///< of all files
     bool unfinished = false; ///< the run was stopped, or is still under way
 };
@@ -62,6 +63,8 @@ using ExportProgress = std::function<bool(std::size_t done, std::size_t all)>;
 
 /// Writes frames of a run in another format. Lengths are in the unit of the mesh, times in seconds,
 /// and positions are those of the world: a moved object and its spheres are where they were moved.
+/// Of selected frames that show the same moment one is written, so that times ascend: the first
+/// of those with the last of its states.
 /// Places of resting spheres are exact; those of moving ones are rounded to 1/10,000 of a radius.
 /// Throws Error inputMissing or badData for a run that cannot be read, usage for a selection
 /// without a frame, cannotCreate if a file is there already, writeFailed, and stoppedEarly.

@@ -19,6 +19,7 @@ Command addExportCommand(CLI::App& program);
 Command addFiguresCommand(CLI::App& program);
 Command addFillCommand(CLI::App& program);
 Command addFpsCommand(CLI::App& program);
+Command addImportCommand(CLI::App& program);
 Command addMeshCommand(CLI::App& program);
 Command addDoctorCommand(CLI::App& program);
 Command addRenderCommand(CLI::App& program);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands.hpp"
-#include "app/progress.hpp"
+#include "app/export_files.hpp"
 #include "app/stop_signals.hpp"
 
 #include <frostfill/export.hpp>
@@ -33,16 +33,6 @@ struct ExportArguments
     bool quiet = false;
 };
 
-std::vector<std::string> formatNames()
-{
-    std::vector<std::string> names;
-    for (const ExportFormatInfo& format : exportFormats())
-    {
-        names.emplace_back(format.name);
-    }
-    return names;
-}
-
 std::string describeFormats()
 {
     std::string text = "Formats:\n";
@@ -57,49 +47,17 @@ std::string describeFormats()
 
 int exportAll(const ExportArguments& arguments)
 {
-    const std::filesystem::path run = arguments.run;
     // Every name is checked before the first file is written.
-    std::vector<ExportRequest> requests;
-    for (const std::string& name : arguments.formats)
+    std::vector<ExportRequest> requests =
+        exportRequests(arguments.run, arguments.formats, arguments.out);
+    for (ExportRequest& request : requests)
     {
-        requests.push_back({.run = run,
-                            .format = exportFormat(name).format,
-                            .frames = arguments.frames,
-                            .out = arguments.out,
-                            .overwrite = arguments.overwrite});
-        if (arguments.out.empty())
-        {
-            const bool folder = std::filesystem::is_directory(run);
-            requests.back().out = (folder ? run : run.parent_path()) / "export";
-        }
+        request.frames = arguments.frames;
+        request.overwrite = arguments.overwrite;
     }
     catchStopSignals();
     runHasBegun();
-    for (const ExportRequest& request : requests)
-    {
-        TaskBar bar;
-        const ExportResult result = exportRun(request,
-                                              [&](std::size_t done, std::size_t all)
-                                              {
-                                                  if (!arguments.quiet)
-                                                  {
-                                                      bar.update(done, all, "frames");
-                                                  }
-                                                  return !stopRequested();
-                                              });
-        bar.close();
-        if (!arguments.quiet)
-        {
-            const std::string others =
-                result.files.size() > 1
-                    ? fmt::format(" and {} files beside it", result.files.size() - 1)
-                    : "";
-            fmt::print("{}{}: {} {}, {} spheres, {:.3g} MB{}\n", result.files.front().string(),
-                       others, result.frames, result.frames == 1 ? "frame" : "frames",
-                       result.spheres, static_cast<double>(result.bytes) / 1e6,
-                       result.unfinished ? "; the run has not ended" : "");
-        }
-    }
+    exportFiles(requests, arguments.quiet);
     return 0;
 }
 
@@ -113,9 +71,8 @@ Command addExportCommand(CLI::App& program)
     command->footer(describeFormats() + kExamples);
     command->add_option("RUN", arguments->run, "The folder of a run, or its run.frost")->required();
     command
-        ->add_option(
-            "--to", arguments->formats,
-            fmt::format("Formats, separated by commas: {}", fmt::join(formatNames(), ", ")))
+        ->add_option("--to", arguments->formats,
+                     fmt::format("Formats, separated by commas: {}", exportFormatNames()))
         ->required()
         ->delimiter(',')
         ->type_name("FORMAT");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands.hpp"
+#include "app/export_files.hpp"
 #include "app/fill_text.hpp"
 #include "app/message.hpp"
 #include "app/progress.hpp"
@@ -20,6 +21,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace frostfill
 {
@@ -46,6 +48,7 @@ struct FillArguments
     std::string resume;
     std::string video;
     std::string cameraPath;
+    std::vector<std::string> exports; ///< formats
     bool contactSheet = false;
     bool overwrite = false;
     bool quiet = false;
@@ -192,6 +195,23 @@ bool hasEnded(const FillRequest& request, const std::string& outcome)
            meshOfEarlierRun(request).has_value();
 }
 
+/// Names are checked before the run. What an earlier run has exported is replaced, as the run is.
+std::vector<ExportRequest> exportsOf(const FillArguments& arguments, const FillRequest& request)
+{
+    if (!arguments.exports.empty() && !isKept(request.scene))
+    {
+        throw Error(ErrorCode::usage, "--export reads the run file: omit --keep-run off, or give "
+                                      "--keep-run on with --frames none");
+    }
+    std::vector<ExportRequest> exports =
+        exportRequests(request.directory, arguments.exports, request.directory / "export");
+    for (ExportRequest& each : exports)
+    {
+        each.overwrite = true;
+    }
+    return exports;
+}
+
 int runFill(const FillArguments& arguments)
 {
     if (arguments.estimateVolume)
@@ -204,12 +224,14 @@ int runFill(const FillArguments& arguments)
         throw Error(ErrorCode::usage, "--view shows the run file, which this run does not write: "
                                       "add --keep-run on, or omit --view");
     }
+    const std::vector<ExportRequest> exports = exportsOf(arguments, request);
     warnOfIgnored(arguments, request.scene.preset);
     const std::string outcome = request.resume ? outcomeOfRun(request.directory) : "";
     if (hasEnded(request, outcome))
     {
         say(fmt::format("the run in {} has ended ({}): nothing to resume\n",
                         request.directory.string(), outcome));
+        exportFiles(exports, arguments.quiet || arguments.json);
         return outcome == "failed" ? static_cast<int>(ErrorCode::postcondition) : 0;
     }
 
@@ -235,6 +257,10 @@ int runFill(const FillArguments& arguments)
         printResult(request.scene, result);
     }
     const std::optional<Error> pageFailure = writePageOf(result, arguments);
+    if (!result.stopped)
+    {
+        exportFiles(exports, arguments.quiet || arguments.json);
+    }
     if (result.failure)
     {
         throw Error(
@@ -287,6 +313,14 @@ Command addFillCommand(CLI::App& program)
             "Move the camera: keyframes SECONDS:AZIMUTH,ELEVATION[,ZOOM] of the video, such "
             "as \"0:30,20 8:120,45\", or a file of such lines")
         ->type_name("KEYS|FILE")
+        ->group(output);
+    command
+        ->add_option("--export", arguments->exports,
+                     fmt::format("Also write the run, into the folder export, as: {}; see "
+                                 "frostfill export",
+                                 exportFormatNames()))
+        ->delimiter(',')
+        ->type_name("FORMAT")
         ->group(output);
     command
         ->add_flag("--contact-sheet", arguments->contactSheet,

@@ -160,6 +160,7 @@ int run(int argumentCount, char** arguments)
     commands.emplace_back("check", addCheckCommand(program));
     commands.emplace_back("figures", addFiguresCommand(program));
     commands.emplace_back("export", addExportCommand(program));
+    commands.emplace_back("import", addImportCommand(program));
     commands.emplace_back("mesh", addMeshCommand(program));
     commands.emplace_back("doctor", addDoctorCommand(program));
     commands.emplace_back("options", addOptionsCommand(program));

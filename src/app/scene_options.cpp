@@ -127,9 +127,14 @@ void addLoadOptions(CLI::App& command, GivenOptions& given)
     }
 }
 
-void addCheckOptions(CLI::App& command, GivenOptions& given)
+void addUpOption(CLI::App& command, GivenOptions& given)
 {
     addOption(command, *findOption("object.up"), given);
+}
+
+void addCheckOptions(CLI::App& command, GivenOptions& given)
+{
+    addUpOption(command, given);
     addLoadOptions(command, given);
 }
 

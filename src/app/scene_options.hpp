@@ -25,6 +25,8 @@ void addPictureOptions(CLI::App& command, GivenOptions& given);
 /// Adds those that say how an open or broken mesh is made whole.
 void addLoadOptions(CLI::App& command, GivenOptions& given);
 
+/// The axis of the mesh that points up.
+void addUpOption(CLI::App& command, GivenOptions& given);
 /// Adds those that say what a mesh is in which spheres lie: the axis up, and how it is made whole.
 void addCheckOptions(CLI::App& command, GivenOptions& given);
 

@@ -1,10 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "export/exporter.hpp"
-#include "output/atomic_file.hpp"
-
-#include <fmt/format.h>
-
-#include <iterator>
+#include "export/sphere_columns.hpp"
 
 namespace frostfill
 {
@@ -20,20 +15,18 @@ public:
     }
     void add(const ExportedFrame& frame) override
     {
-        const Snapshot& state = frame.state;
         files_.push_back(folder_ / numberedName("spheres", frame.number, "csv"));
         AtomicFile file(files_.back());
-        file.write("id,x,y,z,radius,state,group,set,speed\n");
-        fmt::memory_buffer row;
-        for (std::size_t i = 0; i < state.states.size(); ++i)
-        {
-            const Eigen::Vector3d p = frame.centre(i);
-            row.clear();
-            fmt::format_to(std::back_inserter(row), "{},{},{},{},{},{},{},{},{}\n", i, p.x(), p.y(),
-                           p.z(), frame.radii[i], static_cast<int>(state.states[i]),
-                           state.groups[i], state.groups[i] / run_.groupsPerSet, state.speeds[i]);
-            file.write({row.data(), row.size()});
-        }
+        std::string heading = kIdColumn.name;
+        forEachColumn(kTableColumns,
+                      [&](const auto& column) { heading += std::string(",") + column.name; });
+        file.write(heading + "\n");
+        writeLines(file, run_, frame,
+                   [](fmt::memory_buffer& row, const ExportedSphere& sphere)
+                   {
+                       fmt::format_to(std::back_inserter(row), FMT_COMPILE("{}"), sphere.id);
+                       putText(row, sphere, kTableColumns, ',');
+                   });
         file.commit();
     }
     void finish() override {}

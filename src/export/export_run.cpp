@@ -3,6 +3,7 @@
 #include "output/atomic_file.hpp"
 #include "output/scene_json.hpp"
 #include "run_file/file_of_run.hpp"
+#include "run_file/kept_frames.hpp"
 #include "scene/frame_selection.hpp"
 
 #include <frostfill/error.hpp>
@@ -119,8 +120,11 @@ ExportResult exportRun(const ExportRequest& request, const ExportProgress& progr
     const std::filesystem::path file = fileOfRun(request.run);
     const ExportFormatInfo& format = exportFormats()[static_cast<std::size_t>(request.format)];
     RunFileReader reader(file);
-    const std::vector<std::size_t> chosen =
+    const std::vector<std::size_t> selected =
         selectedFrames(reader, request.frames.empty() ? format.frames : request.frames);
+    // Readers want ascending times.
+    const std::vector<std::size_t> chosen =
+        selected.size() > 1 ? KeptFrames(reader).oneAMoment(selected) : selected;
     ExportedRun run{reader.mesh(), boundingBox(reader.mesh())};
     readScene(reader, file.string(), run);
     for (const std::size_t index : chosen)
@@ -162,6 +166,7 @@ ExportResult exportRun(const ExportRequest& request, const ExportProgress& progr
     ExportResult result{.files = exporter->files(),
                         .frames = done,
                         .spheres = spheres,
+                        .repeats = selected.size() - chosen.size(),
                         .unfinished = !reader.summary()};
     for (const std::filesystem::path& each : result.files)
     {

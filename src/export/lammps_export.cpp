@@ -1,10 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "export/exporter.hpp"
-#include "output/atomic_file.hpp"
-
-#include <fmt/format.h>
-
-#include <iterator>
+#include "export/sphere_columns.hpp"
 
 namespace frostfill
 {
@@ -12,9 +7,9 @@ namespace
 {
 
 /// Types are counted from 1: running, frozen, discarded.
-int typeOf(SphereState state)
+int typeOf(const ExportedSphere& sphere)
 {
-    return static_cast<int>(state) + 1;
+    return sphere.state + 1;
 }
 
 /// The text dump of LAMMPS (dump custom), which OVITO and VMD read as well. Every frame has the
@@ -38,18 +33,17 @@ public:
         {
             file_.write(fmt::format("{} {}\n", box.min()[axis], box.max()[axis]));
         }
-        file_.write("ITEM: ATOMS id type x y z radius state group set speed\n");
-        fmt::memory_buffer row;
-        for (std::size_t i = 0; i < state.states.size(); ++i)
-        {
-            const Eigen::Vector3d p = frame.centre(i);
-            row.clear();
-            fmt::format_to(std::back_inserter(row), "{} {} {} {} {} {} {} {} {} {}\n", i + 1,
-                           typeOf(state.states[i]), p.x(), p.y(), p.z(), frame.radii[i],
-                           static_cast<int>(state.states[i]), state.groups[i],
-                           state.groups[i] / run_.groupsPerSet, state.speeds[i]);
-            file_.write({row.data(), row.size()});
-        }
+        std::string columns = "ITEM: ATOMS id type";
+        forEachColumn(kTableColumns,
+                      [&](const auto& column) { columns += std::string(" ") + column.name; });
+        file_.write(columns + "\n");
+        writeLines(file_, run_, frame,
+                   [](fmt::memory_buffer& row, const ExportedSphere& sphere)
+                   {
+                       fmt::format_to(std::back_inserter(row), FMT_COMPILE("{} {}"), sphere.id + 1,
+                                      typeOf(sphere));
+                       putText(row, sphere, kTableColumns, ' ');
+                   });
     }
     void finish() override { file_.commit(); }
 
@@ -82,15 +76,13 @@ public:
                                    axes[axis], axes[axis]));
         }
         file.write("\nAtoms # sphere\n\n");
-        fmt::memory_buffer row;
-        for (std::size_t i = 0; i < state.states.size(); ++i)
-        {
-            const Eigen::Vector3d p = frame.centre(i);
-            row.clear();
-            fmt::format_to(std::back_inserter(row), "{} {} {} 1 {} {} {}\n", i + 1,
-                           typeOf(state.states[i]), 2 * frame.radii[i], p.x(), p.y(), p.z());
-            file.write({row.data(), row.size()});
-        }
+        writeLines(file, run_, frame,
+                   [](fmt::memory_buffer& row, const ExportedSphere& sphere)
+                   {
+                       fmt::format_to(std::back_inserter(row), FMT_COMPILE("{} {} {} 1"),
+                                      sphere.id + 1, typeOf(sphere), 2 * sphere.radius);
+                       putText(row, sphere, kPlaceColumns, ' ');
+                   });
         file.commit();
     }
     void finish() override {}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "export/exporter.hpp"
 #include "export/npz_file.hpp"
+#include "export/sphere_columns.hpp"
 #include "run_file/bytes.hpp"
 
 #include <limits>
@@ -94,9 +94,10 @@ private:
     {
         for (std::size_t i = 0; i < run_.spheres; ++i)
         {
-            radii_.raw(frame.radii[i]);
-            groups_.raw(frame.state.groups[i]);
-            sets_.raw(frame.state.groups[i] / run_.groupsPerSet);
+            const ExportedSphere sphere = sphereOf(run_, frame, i);
+            radii_.raw(sphere.radius);
+            groups_.raw(sphere.group);
+            sets_.raw(sphere.set);
         }
     }
     void array(const char* name, const char* type, const std::vector<std::size_t>& shape,

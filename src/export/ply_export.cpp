@@ -1,14 +1,25 @@
 // SPDX-License-Identifier: MIT
-#include "export/exporter.hpp"
-#include "output/atomic_file.hpp"
+#include "export/sphere_columns.hpp"
 #include "run_file/bytes.hpp"
 
-#include <fmt/format.h>
+#include <type_traits>
 
 namespace frostfill
 {
 namespace
 {
+
+constexpr auto kColumns = std::tuple_cat(kPlaceColumns, kPointColumns);
+constexpr std::size_t kMostBytes = sizeof(ExportedSphere); ///< of a row
+
+template <typename Value>
+constexpr const char* typeName()
+{
+    return std::is_same_v<Value, double>          ? "double"
+           : std::is_same_v<Value, float>         ? "float"
+           : std::is_same_v<Value, std::uint32_t> ? "uint"
+                                                  : "uchar";
+}
 
 /// A PLY file whose vertices are the centres of the spheres, binary and little-endian.
 class PlyExporter : public Exporter
@@ -20,29 +31,23 @@ public:
     }
     void add(const ExportedFrame& frame) override
     {
-        const Snapshot& state = frame.state;
+        const std::size_t count = frame.state.states.size();
+        std::string head =
+            fmt::format("ply\nformat binary_little_endian 1.0\ncomment frame {} at {} "
+                        "s\nelement vertex {}\n",
+                        frame.number, frame.state.time, count);
+        forEachColumn(kColumns, [&]<typename Value>(const ExportColumn<Value>& column)
+                      { head += fmt::format("property {} {}\n", typeName<Value>(), column.name); });
         ByteWriter rows;
-        for (std::size_t i = 0; i < state.states.size(); ++i)
+        rows.bytes().reserve(count * kMostBytes);
+        for (std::size_t i = 0; i < count; ++i)
         {
-            const Eigen::Vector3d p = frame.centre(i);
-            rows.raw(p.x());
-            rows.raw(p.y());
-            rows.raw(p.z());
-            rows.raw(frame.radii[i]);
-            rows.raw(static_cast<std::uint32_t>(i));
-            rows.raw(static_cast<std::uint8_t>(state.states[i]));
-            rows.raw(state.groups[i]);
-            rows.raw(state.groups[i] / run_.groupsPerSet);
-            rows.raw(state.speeds[i]);
+            const ExportedSphere sphere = sphereOf(run_, frame, i);
+            forEachColumn(kColumns, [&](const auto& column) { rows.raw(sphere.*column.value); });
         }
         files_.push_back(folder_ / numberedName("spheres", frame.number, "ply"));
         AtomicFile file(files_.back());
-        file.write(fmt::format(
-            "ply\nformat binary_little_endian 1.0\ncomment frame {} at {} s\nelement vertex {}\n"
-            "property double x\nproperty double y\nproperty double z\nproperty double radius\n"
-            "property uint id\nproperty uchar state\nproperty uint group\nproperty uint set\n"
-            "property float speed\nend_header\n",
-            frame.number, state.time, state.states.size()));
+        file.write(head + "end_header\n");
         file.write(rows.bytes());
         file.commit();
     }

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "export/exporter.hpp"
-#include "output/atomic_file.hpp"
+#include "export/sphere_columns.hpp"
 #include "run_file/bytes.hpp"
 
-#include <fmt/format.h>
-
 #include <optional>
+#include <type_traits>
+#include <vector>
 
 namespace frostfill
 {
@@ -35,44 +34,48 @@ public:
     {
         xml_ += fmt::format("<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" "
                             "format=\"appended\" offset=\"{}\"/>\n",
-                            type, name, components, data_.bytes().size());
-        data_.raw(static_cast<std::uint64_t>(bytes));
-        data_.bytes().reserve(data_.bytes().size() + bytes);
-        put(data_);
+                            type, name, components, offset_);
+        ByteWriter& data = arrays_.emplace_back();
+        data.bytes().reserve(sizeof(std::uint64_t) + bytes);
+        data.raw(static_cast<std::uint64_t>(bytes));
+        put(data);
+        offset_ += data.bytes().size();
     }
     void commit(const std::filesystem::path& name)
     {
         AtomicFile file(name);
         file.write(xml_);
         file.write("</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_");
-        file.write(data_.bytes());
+        for (ByteWriter& array : arrays_)
+        {
+            file.write(array.bytes());
+        }
         file.write("\n</AppendedData>\n</VTKFile>\n");
         file.commit();
     }
 
 private:
     std::string xml_;
-    ByteWriter data_;
+    std::vector<ByteWriter> arrays_; ///< each behind its length
+    std::size_t offset_ = 0;         ///< where the next one begins
 };
 
+template <typename Value>
+constexpr const char* typeName()
+{
+    return std::is_same_v<Value, double>          ? "Float64"
+           : std::is_same_v<Value, float>         ? "Float32"
+           : std::is_same_v<Value, std::uint32_t> ? "UInt32"
+                                                  : "UInt8";
+}
+
 /// Spheres are points with arrays; each point is a vertex cell too, so that it is drawn.
-void writeSpheres(const ExportedFrame& frame, std::uint32_t groupsPerSet,
+void writeSpheres(const ExportedRun& run, const ExportedFrame& frame,
                   const std::filesystem::path& name)
 {
     const Snapshot& state = frame.state;
     const std::size_t count = state.states.size();
     PolyDataFile file(state.time, count, count, 0);
-    const auto each = [&](const char* type, const char* label, auto&& valueOf)
-    {
-        file.array(type, label, count * sizeof(valueOf(std::size_t{0})),
-                   [&](ByteWriter& data)
-                   {
-                       for (std::size_t i = 0; i < count; ++i)
-                       {
-                           data.raw(valueOf(i));
-                       }
-                   });
-    };
     file.open("Points");
     file.array(
         "Float64", "Points", count * 3 * sizeof(double),
@@ -89,17 +92,33 @@ void writeSpheres(const ExportedFrame& frame, std::uint32_t groupsPerSet,
         3);
     file.close("Points");
     file.open("PointData Scalars=\"state\"");
-    each("Float64", "radius", [&](std::size_t i) { return frame.radii[i]; });
-    each("UInt32", "id", [&](std::size_t i) { return static_cast<std::uint32_t>(i); });
-    each("UInt8", "state",
-         [&](std::size_t i) { return static_cast<std::uint8_t>(state.states[i]); });
-    each("UInt32", "group", [&](std::size_t i) { return state.groups[i]; });
-    each("UInt32", "set", [&](std::size_t i) { return state.groups[i] / groupsPerSet; });
-    each("Float32", "speed", [&](std::size_t i) { return state.speeds[i]; });
+    forEachColumn(kPointColumns,
+                  [&]<typename Value>(const ExportColumn<Value>& column)
+                  {
+                      file.array(typeName<Value>(), column.name, count * sizeof(Value),
+                                 [&](ByteWriter& data)
+                                 {
+                                     for (std::size_t i = 0; i < count; ++i)
+                                     {
+                                         data.raw(sphereOf(run, frame, i).*column.value);
+                                     }
+                                 });
+                  });
     file.close("PointData");
     file.open("Verts");
-    each("Int64", "connectivity", [](std::size_t i) { return static_cast<std::int64_t>(i); });
-    each("Int64", "offsets", [](std::size_t i) { return static_cast<std::int64_t>(i + 1); });
+    const auto ascending = [&](const char* label, std::int64_t first)
+    {
+        file.array("Int64", label, count * sizeof(std::int64_t),
+                   [&](ByteWriter& data)
+                   {
+                       for (std::size_t i = 0; i < count; ++i)
+                       {
+                           data.raw(first + static_cast<std::int64_t>(i));
+                       }
+                   });
+    };
+    ascending("connectivity", 0);
+    ascending("offsets", 1);
     file.close("Verts");
     file.commit(name);
 }
@@ -171,7 +190,7 @@ public:
         const Snapshot& state = frame.state;
         const std::string spheres = numberedName("spheres", frame.number, "vtp");
         files_.push_back(folder_ / spheres);
-        writeSpheres(frame, run_.groupsPerSet, files_.back());
+        writeSpheres(run_, frame, files_.back());
         // A mesh that neither moved nor changed is not written again.
         if (!drawn_ || state.polygons != drawn_->polygons ||
             state.pose.rotation != drawn_->pose.rotation ||

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "export/exporter.hpp"
-#include "output/atomic_file.hpp"
+#include "export/sphere_columns.hpp"
 
-#include <fmt/format.h>
-
-#include <iterator>
+#include <type_traits>
 
 namespace frostfill
 {
@@ -26,23 +23,25 @@ public:
         const Eigen::AlignedBox3d box = boxInWorld(run_, frame);
         const Eigen::Vector3d size = box.sizes();
         const Eigen::Vector3d low = box.min();
+        std::string properties = "species:S:1:pos:R:3";
+        forEachColumn(kPointColumns,
+                      [&]<typename Value>(const ExportColumn<Value>& column)
+                      {
+                          properties += fmt::format(":{}:{}:1", column.name,
+                                                    std::is_floating_point_v<Value> ? 'R' : 'I');
+                      });
         file_.write(
-            fmt::format("{}\nLattice=\"{} 0 0 0 {} 0 0 0 {}\" Origin=\"{} {} {}\" pbc=\"F F F\" "
-                        "Properties=species:S:1:pos:R:3:radius:R:1:id:I:1:state:I:1:group:I:1:set:"
-                        "I:1:speed:R:1 "
-                        "Time={} frame={} step={}\n",
+            fmt::format("{}\nLattice=\"{} 0 0 0 {} 0 0 0 {}\" Origin=\"{} {} {}\" pbc=\"F F "
+                        "F\" Properties={} Time={} frame={} step={}\n",
                         state.states.size(), size.x(), size.y(), size.z(), low.x(), low.y(),
-                        low.z(), state.time, frame.number, state.step));
-        fmt::memory_buffer row;
-        for (std::size_t i = 0; i < state.states.size(); ++i)
-        {
-            const Eigen::Vector3d p = frame.centre(i);
-            row.clear();
-            fmt::format_to(std::back_inserter(row), "X {} {} {} {} {} {} {} {} {}\n", p.x(), p.y(),
-                           p.z(), frame.radii[i], i, static_cast<int>(state.states[i]),
-                           state.groups[i], state.groups[i] / run_.groupsPerSet, state.speeds[i]);
-            file_.write({row.data(), row.size()});
-        }
+                        low.z(), properties, state.time, frame.number, state.step));
+        writeLines(file_, run_, frame,
+                   [](fmt::memory_buffer& row, const ExportedSphere& sphere)
+                   {
+                       row.push_back('X');
+                       putText(row, sphere, kPlaceColumns, ' ');
+                       putText(row, sphere, kPointColumns, ' ');
+                   });
     }
     void finish() override { file_.commit(); }
 

@@ -51,8 +51,14 @@ AtomicFile::~AtomicFile()
 
 void AtomicFile::write(std::string_view text)
 {
-    waiting_ += text;
     written_ += text.size();
+    if (text.size() >= kBlock)
+    {
+        flush();
+        put(text);
+        return;
+    }
+    waiting_ += text;
     if (waiting_.size() >= kBlock)
     {
         flush();
@@ -61,9 +67,14 @@ void AtomicFile::write(std::string_view text)
 
 void AtomicFile::flush()
 {
-    check(writeAll(descriptor_,
-                   {reinterpret_cast<const std::uint8_t*>(waiting_.data()), waiting_.size()}));
+    put(waiting_);
     waiting_.clear();
+}
+
+void AtomicFile::put(std::string_view bytes) const
+{
+    check(
+        writeAll(descriptor_, {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}));
 }
 
 void AtomicFile::commit()

@@ -30,6 +30,7 @@ public:
 
 private:
     void flush();
+    void put(std::string_view bytes) const;
     void check(int error) const;
 
     std::filesystem::path file_;

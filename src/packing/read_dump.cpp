@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "packing/text_lines.hpp"
+// Dumps of LAMMPS (dump custom) and of LIGGGHTS, which has the same form and repeats columns.
+#include "packing/moment.hpp"
 
 #include <fmt/format.h>
 
@@ -10,29 +11,73 @@ namespace
 
 constexpr std::string_view kItem = "ITEM: ";
 constexpr std::string_view kAtoms = "ATOMS";
+constexpr std::string_view kBox = "BOX BOUNDS";
 
-SphereColumns columnsOf(std::string_view names, const TextLines& lines)
+SphereColumns columnsOf(std::string_view names, const TextLines& lines, const Moment& moment)
 {
     SphereColumns columns;
     int index = 0;
-    bool scaled = false;
     for (const std::string_view name : wordsOf(names))
     {
-        scaled = scaled || name == "xs" || name == "xsu";
         columns.take(name, index++);
     }
-    if (scaled && columns.x < 0)
+    const bool scaled = (columns.x < 0 && columns.scaledX >= 0) ||
+                        (columns.y < 0 && columns.scaledY >= 0) ||
+                        (columns.z < 0 && columns.scaledZ >= 0);
+    if (scaled && !moment.box)
     {
-        lines.refuse("places as fractions of the box (xs ys zs); dump x y z instead");
+        lines.refuse("places as fractions (xs ys zs) of a box that is tilted or not given; dump "
+                     "x y z instead");
     }
     return columns;
 }
 
+std::string_view firstWord(TextLines& lines, std::string_view what)
+{
+    const auto words = wordsOf(lines.need(what));
+    return words.empty() ? std::string_view() : words.front();
+}
+
+/// Three lines follow, with the low and the high end of an axis. A tilted box has more on a line.
+std::optional<Eigen::AlignedBox3d> boxOf(TextLines& lines)
+{
+    Eigen::AlignedBox3d box(Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero());
+    bool upright = true;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        const auto words = wordsOf(lines.need("the bounds of its box"));
+        upright = upright && words.size() == 2;
+        if (words.size() < 2)
+        {
+            lines.refuse("two bounds of the box are needed");
+        }
+        box.min()[axis] = numberOf(words[0], lines);
+        box.max()[axis] = numberOf(words[1], lines);
+    }
+    return upright ? std::optional(box) : std::nullopt;
+}
+
+void readSpheres(TextLines& lines, std::string_view names, std::size_t count, double radius,
+                 Moment& moment)
+{
+    const SphereColumns columns = columnsOf(names, lines, moment);
+    columns.requireAll(lines, radius);
+    for (std::size_t k = 0; k < count; ++k)
+    {
+        const std::string_view sphere = lines.need(fmt::format("its {} spheres", count));
+        if (sphere.starts_with(kItem))
+        {
+            lines.refuse(fmt::format("the next part begins after {} of {} spheres", k, count));
+        }
+        addSphere(wordsOf(sphere), columns, radius, lines, moment);
+    }
+}
+
 } // namespace
 
-Packing readDump(TextLines lines, double radius)
+bool readDumpMoment(TextLines& lines, double radius, Moment& moment)
 {
-    Packing packing;
+    moment = {};
     std::size_t count = 0;
     for (std::string_view line; lines.next(line);)
     {
@@ -43,23 +88,27 @@ Packing readDump(TextLines lines, double radius)
         line.remove_prefix(kItem.size());
         if (line.starts_with("NUMBER OF ATOMS"))
         {
-            const auto words = wordsOf(lines.need("the number of atoms"));
-            count = countOf(words.empty() ? "" : words.front(), lines);
+            count = countOf(firstWord(lines, "the number of atoms"), lines);
+        }
+        else if (line == "TIMESTEP")
+        {
+            moment.step = wholeNumberOf(firstWord(lines, "the number of the step"), lines);
+        }
+        else if (line == "TIME")
+        {
+            moment.time = numberOf(firstWord(lines, "the time"), lines);
+        }
+        else if (line.starts_with(kBox))
+        {
+            moment.box = boxOf(lines);
         }
         else if (line.starts_with(kAtoms))
         {
-            const SphereColumns columns = columnsOf(line.substr(kAtoms.size()), lines);
-            columns.requireAll(lines, radius);
-            packing = {}; // of several moments the last
-            for (std::size_t k = 0; k < count; ++k)
-            {
-                const std::string_view atom = lines.need(fmt::format("its {} spheres", count));
-                addSphere(wordsOf(atom), columns, radius, lines, packing);
-            }
+            readSpheres(lines, line.substr(kAtoms.size()), count, radius, moment);
+            return true;
         }
     }
-    packing.format = "a LAMMPS dump";
-    return packing;
+    return false;
 }
 
 } // namespace frostfill

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "packing/text_lines.hpp"
+#include "packing/moment_reader.hpp"
 #include "run_file/file_of_run.hpp"
 #include "simulation/quality/quality.hpp"
 
@@ -10,10 +10,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <cctype>
 #include <fstream>
 #include <iterator>
+#include <utility>
 
 namespace frostfill
 {
@@ -74,6 +73,21 @@ Packing lastOfRun(const std::filesystem::path& file)
     return packing;
 }
 
+/// A file that says nothing of states is one of spheres at rest.
+Packing packingOf(Moment moment, const char* format)
+{
+    Packing packing;
+    packing.format = format;
+    packing.atRest.assign(moment.centres.size(), true);
+    for (std::size_t k = 0; k < moment.states.size(); ++k)
+    {
+        packing.atRest[k] = moment.states[k] != SphereState::running;
+    }
+    packing.centres = std::move(moment.centres);
+    packing.radii = std::move(moment.radii);
+    return packing;
+}
+
 /// Of a run that was not kept there are tables.
 Packing readDirectory(const std::filesystem::path& directory)
 {
@@ -83,20 +97,28 @@ Packing readDirectory(const std::filesystem::path& directory)
     }
     const std::filesystem::path table = directory / "spheres.csv";
     const std::string text = contentOf(table);
-    Packing packing = readTable({text, table.string()}, 0);
-    packing.format = "the tables of a run";
+    Packing packing = packingOf(readTable({text, table.string()}, 0), "the tables of a run");
     packing.mesh = readMesh(directory / "mesh.ply");
     packing.up = axisUp(contentOf(directory / "summary.json"));
     return packing;
 }
 
-/// The first line of XYZ is a number alone.
-bool isXyz(std::string_view text)
+/// Of several moments the last.
+Packing readText(const std::filesystem::path& file, double radius)
 {
-    const auto words = wordsOf(text.substr(0, text.find_first_of("\r\n")));
-    return words.size() == 1 && !words.front().empty() &&
-           std::all_of(words.front().begin(), words.front().end(),
-                       [](unsigned char c) { return std::isdigit(c) != 0; });
+    const std::string text = contentOf(file);
+    TextLines lines(text, file.string());
+    if (!isDump(text) && !isXyz(text))
+    {
+        return packingOf(readTable(lines, radius), "a table");
+    }
+    const auto readMoment = isDump(text) ? readDumpMoment : readXyzMoment;
+    Moment last;
+    for (Moment moment; readMoment(lines, radius, moment);)
+    {
+        last = std::move(moment);
+    }
+    return packingOf(std::move(last), isDump(text) ? "a LAMMPS dump" : "XYZ");
 }
 
 } // namespace
@@ -115,11 +137,7 @@ Packing readPacking(const std::filesystem::path& file, double radius)
     }
     else
     {
-        const std::string text = contentOf(file);
-        const TextLines lines(text, file.string());
-        packing = text.starts_with("ITEM: ") ? readDump(lines, radius)
-                  : isXyz(text)              ? readXyz(lines, radius)
-                                             : readTable(lines, radius);
+        packing = readText(file, radius);
     }
     if (packing.centres.empty())
     {

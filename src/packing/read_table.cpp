@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "packing/text_lines.hpp"
+#include "packing/moment.hpp"
 
 namespace frostfill
 {
@@ -26,7 +26,7 @@ bool isComment(std::string_view line)
 
 } // namespace
 
-Packing readTable(TextLines lines, double radius)
+Moment readTable(TextLines lines, double radius)
 {
     std::string_view heading = lines.need("its heading");
     if (heading.starts_with("\xEF\xBB\xBF"))
@@ -44,17 +44,17 @@ Packing readTable(TextLines lines, double radius)
     {
         columns.take(name, index++);
     }
+    columns.keepPlacesOnly(); // the others may be words
     columns.requireAll(lines, radius);
-    Packing packing;
-    packing.format = "a table";
+    Moment moment;
     for (std::string_view line; lines.next(line);)
     {
         if (!isComment(line))
         {
-            addSphere(wordsOf(line, separator), columns, radius, lines, packing);
+            addSphere(wordsOf(line, separator), columns, radius, lines, moment);
         }
     }
-    return packing;
+    return moment;
 }
 
 } // namespace frostfill

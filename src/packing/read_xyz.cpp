@@ -1,29 +1,51 @@
 // SPDX-License-Identifier: MIT
-#include "packing/text_lines.hpp"
+// XYZ, plain or extended (Lattice="..." Properties=... Time=...), as ASE and OVITO write it.
+#include "packing/moment.hpp"
 
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
 
 namespace frostfill
 {
 namespace
 {
 
+/// What stands behind `key=` in the second line, without quotes; in any case of letters.
+std::optional<std::string_view> valueOf(std::string_view comment, std::string_view key)
+{
+    const auto equal = [](char a, char b)
+    {
+        return std::tolower(static_cast<unsigned char>(a)) ==
+               std::tolower(static_cast<unsigned char>(b));
+    };
+    for (auto from = comment.begin();;)
+    {
+        const auto at = std::search(from, comment.end(), key.begin(), key.end(), equal);
+        if (at == comment.end())
+        {
+            return std::nullopt;
+        }
+        const auto after = at + static_cast<std::ptrdiff_t>(key.size());
+        const bool begins = at == comment.begin() || *(at - 1) == ' ' || *(at - 1) == '\t';
+        if (begins && after != comment.end() && *after == '=')
+        {
+            std::string_view value =
+                comment.substr(static_cast<std::size_t>(after - comment.begin()) + 1);
+            const bool quoted = value.starts_with('"');
+            value.remove_prefix(quoted ? 1 : 0);
+            return value.substr(0, value.find_first_of(quoted ? "\"" : " \t"));
+        }
+        from = at + 1;
+    }
+}
+
 /// The columns that Properties=species:S:1:pos:R:3:radius:R:1 names; plain XYZ has a species and a
 /// place.
 SphereColumns columnsOf(std::string_view comment, const TextLines& lines)
 {
-    constexpr std::string_view kKey = "Properties=";
-    std::string_view properties = "species:S:1:pos:R:3";
-    if (const std::size_t at = comment.find(kKey); at != std::string_view::npos)
-    {
-        properties = comment.substr(at + kKey.size());
-        if (properties.starts_with('"'))
-        {
-            properties.remove_prefix(1);
-        }
-        properties = properties.substr(0, properties.find_first_of(" \t\""));
-    }
-    const auto parts = wordsOf(properties, ':');
+    const auto parts = wordsOf(valueOf(comment, "Properties").value_or("species:S:1:pos:R:3"), ':');
     SphereColumns columns;
     int column = 0;
     for (std::size_t i = 0; i + 2 < parts.size(); i += 3)
@@ -35,7 +57,13 @@ SphereColumns columnsOf(std::string_view comment, const TextLines& lines)
             columns.y = column + 1;
             columns.z = column + 2;
         }
-        else if (count == 1)
+        else if ((parts[i] == "velo" || parts[i] == "vel") && count == 3)
+        {
+            columns.velocityX = column;
+            columns.velocityY = column + 1;
+            columns.velocityZ = column + 2;
+        }
+        else if (count == 1 && (parts[i + 1] != "S" || parts[i] == "state")) // S: words
         {
             columns.take(parts[i], column);
         }
@@ -44,11 +72,54 @@ SphereColumns columnsOf(std::string_view comment, const TextLines& lines)
     return columns;
 }
 
+/// The box of a lattice whose vectors lie along the axes.
+std::optional<Eigen::AlignedBox3d> boxOf(std::string_view comment, const TextLines& lines)
+{
+    const auto lattice = wordsOf(valueOf(comment, "Lattice").value_or(""));
+    const auto origin = wordsOf(valueOf(comment, "Origin").value_or("0 0 0"));
+    if (lattice.size() != 9 || origin.size() != 3)
+    {
+        return std::nullopt;
+    }
+    Eigen::AlignedBox3d box(Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero());
+    for (std::size_t i = 0; i < lattice.size(); ++i)
+    {
+        const double value = numberOf(lattice[i], lines);
+        const auto axis = static_cast<Eigen::Index>(i % 3);
+        if (i % 4 == 0)
+        {
+            box.min()[axis] = numberOf(origin[i % 3], lines);
+            box.max()[axis] = box.min()[axis] + value;
+        }
+        else if (value != 0)
+        {
+            return std::nullopt;
+        }
+    }
+    return box;
+}
+
+void readHeading(std::string_view comment, const TextLines& lines, Moment& moment)
+{
+    if (const auto time = valueOf(comment, "Time"))
+    {
+        moment.time = numberOf(*time, lines);
+    }
+    for (const char* key : {"Timestep", "step"})
+    {
+        if (const auto step = valueOf(comment, key); step && !moment.step)
+        {
+            moment.step = wholeNumberOf(*step, lines);
+        }
+    }
+    moment.box = boxOf(comment, lines);
+}
+
 } // namespace
 
-Packing readXyz(TextLines lines, double radius)
+bool readXyzMoment(TextLines& lines, double radius, Moment& moment)
 {
-    Packing packing;
+    moment = {};
     for (std::string_view line; lines.next(line);)
     {
         const auto words = wordsOf(line);
@@ -57,17 +128,18 @@ Packing readXyz(TextLines lines, double radius)
             continue;
         }
         const std::size_t count = countOf(words.front(), lines);
-        const SphereColumns columns = columnsOf(lines.need("its second line"), lines);
+        const std::string_view comment = lines.need("its second line");
+        const SphereColumns columns = columnsOf(comment, lines);
         columns.requireAll(lines, radius);
-        packing = {}; // of several moments the last
+        readHeading(comment, lines, moment);
         for (std::size_t k = 0; k < count; ++k)
         {
-            const std::string_view atom = lines.need(fmt::format("its {} spheres", count));
-            addSphere(wordsOf(atom), columns, radius, lines, packing);
+            const std::string_view sphere = lines.need(fmt::format("its {} spheres", count));
+            addSphere(wordsOf(sphere), columns, radius, lines, moment);
         }
+        return true;
     }
-    packing.format = "XYZ";
-    return packing;
+    return false;
 }
 
 } // namespace frostfill

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 
 namespace frostfill
@@ -17,24 +16,10 @@ namespace
 /// More than any packing has; a count in a file may be anything.
 constexpr std::size_t kMostSpheres = 1'000'000'000;
 
-std::string lowered(std::string_view word)
-{
-    std::string low(word);
-    std::transform(low.begin(), low.end(), low.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return low;
-}
-
 std::string_view withoutQuotes(std::string_view word)
 {
     const bool quoted = word.size() >= 2 && word.front() == '"' && word.back() == '"';
     return quoted ? word.substr(1, word.size() - 2) : word;
-}
-
-/// "running" or 0 in a file of ours; anything else rests.
-bool rests(std::string_view state)
-{
-    return state != "running" && state != "0";
 }
 
 } // namespace
@@ -46,6 +31,7 @@ bool TextLines::next(std::string_view& line)
         return false;
     }
     const std::size_t end = std::min(rest_.find('\n'), rest_.size());
+    cut_ = cut_ || end == rest_.size();
     line = rest_.substr(0, end);
     rest_.remove_prefix(std::min(end + 1, rest_.size()));
     if (!line.empty() && line.back() == '\r')
@@ -61,6 +47,7 @@ std::string_view TextLines::need(std::string_view what)
     std::string_view line;
     if (!next(line))
     {
+        cut_ = true;
         refuse(fmt::format("the file ends before {}", what));
     }
     return line;
@@ -124,58 +111,15 @@ std::size_t countOf(std::string_view word, const TextLines& lines)
     return value;
 }
 
-void SphereColumns::take(std::string_view name, int index)
+std::uint64_t wholeNumberOf(std::string_view word, const TextLines& lines)
 {
-    const std::string low = lowered(name);
-    const auto is = [&](std::initializer_list<const char*> names)
-    { return std::find(names.begin(), names.end(), low) != names.end(); };
-    int* column = is({"x", "xu", "pos_x", "position_x"})   ? &x
-                  : is({"y", "yu", "pos_y", "position_y"}) ? &y
-                  : is({"z", "zu", "pos_z", "position_z"}) ? &z
-                  : is({"radius", "r", "rad"})             ? &radius
-                  : is({"diameter", "d"})                  ? &diameter
-                  : is({"state"})                          ? &state
-                                                           : nullptr;
-    if (column != nullptr && *column < 0)
+    std::uint64_t value = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error != std::errc() || end != word.data() + word.size())
     {
-        *column = index;
+        lines.refuse(fmt::format("'{}' is no whole number from 0", word));
     }
-}
-
-void SphereColumns::requireAll(const TextLines& lines, double given) const
-{
-    if (x < 0 || y < 0 || z < 0)
-    {
-        lines.refuse(fmt::format("no column {}: the columns x, y and z are needed, and radius",
-                                 x < 0   ? "x"
-                                 : y < 0 ? "y"
-                                         : "z"));
-    }
-    if (radius < 0 && diameter < 0 && given <= 0)
-    {
-        lines.refuse("no column radius: if all spheres have one radius, give it with --radius");
-    }
-}
-
-std::size_t SphereColumns::width() const
-{
-    return static_cast<std::size_t>(std::max({x, y, z, radius, diameter, state})) + 1;
-}
-
-void addSphere(const std::vector<std::string_view>& words, const SphereColumns& columns,
-               double radius, const TextLines& lines, Packing& packing)
-{
-    if (words.size() < columns.width())
-    {
-        lines.refuse(fmt::format("{} values, where {} are needed", words.size(), columns.width()));
-    }
-    const auto word = [&](int column) { return words[static_cast<std::size_t>(column)]; };
-    const auto number = [&](int column) { return numberOf(word(column), lines); };
-    packing.centres.emplace_back(number(columns.x), number(columns.y), number(columns.z));
-    packing.radii.push_back(columns.radius >= 0     ? number(columns.radius)
-                            : columns.diameter >= 0 ? number(columns.diameter) / 2
-                                                    : radius);
-    packing.atRest.push_back(columns.state < 0 || rests(word(columns.state)));
+    return value;
 }
 
 } // namespace frostfill

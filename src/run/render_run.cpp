@@ -7,6 +7,7 @@
 #include "run/run_hash.hpp"
 #include "run/run_head.hpp"
 #include "run_file/file_of_run.hpp"
+#include "run_file/kept_frames.hpp"
 
 #include <frostfill/error.hpp>
 #include <frostfill/render_run.hpp>
@@ -37,31 +38,10 @@ std::optional<CameraPath> cameraPath(const RenderRequest& request, const RunHead
     return text.empty() ? std::nullopt : std::optional(CameraPath::read(text));
 }
 
-/// The frames of a run file, as the recorder saw them.
-class KeptFrames
+FramePainter::State toPaint(const Snapshot& snapshot, const RunFileReader& reader)
 {
-public:
-    explicit KeptFrames(RunFileReader& reader)
-        : reader_(reader), numbers_(reader.frames()), ended_(reader.summary().has_value())
-    {
-    }
-    /// Those before the last state: the file of a run that has ended has that once more.
-    [[nodiscard]] std::size_t count() const { return numbers_.size() - (ended_ ? 1 : 0); }
-    [[nodiscard]] std::size_t number(std::size_t index) const { return numbers_[index]; }
-    /// The number after the last.
-    [[nodiscard]] std::size_t end() const { return numbers_.back() + (ended_ ? 0 : 1); }
-    [[nodiscard]] FramePainter::State state(std::size_t index)
-    {
-        const Snapshot& snapshot = reader_.seek(index);
-        return {&snapshot, reader_.revision()};
-    }
-    [[nodiscard]] FramePainter::State last() { return state(numbers_.size() - 1); }
-
-private:
-    RunFileReader& reader_;
-    const std::vector<std::size_t>& numbers_;
-    bool ended_;
-};
+    return {&snapshot, reader.revision()};
+}
 
 /// Every so manieth selected frame is kept: as `fill` did for the same selection, or as the limit
 /// asks for. Throws Error usage when no frame is left.
@@ -114,7 +94,7 @@ bool drawFrames(FramePainter& painter, RunFileReader& reader, KeptFrames& frames
             continue;
         }
         const std::size_t skipped = painter.skipped();
-        painter.take(frames.number(i), frames.state(i));
+        painter.take(frames.number(i), toPaint(frames.state(i), reader));
         painter.wait();
         if (painter.skipped() == skipped)
         {
@@ -125,7 +105,8 @@ bool drawFrames(FramePainter& painter, RunFileReader& reader, KeptFrames& frames
             observer.progressed(i + 1, frames.count());
         }
     }
-    painter.finish(frames.end(), painter.wantsLast() ? frames.last() : FramePainter::State{});
+    painter.finish(frames.end(),
+                   painter.wantsLast() ? toPaint(frames.last(), reader) : FramePainter::State{});
     return false;
 }
 

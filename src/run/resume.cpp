@@ -45,6 +45,18 @@ void refuseAnotherScene(const Scene& begun, const Scene& now,
     }
 }
 
+/// Throws Error usage for a run that was never simulated here.
+void refuseImported(const RunHead& head, const std::filesystem::path& directory)
+{
+    if (!head.importedFrom.empty())
+    {
+        throw Error(ErrorCode::usage,
+                    fmt::format("the run in {} was imported from '{}': there is nothing to go on "
+                                "with; render and export it",
+                                directory.string(), head.importedFrom));
+    }
+}
+
 bool isThere(const std::filesystem::path& file)
 {
     std::error_code error;
@@ -62,6 +74,7 @@ std::optional<LoadedMesh> meshOfEarlierRun(const FillRequest& request)
     }
     const RunFileReader reader(file);
     const RunHead head = readHead(reader.head(), file.string());
+    refuseImported(head, request.directory);
     const std::string version = describeMachine().version;
     if (head.version != version)
     {
@@ -100,6 +113,7 @@ FillRequest resumeRequest(const std::filesystem::path& directory)
                                 directory.string(), kRunFile));
     }
     const RunHead head = readHead(RunFileReader(file).head(), file.string());
+    refuseImported(head, directory);
     FillRequest request;
     request.scene = head.scene;
     request.directory = directory;

@@ -83,6 +83,10 @@ std::string headText(const RunHead& head)
 {
     Json json;
     json["frostfill"] = head.version;
+    if (!head.importedFrom.empty())
+    {
+        json["imported_from"] = head.importedFrom;
+    }
     json["scene"] = sceneToJson(head.scene);
     json["repairs"] = head.repairs;
     json["video"] = head.video;
@@ -117,6 +121,7 @@ RunHead readHead(const std::string& text, const std::string& nameForMessages)
     {
         RunHead head;
         head.version = json.at("frostfill").get<std::string>();
+        head.importedFrom = json.value("imported_from", "");
         head.scene = sceneFromJson(json.at("scene"), nameForMessages);
         head.repairs = json.at("repairs").get<std::vector<std::string>>();
         head.video = json.at("video").get<std::string>();

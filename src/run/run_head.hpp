@@ -37,6 +37,8 @@ struct RunHead
     std::size_t stride = 1;  ///< every so manieth frame is kept as a picture
     std::vector<Pose> poses; ///< of a moving object, that have to fit into the picture
     std::string version;     ///< of the program
+    /// The file of another program that the run was read from; empty for a run of our own.
+    std::string importedFrom;
 };
 
 /// JSON.

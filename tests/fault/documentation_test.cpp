@@ -59,6 +59,14 @@ void prepare(const std::filesystem::path& folder)
                     "endloop\nendfacet\n"
                     "endsolid part\n");
     test::writeFile(folder / "packing.csv", "x,y,z,radius\n1.5,1.5,0.5,0.5\n");
+    const auto dumpStep = [](const char* step)
+    {
+        return std::string("ITEM: TIMESTEP\n") + step +
+               "\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS ff ff ff\n0 9\n0 9\n0 9\n"
+               "ITEM: ATOMS id type x y z radius\n1 1 1.5 1.5 0." +
+               step + " 0.5\n";
+    };
+    test::writeFile(folder / "dump.lammpstrj", dumpStep("5") + dumpStep("6"));
     test::writeFile(folder / "scene.toml", "[object]\nmesh = \"cube\"\n[spheres]\ncount = 6\n");
     std::filesystem::create_directories(folder / "docs"); // of a clone
     // What scripts/run leaves behind.

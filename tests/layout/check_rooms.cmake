@@ -67,6 +67,8 @@ room(run base mesh view scene scene/options snapshot simulation image renderer r
 room(page mesh view scene snapshot renderer render/framing render/context render/passes render/overlay
      render/layer run_file output run)
 
+room(import mesh scene snapshot run_file packing run)
+
 set(below base geometry ${mesh} view scene scene/options snapshot simulation simulation/world ${parts}
           simulation/quality simulation/engine image renderer render/framing render/context
           render/passes render/overlay run_file packing output run)

@@ -2,9 +2,14 @@
 #include "support/expect_error.hpp"
 #include "unit/export/exported_run.hpp"
 
+#include <frostfill/fill.hpp>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
+#include <string>
+#include <vector>
 
 namespace frostfill
 {
@@ -53,6 +58,57 @@ TEST_F(ExportRun, WritesTheFramesThatAreSelectedAndNamesTheFileToOpenFirst)
     EXPECT_EQ(some.files[0].filename(), "spheres_00000.csv");
     EXPECT_EQ(some.files[1].filename(), "spheres_00004.csv");
     EXPECT_EQ(some.files[2].filename(), "spheres_00008.csv");
+}
+
+/// The numbers in a file that stand behind a word.
+std::vector<double> numbersBehind(const std::string& word, const std::filesystem::path& file)
+{
+    const std::string text = readFile(file);
+    std::vector<double> numbers;
+    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1))
+    {
+        numbers.push_back(std::stod(text.substr(at + word.size(), 30)));
+    }
+    return numbers;
+}
+
+// A step of the simulation is longer than the time between the frames of so slow a video, and the
+// file of a run that has ended has its last state once more.
+TEST(ExportOfASlowRun, HasEachMomentOnceSoThatTimesAscend)
+{
+    const test::TemporaryFolder folder;
+    FillRequest request;
+    request.scene = test::fewSpheres();
+    request.scene.spheres.count = 8;
+    request.scene.frames.enabled = false;
+    request.scene.frames.keepRun = true;
+    request.scene.frames.slowMotion = 40;
+    request.directory = folder / "run";
+    const FillResult run = fill(request);
+    RunFileReader reader(folder / "run/run.frost");
+    const auto write = [&](ExportFormat format)
+    {
+        return exportRun(
+            {.run = folder / "run", .format = format, .frames = "all", .out = folder / "export"});
+    };
+
+    const ExportResult vtp = write(ExportFormat::vtp);
+    EXPECT_GT(vtp.repeats, 0U);
+    EXPECT_EQ(vtp.frames + vtp.repeats, reader.frames().size());
+    std::vector<double> times = numbersBehind("timestep=\"", folder / "export/run.pvd");
+    ASSERT_EQ(times.size(), 2 * vtp.frames); // spheres and mesh
+    for (std::size_t i = 2; i < times.size(); ++i)
+    {
+        EXPECT_LT(times[i - 2], times[i]) << i;
+    }
+    EXPECT_EQ(times.back(), reader.seek(reader.frames().size() - 1).time);
+
+    const ExportResult xyz = write(ExportFormat::xyz);
+    times = numbersBehind(" Time=", folder / "export/spheres.xyz");
+    EXPECT_EQ(times.size(), xyz.frames);
+    EXPECT_EQ(std::adjacent_find(times.begin(), times.end(), std::greater_equal<>()), times.end());
+    EXPECT_EQ(write(ExportFormat::npz).frames, vtp.frames);
+    EXPECT_EQ(run.spheres, 8U);
 }
 
 TEST_F(ExportRun, ReplacesNothingUnasked)

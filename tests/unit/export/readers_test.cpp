@@ -99,6 +99,10 @@ INSTANTIATE_TEST_SUITE_P(
                                  "/usr/bin/python3 '{0}/with_lammps.py' '{1}' {2}"},
                           Reader{"Lammps", "lammps-dump", "which lmp",
                                  "/usr/bin/python3 '{0}/with_lammps.py' '{1}' {2}"},
+                          Reader{"Meshio", "ply", "/usr/bin/python3 -c 'import meshio'",
+                                 "/usr/bin/python3 '{0}/with_meshio.py' '{1}' {2}"},
+                          Reader{"F3d", "glb", "which f3d xvfb-run",
+                                 "/usr/bin/python3 '{0}/with_f3d.py' '{1}' {2}"},
                           Reader{"Blender", "glb", "which blender",
                                  "blender -b --factory-startup --python-exit-code 1 --python "
                                  "'{0}/with_blender.py' -- '{1}' {2}"}),

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include "packing/moment.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <initializer_list>
+#include <string>
+
+namespace frostfill
+{
+namespace
+{
+
+std::string lowered(std::string_view word)
+{
+    std::string low(word);
+    std::transform(low.begin(), low.end(), low.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return low;
+}
+
+/// By name or number, as in files of ours; any other word means that it rests.
+SphereState stateOf(std::string_view word)
+{
+    return word == "running" || word == "0"     ? SphereState::running
+           : word == "discarded" || word == "2" ? SphereState::discarded
+                                                : SphereState::frozen;
+}
+
+} // namespace
+
+void SphereColumns::take(std::string_view name, int index)
+{
+    const std::string low = lowered(name);
+    const auto is = [&](std::initializer_list<const char*> names)
+    { return std::find(names.begin(), names.end(), low) != names.end(); };
+    int* column = is({"x", "xu", "pos_x", "position_x"})   ? &x
+                  : is({"y", "yu", "pos_y", "position_y"}) ? &y
+                  : is({"z", "zu", "pos_z", "position_z"}) ? &z
+                  : is({"xs", "xsu"})                      ? &scaledX
+                  : is({"ys", "ysu"})                      ? &scaledY
+                  : is({"zs", "zsu"})                      ? &scaledZ
+                  : is({"radius", "r", "rad"})             ? &radius
+                  : is({"diameter", "d"})                  ? &diameter
+                  : is({"id"})                             ? &id
+                  : is({"state"})                          ? &state
+                  : is({"group"})                          ? &group
+                  : is({"vx"})                             ? &velocityX
+                  : is({"vy"})                             ? &velocityY
+                  : is({"vz"})                             ? &velocityZ
+                  : is({"speed"})                          ? &speed
+                                                           : nullptr;
+    if (column != nullptr && *column < 0)
+    {
+        *column = index;
+    }
+}
+
+void SphereColumns::requireAll(const TextLines& lines, double given) const
+{
+    const bool hasX = x >= 0 || scaledX >= 0;
+    const bool hasY = y >= 0 || scaledY >= 0;
+    const bool hasZ = z >= 0 || scaledZ >= 0;
+    if (!hasX || !hasY || !hasZ)
+    {
+        lines.refuse(fmt::format("no column {}: the columns x, y and z are needed, and radius",
+                                 !hasX   ? "x"
+                                 : !hasY ? "y"
+                                         : "z"));
+    }
+    if (radius < 0 && diameter < 0 && given <= 0)
+    {
+        lines.refuse("no column radius: if all spheres have one radius, give it with --radius");
+    }
+}
+
+std::size_t SphereColumns::width() const
+{
+    return static_cast<std::size_t>(
+               std::max({x, y, z, scaledX, scaledY, scaledZ, radius, diameter, id, state, group,
+                         velocityX, velocityY, velocityZ, speed})) +
+           1;
+}
+
+void addSphere(const std::vector<std::string_view>& words, const SphereColumns& columns,
+               double radius, const TextLines& lines, Moment& moment)
+{
+    if (words.size() < columns.width())
+    {
+        lines.refuse(fmt::format("{} values, where {} are needed", words.size(), columns.width()));
+    }
+    const auto word = [&](int column) { return words[static_cast<std::size_t>(column)]; };
+    const auto number = [&](int column) { return numberOf(word(column), lines); };
+    const auto place = [&](int plain, int scaled, int axis)
+    {
+        return plain >= 0 ? number(plain)
+                          : moment.box->min()[axis] + number(scaled) * moment.box->sizes()[axis];
+    };
+    moment.centres.emplace_back(place(columns.x, columns.scaledX, 0),
+                                place(columns.y, columns.scaledY, 1),
+                                place(columns.z, columns.scaledZ, 2));
+    moment.radii.push_back(columns.radius >= 0     ? number(columns.radius)
+                           : columns.diameter >= 0 ? number(columns.diameter) / 2
+                                                   : radius);
+    if (columns.id >= 0)
+    {
+        moment.ids.push_back(wholeNumberOf(word(columns.id), lines));
+    }
+    if (columns.state >= 0)
+    {
+        moment.states.push_back(stateOf(word(columns.state)));
+    }
+    if (columns.group >= 0)
+    {
+        moment.groups.push_back(
+            static_cast<std::uint32_t>(wholeNumberOf(word(columns.group), lines)));
+    }
+    if (columns.speed >= 0)
+    {
+        moment.speeds.push_back(number(columns.speed));
+    }
+    else if (columns.velocityX >= 0 && columns.velocityY >= 0 && columns.velocityZ >= 0)
+    {
+        moment.speeds.push_back(Eigen::Vector3d(number(columns.velocityX),
+                                                number(columns.velocityY),
+                                                number(columns.velocityZ))
+                                    .norm());
+    }
+}
+
+} // namespace frostfill

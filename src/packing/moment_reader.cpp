@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "packing/moment_reader.hpp"
+
+#include <frostfill/error.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+namespace frostfill
+{
+
+bool isXyz(std::string_view text)
+{
+    const auto words = wordsOf(text.substr(0, text.find_first_of("\r\n")));
+    return words.size() == 1 && !words.front().empty() &&
+           std::all_of(words.front().begin(), words.front().end(),
+                       [](unsigned char c) { return std::isdigit(c) != 0; });
+}
+
+bool isDump(std::string_view text)
+{
+    return text.starts_with("ITEM: ");
+}
+
+MomentReader::MomentReader(const std::filesystem::path& file, double radius)
+    : name_(file.string()), mapped_(file), lines_(mapped_.bytes(), name_), radius_(radius),
+      isDump_(frostfill::isDump(mapped_.bytes()))
+{
+    if (!isDump_ && !isXyz(mapped_.bytes()))
+    {
+        throw Error(ErrorCode::badData,
+                    fmt::format("'{}' is no LAMMPS or LIGGGHTS dump and no XYZ", name_));
+    }
+}
+
+bool MomentReader::read(Moment& moment)
+{
+    const bool found =
+        isDump_ ? readDumpMoment(lines_, radius_, moment) : readXyzMoment(lines_, radius_, moment);
+    if (found ? lines_.cut() : moment.step || moment.time)
+    {
+        torn_ = found ? "its last line has no end" : "it ends within a heading";
+        return false;
+    }
+    return found;
+}
+
+bool MomentReader::next(Moment& moment)
+{
+    try
+    {
+        if (!read(moment))
+        {
+            return false;
+        }
+    }
+    catch (const Error& error)
+    {
+        if (error.code() != ErrorCode::badData || !lines_.cut())
+        {
+            throw;
+        }
+        torn_ = error.what();
+        return false;
+    }
+    examine(moment);
+    return true;
+}
+
+void MomentReader::examine(const Moment& moment) const
+{
+    const auto name = [&](std::size_t k)
+    {
+        return moment.ids.empty() ? fmt::format("sphere {} of this step", k + 1)
+                                  : fmt::format("sphere {}", moment.ids[k]);
+    };
+    for (std::size_t k = 0; k < moment.centres.size(); ++k)
+    {
+        if (!moment.centres[k].allFinite())
+        {
+            lines_.refuse(fmt::format("the place of {} is no number", name(k)));
+        }
+        if (!(moment.radii[k] > 0) || !std::isfinite(moment.radii[k]))
+        {
+            lines_.refuse(
+                fmt::format("the radius of {} is {}, not above 0", name(k), moment.radii[k]));
+        }
+        if (!moment.speeds.empty() && !std::isfinite(moment.speeds[k]))
+        {
+            lines_.refuse(fmt::format("the velocity of {} is no number", name(k)));
+        }
+    }
+    std::vector<std::uint64_t> ids = moment.ids;
+    std::sort(ids.begin(), ids.end());
+    if (const auto twice = std::adjacent_find(ids.begin(), ids.end()); twice != ids.end())
+    {
+        lines_.refuse(fmt::format("sphere {} is there twice", *twice));
+    }
+}
+
+} // namespace frostfill

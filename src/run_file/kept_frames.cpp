@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include "run_file/kept_frames.hpp"
+
+namespace frostfill
+{
+
+KeptFrames::KeptFrames(RunFileReader& reader)
+    : reader_(reader), numbers_(reader.frames()), ended_(reader.summary().has_value())
+{
+}
+
+std::vector<std::size_t> KeptFrames::oneAMoment(const std::vector<std::size_t>& indices)
+{
+    std::vector<std::size_t> chosen;
+    double time = 0;
+    std::uint64_t revision = 0;
+    for (const std::size_t index : indices)
+    {
+        const double now = reader_.seek(index).time;
+        const bool sameMoment = !chosen.empty() && now == time;
+        if (sameMoment && reader_.revision() != revision)
+        {
+            chosen.back() = index;
+        }
+        else if (!sameMoment)
+        {
+            chosen.push_back(index);
+        }
+        time = now;
+        revision = reader_.revision();
+    }
+    return chosen;
+}
+
+} // namespace frostfill

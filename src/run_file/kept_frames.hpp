@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <frostfill/run_file.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace frostfill
+{
+
+/// The frames of a run file as the recorder saw them: those of the animation, and behind them, once
+/// the run has ended, the last state under the next number. That is nearly always the state of the
+/// last frame once more.
+class KeptFrames
+{
+public:
+    explicit KeptFrames(RunFileReader& reader);
+
+    /// Frames of the animation.
+    [[nodiscard]] std::size_t count() const { return numbers_.size() - (ended_ ? 1 : 0); }
+    [[nodiscard]] std::size_t number(std::size_t index) const { return numbers_[index]; }
+    /// The number after the last of them.
+    [[nodiscard]] std::size_t end() const { return numbers_.back() + (ended_ ? 0 : 1); }
+    /// See RunFileReader::seek; index count() is that of the last state of a run that has ended.
+    [[nodiscard]] const Snapshot& state(std::size_t index) { return reader_.seek(index); }
+    [[nodiscard]] const Snapshot& last() { return state(numbers_.size() - 1); }
+    /// Of these frames, ascending, one for each moment: the first that shows its last state. Steps
+    /// longer than the time between frames make several show one state, and the end of a run may
+    /// change states without taking time. Reads all of them.
+    [[nodiscard]] std::vector<std::size_t> oneAMoment(const std::vector<std::size_t>& indices);
+
+private:
+    RunFileReader& reader_;
+    const std::vector<std::size_t>& numbers_;
+    bool ended_;
+};
+
+} // namespace frostfill

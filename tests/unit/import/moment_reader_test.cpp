@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "packing/moment_reader.hpp"
+
+#include "unit/import/imported_run.hpp"
+
+#include <gtest/gtest.h>
+
+namespace frostfill
+{
+namespace
+{
+
+using test::dumpStep;
+
+class MomentReaderTest : public ::testing::Test
+{
+protected:
+    [[nodiscard]] std::vector<Moment> read(const std::string& text)
+    {
+        test::writeFile(folder_ / "file", text);
+        MomentReader reader(folder_ / "file", 0);
+        std::vector<Moment> moments;
+        for (Moment moment; reader.next(moment);)
+        {
+            moments.push_back(moment);
+        }
+        torn_ = reader.torn();
+        return moments;
+    }
+    test::TemporaryFolder folder_;
+    std::string torn_;
+};
+
+TEST_F(MomentReaderTest, GivesWhatTheFileSays)
+{
+    const auto moments =
+        read("ITEM: UNITS\nsi\nITEM: TIME\n0.25\n" +
+             dumpStep(7, "id x y z radius state group", {"5 0 1 2 0.5 discarded 3"}));
+    ASSERT_EQ(moments.size(), 1U);
+    EXPECT_EQ(moments[0].time, 0.25);
+    EXPECT_EQ(moments[0].step, 7U);
+    EXPECT_EQ(moments[0].ids, (std::vector<std::uint64_t>{5}));
+    EXPECT_EQ(moments[0].states, (std::vector<SphereState>{SphereState::discarded}));
+    EXPECT_EQ(moments[0].groups, (std::vector<std::uint32_t>{3}));
+    ASSERT_TRUE(moments[0].box);
+    EXPECT_EQ(moments[0].box->max(), Eigen::Vector3d(1, 1, 1));
+    EXPECT_EQ(torn_, "");
+}
+
+TEST_F(MomentReaderTest, LeavesOutALastLineWithoutItsEnd)
+{
+    const std::string step = dumpStep(7, "id x y z radius", {"5 0 1 2 0.5", "6 0 1 2 0.25"});
+    EXPECT_EQ(read(step + step).size(), 2U);
+    EXPECT_EQ(torn_, "");
+    // 0.2 for 0.25 would be a number too.
+    EXPECT_EQ(read(step + step.substr(0, step.size() - 2)).size(), 1U);
+    EXPECT_NE(torn_.find("no end"), std::string::npos) << torn_;
+    EXPECT_EQ(read(step + "ITEM: TIMESTEP\n8\n").size(), 1U);
+    EXPECT_NE(torn_.find("heading"), std::string::npos) << torn_;
+}
+
+} // namespace
+} // namespace frostfill
