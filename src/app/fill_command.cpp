@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands.hpp"
 #include "app/fill_text.hpp"
+#include "app/json_progress.hpp"
 #include "app/message.hpp"
 #include "app/progress.hpp"
 #include "app/scene_options.hpp"
@@ -10,6 +11,7 @@
 
 #include <frostfill/fill.hpp>
 #include <frostfill/options.hpp>
+#include <frostfill/plan_fill.hpp>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -48,6 +50,8 @@ struct FillArguments
     bool quiet = false;
     bool json = false;
     bool estimateVolume = false;
+    bool dryRun = false;
+    JsonProgress progress;
     GivenOptions given;
 };
 
@@ -166,7 +170,19 @@ bool hasEnded(const FillRequest& request, const std::string& outcome)
            meshOfEarlierRun(request).has_value();
 }
 
-int runFill(const FillArguments& arguments)
+/// Says what the run would be, and where it would be written.
+int printDryRun(const FillRequest& request)
+{
+    printPlan(request, planFill(request));
+    fmt::print("nothing was written; the run would {} {}\n",
+               request.resume      ? "go on in"
+               : request.overwrite ? "replace what is in"
+                                   : "be written to",
+               request.directory.string());
+    return 0;
+}
+
+int runFill(FillArguments& arguments)
 {
     if (arguments.estimateVolume)
     {
@@ -181,15 +197,29 @@ int runFill(const FillArguments& arguments)
                         request.directory.string(), outcome));
         return outcome == "failed" ? static_cast<int>(ErrorCode::postcondition) : 0;
     }
+    if (arguments.dryRun)
+    {
+        return printDryRun(request);
+    }
 
     ProgressBar bar;
     FillObserver observer;
-    observer.loaded = [] { runHasBegun(); };
+    observer.loaded = [&]
+    {
+        runHasBegun();
+        arguments.progress.show("preparing", 0, 1, "steps");
+    };
     observer.stopRequested = &stopRequested;
     if (!arguments.quiet)
     {
         observer.planned = [&](const FillPlan& plan) { printPlan(request, plan); };
         observer.progressed = [&](const FillProgress& progress) { bar.update(progress); };
+    }
+    if (arguments.progress.wanted())
+    {
+        arguments.progress.show("loading", 0, 1, "steps");
+        observer.progressed = [&](const FillProgress& progress)
+        { arguments.progress.show("simulating", progress.spheres, progress.expected, "spheres"); };
     }
     catchStopSignals();
     const FillResult result = fill(request, observer);
@@ -261,10 +291,15 @@ Command addFillCommand(CLI::App& program)
                    "Fill with r and with r/2, print the estimated volume, write no files")
         ->group(output);
     command->add_flag("--overwrite", arguments->overwrite, "Replace an earlier run")->group(output);
+    command
+        ->add_flag("--dry-run", arguments->dryRun,
+                   "Check everything and say what would be done, but write nothing")
+        ->group(output);
+    arguments->progress.addTo(*command, output);
     command->add_flag("--quiet", arguments->quiet, "Print errors only")->group(output);
     command->add_flag("--json", arguments->json, "Print the summary as JSON on standard output")
         ->group(output);
-    return [arguments] { return runFill(*arguments); };
+    return [arguments] { return arguments->progress.endWith([&] { return runFill(*arguments); }); };
 }
 
 } // namespace frostfill

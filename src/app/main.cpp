@@ -2,8 +2,9 @@
 #include "app/commands.hpp"
 #include "app/message.hpp"
 #include "app/scene_options.hpp"
+#include "app/sweep_commands.hpp"
 
-#include <frostfill/error.hpp>
+#include <frostfill/failure.hpp>
 #include <frostfill/options.hpp>
 
 #include <CLI/CLI.hpp>
@@ -15,8 +16,6 @@
 #include <csignal>
 #include <cstdio>
 #include <memory>
-#include <new>
-#include <system_error>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -153,6 +152,8 @@ int run(int argumentCount, char** arguments)
     std::vector<std::pair<std::string, Command>> commands;
     commands.emplace_back("fill", addFillCommand(program));
     commands.emplace_back("render", addRenderCommand(program));
+    commands.emplace_back("sweep", addSweepCommand(program));
+    commands.emplace_back("plan", addPlanCommand(program));
     commands.emplace_back("fps", addFpsCommand(program));
     commands.emplace_back("bench", addBenchCommand(program));
     commands.emplace_back("check", addCheckCommand(program));
@@ -218,33 +219,16 @@ int main(int argumentCount, char** arguments)
         }
         return code;
     }
-    catch (const Error& error)
+    catch (...)
     {
-        return report(static_cast<int>(error.code()), error.what());
-    }
-    catch (const std::bad_alloc&)
-    {
-        return report(static_cast<int>(ErrorCode::outOfMemory),
-                      "out of memory; try fewer spheres, a smaller picture or a coarser mesh");
-    }
-    catch (const std::system_error& error)
-    {
-        if (error.code() == std::errc::resource_unavailable_try_again)
-        {
-            return report(static_cast<int>(ErrorCode::outOfMemory),
-                          "no more threads can be started; see ulimit -u");
-        }
-        // fmt could not print; or a file system has changed during the run.
-        if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+        const Failure failure = currentFailure();
+        // fmt may have failed to print.
+        if (failure.code == ErrorCode::writeFailed &&
+            (std::fflush(stdout) != 0 || std::ferror(stdout) != 0))
         {
             return report(static_cast<int>(ErrorCode::writeFailed),
                           "cannot write to standard output");
         }
-        return report(static_cast<int>(ErrorCode::writeFailed), error.what());
-    }
-    catch (const std::exception& error)
-    {
-        return report(static_cast<int>(ErrorCode::postcondition),
-                      fmt::format("internal error: {}", error.what()));
+        return report(static_cast<int>(failure.code), failure.message);
     }
 }
