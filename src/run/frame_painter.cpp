@@ -78,8 +78,8 @@ FramePainter::FramePainter(PaintRequest request)
       writer_(request_.directory / "frames", scene_.frames.limit, textOfRun(request_)),
       sideOutputs_(scene_, request_.directory, request_.video)
 {
-    request_.skipExisting =
-        request_.skipExisting && request_.video.empty() && !scene_.frames.passes.any();
+    request_.skipExisting = request_.skipExisting && request_.video.empty() &&
+                            (request_.onlyLook || !scene_.frames.passes.any());
     if (request_.path)
     {
         settings_.camera = request_.path->at(0, settings_.camera);

@@ -28,7 +28,8 @@ constexpr double kApart = 4;
 constexpr double kLeastPower = 0.9;
 constexpr double kLargestPower = 1.7;
 /// Pictures of a trial. More: plans take longer.
-constexpr std::size_t kPictures = 12;
+constexpr std::size_t kPictures = 24;
+constexpr std::size_t kFewPictures = 4;
 /// [bytes] of a sphere in memory, with what is measured and written at the end.
 constexpr double kBytesPerSphere = 250;
 
@@ -81,47 +82,44 @@ double bytesIn(const std::filesystem::path& folder)
 struct Trial
 {
     double spheres = 0;
-    double simulating = 0; ///< [s]
+    double seconds = 0;    ///< but for its pictures
     double perPicture = 0; ///< [s]
     double pictureBytes = 0;
     double otherBytes = 0;
 };
 
-Trial tryRun(const Scene& scene)
+/// What a run with so many pictures at most takes.
+Trial tryRun(const Scene& scene, std::size_t pictures)
 {
     const Scratch scratch;
     FillRequest request;
     request.scene = scene;
     request.scene.threads = 1;
-    Trial trial;
-    if (scene.frames.enabled)
-    {
-        request.directory = scratch.path() / "drawn";
-        request.scene.frames.limit = kPictures;
-        const FillResult result = fill(request);
-        double milliseconds = 0;
-        for (const SetFrames& set : result.setFrames)
-        {
-            for (const auto* times : {&set.renderMs, &set.readbackMs, &set.encodeMs})
-            {
-                for (const double ms : *times)
-                {
-                    milliseconds += ms;
-                }
-            }
-        }
-        const auto pictures = static_cast<double>(std::max<std::size_t>(1, result.frames));
-        trial.perPicture = milliseconds / 1000 / pictures;
-        trial.pictureBytes = bytesIn(request.directory / "frames") / pictures;
-        trial.otherBytes = bytesIn(request.directory) - trial.pictureBytes * pictures;
-    }
-    request.directory = scratch.path() / "bare";
-    request.scene.frames.enabled = false;
+    request.scene.frames.limit = pictures;
+    request.directory = scratch.path() / "run";
     const double before = ProcessorClock::now();
     const FillResult result = fill(request);
-    trial.simulating = ProcessorClock::now() - before;
+    Trial trial;
+    trial.seconds = ProcessorClock::now() - before;
     trial.spheres = static_cast<double>(std::max<std::size_t>(1, result.spheres));
-    trial.otherBytes = std::max(trial.otherBytes, bytesIn(request.directory));
+    const double drawn = bytesIn(request.directory / "frames");
+    trial.pictureBytes = drawn / static_cast<double>(std::max<std::size_t>(1, result.frames));
+    trial.otherBytes = bytesIn(request.directory) - drawn;
+    return trial;
+}
+
+/// The same with the time of its pictures apart: by what some more of them take.
+Trial tryRun(const Scene& scene)
+{
+    if (!scene.frames.enabled)
+    {
+        return tryRun(scene, kPictures);
+    }
+    const Trial few = tryRun(scene, kFewPictures);
+    Trial trial = tryRun(scene, kPictures);
+    trial.perPicture =
+        std::max(0.0, trial.seconds - few.seconds) / static_cast<double>(kPictures - kFewPictures);
+    trial.seconds = std::max(0.0, few.seconds - kFewPictures * trial.perPicture);
     return trial;
 }
 
@@ -137,19 +135,17 @@ Cost costOf(const Scene& scene)
     const Simulation simulation(scene, mesh);
     const double factor = std::max(1.0, std::cbrt(spheres / kTried));
     const Trial trial = tryRun(factor > 1 ? modelOf(scene, simulation, factor) : scene);
-    double simulating = trial.simulating;
+    double seconds = trial.seconds;
     if (factor > 1)
     {
         const Trial less = tryRun(modelOf(scene, simulation, factor * std::cbrt(kApart)));
-        const double power = std::log(trial.simulating / less.simulating) /
+        const double power = std::log(trial.seconds / less.seconds) /
                              std::log(std::max(1.1, trial.spheres / less.spheres));
-        simulating *=
-            std::pow(spheres / trial.spheres, std::clamp(power, kLeastPower, kLargestPower));
+        seconds *= std::pow(spheres / trial.spheres, std::clamp(power, kLeastPower, kLargestPower));
     }
     Cost cost;
     const auto pictures = static_cast<double>(plan.frames);
-    // With frames the run is rehearsed first, which takes as long as the run itself at most.
-    cost.seconds = simulating * (plan.frames > 1 ? 2 : 1) + pictures * trial.perPicture;
+    cost.seconds = seconds + pictures * trial.perPicture;
     cost.bytes =
         pictures * trial.pictureBytes + trial.otherBytes * std::max(1.0, spheres / trial.spheres);
     cost.memory = peakMemory() + kBytesPerSphere * spheres;
@@ -190,6 +186,8 @@ RenderPlan planRender(const RenderRequest& request)
     RenderRequest part = request;
     part.dryRun = true;
     part.shard = {};
+    const Scratch nowhere; // that pictures are in the usual place already is no matter
+    part.directory = nowhere.path() / "pictures";
     RenderPlan plan;
     plan.pictures = renderRun(part).allFrames;
     part.dryRun = false;

@@ -148,7 +148,7 @@ TEST_F(SweepCommand, DryRunsCheckEverythingAndWriteNothing)
     EXPECT_NE(fill.errors.find("expecting about"), std::string::npos) << fill.errors;
     EXPECT_NE(fill.output.find("nothing was written"), std::string::npos);
     EXPECT_EQ(run("fill torus --radius 90 --dry-run").code, 65);
-    EXPECT_EQ(run("fill torus --count 20 --out /proc/nowhere --dry-run").code, 73);
+    EXPECT_EQ(run("fill torus --count 20 --out sweep.toml/in --dry-run").code, 73);
     const Answer sweep = run("sweep sweep.toml --dry-run");
     EXPECT_EQ(sweep.code, 0) << sweep.errors;
     EXPECT_NE(sweep.output.find("8 runs of 8; nothing was written"), std::string::npos)

@@ -74,6 +74,7 @@ TEST(PlanRender, IsOfTheSizeOfWhatThePicturesTake)
     const RenderResult result = renderRun(again);
     const double seconds = ProcessorClock::now() - before;
     EXPECT_EQ(plan.pictures, result.frames);
+    EXPECT_EQ(planRender(again).pictures, plan.pictures); // also when they are there already
     const auto pictures = static_cast<double>(plan.pictures);
     expectWithin(3, plan.secondsBefore + pictures * plan.secondsPerPicture, seconds);
     expectWithin(1.5, pictures * plan.bytesPerPicture, bytesIn(folder / "run/render"));
