@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
+#include <algorithm>
 #include <tuple>
 
 namespace frostfill
@@ -80,6 +81,7 @@ void JsonProgress::show(const char* stage, std::size_t done, std::size_t total, 
     {
         return;
     }
+    total = std::max(total, done); // how many spheres fill an object is known roughly
     const Clock::time_point now = Clock::now();
     const std::string whole = stage + run;
     if (stage_ != whole)
@@ -93,7 +95,7 @@ void JsonProgress::show(const char* stage, std::size_t done, std::size_t total, 
         return;
     }
     shown_ = now;
-    const bool known = done > first_ && done <= total;
+    const bool known = done > first_;
     const double eta = known ? seconds(now - began_) * static_cast<double>(total - done) /
                                    static_cast<double>(done - first_)
                              : 0;
