@@ -4,12 +4,15 @@ include(CMakePackageConfigHelpers)
 set(public ${PROJECT_SOURCE_DIR}/include)
 target_sources(frostfill_core PUBLIC FILE_SET HEADERS BASE_DIRS ${public} FILES
     ${public}/frostfill/error.hpp
+    ${public}/frostfill/failure.hpp
     ${public}/frostfill/measure.hpp
     ${public}/frostfill/mesh.hpp
     ${public}/frostfill/options.hpp
     ${public}/frostfill/scene.hpp
+    ${public}/frostfill/shard.hpp
     ${public}/frostfill/simulation.hpp
     ${public}/frostfill/snapshot.hpp
+    ${public}/frostfill/sweep_file.hpp
     ${public}/frostfill/view.hpp)
 target_sources(frostfill_render PUBLIC FILE_SET HEADERS BASE_DIRS ${public} FILES
     ${public}/frostfill/export.hpp
@@ -19,9 +22,12 @@ target_sources(frostfill_render PUBLIC FILE_SET HEADERS BASE_DIRS ${public} FILE
     ${public}/frostfill/output.hpp
     ${public}/frostfill/packing.hpp
     ${public}/frostfill/page.hpp
+    ${public}/frostfill/plan.hpp
+    ${public}/frostfill/plan_fill.hpp
     ${public}/frostfill/render_run.hpp
     ${public}/frostfill/renderer.hpp
-    ${public}/frostfill/run_file.hpp)
+    ${public}/frostfill/run_file.hpp
+    ${public}/frostfill/sweep.hpp)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/frostfill)
 foreach(component core render)

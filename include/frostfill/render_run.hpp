@@ -2,6 +2,7 @@
 #pragma once
 
 #include <frostfill/scene.hpp>
+#include <frostfill/shard.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -9,6 +10,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace frostfill
 {
@@ -23,6 +25,14 @@ struct RenderRequest
     bool overwrite = false; ///< replace what the directory holds
     /// Leave pictures as they are that are whole and say of themselves what would be drawn.
     bool skipExisting = false;
+    /// Draw only the pictures of this part; other processes draw the others, into the same
+    /// directory. Pictures that are there are left as with skipExisting. Not with a video or a
+    /// contact sheet.
+    Shard shard;
+    /// Draw nothing: look whether all pictures are there. The contact sheet is made if they are.
+    bool gather = false;
+    /// Check everything that can be checked, and count the pictures; write nothing.
+    bool dryRun = false;
     std::filesystem::path video; ///< .mp4, .webm or .gif; empty for none
     bool contactSheet = false;   ///< contact_sheet.png in the directory
     std::string cameraPath;      ///< see FillRequest; empty for the run's
@@ -38,8 +48,12 @@ struct RenderObserver
 struct RenderResult
 {
     std::filesystem::path directory;
-    std::size_t frames = 0;                  ///< pictures
-    std::size_t skippedFrames = 0;           ///< of them, that were there already
+    std::size_t frames = 0;        ///< pictures
+    std::size_t skippedFrames = 0; ///< of them, that were there already
+    std::size_t allFrames = 0;     ///< pictures of all parts together
+    /// When gathering: pictures that are not there, or are not what would be drawn.
+    std::vector<std::size_t> missing;
+    std::size_t surplus = 0;                 ///< pictures in the directory that are none of these
     std::size_t keptFrames = 0;              ///< frames in the run file
     bool ended = false;                      ///< the run, when the file was read
     std::uint64_t wholeBytes = 0;            ///< of the run file

@@ -2,6 +2,7 @@
 #include "app/commands.hpp"
 #include "app/export_files.hpp"
 #include "app/fill_text.hpp"
+#include "app/json_progress.hpp"
 #include "app/message.hpp"
 #include "app/progress.hpp"
 #include "app/scene_options.hpp"
@@ -13,6 +14,7 @@
 
 #include <frostfill/fill.hpp>
 #include <frostfill/options.hpp>
+#include <frostfill/plan_fill.hpp>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -55,6 +57,8 @@ struct FillArguments
     bool json = false;
     bool estimateVolume = false;
     bool view = false;
+    bool dryRun = false;
+    JsonProgress progress;
     GivenOptions given;
 };
 
@@ -212,55 +216,44 @@ std::vector<ExportRequest> exportsOf(const FillArguments& arguments, const FillR
     return exports;
 }
 
-int runFill(const FillArguments& arguments)
+/// Says what the run would be, and where it would be written.
+int printDryRun(const FillRequest& request)
 {
-    if (arguments.estimateVolume)
-    {
-        return printVolume(arguments);
-    }
-    const FillRequest request = requestOf(arguments);
-    if (arguments.view && !isKept(request.scene))
-    {
-        throw Error(ErrorCode::usage, "--view shows the run file, which this run does not write: "
-                                      "add --keep-run on, or omit --view");
-    }
-    const std::vector<ExportRequest> exports = exportsOf(arguments, request);
-    warnOfIgnored(arguments, request.scene.preset);
-    const std::string outcome = request.resume ? outcomeOfRun(request.directory) : "";
-    if (hasEnded(request, outcome))
-    {
-        say(fmt::format("the run in {} has ended ({}): nothing to resume\n",
-                        request.directory.string(), outcome));
-        exportFiles(exports, arguments.quiet || arguments.json);
-        return outcome == "failed" ? static_cast<int>(ErrorCode::postcondition) : 0;
-    }
+    printPlan(request, planFill(request));
+    fmt::print("nothing was written; the run would {} {}\n",
+               request.resume      ? "go on in"
+               : request.overwrite ? "replace what is in"
+                                   : "be written to",
+               request.directory.string());
+    return 0;
+}
 
-    ProgressBar bar;
+FillObserver observerOf(FillArguments& arguments, const FillRequest& request, ProgressBar& bar)
+{
     FillObserver observer;
-    observer.loaded = [] { runHasBegun(); };
+    observer.loaded = [&]
+    {
+        runHasBegun();
+        arguments.progress.show("preparing", 0, 1, "steps");
+    };
     observer.stopRequested = &stopRequested;
     if (!arguments.quiet)
     {
         observer.planned = [&](const FillPlan& plan) { printPlan(request, plan); };
         observer.progressed = [&](const FillProgress& progress) { bar.update(progress); };
     }
-    catchStopSignals();
-    const FillResult result = fill(request, observer);
-    bar.close();
+    if (arguments.progress.wanted())
+    {
+        arguments.progress.show("loading", 0, 1, "steps");
+        observer.progressed = [&](const FillProgress& progress)
+        { arguments.progress.show("simulating", progress.spheres, progress.expected, "spheres"); };
+    }
+    return observer;
+}
 
-    if (arguments.json)
-    {
-        fmt::print("{}", result.summary);
-    }
-    else if (!arguments.quiet)
-    {
-        printResult(request.scene, result);
-    }
-    const std::optional<Error> pageFailure = writePageOf(result, arguments);
-    if (!result.stopped)
-    {
-        exportFiles(exports, arguments.quiet || arguments.json);
-    }
+/// The exit code of a run that has ended. Throws what failed.
+int outcomeOf(const FillResult& result, const std::optional<Error>& pageFailure)
+{
     if (result.failure)
     {
         throw Error(
@@ -278,6 +271,63 @@ int runFill(const FillArguments& arguments)
         throw *pageFailure;
     }
     return result.stopped ? static_cast<int>(ErrorCode::stoppedEarly) : 0;
+}
+
+/// What the options ask for that the run could not give in the end.
+void requireKeptRun(const FillArguments& arguments, const FillRequest& request)
+{
+    if (arguments.view && !isKept(request.scene))
+    {
+        throw Error(ErrorCode::usage, "--view shows the run file, which this run does not write: "
+                                      "add --keep-run on, or omit --view");
+    }
+}
+
+int runFill(FillArguments& arguments)
+{
+    if (arguments.estimateVolume)
+    {
+        return printVolume(arguments);
+    }
+    const FillRequest request = requestOf(arguments);
+    requireKeptRun(arguments, request);
+    const std::vector<ExportRequest> exports = exportsOf(arguments, request);
+    warnOfIgnored(arguments, request.scene.preset);
+    const std::string outcome = request.resume ? outcomeOfRun(request.directory) : "";
+    if (hasEnded(request, outcome))
+    {
+        say(fmt::format("the run in {} has ended ({}): nothing to resume\n",
+                        request.directory.string(), outcome));
+        if (!arguments.dryRun)
+        {
+            exportFiles(exports, arguments.quiet || arguments.json);
+        }
+        return outcome == "failed" ? static_cast<int>(ErrorCode::postcondition) : 0;
+    }
+    if (arguments.dryRun)
+    {
+        return printDryRun(request);
+    }
+
+    ProgressBar bar;
+    const FillObserver observer = observerOf(arguments, request, bar);
+    catchStopSignals();
+    const FillResult result = fill(request, observer);
+    bar.close();
+    if (arguments.json)
+    {
+        fmt::print("{}", result.summary);
+    }
+    else if (!arguments.quiet)
+    {
+        printResult(request.scene, result);
+    }
+    const std::optional<Error> pageFailure = writePageOf(result, arguments);
+    if (!result.stopped)
+    {
+        exportFiles(exports, arguments.quiet || arguments.json);
+    }
+    return outcomeOf(result, pageFailure);
 }
 
 } // namespace
@@ -335,10 +385,15 @@ Command addFillCommand(CLI::App& program)
                    "Fill with r and with r/2, print the estimated volume, write no files")
         ->group(output);
     command->add_flag("--overwrite", arguments->overwrite, "Replace an earlier run")->group(output);
+    command
+        ->add_flag("--dry-run", arguments->dryRun,
+                   "Check everything and say what would be done, but write nothing")
+        ->group(output);
+    arguments->progress.addTo(*command, output);
     command->add_flag("--quiet", arguments->quiet, "Print errors only")->group(output);
     command->add_flag("--json", arguments->json, "Print the summary as JSON on standard output")
         ->group(output);
-    return [arguments] { return runFill(*arguments); };
+    return [arguments] { return arguments->progress.endWith([&] { return runFill(*arguments); }); };
 }
 
 } // namespace frostfill

@@ -3,7 +3,7 @@
 #include "app/message.hpp"
 #include "app/scene_options.hpp"
 
-#include <frostfill/error.hpp>
+#include <frostfill/failure.hpp>
 #include <frostfill/options.hpp>
 
 #include <CLI/CLI.hpp>
@@ -15,8 +15,6 @@
 #include <csignal>
 #include <cstdio>
 #include <memory>
-#include <new>
-#include <system_error>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -155,6 +153,8 @@ int run(int argumentCount, char** arguments)
     commands.emplace_back("fill", addFillCommand(program));
     commands.emplace_back("render", addRenderCommand(program));
     commands.emplace_back("view", addViewCommand(program));
+    commands.emplace_back("sweep", addSweepCommand(program));
+    commands.emplace_back("plan", addPlanCommand(program));
     commands.emplace_back("fps", addFpsCommand(program));
     commands.emplace_back("bench", addBenchCommand(program));
     commands.emplace_back("check", addCheckCommand(program));
@@ -221,33 +221,16 @@ int main(int argumentCount, char** arguments)
         }
         return code;
     }
-    catch (const Error& error)
+    catch (...)
     {
-        return report(static_cast<int>(error.code()), error.what());
-    }
-    catch (const std::bad_alloc&)
-    {
-        return report(static_cast<int>(ErrorCode::outOfMemory),
-                      "out of memory; try fewer spheres, a smaller picture or a coarser mesh");
-    }
-    catch (const std::system_error& error)
-    {
-        if (error.code() == std::errc::resource_unavailable_try_again)
-        {
-            return report(static_cast<int>(ErrorCode::outOfMemory),
-                          "no more threads can be started; see ulimit -u");
-        }
-        // fmt could not print; or a file system has changed during the run.
-        if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+        const Failure failure = currentFailure();
+        // fmt may have failed to print.
+        if (failure.code == ErrorCode::writeFailed &&
+            (std::fflush(stdout) != 0 || std::ferror(stdout) != 0))
         {
             return report(static_cast<int>(ErrorCode::writeFailed),
                           "cannot write to standard output");
         }
-        return report(static_cast<int>(ErrorCode::writeFailed), error.what());
-    }
-    catch (const std::exception& error)
-    {
-        return report(static_cast<int>(ErrorCode::postcondition),
-                      fmt::format("internal error: {}", error.what()));
+        return report(static_cast<int>(failure.code), failure.message);
     }
 }

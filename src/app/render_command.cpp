@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands.hpp"
+#include "app/json_progress.hpp"
 #include "app/message.hpp"
 #include "app/progress.hpp"
 #include "app/scene_options.hpp"
@@ -10,10 +11,13 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace frostfill
 {
@@ -25,6 +29,8 @@ constexpr const char* kExamples = R"(Examples:
   frostfill render output/torus --frames last --size 3840x2160 --style studio --out poster
   frostfill render output/torus --frames 100..200 --turntable 8 --video turn.mp4
   frostfill render output/torus --skip-existing            go on after a kill
+  frostfill render output/torus --shard 3/16               the third of sixteen parts of the pictures
+  frostfill render output/torus --gather                   whether all pictures are there
 )";
 
 struct RenderArguments
@@ -33,6 +39,8 @@ struct RenderArguments
     std::string run;
     std::string directory;
     std::string video;
+    std::string shard;
+    JsonProgress progress;
     bool quiet = false;
     bool json = false;
     GivenOptions given;
@@ -51,19 +59,58 @@ void printResult(const RenderArguments& arguments, const RenderResult& result)
         say(fmt::format("the run in {} has not ended: there are {} frames so far\n", arguments.run,
                         result.keptFrames));
     }
-    fmt::print("{} pictures{}; {:.1f} s; results in {}\n", result.frames,
+    if (arguments.request.dryRun)
+    {
+        fmt::print("nothing was written; {} pictures would be drawn into {}\n", result.frames,
+                   result.directory.string());
+        return;
+    }
+    if (arguments.request.gather)
+    {
+        fmt::print("all {} pictures are in {}\n", result.allFrames, result.directory.string());
+        return;
+    }
+    fmt::print("{}{} pictures{}; {:.1f} s; results in {}\n", result.frames,
+               result.frames < result.allFrames ? fmt::format(" of {}", result.allFrames) : "",
                result.skippedFrames > 0
                    ? fmt::format(", of which {} were there already", result.skippedFrames)
                    : "",
                result.wallSeconds, result.directory.string());
 }
 
-int runRender(const RenderArguments& arguments)
+/// Throws Error badData unless all pictures are there, and no others.
+void requireAll(const RenderResult& result)
+{
+    constexpr std::size_t kMostNamed = 10;
+    if (!result.missing.empty())
+    {
+        const std::vector<std::size_t> named(
+            result.missing.begin(),
+            result.missing.begin() +
+                static_cast<std::ptrdiff_t>(std::min(kMostNamed, result.missing.size())));
+        throw Error(ErrorCode::badData,
+                    fmt::format("{} of the {} pictures in {} are missing or are others: {}{}; draw "
+                                "them with the same options and --skip-existing",
+                                result.missing.size(), result.allFrames, result.directory.string(),
+                                fmt::join(named, ", "),
+                                named.size() < result.missing.size() ? ", ..." : ""));
+    }
+    if (result.surplus > 0)
+    {
+        throw Error(ErrorCode::badData,
+                    fmt::format("{} holds {} pictures beside these {}, of another rendering; "
+                                "remove them, or draw into another directory",
+                                result.directory.string(), result.surplus, result.allFrames));
+    }
+}
+
+int runRender(RenderArguments& arguments)
 {
     RenderRequest request = arguments.request;
     request.run = arguments.run;
     request.directory = arguments.directory;
     request.video = arguments.video;
+    request.shard = arguments.shard.empty() ? Shard{} : parseShard(arguments.shard);
     if (request.overwrite && request.skipExisting)
     {
         throw Error(ErrorCode::usage, "--overwrite removes what --skip-existing would skip: omit "
@@ -86,15 +133,26 @@ int runRender(const RenderArguments& arguments)
         observer.progressed = [&](std::size_t done, std::size_t all)
         { bar.update(done, all, "frames"); };
     }
+    if (arguments.progress.wanted())
+    {
+        observer.progressed = [&](std::size_t done, std::size_t all)
+        { arguments.progress.show("drawing", done, all, "frames"); };
+    }
     catchStopSignals();
     const RenderResult result = renderRun(request, observer);
     bar.close();
 
+    if (request.gather)
+    {
+        requireAll(result);
+    }
     if (arguments.json)
     {
         const nlohmann::ordered_json json = {{"directory", result.directory.string()},
                                              {"frames", result.frames},
+                                             {"all_frames", result.allFrames},
                                              {"skipped_frames", result.skippedFrames},
+                                             {"missing", result.missing},
                                              {"kept_frames", result.keptFrames},
                                              {"ended", result.ended},
                                              {"whole_bytes", result.wholeBytes},
@@ -152,6 +210,21 @@ void addOutput(CLI::App& command, RenderArguments& arguments)
                   "Leave pictures that are there, whole, and of this run, frame and settings; not "
                   "with a video or passes")
         ->group(output);
+    command
+        .add_option("--shard", arguments.shard,
+                    "Draw only the I-th of N parts, beside other processes; slurm: that of this "
+                    "task of a job array")
+        ->type_name("I/N|slurm")
+        ->group(output);
+    command
+        .add_flag("--gather", arguments.request.gather,
+                  "Draw nothing; look whether all pictures are there, whole and the right ones")
+        ->group(output);
+    command
+        .add_flag("--dry-run", arguments.request.dryRun,
+                  "Check everything and say what would be done, but write nothing")
+        ->group(output);
+    arguments.progress.addTo(command, output);
     command.add_flag("--quiet", arguments.quiet, "Print errors only")->group(output);
     command.add_flag("--json", arguments.json, "Print what was drawn as JSON on standard output")
         ->group(output);
@@ -169,7 +242,8 @@ Command addRenderCommand(CLI::App& program)
         ->required();
     addPictureOptions(*command, arguments->given);
     addOutput(*command, *arguments);
-    return [arguments] { return runRender(*arguments); };
+    return [arguments]
+    { return arguments->progress.endWith([&] { return runRender(*arguments); }); };
 }
 
 } // namespace frostfill

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "base/threads.hpp"
 
+#include "base/cores.hpp"
+
 #include <algorithm>
 #include <system_error>
 #include <utility>
@@ -51,7 +53,7 @@ void pauseAfter(int look)
 
 Threads::Threads(int count)
     : concurrency_(count > 0 ? static_cast<std::size_t>(count)
-                             : std::max(1u, std::thread::hardware_concurrency()))
+                             : static_cast<std::size_t>(coresAtHand()))
 {
 }
 

@@ -8,6 +8,7 @@
 #include "scene/packing_estimate.hpp"
 
 #include <frostfill/fill.hpp>
+#include <frostfill/plan_fill.hpp>
 
 #include <fmt/format.h>
 
@@ -140,12 +141,34 @@ End simulate(Simulation& simulation, FrameRecorder* recorder, const FillRequest&
     return End::itself;
 }
 
-[[noreturn]] void refuseLeak(const Scene& scene, const Eigen::Vector3d& place, double radius)
+/// Throws Error badData for an object that spheres would leave.
+ReachInspection reachWithoutLeak(const Scene& scene, const Simulation& simulation)
 {
-    throw Error(ErrorCode::badData,
-                fmt::format("'{}' leaks: a sphere of radius {:.5g} escapes near ({:.6g} {:.6g} "
-                            "{:.6g}); close the hole there, or take a larger --radius",
-                            scene.object.mesh, radius, place.x(), place.y(), place.z()));
+    const ReachInspection reach = simulation.inspectReach(kReachBytes);
+    if (reach.leak)
+    {
+        throw Error(ErrorCode::badData,
+                    fmt::format("'{}' leaks: a sphere of radius {:.5g} escapes near ({:.6g} {:.6g} "
+                                "{:.6g}); close the hole there, or take a larger --radius",
+                                scene.object.mesh, simulation.smallestRadius(), reach.leak->x(),
+                                reach.leak->y(), reach.leak->z()));
+    }
+    return reach;
+}
+
+std::optional<CameraPath> cameraPathOf(const FillRequest& request)
+{
+    return request.cameraPath.empty() ? std::nullopt
+                                      : std::optional(CameraPath::read(request.cameraPath));
+}
+
+/// That of the run that is resumed, or as the scene has it.
+LoadedMesh meshOf(const FillRequest& request, bool& resumes)
+{
+    std::optional<LoadedMesh> earlier = request.resume ? meshOfEarlierRun(request) : std::nullopt;
+    resumes = earlier.has_value();
+    return earlier ? std::move(*earlier)
+                   : loadMesh(request.scene.object.mesh, request.scene.object.load);
 }
 
 /// By the estimate from which radii are chosen.
@@ -178,14 +201,29 @@ void requireFramesForPictures(const FillRequest& request)
 
 } // namespace
 
+FillPlan planFill(const FillRequest& request, const FillObserver& observer)
+{
+    requireFramesForPictures(request);
+    validateScene(request.scene);
+    bool resumes = false;
+    LoadedMesh mesh = meshOf(request, resumes);
+    const Simulation simulation(request.scene, mesh.mesh);
+    mesh.report = simulation.object();
+    RunDirectory::check(request.directory, earlierFiles(request, resumes));
+    const std::optional<CameraPath> path = cameraPathOf(request);
+    const ReachInspection reach = reachWithoutLeak(request.scene, simulation);
+    const FramePlan frames = planPictures(request.scene, mesh, simulation, observer, nullptr,
+                                          path ? path->duration() : 0);
+    return makePlan(request.scene, mesh, simulation, frames, reach);
+}
+
 FillResult fill(const FillRequest& request, const FillObserver& observer)
 {
     requireFramesForPictures(request);
     PhaseClock clock;
     validateScene(request.scene);
-    std::optional<LoadedMesh> earlier = request.resume ? meshOfEarlierRun(request) : std::nullopt;
-    LoadedMesh mesh = earlier ? std::move(*earlier)
-                              : loadMesh(request.scene.object.mesh, request.scene.object.load);
+    bool resumes = false;
+    LoadedMesh mesh = meshOf(request, resumes);
     Simulation simulation(request.scene, mesh.mesh);
     mesh.report = simulation.object();
     simulation.stopWhen(observer.stopRequested);
@@ -194,24 +232,16 @@ FillResult fill(const FillRequest& request, const FillObserver& observer)
     {
         observer.loaded();
     }
-    RunDirectory directory(request.directory, earlierFiles(request, earlier.has_value()));
+    RunDirectory directory(request.directory, earlierFiles(request, resumes));
 
-    std::optional<CameraPath> path;
-    if (!request.cameraPath.empty())
-    {
-        path = CameraPath::read(request.cameraPath);
-    }
+    const std::optional<CameraPath> path = cameraPathOf(request);
     const std::unique_ptr<FrameRecorder> recorder = makeRecorder(request, mesh, simulation, path);
     if (recorder)
     {
         recorder->stopWhen(observer.stopRequested);
     }
     FillResult result;
-    result.reach = simulation.inspectReach(kReachBytes);
-    if (result.reach.leak)
-    {
-        refuseLeak(request.scene, *result.reach.leak, simulation.smallestRadius());
-    }
+    result.reach = reachWithoutLeak(request.scene, simulation);
     clock.end("preparing");
     const FramePlan frames = planPictures(request.scene, mesh, simulation, observer, recorder.get(),
                                           path ? path->duration() : 0);

@@ -78,8 +78,8 @@ FramePainter::FramePainter(PaintRequest request)
       writer_(request_.directory / "frames", scene_.frames.limit, textOfRun(request_)),
       sideOutputs_(scene_, request_.directory, request_.video)
 {
-    request_.skipExisting =
-        request_.skipExisting && request_.video.empty() && !scene_.frames.passes.any();
+    request_.skipExisting = request_.skipExisting && request_.video.empty() &&
+                            (request_.onlyLook || !scene_.frames.passes.any());
     if (request_.path)
     {
         settings_.camera = request_.path->at(0, settings_.camera);
@@ -184,21 +184,41 @@ void FramePainter::takeNumber(std::size_t frame, std::size_t number, const State
         pictureTimes_.push_back(state.snapshot->time);
         kept_ = state.revision;
     }
-    if (request_.skipExisting && decision.keep)
+    if (mayLeaveOut() && decision.keep)
     {
-        order.mayBeThere = thinning_.count() - 1;
+        order.index = thinning_.count() - 1;
     }
     drawing_.push([this, order] { draw(order); });
+}
+
+/// Whether a picture is not drawn, and for which reason.
+bool FramePainter::leavesOut(const Order& order, const PngText& text)
+{
+    if (!order.index)
+    {
+        return false;
+    }
+    const auto [first, end] = request_.pictures;
+    const bool ours = *order.index >= first && *order.index < end;
+    others_ += ours ? 0 : 1;
+    const bool isThere =
+        ours && request_.skipExisting && writer_.has(*order.index, settings_.size, text);
+    skipped_ += isThere ? 1 : 0;
+    if (ours && !isThere && request_.onlyLook)
+    {
+        missing_.push_back(*order.index);
+    }
+    return !ours || isThere || request_.onlyLook;
 }
 
 void FramePainter::draw(const Order& order)
 {
     const Snapshot& snapshot = *order.snapshot;
     const PngText text = textOfFrame(order.frame, snapshot);
-    if (order.mayBeThere && writer_.has(*order.mayBeThere, settings_.size, text))
+    if (leavesOut(order, text))
     {
         writer_.skip(order.number);
-        ++skipped_;
+        sideOutputs_.skip(order.number);
         isDrawn_ = isDrawn_ && !order.isNew;
         if (order.isNew)
         {

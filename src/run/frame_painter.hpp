@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/cores.hpp"
 #include "base/ordered_worker.hpp"
 #include "run/camera_path.hpp"
 #include "run/frame_writer.hpp"
@@ -12,13 +13,17 @@
 #include <frostfill/renderer.hpp>
 #include <frostfill/scene.hpp>
 
+#include <tbb/global_control.h>
+
 #include <array>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace frostfill
@@ -43,6 +48,12 @@ struct PaintRequest
     /// Pictures that are there already, and are what would be drawn, are not drawn again. With a
     /// video or passes all are drawn.
     bool skipExisting = false;
+    /// Indices of the first picture that is drawn and of the one after the last. Others draw the
+    /// rest.
+    std::pair<std::size_t, std::size_t> pictures = kAll;
+    static constexpr std::pair<std::size_t, std::size_t> kAll = {
+        0, std::numeric_limits<std::size_t>::max()};
+    bool onlyLook = false; ///< draw nothing, and tell which pictures are not there
 };
 
 /// Turns states of a run into pictures, whoever has them: the simulation, or a run file. A picture
@@ -98,9 +109,19 @@ public:
     /// Some picture shows spheres, yet all its pixels are alike.
     [[nodiscard]] bool blank() const { return blank_; }
     /// Whether pictures that are there already are not drawn.
-    [[nodiscard]] bool mayLeaveOut() const { return request_.skipExisting; }
+    [[nodiscard]] bool mayLeaveOut() const
+    {
+        return request_.skipExisting || request_.onlyLook ||
+               request_.pictures != PaintRequest::kAll;
+    }
     /// Pictures that were there already.
     [[nodiscard]] std::size_t skipped() const { return skipped_; }
+    /// Pictures that were left to others.
+    [[nodiscard]] std::size_t others() const { return others_; }
+    /// Indices of the pictures that are not there, or are not what would be drawn.
+    [[nodiscard]] const std::vector<std::size_t>& missing() const { return missing_; }
+    /// All of these.
+    [[nodiscard]] std::size_t leftOut() const { return skipped_ + others_ + missing_.size(); }
 
 private:
     /// A picture on its way to the thread that draws.
@@ -113,14 +134,15 @@ private:
         std::size_t number = 0; ///< among the frames that are selected
         std::size_t frame = 0;  ///< among all frames
         bool keep = false;      ///< as a picture
-        /// Index of the picture among those kept; empty if it is drawn in any case.
-        std::optional<std::size_t> mayBeThere = std::nullopt;
+        /// Among the pictures kept; empty if it is drawn in any case.
+        std::optional<std::size_t> index = std::nullopt;
     };
 
     [[nodiscard]] bool wantsNumber(std::size_t number) const;
     [[nodiscard]] double angleAt(std::size_t frame) const;
     void takeNumber(std::size_t frame, std::size_t number, const State& state);
     void keepLast(std::size_t frame, const State& state);
+    [[nodiscard]] bool leavesOut(const Order& order, const PngText& text);
     void draw(const Order& order);
     void turnTo(const Order& order);
     void count(const Snapshot& snapshot, double renderMs, double readbackMs);
@@ -156,8 +178,13 @@ private:
     std::vector<SetFrames> sets_;
     StageTimes times_;
     std::size_t skipped_ = 0;
+    std::size_t others_ = 0;
+    std::vector<std::size_t> missing_;
     bool blank_ = false;
 
+    /// Libraries start no more threads than there are cores at hand.
+    tbb::global_control cores_{tbb::global_control::max_allowed_parallelism,
+                               static_cast<std::size_t>(coresAtHand())};
     OrderedWorker drawing_{1}; ///< last: it uses all the others
 };
 

@@ -46,7 +46,7 @@ FramePlan planPictures(const Scene& all, const LoadedMesh& mesh, const Simulatio
                                  ? rehearse(scene, mesh.mesh, simulation, observer.stopRequested)
                                  : RunLength{};
     const FramePlan plan = planFrames(scene, mesh.report, length, path);
-    if (recorder && recorder->painter() && plan.kept == 0)
+    if (all.frames.enabled && plan.kept == 0)
     {
         throw Error(ErrorCode::usage,
                     fmt::format("--frames {} leaves no frame: the animation has {}",

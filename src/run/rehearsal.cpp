@@ -81,10 +81,11 @@ double setsOf(const Scene& scene, const Simulation& simulation)
     return std::max(1.0, std::ceil(static_cast<double>(simulation.expectedSpheres()) / set));
 }
 
-/// The scene with its spheres `factor` times as large, and as many fewer.
+} // namespace
+
 Scene modelOf(const Scene& scene, const Simulation& simulation, double factor)
 {
-    Scene model = withoutExtras(scene);
+    Scene model = scene;
     const double share = std::pow(factor, -3);
     model.spheres.radius =
         Radii(factor * simulation.smallestRadius(), factor * simulation.radius());
@@ -108,8 +109,6 @@ Scene modelOf(const Scene& scene, const Simulation& simulation, double factor)
     return model;
 }
 
-} // namespace
-
 RunLength rehearse(const Scene& scene, const TriangleMesh& mesh, const Simulation& simulation,
                    const std::function<bool()>& stopRequested)
 {
@@ -129,7 +128,7 @@ RunLength rehearse(const Scene& scene, const TriangleMesh& mesh, const Simulatio
         return {kStepsOfDescent * simulation.timeStep(), false, {}};
     }
     const double factor = std::cbrt(spheres / (paper ? kModelPaper : kModel));
-    const Scene smaller = modelOf(scene, simulation, factor);
+    const Scene smaller = modelOf(withoutExtras(scene), simulation, factor);
     Simulation model(smaller, mesh);
     const double perSet = lengthOf(model, stopRequested) / setsOf(smaller, model);
     const double growth = std::pow(factor, falls ? -kGrowthOfFalls : -kGrowthOfSettling);

@@ -10,13 +10,16 @@
 #include "run_file/kept_frames.hpp"
 
 #include <frostfill/error.hpp>
+#include <frostfill/output.hpp>
 #include <frostfill/render_run.hpp>
 #include <frostfill/run_file.hpp>
 
 #include <fmt/format.h>
 
 #include <chrono>
+#include <set>
 #include <utility>
+#include <vector>
 
 namespace frostfill
 {
@@ -78,6 +81,109 @@ std::size_t strideOf(const Scene& scene, const RunHead& head, const KeptFrames& 
                             selection.hasLast());
 }
 
+/// The pictures of a rendering, before the first is drawn.
+struct PictureCount
+{
+    std::size_t stride = 1; ///< every so manieth of the selected frames is kept, in the end
+    std::size_t count = 0;
+};
+
+/// Takes the frames as the painter does, but draws none. `stride`: with which it begins.
+PictureCount countPictures(const std::filesystem::path& file, const Scene& scene,
+                           std::size_t stride, double path)
+{
+    RunFileReader reader(file);
+    const KeptFrames frames(reader);
+    const FrameSelection selection = framesToDraw(scene);
+    const std::size_t last = reader.frames().size() - 1;
+    std::vector<std::size_t> states; // of the selected frames, by their place in the file
+    for (std::size_t i = 0; i < frames.count(); ++i)
+    {
+        if (selection.has(frames.number(i)))
+        {
+            states.push_back(i);
+        }
+    }
+    const std::size_t end = selection.isLastOnly() ? 0 : frames.end();
+    for (std::size_t k = 0; k < heldFrames(scene, path); ++k)
+    {
+        if (selection.hasLast() || selection.has(end + k))
+        {
+            states.push_back(last);
+        }
+    }
+    FrameThinning thinning(scene.frames.limit);
+    thinning.keepEvery(stride);
+    std::optional<std::size_t> kept;
+    for (std::size_t n = 0; n < states.size(); ++n)
+    {
+        kept = thinning.take(n).keep ? states[n] : kept;
+    }
+    const auto revision = [&](std::size_t state)
+    {
+        (void)reader.seek(state);
+        return reader.revision();
+    };
+    if (selection.hasLast() && (!kept || revision(*kept) != revision(last)))
+    {
+        std::size_t number = states.size();
+        do
+        {
+            const std::size_t step = thinning.stride();
+            number = (number + step - 1) / step * step;
+            (void)thinning.take(number);
+        } while (!thinning.wants(number));
+    }
+    return {thinning.stride(), thinning.count()};
+}
+
+/// Pictures in a folder that are none of the first `count`.
+std::size_t picturesBeyond(std::size_t count, const std::filesystem::path& folder)
+{
+    std::set<std::string> names;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        names.insert(PngSequence::fileName(i));
+    }
+    std::size_t surplus = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+    {
+        const std::string name = entry.path().filename().string();
+        surplus +=
+            name.starts_with("frame_") && name.ends_with(".png") && !names.contains(name) ? 1 : 0;
+    }
+    return surplus;
+}
+
+/// Throws Error usage for wishes that only one process can meet.
+void requireOneProcess(const RenderRequest& request)
+{
+    if (request.shard.count > 1 &&
+        (!request.video.empty() || request.contactSheet || request.overwrite))
+    {
+        throw Error(ErrorCode::usage, "one part of the pictures makes no video and no contact "
+                                      "sheet, and does not know which pictures are others': omit "
+                                      "--video, --contact-sheet and --overwrite; --gather makes "
+                                      "the contact sheet of all");
+    }
+    if (request.gather && (!request.video.empty() || request.overwrite || request.shard.count > 1))
+    {
+        throw Error(ErrorCode::usage, "--gather draws nothing: omit --video, --overwrite and "
+                                      "--shard");
+    }
+}
+
+EarlierRun earlierPictures(const RenderRequest& request)
+{
+    if (request.shard.count > 1 || request.gather)
+    {
+        return EarlierRun::share;
+    }
+    return request.skipExisting ? EarlierRun::keep
+           : request.overwrite  ? EarlierRun::replace
+                                : EarlierRun::refuse;
+}
+
 /// Draws all frames. Returns whether it was stopped.
 bool drawFrames(FramePainter& painter, RunFileReader& reader, KeptFrames& frames,
                 const RenderObserver& observer)
@@ -93,10 +199,10 @@ bool drawFrames(FramePainter& painter, RunFileReader& reader, KeptFrames& frames
             painter.pass(frames.number(i));
             continue;
         }
-        const std::size_t skipped = painter.skipped();
+        const std::size_t leftOut = painter.leftOut();
         painter.take(frames.number(i), toPaint(frames.state(i), reader));
         painter.wait();
-        if (painter.skipped() == skipped)
+        if (painter.leftOut() == leftOut)
         {
             reader.forgetChanges();
         }
@@ -115,6 +221,7 @@ bool drawFrames(FramePainter& painter, RunFileReader& reader, KeptFrames& frames
 RenderResult renderRun(const RenderRequest& request, const RenderObserver& observer)
 {
     const auto start = std::chrono::steady_clock::now();
+    requireOneProcess(request);
     const std::filesystem::path file = fileOfRun(request.run);
     RunFileReader reader(file);
     const RunHead head = readHead(reader.head(), file.string());
@@ -145,16 +252,51 @@ RenderResult renderRun(const RenderRequest& request, const RenderObserver& obser
     }
     const std::optional<CameraPath> path = cameraPath(request, head, scene);
     KeptFrames frames(reader);
-    const std::size_t stride = strideOf(scene, head, frames, path ? path->duration() : 0);
+    const double duration = path ? path->duration() : 0;
+    PictureCount pictures = {strideOf(scene, head, frames, duration), 0};
+    const bool isPart = request.shard.count > 1 || request.gather;
+    if (isPart || request.dryRun)
+    {
+        pictures = countPictures(file, scene, pictures.stride, duration);
+    }
+    if (request.gather && !std::filesystem::is_directory(directory / "frames", none))
+    {
+        throw Error(ErrorCode::inputMissing,
+                    fmt::format("{} has no pictures to gather", directory.string()));
+    }
 
-    RunDirectory place(directory, request.skipExisting ? EarlierRun::keep
-                                  : request.overwrite  ? EarlierRun::replace
-                                                       : EarlierRun::refuse);
-    FramePainter painter({reader.mesh(), scene, colourRange(scene, head.colours), head.poses,
-                          runHash(scene, reader.mesh()), directory, request.video, path,
-                          request.skipExisting});
+    if (request.dryRun)
+    {
+        RunDirectory::check(directory, earlierPictures(request));
+        const auto [first, end] = request.shard.range(pictures.count);
+        RenderResult plan;
+        plan.directory = directory;
+        plan.ended = reader.summary().has_value();
+        plan.wholeBytes = reader.wholeBytes();
+        plan.fileBytes = reader.fileBytes();
+        plan.keptFrames = frames.count();
+        plan.allFrames = pictures.count;
+        plan.frames = end - first;
+        return plan;
+    }
+    RunDirectory place(directory, earlierPictures(request));
+    PaintRequest paint = {reader.mesh(),
+                          scene,
+                          colourRange(scene, head.colours),
+                          head.poses,
+                          runHash(scene, reader.mesh()),
+                          directory,
+                          request.video,
+                          path,
+                          request.skipExisting || isPart};
+    if (isPart)
+    {
+        paint.pictures = request.shard.range(pictures.count);
+        paint.onlyLook = request.gather;
+    }
+    FramePainter painter(paint);
     painter.stopWhen(observer.stopRequested);
-    painter.keepEvery(stride);
+    painter.keepEvery(pictures.stride);
     place.begin();
 
     RenderResult result;
@@ -164,14 +306,17 @@ RenderResult renderRun(const RenderRequest& request, const RenderObserver& obser
     result.fileBytes = reader.fileBytes();
     result.keptFrames = frames.count();
     result.stopped = drawFrames(painter, reader, frames, observer);
-    result.frames = painter.count();
+    result.allFrames = painter.count();
+    result.frames = painter.count() - painter.others();
+    result.missing = painter.missing();
+    result.surplus = request.gather ? picturesBeyond(painter.count(), directory / "frames") : 0;
     result.skippedFrames = painter.skipped();
     result.renderer = painter.description();
     if (!result.stopped)
     {
         result.videoFailure = painter.videoFailure();
         result.blank = painter.blank();
-        if (request.contactSheet)
+        if (request.contactSheet && result.missing.empty())
         {
             writeContactSheet(scene, directory, painter);
         }

@@ -29,19 +29,12 @@ constexpr std::array<std::string_view, 4> kWithoutEffect = {"threads", "picture.
 void refuseAnotherScene(const Scene& begun, const Scene& now,
                         const std::filesystem::path& directory)
 {
-    for (const Option& option : sceneOptions())
+    if (const std::string difference = sceneDifference(begun, now); !difference.empty())
     {
-        if (std::find(kWithoutEffect.begin(), kWithoutEffect.end(), option.key) ==
-                kWithoutEffect.end() &&
-            option.get(begun) != option.get(now))
-        {
-            throw Error(ErrorCode::usage,
-                        fmt::format("the run in {} was begun with {} = {}, not {}; resume it with "
-                                    "the same options or none, or replace it with --overwrite",
-                                    directory.string(), option.key,
-                                    optionText(option, option.get(begun)),
-                                    optionText(option, option.get(now))));
-        }
+        throw Error(ErrorCode::usage,
+                    fmt::format("the run in {} was begun with {}; resume it with the same options "
+                                "or none, or replace it with --overwrite",
+                                directory.string(), difference));
     }
 }
 
@@ -64,6 +57,21 @@ bool isThere(const std::filesystem::path& file)
 }
 
 } // namespace
+
+std::string sceneDifference(const Scene& begun, const Scene& now)
+{
+    for (const Option& option : sceneOptions())
+    {
+        if (std::find(kWithoutEffect.begin(), kWithoutEffect.end(), option.key) ==
+                kWithoutEffect.end() &&
+            option.get(begun) != option.get(now))
+        {
+            return fmt::format("{} = {}, not {}", option.key, optionText(option, option.get(begun)),
+                               optionText(option, option.get(now)));
+        }
+    }
+    return "";
+}
 
 std::optional<LoadedMesh> meshOfEarlierRun(const FillRequest& request)
 {

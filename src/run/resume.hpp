@@ -6,6 +6,7 @@
 #include <frostfill/fill.hpp>
 
 #include <optional>
+#include <string>
 
 namespace frostfill
 {
@@ -14,6 +15,10 @@ namespace frostfill
 /// Throws Error badData or usage for a run of another version or another scene, with which the
 /// request cannot go on.
 [[nodiscard]] std::optional<LoadedMesh> meshOfEarlierRun(const FillRequest& request);
+
+/// The first setting by which two scenes give different runs, "seed = 1, not 2"; empty if there is
+/// none. Threads and the like change no bit.
+[[nodiscard]] std::string sceneDifference(const Scene& begun, const Scene& now);
 
 /// What to do with the files in the directory of a request; `resumes`: with a run that is kept.
 [[nodiscard]] EarlierRun earlierFiles(const FillRequest& request, bool resumes);

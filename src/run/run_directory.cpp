@@ -97,16 +97,55 @@ void restore(const std::filesystem::path& folder)
 } // namespace
 
 RunDirectory::RunDirectory(std::filesystem::path directory, EarlierRun earlier)
-    : path_(std::move(directory)), earlier_(earlier)
+    : path_(std::move(directory)), earlier_(earlier), writes_(earlier != EarlierRun::share)
 {
     createDirectory(path_);
+    look();
+    if (writes_)
+    {
+        // Whether files can be written is better known before the simulation than after it.
+        AtomicFile probe(path_ / "summary.json");
+    }
+}
+
+RunDirectory::RunDirectory(std::filesystem::path directory, EarlierRun earlier, OnlyLook)
+    : path_(std::move(directory)), earlier_(earlier), writes_(false)
+{
+    look();
+}
+
+void RunDirectory::check(const std::filesystem::path& directory, EarlierRun earlier)
+{
+    std::error_code none;
+    std::filesystem::path there = std::filesystem::absolute(directory);
+    while (!std::filesystem::exists(there, none) && there.has_relative_path())
+    {
+        there = there.parent_path();
+    }
+    if (!std::filesystem::is_directory(there, none) || access(there.c_str(), W_OK | X_OK) != 0)
+    {
+        refuse(fmt::format("cannot create the directory {}: {} is no directory that can be "
+                           "written to",
+                           directory.string(), there.string()));
+    }
+    if (std::filesystem::is_directory(directory, none))
+    {
+        const RunDirectory looked(directory, earlier, OnlyLook{});
+    }
+}
+
+void RunDirectory::look()
+{
     lock();
     try
     {
         lookAtFiles();
         for (const char* folder : kFrameFolders)
         {
-            restore(path_ / folder);
+            if (writes_)
+            {
+                restore(path_ / folder);
+            }
             lookAtFrames(path_ / folder);
             lookAtHalf(path_ / (std::string(folder) + ".part"));
             lookAtHalf(path_ / (std::string(folder) + ".part.old"));
@@ -117,18 +156,20 @@ RunDirectory::RunDirectory(std::filesystem::path directory, EarlierRun earlier)
         refuse(
             fmt::format("cannot use the directory {}: {}", path_.string(), error.code().message()));
     }
-    if (!old_.empty() && earlier == EarlierRun::refuse)
+    if (!old_.empty() && earlier_ == EarlierRun::refuse)
     {
         refuse(fmt::format("{} already holds a run; give --overwrite to replace it, or another "
                            "directory with --out",
                            path_.string()));
     }
-    // Whether files can be written is better known before the simulation than after it.
-    AtomicFile probe(path_ / "summary.json");
 }
 
 RunDirectory::~RunDirectory()
 {
+    if (!writes_)
+    {
+        return; // others may be about to use the folder
+    }
     std::error_code notEmpty;
     for (const char* folder : kFrameFolders)
     {
@@ -152,7 +193,8 @@ RunDirectory::Lock::~Lock()
 void RunDirectory::lock()
 {
     lock_.descriptor = open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (lock_.descriptor >= 0 && flock(lock_.descriptor, LOCK_EX | LOCK_NB) != 0 &&
+    const int kind = writes_ ? LOCK_EX : LOCK_SH;
+    if (lock_.descriptor >= 0 && flock(lock_.descriptor, kind | LOCK_NB) != 0 &&
         errno == EWOULDBLOCK)
     {
         refuse(fmt::format("another run is writing to {}; wait for its end, or give another "
@@ -243,7 +285,8 @@ void RunDirectory::takeOver(const std::filesystem::path& file, bool isOurs)
                            "or give another directory with --out",
                            file.string()));
     }
-    if (earlier_ != EarlierRun::keep || file.filename() == "summary.json")
+    const bool keeps = earlier_ == EarlierRun::keep && file.filename() != "summary.json";
+    if (!keeps && earlier_ != EarlierRun::share)
     {
         old_.push_back(file);
     }
@@ -251,6 +294,10 @@ void RunDirectory::takeOver(const std::filesystem::path& file, bool isOurs)
 
 void RunDirectory::begin()
 {
+    if (earlier_ == EarlierRun::share)
+    {
+        return; // what looks left behind is being written by others
+    }
     std::error_code error;
     for (const auto* files : {&left_, &old_})
     {

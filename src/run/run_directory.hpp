@@ -12,7 +12,8 @@ enum class EarlierRun
 {
     refuse,
     replace,
-    keep, ///< but for its summary, without which it is not complete
+    keep,  ///< but for its summary, without which it is not complete
+    share, ///< with processes that write other pictures of the same run at the same time
 };
 
 /// The directory that a run writes to. It is looked at, locked and found writable first; an earlier
@@ -25,6 +26,8 @@ public:
     /// cannot be written to, when another process runs in it, when it holds an earlier run that is
     /// refused, and when something that is no file of a run has the name of one.
     RunDirectory(std::filesystem::path directory, EarlierRun earlier);
+    /// Throws what the constructor would throw, but writes nothing.
+    static void check(const std::filesystem::path& directory, EarlierRun earlier);
     ~RunDirectory();
     RunDirectory(const RunDirectory&) = delete;
     RunDirectory& operator=(const RunDirectory&) = delete;
@@ -35,6 +38,11 @@ public:
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
 private:
+    struct OnlyLook
+    {
+    };
+    RunDirectory(std::filesystem::path directory, EarlierRun earlier, OnlyLook);
+    void look();
     void lock();
     void lookAtFiles();
     void lookAtFrames(const std::filesystem::path& folder);
@@ -43,6 +51,7 @@ private:
 
     std::filesystem::path path_;
     EarlierRun earlier_;
+    bool writes_; ///< and nobody else does
     /// The directory itself, opened; closed also when the rest of the construction fails.
     struct Lock
     {

@@ -59,6 +59,10 @@ void SideOutputs::putPasses(std::size_t number, Renderer& renderer, const Snapsh
         {
             sequence.emplace(directory_ / name, limit_, range);
             sequence->keepEvery(stride_);
+            for (const std::size_t earlier : skipped_)
+            {
+                sequence->skip(earlier);
+            }
         }
         if (wanted)
         {
@@ -68,6 +72,22 @@ void SideOutputs::putPasses(std::size_t number, Renderer& renderer, const Snapsh
     keep(passes_.depth, depth_, "depth", pictures_.depth);
     keep(passes_.normal, normal_, "normal", pictures_.normal);
     keep(passes_.identity, identity_, "identity", pictures_.identity);
+}
+
+void SideOutputs::skip(std::size_t number)
+{
+    if (!depth_ && !normal_ && !identity_)
+    {
+        skipped_.push_back(number);
+        return;
+    }
+    for (auto* sequence : {&depth_, &normal_, &identity_})
+    {
+        if (*sequence)
+        {
+            (*sequence)->skip(number);
+        }
+    }
 }
 
 std::optional<std::string> SideOutputs::finish()

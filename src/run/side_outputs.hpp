@@ -30,6 +30,8 @@ public:
     /// Takes a frame that the renderer has just drawn; passes are for those that are `kept`.
     void put(std::size_t number, bool kept, Renderer& renderer, const Snapshot& snapshot,
              const Image& image);
+    /// Others draw the passes of this frame.
+    void skip(std::size_t number);
     /// What went wrong with the video, in a sentence; the pictures are all there.
     [[nodiscard]] std::optional<std::string> finish();
 
@@ -43,6 +45,7 @@ private:
     std::optional<Video> video_;
     std::optional<std::size_t> passesDrawn_; ///< number of the frame that the passes show
     PassPictures pictures_;
+    std::vector<std::size_t> skipped_; ///< before the first passes
     std::optional<PngSequence> depth_, normal_, identity_;
 };
 

@@ -68,6 +68,9 @@ void prepare(const std::filesystem::path& folder)
     };
     test::writeFile(folder / "dump.lammpstrj", dumpStep("5") + dumpStep("6"));
     test::writeFile(folder / "scene.toml", "[object]\nmesh = \"cube\"\n[spheres]\ncount = 6\n");
+    test::writeFile(folder / "sweep.toml",
+                    "[scene]\nframes.which = \"none\"\n[sweep]\nobject.mesh = [\"cube\", "
+                    "\"torus\"]\nspheres.radius = [0.3]\n");
     std::filesystem::create_directories(folder / "docs"); // of a clone
     // What scripts/run leaves behind.
     ASSERT_EQ(test::runProgram("fill torus --count 6 --frames none --quiet", folder).code, 0);
@@ -123,6 +126,13 @@ void expectShownCommandsWork(bool studies)
                                            folder.path())
                               .code,
                           0);
+            }
+            if (arguments.find("render output/torus --gather") == 0)
+            {
+                EXPECT_EQ(
+                    test::runProgram("render output/torus --size 64x48 --overwrite", folder.path())
+                        .code,
+                    0);
             }
             const Answer answer = test::runProgram(arguments, folder.path());
             // Without other engines to compare with, the program for skins or ffmpeg, nothing runs.

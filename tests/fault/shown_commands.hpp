@@ -61,12 +61,15 @@ inline std::string madeSmall(std::string arguments)
     {
         return arguments;
     }
-    if (name == "render")
+    if (name == "render" || name == "plan")
     {
         without("size");
         without("supersample");
-        small = " --size 64x48 --overwrite";
-        return arguments + small;
+        const bool drawsAll = name == "render" && arguments.find("--shard") == std::string::npos &&
+                              arguments.find("--gather") == std::string::npos;
+        const bool isRun = arguments.find(".toml") == std::string::npos;
+        small = isRun ? " --size 64x48" : "";
+        return arguments + small + (drawsAll ? " --overwrite" : "");
     }
     if (name == "fill")
     {

@@ -69,6 +69,8 @@ room(page mesh view scene snapshot renderer render/framing render/context render
 
 room(import mesh scene snapshot run_file packing run)
 
+room(sweep base mesh scene scene/options simulation image renderer run_file output run)
+
 set(below base geometry ${mesh} view scene scene/options snapshot simulation simulation/world ${parts}
           simulation/quality simulation/engine image renderer render/framing render/context
           render/passes render/overlay run_file packing output run)
@@ -81,14 +83,19 @@ room(study/peers ${below} study study/stability)
 room(study/figures ${below} study study/error study/fps study/operations study/peers
      study/stability)
 # The command line stands where any program stands: on the public headers, and on run and study.
-room(app run page study study/error study/figures study/fps study/operations study/peers study/stability)
+room(app run page sweep study study/error study/figures study/fps study/operations study/peers study/stability)
 set(sees_all_public_headers app)
 
 set(common error measure)
 # The public headers that are not named after their room.
+set(room_of_shard base)
+set(room_of_failure base)
+set(room_of_plan_fill run)
+set(room_of_plan sweep)
 set(room_of_fill run)
 set(room_of_render_run run)
 set(room_of_options scene/options)
+set(room_of_sweep_file scene/options)
 
 function(room_of_header name result)
     if(DEFINED room_of_${name})

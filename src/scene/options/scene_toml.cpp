@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "scene/options/file_values.hpp"
 #include "scene/options/nearest_name.hpp"
 
 #include <frostfill/error.hpp>
@@ -16,14 +17,6 @@ namespace frostfill
 namespace
 {
 
-struct FileValue
-{
-    OptionValue value;
-    std::uint32_t line = 0;
-    bool readable = true; ///< of a type that an option can have
-};
-using FileValues = std::map<std::string, FileValue>;
-
 [[noreturn]] void refuse(std::string_view file, std::uint32_t line, const std::string& what)
 {
     throw Error(ErrorCode::badData, fmt::format("{}, line {}: {}", file, line, what));
@@ -31,7 +24,7 @@ using FileValues = std::map<std::string, FileValue>;
 
 FileValue readNode(const toml::node& node)
 {
-    FileValue read{{}, node.source().begin.line};
+    FileValue read{{}, node.source().begin.line, true, {}};
     if (const auto* boolean = node.as_boolean())
     {
         read.value = boolean->get();
@@ -48,10 +41,15 @@ FileValue readNode(const toml::node& node)
     {
         read.value = text->get();
     }
-    else if (const auto* array = node.as_array(); array && array->size() == 3)
+    else if (const auto* array = node.as_array())
     {
-        Eigen::Vector3d vector;
-        for (int i = 0; i < 3; ++i)
+        Eigen::Vector3d vector = Eigen::Vector3d::Zero();
+        read.readable = array->size() == 3;
+        for (const toml::node& element : *array)
+        {
+            read.list.push_back(readNode(element));
+        }
+        for (int i = 0; read.readable && i < 3; ++i)
         {
             const auto element = (*array)[static_cast<std::size_t>(i)].value<double>();
             read.readable = read.readable && element.has_value();
@@ -116,22 +114,6 @@ void apply(const std::string& key, const FileValues& values, Scene& scene, std::
                fmt::format("'{}' must be {}{}", key, describeAllowed(option),
                            nearestAllowed(option, found->second.value)));
     }
-}
-
-Scene sceneFromValues(const FileValues& values, std::string_view file)
-{
-    refuseUnknownKeys(values, file);
-    Scene named;
-    apply("preset", values, named, file);
-    apply("object.mesh", values, named, file);
-
-    Scene scene = presetScene(named.preset, named.object.mesh);
-    for (const Option& option : sceneOptions())
-    {
-        apply(option.key, values, scene, file);
-    }
-    fillUntilFullForARadiusAlone(values, scene);
-    return scene;
 }
 
 std::string tomlText(const std::string& text)
@@ -199,7 +181,7 @@ std::uint32_t lineOfEndlessKey(std::string_view toml)
 
 } // namespace
 
-Scene parseScene(std::string_view toml, std::string_view nameForMessages)
+FileValues readTomlValues(std::string_view toml, std::string_view nameForMessages)
 {
     if (const std::uint32_t line = lineOfEndlessKey(toml))
     {
@@ -214,10 +196,44 @@ Scene parseScene(std::string_view toml, std::string_view nameForMessages)
     {
         refuse(nameForMessages, error.source().begin.line, std::string(error.description()));
     }
-    return sceneFromValues(values, nameForMessages);
+    return values;
 }
 
-Scene loadScene(const std::filesystem::path& file)
+Scene sceneFromValues(const FileValues& values, std::string_view file)
+{
+    refuseUnknownKeys(values, file);
+    Scene named;
+    apply("preset", values, named, file);
+    apply("object.mesh", values, named, file);
+
+    Scene scene = presetScene(named.preset, named.object.mesh);
+    for (const Option& option : sceneOptions())
+    {
+        apply(option.key, values, scene, file);
+    }
+    fillUntilFullForARadiusAlone(values, scene);
+    return scene;
+}
+
+Scene parseScene(std::string_view toml, std::string_view nameForMessages)
+{
+    return sceneFromValues(readTomlValues(toml, nameForMessages), nameForMessages);
+}
+
+void resolvePaths(Scene& scene, const std::filesystem::path& folder)
+{
+    if (!isBuiltInMesh(scene.object.mesh) && std::filesystem::path(scene.object.mesh).is_relative())
+    {
+        scene.object.mesh = (folder / scene.object.mesh).string();
+    }
+    if (scene.spheres.radius && !scene.spheres.radius->file.empty() &&
+        std::filesystem::path(scene.spheres.radius->file).is_relative())
+    {
+        scene.spheres.radius->file = (folder / scene.spheres.radius->file).string();
+    }
+}
+
+std::string readSceneFile(const std::filesystem::path& file)
 {
     std::ifstream in(file, std::ios::binary);
     if (!std::filesystem::is_regular_file(file) || !in)
@@ -226,17 +242,13 @@ Scene loadScene(const std::filesystem::path& file)
                     fmt::format("cannot read the scene {}: it does not exist or is not readable",
                                 file.string()));
     }
-    const std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
-    Scene scene = parseScene(text, file.string());
-    if (!isBuiltInMesh(scene.object.mesh) && std::filesystem::path(scene.object.mesh).is_relative())
-    {
-        scene.object.mesh = (file.parent_path() / scene.object.mesh).string();
-    }
-    if (scene.spheres.radius && !scene.spheres.radius->file.empty() &&
-        std::filesystem::path(scene.spheres.radius->file).is_relative())
-    {
-        scene.spheres.radius->file = (file.parent_path() / scene.spheres.radius->file).string();
-    }
+    return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+Scene loadScene(const std::filesystem::path& file)
+{
+    Scene scene = parseScene(readSceneFile(file), file.string());
+    resolvePaths(scene, file.parent_path());
     return scene;
 }
 

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include <frostfill/failure.hpp>
+
+#include <fmt/format.h>
+
+#include <new>
+#include <system_error>
+
+namespace frostfill
+{
+
+Failure currentFailure()
+{
+    try
+    {
+        throw;
+    }
+    catch (const Error& error)
+    {
+        return {error.code(), error.what()};
+    }
+    catch (const std::bad_alloc&)
+    {
+        return {ErrorCode::outOfMemory,
+                "out of memory; try fewer spheres, a smaller picture or a coarser mesh"};
+    }
+    catch (const std::system_error& error)
+    {
+        if (error.code() == std::errc::resource_unavailable_try_again)
+        {
+            return {ErrorCode::outOfMemory, "no more threads can be started; see ulimit -u"};
+        }
+        return {ErrorCode::writeFailed, error.what()}; // a file system has changed during the run
+    }
+    catch (const std::exception& error)
+    {
+        return {ErrorCode::postcondition, fmt::format("internal error: {}", error.what())};
+    }
+}
+
+} // namespace frostfill

@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: MIT
+#include "support/temporary_folder.hpp"
+#include "sweep/claim.hpp"
+#include "sweep/run_record.hpp"
+
+#include <frostfill/sweep.hpp>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <csignal>
+#include <map>
+#include <sstream>
+
+namespace frostfill
+{
+namespace
+{
+
+using test::readFile;
+using test::writeFile;
+
+constexpr const char* kSweep = R"(
+[scene]
+frames.which = "none"
+threads = 1
+spheres.radius = 0.4
+[sweep]
+object.mesh = ["cube", "sphere"]
+seed = [1, 2, 3]
+)";
+
+class Sweep : public ::testing::Test
+{
+protected:
+    [[nodiscard]] SweepRequest request(const std::string& toml = kSweep) const
+    {
+        SweepRequest sweep;
+        sweep.runs = parseSweep(toml, "sweep.toml");
+        sweep.directory = folder_ / "out";
+        return sweep;
+    }
+    [[nodiscard]] std::filesystem::path folderOf(const SweepRun& run) const
+    {
+        return folder_ / "out" / run.name;
+    }
+    /// What is in every folder of a run, without what tells the time.
+    [[nodiscard]] std::map<std::string, std::string> results(const SweepRequest& sweep) const
+    {
+        std::map<std::string, std::string> all;
+        for (const SweepRun& run : sweep.runs)
+        {
+            all[run.name] = readFile(folderOf(run) / "spheres.csv");
+        }
+        return all;
+    }
+    test::TemporaryFolder folder_;
+};
+
+std::vector<RunStatus> statusesOf(const std::vector<RunReport>& reports)
+{
+    std::vector<RunStatus> statuses;
+    for (const RunReport& report : reports)
+    {
+        statuses.push_back(report.status);
+    }
+    return statuses;
+}
+
+/// The indices of the runs that are not skipped.
+std::vector<std::size_t> doneAnew(const SweepRequest& sweep)
+{
+    std::vector<std::size_t> anew;
+    SweepObserver observer;
+    observer.ended = [&](std::size_t index, const RunReport&, bool skipped)
+    {
+        if (!skipped)
+        {
+            anew.push_back(index);
+        }
+    };
+    (void)runSweep(sweep, observer);
+    return anew;
+}
+
+TEST_F(Sweep, FillsEachFolderAsFillWould)
+{
+    const SweepRequest sweep = request();
+    EXPECT_EQ(statusesOf(runSweep(sweep)), std::vector<RunStatus>(6, RunStatus::done));
+    FillRequest alone;
+    alone.scene = sweep.runs[4].scene;
+    alone.directory = folder_ / "alone";
+    const FillResult result = fill(alone);
+    const auto summary = nlohmann::json::parse(readFile(folderOf(sweep.runs[4]) / "summary.json"));
+    EXPECT_EQ(summary["state_hash"], result.stateHash);
+    EXPECT_EQ(readFile(folderOf(sweep.runs[4]) / "spheres.csv"),
+              readFile(folder_ / "alone/spheres.csv"));
+}
+
+TEST_F(Sweep, DoesInShardsWhatOneProcessDoes)
+{
+    SweepRequest sweep = request();
+    (void)runSweep(sweep);
+    const auto alone = results(sweep);
+    std::filesystem::remove_all(folder_ / "out");
+    for (const std::size_t index : {2U, 0U, 3U, 1U})
+    {
+        sweep.shard = {index, 4};
+        (void)runSweep(sweep);
+    }
+    EXPECT_EQ(results(sweep), alone);
+    EXPECT_EQ(statusesOf(lookAtSweep(sweep)), std::vector<RunStatus>(6, RunStatus::done));
+}
+
+TEST_F(Sweep, SkipsOnlyWhatItsOwnFilesSayIsThisRunAndDone)
+{
+    const SweepRequest sweep = request();
+    (void)runSweep(sweep);
+    const auto before = results(sweep);
+    EXPECT_EQ(doneAnew(sweep), std::vector<std::size_t>{});
+    std::filesystem::remove(folderOf(sweep.runs[0]) / "summary.json"); // as if it had been killed
+    std::filesystem::remove(folderOf(sweep.runs[1]) / "spheres.csv");
+    std::string summary = readFile(folderOf(sweep.runs[3]) / "summary.json");
+    summary.resize(summary.size() / 2);
+    writeFile(folderOf(sweep.runs[3]) / "summary.json", summary);
+    std::filesystem::remove_all(folderOf(sweep.runs[4]));
+    std::filesystem::create_directories(folderOf(sweep.runs[4])); // a folder that is merely there
+    EXPECT_EQ(doneAnew(sweep), (std::vector<std::size_t>{0, 1, 3, 4}));
+    EXPECT_EQ(results(sweep), before);
+}
+
+TEST_F(Sweep, LeavesAnotherRunAloneUnlessToldToReplaceIt)
+{
+    SweepRequest sweep = request();
+    (void)runSweep(sweep);
+    const std::string before = readFile(folderOf(sweep.runs[0]) / "spheres.csv");
+    SweepRequest other = sweep;
+    other.runs = parseSweep(std::string(kSweep).replace(std::string(kSweep).find("0.4"), 3, "0.3"),
+                            "sweep.toml");
+    ASSERT_EQ(other.runs[0].name, sweep.runs[0].name);
+    EXPECT_EQ(lookAtSweep(other)[0].status, RunStatus::missing);
+    const RunReport report = runSweep(other)[0];
+    EXPECT_EQ(report.status, RunStatus::failed);
+    EXPECT_EQ(report.exitCode, static_cast<int>(ErrorCode::cannotCreate));
+    EXPECT_NE(report.message.find("holds another run"), std::string::npos) << report.message;
+    EXPECT_EQ(readFile(folderOf(sweep.runs[0]) / "spheres.csv"), before);
+    other.overwrite = true;
+    EXPECT_EQ(runSweep(other)[0].status, RunStatus::done);
+    EXPECT_NE(readFile(folderOf(sweep.runs[0]) / "spheres.csv"), before);
+}
+
+TEST_F(Sweep, GoesOnWhenARunFailsAndSaysWhy)
+{
+    const SweepRequest sweep = request(
+        "[scene]\nframes.which = \"none\"\nspheres.count = 5\n[sweep]\n"
+        "object.mesh = [\"cube\", \"nowhere.stl\", \"sphere\"]\nspheres.radius = [0.3, 90]\n");
+    const std::vector<RunReport> reports = runSweep(sweep);
+    EXPECT_EQ(reports[0].status, RunStatus::done);
+    EXPECT_EQ(reports[1].status, RunStatus::failed);
+    EXPECT_EQ(reports[1].exitCode, static_cast<int>(ErrorCode::badData));
+    EXPECT_FALSE(reports[1].message.empty());
+    EXPECT_EQ(reports[2].exitCode, static_cast<int>(ErrorCode::inputMissing));
+    EXPECT_EQ(reports[4].status, RunStatus::done);
+    // Another process learns the same from the folders.
+    const std::vector<RunReport> seen = lookAtSweep(sweep);
+    for (std::size_t k = 0; k < reports.size(); ++k)
+    {
+        EXPECT_EQ(seen[k].status, reports[k].status) << k;
+        EXPECT_EQ(seen[k].exitCode, reports[k].exitCode) << k;
+        EXPECT_EQ(seen[k].message, reports[k].message) << k;
+    }
+}
+
+TEST_F(Sweep, SurvivesARunWhoseProcessIsKilled)
+{
+    SweepRequest sweep = request();
+    sweep.runOnce = [](const FillRequest& fillRequest, const FillObserver& observer)
+    {
+        FillObserver deadly = observer;
+        if (fillRequest.scene.seed == 2)
+        {
+            deadly.progressed = [](const FillProgress&) { std::raise(SIGKILL); };
+        }
+        return runApart(fillRequest, deadly);
+    };
+    const std::vector<RunReport> reports = runSweep(sweep);
+    EXPECT_EQ(reports[0].status, RunStatus::done);
+    EXPECT_EQ(reports[1].status, RunStatus::failed);
+    EXPECT_EQ(reports[1].exitCode, 128 + SIGKILL);
+    EXPECT_NE(reports[1].message.find("signal"), std::string::npos);
+    EXPECT_EQ(reports[2].status, RunStatus::done);
+    sweep.runOnce = &runApart;
+    EXPECT_EQ(doneAnew(sweep), (std::vector<std::size_t>{1, 4}));
+    EXPECT_EQ(statusesOf(lookAtSweep(sweep)), std::vector<RunStatus>(6, RunStatus::done));
+}
+
+TEST_F(Sweep, LeavesARunThatAnotherProcessHasClaimedAndDoesTheOthers)
+{
+    const SweepRequest sweep = request();
+    std::vector<RunReport> reports;
+    {
+        const Claim other(folderOf(sweep.runs[1]));
+        ASSERT_TRUE(other.holds());
+        reports = runSweep(sweep);
+        EXPECT_EQ(reports[1].status, RunStatus::running);
+        EXPECT_NE(reports[1].message.find("another process"), std::string::npos);
+        EXPECT_EQ(std::count_if(reports.begin(), reports.end(),
+                                [](const RunReport& report)
+                                { return report.status == RunStatus::done; }),
+                  5);
+        EXPECT_EQ(lookAtSweep(sweep)[1].status, RunStatus::running);
+    }
+    EXPECT_EQ(doneAnew(sweep), (std::vector<std::size_t>{1}));
+}
+
+TEST_F(Sweep, ToldToStopLeavesTheRestForAnotherTime)
+{
+    const SweepRequest sweep = request();
+    int asked = 0;
+    SweepObserver observer;
+    observer.stopRequested = [&] { return ++asked > 12; };
+    const std::vector<RunReport> reports = runSweep(sweep, observer);
+    EXPECT_EQ(reports.back().status, RunStatus::stopped);
+    EXPECT_EQ(reports.back().exitCode, static_cast<int>(ErrorCode::stoppedEarly));
+    const std::vector<RunStatus> seen = statusesOf(lookAtSweep(sweep));
+    EXPECT_NE(std::count(seen.begin(), seen.end(), RunStatus::stopped), 0);
+    (void)runSweep(sweep);
+    EXPECT_EQ(statusesOf(lookAtSweep(sweep)), std::vector<RunStatus>(6, RunStatus::done));
+}
+
+TEST_F(Sweep, GoesOnWithARunThatWasKilledToTheSameFiles)
+{
+    const std::string toml =
+        "[scene]\nobject.mesh = \"cube\"\nspheres.radius = 0.4\nframes.duration = 0.5\n"
+        "picture.size = \"48x32\"\n[sweep]\nseed = [1, 2]\n";
+    SweepRequest sweep = request(toml);
+    (void)runSweep(sweep);
+    const std::string frame = readFile(folderOf(sweep.runs[0]) / "frames/frame_00007.png");
+    const auto before = results(sweep);
+    std::filesystem::remove_all(folder_ / "out");
+    sweep.runOnce = [](const FillRequest& fillRequest, const FillObserver& observer)
+    {
+        FillObserver deadly = observer;
+        deadly.progressed = [](const FillProgress& progress)
+        {
+            if (progress.frames > 5)
+            {
+                std::raise(SIGKILL);
+            }
+        };
+        return runApart(fillRequest, deadly);
+    };
+    (void)runSweep(sweep);
+    EXPECT_TRUE(std::filesystem::exists(folderOf(sweep.runs[0]) / "run.frost"));
+    sweep.runOnce = &runApart;
+    EXPECT_EQ(statusesOf(runSweep(sweep)), std::vector<RunStatus>(2, RunStatus::done));
+    EXPECT_EQ(results(sweep), before);
+    EXPECT_EQ(readFile(folderOf(sweep.runs[0]) / "frames/frame_00007.png"), frame);
+}
+
+TEST_F(Sweep, KnowsARunThatWasKilledBeforeItCouldSaySo)
+{
+    const SweepRequest sweep = request();
+    (void)runSweep(sweep);
+    const auto note = readNote(folderOf(sweep.runs[0]));
+    ASSERT_TRUE(note);
+    writeNote(folderOf(sweep.runs[0]), {{RunStatus::running, 0, ""}, note->runHash, 0});
+    std::filesystem::remove(folderOf(sweep.runs[0]) / "summary.json");
+    const RunReport report = lookAtSweep(sweep)[0];
+    EXPECT_EQ(report.status, RunStatus::stopped);
+    EXPECT_NE(report.message.find("killed"), std::string::npos);
+}
+
+TEST_F(Sweep, GathersARowForEachRunWithItsStatusValuesAndResults)
+{
+    SweepRequest sweep = request();
+    sweep.shard = {0, 2};
+    (void)runSweep(sweep);
+    const std::vector<RunReport> reports = lookAtSweep(sweep);
+    EXPECT_EQ(statusesOf(reports),
+              (std::vector<RunStatus>{RunStatus::done, RunStatus::missing, RunStatus::done,
+                                      RunStatus::missing, RunStatus::done, RunStatus::missing}));
+    writeSweepTable(sweep, reports);
+    const auto rows = nlohmann::json::parse(readFile(folder_ / "out/table.json"));
+    ASSERT_EQ(rows.size(), 6U);
+    EXPECT_EQ(rows[0]["run"], "mesh=cube,seed=1");
+    EXPECT_EQ(rows[0]["scene.object.mesh"], "cube");
+    EXPECT_EQ(rows[0]["status"], "done");
+    EXPECT_EQ(rows[1]["status"], "missing");
+    EXPECT_FALSE(rows[1].contains("state_hash"));
+    const auto summary = nlohmann::json::parse(readFile(folderOf(sweep.runs[2]) / "summary.json"));
+    EXPECT_EQ(rows[2]["state_hash"], summary["state_hash"]);
+    EXPECT_EQ(rows[2]["error.packing_fraction"], summary["error"]["packing_fraction"]);
+    // The CSV has a line for each and as many cells in each; the swept name has a comma in it.
+    std::istringstream csv(readFile(folder_ / "out/table.csv"));
+    std::string line;
+    std::getline(csv, line);
+    EXPECT_EQ(line.substr(0, 48), "run,status,exit_code,message,scene.object.mesh,s");
+    const auto commas = std::count(line.begin(), line.end(), ',');
+    for (int k = 0; k < 6; ++k)
+    {
+        ASSERT_TRUE(std::getline(csv, line));
+        EXPECT_EQ(std::count(line.begin(), line.end(), ','), commas + 1) << line;
+        EXPECT_EQ(line.substr(0, 6), "\"mesh=") << line;
+    }
+    EXPECT_FALSE(std::getline(csv, line));
+}
+
+} // namespace
+} // namespace frostfill
