@@ -17,9 +17,11 @@ target_sources(frostfill_render PUBLIC FILE_SET HEADERS BASE_DIRS ${public} FILE
     ${public}/frostfill/image.hpp
     ${public}/frostfill/output.hpp
     ${public}/frostfill/packing.hpp
+    ${public}/frostfill/picture_settings.hpp
     ${public}/frostfill/render_run.hpp
     ${public}/frostfill/renderer.hpp
-    ${public}/frostfill/run_file.hpp)
+    ${public}/frostfill/run_file.hpp
+    ${public}/frostfill/volume_estimate.hpp)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/frostfill)
 foreach(component core render)

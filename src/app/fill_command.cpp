@@ -6,10 +6,10 @@
 #include "app/scene_options.hpp"
 #include "app/stop_signals.hpp"
 #include "run/resume.hpp"
-#include "run/volume_estimate.hpp"
 
 #include <frostfill/fill.hpp>
 #include <frostfill/options.hpp>
+#include <frostfill/volume_estimate.hpp>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -176,6 +176,13 @@ void requireFramesForPictures(const FillRequest& request)
     }
 }
 
+LoadedMesh loadMesh(const FillRequest& request)
+{
+    const ObjectSettings& object = request.scene.object;
+    return request.mesh ? repairMesh(*request.mesh, object.mesh, object.load)
+                        : loadMesh(object.mesh, object.load);
+}
+
 } // namespace
 
 FillResult fill(const FillRequest& request, const FillObserver& observer)
@@ -184,8 +191,7 @@ FillResult fill(const FillRequest& request, const FillObserver& observer)
     PhaseClock clock;
     validateScene(request.scene);
     std::optional<LoadedMesh> earlier = request.resume ? meshOfEarlierRun(request) : std::nullopt;
-    LoadedMesh mesh = earlier ? std::move(*earlier)
-                              : loadMesh(request.scene.object.mesh, request.scene.object.load);
+    LoadedMesh mesh = earlier ? std::move(*earlier) : loadMesh(request);
     Simulation simulation(request.scene, mesh.mesh);
     mesh.report = simulation.object();
     simulation.stopWhen(observer.stopRequested);

@@ -83,6 +83,8 @@ set(sees_all_public_headers app)
 set(common error measure)
 # The public headers that are not named after their room.
 set(room_of_fill run)
+set(room_of_picture_settings run)
+set(room_of_volume_estimate run)
 set(room_of_render_run run)
 set(room_of_options scene/options)
 
@@ -184,7 +186,8 @@ function(check_sizes file room)
     set(faults "${faults}" PARENT_SCOPE)
 endfunction()
 
-file(GLOB_RECURSE files RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/tests/*.?pp ${SOURCE_DIR}/tools/*.?pp)
+file(GLOB_RECURSE files RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/tests/*.?pp ${SOURCE_DIR}/tools/*.?pp
+     ${SOURCE_DIR}/python/*.?pp)
 foreach(file IN LISTS files)
     get_filename_component(folder ${file} DIRECTORY)
     string(MAKE_C_IDENTIFIER ${folder} folder)
