@@ -3,6 +3,7 @@
 
 #include "arrays.hpp"
 #include "keywords.hpp"
+#include "values.hpp"
 
 #include <frostfill/error.hpp>
 

@@ -49,10 +49,4 @@ private:
 /// Adds the table of keywords, from which Python makes signatures, help and stubs.
 void addKeywords(pybind11::module_& module);
 
-/// A path: a str or what has __fspath__. Throws Error usage.
-[[nodiscard]] std::string pathOf(pybind11::handle value, const char* name);
-
-/// A whole number of Python or NumPy. Throws Error usage.
-[[nodiscard]] std::int64_t wholeNumberOf(pybind11::handle value, const char* name);
-
 } // namespace frostfill::python

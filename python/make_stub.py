@@ -5,8 +5,11 @@
 """
 import inspect
 import re
+import sys
 
-import frostfill
+sys.path.pop(0)  # this folder, where the package lies without what is compiled
+
+import frostfill  # noqa: E402
 
 HEAD = '''# SPDX-License-Identifier: MIT
 # Printed by python/make_stub.py from the module; a test compares. Do not edit.
@@ -51,15 +54,25 @@ def of_pybind(function):
     return f"({stub_type(parameters)}) -> {stub_type(result)}"
 
 
+def annotated(name, annotation):
+    return name if annotation is inspect.Parameter.empty else f"{name}: {stub_type(str(annotation))}"
+
+
 def signature_of(function):
     if not inspect.isfunction(function):
         return of_pybind(function)
-    text = str(inspect.signature(function))
-    # Annotations are texts, and Python prints them with quotes.
-    text = re.sub(r""": (['"])(.+?)\1 = \.\.\.""", r": \2 = ...", text)
-    text = re.sub(r"""(: |-> )'([^']*)'""", r"\1\2", text)
-    text = re.sub(r"""(: |-> )"([^"]*)\"""", r"\1\2", text)
-    return re.sub(r"= (None|False|True|'')", "= ...", text)
+    signature = inspect.signature(function)
+    parts = []
+    for parameter in signature.parameters.values():
+        if parameter.kind is parameter.KEYWORD_ONLY and "*" not in parts:
+            parts.append("*")
+        default = "" if parameter.default is parameter.empty else " = ..."
+        parts.append(annotated(parameter.name, parameter.annotation) + default)
+    result = signature.return_annotation
+    returned = "None" if result is signature.empty else stub_type(str(result))
+    if len(parts) > 6:
+        return "(\n        " + ",\n        ".join(parts) + f",\n    ) -> {returned}"
+    return f"({', '.join(parts)}) -> {returned}"
 
 
 def property_type(value):
@@ -116,6 +129,8 @@ def class_stub(name, value):
             text += help_of(what, "        ") or "        ...\n"
         elif member == "__init__" and not inspect.isfunction(what):
             continue
+        elif member == "__iter__":
+            text += "    def __iter__(self) -> Iterator[Snapshot]:\n        ...\n"
         elif callable(what):
             text += function_stub(member, getattr(value, member), "    ")
     return text

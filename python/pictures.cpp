@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pictures.hpp"
 
-#include "keywords.hpp"
+#include "values.hpp"
 
 #include <frostfill/error.hpp>
 #include <frostfill/image.hpp>

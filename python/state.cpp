@@ -48,7 +48,7 @@ void addArrays(py::class_<State, Pointer>& state)
             [](const Pointer& s)
             {
                 // Eigen has columns in a row; NumPy gets the transpose of the transpose.
-                return view(s, s->snapshot.pose.rotation.data(), {3, 3}).attr("T");
+                return py::object(view(s, s->snapshot.pose.rotation.data(), {3, 3}).attr("T"));
             },
             "float64 [3, 3]: of a moved object. A point p of the mesh is at origin + offset + "
             "rotation @ (p - origin).")

@@ -84,8 +84,8 @@ class Runs(FolderCase):
             run.export(self.folder / "torus.docx")
         with self.assertRaisesRegex(frostfill.Usage, "make 2 files"):
             run.export(self.folder / "two.vtp", frames="0,1")
-        with self.assertRaisesRegex(frostfill.Usage, "did you mean vtp"):
-            run.export(self.folder / "folder", "vpt")
+        with self.assertRaisesRegex(frostfill.Usage, "did you mean csv"):
+            run.export(self.folder / "folder", "csw")
 
     def test_are_drawn_into_a_folder(self):
         drawn = self.run_.draw(self.folder / "pictures", frames="0..9", size=(80, 60))

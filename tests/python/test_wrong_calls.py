@@ -71,7 +71,7 @@ NO_RADII = {
 }
 # A value of no option, and values out of the range of each kind of option.
 NO_VALUES = [
-    {"count": v} for v in (0, -1, 1.5, "many", "1.5", True, 2**53 + 1, 2**70, [1], numpy.nan, Hostile(),
+    {"count": v} for v in (0, -1, 1.5, "many", "1.5", True, 2**53 + 2, 2**70, [1], numpy.nan, Hostile(),
                            numpy.float64(3), b"3", ())
 ] + [
     {"radius": v} for v in (0, -1, numpy.nan, numpy.inf, "", "x..y", (1,), (1, 2, 3), (1, "b"), "nowhere.txt",
@@ -90,7 +90,7 @@ NO_VALUES = [
 ] + [
     {"restitution": v} for v in (None, -0.1, 1.1, "bouncy", numpy.nan, True, 1j)
 ] + [
-    {"frames": v} for v in ("x", (1.5,), "5..", [[1]], -1)
+    {"frames": v} for v in ("x", (1.5,), "5..x", [[1]], -1)
 ] + [
     {"background": v} for v in ("blue-ish", "#12", None, ("#ffffff", "#000000"))
 ] + [
