@@ -188,7 +188,14 @@ std::size_t drawRun(const KeptRun& run, const py::object& directory, const py::o
     request.contactSheet = contactSheet;
     request.cameraPath = cameraPath;
     request.overwrite = overwrite;
-    request.change = [&](Scene& scene) { given.apply(scene); };
+    request.change = [&](Scene& scene)
+    {
+        given.apply(scene);
+        if (!scene.frames.enabled)
+        {
+            throw Error(ErrorCode::usage, "frames=\"none\" leaves nothing to draw");
+        }
+    };
     Interrupts interrupts;
     RenderObserver observer;
     observer.stopRequested = interrupts.stopRequested();

@@ -235,9 +235,11 @@ std::string pathOf(py::handle value, const char* name)
                     fmt::format("{} is {}, but it must be a str or a path", name, shown(value)));
     }
     const auto text = py::reinterpret_steal<py::bytes>(bytes).cast<std::string>();
-    if (text.empty())
+    constexpr std::size_t kLongestPath = 4096; // of Linux
+    if (text.empty() || text.size() > kLongestPath)
     {
-        throw Error(ErrorCode::usage, fmt::format("{} is an empty text: give a path", name));
+        throw Error(ErrorCode::usage, fmt::format("{} is {}: give a path", name,
+                                                  text.empty() ? "an empty text" : "too long"));
     }
     return text;
 }

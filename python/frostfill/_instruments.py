@@ -62,7 +62,7 @@ def inspect(
 
     >>> report = inspect("cube")
     >>> report.as_read.closed, report.filled.volume, report.repairs
-    (True, 1.0, [])
+    (True, 8.0, [])
     """
     return Inspection(*_frostfill.inspect(mesh, vertices, triangles, **options))
 

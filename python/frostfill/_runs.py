@@ -120,7 +120,7 @@ class Run(_frostfill.KeptRun):
                 os.rename(fresh, target)
             finally:
                 shutil.rmtree(fresh, ignore_errors=True)
-        except (OSError, shutil.Error) as error:
+        except (OSError, ValueError) as error:
             raise _frostfill.CannotCreate(f"'{target}' cannot be written: {error}") from error
         return target
 

@@ -29,7 +29,7 @@ class Simulation(_frostfill.Simulation):
     >>> for snapshot in Simulation("torus", count=20):
     ...     highest = snapshot.centres[:, 1].max()
     >>> snapshot
-    <frostfill.Snapshot of 20 spheres at ... s: 0 running, ...>
+    <frostfill.Snapshot of ... spheres at ... s: 0 running, ...>
 
     Arrays of a snapshot are views of the simulation's memory. They keep their values for as long as
     you keep them: the next snapshots then lie elsewhere. Keeping none, or only the newest, is

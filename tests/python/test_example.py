@@ -19,11 +19,11 @@ class Example(FolderCase):
 
         # Loose random packings of equal spheres are between 0.55 and 0.60 dense.
         self.assertTrue(0.55 < found["inside"] < 0.60, found["inside"])
-        # At the wall there are only points of contact, and the first layer is one radius away.
+        # At the wall there are only points of contact, and the first layer ends a diameter away.
         self.assertLess(found["fraction"][0], 0.01)
-        near = found["distances"] < 2 * found["radius"]
-        peak = found["distances"][near][found["fraction"][near].argmax()] / found["radius"]
-        self.assertTrue(0.7 < peak < 1.1, peak)
+        apart = found["distances"] / found["radius"]
+        near = (apart > 1) & (apart < 3)
+        self.assertAlmostEqual(apart[near][found["fraction"][near].argmin()], 2, delta=0.1)
         # No two centres are closer than a diameter, most neighbours touch, and far away g is 1.
         g, diameters = found["correlation"], found["middles"] / found["radius"] / 2
         self.assertEqual(g[diameters < 0.99].max(), 0)

@@ -32,7 +32,7 @@ class Check(FolderCase):
             (report.max_overlap, "max_overlap_over_radius"),
             (report.max_wall_overlap, "max_wall_overlap_over_radius"),
             (report.centres_outside, "centres_outside"),
-            (report.unsupported, "unsupported"),
+            (report.unsupported, "unsupported_frozen"),
         ]:
             self.assertIn(theirs, said)
             self.assertAlmostEqual(ours, said[theirs], 12, theirs)

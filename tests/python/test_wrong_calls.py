@@ -19,7 +19,7 @@ class Hostile:
         raise RuntimeError("no array")
 
     def __fspath__(self):
-        raise RuntimeError("no path")
+        raise RuntimeError("this is no path")
 
     def __str__(self):
         raise RuntimeError("no text")
@@ -191,7 +191,7 @@ class WrongCalls(FolderCase):
             self.refuse(frostfill.load, wrong)
             self.refuse(run.draw, wrong)
             self.refuse(run.export, wrong, "csv")
-            self.refuse(run.save, wrong, kinds=both)
+            self.refuse(run.save, wrong, kinds=(*both, RuntimeError))
         self.refuse(frostfill.load, "nowhere")
         self.refuse(frostfill.load, self.folder)
         damaged = self.folder / "run.frost"
