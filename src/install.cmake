@@ -22,12 +22,14 @@ target_sources(frostfill_render PUBLIC FILE_SET HEADERS BASE_DIRS ${public} FILE
     ${public}/frostfill/output.hpp
     ${public}/frostfill/packing.hpp
     ${public}/frostfill/page.hpp
+    ${public}/frostfill/picture_settings.hpp
     ${public}/frostfill/plan.hpp
     ${public}/frostfill/plan_fill.hpp
     ${public}/frostfill/render_run.hpp
     ${public}/frostfill/renderer.hpp
     ${public}/frostfill/run_file.hpp
-    ${public}/frostfill/sweep.hpp)
+    ${public}/frostfill/sweep.hpp
+    ${public}/frostfill/volume_estimate.hpp)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/frostfill)
 foreach(component core render)

@@ -19,6 +19,9 @@ namespace frostfill
 struct FillRequest
 {
     Scene scene; ///< with the mesh, by file or by name
+    /// A mesh in memory in place of that of the scene, whose name then stands only in messages and
+    /// in the files of the run. It is repaired like one that is read.
+    std::optional<TriangleMesh> mesh = {};
     std::filesystem::path directory;
     bool overwrite = false; ///< replace the run that the directory holds
     /// Go on with the run that the directory holds, begun with the same scene by the same version.

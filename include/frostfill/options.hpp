@@ -71,11 +71,29 @@ struct Option
 [[nodiscard]] std::span<const Option> sceneOptions();
 [[nodiscard]] const Option* findOption(std::string_view key);
 
+/// What takes settings. Each takes a part of the table.
+enum class OptionUse : std::uint8_t
+{
+    filling,  ///< all
+    pictures, ///< of a run that is over: of frames, picture and camera all but what decides which
+              ///< states there are
+    loading,  ///< how an open or broken mesh is made whole
+    judging,  ///< what a mesh is in which spheres lie: loading, and the axis up
+};
+
+/// The options of a use, in the order of the table.
+[[nodiscard]] std::vector<const Option*> optionsFor(OptionUse use);
+
 /// The allowed values, for messages: "a number from 0 to 1".
 [[nodiscard]] std::string describeAllowed(const Option& option);
 
 /// "; did you mean 'grid'?", or nothing if the value is no text that resembles an allowed one.
 [[nodiscard]] std::string nearestAllowed(const Option& option, const OptionValue& value);
+
+/// The sentence with which a value is refused: "--threads is '-1', but it must be a whole number
+/// from 0 to 1024". `name` is what its user calls the option, `text` what was given.
+[[nodiscard]] std::string refusalText(const Option& option, std::string_view name,
+                                      std::string_view text);
 
 /// Sets the value. Returns false, and leaves the scene unchanged, if it is not allowed.
 [[nodiscard]] bool setOption(const Option& option, Scene& scene, OptionValue value);
@@ -90,6 +108,22 @@ struct Option
 /// The name with the smallest edit distance from `name`; the first of several. Empty if more than
 /// half of `name` would have to change, because that is no typing error.
 [[nodiscard]] std::string nearestName(std::string_view name, std::span<const std::string> names);
+
+/// The given options that only the other preset uses. `given`: a map from the keys that the user
+/// gave.
+template <class Given>
+std::vector<const Option*> ignoredOptions(const Given& given, Preset preset)
+{
+    std::vector<const Option*> ignored;
+    for (const Option& option : sceneOptions())
+    {
+        if (option.preset && option.preset != preset && given.contains(option.key))
+        {
+            ignored.push_back(&option);
+        }
+    }
+    return ignored;
+}
 
 /// A radius without a count asks to be filled until no sphere fits, whatever count the preset has.
 /// `given`: a map from the keys that the user gave.

@@ -16,6 +16,9 @@
 namespace frostfill
 {
 
+/// The file of a run that is named by its file or its directory. Throws Error inputMissing.
+[[nodiscard]] std::filesystem::path fileOfRun(const std::filesystem::path& run);
+
 /// What is done with a run file that is there.
 enum class EarlierFile
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands.hpp"
-#include "app/message.hpp"
-#include "app/progress.hpp"
+#include "app/progress/message.hpp"
+#include "app/progress/progress.hpp"
 #include "study/error/closed_forms.hpp"
 #include "study/error/error_study.hpp"
 #include "study/figures/all_figures.hpp"

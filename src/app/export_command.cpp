@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands.hpp"
 #include "app/export_files.hpp"
-#include "app/stop_signals.hpp"
+#include "app/progress/stop_signals.hpp"
 
 #include <frostfill/export.hpp>
 

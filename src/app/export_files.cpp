@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/export_files.hpp"
 
-#include "app/progress.hpp"
-#include "app/stop_signals.hpp"
+#include "app/progress/progress.hpp"
+#include "app/progress/stop_signals.hpp"
 
 #include <fmt/format.h>
 

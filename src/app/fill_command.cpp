@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands.hpp"
 #include "app/export_files.hpp"
+#include "app/fill_request.hpp"
 #include "app/fill_text.hpp"
-#include "app/json_progress.hpp"
-#include "app/message.hpp"
-#include "app/progress.hpp"
+#include "app/progress/json_progress.hpp"
+#include "app/progress/message.hpp"
+#include "app/progress/progress.hpp"
+#include "app/progress/stop_signals.hpp"
 #include "app/scene_options.hpp"
-#include "app/stop_signals.hpp"
 #include "app/view_text.hpp"
 #include "run/recording.hpp"
 #include "run/resume.hpp"
-#include "run/volume_estimate.hpp"
 
 #include <frostfill/fill.hpp>
 #include <frostfill/options.hpp>
 #include <frostfill/plan_fill.hpp>
+#include <frostfill/volume_estimate.hpp>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -41,74 +42,6 @@ constexpr const char* kExamples = R"(Examples:
   frostfill fill --resume output/torus           go on after a kill or a stop
   frostfill fill torus --view                    also a page to look at: output/torus/view.html
 )";
-
-struct FillArguments
-{
-    std::string mesh;
-    std::string sceneFile;
-    std::string directory;
-    std::string resume;
-    std::string video;
-    std::string cameraPath;
-    std::vector<std::string> exports; ///< formats
-    bool contactSheet = false;
-    bool overwrite = false;
-    bool quiet = false;
-    bool json = false;
-    bool estimateVolume = false;
-    bool view = false;
-    bool dryRun = false;
-    JsonProgress progress;
-    GivenOptions given;
-};
-
-/// The preset gives all other settings their defaults, so it is read first.
-Preset requestedPreset(const GivenOptions& given)
-{
-    GivenOptions presetAlone;
-    if (const auto found = given.find("preset"); found != given.end())
-    {
-        presetAlone.insert(*found);
-    }
-    Scene scene;
-    applyGivenOptions(presetAlone, scene);
-    return scene.preset;
-}
-
-Scene requestedScene(const FillArguments& arguments)
-{
-    if (arguments.mesh.empty() && arguments.sceneFile.empty())
-    {
-        throw Error(
-            ErrorCode::usage,
-            "give a MESH (torus, sphere, cube, human or a file), a --scene or a --resume; see "
-            "frostfill fill --help");
-    }
-    Scene scene = arguments.sceneFile.empty()
-                      ? presetScene(requestedPreset(arguments.given), arguments.mesh)
-                      : loadRunScene(arguments.sceneFile);
-    if (!arguments.sceneFile.empty() && !arguments.mesh.empty())
-    {
-        scene.object.mesh = arguments.mesh;
-        scene.name = presetScene(scene.preset, arguments.mesh).name;
-    }
-    applyGivenOptions(arguments.given, scene);
-    if (arguments.sceneFile.empty())
-    {
-        fillUntilFullForARadiusAlone(arguments.given, scene);
-    }
-    return scene;
-}
-
-// Only for the command line: a scene file has the settings of both presets.
-void warnOfIgnored(const FillArguments& arguments, Preset preset)
-{
-    const std::string ignored = ignoredOptionsText(arguments.given, preset);
-    if (!ignored.empty() && !arguments.quiet)
-    {
-        say(fmt::format("frostfill: warning: {}\n", ignored));
-    }
-}
 
 int printVolume(const FillArguments& arguments)
 {
@@ -140,33 +73,6 @@ int printVolume(const FillArguments& arguments)
     fmt::print("the mesh has {:.5g}; the estimate differs by {:+.2f} %\n", estimate.meshVolume,
                100 * (estimate.volume / estimate.meshVolume - 1));
     return 0;
-}
-
-/// Without a MESH or a scene, the run that is resumed says all.
-FillRequest requestOf(const FillArguments& arguments)
-{
-    if (!arguments.resume.empty() && (!arguments.directory.empty() || arguments.overwrite))
-    {
-        throw Error(ErrorCode::usage, "--resume names the directory of the run and keeps what is "
-                                      "in it: omit --out and --overwrite");
-    }
-    if (!arguments.resume.empty() && arguments.mesh.empty() && arguments.sceneFile.empty())
-    {
-        FillRequest request = resumeRequest(arguments.resume);
-        applyGivenOptions(arguments.given, request.scene);
-        return request;
-    }
-    FillRequest request;
-    request.scene = requestedScene(arguments);
-    request.resume = !arguments.resume.empty();
-    const std::string& directory = request.resume ? arguments.resume : arguments.directory;
-    request.directory = directory.empty() ? std::filesystem::path("output") / request.scene.name
-                                          : std::filesystem::path(directory);
-    request.overwrite = arguments.overwrite;
-    request.video = arguments.video;
-    request.contactSheet = arguments.contactSheet;
-    request.cameraPath = arguments.cameraPath;
-    return request;
 }
 
 /// The page of a run that has just been written replaces that of an earlier one. Returns what went

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/fill_text.hpp"
 
-#include "app/message.hpp"
+#include "app/progress/message.hpp"
 #include "app/reach_text.hpp"
 
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Commands that say how to use the others: help, version, completion, man.
 #include "app/commands.hpp"
-#include "app/completion.hpp"
-#include "app/man_pages.hpp"
+#include "app/help/completion.hpp"
+#include "app/help/man_pages.hpp"
 
 #include <frostfill/error.hpp>
 #include <frostfill/options.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands.hpp"
-#include "app/message.hpp"
+#include "app/progress/message.hpp"
 #include "app/scene_options.hpp"
 
 #include <frostfill/failure.hpp>

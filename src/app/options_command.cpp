@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "app/command_text.hpp"
 #include "app/commands.hpp"
+#include "app/help/command_text.hpp"
 #include "run/options_page.hpp"
 
 #include <CLI/CLI.hpp>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands.hpp"
-#include "app/json_progress.hpp"
-#include "app/message.hpp"
-#include "app/progress.hpp"
+#include "app/progress/json_progress.hpp"
+#include "app/progress/message.hpp"
+#include "app/progress/progress.hpp"
+#include "app/progress/stop_signals.hpp"
 #include "app/scene_options.hpp"
-#include "app/stop_signals.hpp"
 
 #include <frostfill/error.hpp>
 #include <frostfill/render_run.hpp>

@@ -8,8 +8,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <array>
 #include <string_view>
 
 namespace frostfill
@@ -85,57 +83,45 @@ void addOption(CLI::App& command, const Option& option, GivenOptions& given,
     added->group(option.group);
 }
 
-void addOption(CLI::App& command, const Option& option, GivenOptions& given)
+void addOptions(CLI::App& command, GivenOptions& given, OptionUse use)
 {
-    addOption(command, option, given, helpWithDefault(option));
+    for (const Option* option : optionsFor(use))
+    {
+        if (!option->flag.empty())
+        {
+            // What is not given for the pictures of a run that is over is as in the run.
+            addOption(command, *option, given,
+                      use == OptionUse::pictures ? option->help : helpWithDefault(*option));
+        }
+    }
 }
 
 } // namespace
 
 void addSceneOptions(CLI::App& command, GivenOptions& given)
 {
-    for (const Option& option : sceneOptions())
-    {
-        if (!option.flag.empty())
-        {
-            addOption(command, option, given);
-        }
-    }
+    addOptions(command, given, OptionUse::filling);
 }
 
 void addPictureOptions(CLI::App& command, GivenOptions& given)
 {
-    constexpr std::array<std::string_view, 3> kGroups = {"Frames", "Picture", "Camera"};
-    constexpr std::array<std::string_view, 3> kOfTheRun = {"frames.slow_motion", "frames.duration",
-                                                           "frames.keep_run"};
-    const auto isIn = [](const auto& names, const std::string& name)
-    { return std::find(names.begin(), names.end(), name) != names.end(); };
-    for (const Option& option : sceneOptions())
-    {
-        if (!option.flag.empty() && isIn(kGroups, option.group) && !isIn(kOfTheRun, option.key))
-        {
-            addOption(command, option, given, option.help); // otherwise it is as in the run
-        }
-    }
+    addOptions(command, given, OptionUse::pictures);
 }
 
 void addLoadOptions(CLI::App& command, GivenOptions& given)
 {
-    for (const char* key : {"object.lid", "object.wrap", "object.unite"})
-    {
-        addOption(command, *findOption(key), given);
-    }
+    addOptions(command, given, OptionUse::loading);
 }
 
 void addUpOption(CLI::App& command, GivenOptions& given)
 {
-    addOption(command, *findOption("object.up"), given);
+    const Option& up = *findOption("object.up");
+    addOption(command, up, given, helpWithDefault(up));
 }
 
 void addCheckOptions(CLI::App& command, GivenOptions& given)
 {
-    addUpOption(command, given);
-    addLoadOptions(command, given);
+    addOptions(command, given, OptionUse::judging);
 }
 
 std::vector<std::string> withImpliedValues(int count, const char* const* arguments)
@@ -173,9 +159,7 @@ void applyGivenOptions(const GivenOptions& given, Scene& scene)
         const auto value = readOptionText(option, text);
         if (!value || !setOption(option, scene, *value))
         {
-            throw Error(ErrorCode::usage,
-                        fmt::format("{} is '{}', but it must be {}{}", option.flag, text,
-                                    describeAllowed(option), nearestAllowed(option, text)));
+            throw Error(ErrorCode::usage, refusalText(option, option.flag, text));
         }
     }
 }
@@ -183,12 +167,9 @@ void applyGivenOptions(const GivenOptions& given, Scene& scene)
 std::string ignoredOptionsText(const GivenOptions& given, Preset preset)
 {
     std::vector<std::string> ignored;
-    for (const Option& option : sceneOptions())
+    for (const Option* option : ignoredOptions(given, preset))
     {
-        if (option.preset && option.preset != preset && given.contains(option.key))
-        {
-            ignored.push_back(option.flag);
-        }
+        ignored.push_back(option->flag);
     }
     if (ignored.empty())
     {

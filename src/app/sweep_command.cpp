@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands.hpp"
-#include "app/json_progress.hpp"
-#include "app/message.hpp"
-#include "app/progress.hpp"
-#include "app/stop_signals.hpp"
+#include "app/progress/json_progress.hpp"
+#include "app/progress/message.hpp"
+#include "app/progress/progress.hpp"
+#include "app/progress/stop_signals.hpp"
 
 #include <frostfill/plan_fill.hpp>
 #include <frostfill/sweep.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands.hpp"
-#include "app/message.hpp"
-#include "app/stop_signals.hpp"
+#include "app/progress/message.hpp"
+#include "app/progress/stop_signals.hpp"
 #include "app/view_text.hpp"
 
 #include <frostfill/error.hpp>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "app/view_text.hpp"
 
-#include "app/message.hpp"
-#include "app/progress.hpp"
-#include "app/stop_signals.hpp"
+#include "app/progress/message.hpp"
+#include "app/progress/progress.hpp"
+#include "app/progress/stop_signals.hpp"
 
 #include <fmt/format.h>
 

@@ -162,13 +162,19 @@ std::optional<CameraPath> cameraPathOf(const FillRequest& request)
                                       : std::optional(CameraPath::read(request.cameraPath));
 }
 
+LoadedMesh loadMesh(const FillRequest& request)
+{
+    const ObjectSettings& object = request.scene.object;
+    return request.mesh ? repairMesh(*request.mesh, object.mesh, object.load)
+                        : loadMesh(object.mesh, object.load);
+}
+
 /// That of the run that is resumed, or as the scene has it.
 LoadedMesh meshOf(const FillRequest& request, bool& resumes)
 {
     std::optional<LoadedMesh> earlier = request.resume ? meshOfEarlierRun(request) : std::nullopt;
     resumes = earlier.has_value();
-    return earlier ? std::move(*earlier)
-                   : loadMesh(request.scene.object.mesh, request.scene.object.load);
+    return earlier ? std::move(*earlier) : loadMesh(request);
 }
 
 /// By the estimate from which radii are chosen.

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "output/scene_json.hpp"
+#include "run/frame_painter.hpp"
+#include "run/run_head.hpp"
 
 #include <frostfill/error.hpp>
 #include <frostfill/fill.hpp>
+#include <frostfill/picture_settings.hpp>
 
 #include <fmt/format.h>
 
@@ -29,6 +32,23 @@ Scene loadRunScene(const std::filesystem::path& file)
                     fmt::format("{} is not the summary of a run", file.string()));
     }
     return sceneFromJson(summary["scene"], file.string());
+}
+
+Scene sceneOfRun(const RunFileReader& run)
+{
+    return readHead(run.head(), "run.frost").scene;
+}
+
+RenderSettings pictureSettings(const RunFileReader& run, const Scene& scene)
+{
+    const RunHead head = readHead(run.head(), "run.frost");
+    return renderSettings(scene, colourRange(scene, head.colours), head.poses);
+}
+
+RenderSettings pictureSettings(const Simulation& simulation, const Scene& scene)
+{
+    return renderSettings(scene, colourRange(scene, colourFacts(scene, simulation)),
+                          simulation.poses());
 }
 
 } // namespace frostfill

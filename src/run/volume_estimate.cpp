@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "run/volume_estimate.hpp"
-
 #include "scene/packing_estimate.hpp"
 
 #include <frostfill/error.hpp>
 #include <frostfill/simulation.hpp>
+#include <frostfill/volume_estimate.hpp>
 
 #include <cmath>
 
@@ -18,13 +17,19 @@ constexpr double kRadiusTimesAreaOverVolume = 0.2;
 /// Coarse fillings, which cost an eighth of a fine one each and scatter more.
 constexpr std::size_t kCoarseFillings = 4;
 
-std::size_t fitting(Scene scene, const TriangleMesh& mesh, double radius)
+std::size_t fitting(Scene scene, const TriangleMesh& mesh, double radius,
+                    const std::function<bool()>& stopRequested)
 {
     scene.spheres.radius = radius;
     scene.spheres.count.reset();
     Simulation simulation(scene, mesh);
+    simulation.stopWhen(stopRequested);
     while (simulation.step())
     {
+        if (stopRequested && stopRequested())
+        {
+            throw Error(ErrorCode::stoppedEarly, "the estimate of the volume was stopped");
+        }
     }
     return simulation.sphereCount();
 }
@@ -33,13 +38,18 @@ std::size_t fitting(Scene scene, const TriangleMesh& mesh, double radius)
 
 VolumeEstimate estimateVolume(const Scene& scene)
 {
+    return estimateVolume(scene, loadMesh(scene.object.mesh, scene.object.load));
+}
+
+VolumeEstimate estimateVolume(const Scene& scene, const LoadedMesh& mesh,
+                              const std::function<bool()>& stopRequested)
+{
     validateScene(scene);
     if (scene.spheres.radius && !scene.spheres.radius->equal())
     {
         throw Error(ErrorCode::usage, "--estimate-volume needs one radius: the packing fraction is "
                                       "known for equal spheres only");
     }
-    const LoadedMesh mesh = loadMesh(scene.object.mesh, scene.object.load);
     VolumeEstimate estimate;
     estimate.meshVolume = mesh.report.volume;
     const double depth = mesh.report.volume / mesh.report.area;
@@ -50,9 +60,9 @@ VolumeEstimate estimateVolume(const Scene& scene)
     {
         Scene coarse = scene;
         coarse.seed += filling;
-        estimate.coarse += fitting(coarse, mesh.mesh, estimate.radius);
+        estimate.coarse += fitting(coarse, mesh.mesh, estimate.radius, stopRequested);
     }
-    estimate.fine = fitting(scene, mesh.mesh, estimate.radius / 2);
+    estimate.fine = fitting(scene, mesh.mesh, estimate.radius / 2, stopRequested);
 
     const PackingCalibration packing = packingCalibration(scene);
     const double coarse = static_cast<double>(estimate.coarse) / kCoarseFillings;

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <filesystem>
+#include <frostfill/run_file.hpp>
 
 namespace frostfill
 {
 
-/// The run file's name in the directory of a run.
+/// The run file's name in the directory of a run; see fileOfRun.
 inline constexpr const char* kRunFile = "run.frost";
-
-/// The file of a run that is named by its file or its directory. Throws Error inputMissing.
-[[nodiscard]] std::filesystem::path fileOfRun(const std::filesystem::path& run);
 
 } // namespace frostfill

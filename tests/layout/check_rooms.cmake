@@ -83,8 +83,10 @@ room(study/peers ${below} study study/stability)
 room(study/figures ${below} study study/error study/fps study/operations study/peers
      study/stability)
 # The command line stands where any program stands: on the public headers, and on run and study.
-room(app run page sweep study study/error study/figures study/fps study/operations study/peers study/stability)
-set(sees_all_public_headers app)
+room(app/help)
+room(app/progress run)
+room(app app/help app/progress run page sweep study study/error study/figures study/fps study/operations study/peers study/stability)
+set(sees_all_public_headers app app/help app/progress)
 
 set(common error measure)
 # The public headers that are not named after their room.
@@ -93,6 +95,8 @@ set(room_of_failure base)
 set(room_of_plan_fill run)
 set(room_of_plan sweep)
 set(room_of_fill run)
+set(room_of_picture_settings run)
+set(room_of_volume_estimate run)
 set(room_of_render_run run)
 set(room_of_options scene/options)
 set(room_of_sweep_file scene/options)
@@ -195,7 +199,8 @@ function(check_sizes file room)
     set(faults "${faults}" PARENT_SCOPE)
 endfunction()
 
-file(GLOB_RECURSE files RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/tests/*.?pp ${SOURCE_DIR}/tools/*.?pp)
+file(GLOB_RECURSE files RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/tests/*.?pp ${SOURCE_DIR}/tools/*.?pp
+     ${SOURCE_DIR}/python/*.?pp)
 foreach(file IN LISTS files)
     get_filename_component(folder ${file} DIRECTORY)
     string(MAKE_C_IDENTIFIER ${folder} folder)

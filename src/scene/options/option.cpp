@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 
@@ -158,6 +159,30 @@ const Option* findOption(std::string_view key)
     return nullptr;
 }
 
+std::vector<const Option*> optionsFor(OptionUse use)
+{
+    constexpr std::array<std::string_view, 3> kPictureGroups = {"Frames", "Picture", "Camera"};
+    constexpr std::array<std::string_view, 3> kOfTheRun = {"frames.slow_motion", "frames.duration",
+                                                           "frames.keep_run"};
+    constexpr std::array<std::string_view, 3> kLoading = {"object.lid", "object.wrap",
+                                                          "object.unite"};
+    const auto isIn = [](const auto& names, const std::string& name)
+    { return std::find(names.begin(), names.end(), name) != names.end(); };
+    std::vector<const Option*> options;
+    for (const Option& option : sceneOptions())
+    {
+        const bool loads = isIn(kLoading, option.key);
+        const bool draws = isIn(kPictureGroups, option.group) && !isIn(kOfTheRun, option.key);
+        if (use == OptionUse::filling || (use == OptionUse::pictures && draws) ||
+            (use == OptionUse::loading && loads) ||
+            (use == OptionUse::judging && (loads || option.key == "object.up")))
+        {
+            options.push_back(&option);
+        }
+    }
+    return options;
+}
+
 std::string describeAllowed(const Option& option)
 {
     std::string what;
@@ -200,6 +225,12 @@ std::string nearestAllowed(const Option& option, const OptionValue& value)
     const auto* text = std::get_if<std::string>(&value);
     const std::string nearest = text ? nearestName(*text, option.texts()) : "";
     return nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest);
+}
+
+std::string refusalText(const Option& option, std::string_view name, std::string_view text)
+{
+    return fmt::format("{} is '{}', but it must be {}{}", name, text, describeAllowed(option),
+                       nearestAllowed(option, std::string(text)));
 }
 
 bool setOption(const Option& option, Scene& scene, OptionValue value)

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "base/processor_time.hpp"
-#include "run/volume_estimate.hpp"
 #include "scene/packing_estimate.hpp"
 #include "study/error/error_finish.hpp"
 #include "study/error/error_runs.hpp"
 
 #include <frostfill/error.hpp>
+#include <frostfill/volume_estimate.hpp>
 
 #include <fmt/format.h>
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "run/volume_estimate.hpp"
-
 #include "support/expect_error.hpp"
 
 #include <frostfill/error.hpp>
+#include <frostfill/volume_estimate.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "app/progress.hpp"
+#include "app/progress/progress.hpp"
 
-#include "app/message.hpp"
+#include "app/progress/message.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>

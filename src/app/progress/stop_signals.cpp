@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/stop_signals.hpp"
+#include "app/progress/stop_signals.hpp"
 
 #include <frostfill/error.hpp>
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <frostfill/mesh.hpp>
 #include <frostfill/scene.hpp>
 
 #include <cstddef>
+#include <functional>
 
 namespace frostfill
 {
@@ -26,5 +28,10 @@ struct VolumeEstimate
 /// without the surface being known. r is the scene's radius, or 0.2 V/S when it gives none.
 /// Throws Error usage for radii that differ, and what loadMesh and Simulation throw.
 [[nodiscard]] VolumeEstimate estimateVolume(const Scene& scene);
+
+/// The same for a mesh that is loaded, in place of the scene's. `stopRequested` may be empty; it is
+/// asked often, and once it is true Error stoppedEarly is thrown.
+[[nodiscard]] VolumeEstimate estimateVolume(const Scene& scene, const LoadedMesh& mesh,
+                                            const std::function<bool()>& stopRequested = {});
 
 } // namespace frostfill

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/man_pages.hpp"
+#include "app/help/man_pages.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Room: what the parser knows of the commands, as texts, manual pages and completions.
 #pragma once
 
 #include <CLI/App.hpp>

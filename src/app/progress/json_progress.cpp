@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "app/json_progress.hpp"
+#include "app/progress/json_progress.hpp"
 
-#include "app/stop_signals.hpp"
+#include "app/progress/stop_signals.hpp"
 
 #include <frostfill/failure.hpp>
 

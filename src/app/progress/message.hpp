@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Room: what a command says while it works, and how it is stopped.
 #pragma once
 
 #include <cstdio>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/command_text.hpp"
+#include "app/help/command_text.hpp"
 
 #include <CLI/CLI.hpp>
 

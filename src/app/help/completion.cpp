@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/completion.hpp"
+#include "app/help/completion.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

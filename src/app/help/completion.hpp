@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "app/command_text.hpp"
+#include "app/help/command_text.hpp"
 
 #include <string>
 #include <string_view>

@@ -1,0 +1,261 @@
+# SPDX-License-Identifier: MIT
+"""Runs that are kept: made by fill, or read from a folder."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import tempfile
+import weakref
+from os import PathLike
+from pathlib import Path
+
+import numpy
+from numpy.typing import ArrayLike, NDArray
+
+from . import _frostfill
+from ._keywords import takes_options
+from ._pictures import Picture
+
+
+class Run(_frostfill.KeptRun):
+    """A run that was kept: its states, its mesh, and pictures of it.
+
+    It is what frostfill.fill and frostfill.load give. Its arrays are those of the last state, and
+    they are read-only views without a copy. len(run) is the number of frames, and iterating over a
+    run gives the state of each.
+
+    >>> run = fill("torus", count=30, duration=1, fps=10)
+    >>> [len(snapshot) for snapshot in run] == sorted(len(snapshot) for snapshot in run)
+    True
+    """
+
+    @property
+    def centres(self) -> NDArray[numpy.float64]:
+        """float64 [n, 3]: centres of the spheres, in the unit and frame of the mesh."""
+        return self.last.centres
+
+    @property
+    def radii(self) -> NDArray[numpy.float64]:
+        """float64 [n]: radii, in the unit of the mesh."""
+        return self.last.radii
+
+    @property
+    def states(self) -> NDArray[numpy.uint8]:
+        """uint8 [n]: 0 running, 1 frozen, 2 discarded; see frostfill.SphereState."""
+        return self.last.states
+
+    @property
+    def groups(self) -> NDArray[numpy.uint32]:
+        """uint32 [n]: the group with which a sphere appeared, from 0."""
+        return self.last.groups
+
+    @property
+    def directory(self) -> Path:
+        """The folder of the run's files. Without `out`, one that goes when the run does."""
+        return self.file.parent
+
+    @property
+    def summary(self) -> dict:
+        """What summary.json holds: scene, counts, errors, times. Empty for a run that did not end."""
+        return json.loads(self.summary_text or "{}")
+
+    @property
+    def state_hash(self) -> str:
+        """Hash of the bits of the last state: 16 hex digits, the same on every machine."""
+        return self.summary.get("state_hash", "")
+
+    @takes_options("pictures")
+    def render(self, frame: int | None = None, **options) -> Picture:
+        """Draws the state of a frame, the last one by default. What is not given is as in the run.
+
+        >>> run = fill("torus", count=30, duration=1, fps=10)
+        >>> run.render(frame=0, size=(64, 48), style="studio").shape
+        (48, 64, 3)
+        """
+        return self.draw_frame(frame, **options).view(Picture)
+
+    @takes_options("pictures")
+    def draw(
+        self,
+        directory: str | PathLike[str],
+        *,
+        video: str | PathLike[str] | None = None,
+        contact_sheet: bool = False,
+        camera_path: str = "",
+        overwrite: bool = False,
+        **options,
+    ) -> int:
+        """Draws frames into a folder, as `frostfill render` does, and returns their number.
+
+        video: a file .mp4, .webm or .gif, made with ffmpeg. camera_path: "0:30,20 8:120,45", or a
+        file of such lines.
+        """
+        return self.draw_into(directory, video, contact_sheet, camera_path, overwrite, **options)
+
+    def save(self, directory: str | PathLike[str], *, overwrite: bool = False) -> Path:
+        """Keeps the run's files in a folder, for frostfill.load and for the program.
+
+        Raises CannotCreate if the folder holds a run already, unless that may be overwritten, and
+        if it holds anything else.
+        """
+        target = Path(os.fsdecode(directory))
+        holds_run = (target / "summary.json").exists() or (target / self.file.name).exists()
+        if target.exists() and target.resolve() == self.directory.resolve():
+            return target
+        if target.exists() and not (target.is_dir() and (holds_run or not any(target.iterdir()))):
+            raise _frostfill.CannotCreate(f"'{target}' is there and holds no run: give another folder")
+        if holds_run and not overwrite:
+            raise _frostfill.CannotCreate(
+                f"'{target}' holds a run already: give overwrite=True, or another folder"
+            )
+        try:
+            target.parent.mkdir(parents=True, exist_ok=True)
+            fresh = tempfile.mkdtemp(prefix=f".{target.name}-", dir=target.parent)
+            try:
+                shutil.copytree(self.directory, fresh, dirs_exist_ok=True)
+                os.chmod(fresh, 0o777 & ~_umask())
+                shutil.rmtree(target, ignore_errors=True)
+                os.rename(fresh, target)
+            finally:
+                shutil.rmtree(fresh, ignore_errors=True)
+        except (OSError, ValueError) as error:
+            raise _frostfill.CannotCreate(f"'{target}' cannot be written: {error}") from error
+        return target
+
+    def export(
+        self,
+        path: str | PathLike[str],
+        format: str | None = None,
+        *,
+        frames: str | None = None,
+        overwrite: bool = False,
+    ) -> list[Path]:
+        """Writes the run for other programs, and returns the files, the one to open first.
+
+        Without a format, `path` is a file and its ending says what it is: .vtp, .xyz, .glb, .ply,
+        .csv, .npz, .dump or .data (LAMMPS). With one, such as "vtp" or "glb-instanced", it is a
+        folder. frames: "last", "all" or numbers and ranges such as "0..100:10".
+        """
+        if format is not None:
+            return self.export_into(_text(format, "format"), path, frames or "", overwrite)
+        target = Path(os.fsdecode(path))
+        ending = target.suffix[1:].lower()
+        formats = [f for f in _frostfill.export_formats() if f in (ending, f"lammps-{ending}")]
+        if not formats:
+            raise _frostfill.Usage(
+                f"'{target}' does not say its format: end it in .vtp, .xyz, .glb, .ply, .csv, .npz, "
+                ".dump or .data, or give a folder and a format"
+            )
+        if target.exists() and not overwrite:
+            raise _frostfill.CannotCreate(f"'{target}' is there already: give overwrite=True")
+        target.parent.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryDirectory(prefix=".frostfill-", dir=target.parent) as folder:
+            frames = frames or ("last" if formats[0] == "vtp" else "")
+            files = self.export_into(formats[0], folder, frames, False)
+            return _move_to(target, [file for file in files if file.suffix == f".{ending}"])
+
+    def __repr__(self) -> str:
+        return f"<frostfill.Run of {len(self.radii)} spheres, {len(self)} frames, in {self.directory}>"
+
+
+def _umask():
+    mask = os.umask(0)
+    os.umask(mask)
+    return mask
+
+
+def _text(value, name):
+    if not isinstance(value, str):
+        raise _frostfill.Usage(f"{name} is {value!r}, but it must be a str")
+    return value
+
+
+def _move_to(target, files):
+    """The spheres to the target, and a mesh that belongs to them beside it."""
+    meshes = [file for file in files if file.name.startswith("mesh")]
+    spheres = [file for file in files if file not in meshes]
+    if len(spheres) != 1 or len(meshes) > 1:
+        raise _frostfill.Usage(
+            f"these frames make {len(spheres)} files: give one frame, or a folder and a format"
+        )
+    moved = [target]
+    os.replace(spheres[0], target)
+    for mesh in meshes:
+        moved.append(target.with_name(f"{target.stem}_mesh{target.suffix}"))
+        os.replace(mesh, moved[-1])
+    return moved
+
+
+@takes_options("filling")
+def fill(
+    mesh: str | PathLike[str] | None = None,
+    *,
+    vertices: ArrayLike | None = None,
+    triangles: ArrayLike | None = None,
+    scene: str | PathLike[str] | None = None,
+    out: str | PathLike[str] | None = None,
+    overwrite: bool = False,
+    resume: bool = False,
+    **options,
+) -> Run:
+    """Fills a mesh with spheres, to the end of the run.
+
+    mesh: "torus", "sphere", "cube", "human", or a mesh file. Or give arrays: vertices, numbers
+    [v, 3], and triangles, indices [t, 3]. Or a scene: a scene file, or the summary.json of a run.
+    The mesh is repaired where that can be done; see frostfill.inspect.
+
+    out: a folder for the files of the run, as `frostfill fill` writes them. Without it they are kept
+    only for as long as the run; Run.save keeps them. No pictures are drawn unless `frames` is given.
+    resume: go on with the run in `out`.
+
+    Ctrl-C stops after the step. Raises Error; Postcondition has the attribute `run`.
+
+    >>> fill("torus", cuont=20)
+    Traceback (most recent call last):
+    TypeError: fill() has no keyword 'cuont'; did you mean 'count'?
+    >>> fill("torus", count=-1)
+    Traceback (most recent call last):
+    frostfill.Usage: count is '-1', but it must be a whole number from 1 to 9007199254740992 or none
+    >>> import numpy
+    >>> corners = numpy.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])
+    >>> faces = numpy.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+    >>> len(fill(vertices=corners, triangles=faces, count=12).centres)
+    12
+    """
+    if out is None:
+        if overwrite or resume:
+            raise _frostfill.Usage("overwrite and resume need out, the folder of a run")
+        # A folder of its own, as a run is never written into one that somebody made.
+        folder = tempfile.mkdtemp(prefix="frostfill-")
+        directory = os.path.join(folder, "run")
+    else:
+        folder = None
+        directory = os.fsdecode(out)
+    try:
+        failures = _frostfill.fill_into(
+            directory, mesh, vertices, triangles, scene, overwrite, resume, **options
+        )
+        run = Run(directory)
+    except BaseException:
+        if folder:
+            shutil.rmtree(folder, ignore_errors=True)
+        raise
+    if folder:
+        weakref.finalize(run, shutil.rmtree, folder, ignore_errors=True)
+    for failure in filter(None, failures):
+        error = _frostfill.Postcondition(failure)
+        error.run = run
+        raise error
+    return run
+
+
+def load(path: str | PathLike[str]) -> Run:
+    """Reads a run that was kept: its folder, or its run.frost. Raises InputMissing or BadData.
+
+    >>> load("nowhere")
+    Traceback (most recent call last):
+    frostfill.InputMissing: 'nowhere' is not there: give the directory of a run that was kept, or its run.frost
+    """
+    return Run(path)

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "instruments.hpp"
+
+#include "input.hpp"
+#include "interrupts.hpp"
+
+#include <frostfill/packing.hpp>
+#include <frostfill/volume_estimate.hpp>
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+
+namespace py = pybind11;
+
+namespace frostfill::python
+{
+namespace
+{
+
+/// One radius for all, or one each.
+std::vector<double> radiiOf(const py::object& radii, std::size_t count)
+{
+    py::array array = py::array::ensure(radii);
+    PyErr_Clear();
+    if (array && array.ndim() == 0 && !radii.is_none())
+    {
+        return std::vector<double>(count, readNumbers(array.reshape({1}), "radii").front());
+    }
+    std::vector<double> numbers = readNumbers(radii, "radii");
+    if (numbers.size() != count)
+    {
+        throw Error(ErrorCode::usage,
+                    fmt::format("there are {} centres and {} radii: give one radius for each, or "
+                                "one number for all",
+                                count, numbers.size()));
+    }
+    return numbers;
+}
+
+QualityReport check(const py::object& centres, const py::object& radii, const py::object& mesh,
+                    const py::object& vertices, const py::object& triangles,
+                    const py::object& atRest, const py::kwargs& keywords)
+{
+    Scene scene;
+    GivenKeywords(keywords, OptionUse::judging, "check").apply(scene);
+    Packing packing;
+    packing.centres = readPoints(centres, "centres");
+    packing.radii = radiiOf(radii, packing.centres.size());
+    packing.atRest.assign(packing.centres.size(), true);
+    if (!atRest.is_none())
+    {
+        const auto flags = py::array_t<bool, py::array::c_style>::ensure(atRest);
+        if (!flags || flags.ndim() != 1 ||
+            flags.size() != static_cast<py::ssize_t>(packing.centres.size()))
+        {
+            PyErr_Clear();
+            throw Error(ErrorCode::usage,
+                        "at_rest must be an array of bool with one entry for each sphere");
+        }
+        packing.atRest.assign(flags.data(), flags.data() + flags.size());
+    }
+    const GivenMesh given = readGivenMesh(mesh, vertices, triangles);
+    const py::gil_scoped_release release;
+    return judgePacking(given.load(scene.object.load).mesh, packing, scene.object.up);
+}
+
+/// The mesh as it is read and as it is filled, and the repairs between.
+py::tuple inspect(const py::object& mesh, const py::object& vertices, const py::object& triangles,
+                  const py::kwargs& keywords)
+{
+    Scene scene;
+    GivenKeywords(keywords, OptionUse::loading, "inspect").apply(scene);
+    const GivenMesh given = readGivenMesh(mesh, vertices, triangles);
+    MeshReport asRead;
+    MeshReport filled;
+    std::vector<std::string> repairs;
+    std::optional<Error> refused;
+    {
+        const py::gil_scoped_release release;
+        const TriangleMesh read = given.mesh                  ? *given.mesh
+                                  : isBuiltInMesh(given.name) ? builtInMesh(given.name)
+                                                              : readMeshInCage(given.name);
+        asRead = inspectMesh(read);
+        if (asRead.closed())
+        {
+            asRead = inspectInterior(read);
+        }
+        try
+        {
+            const LoadedMesh loaded = repairMesh(read, given.name, scene.object.load);
+            filled = inspectInterior(loaded.mesh);
+            repairs = loaded.repairs;
+        }
+        catch (const Error& error)
+        {
+            refused = error;
+        }
+    }
+    if (refused)
+    {
+        return py::make_tuple(asRead, py::none(), repairs, std::string(refused->what()));
+    }
+    return py::make_tuple(asRead, filled, repairs, py::none());
+}
+
+VolumeEstimate volume(const py::object& mesh, const py::object& vertices,
+                      const py::object& triangles, const py::kwargs& keywords)
+{
+    const GivenKeywords given(keywords, OptionUse::filling, "volume");
+    const GivenMesh object = readGivenMesh(mesh, vertices, triangles);
+    Scene scene = given.sceneFor(object.name);
+    if (scene.preset == Preset::fast && !given.contains("motion.mode"))
+    {
+        scene.motion.mode = Motion::descend; // nothing is drawn, so the fastest is enough
+    }
+    given.warnOfIgnored(scene.preset);
+    Interrupts interrupts;
+    try
+    {
+        const py::gil_scoped_release release;
+        return estimateVolume(scene, object.load(scene.object.load), interrupts.stopRequested());
+    }
+    catch (const Error&)
+    {
+        interrupts.throwIfHappened();
+        throw;
+    }
+}
+
+} // namespace
+
+void addInstruments(py::module_& module)
+{
+    module.def("check", &check);
+    module.def("inspect", &inspect);
+    module.def("volume", &volume);
+}
+
+} // namespace frostfill::python

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "reports.hpp"
+
+#include <frostfill/simulation.hpp>
+#include <frostfill/volume_estimate.hpp>
+
+#include <fmt/format.h>
+#include <pybind11/eigen.h>
+
+namespace py = pybind11;
+
+namespace frostfill::python
+{
+namespace
+{
+
+/// "<frostfill.NAME a=1 b=2>"
+template <class T>
+void addText(py::class_<T>& report)
+{
+    report.def("__repr__",
+               [](const py::object& self)
+               {
+                   const py::type type = py::type::of(self);
+                   std::string text =
+                       fmt::format("<frostfill.{}", std::string(py::str(type.attr("__name__"))));
+                   for (const auto& [name, value] : py::dict(type.attr("__dict__")))
+                   {
+                       if (PyObject_HasAttrString(value.ptr(), "fget") == 1)
+                       {
+                           text += fmt::format(" {}={}", std::string(py::str(name)),
+                                               std::string(py::str(self.attr(name))));
+                       }
+                   }
+                   return text + ">";
+               });
+}
+
+void addQuality(py::module_& module)
+{
+    py::class_<QualityReport> report(
+        module, "QualityReport",
+        "The quality of a packing. Overlaps are depths over the radius, the smaller of two.");
+    const auto add = [&](const char* name, auto member, const char* help)
+    { report.def_readonly(name, member, help); };
+    using R = QualityReport;
+    add("max_overlap", &R::maxOverlap, "[r] the largest overlap of two spheres");
+    add("mean_overlap", &R::meanOverlap, "[r] over all pairs that touch or overlap");
+    add("max_wall_overlap", &R::maxWallOverlap, "[r] the largest overlap of sphere and mesh");
+    add("centres_outside", &R::centresOutside, "by winding number");
+    add("not_finite", &R::notFinite, "spheres whose place is no number");
+    add("unsupported", &R::unsupported, "spheres at rest whose contacts cannot carry their weight");
+    add("energy_gain", &R::energyGain,
+        "largest growth of the total energy in a step, over that of a fall; 0 without a run");
+    add("energy_excess", &R::energyExcess,
+        "largest excess of the energy over its start plus the work done, over that of a fall; 0 "
+        "without a run");
+    add("restored_discards", &R::restoredDiscards,
+        "times that all discards were taken back; 0 without a run");
+    add("mesh_volume", &R::meshVolume, "[unit^3]");
+    add("sphere_volume", &R::sphereVolume, "[unit^3] of all spheres");
+    add("volume_estimate", &R::volumeEstimate,
+        "[unit^3] of the mesh, as the number of spheres tells it; NaN unless full of equal ones");
+    add("volume_estimate_error", &R::volumeEstimateError, "[unit^3] its uncertainty");
+    addText(report);
+}
+
+void addMeshReport(py::module_& module)
+{
+    py::class_<MeshReport> report(module, "MeshReport",
+                                  "What is known of a mesh. Counts are exact.");
+    const auto add = [&](const char* name, auto member, const char* help)
+    { report.def_readonly(name, member, help); };
+    using R = MeshReport;
+    add("vertices", &R::vertices, "number of vertices");
+    add("triangles", &R::triangles, "number of triangles");
+    add("components", &R::components, "pieces connected through shared edges");
+    add("boundary_edges", &R::boundaryEdges, "edges with one triangle: the rim of a hole");
+    add("non_manifold_edges", &R::nonManifoldEdges, "edges with three triangles or more");
+    add("unbalanced_edges", &R::unbalancedEdges, "those of them whose windings do not cancel");
+    add("inconsistent_edges", &R::inconsistentEdges,
+        "edges whose two triangles have opposite windings");
+    add("degenerate_triangles", &R::degenerateTriangles, "triangles without area");
+    add("duplicate_triangles", &R::duplicateTriangles, "triangles that are there twice");
+    add("unused_vertices", &R::unusedVertices, "vertices without a triangle");
+    add("genus", &R::genus, "handles over all components; of a closed mesh");
+    add("volume", &R::volume, "[unit^3] of the interior; of an open mesh a signed sum");
+    add("area", &R::area, "[unit^2]");
+    add("crossed_triangles", &R::crossedTriangles,
+        "triangles that meet others away from their edges");
+    report
+        .def_property_readonly(
+            "box", [](const R& r) { return py::make_tuple(r.box.min(), r.box.max()); },
+            "the lowest and the highest corner of the mesh's box, each float64 [3]")
+        .def_property_readonly("closed", &R::closed, "whether the windings at every edge cancel");
+    addText(report);
+}
+
+void addVolume(py::module_& module)
+{
+    py::class_<VolumeEstimate> report(module, "VolumeEstimate",
+                                      "An object's volume as its fillings with spheres tell it.");
+    const auto add = [&](const char* name, auto member, const char* help)
+    { report.def_readonly(name, member, help); };
+    using R = VolumeEstimate;
+    add("volume", &R::volume, "[unit^3] the estimate");
+    add("error", &R::error, "[unit^3] its uncertainty");
+    add("mesh_volume", &R::meshVolume, "[unit^3] of the mesh itself, to compare with");
+    add("radius", &R::radius, "[unit] of the coarse spheres; the fine ones have half of it");
+    add("coarse", &R::coarse, "spheres of the radius that fit, a mean over seeds");
+    add("fine", &R::fine, "spheres of half the radius that fit");
+    addText(report);
+}
+
+} // namespace
+
+void addReports(py::module_& module)
+{
+    addQuality(module);
+    addMeshReport(module);
+    addVolume(module);
+}
+
+} // namespace frostfill::python

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "state.hpp"
+
+#include "arrays.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace py = pybind11;
+
+namespace frostfill::python
+{
+namespace
+{
+
+using Pointer = std::shared_ptr<State>;
+
+void addArrays(py::class_<State, Pointer>& state)
+{
+    state
+        .def_property_readonly(
+            "centres", [](const Pointer& s) { return view(s, s->centres); },
+            "float64 [n, 3]: centres of the spheres, in the unit and frame of the mesh. Sphere k "
+            "is "
+            "row k, in order of appearance.")
+        .def_property_readonly(
+            "radii", [](const Pointer& s) { return view(s, s->radii); },
+            "float64 [n]: radii, in the unit of the mesh.")
+        .def_property_readonly(
+            "states", [](const Pointer& s) { return view(s, s->snapshot.states); },
+            "uint8 [n]: 0 running, 1 frozen, 2 discarded; see frostfill.SphereState.")
+        .def_property_readonly(
+            "groups", [](const Pointer& s) { return view(s, s->snapshot.groups); },
+            "uint32 [n]: the group with which a sphere appeared, from 0.")
+        .def_property_readonly(
+            "speeds", [](const Pointer& s) { return view(s, s->snapshot.speeds); },
+            "float32 [n]: mesh units a second; 0 at rest.")
+        .def_property_readonly(
+            "triangle_states", [](const Pointer& s) { return view(s, s->snapshot.polygons); },
+            "uint8 [t]: 0 active, 1 discarded, of the triangles of the simulated mesh.")
+        .def_property_readonly(
+            "changed", [](const Pointer& s) { return view(s, s->snapshot.changed); },
+            "uint32 [c]: ascending ids of the spheres that appeared, moved or changed their state "
+            "since these arrays were last brought up to date. All of them, for the first.")
+        .def_property_readonly(
+            "rotation",
+            [](const Pointer& s)
+            {
+                // Eigen has columns in a row; NumPy gets the transpose of the transpose.
+                return py::object(view(s, s->snapshot.pose.rotation.data(), {3, 3}).attr("T"));
+            },
+            "float64 [3, 3]: of a moved object. A point p of the mesh is at origin + offset + "
+            "rotation @ (p - origin).")
+        .def_property_readonly(
+            "offset", [](const Pointer& s) { return view(s, s->snapshot.pose.offset.data(), {3}); },
+            "float64 [3]: of a moved object, in the unit of the mesh.")
+        .def_property_readonly(
+            "origin", [](const Pointer& s) { return view(s, s->snapshot.origin.data(), {3}); },
+            "float64 [3]: the middle of the mesh's box, in the frame of the mesh.");
+}
+
+} // namespace
+
+void addState(py::module_& module)
+{
+    py::class_<State, Pointer> state(module, "Snapshot", R"(A state of a run: arrays and counts.
+
+Arrays are read-only views of the library's own memory, made without a copy. They stay as they are
+for as long as you keep them; a simulation then takes other memory for its next states.)");
+    addArrays(state);
+    state
+        .def_property_readonly(
+            "time", [](const State& s) { return s.snapshot.time; }, "Simulated time, in seconds.")
+        .def_property_readonly(
+            "step", [](const State& s) { return s.snapshot.step; },
+            "Number of time steps since the start.")
+        .def_property_readonly(
+            "frame", [](const State& s) { return s.frame; },
+            "Number of the frame in a run that was kept; 0 in a simulation.")
+        .def_property_readonly(
+            "set", [](const State& s) { return s.snapshot.set; }, "Index of the newest set.")
+        .def_property_readonly(
+            "running", [](const State& s) { return s.snapshot.running; },
+            "Number of running spheres.")
+        .def_property_readonly(
+            "frozen", [](const State& s) { return s.snapshot.frozen; }, "Number of frozen spheres.")
+        .def_property_readonly(
+            "discarded", [](const State& s) { return s.snapshot.discarded; },
+            "Number of discarded spheres.")
+        .def_property_readonly(
+            "discarded_triangles", [](const State& s) { return s.snapshot.discardedPolygons; },
+            "Number of discarded triangles.")
+        .def("__len__", [](const State& s) { return s.centres.size(); })
+        .def("__repr__",
+             [](const State& s)
+             {
+                 return fmt::format("<frostfill.Snapshot of {} spheres at {:.6g} s: {} running, {} "
+                                    "frozen, {} discarded>",
+                                    s.centres.size(), s.snapshot.time, s.snapshot.running,
+                                    s.snapshot.frozen, s.snapshot.discarded);
+             });
+}
+
+} // namespace frostfill::python

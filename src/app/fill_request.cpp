@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "app/fill_request.hpp"
+
+#include "app/progress/message.hpp"
+
+#include <frostfill/options.hpp>
+
+#include <fmt/format.h>
+
+namespace frostfill
+{
+namespace
+{
+
+/// The preset gives all other settings their defaults, so it is read first.
+Preset requestedPreset(const GivenOptions& given)
+{
+    GivenOptions presetAlone;
+    if (const auto found = given.find("preset"); found != given.end())
+    {
+        presetAlone.insert(*found);
+    }
+    Scene scene;
+    applyGivenOptions(presetAlone, scene);
+    return scene.preset;
+}
+
+} // namespace
+
+Scene requestedScene(const FillArguments& arguments)
+{
+    if (arguments.mesh.empty() && arguments.sceneFile.empty())
+    {
+        throw Error(
+            ErrorCode::usage,
+            "give a MESH (torus, sphere, cube, human or a file), a --scene or a --resume; see "
+            "frostfill fill --help");
+    }
+    Scene scene = arguments.sceneFile.empty()
+                      ? presetScene(requestedPreset(arguments.given), arguments.mesh)
+                      : loadRunScene(arguments.sceneFile);
+    if (!arguments.sceneFile.empty() && !arguments.mesh.empty())
+    {
+        scene.object.mesh = arguments.mesh;
+        scene.name = presetScene(scene.preset, arguments.mesh).name;
+    }
+    applyGivenOptions(arguments.given, scene);
+    if (arguments.sceneFile.empty())
+    {
+        fillUntilFullForARadiusAlone(arguments.given, scene);
+    }
+    return scene;
+}
+
+void warnOfIgnored(const FillArguments& arguments, Preset preset)
+{
+    const std::string ignored = ignoredOptionsText(arguments.given, preset);
+    if (!ignored.empty() && !arguments.quiet)
+    {
+        say(fmt::format("frostfill: warning: {}\n", ignored));
+    }
+}
+
+FillRequest requestOf(const FillArguments& arguments)
+{
+    if (!arguments.resume.empty() && (!arguments.directory.empty() || arguments.overwrite))
+    {
+        throw Error(ErrorCode::usage, "--resume names the directory of the run and keeps what is "
+                                      "in it: omit --out and --overwrite");
+    }
+    if (!arguments.resume.empty() && arguments.mesh.empty() && arguments.sceneFile.empty())
+    {
+        FillRequest request = resumeRequest(arguments.resume);
+        applyGivenOptions(arguments.given, request.scene);
+        return request;
+    }
+    FillRequest request;
+    request.scene = requestedScene(arguments);
+    request.resume = !arguments.resume.empty();
+    const std::string& directory = request.resume ? arguments.resume : arguments.directory;
+    request.directory = directory.empty() ? std::filesystem::path("output") / request.scene.name
+                                          : std::filesystem::path(directory);
+    request.overwrite = arguments.overwrite;
+    request.video = arguments.video;
+    request.contactSheet = arguments.contactSheet;
+    request.cameraPath = arguments.cameraPath;
+    return request;
+}
+
+} // namespace frostfill

@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: MIT
+"""The judge, the inspection and the volumes, against closed forms and the program."""
+import json
+
+import numpy
+from support import FolderCase, frostfill, run_program, unittest
+
+CUBE = numpy.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], float)
+FACES = numpy.array([[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1],
+                     [2, 3, 7], [2, 7, 6], [0, 2, 6], [0, 6, 4], [1, 5, 7], [1, 7, 3]])
+
+
+class Check(FolderCase):
+    def test_finds_what_is_laid_out_by_hand(self):
+        # Two overlap by a fifth, one lies on the ground, one floats, one is outside.
+        centres = [[0.3, 0.1, 0.5], [0.48, 0.1, 0.5], [0.8, 0.1, 0.2], [0.5, 0.5, 0.5], [0.5, 0.5, 3]]
+        report = frostfill.check(centres, 0.1, CUBE, FACES)
+        self.assertAlmostEqual(report.max_overlap, 0.2)
+        self.assertEqual(report.centres_outside, 1)
+        self.assertGreaterEqual(report.unsupported, 1)
+        self.assertAlmostEqual(report.mesh_volume, 1)
+        self.assertAlmostEqual(report.sphere_volume, 5 * 4 / 3 * numpy.pi * 0.001)
+        calm = frostfill.check(centres[2:4], [0.1, 0.1], CUBE, FACES, at_rest=[True, False])
+        self.assertEqual((calm.unsupported, calm.centres_outside), (0, 0))
+
+    def test_says_of_a_run_what_the_program_says(self):
+        run = frostfill.fill("torus", count=80, out=self.folder / "run")
+        said = json.loads(run_program("check", self.folder / "run", "--json"))
+        report = frostfill.check(run.centres, run.radii, run.vertices, run.triangles,
+                                 at_rest=run.states > 0)
+        for ours, theirs in [
+            (report.max_overlap, "max_overlap_over_radius"),
+            (report.max_wall_overlap, "max_wall_overlap_over_radius"),
+            (report.centres_outside, "centres_outside"),
+            (report.unsupported, "unsupported_frozen"),
+        ]:
+            self.assertIn(theirs, said)
+            self.assertAlmostEqual(ours, said[theirs], 12, theirs)
+
+    def test_counts_places_that_are_no_numbers(self):
+        report = frostfill.check([[numpy.nan, 0, 0], [0.5, 0.5, 0.5]], 0.1, CUBE, FACES)
+        self.assertEqual(report.not_finite, 1)
+
+
+class Inspect(unittest.TestCase):
+    def test_knows_the_cube(self):
+        report = frostfill.inspect(vertices=CUBE, triangles=FACES)
+        self.assertTrue(report.as_read.closed)
+        self.assertAlmostEqual(report.filled.volume, 1)
+        self.assertAlmostEqual(report.filled.area, 6)
+        self.assertEqual(report.repairs, [])
+        low, high = report.filled.box
+        self.assertTrue(numpy.array_equal(low, [0, 0, 0]) and numpy.array_equal(high, [1, 1, 1]))
+
+    def test_says_what_is_repaired(self):
+        inside_out = FACES.copy()
+        inside_out[:4] = inside_out[:4, ::-1]
+        report = frostfill.inspect(vertices=CUBE, triangles=inside_out)
+        self.assertFalse(report.as_read.closed)
+        self.assertAlmostEqual(report.filled.volume, 1)
+        self.assertEqual(len(report.repairs), 1)
+
+    def test_says_why_a_mesh_cannot_be_filled_and_what_would_help(self):
+        report = frostfill.inspect(vertices=CUBE, triangles=FACES[:10])
+        self.assertEqual(report.as_read.boundary_edges, 4)
+        self.assertIsNone(report.filled)
+        self.assertIn("lid", report.refusal)
+        closed = frostfill.inspect(vertices=CUBE, triangles=FACES[:10], lid=True)
+        self.assertAlmostEqual(closed.filled.volume, 1)
+
+
+class Volume(unittest.TestCase):
+    def test_of_a_cube_is_known_within_its_uncertainty(self):
+        estimate = frostfill.volume(vertices=CUBE, triangles=FACES, radius=0.06)
+        self.assertAlmostEqual(estimate.mesh_volume, 1)
+        self.assertLess(abs(estimate.volume - 1), 3 * estimate.error)
+        self.assertLess(estimate.error, 0.1)
+        self.assertGreater(estimate.fine, 6 * estimate.coarse)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: MIT
+"""Runs that are kept: saved, loaded, exported, drawn."""
+import json
+
+import numpy
+from support import FolderCase, frostfill, run_program, unittest
+
+
+class Runs(FolderCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.run_ = frostfill.fill("torus", count=60, duration=2, fps=10, seed=7)
+
+    def test_have_a_frame_for_each_of_the_animation(self):
+        run = self.run_
+        self.assertEqual(len(run), len(run.frames))
+        self.assertAlmostEqual(len(run), 20, delta=2)
+        counts = [len(snapshot) for snapshot in run]
+        self.assertEqual(counts, sorted(counts))
+        self.assertEqual(counts[-1], 60)
+        self.assertEqual(len(run.frame(7)), counts[7])
+        self.assertEqual(run.frame(7).frame, 7)
+        self.assertTrue(numpy.array_equal(run.frame(-1).centres, run.centres))
+        with self.assertRaisesRegex(frostfill.Usage, "the run has no frame 999: it has .* 0 to"):
+            run.frame(999)
+
+    def test_are_the_same_after_saving_and_loading(self):
+        saved = self.run_.save(self.folder / "deep" / "torus")
+        loaded = frostfill.load(saved)
+        for name in ("centres", "radii", "states", "groups"):
+            self.assertTrue(numpy.array_equal(getattr(loaded, name), getattr(self.run_, name)))
+        self.assertEqual(loaded.options, self.run_.options)
+        self.assertEqual(loaded.state_hash, self.run_.state_hash)
+        self.assertEqual(json.loads((saved / "summary.json").read_text()), loaded.summary)
+        self.assertEqual(frostfill.load(saved / "run.frost").state_hash, loaded.state_hash)
+        run_program("check", saved)  # the program takes it for a run of its own
+
+    def test_are_not_saved_over_anything_without_being_told_to(self):
+        target = self.folder / "run"
+        self.run_.save(target)
+        with self.assertRaisesRegex(frostfill.CannotCreate, "holds a run already"):
+            self.run_.save(target)
+        self.run_.save(target, overwrite=True)
+        self.assertEqual(frostfill.load(target).state_hash, self.run_.state_hash)
+        letters = self.folder / "letters"
+        letters.mkdir()
+        (letters / "to_mother.txt").write_text("Dear mother")
+        with self.assertRaisesRegex(frostfill.CannotCreate, "holds no run"):
+            self.run_.save(letters, overwrite=True)
+        self.assertEqual([f.name for f in letters.iterdir()], ["to_mother.txt"])
+        self.assertEqual(sorted(f.name for f in self.folder.iterdir()), ["letters", "run"])
+
+    def test_are_repeated_from_their_summary(self):
+        saved = self.run_.save(self.folder / "run")
+        again = frostfill.fill(scene=saved / "summary.json")
+        self.assertEqual(again.state_hash, self.run_.state_hash)
+
+    def test_are_filled_into_a_folder_like_those_of_the_program(self):
+        out = self.folder / "out"
+        frostfill.fill("cube", count=20, out=out)
+        self.assertEqual({f.name for f in out.iterdir()},
+                         {"mesh.ply", "polygons.csv", "run.frost", "sets.csv", "spheres.csv",
+                          "summary.json"})
+        with self.assertRaises(frostfill.CannotCreate):
+            frostfill.fill("cube", count=20, out=out)
+        frostfill.fill("cube", count=10, out=out, overwrite=True)
+        self.assertEqual(len(frostfill.load(out).radii), 10)
+
+    def test_are_exported_to_a_file_by_its_ending_or_to_a_folder_by_a_format(self):
+        run = self.run_
+        files = run.export(self.folder / "torus.vtp")
+        self.assertEqual([f.name for f in files], ["torus.vtp", "torus_mesh.vtp"])
+        self.assertIn(b"<VTKFile", files[0].read_bytes()[:100])
+        for ending in ("xyz", "glb", "ply", "csv", "npz", "dump", "data"):
+            (file,) = run.export(self.folder / f"torus.{ending}")
+            self.assertGreater(file.stat().st_size, 100)
+        arrays = numpy.load(self.folder / "torus.npz")
+        self.assertTrue(numpy.array_equal(arrays["centres"][-1], run.centres))
+        self.assertEqual(run.export(self.folder / "all", "vtp", frames="0,1")[0].name, "run.pvd")
+        with self.assertRaisesRegex(frostfill.CannotCreate, "is there already"):
+            run.export(self.folder / "torus.csv")
+        run.export(self.folder / "torus.csv", overwrite=True)
+        with self.assertRaisesRegex(frostfill.Usage, "does not say its format"):
+            run.export(self.folder / "torus.docx")
+        with self.assertRaisesRegex(frostfill.Usage, "make 2 files"):
+            run.export(self.folder / "two.vtp", frames="0,1")
+        with self.assertRaisesRegex(frostfill.Usage, "did you mean csv"):
+            run.export(self.folder / "folder", "csw")
+
+    def test_are_drawn_into_a_folder(self):
+        drawn = self.run_.draw(self.folder / "pictures", frames="0..9", size=(80, 60))
+        self.assertEqual(drawn, 10)
+        self.assertEqual(len(list((self.folder / "pictures/frames").glob("*.png"))), 10)
+
+    def test_keep_the_options_that_were_given(self):
+        options = self.run_.options
+        self.assertEqual((options["mesh"], options["count"], options["seed"]), ("torus", 60, 7))
+        self.assertEqual((options["fps"], options["duration"]), (10.0, 2.0))
+        self.assertIsNone(options["radius"])
+
+    def test_take_options_in_the_forms_that_python_has(self):
+        options = frostfill.Simulation(
+            "cube", count=numpy.int32(20), radius=(0.05, numpy.float32(0.0625)), size=(64, 48),
+            target=numpy.array([0.0, 0.1, 0.2]), static_layer=False, passes=["depth", "normal"],
+            units="mm", up="z", wrap=None, frames=range(3), colour_frozen="#ff0000").options
+        self.assertEqual(options["radius"], "0.05..0.0625")
+        self.assertEqual((options["size"], options["static_layer"]), ("64x48", "off"))
+        self.assertEqual((options["target"], options["units"]), ((0.0, 0.1, 0.2), 1000.0))
+        self.assertEqual((options["passes"], options["frames"]), ("depth,normal", "0,1,2"))
+        self.assertEqual((options["up"], options["wrap"]), ("z", None))
+        self.assertEqual(options["colour_frozen"], "#ff0000")
+
+
+if __name__ == "__main__":
+    unittest.main()
