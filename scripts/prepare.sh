@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # shellcheck shell=sh disable=SC2154 # root is set by who sources this
-# Sourced by scripts/run and scripts/test, with $root set: installs what is missing and builds.
+# Sourced by the other scripts, with $root set: installs what is missing and builds.
 
 say()
 {
@@ -55,16 +55,20 @@ build_jobs()
     if [ "$by_memory" -lt "$cores" ]; then echo "$by_memory"; else echo "$cores"; fi
 }
 
+# configure_release OPTION...: configures the release preset.
+configure_release()
+{
+    say "Configuring ..."
+    (cd "$root" && cmake --preset release "$@" >&2) || {
+        say "Configuring failed; see above."
+        exit 70
+    }
+}
+
 # build_release TARGET...: configures the release preset unless that is done and builds the targets.
 build_release()
 {
-    if [ ! -f "$root/build/release/build.ninja" ]; then
-        say "Configuring ..."
-        (cd "$root" && cmake --preset release >&2) || {
-            say "Configuring failed; see above."
-            exit 70
-        }
-    fi
+    [ -f "$root/build/release/build.ninja" ] || configure_release
     say "Building ..."
     (cd "$root" && cmake --build --preset release --parallel "$(build_jobs)" --target "$@" >&2) || {
         say "Building failed; see above."

@@ -35,8 +35,10 @@ set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/frostfill)
 foreach(component core render)
     set_target_properties(frostfill_${component} PROPERTIES EXPORT_NAME ${component})
     install(TARGETS frostfill_${component} EXPORT frostfill-${component}
-        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} FILE_SET HEADERS)
-    install(EXPORT frostfill-${component} NAMESPACE frostfill:: DESTINATION ${package_dir})
+        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development
+        FILE_SET HEADERS COMPONENT development)
+    install(EXPORT frostfill-${component} NAMESPACE frostfill:: DESTINATION ${package_dir}
+        COMPONENT development)
 endforeach()
 
 # A static library does not carry the libraries that it uses: the consumer finds and links them.
@@ -46,7 +48,8 @@ if(NOT frostfill_FIND_COMPONENTS)
     set(frostfill_FIND_COMPONENTS core render)
 endif()
 foreach(component IN LISTS frostfill_FIND_COMPONENTS)
-    if(NOT component MATCHES "^(core|render)$")
+    if(NOT component MATCHES "^(core|render|shared)$" OR
+       NOT EXISTS ${CMAKE_CURRENT_LIST_DIR}/frostfill-${component}.cmake)
         set(frostfill_FOUND FALSE)
         set(frostfill_NOT_FOUND_MESSAGE "frostfill has no component ${component}")
         return()
@@ -55,10 +58,15 @@ foreach(component IN LISTS frostfill_FIND_COMPONENTS)
 endforeach()
 
 find_dependency(Eigen3 3.4 NO_MODULE)
-find_dependency(assimp)
-find_dependency(fmt)
-find_dependency(tomlplusplus)
-include(${CMAKE_CURRENT_LIST_DIR}/frostfill-core.cmake)
+if("shared" IN_LIST frostfill_FIND_COMPONENTS)
+    include(${CMAKE_CURRENT_LIST_DIR}/frostfill-shared.cmake)
+endif()
+if("core" IN_LIST frostfill_FIND_COMPONENTS OR "render" IN_LIST frostfill_FIND_COMPONENTS)
+    find_dependency(assimp)
+    find_dependency(fmt)
+    find_dependency(tomlplusplus)
+    include(${CMAKE_CURRENT_LIST_DIR}/frostfill-core.cmake)
+endif()
 if("render" IN_LIST frostfill_FIND_COMPONENTS)
     find_dependency(TBB)
     find_dependency(PkgConfig)
@@ -74,4 +82,32 @@ write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/frostfill-config-ve
 install(FILES
     ${CMAKE_CURRENT_BINARY_DIR}/frostfill-config.cmake
     ${CMAKE_CURRENT_BINARY_DIR}/frostfill-config-version.cmake
-    DESTINATION ${package_dir})
+    DESTINATION ${package_dir} COMPONENT development)
+
+# The same for pkg-config. Paths are relative to the file, so an install may be moved.
+#   frostfill_pkg_config(NAME DESCRIPTION LIBRARY "REQUIRED PACKAGES")
+function(frostfill_pkg_config name description library packages)
+    set(folder ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+    file(RELATIVE_PATH up /${folder} /)
+    file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${name}.pc @ONLY CONTENT [=[
+prefix=${pcfiledir}/@up@
+libdir=${prefix}/@CMAKE_INSTALL_LIBDIR@
+includedir=${prefix}/@CMAKE_INSTALL_INCLUDEDIR@
+
+Name: @name@
+Description: @description@
+Version: @PROJECT_VERSION@
+Requires: @packages@
+Libs: -L${libdir} -l@library@
+Cflags: -I${includedir}
+]=])
+    install(FILES ${CMAKE_CURRENT_BINARY_DIR}/${name}.pc DESTINATION ${folder} COMPONENT development)
+endfunction()
+frostfill_pkg_config(frostfill-core "Frostfill's meshes, scenes and simulation (static)" frostfill_core
+    "eigen3, assimp, fmt, tomlplusplus")
+frostfill_pkg_config(frostfill-render "Frostfill with pictures and files (static)" frostfill_render
+    "frostfill-core, tbb, stb, libdeflate, libisal, libzstd")
+if(FROSTFILL_SHARED)
+    frostfill_pkg_config(frostfill "Fills a closed mesh with falling spheres and renders it"
+        frostfill "eigen3")
+endif()
