@@ -8,6 +8,8 @@ set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
 set(CPACK_PACKAGE_CONTACT "The Frostfill developers <maintainers@frostfill.invalid>" CACHE STRING
     "Maintainer of the packages: NAME <ADDRESS>")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+# The first line of each description below is the summary.
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")
 set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
     OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
@@ -29,10 +31,10 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR}/src)
 
 # Which OpenGL: found at run time, so dpkg-shlibdeps does not see it.
 set(opengl "libosmesa6, libegl1")
-set(does "Frostfill fills a closed triangle mesh with spheres that fall, collide and freeze where
-they come to rest. Spheres and polygons that nothing can touch any more are
-discarded, so a time step costs the same however many spheres there are. It
-draws every frame without a screen.
+set(does "Frostfill fills a closed triangle mesh with spheres that fall, collide and
+freeze where they come to rest. Spheres and polygons that nothing can touch
+any more are discarded, so a time step costs the same however many spheres
+there are. It draws every frame without a screen.
 ")
 
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME frostfill)
