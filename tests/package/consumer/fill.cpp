@@ -4,7 +4,9 @@
 int main()
 {
     using namespace frostfill;
-    FillRequest request{presetScene(Preset::fast, "torus"), "torus"};
+    FillRequest request;
+    request.scene = presetScene(Preset::fast, "torus");
+    request.directory = "torus";
     request.scene.spheres.radius = 0.1;
     request.scene.spheres.count = 20;
     request.scene.frames.selection = "last";
