@@ -40,7 +40,9 @@ std::vector<ExportRequest> exportRequests(const std::filesystem::path& run,
                                           const std::vector<std::string>& formats,
                                           const std::filesystem::path& out)
 {
-    const std::filesystem::path home = std::filesystem::is_directory(run) ? run : run.parent_path();
+    std::error_code none;
+    const std::filesystem::path home =
+        std::filesystem::is_directory(run, none) ? run : run.parent_path();
     std::vector<ExportRequest> requests;
     for (const std::string& name : formats)
     {
