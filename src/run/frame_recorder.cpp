@@ -9,8 +9,8 @@ namespace frostfill
 
 FrameRecorder::FrameRecorder(std::unique_ptr<FramePainter> painter, double smallestRadius,
                              bool lastOnly)
-    : painter_(std::move(painter)), file_(std::make_unique<RunFileWriter>(smallestRadius)),
-      lastOnly_(lastOnly)
+    : file_(std::make_unique<RunFileWriter>(smallestRadius)), lastOnly_(lastOnly),
+      painter_(std::move(painter))
 {
 }
 

@@ -54,7 +54,6 @@ private:
     void capture(const Simulation& simulation, double time);
     [[nodiscard]] FramePainter::State state();
 
-    std::unique_ptr<FramePainter> painter_;
     std::unique_ptr<RunFileWriter> file_;
     bool keeps_ = false; ///< in a file; otherwise places are only rounded as if
     bool lastOnly_;
@@ -69,6 +68,8 @@ private:
     std::array<std::size_t, 3> real_{}; ///< spheres of each that the run has, if falls are drawn
     std::size_t newest_ = 0;            ///< in snapshots_
     bool isGiven_ = true;               ///< the painter has the newest, and may be drawing it
+    /// Goes first: it may be drawing a snapshot when a failed write ends the run.
+    std::unique_ptr<FramePainter> painter_;
 };
 
 } // namespace frostfill

@@ -25,6 +25,17 @@ TEST_F(FailingCalls, LeaveNoCorruptFileAndNoFalseSuccess)
         {{"open", "28"}, {"write", "28"}, {"fsync", "5"}, {"close", "5"}, {"rename", "13"}});
 }
 
+TEST_F(FailingCalls, WhileAPictureIsDrawnEndTheRunInOrder)
+{
+    for (int at = 20; at < 60; ++at)
+    {
+        fs::remove_all(folder_ / "faulty");
+        const Answer answer = runWith({"write", "28"}, at, kTiny + "--out faulty");
+        ASSERT_TRUE(answer.code == 0 || answer.code == 73 || answer.code == 74)
+            << at << ": " << answer.code << " " << answer.errors;
+    }
+}
+
 TEST_F(FailingCalls, AreInvisibleWhenOnlyInterruptedOrShort)
 {
     expectEachIsBorne({{"open", "4"}, {"write", "4"}, {"write", "short"}, {"fsync", "4"}});
