@@ -205,18 +205,9 @@ std::size_t drawRun(const KeptRun& run, const py::object& directory, const py::o
         result = renderRun(request, observer);
     }
     interrupts.throwIfHappened();
-    if (result.blank)
+    if (const auto failure = failureOf(result))
     {
-        throw Error(ErrorCode::postcondition,
-                    fmt::format("the pictures are blank: the camera does not see the object; they "
-                                "are in {}",
-                                result.directory.string()));
-    }
-    if (result.videoFailure)
-    {
-        throw Error(ErrorCode::writeFailed,
-                    fmt::format("{}; the frames are in {}", *result.videoFailure,
-                                result.directory.string()));
+        throw *failure;
     }
     return result.frames;
 }

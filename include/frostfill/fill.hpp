@@ -125,6 +125,10 @@ struct FillResult
 /// a run into the directory. Throws Error; see ErrorCode.
 [[nodiscard]] FillResult fill(const FillRequest& request, const FillObserver& observer = {});
 
+/// What went wrong with a run whose files are written all the same, and where they are; none if
+/// nothing did.
+[[nodiscard]] std::optional<Error> failureOf(const FillResult& result);
+
 /// The request with which the run in a directory was begun, to go on with it. Throws Error
 /// inputMissing if none was kept there, or badData.
 [[nodiscard]] FillRequest resumeRequest(const std::filesystem::path& directory);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <frostfill/error.hpp>
 #include <frostfill/scene.hpp>
 #include <frostfill/shard.hpp>
 
@@ -70,5 +71,9 @@ struct RenderResult
 /// picture that `fill` drew. Throws Error; see ErrorCode.
 [[nodiscard]] RenderResult renderRun(const RenderRequest& request,
                                      const RenderObserver& observer = {});
+
+/// What went wrong with pictures that are written all the same, and where they are; none if nothing
+/// did.
+[[nodiscard]] std::optional<Error> failureOf(const RenderResult& result);
 
 } // namespace frostfill

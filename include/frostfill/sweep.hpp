@@ -5,6 +5,7 @@
 #include <frostfill/shard.hpp>
 #include <frostfill/sweep_file.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -23,6 +24,9 @@ enum class RunStatus : std::uint8_t
     running, ///< in some process, here or on another machine
     missing, ///< never begun; or there is another run in its place
 };
+
+inline constexpr std::array kRunStatuses = {RunStatus::done, RunStatus::failed, RunStatus::stopped,
+                                            RunStatus::running, RunStatus::missing};
 
 /// "done", "failed", "stopped", "running" or "missing".
 [[nodiscard]] const char* statusName(RunStatus status);

@@ -59,15 +59,7 @@ void exportFiles(const std::vector<ExportRequest>& requests, bool quiet)
     for (const ExportRequest& request : requests)
     {
         TaskBar bar;
-        const ExportResult result = exportRun(request,
-                                              [&](std::size_t done, std::size_t all)
-                                              {
-                                                  if (!quiet)
-                                                  {
-                                                      bar.update(done, all, "frames");
-                                                  }
-                                                  return !stopRequested();
-                                              });
+        const ExportResult result = exportRun(request, bar.untilStopped("frames", quiet));
         bar.close();
         if (!quiet)
         {

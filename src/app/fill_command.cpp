@@ -108,11 +108,6 @@ bool hasEnded(const FillRequest& request, const std::string& outcome)
 /// Names are checked before the run. What an earlier run has exported is replaced, as the run is.
 std::vector<ExportRequest> exportsOf(const FillArguments& arguments, const FillRequest& request)
 {
-    if (!arguments.exports.empty() && !isKept(request.scene))
-    {
-        throw Error(ErrorCode::usage, "--export reads the run file: omit --keep-run off, or give "
-                                      "--keep-run on with --frames none");
-    }
     std::vector<ExportRequest> exports =
         exportRequests(request.directory, arguments.exports, request.directory / "export");
     for (ExportRequest& each : exports)
@@ -160,17 +155,9 @@ FillObserver observerOf(FillArguments& arguments, const FillRequest& request, Pr
 /// The exit code of a run that has ended. Throws what failed.
 int outcomeOf(const FillResult& result, const std::optional<Error>& pageFailure)
 {
-    if (result.failure)
+    if (const auto failure = failureOf(result))
     {
-        throw Error(
-            ErrorCode::postcondition,
-            fmt::format("{}; the files are in {}", *result.failure, result.directory.string()));
-    }
-    if (result.videoFailure)
-    {
-        throw Error(ErrorCode::writeFailed,
-                    fmt::format("{}; the frames are in {}", *result.videoFailure,
-                                result.directory.string()));
+        throw *failure;
     }
     if (pageFailure)
     {
@@ -186,6 +173,11 @@ void requireKeptRun(const FillArguments& arguments, const FillRequest& request)
     {
         throw Error(ErrorCode::usage, "--view shows the run file, which this run does not write: "
                                       "add --keep-run on, or omit --view");
+    }
+    if (!arguments.exports.empty() && !isKept(request.scene))
+    {
+        throw Error(ErrorCode::usage, "--export reads the run file: omit --keep-run off, or give "
+                                      "--keep-run on with --frames none");
     }
 }
 

@@ -99,15 +99,7 @@ int importFile(ImportArguments& arguments)
     catchStopSignals();
     runHasBegun();
     TaskBar bar;
-    const ImportResult result = importRun(request,
-                                          [&](std::size_t done, std::size_t all)
-                                          {
-                                              if (!arguments.quiet)
-                                              {
-                                                  bar.update(done, all, "steps");
-                                              }
-                                              return !stopRequested();
-                                          });
+    const ImportResult result = importRun(request, bar.untilStopped("steps", arguments.quiet));
     bar.close();
     if (!arguments.quiet)
     {

@@ -166,18 +166,9 @@ int runRender(RenderArguments& arguments)
     {
         printResult(arguments, result);
     }
-    if (result.blank)
+    if (const auto failure = failureOf(result))
     {
-        throw Error(ErrorCode::postcondition,
-                    fmt::format("the pictures are blank: the camera does not see the object; they "
-                                "are in {}",
-                                result.directory.string()));
-    }
-    if (result.videoFailure)
-    {
-        throw Error(ErrorCode::writeFailed,
-                    fmt::format("{}; the frames are in {}", *result.videoFailure,
-                                result.directory.string()));
+        throw *failure;
     }
     return result.stopped ? static_cast<int>(ErrorCode::stoppedEarly) : 0;
 }

@@ -79,8 +79,7 @@ std::size_t countOf(RunStatus status, const std::vector<RunReport>& reports)
 std::string countsText(const std::vector<RunReport>& reports)
 {
     std::string text;
-    for (const RunStatus status : {RunStatus::done, RunStatus::failed, RunStatus::stopped,
-                                   RunStatus::running, RunStatus::missing})
+    for (const RunStatus status : kRunStatuses)
     {
         if (const std::size_t count = countOf(status, reports); count > 0)
         {

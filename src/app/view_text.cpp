@@ -36,15 +36,7 @@ std::string withoutMotion(const PageRequest& request, const PageResult& result)
 void writePageAloud(const PageRequest& request, bool quiet)
 {
     TaskBar bar;
-    const PageResult result = writePage(request,
-                                        [&](std::size_t done, std::size_t all)
-                                        {
-                                            if (!quiet)
-                                            {
-                                                bar.update(done, all, "frames");
-                                            }
-                                            return !stopRequested();
-                                        });
+    const PageResult result = writePage(request, bar.untilStopped("frames", quiet));
     bar.close();
     if (quiet)
     {

@@ -3,6 +3,7 @@
 #include "output/atomic_file.hpp"
 #include "output/scene_json.hpp"
 #include "run_file/file_of_run.hpp"
+#include "run_file/frame_codec.hpp"
 #include "run_file/kept_frames.hpp"
 #include "scene/frame_selection.hpp"
 
@@ -151,7 +152,7 @@ ExportResult exportRun(const ExportRequest& request, const ExportProgress& progr
     {
         const Snapshot& state = reader.seek(index);
         ExportedFrame frame{reader.frames()[index], state, reader.centres(), reader.radii()};
-        frame.moved = !state.pose.rotation.isIdentity(0) || !state.pose.offset.isZero(0);
+        frame.moved = hasMoved(state.pose);
         exporter->add(frame);
         spheres = state.states.size();
         ++done;

@@ -23,21 +23,10 @@ constexpr double kFurthest = 1 << 27;
 constexpr std::uint8_t kHidden = 3;
 constexpr auto kRunning = static_cast<std::uint8_t>(SphereState::running);
 
-void addIds(ByteWriter& out, const std::vector<std::uint32_t>& ids)
-{
-    out.count(ids.size());
-    std::uint32_t before = 0;
-    for (const std::uint32_t id : ids)
-    {
-        out.count(id - before);
-        before = id;
-    }
-}
-
 } // namespace
 
 FilmEncoder::FilmEncoder(double smallestRadius, double fastest)
-    : step_(std::exp2(std::floor(std::log2(smallestRadius / kStepsPerRadius)))), fastest_(fastest)
+    : step_(gridOf(smallestRadius, kStepsPerRadius)), fastest_(fastest)
 {
 }
 
@@ -108,9 +97,9 @@ void FilmEncoder::add(const Snapshot& state, const std::vector<Eigen::Vector3d>&
     }
     changes_.count(1);
     changes_.count(now.size());
-    addIds(changes_, renewed);
+    changes_.ids(renewed);
     addRenewed(renewed, now);
-    addIds(changes_, changed);
+    changes_.ids(changed);
     for (const std::uint32_t id : changed)
     {
         states_.count(now[id].state);
@@ -170,7 +159,7 @@ void FilmEncoder::addPolygons(const std::vector<PolygonState>& polygons)
             changed.push_back(id);
         }
     }
-    addIds(changes_, changed);
+    changes_.ids(changed);
     polygons_ = polygons;
 }
 

@@ -5,6 +5,7 @@
 #include "page/film_encoder.hpp"
 #include "page/shape_sections.hpp"
 #include "run_file/file_of_run.hpp"
+#include "run_file/kept_frames.hpp"
 
 #include <frostfill/error.hpp>
 #include <frostfill/page.hpp>
@@ -41,13 +42,7 @@ public:
         : request_(request), progress_(progress), reader_(file),
           head_(readHead(reader_.head(), file.string())), view_(pageView(head_, reader_.mesh()))
     {
-        if (reader_.frames().empty())
-        {
-            throw Error(ErrorCode::badData,
-                        fmt::format("'{}' has no frame yet: its run was killed as it began; "
-                                    "resume it with frostfill fill --resume",
-                                    file.string()));
-        }
+        requireFrames(reader_, file);
         fastest_ = fastestColour(head_, view_);
         shape_ = shapeSections(reader_.mesh(), view_.framing);
         sets_ = textOf(file.parent_path() / "sets.csv");

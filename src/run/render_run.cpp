@@ -184,6 +184,40 @@ EarlierRun earlierPictures(const RenderRequest& request)
                                 : EarlierRun::refuse;
 }
 
+/// What the run file says before a picture is drawn.
+RenderResult resultOf(RunFileReader& reader, const std::filesystem::path& directory)
+{
+    RenderResult result;
+    result.directory = directory;
+    result.ended = reader.summary().has_value();
+    result.wholeBytes = reader.wholeBytes();
+    result.fileBytes = reader.fileBytes();
+    result.keptFrames = KeptFrames(reader).count();
+    return result;
+}
+
+/// Where the pictures go. Throws Error usage for the directory of the run itself.
+std::filesystem::path directoryOf(const RenderRequest& request, const std::filesystem::path& file)
+{
+    const std::filesystem::path home = file.parent_path().empty() ? "." : file.parent_path();
+    std::filesystem::path directory =
+        request.directory.empty() ? home / "render" : request.directory;
+    std::error_code none;
+    if (std::filesystem::equivalent(directory, home, none))
+    {
+        throw Error(ErrorCode::usage,
+                    fmt::format("{} is the directory of the run itself; give another one with "
+                                "--out",
+                                directory.string()));
+    }
+    if (request.gather && !std::filesystem::is_directory(directory / "frames", none))
+    {
+        throw Error(ErrorCode::inputMissing,
+                    fmt::format("{} has no pictures to gather", directory.string()));
+    }
+    return directory;
+}
+
 /// Draws all frames. Returns whether it was stopped.
 bool drawFrames(FramePainter& painter, RunFileReader& reader, KeptFrames& frames,
                 const RenderObserver& observer)
@@ -225,13 +259,7 @@ RenderResult renderRun(const RenderRequest& request, const RenderObserver& obser
     const std::filesystem::path file = fileOfRun(request.run);
     RunFileReader reader(file);
     const RunHead head = readHead(reader.head(), file.string());
-    if (reader.frames().empty())
-    {
-        throw Error(ErrorCode::badData,
-                    fmt::format("'{}' has no frame yet: its run was killed as it began; resume it "
-                                "with frostfill fill --resume",
-                                file.string()));
-    }
+    requireFrames(reader, file);
     Scene scene = head.scene;
     scene.frames.enabled = true;
     if (request.change)
@@ -239,17 +267,7 @@ RenderResult renderRun(const RenderRequest& request, const RenderObserver& obser
         request.change(scene);
     }
     validateScene(scene);
-    const std::filesystem::path home = file.parent_path().empty() ? "." : file.parent_path();
-    const std::filesystem::path directory =
-        request.directory.empty() ? home / "render" : request.directory;
-    std::error_code none;
-    if (std::filesystem::equivalent(directory, home, none))
-    {
-        throw Error(ErrorCode::usage,
-                    fmt::format("{} is the directory of the run itself; give another one with "
-                                "--out",
-                                directory.string()));
-    }
+    const std::filesystem::path directory = directoryOf(request, file);
     const std::optional<CameraPath> path = cameraPath(request, head, scene);
     KeptFrames frames(reader);
     const double duration = path ? path->duration() : 0;
@@ -259,22 +277,11 @@ RenderResult renderRun(const RenderRequest& request, const RenderObserver& obser
     {
         pictures = countPictures(file, scene, pictures.stride, duration);
     }
-    if (request.gather && !std::filesystem::is_directory(directory / "frames", none))
-    {
-        throw Error(ErrorCode::inputMissing,
-                    fmt::format("{} has no pictures to gather", directory.string()));
-    }
-
     if (request.dryRun)
     {
         RunDirectory::check(directory, earlierPictures(request));
         const auto [first, end] = request.shard.range(pictures.count);
-        RenderResult plan;
-        plan.directory = directory;
-        plan.ended = reader.summary().has_value();
-        plan.wholeBytes = reader.wholeBytes();
-        plan.fileBytes = reader.fileBytes();
-        plan.keptFrames = frames.count();
+        RenderResult plan = resultOf(reader, directory);
         plan.allFrames = pictures.count;
         plan.frames = end - first;
         return plan;
@@ -299,12 +306,7 @@ RenderResult renderRun(const RenderRequest& request, const RenderObserver& obser
     painter.keepEvery(pictures.stride);
     place.begin();
 
-    RenderResult result;
-    result.directory = directory;
-    result.ended = reader.summary().has_value();
-    result.wholeBytes = reader.wholeBytes();
-    result.fileBytes = reader.fileBytes();
-    result.keptFrames = frames.count();
+    RenderResult result = resultOf(reader, directory);
     result.stopped = drawFrames(painter, reader, frames, observer);
     result.allFrames = painter.count();
     result.frames = painter.count() - painter.others();

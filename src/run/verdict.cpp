@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "run/verdict.hpp"
 
+#include <frostfill/render_run.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +12,7 @@ namespace frostfill
 namespace
 {
 
+constexpr const char* kBlank = "the pictures are blank: the camera does not see the object";
 constexpr const char* kLookAtMesh = "`frostfill mesh` tells whether the mesh crosses itself";
 
 std::string spheres(std::size_t count)
@@ -99,7 +102,39 @@ std::optional<std::string> findFault(const Scene& scene, const FillResult& resul
     }
     if (blankPictures)
     {
-        return "the pictures are blank: the camera does not see the object";
+        return kBlank;
+    }
+    return std::nullopt;
+}
+
+std::optional<Error> failureOf(const FillResult& result)
+{
+    const std::string directory = result.directory.string();
+    if (result.failure)
+    {
+        return Error(ErrorCode::postcondition,
+                     fmt::format("{}; the files are in {}", *result.failure, directory));
+    }
+    if (result.videoFailure)
+    {
+        return Error(ErrorCode::writeFailed,
+                     fmt::format("{}; the frames are in {}", *result.videoFailure, directory));
+    }
+    return std::nullopt;
+}
+
+std::optional<Error> failureOf(const RenderResult& result)
+{
+    const std::string directory = result.directory.string();
+    if (result.blank)
+    {
+        return Error(ErrorCode::postcondition,
+                     fmt::format("{}; they are in {}", kBlank, directory));
+    }
+    if (result.videoFailure)
+    {
+        return Error(ErrorCode::writeFailed,
+                     fmt::format("{}; the frames are in {}", *result.videoFailure, directory));
     }
     return std::nullopt;
 }

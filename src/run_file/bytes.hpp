@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace frostfill
 {
@@ -44,6 +45,17 @@ public:
     void difference(std::int64_t value)
     {
         count((static_cast<std::uint64_t>(value) << 1) ^ static_cast<std::uint64_t>(value >> 63));
+    }
+    /// Ascending ids: how many, then each as the difference from the one before.
+    void ids(const std::vector<std::uint32_t>& ids)
+    {
+        count(ids.size());
+        std::uint32_t before = 0;
+        for (const std::uint32_t id : ids)
+        {
+            count(id - before);
+            before = id;
+        }
     }
     [[nodiscard]] std::string& bytes() { return bytes_; }
     [[nodiscard]] const std::string& bytes() const { return bytes_; }

@@ -32,6 +32,11 @@ inline constexpr std::uint64_t kIsRepeated = 2;
     return static_cast<float>(kUnseen * radius);
 }
 
+[[nodiscard]] inline bool hasMoved(const Pose& pose)
+{
+    return !pose.rotation.isIdentity(0) || !pose.offset.isZero(0);
+}
+
 /// Goes through the tracks of the frame before along with ascending ids.
 class TrackFinder
 {
@@ -51,9 +56,11 @@ private:
     std::size_t at_ = 0;
 };
 
-/// The grid to which places of moving spheres are rounded: a power of two, at most a ten
-/// thousandth of the smallest radius, so that a rounded place is a float's exact value.
-[[nodiscard]] double gridOf(double smallestRadius);
+inline constexpr double kGridsInARadius = 10000;
+
+/// The grid to which places of moving spheres are rounded: a power of two, so that a rounded place
+/// is a float's exact value, and at least this many in the smallest radius.
+[[nodiscard]] double gridOf(double smallestRadius, double stepsInARadius = kGridsInARadius);
 
 /// Where pictures see a sphere at rest.
 [[nodiscard]] Eigen::Vector3f placeInPictures(const Eigen::Vector3d& exact,

@@ -10,7 +10,6 @@ namespace frostfill
 namespace
 {
 
-constexpr double kGridsInARadius = 10000;
 constexpr int kSpeedBits = 12; ///< of a float's 23 that speeds lose
 
 float rounded(float speed)
@@ -21,23 +20,11 @@ float rounded(float speed)
     return std::isfinite(result) ? result : speed;
 }
 
-/// Ascending ids, each as the difference from the one before.
-void putIds(const std::vector<std::uint32_t>& ids, ByteWriter& out)
-{
-    out.count(ids.size());
-    std::uint32_t before = 0;
-    for (const std::uint32_t id : ids)
-    {
-        out.count(id - before);
-        before = id;
-    }
-}
-
 } // namespace
 
-double gridOf(double smallestRadius)
+double gridOf(double smallestRadius, double stepsInARadius)
 {
-    return std::exp2(std::floor(std::log2(smallestRadius / kGridsInARadius)));
+    return std::exp2(std::floor(std::log2(smallestRadius / stepsInARadius)));
 }
 
 Eigen::Vector3f placeInPictures(const Eigen::Vector3d& exact, const Eigen::Vector3d& origin)
@@ -47,7 +34,7 @@ Eigen::Vector3f placeInPictures(const Eigen::Vector3d& exact, const Eigen::Vecto
 
 void FrameEncoder::encode(Snapshot& snapshot, const RunFileWriter::Exact& exact, ByteWriter& out)
 {
-    const bool hasPose = !snapshot.pose.rotation.isIdentity(0) || !snapshot.pose.offset.isZero(0);
+    const bool hasPose = hasMoved(snapshot.pose);
     time_ = snapshot.time;
     step_ = snapshot.step;
     set_ = snapshot.set;
@@ -159,7 +146,7 @@ void FrameEncoder::sortChanges(Snapshot& snapshot, const RunFileWriter::Exact& e
 void FrameEncoder::encodeRenewed(const Snapshot& snapshot, ByteWriter& out) const
 {
     out.count(snapshot.states.size());
-    putIds(renewed_, out);
+    out.ids(renewed_);
     for (const std::uint32_t id : renewed_)
     {
         out.raw(radii_[id]);
@@ -174,7 +161,7 @@ void FrameEncoder::encodeRenewed(const Snapshot& snapshot, ByteWriter& out) cons
 
 void FrameEncoder::encodeMoving(Snapshot& snapshot, ByteWriter& out)
 {
-    putIds(running_, out);
+    out.ids(running_);
     std::vector<Track> now;
     now.reserve(running_.size());
     TrackFinder find(moving_);
@@ -199,13 +186,13 @@ void FrameEncoder::encodeMoving(Snapshot& snapshot, ByteWriter& out)
         snapshot.speeds[id] = rounded(snapshot.speeds[id]);
         out.raw(snapshot.speeds[id]);
     }
-    putIds(waiting_, out);
+    out.ids(waiting_);
     moving_ = std::move(now);
 }
 
 void FrameEncoder::encodeSettled(const RunFileWriter::Exact& exact, ByteWriter& out) const
 {
-    putIds(settled_, out);
+    out.ids(settled_);
     for (int axis = 0; axis < 3; ++axis)
     {
         for (const std::uint32_t id : settled_)
@@ -213,7 +200,7 @@ void FrameEncoder::encodeSettled(const RunFileWriter::Exact& exact, ByteWriter& 
             out.raw(exact(id).centre[axis]);
         }
     }
-    putIds(discarded_, out);
+    out.ids(discarded_);
 }
 
 void FrameEncoder::encodePolygons(const Snapshot& snapshot, ByteWriter& out)
@@ -235,7 +222,7 @@ void FrameEncoder::encodePolygons(const Snapshot& snapshot, ByteWriter& out)
     {
         polygons_[polygon] = snapshot.polygons[polygon];
     }
-    putIds(turned, out);
+    out.ids(turned);
 }
 
 } // namespace frostfill

@@ -1,8 +1,23 @@
 // SPDX-License-Identifier: MIT
 #include "run_file/kept_frames.hpp"
 
+#include <frostfill/error.hpp>
+
+#include <fmt/format.h>
+
 namespace frostfill
 {
+
+void requireFrames(const RunFileReader& reader, const std::filesystem::path& file)
+{
+    if (reader.frames().empty())
+    {
+        throw Error(ErrorCode::badData,
+                    fmt::format("'{}' has no frame yet: its run was killed as it began; resume it "
+                                "with frostfill fill --resume",
+                                file.string()));
+    }
+}
 
 KeptFrames::KeptFrames(RunFileReader& reader)
     : reader_(reader), numbers_(reader.frames()), ended_(reader.summary().has_value())

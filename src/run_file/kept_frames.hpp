@@ -4,10 +4,14 @@
 #include <frostfill/run_file.hpp>
 
 #include <cstddef>
+#include <filesystem>
 #include <vector>
 
 namespace frostfill
 {
+
+/// Throws Error badData for the file of a run that was killed before its first frame.
+void requireFrames(const RunFileReader& reader, const std::filesystem::path& file);
 
 /// The frames of a run file as the recorder saw them: those of the animation, and behind them, once
 /// the run has ended, the last state under the next number. That is nearly always the state of the

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "sweep/run_record.hpp"
+
 #include <frostfill/failure.hpp>
 #include <frostfill/sweep.hpp>
 
@@ -29,14 +31,9 @@ constexpr int kPatience = 100; // between two looks whether to stop [ms]
 
 RunReport reportOf(const FillResult& result)
 {
-    if (result.failure)
+    if (const auto failure = failureOf(result))
     {
-        return {RunStatus::failed, static_cast<int>(ErrorCode::postcondition),
-                fmt::format("{}; the files are in {}", *result.failure, result.directory.string())};
-    }
-    if (result.videoFailure)
-    {
-        return {RunStatus::failed, static_cast<int>(ErrorCode::writeFailed), *result.videoFailure};
+        return failed(*failure);
     }
     if (result.stopped)
     {
@@ -44,11 +41,6 @@ RunReport reportOf(const FillResult& result)
                 fmt::format("stopped with {} of {} spheres", result.spheres, result.wanted)};
     }
     return {RunStatus::done, 0, ""};
-}
-
-RunReport failure(ErrorCode code, const std::string& message)
-{
-    return {RunStatus::failed, static_cast<int>(code), message};
 }
 
 /// How the process ended, if it could not say so itself.
@@ -61,9 +53,15 @@ RunReport reportOf(int status)
                 fmt::format("its process was ended by a signal: {}{}", strsignal(signal),
                             signal == SIGKILL ? "; perhaps there was not enough memory" : "")};
     }
-    return failure(
+    return failed(Error(
         ErrorCode::postcondition,
-        fmt::format("its process ended without a word, with exit code {}", WEXITSTATUS(status)));
+        fmt::format("its process ended without a word, with exit code {}", WEXITSTATUS(status))));
+}
+
+RunReport noProcess()
+{
+    return failed(Error(ErrorCode::outOfMemory,
+                        fmt::format("cannot start a process: {}", std::strerror(errno))));
 }
 
 [[noreturn]] void runInChild(const FillRequest& request, const FillObserver& observer, int pipe,
@@ -124,7 +122,7 @@ RunReport runHere(const FillRequest& request, const FillObserver& observer)
     catch (...)
     {
         const Failure why = currentFailure();
-        return failure(why.code, why.message);
+        return failed(Error(why.code, why.message));
     }
 }
 
@@ -133,8 +131,7 @@ RunReport runApart(const FillRequest& request, const FillObserver& observer)
     std::array<int, 2> pipes{};
     if (pipe2(pipes.data(), O_CLOEXEC) != 0)
     {
-        return failure(ErrorCode::outOfMemory,
-                       fmt::format("cannot start a process: {}", std::strerror(errno)));
+        return noProcess();
     }
     std::fflush(nullptr); // or the child prints it once more
     const pid_t parent = getpid();
@@ -148,8 +145,7 @@ RunReport runApart(const FillRequest& request, const FillObserver& observer)
     if (child < 0)
     {
         close(pipes[0]);
-        return failure(ErrorCode::outOfMemory,
-                       fmt::format("cannot start a process: {}", std::strerror(errno)));
+        return noProcess();
     }
     const std::string text = readAll(pipes[0], child, observer.stopRequested);
     close(pipes[0]);

@@ -27,8 +27,7 @@ std::string hostName()
 
 std::optional<RunStatus> statusOf(const std::string& name)
 {
-    for (const RunStatus status : {RunStatus::done, RunStatus::failed, RunStatus::stopped,
-                                   RunStatus::running, RunStatus::missing})
+    for (const RunStatus status : kRunStatuses)
     {
         if (name == statusName(status))
         {

@@ -10,6 +10,11 @@
 namespace frostfill
 {
 
+[[nodiscard]] inline RunReport failed(const Error& error)
+{
+    return {RunStatus::failed, static_cast<int>(error.code()), error.what()};
+}
+
 /// What a sweep notes beside the files of a run, in sweep.json: a run that was refused writes
 /// nothing else.
 struct RunNote

@@ -52,6 +52,12 @@ bool isOf(const Json& summary, const Scene& scene, const std::string& runHash)
     }
 }
 
+bool hasReachedItsEnd(const Json& summary)
+{
+    const auto outcome = summary.find("outcome");
+    return outcome != summary.end() && (*outcome == "full" || *outcome == "count reached");
+}
+
 std::size_t picturesIn(const std::filesystem::path& folder)
 {
     std::error_code none;
@@ -108,11 +114,10 @@ const char* statusName(RunStatus status)
 std::string RunHashes::of(const Scene& scene)
 {
     std::string asked = scene.object.mesh;
-    for (const char* key : {"object.lid", "object.wrap", "object.unite"})
+    for (const Option* option : optionsFor(OptionUse::loading))
     {
-        const Option& option = *findOption(key);
         asked += '\n';
-        asked += optionText(option, option.get(scene));
+        asked += optionText(*option, option->get(scene));
     }
     if (asked != known_)
     {
@@ -125,8 +130,7 @@ std::string RunHashes::of(const Scene& scene)
 bool isComplete(const Scene& scene, const std::string& runHash, const std::filesystem::path& folder)
 {
     const Json summary = summaryIn(folder);
-    const std::string outcome = outcomeOfRun(folder);
-    return (outcome == "full" || outcome == "count reached") && isOf(summary, scene, runHash) &&
+    return hasReachedItsEnd(summary) && isOf(summary, scene, runHash) &&
            hasItsFiles(summary, scene, folder);
 }
 

@@ -34,38 +34,30 @@ FillRequest fillRequest(const SweepRequest& sweep, const SweepRun& run, const st
     return request;
 }
 
-/// Does a run that this process holds.
+/// Does a run that this process holds. Throws Error when it cannot begin or cannot be noted.
 RunReport doRun(const SweepRequest& sweep, const SweepRun& run, const std::string& runHash,
                 const SweepObserver& observer)
 {
     const std::filesystem::path folder = sweep.directory / run.name;
     const auto start = std::chrono::steady_clock::now();
-    try
-    {
-        const FillRequest request = fillRequest(sweep, run, runHash);
-        RunNote note;
-        note.runHash = runHash;
-        note.report.status = RunStatus::running;
-        writeNote(folder, note);
-        FillObserver fillObserver;
-        fillObserver.progressed = observer.progressed;
-        fillObserver.stopRequested = observer.stopRequested;
-        note.report = sweep.runOnce(request, fillObserver);
-        note.seconds =
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        writeNote(folder, note);
-        return note.report;
-    }
-    catch (const Error& error)
-    {
-        return {RunStatus::failed, static_cast<int>(error.code()), error.what()};
-    }
+    const FillRequest request = fillRequest(sweep, run, runHash);
+    RunNote note;
+    note.runHash = runHash;
+    note.report.status = RunStatus::running;
+    writeNote(folder, note);
+    FillObserver fillObserver;
+    fillObserver.progressed = observer.progressed;
+    fillObserver.stopRequested = observer.stopRequested;
+    note.report = sweep.runOnce(request, fillObserver);
+    note.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    writeNote(folder, note);
+    return note.report;
 }
 
 /// A mesh that cannot be used fails every run that is filled with it.
 RunReport failedBefore(const std::filesystem::path& folder, const Error& error)
 {
-    const RunReport report = {RunStatus::failed, static_cast<int>(error.code()), error.what()};
+    const RunReport report = failed(error);
     try
     {
         const Claim claim(folder);
@@ -106,7 +98,7 @@ RunReport claimAndDo(const SweepRequest& sweep, const SweepRun& run, const std::
     }
     catch (const Error& error)
     {
-        return {RunStatus::failed, static_cast<int>(error.code()), error.what()};
+        return failed(error);
     }
 }
 
@@ -177,7 +169,7 @@ std::vector<RunReport> lookAtSweep(const SweepRequest& request)
         }
         catch (const Error& error)
         {
-            reports.push_back({RunStatus::failed, static_cast<int>(error.code()), error.what()});
+            reports.push_back(failed(error));
         }
     }
     return reports;

@@ -24,7 +24,7 @@ room(mesh/repair mesh mesh/interior mesh/skin geometry)
 room(mesh/files base mesh mesh/repair)
 room(view)
 room(scene ${mesh} view)
-room(scene/options scene ${mesh} view)
+room(scene/options base scene ${mesh} view)
 room(snapshot)
 
 room(simulation mesh scene snapshot)

@@ -2,6 +2,7 @@
 #include "app/progress/progress.hpp"
 
 #include "app/progress/message.hpp"
+#include "app/progress/stop_signals.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -104,6 +105,18 @@ void TaskBar::update(double share, const std::string& text, const std::string& w
     {
         line_.show(share, fmt::format("{}, {} left, {}", text, line_.left(share), what));
     }
+}
+
+std::function<bool(std::size_t, std::size_t)> TaskBar::untilStopped(const char* what, bool quiet)
+{
+    return [this, what, quiet](std::size_t done, std::size_t all)
+    {
+        if (!quiet)
+        {
+            update(done, all, what);
+        }
+        return !stopRequested();
+    };
 }
 
 } // namespace frostfill

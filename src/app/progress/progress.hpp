@@ -4,7 +4,9 @@
 #include <frostfill/fill.hpp>
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 
 namespace frostfill
@@ -56,6 +58,10 @@ public:
     void update(std::size_t done, std::size_t all, const std::string& what);
     /// `share` of the work is done (0..1). `text` precedes the time left and `what` follows it.
     void update(double share, const std::string& text, const std::string& what);
+    /// For work that asks after each part, telling the parts done and all of them, whether to go
+    /// on: shows them, unless quiet, until a signal asks to stop.
+    [[nodiscard]] std::function<bool(std::size_t, std::size_t)> untilStopped(const char* what,
+                                                                             bool quiet);
     void close() { line_.close(); }
 
 private:

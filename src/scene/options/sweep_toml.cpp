@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "base/fnv_hash.hpp"
 #include "scene/options/file_values.hpp"
 
 #include <frostfill/error.hpp>
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdint>
 #include <set>
 
 namespace frostfill
@@ -114,19 +114,16 @@ std::string inName(const std::string& text)
     return name;
 }
 
-/// FNV-1a [Fowler, Noll & Vo 1991] of what does not fit into a name.
+/// A hash stands for what does not fit into a name.
 std::string shortened(const std::string& name)
 {
     if (name.size() <= kLongestName)
     {
         return name;
     }
-    std::uint64_t hash = 0xcbf29ce484222325ULL;
-    for (const char letter : name)
-    {
-        hash = (hash ^ static_cast<std::uint8_t>(letter)) * 0x100000001b3ULL;
-    }
-    return fmt::format("{}-{:016x}", name.substr(0, kLongestName - 17), hash);
+    FnvHash hash;
+    hash.add(name);
+    return fmt::format("{}-{:016x}", name.substr(0, kLongestName - 17), hash.value());
 }
 
 /// The run whose value on each axis has this place in its list.
