@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "run/verdict.hpp"
 
+#include <frostfill/render_run.hpp>
+
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -112,6 +114,31 @@ TEST(Verdict, BlamesBlankPicturesLast)
 {
     const Scene scene = presetScene(Preset::fast, "cube");
     EXPECT_TRUE(contains(findFault(scene, goodResult(), true).value_or(""), "blank"));
+}
+
+TEST(FailureOf, ARunIsItsPostconditionBeforeItsVideoAndNamesTheFolder)
+{
+    FillResult result = goodResult();
+    result.directory = "out";
+    EXPECT_FALSE(failureOf(result));
+    result.videoFailure = "no ffmpeg";
+    ASSERT_TRUE(failureOf(result));
+    EXPECT_EQ(failureOf(result)->code(), ErrorCode::writeFailed);
+    EXPECT_STREQ(failureOf(result)->what(), "no ffmpeg; the frames are in out");
+    result.failure = "two spheres overlap";
+    EXPECT_EQ(failureOf(result)->code(), ErrorCode::postcondition);
+    EXPECT_STREQ(failureOf(result)->what(), "two spheres overlap; the files are in out");
+}
+
+TEST(FailureOf, PicturesIsThatTheyAreBlankBeforeTheirVideo)
+{
+    RenderResult result;
+    result.directory = "out";
+    EXPECT_FALSE(failureOf(result));
+    result.videoFailure = "no ffmpeg";
+    EXPECT_EQ(failureOf(result)->code(), ErrorCode::writeFailed);
+    result.blank = true;
+    EXPECT_EQ(failureOf(result)->code(), ErrorCode::postcondition);
 }
 
 } // namespace

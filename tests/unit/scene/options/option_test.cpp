@@ -43,6 +43,38 @@ TEST(Options, GiveBackOnTheCommandLineWhatTheyAre)
     }
 }
 
+std::set<std::string> keysFor(OptionUse use)
+{
+    std::set<std::string> keys;
+    for (const Option* option : optionsFor(use))
+    {
+        EXPECT_TRUE(keys.insert(option->key).second) << option->key;
+    }
+    return keys;
+}
+
+TEST(Options, OfEachUseAreThePartOfTheTableThatChangesItsResult)
+{
+    EXPECT_EQ(keysFor(OptionUse::filling).size(), sceneOptions().size());
+    const std::set<std::string> loading = {"object.lid", "object.unite", "object.wrap"};
+    EXPECT_EQ(keysFor(OptionUse::loading), loading);
+    std::set<std::string> judging = loading;
+    judging.insert("object.up");
+    EXPECT_EQ(keysFor(OptionUse::judging), judging);
+
+    const std::set<std::string> pictures = keysFor(OptionUse::pictures);
+    for (const char* key : {"frames.which", "picture.style", "camera.azimuth", "camera.turntable"})
+    {
+        EXPECT_TRUE(pictures.contains(key)) << key;
+    }
+    // What decides which states there are cannot change any more when the run is over.
+    for (const char* key : {"frames.slow_motion", "frames.duration", "frames.keep_run",
+                            "spheres.count", "object.lid", "motion.mode"})
+    {
+        EXPECT_FALSE(pictures.contains(key)) << key;
+    }
+}
+
 TEST(Options, TakeWordsForNumbersAndForNothing)
 {
     Scene scene;
