@@ -2,7 +2,7 @@
 // What a frame takes: to memory with the static layer, with everything redrawn, with the shell; and
 // to PNG files, beside a naive pipeline. Milliseconds and frames a second of one run on this
 // machine. Run it by hand on an idle machine:
-// build/release/tests/benchmark/benchmark_render [--samples 4] [--quick] [--opengl]
+// build/release/tests/benchmark/benchmark_render [--samples 4] [--quick] [--opengl] [--only WORD]
 // `--opengl` draws with OpenGL what is otherwise drawn without it.
 
 #include "benchmark/naive_pipeline.hpp"
@@ -71,6 +71,7 @@ struct Options
     int samples = 1;
     bool quick = false;
     bool openGl = false;
+    std::string only; ///< part of the names of what is measured
 };
 
 RenderSettings settingsFor(const Options& options)
@@ -177,23 +178,40 @@ void run(const Options& options)
 {
     fmt::print("1280x720, {} sample(s) a pixel\n{:46} {:>10} {:>10} {:>10}\n", options.samples, "",
                "best ms", "median ms", "all cores");
-    print("10k frozen + 20 running, to memory", frameToMemory(options, 10000, 20, 0));
-    print("the same with a legend", frameToMemory(options, 10000, 20, 0, true));
-    print("10k frozen + 200 running", frameToMemory(options, 10000, 200, 0));
-    print("100k frozen + 20 running", frameToMemory(options, 100000, 20, 0));
-    print("10k + 20 and a shell of 5,292 triangles", frameToMemory(options, 10000, 20, 21));
-    print("the same with a legend: a default picture", frameToMemory(options, 10000, 20, 21, true));
-    print("10k, default picture, camera moves", everythingRedrawn(options, 10000, true, 21));
-    print("1M, default picture, camera moves", everythingRedrawn(options, 1000000, true, 21));
-    compareFiles(options);
-    print("10k, camera moves", everythingRedrawn(options, 10000, true));
-    print("10k, camera moves, layer off", everythingRedrawn(options, 10000, false));
-    print("100k, camera moves", everythingRedrawn(options, 100000, true));
-    print("100k, camera moves, layer off", everythingRedrawn(options, 100000, false));
+    const auto measure = [&](const std::string& what, const auto& work)
+    {
+        if (what.find(options.only) != std::string::npos)
+        {
+            print(what, work());
+        }
+    };
+    measure("10k frozen + 20 running, to memory",
+            [&] { return frameToMemory(options, 10000, 20, 0); });
+    measure("the same with a legend", [&] { return frameToMemory(options, 10000, 20, 0, true); });
+    measure("10k frozen + 200 running", [&] { return frameToMemory(options, 10000, 200, 0); });
+    measure("100k frozen + 20 running", [&] { return frameToMemory(options, 100000, 20, 0); });
+    measure("10k + 20 and a shell of 5,292 triangles",
+            [&] { return frameToMemory(options, 10000, 20, 21); });
+    measure("the same with a legend: a default picture",
+            [&] { return frameToMemory(options, 10000, 20, 21, true); });
+    measure("10k, default picture, camera moves",
+            [&] { return everythingRedrawn(options, 10000, true, 21); });
+    measure("1M, default picture, camera moves",
+            [&] { return everythingRedrawn(options, 1000000, true, 21); });
+    if (options.only.empty())
+    {
+        compareFiles(options);
+    }
+    measure("10k, camera moves", [&] { return everythingRedrawn(options, 10000, true); });
+    measure("10k, camera moves, layer off",
+            [&] { return everythingRedrawn(options, 10000, false); });
+    measure("100k, camera moves", [&] { return everythingRedrawn(options, 100000, true); });
+    measure("100k, camera moves, layer off",
+            [&] { return everythingRedrawn(options, 100000, false); });
     if (!options.quick)
     {
-        print("1M frozen + 20 running", frameToMemory(options, 1000000, 20, 0));
-        print("1M, camera moves", everythingRedrawn(options, 1000000, true));
+        measure("1M frozen + 20 running", [&] { return frameToMemory(options, 1000000, 20, 0); });
+        measure("1M, camera moves", [&] { return everythingRedrawn(options, 1000000, true); });
     }
 }
 
@@ -207,6 +225,10 @@ int main(int argc, char** argv)
     {
         options.openGl = options.openGl || std::strcmp(argv[i], "--opengl") == 0;
         options.quick = options.quick || std::strcmp(argv[i], "--quick") == 0;
+        if (std::strcmp(argv[i], "--only") == 0 && i + 1 < argc)
+        {
+            options.only = argv[++i];
+        }
         if (std::strcmp(argv[i], "--samples") == 0 && i + 1 < argc)
         {
             options.samples = std::atoi(argv[++i]);

@@ -13,9 +13,10 @@ namespace
 /// tens of them.
 constexpr std::int64_t kBatch = 400;
 
-void fill(SampleTile& tile, const PixelRectangle& pixels, std::uint32_t background)
+void fill(SampleTile& tile, const PixelRectangle& pixels, std::uint32_t background,
+          std::size_t samples)
 {
-    for (std::size_t k = 0; k < kMostTileSamples; ++k)
+    for (std::size_t k = 0; k < samples; ++k)
     {
         for (int y = pixels.bottom; y < pixels.top; ++y)
         {
@@ -28,7 +29,8 @@ void fill(SampleTile& tile, const PixelRectangle& pixels, std::uint32_t backgrou
 
 } // namespace
 
-RestingTile::RestingTile(const Colour& background) : background_(premultiplied(background))
+RestingTile::RestingTile(const Colour& background, int samples)
+    : background_(premultiplied(background)), planes_(static_cast<std::size_t>(samples))
 {
 }
 
@@ -45,12 +47,12 @@ void RestingTile::start(const PixelRectangle& pixels)
     if (!samples_)
     {
         samples_ = std::make_unique<SampleTile>();
-        fill(*samples_, {0, 0, kTileEdge, kTileEdge}, background_);
+        fill(*samples_, {0, 0, kTileEdge, kTileEdge}, background_, planes_);
         furthest_.fill(kNothing);
         furthestOfAll_ = kNothing;
         return;
     }
-    fill(*samples_, pixels, background_);
+    fill(*samples_, pixels, background_, planes_);
 }
 
 void RestingTile::findFurthestAtTimes(std::int64_t drawn)
@@ -67,8 +69,9 @@ void RestingTile::findFurthestAtTimes(std::int64_t drawn)
             static_cast<std::size_t>(kBlock) * (block / kBlocks * kTileEdge + block % kBlocks);
         std::array<float, kBlock> least;
         least.fill(std::numeric_limits<float>::max());
-        for (const auto& plane : samples_->nearness)
+        for (std::size_t k = 0; k < planes_; ++k)
         {
+            const auto& plane = samples_->nearness[k];
             for (std::size_t y = 0; y < kBlock; ++y)
             {
                 const float* row = plane.data() + first + y * kTileEdge;
@@ -150,15 +153,15 @@ bool RestingTile::add(const SphereRaster& raster, const SphereInstance& sphere,
     return true;
 }
 
-void RestingTile::copyTo(SampleTile& tile, const PixelRectangle& pixels, int samples) const
+void RestingTile::copyTo(SampleTile& tile, const PixelRectangle& pixels) const
 {
     if (!samples_)
     {
-        fill(tile, pixels, background_);
+        fill(tile, pixels, background_, planes_);
         return;
     }
     const auto bytes = static_cast<std::size_t>(pixels.width()) * 4;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(samples); ++k)
+    for (std::size_t k = 0; k < planes_; ++k)
     {
         for (int y = pixels.bottom; y < pixels.top; ++y)
         {

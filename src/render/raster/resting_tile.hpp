@@ -24,7 +24,7 @@ struct PlacedSphere
 class RestingTile
 {
 public:
-    explicit RestingTile(const Colour& background);
+    RestingTile(const Colour& background, int samples);
 
     /// Forgets all.
     void clear() { spheres_.clear(); }
@@ -45,7 +45,7 @@ public:
     /// Hidden in this tile by what is at rest.
     [[nodiscard]] bool hides(const PlacedSphere& sphere, const TilePart& whole) const;
     /// Copies a part, or the background where nothing lies.
-    void copyTo(SampleTile& tile, const PixelRectangle& pixels, int samples) const;
+    void copyTo(SampleTile& tile, const PixelRectangle& pixels) const;
 
 private:
     static constexpr int kBlock = 8; ///< edge [pixel]
@@ -62,6 +62,7 @@ private:
     void findFurthestAtTimes(std::int64_t drawn);
 
     std::uint32_t background_;    ///< premultiplied
+    std::size_t planes_;          ///< of samples that are drawn
     std::vector<Listed> spheres_; ///< that may be seen, ascending
     std::unique_ptr<SampleTile> samples_;
     std::int64_t drawn_ = 0; ///< pixels since it was looked for what is hidden

@@ -44,7 +44,7 @@ TilePipeline::TilePipeline(const TriangleMesh& mesh, const RenderSettings& setti
     tiles_.reserve(count);
     for (std::size_t i = 0; i < count; ++i)
     {
-        tiles_.push_back({RestingTile(settings.style.palette.background), {}, {}});
+        tiles_.push_back({RestingTile(settings.style.palette.background, samples_), {}, {}});
     }
     if (settings.style.shell)
     {
@@ -294,7 +294,7 @@ void TilePipeline::compose(std::size_t tile, Image& image)
     TilePart dirty = part(tile);
     dirty.pixels = own.dirty;
     own.dirty = {};
-    own.resting.copyTo(work_, dirty.pixels, samples_);
+    own.resting.copyTo(work_, dirty.pixels);
     for (const std::uint32_t sphere : own.running)
     {
         raster_->draw(ledger_.running()[sphere], running_[sphere].pixels, dirty, work_);
