@@ -2,6 +2,7 @@
 #include "render/raster/resting_tile.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 
 namespace frostfill
@@ -50,38 +51,49 @@ void RestingTile::start(const PixelRectangle& pixels)
         fill(*samples_, {0, 0, kTileEdge, kTileEdge}, background_, planes_);
         furthest_.fill(kNothing);
         furthestOfAll_ = kNothing;
+        touched_ = 0;
         return;
     }
     fill(*samples_, pixels, background_, planes_);
 }
 
-void RestingTile::findFurthestAtTimes(std::int64_t drawn)
+void RestingTile::findFurthestOf(std::size_t block)
 {
-    drawn_ += drawn;
+    const auto first =
+        static_cast<std::size_t>(kBlock) * (block / kBlocks * kTileEdge + block % kBlocks);
+    std::array<float, kBlock> least;
+    least.fill(std::numeric_limits<float>::max());
+    for (std::size_t k = 0; k < planes_; ++k)
+    {
+        for (std::size_t y = 0; y < kBlock; ++y)
+        {
+            const float* row = samples_->nearness[k].data() + first + y * kTileEdge;
+            for (std::size_t x = 0; x < kBlock; ++x)
+            {
+                least[x] = row[x] < least[x] ? row[x] : least[x];
+            }
+        }
+    }
+    furthest_[block] = *std::min_element(least.begin(), least.end());
+}
+
+void RestingTile::findFurthestAtTimes(const PixelRectangle& drawn)
+{
+    const int left = drawn.left / kBlock;
+    const int columns = (drawn.right - 1) / kBlock - left + 1;
+    for (int y = drawn.bottom / kBlock; y <= (drawn.top - 1) / kBlock; ++y)
+    {
+        touched_ |= ((std::uint64_t{1} << columns) - 1) << (y * kBlocks + left);
+    }
+    drawn_ += drawn.area();
     if (drawn_ < kBatch)
     {
         return;
     }
     drawn_ = 0;
-    for (std::size_t block = 0; block < furthest_.size(); ++block)
+    for (; touched_ != 0; touched_ &= touched_ - 1)
     {
-        const auto first =
-            static_cast<std::size_t>(kBlock) * (block / kBlocks * kTileEdge + block % kBlocks);
-        std::array<float, kBlock> least;
-        least.fill(std::numeric_limits<float>::max());
-        for (std::size_t k = 0; k < planes_; ++k)
-        {
-            const auto& plane = samples_->nearness[k];
-            for (std::size_t y = 0; y < kBlock; ++y)
-            {
-                const float* row = plane.data() + first + y * kTileEdge;
-                for (std::size_t x = 0; x < kBlock; ++x)
-                {
-                    least[x] = row[x] < least[x] ? row[x] : least[x];
-                }
-            }
-        }
-        furthest_[block] = *std::min_element(least.begin(), least.end());
+        findFurthestOf(static_cast<std::size_t>(std::countr_zero(touched_)));
     }
     furthestOfAll_ = *std::min_element(furthest_.begin(), furthest_.end());
 }
@@ -119,6 +131,7 @@ void RestingTile::repaint(const SphereRaster& raster, std::span<const SphereInst
     {
         furthest_.fill(kNothing);
         furthestOfAll_ = kNothing;
+        touched_ = 0;
     }
     drawn_ = 0;
     std::size_t kept = 0;
@@ -131,7 +144,10 @@ void RestingTile::repaint(const SphereRaster& raster, std::span<const SphereInst
         }
         spheres_[kept++] = listed;
         raster.draw(resting[sphere], placed[sphere].pixels, part, *samples_);
-        findFurthestAtTimes(cull ? part.within(placed[sphere].pixels).area() : 0);
+        if (cull)
+        {
+            findFurthestAtTimes(part.within(placed[sphere].pixels));
+        }
     }
     spheres_.erase(spheres_.begin() + static_cast<std::ptrdiff_t>(kept), spheres_.end());
 }
@@ -149,7 +165,7 @@ bool RestingTile::add(const SphereRaster& raster, const SphereInstance& sphere,
     }
     spheres_.push_back({index, placed.nearest});
     raster.draw(sphere, placed.pixels, whole, *samples_);
-    findFurthestAtTimes(whole.within(placed.pixels).area());
+    findFurthestAtTimes(whole.within(placed.pixels));
     return true;
 }
 

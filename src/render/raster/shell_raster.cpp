@@ -6,6 +6,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,6 +31,9 @@ using Setup = ShellRaster::Setup;
 /// cosine, and that are smaller than this: what they are in the middle is then less than 1 % off.
 constexpr float kFlat = 0.96F;
 constexpr int kSmall = 160; // [pixel]
+
+/// That one core sets up before another may take more.
+constexpr std::uint32_t kTrianglesATask = 256;
 
 /// What single precision may do to how near a corner is.
 constexpr float kNearer = 1e-5F;
@@ -97,6 +102,19 @@ std::span<const std::uint32_t> ShellRaster::setStates(std::span<const PolygonSta
 PixelRectangle ShellRaster::bounds(std::uint32_t triangle)
 {
     return setupOf(triangle).pixels;
+}
+
+void ShellRaster::setUpAll()
+{
+    tbb::parallel_for(tbb::blocked_range<std::uint32_t>(
+                          0, static_cast<std::uint32_t>(setups_.size()), kTrianglesATask),
+                      [&](const auto& range)
+                      {
+                          for (std::uint32_t t = range.begin(); t < range.end(); ++t)
+                          {
+                              setupOf(t);
+                          }
+                      });
 }
 
 const ShellRaster::Setup& ShellRaster::setupOf(std::uint32_t triangle)

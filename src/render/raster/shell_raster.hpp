@@ -33,6 +33,9 @@ public:
     /// triangles have changed, until the next call.
     std::span<const std::uint32_t> setStates(std::span<const PolygonState> states);
 
+    /// Works out how every triangle looks, with all cores at hand. After that several threads may
+    /// draw, each into a tile of its own, until states or camera change.
+    void setUpAll();
     /// Around a triangle in the picture.
     [[nodiscard]] PixelRectangle bounds(std::uint32_t triangle);
     /// Blends those that turn their backs to the viewer, then those that face the viewer. What

@@ -7,6 +7,8 @@
 #include <frostfill/error.hpp>
 
 #include <fmt/core.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 
@@ -17,6 +19,9 @@ namespace
 
 /// Longest edge of a picture, as OpenGL has it here.
 constexpr int kLongestEdge = 16384;
+/// That one core places before another may take more. More: cores wait for each other at the end.
+/// Fewer: handing them out costs more.
+constexpr std::size_t kSpheresATask = 4096;
 
 } // namespace
 
@@ -174,14 +179,7 @@ const std::vector<PixelRectangle>& TilePipeline::draw(const Snapshot& snapshot, 
     image.channels = viewpoint_.settings().style.palette.background[3] < 255 ? 4 : 3;
     image.pixels.resize(static_cast<std::size_t>(image.width * image.height) *
                         static_cast<std::size_t>(image.channels));
-    parts_.clear();
-    for (std::size_t tile = 0; tile < tiles_.size(); ++tile)
-    {
-        if (!tiles_[tile].dirty.empty())
-        {
-            compose(tile, image);
-        }
-    }
+    composeDirty(startAgain, image);
     return parts_;
 }
 
@@ -193,21 +191,28 @@ void TilePipeline::rebuild()
     {
         tile.resting.clear();
     }
-    placed_.clear();
-    placed_.reserve(resting.size());
+    placed_.resize(resting.size());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, resting.size(), kSpheresATask),
+                      [&](const auto& range)
+                      {
+                          for (std::size_t i = range.begin(); i < range.end(); ++i)
+                          {
+                              placed_[i] = place(resting[i]);
+                          }
+                      });
     for (std::uint32_t i = 0; i < resting.size(); ++i)
     {
-        placed_.push_back(place(resting[i]));
-        const PlacedSphere& placed = placed_.back();
+        const PlacedSphere& placed = placed_[i];
         eachTile(placed.pixels,
                  [&](std::size_t tile) { tiles_[tile].resting.list(i, placed.nearest); });
     }
-    for (std::size_t tile = 0; tile < tiles_.size(); ++tile)
-    {
-        const TilePart whole = part(tile);
-        tiles_[tile].resting.repaint(*raster_, resting, placed_, whole, cull);
-        tiles_[tile].dirty = whole.pixels;
-    }
+    tbb::parallel_for(std::size_t{0}, tiles_.size(),
+                      [&](std::size_t tile)
+                      {
+                          const TilePart whole = part(tile);
+                          tiles_[tile].resting.repaint(*raster_, resting, placed_, whole, cull);
+                          tiles_[tile].dirty = whole.pixels;
+                      });
 }
 
 void TilePipeline::repaintResting(std::span<const std::size_t> recoloured)
@@ -288,23 +293,54 @@ void TilePipeline::placeRunning()
     }
 }
 
-void TilePipeline::compose(std::size_t tile, Image& image)
+void TilePipeline::composeDirty(bool manyTiles, Image& image)
+{
+    std::vector<std::size_t> dirty;
+    for (std::size_t tile = 0; tile < tiles_.size(); ++tile)
+    {
+        if (!tiles_[tile].dirty.empty())
+        {
+            dirty.push_back(tile);
+        }
+    }
+    parts_.resize(dirty.size());
+    const auto composeOne = [&](std::size_t i)
+    { parts_[i] = compose(dirty[i], work_.local(), image); };
+    if (manyTiles)
+    {
+        if (shell_)
+        {
+            shell_->setUpAll();
+        }
+        tbb::parallel_for(std::size_t{0}, dirty.size(), composeOne);
+    }
+    else
+    {
+        for (std::size_t i = 0; i < dirty.size(); ++i)
+        {
+            composeOne(i);
+        }
+    }
+    std::erase_if(parts_, [](const PixelRectangle& part) { return part.empty(); });
+}
+
+PixelRectangle TilePipeline::compose(std::size_t tile, SampleTile& work, Image& image)
 {
     Tile& own = tiles_[tile];
     TilePart dirty = part(tile);
     dirty.pixels = own.dirty;
     own.dirty = {};
-    own.resting.copyTo(work_, dirty.pixels);
+    own.resting.copyTo(work, dirty.pixels);
     for (const std::uint32_t sphere : own.running)
     {
-        raster_->draw(ledger_.running()[sphere], running_[sphere].pixels, dirty, work_);
+        raster_->draw(ledger_.running()[sphere], running_[sphere].pixels, dirty, work);
     }
     if (shell_)
     {
         const auto columns = static_cast<std::size_t>(columns_);
         shell_->draw(
             triangles_->inTile(static_cast<int>(tile % columns), static_cast<int>(tile / columns)),
-            dirty, work_, viewpoint_.settings().staticLayer ? &own.resting : nullptr);
+            dirty, work, viewpoint_.settings().staticLayer ? &own.resting : nullptr);
     }
     const PixelRectangle& pixels = dirty.pixels;
     const PixelRectangle inPicture = {dirty.left + pixels.left, dirty.bottom + pixels.bottom,
@@ -312,13 +348,13 @@ void TilePipeline::compose(std::size_t tile, Image& image)
                                       std::min(dirty.bottom + pixels.top, size_.height)};
     if (swatches_ && swatches_->pixels().overlaps(inPicture))
     {
-        swatches_->draw(dirty, work_);
+        swatches_->draw(dirty, work);
     }
     if (!inPicture.empty())
     {
-        resolve(work_, dirty, samples_, image);
-        parts_.push_back(inPicture);
+        resolve(work, dirty, samples_, image);
     }
+    return inPicture;
 }
 
 } // namespace frostfill

@@ -10,6 +10,8 @@
 #include "render/raster/sphere_raster.hpp"
 #include "render/raster/swatch_raster.hpp"
 
+#include <tbb/enumerable_thread_specific.h>
+
 #include <memory>
 #include <optional>
 #include <span>
@@ -20,7 +22,8 @@ namespace frostfill
 
 /// Everything that draws without OpenGL, and what is kept from picture to picture: the spheres at
 /// rest, tile by tile. A picture renews the parts of tiles where something changes, from spheres at
-/// rest over running ones and the shell to bytes of the image.
+/// rest over running ones and the shell to bytes of the image. A tile depends on no other, so where
+/// the whole picture is drawn anew the cores at hand share the tiles.
 class TilePipeline
 {
 public:
@@ -59,7 +62,9 @@ private:
     void addArrivals(std::size_t first);
     void repaintResting(std::span<const std::size_t> recoloured);
     void placeRunning();
-    void compose(std::size_t tile, Image& image);
+    void composeDirty(bool manyTiles, Image& image);
+    /// Returns which part of the picture it has drawn.
+    PixelRectangle compose(std::size_t tile, SampleTile& work, Image& image);
 
     Viewpoint viewpoint_;
     PictureSize size_;
@@ -76,7 +81,7 @@ private:
     std::vector<PlacedSphere> placed_;  ///< [resting]
     std::vector<PlacedSphere> running_; ///< [running]
     std::vector<Tile> tiles_;           ///< from the lower left corner
-    SampleTile work_;
+    tbb::enumerable_thread_specific<SampleTile> work_;
     bool stale_ = true; ///< nothing of the picture before can be kept
     std::vector<PixelRectangle> parts_;
 };

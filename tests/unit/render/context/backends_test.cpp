@@ -7,6 +7,10 @@
 
 #include <dlfcn.h>
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+
+#include <vector>
 
 namespace frostfill
 {
@@ -115,6 +119,44 @@ TEST_F(Backends, TheBuiltInOneGivesTheSameBytesWithoutAvx2)
             const Image narrow = draw(Backend::builtin, driver);
             lanes::usesAvx2() = true;
             EXPECT_EQ(wide.pixels, narrow.pixels) << orthographic << ", " << samples;
+        }
+    }
+}
+
+// Tiles are drawn by whichever core is free. A camera that moves draws all of them, each time.
+TEST_F(Backends, TheBuiltInOneGivesTheSameBytesWithAnyNumberOfThreads)
+{
+    settings.backend = Backend::builtin;
+    settings.size = {400, 300};
+    for (int i = 0; i < 10000; ++i) // more than one core places
+    {
+        addSphere(snapshot, {i % 22 / 11.0 - 1, i / 22 % 22 / 11.0 - 1, i / 484 / 11.0 - 1}, 0.045,
+                  i % 7 == 0 ? SphereState::discarded : SphereState::frozen);
+    }
+    for (const int samples : {1, 4})
+    {
+        settings.samples = samples;
+        std::vector<std::vector<std::uint8_t>> pictures;
+        for (const std::size_t threads : {1, 8})
+        {
+            const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+            tbb::task_arena arena(static_cast<int>(threads));
+            arena.execute(
+                [&]
+                {
+                    Renderer renderer(mesh, settings);
+                    for (int k = 0; k < 3; ++k)
+                    {
+                        renderer.turn(20.0 * k);
+                        pictures.push_back(renderer.draw(snapshot).pixels);
+                    }
+                });
+        }
+        ASSERT_EQ(pictures.size(), 6U);
+        EXPECT_NE(pictures[0], pictures[1]);
+        for (std::size_t k = 0; k < 3; ++k)
+        {
+            EXPECT_EQ(pictures[k], pictures[k + 3]) << samples << " samples, picture " << k;
         }
     }
 }
