@@ -24,7 +24,9 @@ public:
     /// Those that may be seen in a tile, ascending; tiles count from the lower left corner.
     [[nodiscard]] std::span<const std::uint32_t> inTile(int column, int row) const
     {
-        const auto tile = static_cast<std::size_t>(row * columns_ + column);
+        const std::size_t tile =
+            static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+            static_cast<std::size_t>(column);
         return std::span(triangles_).subspan(starts_[tile], starts_[tile + 1] - starts_[tile]);
     }
 

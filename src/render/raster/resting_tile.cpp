@@ -109,7 +109,8 @@ bool RestingTile::hides(const PlacedSphere& sphere, const TilePart& whole) const
     {
         for (int x = in.left / kBlock; x <= (in.right - 1) / kBlock; ++x)
         {
-            if (furthest_[static_cast<std::size_t>(y * kBlocks + x)] < sphere.nearest)
+            const int block = y * kBlocks + x;
+            if (furthest_[static_cast<std::size_t>(block)] < sphere.nearest)
             {
                 return false;
             }

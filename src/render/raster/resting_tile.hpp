@@ -50,7 +50,8 @@ public:
 private:
     static constexpr int kBlock = 8; ///< edge [pixel]
     static constexpr int kBlocks = kTileEdge / kBlock;
-    static_assert(kBlocks * kBlocks <= 64, "touched_ has a bit for each");
+    static constexpr std::size_t kAllBlocks = std::size_t{kBlocks} * kBlocks;
+    static_assert(kAllBlocks <= 64, "touched_ has a bit for each");
 
     /// A sphere, and how near it comes: most are found hidden without another look.
     struct Listed
@@ -68,9 +69,9 @@ private:
     std::size_t planes_;          ///< of samples that are drawn
     std::vector<Listed> spheres_; ///< that may be seen, ascending
     std::unique_ptr<SampleTile> samples_;
-    std::int64_t drawn_ = 0;    ///< pixels since it was looked for what is hidden
-    std::uint64_t touched_ = 0; ///< blocks with such pixels, a bit each
-    std::array<float, kBlocks * kBlocks> furthest_{}; ///< of a block's samples, when last looked at
+    std::int64_t drawn_ = 0;                   ///< pixels since it was looked for what is hidden
+    std::uint64_t touched_ = 0;                ///< blocks with such pixels, a bit each
+    std::array<float, kAllBlocks> furthest_{}; ///< of a block's samples, when last looked at
     float furthestOfAll_ = kNothing;
 };
 

@@ -34,9 +34,7 @@ bool TilePipeline::draws(const RenderSettings& settings)
 
 TilePipeline::TilePipeline(const TriangleMesh& mesh, const RenderSettings& settings)
     : viewpoint_(mesh, settings), size_(settings.size),
-      samples_(settings.samples > 1 ? kMostTileSamples : 1),
-      columns_((size_.width + kTileEdge - 1) / kTileEdge),
-      rows_((size_.height + kTileEdge - 1) / kTileEdge)
+      samples_(settings.samples > 1 ? kMostTileSamples : 1), grid_(size_)
 {
     if (size_.width > kLongestEdge || size_.height > kLongestEdge)
     {
@@ -45,9 +43,8 @@ TilePipeline::TilePipeline(const TriangleMesh& mesh, const RenderSettings& setti
                                 "between 1 and {} pixels",
                                 size_.width, size_.height, kLongestEdge));
     }
-    const auto count = static_cast<std::size_t>(columns_ * rows_);
-    tiles_.reserve(count);
-    for (std::size_t i = 0; i < count; ++i)
+    tiles_.reserve(grid_.count());
+    for (std::size_t i = 0; i < grid_.count(); ++i)
     {
         tiles_.push_back({RestingTile(settings.style.palette.background, samples_), {}, {}});
     }
@@ -105,35 +102,12 @@ void TilePipeline::useFraming()
     stale_ = true;
 }
 
-TilePart TilePipeline::part(std::size_t tile) const
-{
-    const auto columns = static_cast<std::size_t>(columns_);
-    return {static_cast<int>(tile % columns) * kTileEdge,
-            static_cast<int>(tile / columns) * kTileEdge,
-            {0, 0, kTileEdge, kTileEdge}};
-}
-
-template <typename Visit>
-void TilePipeline::eachTile(const PixelRectangle& pixels, Visit visit) const
-{
-    const PixelRectangle inside = common(pixels, {0, 0, size_.width, size_.height});
-    if (inside.empty())
-    {
-        return;
-    }
-    for (int y = inside.bottom / kTileEdge; y <= (inside.top - 1) / kTileEdge; ++y)
-    {
-        for (int x = inside.left / kTileEdge; x <= (inside.right - 1) / kTileEdge; ++x)
-        {
-            visit(static_cast<std::size_t>(y * columns_ + x));
-        }
-    }
-}
-
 void TilePipeline::markDirty(const PixelRectangle& pixels)
 {
-    eachTile(pixels, [&](std::size_t tile)
-             { tiles_[tile].dirty = around(tiles_[tile].dirty, part(tile).within(pixels)); });
+    grid_.each(pixels,
+               [&](std::size_t tile) {
+                   tiles_[tile].dirty = around(tiles_[tile].dirty, grid_.part(tile).within(pixels));
+               });
 }
 
 PlacedSphere TilePipeline::place(const SphereInstance& sphere) const
@@ -203,13 +177,13 @@ void TilePipeline::rebuild()
     for (std::uint32_t i = 0; i < resting.size(); ++i)
     {
         const PlacedSphere& placed = placed_[i];
-        eachTile(placed.pixels,
-                 [&](std::size_t tile) { tiles_[tile].resting.list(i, placed.nearest); });
+        grid_.each(placed.pixels,
+                   [&](std::size_t tile) { tiles_[tile].resting.list(i, placed.nearest); });
     }
     tbb::parallel_for(std::size_t{0}, tiles_.size(),
                       [&](std::size_t tile)
                       {
-                          const TilePart whole = part(tile);
+                          const TilePart whole = grid_.part(tile);
                           tiles_[tile].resting.repaint(*raster_, resting, placed_, whole, cull);
                           tiles_[tile].dirty = whole.pixels;
                       });
@@ -219,18 +193,18 @@ void TilePipeline::repaintResting(std::span<const std::size_t> recoloured)
 {
     for (const std::size_t sphere : recoloured)
     {
-        eachTile(placed_[sphere].pixels,
-                 [&](std::size_t tile)
-                 {
-                     RestingTile& resting = tiles_[tile].resting;
-                     if (resting.lists(static_cast<std::uint32_t>(sphere)))
-                     {
-                         TilePart changed = part(tile);
-                         changed.pixels = changed.within(placed_[sphere].pixels);
-                         resting.repaint(*raster_, ledger_.resting(), placed_, changed, false);
-                         tiles_[tile].dirty = around(tiles_[tile].dirty, changed.pixels);
-                     }
-                 });
+        grid_.each(placed_[sphere].pixels,
+                   [&](std::size_t tile)
+                   {
+                       RestingTile& resting = tiles_[tile].resting;
+                       if (resting.lists(static_cast<std::uint32_t>(sphere)))
+                       {
+                           TilePart changed = grid_.part(tile);
+                           changed.pixels = changed.within(placed_[sphere].pixels);
+                           resting.repaint(*raster_, ledger_.resting(), placed_, changed, false);
+                           tiles_[tile].dirty = around(tiles_[tile].dirty, changed.pixels);
+                       }
+                   });
     }
 }
 
@@ -241,17 +215,17 @@ void TilePipeline::addArrivals(std::size_t first)
     {
         placed_.push_back(place(resting[i]));
         const PlacedSphere& placed = placed_.back();
-        eachTile(placed.pixels,
-                 [&](std::size_t tile)
-                 {
-                     const TilePart whole = part(tile);
-                     if (tiles_[tile].resting.add(*raster_, resting[i], placed,
-                                                  static_cast<std::uint32_t>(i), whole))
-                     {
-                         tiles_[tile].dirty =
-                             around(tiles_[tile].dirty, whole.within(placed.pixels));
-                     }
-                 });
+        grid_.each(placed.pixels,
+                   [&](std::size_t tile)
+                   {
+                       const TilePart whole = grid_.part(tile);
+                       if (tiles_[tile].resting.add(*raster_, resting[i], placed,
+                                                    static_cast<std::uint32_t>(i), whole))
+                       {
+                           tiles_[tile].dirty =
+                               around(tiles_[tile].dirty, whole.within(placed.pixels));
+                       }
+                   });
     }
 }
 
@@ -259,19 +233,19 @@ void TilePipeline::placeRunning()
 {
     for (const PlacedSphere& before : running_)
     {
-        eachTile(before.pixels,
-                 [&](std::size_t tile)
-                 {
-                     Tile& own = tiles_[tile];
-                     if (!own.running.empty()) // it was seen here
-                     {
-                         own.dirty = around(own.dirty, part(tile).within(before.pixels));
-                     }
-                 });
+        grid_.each(before.pixels,
+                   [&](std::size_t tile)
+                   {
+                       Tile& own = tiles_[tile];
+                       if (!own.running.empty()) // it was seen here
+                       {
+                           own.dirty = around(own.dirty, grid_.part(tile).within(before.pixels));
+                       }
+                   });
     }
     for (const PlacedSphere& before : running_)
     {
-        eachTile(before.pixels, [&](std::size_t tile) { tiles_[tile].running.clear(); });
+        grid_.each(before.pixels, [&](std::size_t tile) { tiles_[tile].running.clear(); });
     }
     running_.clear();
     for (const SphereInstance& sphere : ledger_.running())
@@ -279,17 +253,17 @@ void TilePipeline::placeRunning()
         const auto index = static_cast<std::uint32_t>(running_.size());
         running_.push_back(place(sphere));
         const PlacedSphere& now = running_.back();
-        eachTile(now.pixels,
-                 [&](std::size_t tile)
-                 {
-                     Tile& own = tiles_[tile];
-                     const TilePart whole = part(tile);
-                     if (!own.resting.hides(now, whole))
-                     {
-                         own.running.push_back(index);
-                         own.dirty = around(own.dirty, whole.within(now.pixels));
-                     }
-                 });
+        grid_.each(now.pixels,
+                   [&](std::size_t tile)
+                   {
+                       Tile& own = tiles_[tile];
+                       const TilePart whole = grid_.part(tile);
+                       if (!own.resting.hides(now, whole))
+                       {
+                           own.running.push_back(index);
+                           own.dirty = around(own.dirty, whole.within(now.pixels));
+                       }
+                   });
     }
 }
 
@@ -327,7 +301,7 @@ void TilePipeline::composeDirty(bool manyTiles, Image& image)
 PixelRectangle TilePipeline::compose(std::size_t tile, SampleTile& work, Image& image)
 {
     Tile& own = tiles_[tile];
-    TilePart dirty = part(tile);
+    TilePart dirty = grid_.part(tile);
     dirty.pixels = own.dirty;
     own.dirty = {};
     own.resting.copyTo(work, dirty.pixels);
@@ -337,15 +311,10 @@ PixelRectangle TilePipeline::compose(std::size_t tile, SampleTile& work, Image& 
     }
     if (shell_)
     {
-        const auto columns = static_cast<std::size_t>(columns_);
-        shell_->draw(
-            triangles_->inTile(static_cast<int>(tile % columns), static_cast<int>(tile / columns)),
-            dirty, work, viewpoint_.settings().staticLayer ? &own.resting : nullptr);
+        shell_->draw(triangles_->inTile(grid_.column(tile), grid_.row(tile)), dirty, work,
+                     viewpoint_.settings().staticLayer ? &own.resting : nullptr);
     }
-    const PixelRectangle& pixels = dirty.pixels;
-    const PixelRectangle inPicture = {dirty.left + pixels.left, dirty.bottom + pixels.bottom,
-                                      std::min(dirty.left + pixels.right, size_.width),
-                                      std::min(dirty.bottom + pixels.top, size_.height)};
+    const PixelRectangle inPicture = grid_.inPicture(dirty);
     if (swatches_ && swatches_->pixels().overlaps(inPicture))
     {
         swatches_->draw(dirty, work);

@@ -9,6 +9,7 @@
 #include "render/raster/shell_raster.hpp"
 #include "render/raster/sphere_raster.hpp"
 #include "render/raster/swatch_raster.hpp"
+#include "render/raster/tile_grid.hpp"
 
 #include <tbb/enumerable_thread_specific.h>
 
@@ -53,10 +54,6 @@ private:
     void useFraming();
     void addShell(const TriangleMesh& mesh);
     [[nodiscard]] PlacedSphere place(const SphereInstance& sphere) const;
-    [[nodiscard]] TilePart part(std::size_t tile) const;
-    /// Calls visit(index of the tile) for those that a rectangle of the picture touches.
-    template <typename Visit>
-    void eachTile(const PixelRectangle& pixels, Visit visit) const;
     void markDirty(const PixelRectangle& pixels);
     void rebuild();
     void addArrivals(std::size_t first);
@@ -69,8 +66,7 @@ private:
     Viewpoint viewpoint_;
     PictureSize size_;
     int samples_;
-    int columns_;
-    int rows_;
+    TileGrid grid_;
     ShadedMesh shaded_;
     std::unique_ptr<ShellRaster> shell_;
     std::optional<TriangleTiles> triangles_;

@@ -130,7 +130,8 @@ TEST_F(Backends, TheBuiltInOneGivesTheSameBytesWithAnyNumberOfThreads)
     settings.size = {400, 300};
     for (int i = 0; i < 10000; ++i) // more than one core places
     {
-        addSphere(snapshot, {i % 22 / 11.0 - 1, i / 22 % 22 / 11.0 - 1, i / 484 / 11.0 - 1}, 0.045,
+        const Eigen::Vector3d cell(i % 22, (i / 22) % 22, (i / 484) % 22);
+        addSphere(snapshot, (cell - Eigen::Vector3d::Constant(11)) / 11, 0.045,
                   i % 7 == 0 ? SphereState::discarded : SphereState::frozen);
     }
     for (const int samples : {1, 4})
