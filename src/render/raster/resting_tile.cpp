@@ -120,37 +120,50 @@ bool RestingTile::hides(const PlacedSphere& sphere, const TilePart& whole) const
 }
 
 void RestingTile::repaint(const SphereRaster& raster, std::span<const SphereInstance> resting,
-                          std::span<const PlacedSphere> placed, const TilePart& part, bool cull)
+                          std::span<const PlacedSphere> placed, const TilePart& whole, bool cull)
 {
     if (spheres_.empty())
     {
         samples_.reset();
         return;
     }
-    start(part.pixels);
-    if (cull)
-    {
-        furthest_.fill(kNothing);
-        furthestOfAll_ = kNothing;
-        touched_ = 0;
-    }
+    start(whole.pixels);
+    furthest_.fill(kNothing);
+    furthestOfAll_ = kNothing;
+    touched_ = 0;
     drawn_ = 0;
     std::size_t kept = 0;
     for (const Listed& listed : spheres_)
     {
         const std::uint32_t sphere = listed.index;
-        if (cull && (listed.nearest <= furthestOfAll_ || hides(placed[sphere], part)))
+        if (cull && (listed.nearest <= furthestOfAll_ || hides(placed[sphere], whole)))
         {
             continue;
         }
         spheres_[kept++] = listed;
-        raster.draw(resting[sphere], placed[sphere].pixels, part, *samples_);
+        raster.draw(resting[sphere], placed[sphere].pixels, whole, *samples_);
         if (cull)
         {
-            findFurthestAtTimes(part.within(placed[sphere].pixels));
+            findFurthestAtTimes(whole.within(placed[sphere].pixels));
         }
     }
     spheres_.erase(spheres_.begin() + static_cast<std::ptrdiff_t>(kept), spheres_.end());
+}
+
+void RestingTile::recolour(const SphereRaster& raster, std::span<const SphereInstance> resting,
+                           std::span<const PlacedSphere> placed, const TilePart& whole,
+                           const PixelRectangle& pixels)
+{
+    // Shapes stay, so what is hidden now is hidden afterwards too.
+    std::erase_if(spheres_,
+                  [&](const Listed& listed) { return hides(placed[listed.index], whole); });
+    start(pixels);
+    TilePart part = whole;
+    part.pixels = pixels;
+    for (const Listed& listed : spheres_)
+    {
+        raster.draw(resting[listed.index], placed[listed.index].pixels, part, *samples_);
+    }
 }
 
 bool RestingTile::add(const SphereRaster& raster, const SphereInstance& sphere,

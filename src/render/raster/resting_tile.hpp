@@ -33,10 +33,15 @@ public:
     [[nodiscard]] bool empty() const { return spheres_.empty(); }
     [[nodiscard]] bool lists(std::uint32_t sphere) const;
 
-    /// Draws a part anew. With `cull`, spheres that are found to be hidden are not listed any more;
-    /// the part has to be the whole tile then.
+    /// Draws the whole tile. With `cull`, spheres that are found to be hidden are not listed any
+    /// more.
     void repaint(const SphereRaster& raster, std::span<const SphereInstance> resting,
-                 std::span<const PlacedSphere> placed, const TilePart& part, bool cull);
+                 std::span<const PlacedSphere> placed, const TilePart& whole, bool cull);
+    /// Draws a part anew in which colours have changed. Spheres that others have come to hide are
+    /// not listed any more.
+    void recolour(const SphereRaster& raster, std::span<const SphereInstance> resting,
+                  std::span<const PlacedSphere> placed, const TilePart& whole,
+                  const PixelRectangle& pixels);
     /// Lists a sphere and draws it over what is there, unless it is hidden. Returns whether it may
     /// be seen.
     bool add(const SphereRaster& raster, const SphereInstance& sphere, const PlacedSphere& placed,

@@ -46,7 +46,7 @@ TilePipeline::TilePipeline(const TriangleMesh& mesh, const RenderSettings& setti
     tiles_.reserve(grid_.count());
     for (std::size_t i = 0; i < grid_.count(); ++i)
     {
-        tiles_.push_back({RestingTile(settings.style.palette.background, samples_), {}, {}});
+        tiles_.push_back({RestingTile(settings.style.palette.background, samples_), {}, {}, {}});
     }
     if (settings.style.shell)
     {
@@ -191,20 +191,34 @@ void TilePipeline::rebuild()
 
 void TilePipeline::repaintResting(std::span<const std::size_t> recoloured)
 {
+    // Many change at once where groups are discarded, and a tile takes as long for all as for one.
+    std::vector<std::size_t> stale;
     for (const std::size_t sphere : recoloured)
     {
         grid_.each(placed_[sphere].pixels,
                    [&](std::size_t tile)
                    {
-                       RestingTile& resting = tiles_[tile].resting;
-                       if (resting.lists(static_cast<std::uint32_t>(sphere)))
+                       Tile& own = tiles_[tile];
+                       const TilePart whole = grid_.part(tile);
+                       if (own.resting.lists(static_cast<std::uint32_t>(sphere)) &&
+                           !own.resting.hides(placed_[sphere], whole))
                        {
-                           TilePart changed = grid_.part(tile);
-                           changed.pixels = changed.within(placed_[sphere].pixels);
-                           resting.repaint(*raster_, ledger_.resting(), placed_, changed, false);
-                           tiles_[tile].dirty = around(tiles_[tile].dirty, changed.pixels);
+                           if (own.recoloured.empty())
+                           {
+                               stale.push_back(tile);
+                           }
+                           own.recoloured =
+                               around(own.recoloured, whole.within(placed_[sphere].pixels));
                        }
                    });
+    }
+    for (const std::size_t tile : stale)
+    {
+        Tile& own = tiles_[tile];
+        own.resting.recolour(*raster_, ledger_.resting(), placed_, grid_.part(tile),
+                             own.recoloured);
+        own.dirty = around(own.dirty, own.recoloured);
+        own.recoloured = {};
     }
 }
 

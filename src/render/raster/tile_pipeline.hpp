@@ -48,6 +48,7 @@ private:
     {
         RestingTile resting;
         std::vector<std::uint32_t> running; ///< that may be seen
+        PixelRectangle recoloured;          ///< in the tile, while it is repainted
         PixelRectangle dirty;               ///< in the tile
     };
 
