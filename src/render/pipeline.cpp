@@ -170,17 +170,14 @@ void Pipeline::updateLayer(const SphereLedger::Changes& changes,
     {
         covered_.add(layer_->whereSeen(index));
     }
-    if (const Surroundings* surroundings = painter_.surroundings())
+    if (Surroundings* surroundings = painter_.surroundings())
     {
         // What comes to rest takes light from what lies there.
         const auto resting = ledger_.resting();
         layer_->eachSeen(
             [&](std::size_t index, const PixelRectangle& pixels)
             {
-                const auto arrivals = resting.subspan(changes.firstArrival);
-                if (std::any_of(arrivals.begin(), arrivals.end(),
-                                [&](const SphereInstance& arrival)
-                                { return surroundings->reaches(arrival, resting[index]); }))
+                if (surroundings->hasChanged(resting[index]))
                 {
                     covered_.add(pixels);
                 }

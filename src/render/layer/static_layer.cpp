@@ -13,6 +13,10 @@ namespace
 constexpr std::size_t kFirstBatch = 400;
 constexpr std::size_t kBatchShare = 24;
 
+/// What came to rest since may hide others by now. To look for them takes as long as to draw all
+/// that may be seen, so that is done when so many have come in addition.
+constexpr std::size_t kFewArrivals = 200;
+
 } // namespace
 
 StaticLayer::StaticLayer(const GlFunctions& gl, const PictureSize& size, int samples)
@@ -85,6 +89,7 @@ void StaticLayer::rebuild(ScenePainter& painter, const SphereProjector& projecto
             findHidden(painter, projector);
         }
     }
+    seenAtLast_ = seen_.size();
     painter.paintShell();
     painter.paintLegend();
 }
@@ -100,6 +105,24 @@ void StaticLayer::add(ScenePainter& painter, const SphereProjector& projector,
     {
         dirty.add(part.pixels);
     }
+    if (seen_.size() > 2 * seenAtLast_ + kFewArrivals)
+    {
+        forgetHidden(painter, projector, resting);
+    }
+}
+
+void StaticLayer::forgetHidden(ScenePainter& painter, const SphereProjector& projector,
+                               std::span<const SphereInstance> resting)
+{
+    spheres_.clear();
+    for (const Seen& seen : seen_)
+    {
+        spheres_.push_back(resting[seen.index]);
+    }
+    findHidden(painter, projector);
+    std::erase_if(seen_,
+                  [&](const Seen& seen) { return hides(projector.project(resting[seen.index])); });
+    seenAtLast_ = seen_.size();
 }
 
 void StaticLayer::repaint(ScenePainter& painter, std::span<const SphereInstance> resting,

@@ -67,11 +67,14 @@ private:
     void look(const SphereProjector& projector, std::span<const SphereInstance> resting,
               std::size_t first, std::size_t end);
     void findHidden(ScenePainter& painter, const SphereProjector& projector);
+    void forgetHidden(ScenePainter& painter, const SphereProjector& projector,
+                      std::span<const SphereInstance> resting);
 
     Framebuffer framebuffer_;              ///< of the layer
     std::optional<Framebuffer> occluders_; ///< depths without multisampling
     OcclusionMap occlusion_;
     std::vector<Seen> seen_;                 ///< ascending
+    std::size_t seenAtLast_ = 0;             ///< when those that are hidden were last looked for
     std::vector<SphereInstance> spheres_;    ///< that are being drawn
     std::vector<TriangleTiles::Part> parts_; ///< [spheres_] where
     PixelRectangle drawn_;                   ///< around all that is in the layer

@@ -77,21 +77,33 @@ void Surroundings::start(std::span<const SphereInstance> resting)
     spheres_.clear();
     heads_.clear();
     nexts_.clear();
+    lights_.clear();
+    known_.clear();
+    cutAway_.clear();
     largest_ = 0;
     for (const SphereInstance& sphere : resting)
     {
-        add(sphere);
+        push(sphere);
     }
 }
 
 void Surroundings::add(const SphereInstance& sphere)
 {
-    const glm::dvec4 centre(sphere.x, sphere.y, sphere.z, 1);
-    if (cut_ && glm::dot((*cut_)[0], centre) > 0 && glm::dot((*cut_)[1], centre) > 0)
+    push(sphere);
+    if (!cutAway_.back())
     {
-        return;
+        forgetLightAround(sphere);
     }
+}
+
+void Surroundings::push(const SphereInstance& sphere)
+{
+    const glm::dvec4 centre(sphere.x, sphere.y, sphere.z, 1);
+    cutAway_.push_back(cut_ && glm::dot((*cut_)[0], centre) > 0 &&
+                       glm::dot((*cut_)[1], centre) > 0);
     spheres_.push_back(sphere);
+    lights_.emplace_back();
+    known_.push_back(Known::nothing);
     if (sphere.radius > largest_ || spheres_.size() > heads_.size())
     {
         largest_ = std::max(largest_, 1.2F * sphere.radius);
@@ -103,15 +115,75 @@ void Surroundings::add(const SphereInstance& sphere)
     head = static_cast<std::uint32_t>(spheres_.size());
 }
 
-void Surroundings::collect(const SphereInstance& sphere) const
+template <typename Visit>
+void Surroundings::eachIn(const glm::vec3& lowest, const glm::vec3& highest, Visit visit) const
+{
+    const glm::ivec3 low = placeOf(lowest);
+    const glm::ivec3 high = placeOf(highest);
+    for (int z = low.z; z <= high.z; ++z)
+    {
+        for (int y = low.y; y <= high.y; ++y)
+        {
+            for (int x = low.x; x <= high.x; ++x)
+            {
+                const glm::ivec3 place(x, y, z);
+                for (std::uint32_t i = heads_[cellOf(place)]; i != 0; i = nexts_[i - 1])
+                {
+                    const SphereInstance& other = spheres_[i - 1];
+                    if (placeOf({other.x, other.y, other.z}) == place)
+                    {
+                        visit(i - 1);
+                    }
+                }
+            }
+        }
+    }
+}
+
+std::size_t Surroundings::indexOf(const SphereInstance& sphere) const
+{
+    std::size_t found = spheres_.size();
+    const glm::vec3 centre(sphere.x, sphere.y, sphere.z);
+    const auto look = [&](std::uint32_t i)
+    {
+        const SphereInstance& other = spheres_[i];
+        if (other.x == sphere.x && other.y == sphere.y && other.z == sphere.z &&
+            other.radius == sphere.radius)
+        {
+            found = i;
+        }
+    };
+    if (!spheres_.empty())
+    {
+        eachIn(centre, centre, look);
+    }
+    return found;
+}
+
+void Surroundings::forgetLightAround(const SphereInstance& arrival)
+{
+    // The other way round than in collect: who would find this one there.
+    const glm::vec3 centre(arrival.x, arrival.y, arrival.z);
+    const glm::vec3 reach((1 + kReach) * largest_ + arrival.radius);
+    const glm::vec3 along = centre - kLampReach * largest_ * lamp_;
+    const glm::vec3 beside((1 + kSoftness * kLampReach) * largest_ + arrival.radius);
+    eachIn(glm::min(centre - reach, along - beside), glm::max(centre + reach, along + beside),
+           [&](std::uint32_t i)
+           {
+               if (known_[i] == Known::now && reaches(arrival, spheres_[i]))
+               {
+                   known_[i] = Known::before;
+               }
+           });
+}
+
+void Surroundings::collect(const SphereInstance& sphere)
 {
     near_.clear();
     const glm::vec3 centre(sphere.x, sphere.y, sphere.z);
     const glm::vec3 reach((1 + kReach) * sphere.radius + largest_);
     const glm::vec3 along = centre + kLampReach * sphere.radius * lamp_;
     const glm::vec3 beside((1 + kSoftness * kLampReach) * sphere.radius + largest_);
-    const glm::ivec3 low = placeOf(glm::min(centre - reach, along - beside));
-    const glm::ivec3 high = placeOf(glm::max(centre + reach, along + beside));
     const auto meet = [&](const SphereInstance& other)
     {
         const glm::vec3 way = (glm::vec3(other.x, other.y, other.z) - centre) / sphere.radius;
@@ -136,24 +208,14 @@ void Surroundings::collect(const SphereInstance& sphere) const
             near_.push_back({weight, way, radius});
         }
     };
-    for (int z = low.z; z <= high.z; ++z)
-    {
-        for (int y = low.y; y <= high.y; ++y)
-        {
-            for (int x = low.x; x <= high.x; ++x)
-            {
-                const glm::ivec3 place(x, y, z);
-                for (std::uint32_t i = heads_[cellOf(place)]; i != 0; i = nexts_[i - 1])
-                {
-                    const SphereInstance& other = spheres_[i - 1];
-                    if (placeOf({other.x, other.y, other.z}) == place)
-                    {
-                        meet(other);
-                    }
-                }
-            }
-        }
-    }
+    eachIn(glm::min(centre - reach, along - beside), glm::max(centre + reach, along + beside),
+           [&](std::uint32_t i)
+           {
+               if (!cutAway_[i])
+               {
+                   meet(spheres_[i]);
+               }
+           });
     std::sort(near_.begin(), near_.end(),
               [](const Neighbour& a, const Neighbour& b)
               {
@@ -162,7 +224,34 @@ void Surroundings::collect(const SphereInstance& sphere) const
               });
 }
 
-SphereLight Surroundings::of(const SphereInstance& sphere) const
+SphereLight Surroundings::of(const SphereInstance& sphere)
+{
+    const std::size_t own = indexOf(sphere);
+    if (own == spheres_.size())
+    {
+        return lightOn(sphere);
+    }
+    if (known_[own] != Known::now)
+    {
+        lights_[own] = lightOn(sphere);
+        known_[own] = Known::now;
+    }
+    return lights_[own];
+}
+
+bool Surroundings::hasChanged(const SphereInstance& sphere)
+{
+    const std::size_t own = indexOf(sphere);
+    if (own == spheres_.size() || known_[own] == Known::now)
+    {
+        return false;
+    }
+    const bool hadNone = known_[own] == Known::nothing;
+    const SphereLight before = lights_[own];
+    return of(sphere) != before || hadNone;
+}
+
+SphereLight Surroundings::lightOn(const SphereInstance& sphere)
 {
     SphereLight light;
     if (spheres_.empty())

@@ -38,6 +38,8 @@ struct SphereLight
     std::array<std::array<std::int8_t, 4>, 12> occluders{};
     /// What all others let through to it, 0..255 for 0..1: of the sky, of the lamp.
     std::array<std::uint8_t, 4> open{255, 255, 0, 0};
+
+    friend bool operator==(const SphereLight&, const SphereLight&) = default;
 };
 
 /// Spheres in the memory of OpenGL, each as the four corners of its square: software renderers take
