@@ -7,6 +7,8 @@ function(frostfill_configure target)
         $<$<BOOL:${FROSTFILL_WERROR}>:-Werror>)
     if(FROSTFILL_SANITIZE)
         target_compile_options(${target} PUBLIC -fsanitize=${FROSTFILL_SANITIZE} -fno-omit-frame-pointer)
+        # With sanitizers GCC 12 takes parts of std::variant and std::regex for uninitialised.
+        target_compile_options(${target} PUBLIC $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
         target_link_options(${target} PUBLIC -fsanitize=${FROSTFILL_SANITIZE})
     endif()
 endfunction()
