@@ -46,7 +46,10 @@ std::string packRecord(RecordKind kind, std::span<const std::uint32_t> frames,
         throw std::length_error("a record of more than 4 GB");
     }
     record.resize(start + packed);
-    std::memcpy(record.data() + sizeof(RecordHeader), frames.data(), frames.size_bytes());
+    if (!frames.empty()) // a null pointer is no place, not even of nothing
+    {
+        std::memcpy(record.data() + sizeof(RecordHeader), frames.data(), frames.size_bytes());
+    }
     RecordHeader header;
     header.kind = kind;
     header.count = static_cast<std::uint32_t>(frames.size());
@@ -87,7 +90,10 @@ std::vector<Record> wholeRecords(std::string_view file)
 std::vector<std::uint32_t> frameNumbers(const Record& record)
 {
     std::vector<std::uint32_t> numbers(record.header.count);
-    std::memcpy(numbers.data(), record.bytes.data(), numbers.size() * sizeof(std::uint32_t));
+    if (!numbers.empty())
+    {
+        std::memcpy(numbers.data(), record.bytes.data(), numbers.size() * sizeof(std::uint32_t));
+    }
     return numbers;
 }
 

@@ -8,7 +8,7 @@ import time
 
 from support import FolderCase, frostfill, unittest
 
-LONG = {"mesh": "torus", "radius": 0.004}  # some minutes
+LONG = {"mesh": "torus", "radius": 0.01}  # some minutes
 
 
 class Interruption(FolderCase):

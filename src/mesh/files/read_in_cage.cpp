@@ -57,7 +57,10 @@ bool take(std::string_view& bytes, std::vector<Value>& values)
         return false;
     }
     values.resize(count);
-    std::memcpy(static_cast<void*>(values.data()), bytes.data(), count * sizeof(Value));
+    if (count > 0) // or values.data() may be null, which memcpy must not be given
+    {
+        std::memcpy(static_cast<void*>(values.data()), bytes.data(), count * sizeof(Value));
+    }
     bytes.remove_prefix(count * sizeof(Value));
     return true;
 }
