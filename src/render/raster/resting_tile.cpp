@@ -98,7 +98,7 @@ void RestingTile::findFurthestAtTimes(const PixelRectangle& drawn)
     furthestOfAll_ = *std::min_element(furthest_.begin(), furthest_.end());
 }
 
-bool RestingTile::hides(const PlacedSphere& sphere, const TilePart& whole) const
+bool RestingTile::hides(const SphereBounds& sphere, const TilePart& whole) const
 {
     const PixelRectangle in = whole.within(sphere.pixels);
     if (in.empty())
@@ -120,7 +120,7 @@ bool RestingTile::hides(const PlacedSphere& sphere, const TilePart& whole) const
 }
 
 void RestingTile::repaint(const SphereRaster& raster, std::span<const SphereInstance> resting,
-                          std::span<const PlacedSphere> placed, const TilePart& whole, bool cull)
+                          std::span<const SphereBounds> placed, const TilePart& whole, bool cull)
 {
     if (spheres_.empty())
     {
@@ -151,7 +151,7 @@ void RestingTile::repaint(const SphereRaster& raster, std::span<const SphereInst
 }
 
 void RestingTile::recolour(const SphereRaster& raster, std::span<const SphereInstance> resting,
-                           std::span<const PlacedSphere> placed, const TilePart& whole,
+                           std::span<const SphereBounds> placed, const TilePart& whole,
                            const PixelRectangle& pixels)
 {
     // Shapes stay, so what is hidden now is hidden afterwards too.
@@ -167,7 +167,7 @@ void RestingTile::recolour(const SphereRaster& raster, std::span<const SphereIns
 }
 
 bool RestingTile::add(const SphereRaster& raster, const SphereInstance& sphere,
-                      const PlacedSphere& placed, std::uint32_t index, const TilePart& whole)
+                      const SphereBounds& placed, std::uint32_t index, const TilePart& whole)
 {
     if (hides(placed, whole))
     {

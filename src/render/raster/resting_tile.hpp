@@ -14,7 +14,7 @@ namespace frostfill
 {
 
 /// Where a sphere may be seen in the picture, and how near it comes.
-struct PlacedSphere
+struct SphereBounds
 {
     PixelRectangle pixels;
     float nearest = 0;
@@ -36,19 +36,19 @@ public:
     /// Draws the whole tile. With `cull`, spheres that are found to be hidden are not listed any
     /// more.
     void repaint(const SphereRaster& raster, std::span<const SphereInstance> resting,
-                 std::span<const PlacedSphere> placed, const TilePart& whole, bool cull);
+                 std::span<const SphereBounds> placed, const TilePart& whole, bool cull);
     /// Draws a part anew in which colours have changed. Spheres that others have come to hide are
     /// not listed any more.
     void recolour(const SphereRaster& raster, std::span<const SphereInstance> resting,
-                  std::span<const PlacedSphere> placed, const TilePart& whole,
+                  std::span<const SphereBounds> placed, const TilePart& whole,
                   const PixelRectangle& pixels);
     /// Lists a sphere and draws it over what is there, unless it is hidden. Returns whether it may
     /// be seen.
-    bool add(const SphereRaster& raster, const SphereInstance& sphere, const PlacedSphere& placed,
+    bool add(const SphereRaster& raster, const SphereInstance& sphere, const SphereBounds& placed,
              std::uint32_t index, const TilePart& whole);
 
     /// Hidden in this tile by what is at rest.
-    [[nodiscard]] bool hides(const PlacedSphere& sphere, const TilePart& whole) const;
+    [[nodiscard]] bool hides(const SphereBounds& sphere, const TilePart& whole) const;
     /// Copies a part, or the background where nothing lies.
     void copyTo(SampleTile& tile, const PixelRectangle& pixels) const;
 

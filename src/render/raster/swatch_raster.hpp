@@ -25,7 +25,7 @@ public:
 private:
     std::unique_ptr<SphereRaster> raster_;
     std::vector<SphereInstance> spheres_;
-    std::vector<PlacedSphere> placed_; ///< [spheres]
+    std::vector<SphereBounds> placed_; ///< [spheres]
     ShadedMesh mesh_;                  ///< of the polygons
     std::unique_ptr<ShellRaster> polygons_;
     std::vector<std::uint32_t> triangles_; ///< all of the mesh

@@ -110,7 +110,7 @@ void TilePipeline::markDirty(const PixelRectangle& pixels)
                });
 }
 
-PlacedSphere TilePipeline::place(const SphereInstance& sphere) const
+SphereBounds TilePipeline::place(const SphereInstance& sphere) const
 {
     return {projector_->project(sphere).pixels, raster_->nearest(sphere)};
 }
@@ -176,7 +176,7 @@ void TilePipeline::rebuild()
                       });
     for (std::uint32_t i = 0; i < resting.size(); ++i)
     {
-        const PlacedSphere& placed = placed_[i];
+        const SphereBounds& placed = placed_[i];
         grid_.each(placed.pixels,
                    [&](std::size_t tile) { tiles_[tile].resting.list(i, placed.nearest); });
     }
@@ -228,7 +228,7 @@ void TilePipeline::addArrivals(std::size_t first)
     for (std::size_t i = first; i < resting.size(); ++i)
     {
         placed_.push_back(place(resting[i]));
-        const PlacedSphere& placed = placed_.back();
+        const SphereBounds& placed = placed_.back();
         grid_.each(placed.pixels,
                    [&](std::size_t tile)
                    {
@@ -245,7 +245,7 @@ void TilePipeline::addArrivals(std::size_t first)
 
 void TilePipeline::placeRunning()
 {
-    for (const PlacedSphere& before : running_)
+    for (const SphereBounds& before : running_)
     {
         grid_.each(before.pixels,
                    [&](std::size_t tile)
@@ -257,7 +257,7 @@ void TilePipeline::placeRunning()
                        }
                    });
     }
-    for (const PlacedSphere& before : running_)
+    for (const SphereBounds& before : running_)
     {
         grid_.each(before.pixels, [&](std::size_t tile) { tiles_[tile].running.clear(); });
     }
@@ -266,7 +266,7 @@ void TilePipeline::placeRunning()
     {
         const auto index = static_cast<std::uint32_t>(running_.size());
         running_.push_back(place(sphere));
-        const PlacedSphere& now = running_.back();
+        const SphereBounds& now = running_.back();
         grid_.each(now.pixels,
                    [&](std::size_t tile)
                    {

@@ -54,7 +54,7 @@ private:
 
     void useFraming();
     void addShell(const TriangleMesh& mesh);
-    [[nodiscard]] PlacedSphere place(const SphereInstance& sphere) const;
+    [[nodiscard]] SphereBounds place(const SphereInstance& sphere) const;
     void markDirty(const PixelRectangle& pixels);
     void rebuild();
     void addArrivals(std::size_t first);
@@ -75,8 +75,8 @@ private:
     std::optional<SphereProjector> projector_;
     std::unique_ptr<SwatchRaster> swatches_;
     SphereLedger ledger_;
-    std::vector<PlacedSphere> placed_;  ///< [resting]
-    std::vector<PlacedSphere> running_; ///< [running]
+    std::vector<SphereBounds> placed_;  ///< [resting]
+    std::vector<SphereBounds> running_; ///< [running]
     std::vector<Tile> tiles_;           ///< from the lower left corner
     tbb::enumerable_thread_specific<SampleTile> work_;
     bool stale_ = true; ///< nothing of the picture before can be kept

@@ -37,7 +37,7 @@ void makeData(const FigureFolder& folder)
     {
         Scene scene = sceneOf(object, folder.quick());
         const TriangleMesh mesh = builtInMesh(object);
-        const std::vector<Moment> end = {endOf(scene, mesh)};
+        const std::vector<FigureMoment> end = {endOf(scene, mesh)};
         const Snapshot& state = end.front().snapshot;
         table.rows.push_back({object, fmt::format("{}", byState.size()),
                               fmt::format("{}", state.states.size()),

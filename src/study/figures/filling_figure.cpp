@@ -36,7 +36,7 @@ void makeData(const FigureFolder& folder)
             spheres.push_back(*scene.spheres.count * column / kColumns);
         }
         const TriangleMesh mesh = builtInMesh(object);
-        std::vector<Moment> moments = momentsOf(scene, mesh, spheres);
+        std::vector<FigureMoment> moments = momentsOf(scene, mesh, spheres);
         moments.push_back(endOf(scene, mesh));
         for (std::size_t column = 0; column < moments.size(); ++column)
         {

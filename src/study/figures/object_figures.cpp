@@ -55,7 +55,7 @@ void makeStages(const FigureFolder& folder)
     {
         spheres.push_back(*subject.scene.spheres.count * stage / kStages);
     }
-    std::vector<Moment> moments = momentsOf(subject.scene, subject.mesh, spheres);
+    std::vector<FigureMoment> moments = momentsOf(subject.scene, subject.mesh, spheres);
     moments.push_back(endOf(subject.scene, subject.mesh));
     Table table;
     table.headings = {"column", "spheres", "running", "frozen", "discarded", "polygons_discarded"};
@@ -81,7 +81,7 @@ void makeCutaways(const FigureFolder& folder)
     scene.style.cutaway.kind = Cutaway::Kind::wedge;
     scene.style.cutaway.from = azimuth - kHalfWedge;
     scene.style.cutaway.to = azimuth + kHalfWedge;
-    const std::vector<Moment> end = {endOf(scene, subject.mesh)};
+    const std::vector<FigureMoment> end = {endOf(scene, subject.mesh)};
     Table table;
     table.headings = {"column", "label"};
     std::vector<Image> panels;

@@ -20,10 +20,10 @@ std::uint64_t sphereTests(const OperationCounts& counts)
 }
 
 /// Sets as large as the scale of colours by set has to be.
-ColourRange rangeOf(std::span<const Moment> moments)
+ColourRange rangeOf(std::span<const FigureMoment> moments)
 {
     double last = 1;
-    for (const Moment& moment : moments)
+    for (const FigureMoment& moment : moments)
     {
         last = std::max(last, static_cast<double>(moment.snapshot.set));
     }
@@ -32,15 +32,15 @@ ColourRange rangeOf(std::span<const Moment> moments)
 
 } // namespace
 
-std::vector<Moment> momentsOf(const Scene& scene, const TriangleMesh& mesh,
-                              std::span<const std::size_t> spheres)
+std::vector<FigureMoment> momentsOf(const Scene& scene, const TriangleMesh& mesh,
+                                    std::span<const std::size_t> spheres)
 {
     const double wait = fallTime(scene, inspectMesh(mesh)) / 2;
     Simulation simulation(scene, mesh);
-    std::vector<Moment> moments;
+    std::vector<FigureMoment> moments;
     double reached = -1;
     OperationCounts before;
-    Moment now;
+    FigureMoment now;
     const auto take = [&]
     {
         simulation.capture(now.snapshot);
@@ -67,19 +67,19 @@ std::vector<Moment> momentsOf(const Scene& scene, const TriangleMesh& mesh,
     return moments;
 }
 
-Moment endOf(const Scene& scene, const TriangleMesh& mesh)
+FigureMoment endOf(const Scene& scene, const TriangleMesh& mesh)
 {
     Simulation simulation(scene, mesh);
     while (simulation.step())
     {
     }
-    Moment moment;
+    FigureMoment moment;
     simulation.capture(moment.snapshot);
     return moment;
 }
 
 std::vector<Image> drawMoments(const Scene& scene, const TriangleMesh& mesh,
-                               std::span<const Moment> moments)
+                               std::span<const FigureMoment> moments)
 {
     Renderer renderer(mesh, renderSettings(scene, rangeOf(moments)));
     std::vector<Image> images(moments.size());

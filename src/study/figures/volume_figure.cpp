@@ -28,8 +28,8 @@ void makeData(const FigureFolder& folder)
 
     Scene kept = scene;
     kept.discard.rule = DiscardRule::none;
-    const std::vector<Moment> frozen = momentsOf(kept, mesh, spheres);
-    const std::vector<Moment> discarded = momentsOf(scene, mesh, spheres);
+    const std::vector<FigureMoment> frozen = momentsOf(kept, mesh, spheres);
+    const std::vector<FigureMoment> discarded = momentsOf(scene, mesh, spheres);
     const std::vector<Image> panels = {drawMoments(kept, mesh, frozen).front(),
                                        drawMoments(scene, mesh, discarded).front()};
     folder.write("volume-panels.png", joinPanels(panels, 2, 0));
@@ -37,7 +37,7 @@ void makeData(const FigureFolder& folder)
 
     Table table;
     table.headings = {"panel", "spheres", "running", "frozen", "discarded", "tests_a_step"};
-    for (const Moment* moment : {&frozen.front(), &discarded.front()})
+    for (const FigureMoment* moment : {&frozen.front(), &discarded.front()})
     {
         table.rows.push_back({moment == &frozen.front() ? "frozen" : "discarded",
                               fmt::format("{}", moment->snapshot.states.size()),

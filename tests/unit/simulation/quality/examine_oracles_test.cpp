@@ -21,7 +21,7 @@ TEST(Examine, AgreesWithAllPairsOnRandomSpheres)
 {
     for (std::uint64_t seed = 1; seed <= 5; ++seed)
     {
-        Packing packing;
+        HandPacking packing;
         std::vector<PlacedSphere> spheres;
         for (std::uint64_t k = 0; k < 200; ++k)
         {
@@ -68,7 +68,7 @@ protected:
                                              const std::vector<Vector3d>& centres)
     {
         const std::size_t copies = GetParam() ? 300 : 1;
-        Packing packing;
+        HandPacking packing;
         for (std::size_t k = 0; k < copies; ++k)
         {
             for (const Vector3d& centre : centres)
@@ -122,7 +122,7 @@ INSTANTIATE_TEST_SUITE_P(BothWays, CentresOutside, ::testing::Bool(), nameOfWay)
 TEST(Examine, AddsUpVolumes)
 {
     const QualityReport report =
-        Packing().add({0, -9, 0}).add({5, -9.5, 0}, 0.5).addRunning({0, 5, 0}, 2).in(room());
+        HandPacking().add({0, -9, 0}).add({5, -9.5, 0}, 0.5).addRunning({0, 5, 0}, 2).in(room());
     EXPECT_NEAR(report.meshVolume, 8000, 1e-9);
     EXPECT_NEAR(report.sphereVolume, 4.0 / 3.0 * M_PI * (1 + 0.125 + 8), 1e-12);
     EXPECT_TRUE(std::isnan(report.volumeEstimate)) << "it is known only for full objects";
@@ -132,7 +132,7 @@ TEST(Examine, AddsUpVolumes)
 TEST(Examine, LeavesOutNoneOfThousands)
 {
     const TriangleMesh mesh = shapes::box({-20, -20, -20}, {20, 20, 20}, 4);
-    Packing packing;
+    HandPacking packing;
     std::size_t count = 0;
     for (int k = 0; k < 17 * 17 * 17; ++k)
     {

@@ -19,7 +19,7 @@ using Eigen::Vector3d;
 TEST(Examine, FindsNothingWrongWithAPackingThatHasNoFaults)
 {
     const QualityReport report =
-        Packing().add({0, -9, 0}).add({3, -9, 0}).addRunning({0, 4, 0}).in(room());
+        HandPacking().add({0, -9, 0}).add({3, -9, 0}).addRunning({0, 4, 0}).in(room());
     EXPECT_EQ(report.maxOverlap, 0);
     EXPECT_EQ(report.meanOverlap, 0);
     EXPECT_LT(report.maxWallOverlap, 1e-15);
@@ -30,7 +30,7 @@ TEST(Examine, FindsNothingWrongWithAPackingThatHasNoFaults)
 
 TEST(Examine, MeasuresTheLargestAndTheMeanOverlap)
 {
-    Packing packing;
+    HandPacking packing;
     packing.add({0, 0, 0}).add({1.75, 0, 0});            // a quarter of a radius
     packing.addRunning({0, 0, 6}).add({0, 1.95, 6});     // a twentieth
     packing.add({-6, 0, 0}).add({-6, 0, 2.1});           // apart: no pair
@@ -46,7 +46,7 @@ TEST(Examine, MeasuresOverlapsInTheSmallerRadius)
     {
         const TriangleMesh mesh =
             shapes::box(scale * Vector3d(-10, -10, -10), scale * Vector3d(10, 10, 10), 4);
-        const QualityReport report = Packing()
+        const QualityReport report = HandPacking()
                                          .add(scale * Vector3d(1, 2, 3), 0.5 * scale)
                                          .add(scale * Vector3d(3.4, 2, 3), 2 * scale)
                                          .in(mesh);
@@ -56,15 +56,15 @@ TEST(Examine, MeasuresOverlapsInTheSmallerRadius)
 
 TEST(Examine, MeasuresSpheresInOnePlaceAsTwoRadii)
 {
-    EXPECT_EQ(Packing().add({1, 1, 1}).add({1, 1, 1}).in(room()).maxOverlap, 2);
+    EXPECT_EQ(HandPacking().add({1, 1, 1}).add({1, 1, 1}).in(room()).maxOverlap, 2);
 }
 
 TEST(Examine, MeasuresHowDeepASphereIsInAWall)
 {
-    EXPECT_NEAR(Packing().addRunning({0, 0, 9.8}, 1).in(room()).maxWallOverlap, 0.8, 1e-14);
-    EXPECT_NEAR(Packing().addRunning({0, 9.25, 3}, 1).in(room()).maxWallOverlap, 0.25, 1e-14);
-    EXPECT_NEAR(Packing().addRunning({-9.7, 0, 3}, 0.5).in(room()).maxWallOverlap, 0.4, 1e-14);
-    EXPECT_EQ(Packing().addRunning({0, 0, 8.9}, 1).in(room()).maxWallOverlap, 0);
+    EXPECT_NEAR(HandPacking().addRunning({0, 0, 9.8}, 1).in(room()).maxWallOverlap, 0.8, 1e-14);
+    EXPECT_NEAR(HandPacking().addRunning({0, 9.25, 3}, 1).in(room()).maxWallOverlap, 0.25, 1e-14);
+    EXPECT_NEAR(HandPacking().addRunning({-9.7, 0, 3}, 0.5).in(room()).maxWallOverlap, 0.4, 1e-14);
+    EXPECT_EQ(HandPacking().addRunning({0, 0, 8.9}, 1).in(room()).maxWallOverlap, 0);
 }
 
 TEST(Examine, MeasuresACentreOnTheWallAsOneRadius)
@@ -73,7 +73,7 @@ TEST(Examine, MeasuresACentreOnTheWallAsOneRadius)
     for (const Vector3d& place : {Vector3d(0.3, -10, 0.2), Vector3d(1.7, -10, 3.1),
                                   Vector3d(0, -10, 2.2), Vector3d(0, -10, 0), Vector3d(10, 10, 10)})
     {
-        EXPECT_NEAR(Packing().addRunning(place).in(room()).maxWallOverlap, 1, 1e-12)
+        EXPECT_NEAR(HandPacking().addRunning(place).in(room()).maxWallOverlap, 1, 1e-12)
             << place.transpose();
     }
 }
@@ -89,31 +89,31 @@ TEST(Examine, MeasuresDepthsAtAnEdgeThatPointsInwards)
     {
         mesh.triangles.push_back({first + t[0], first + t[2], first + t[1]});
     }
-    const QualityReport report = Packing().addRunning({0.3, 0.4, 0.1}).in(mesh);
+    const QualityReport report = HandPacking().addRunning({0.3, 0.4, 0.1}).in(mesh);
     EXPECT_NEAR(report.maxWallOverlap, 0.5, 1e-14);
     EXPECT_EQ(report.centresOutside, 0u);
 }
 
 TEST(Examine, CountsNoneSomeOrAllThatNothingCarries)
 {
-    Packing packing;
+    HandPacking packing;
     packing.add({0, -9, 0}).add({0, -7, 0}).add({5, -9, 5});
     EXPECT_EQ(packing.in(room()).unsupported, 0u);
     packing.add({5, 0, 5}).add({-5, 0, 5});
     EXPECT_EQ(packing.in(room()).unsupported, 2u);
-    EXPECT_EQ(Packing().add({5, 0, 5}).add({-5, 9, 5}).in(room()).unsupported, 2u);
+    EXPECT_EQ(HandPacking().add({5, 0, 5}).add({-5, 9, 5}).in(room()).unsupported, 2u);
 }
 
 TEST(Examine, AsksOnlySpheresAtRestForSupportAndOnlyThoseCarry)
 {
-    EXPECT_EQ(Packing().addRunning({5, 0, 5}).in(room()).unsupported, 0u);
-    EXPECT_EQ(Packing().addRunning({0, -9, 0}).add({0, -7, 0}).in(room()).unsupported, 1u);
+    EXPECT_EQ(HandPacking().addRunning({5, 0, 5}).in(room()).unsupported, 0u);
+    EXPECT_EQ(HandPacking().addRunning({0, -9, 0}).add({0, -7, 0}).in(room()).unsupported, 1u);
 }
 
 TEST(Examine, TakesACeilingAndASphereAboveForNoSupport)
 {
-    EXPECT_EQ(Packing().add({0, 9, 0}).in(room()).unsupported, 1u);
-    EXPECT_EQ(Packing().add({0, 0, 0}).addRunning({0, 2, 0}).in(room()).unsupported, 1u);
+    EXPECT_EQ(HandPacking().add({0, 9, 0}).in(room()).unsupported, 1u);
+    EXPECT_EQ(HandPacking().add({0, 0, 0}).addRunning({0, 2, 0}).in(room()).unsupported, 1u);
 }
 
 // A gap counts as a contact up to a hundredth of the sphere's own radius.
@@ -124,10 +124,10 @@ TEST(Examine, TakesAGapForAContactUpToAHundredthOfTheRadius)
         for (const auto& [gap, unsupported] : {std::pair(0.0099, 0u), {0.0101, 1u}})
         {
             const double height = radius * (1 + gap);
-            Packing onFloor;
+            HandPacking onFloor;
             onFloor.add({0, -10 + height, 0}, radius).addRunning({5, 5, 5});
             EXPECT_EQ(onFloor.in(room()).unsupported, unsupported) << radius << " " << gap;
-            Packing onSphere;
+            HandPacking onSphere;
             onSphere.add({0, -9, 0}).add({0, -8 + height, 0}, radius);
             EXPECT_EQ(onSphere.in(room()).unsupported, unsupported) << radius << " " << gap;
         }
@@ -140,7 +140,7 @@ TEST(Examine, LetsATenthOfTheWeightRemain)
     for (const auto& [share, unsupported] : {std::pair(0.099, 0u), {0.101, 1u}})
     {
         const Vector3d normal(share, std::sqrt(1 - share * share), 0);
-        Packing packing;
+        HandPacking packing;
         packing.add({0, -9, 0}).add(Vector3d(0, -9, 0) + 2 * normal);
         EXPECT_EQ(packing.in(room()).unsupported, unsupported) << share;
     }
@@ -148,11 +148,11 @@ TEST(Examine, LetsATenthOfTheWeightRemain)
 
 TEST(Examine, KnowsThatTwoAndThreeContactsCarryTogether)
 {
-    Packing groove; // along the edge of floor and wall: each alone would not do, at 45 degrees
+    HandPacking groove; // along the edge of floor and wall: each alone would not do, at 45 degrees
     const double c = std::sqrt(2.0);
     groove.add({-c, -9, 0}).add({c, -9, 0}).add({0, -9 + c, 0});
     EXPECT_EQ(groove.in(room()).unsupported, 0u);
-    Packing three;
+    HandPacking three;
     for (int k = 0; k < 3; ++k)
     {
         const double a = 2 * M_PI * k / 3;
@@ -164,17 +164,17 @@ TEST(Examine, KnowsThatTwoAndThreeContactsCarryTogether)
 
 TEST(Examine, PullsAgainstTheAxisThatIsUp)
 {
-    const Packing onZ = Packing().add({0, 0, -9});
+    const HandPacking onZ = HandPacking().add({0, 0, -9});
     EXPECT_EQ(onZ.in(room(), Axis::z).unsupported, 0u);
     EXPECT_EQ(onZ.in(room(), Axis::y).unsupported, 1u);
-    EXPECT_EQ(Packing().add({-9, 0, 0}).in(room(), Axis::x).unsupported, 0u);
+    EXPECT_EQ(HandPacking().add({-9, 0, 0}).in(room(), Axis::x).unsupported, 0u);
 }
 
 TEST(Examine, CountsPositionsThatAreNotNumbersAndJudgesTheRest)
 {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const double infinity = std::numeric_limits<double>::infinity();
-    Packing packing;
+    HandPacking packing;
     packing.add({nan, 0, 0}).add({0, infinity, 0}).addRunning({0, nan, nan});
     packing.add({0, 0, 0}).add({1.5, 0, 0});
     const QualityReport report = packing.in(room());

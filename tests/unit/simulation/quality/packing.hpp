@@ -11,17 +11,17 @@ namespace frostfill
 {
 
 /// Spheres of a packing, at rest unless they are said to run.
-class Packing
+class HandPacking
 {
 public:
-    Packing& add(const Eigen::Vector3d& centre, double radius = 1, bool atRest = true)
+    HandPacking& add(const Eigen::Vector3d& centre, double radius = 1, bool atRest = true)
     {
         centres_.push_back(centre);
         radii_.push_back(radius);
         atRest_.push_back(atRest);
         return *this;
     }
-    Packing& addRunning(const Eigen::Vector3d& centre, double radius = 1)
+    HandPacking& addRunning(const Eigen::Vector3d& centre, double radius = 1)
     {
         return add(centre, radius, false);
     }

@@ -90,7 +90,7 @@ TEST(PairTable, HoldsAsManyTestsAsAStepMakes)
     scene.freezing.everySets = 1;
     scene.search = {SphereSearch::allPairs, PolygonSearch::grid};
     const std::size_t spheres[] = {40, 100};
-    for (const Moment& moment : momentsOf(scene, builtInMesh("torus"), spheres))
+    for (const FigureMoment& moment : momentsOf(scene, builtInMesh("torus"), spheres))
     {
         EXPECT_GT(moment.snapshot.running, 0u);
         EXPECT_EQ(testsIn(pairTable(moment.snapshot)), moment.sphereTests);
