@@ -57,7 +57,7 @@ RunReport doRun(const SweepRequest& sweep, const SweepRun& run, const std::strin
 /// A mesh that cannot be used fails every run that is filled with it.
 RunReport failedBefore(const std::filesystem::path& folder, const Error& error)
 {
-    const RunReport report = failed(error);
+    RunReport report = failed(error);
     try
     {
         const Claim claim(folder);

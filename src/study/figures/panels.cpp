@@ -96,7 +96,8 @@ Image joinPanels(std::span<const Image> panels, std::size_t columns, int strip)
     const std::size_t rows = (panels.size() + columns - 1) / columns;
     Image joined;
     joined.width = first.width * static_cast<int>(columns);
-    const auto rowHeight = static_cast<std::size_t>(first.height + strip);
+    const int height = first.height + strip;
+    const auto rowHeight = static_cast<std::size_t>(height);
     joined.height = static_cast<int>(rowHeight * rows);
     joined.channels = first.channels;
     const auto bytes = static_cast<std::size_t>(first.width) * first.channels;
