@@ -227,16 +227,17 @@ void Surroundings::collect(const SphereInstance& sphere)
 SphereLight Surroundings::of(const SphereInstance& sphere)
 {
     const std::size_t own = indexOf(sphere);
-    if (own == spheres_.size())
+    return own == spheres_.size() ? lightOn(sphere) : keptLight(own);
+}
+
+const SphereLight& Surroundings::keptLight(std::size_t index)
+{
+    if (known_[index] != Known::now)
     {
-        return lightOn(sphere);
+        lights_[index] = lightOn(spheres_[index]);
+        known_[index] = Known::now;
     }
-    if (known_[own] != Known::now)
-    {
-        lights_[own] = lightOn(sphere);
-        known_[own] = Known::now;
-    }
-    return lights_[own];
+    return lights_[index];
 }
 
 bool Surroundings::hasChanged(const SphereInstance& sphere)
@@ -248,7 +249,7 @@ bool Surroundings::hasChanged(const SphereInstance& sphere)
     }
     const bool hadNone = known_[own] == Known::nothing;
     const SphereLight before = lights_[own];
-    return of(sphere) != before || hadNone;
+    return keptLight(own) != before || hadNone;
 }
 
 SphereLight Surroundings::lightOn(const SphereInstance& sphere)

@@ -34,6 +34,9 @@ public:
     /// asked for; true if it never was.
     [[nodiscard]] bool hasChanged(const SphereInstance& sphere);
 
+    /// Whether a sphere's light may depend on another one's being there.
+    [[nodiscard]] bool reaches(const SphereInstance& from, const SphereInstance& to) const;
+
 private:
     /// What is known of a sphere's light.
     enum class Known : std::uint8_t
@@ -57,13 +60,13 @@ private:
     /// Index of a sphere that was added; that of none is the number of spheres.
     [[nodiscard]] std::size_t indexOf(const SphereInstance& sphere) const;
     void forgetLightAround(const SphereInstance& arrival);
-    /// Whether a sphere's light may depend on another one's being there.
-    [[nodiscard]] bool reaches(const SphereInstance& from, const SphereInstance& to) const;
     /// Calls visit(index) for the spheres whose centres are in cells that a box touches.
     template <typename Visit>
     void eachIn(const glm::vec3& low, const glm::vec3& high, Visit visit) const;
     void collect(const SphereInstance& sphere);
     [[nodiscard]] SphereLight lightOn(const SphereInstance& sphere);
+    /// On a sphere that was added; kept.
+    const SphereLight& keptLight(std::size_t index);
 
     glm::vec3 lamp_;
     std::optional<CutPlanes> cut_;

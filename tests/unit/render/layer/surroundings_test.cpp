@@ -81,6 +81,35 @@ TEST(Surroundings, DoNotDependOnTheOrderInWhichTheyCame)
     }
 }
 
+TEST(Surroundings, ChangeOnlyTheLightOfThoseThatAnArrivalReaches)
+{
+    const std::vector<SphereInstance> spheres = cloud(1200);
+    Surroundings surroundings(kLamp, {});
+    surroundings.start(std::span(spheres).first(1000));
+    int changed = 0;
+    int reached = 0;
+    for (std::size_t i = 1000; i < spheres.size(); ++i)
+    {
+        std::vector<SphereLight> before;
+        for (std::size_t k = 0; k < 1000; ++k)
+        {
+            before.push_back(surroundings.of(spheres[k]));
+        }
+        surroundings.add(spheres[i]);
+        for (std::size_t k = 0; k < 1000; ++k)
+        {
+            const bool differs = !same(before[k], surroundings.of(spheres[k]));
+            const bool reaches = surroundings.reaches(spheres[i], spheres[k]);
+            ASSERT_TRUE(reaches || !differs) << i << " on " << k;
+            changed += differs ? 1 : 0;
+            reached += reaches ? 1 : 0;
+        }
+        i += 9;
+    }
+    EXPECT_GT(changed, 100);
+    EXPECT_LT(reached, 3 * changed) << "says that it reaches nearly all";
+}
+
 // The oracle: surroundings that are started with the same spheres and keep nothing.
 TEST(Surroundings, KeepTheLightOfThoseThatAnArrivalDoesNotChange)
 {
