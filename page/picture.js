@@ -140,6 +140,7 @@ class Picture {
       pixelScale: 0.5 * looked.projection[5] * this.drawnSize[1],
       heightPlane: looked.heightPlane,
       distancePlane: looked.distancePlane,
+      supersample: this.times,
       haze: look.haze,
       gloss: look.gloss,
       background: ground,

@@ -28,6 +28,7 @@ uniform mat4 view;
 uniform mat4 projection;
 
 uniform float pixelScale; // pixels in a length of 1 at distance 1, or at any without perspective
+uniform float supersample; // drawn for one pixel of the picture, each way
 uniform vec4 background; // what is far fades to black where it is clear
 uniform vec4 heightPlane; // with an eye-space point: 0 at the object's foot, 1 at its top
 uniform vec4 distancePlane; // with an eye-space point: 0 at the object's front, 1 at its back
@@ -60,8 +61,9 @@ void setColours(vec3 centre, float pixel)
     marks.z = 0.0;
 #endif
 #ifndef OUTLINES
-    // On small spheres a hatch is noise. It fades to its mean, and is gone at 12 pixels across.
-    float shown = smoothstep(12.0, 120.0, 2.0 / pixel);
+    // On small spheres a hatch is noise. It fades to its mean, and is gone at 12 pixels across
+    // in the picture as it is seen.
+    float shown = smoothstep(12.0, 120.0, 2.0 / (pixel * supersample));
     tintAndSteepness.rgb *= 1.0 - kHatchShare * marks.z * (1.0 - shown);
     marks.z *= shown;
 #endif

@@ -39,7 +39,7 @@ enum class Backend : std::uint8_t
     eglHardware,    ///< a graphics card
     eglSoftware,    ///< the software device of Mesa
     eglSurfaceless, ///< Mesa without a device
-    builtin,        ///< without OpenGL; styles clean and dark without cutaway and ambient occlusion
+    builtin,        ///< without OpenGL; all styles but paper, without cutaway and ambient occlusion
 };
 
 /// Size of a picture in pixels.

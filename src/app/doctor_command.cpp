@@ -74,15 +74,16 @@ void printVerdict(std::span<const BackendAttempt> attempts, const BackendAttempt
 {
     if (chosen.name == attempts.front().name)
     {
-        fmt::print(
-            "all is well: the styles clean and dark are drawn without OpenGL, others with {}\n",
-            chosen.name);
+        fmt::print("all is well: the styles clean, dark and studio are drawn without OpenGL, "
+                   "others with {}\n",
+                   chosen.name);
         return;
     }
-    fmt::print("the styles clean and dark are drawn without OpenGL, others with {}, because {} "
-               "does not work; they can differ from its "
-               "pictures in single bits\n",
-               chosen.name, attempts.front().name);
+    fmt::print(
+        "the styles clean, dark and studio are drawn without OpenGL, others with {}, because {} "
+        "does not work; they can differ from its "
+        "pictures in single bits\n",
+        chosen.name, attempts.front().name);
 }
 
 int examine()
@@ -103,9 +104,10 @@ int examine()
                                      [](const BackendAttempt& attempt) { return attempt.works; });
     if (chosen == attempts.end())
     {
-        throw Error(ErrorCode::noOpenGl,
-                    "no OpenGL is available: the styles clean and dark are drawn without it, but "
-                    "paper, studio, cutaways, ambient occlusion and passes cannot be");
+        throw Error(
+            ErrorCode::noOpenGl,
+            "no OpenGL is available: the styles clean, dark and studio are drawn without it, but "
+            "paper, cutaways, ambient occlusion and passes cannot be");
     }
     printVerdict(attempts, *chosen);
     return 0;

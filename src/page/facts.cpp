@@ -63,7 +63,7 @@ Json lookJson(const char* name, const Palette& palette, const PageView& view,
             {"text", palette.text},
             {"active_ink", inkJson(palette.activePolygon, palette.background)},
             {"discarded_ink", inkJson(palette.discardedPolygon, palette.background)},
-            {"haze", uniformsOf(view.framing, settings.size, look).haze},
+            {"haze", uniformsOf(view.framing, settings).haze},
             {"gloss", look == Look::paper ? 0 : 1},
             {"outlines", variant.outlines},
             {"fading_lines", variant.fadingLines}};

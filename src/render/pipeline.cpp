@@ -111,7 +111,7 @@ const std::vector<PixelRectangle>& Pipeline::draw(const Snapshot& snapshot)
         ledger_.sortFrontToBack(framing());
     }
     stale_ = false;
-    renewSurroundings(changes);
+    renewSurroundings(changes, startAgain);
     dirty_.clear();
     if (layer_)
     {
@@ -128,18 +128,11 @@ const std::vector<PixelRectangle>& Pipeline::draw(const Snapshot& snapshot)
     return parts;
 }
 
-void Pipeline::renewSurroundings(const SphereLedger::Changes& changes)
+void Pipeline::renewSurroundings(const SphereLedger::Changes& changes, bool startAgain)
 {
-    Surroundings* surroundings = painter_.surroundings();
-    const auto resting = ledger_.resting();
-    if (surroundings && (changes.everything || changes.firstArrival == 0))
+    if (Surroundings* surroundings = painter_.surroundings())
     {
-        surroundings->start(resting);
-        return;
-    }
-    for (std::size_t i = changes.firstArrival; surroundings && i < resting.size(); ++i)
-    {
-        surroundings->add(resting[i]);
+        surroundings->follow(ledger_.resting(), startAgain ? 0 : changes.firstArrival);
     }
 }
 
@@ -173,15 +166,11 @@ void Pipeline::updateLayer(const SphereLedger::Changes& changes,
     if (Surroundings* surroundings = painter_.surroundings())
     {
         // What comes to rest takes light from what lies there.
-        const auto resting = ledger_.resting();
-        layer_->eachSeen(
-            [&](std::size_t index, const PixelRectangle& pixels)
-            {
-                if (surroundings->hasChanged(resting[index]))
-                {
-                    covered_.add(pixels);
-                }
-            });
+        const auto isSeen = [&](std::uint32_t index) { return !layer_->whereSeen(index).empty(); };
+        for (const std::uint32_t index : surroundings->askAgain(isSeen))
+        {
+            covered_.add(layer_->whereSeen(index));
+        }
     }
     dirty_.add(running_);
     if (!covered_.empty())

@@ -60,7 +60,7 @@ private:
     void useFraming();
     /// Looks at the object where it is in the snapshot.
     void follow(const Snapshot& snapshot);
-    void renewSurroundings(const SphereLedger::Changes& changes);
+    void renewSurroundings(const SphereLedger::Changes& changes, bool startAgain);
     void drawEverything();
     void updateLayer(const SphereLedger::Changes& changes,
                      std::span<const PixelRectangle> polygonParts, bool startAgain);

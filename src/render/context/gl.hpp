@@ -3,6 +3,8 @@
 
 #include <GL/glcorearb.h>
 
+#include <cstddef>
+
 namespace frostfill
 {
 
@@ -92,5 +94,11 @@ struct GlFunctions
 
 /// Throws Error noOpenGl, naming the first function that the context lacks.
 [[nodiscard]] GlFunctions loadGlFunctions(const Context& context);
+
+/// A place in the buffer that is bound, as OpenGL wants it told [byte].
+[[nodiscard]] inline const void* inBuffer(std::size_t offset)
+{
+    return reinterpret_cast<const void*>(offset); // NOLINT(performance-no-int-to-ptr)
+}
 
 } // namespace frostfill

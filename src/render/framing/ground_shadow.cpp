@@ -28,15 +28,16 @@ struct Heights
     glm::vec2 corner{0};
     float cell = 1;
     std::vector<float> lowest =
-        std::vector<float>(kCells * kCells, std::numeric_limits<float>::infinity());
+        std::vector<float>(std::size_t{kCells} * kCells, std::numeric_limits<float>::infinity());
 
     void put(const glm::vec2& place, float height)
     {
         const glm::ivec2 at = glm::ivec2(glm::floor((place - corner) / cell));
         if (at.x >= 0 && at.y >= 0 && at.x < kCells && at.y < kCells)
         {
-            float& lowest_ = lowest[static_cast<std::size_t>(at.y * kCells + at.x)];
-            lowest_ = std::min(lowest_, height);
+            const int index = at.y * kCells + at.x;
+            float& here = lowest[static_cast<std::size_t>(index)];
+            here = std::min(here, height);
         }
     }
     [[nodiscard]] glm::vec2 middle(std::size_t index) const
@@ -152,6 +153,7 @@ GroundShadow groundShadow(const TriangleMesh& mesh, std::span<const glm::vec3> p
                       thrown.put(frame.flat(point) - height * shift, height);
                   });
     }
+    ground.cells = kCells;
     for (int y = 0; y <= kCells; ++y)
     {
         for (int x = 0; x <= kCells; ++x)

@@ -16,8 +16,10 @@ namespace frostfill
 /// A level surface under an object, with the object's shadow. [unit space]
 struct GroundShadow
 {
-    std::vector<glm::vec4> places;      ///< position, and how dark it is there, 0..1
-    std::vector<std::uint32_t> corners; ///< of triangles, three each; none where nothing is dark
+    int cells = 0;                      ///< of a square grid, along each edge
+    std::vector<glm::vec4> places;      ///< its corners: position, and how dark it is there, 0..1
+    std::vector<std::uint32_t> corners; ///< of triangles, three each, two for each cell but where
+                                        ///< nothing is dark
     float level = 0;                    ///< of the surface along `up`
 };
 

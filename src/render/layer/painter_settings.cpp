@@ -45,18 +45,19 @@ MeshStrokes strokesFor(const RenderSettings& settings)
             {from * width, to * width}};
 }
 
-SphereUniforms uniformsOf(const Framing& framing, const PictureSize& size, Look look)
+SphereUniforms uniformsOf(const Framing& framing, const RenderSettings& settings)
 {
     SphereUniforms uniforms;
     uniforms.view = framing.view;
     uniforms.projection = framing.projection;
     uniforms.depthAtInfinity = static_cast<float>(framing.depthAtInfinity);
     uniforms.depthSlope = static_cast<float>(framing.depthSlope);
-    uniforms.pixelScale =
-        0.5F * static_cast<float>(framing.projection[1][1]) * static_cast<float>(size.height);
+    uniforms.pixelScale = 0.5F * static_cast<float>(framing.projection[1][1]) *
+                          static_cast<float>(settings.size.height);
+    uniforms.supersample = static_cast<float>(settings.supersample);
     uniforms.heightPlane = framing.heightPlane;
     uniforms.distancePlane = framing.distancePlane;
-    uniforms.haze = look == Look::paper ? 0 : kHaze;
+    uniforms.haze = settings.style.look == Look::paper ? 0 : kHaze;
     return uniforms;
 }
 

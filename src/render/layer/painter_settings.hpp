@@ -13,7 +13,7 @@ namespace frostfill
 /// Strokes grow with the picture, so that a large one looks like a small one, only sharper.
 [[nodiscard]] MeshStrokes strokesFor(const RenderSettings& settings);
 
-[[nodiscard]] SphereUniforms uniformsOf(const Framing& framing, const PictureSize& size, Look look);
+[[nodiscard]] SphereUniforms uniformsOf(const Framing& framing, const RenderSettings& settings);
 
 [[nodiscard]] ShaderVariant variantOf(const RenderSettings& settings, const TriangleMesh& mesh);
 

@@ -17,10 +17,6 @@ namespace frostfill
 namespace
 {
 
-/// Towards the studio's lamp, before it is raised a little, where the camera stands at first.
-const glm::dvec3 kLamp(-0.50, 0.50, 0.72);
-constexpr float kRaised = 0.4F;
-
 /// A sphere that is smaller by this, and by as far as the outermost sample is from a pixel's
 /// centre, covers a centre only where the full one covers all samples of the pixel, and lies in
 /// front of the small one there. For rounding. [pixel]
@@ -32,27 +28,27 @@ ScenePainter::ScenePainter(const GlFunctions& gl, const TriangleMesh& mesh,
                            const RenderSettings& settings, const Legend& legend,
                            const SphereColours& colours, const Framing& framing,
                            std::span<const glm::vec2> samplePositions)
-    : gl_(gl), legend_(legend), colours_(colours), size_(settings.size), style_(settings.style),
-      variant_(variantOf(settings, mesh)), up_(unitVector(settings.up)),
-      spherePass_(gl, variant_, samplePositions, style_, strokesFor(settings).lineWidth),
-      meshPass_(gl, variant_, shellPalette(style_), strokesFor(settings)),
+    : gl_(gl), legend_(legend), colours_(colours), settings_(settings),
+      variant_(variantOf(settings, mesh)),
+      spherePass_(gl, variant_, samplePositions, settings_.style, strokesFor(settings).lineWidth),
+      meshPass_(gl, variant_, shellPalette(settings_.style), strokesFor(settings)),
       spheres_(gl, variant_.studio), regions_(settings.size.width, settings.size.height)
 {
     if (variant_.cutaway)
     {
-        cutPlanes_ = cutPlanes(style_.cutaway, framing, settings.up);
+        cutPlanes_ = cutPlanes(settings_.style.cutaway, framing, settings.up);
+    }
+    const std::vector<glm::vec3> positions = inUnitSpace(mesh, framing);
+    studio_ = studioOf(mesh, positions, settings, framing);
+    if (studio_)
+    {
+        surroundings_.emplace(studio_->lamp, cutPlanes_);
+    }
+    if (studio_ && studio_->ground)
+    {
+        ground_ = std::make_unique<GroundPass>(gl_, *studio_->ground);
     }
     setView(framing);
-    std::vector<glm::vec3> positions;
-    positions.reserve(mesh.vertices.size());
-    for (const Eigen::Vector3d& vertex : mesh.vertices)
-    {
-        positions.emplace_back(framing_.toUnit(vertex));
-    }
-    if (variant_.studio)
-    {
-        lightStudio(mesh, positions, style_.ground && settings.poses.empty());
-    }
     if (settings.style.shell)
     {
         uploadMesh(mesh, positions);
@@ -65,12 +61,12 @@ ScenePainter::ScenePainter(const GlFunctions& gl, const TriangleMesh& mesh,
         flat.studio = false;
         if (!variant_.orthographic || variant_.cutaway || variant_.studio)
         {
-            flatSpherePass_.emplace(gl_, flat, samplePositions, style_,
+            flatSpherePass_.emplace(gl_, flat, samplePositions, settings_.style,
                                     strokesFor(settings).lineWidth);
         }
         if (variant_.cutaway)
         {
-            wholeMeshPass_.emplace(gl_, flat, shellPalette(style_), strokesFor(settings));
+            wholeMeshPass_.emplace(gl_, flat, shellPalette(settings_.style), strokesFor(settings));
         }
         uploadSwatches();
     }
@@ -80,24 +76,9 @@ ScenePainter::ScenePainter(const GlFunctions& gl, const TriangleMesh& mesh,
     }
     if (samplePositions.size() > 1)
     {
-        plainSpherePass_.emplace(gl_, shapesOnly(variant_), std::span<const glm::vec2>(), style_,
-                                 strokesFor(settings).lineWidth);
+        plainSpherePass_.emplace(gl_, shapesOnly(variant_), std::span<const glm::vec2>(),
+                                 settings_.style, strokesFor(settings).lineWidth);
     }
-}
-
-void ScenePainter::lightStudio(const TriangleMesh& mesh, const std::vector<glm::vec3>& positions,
-                               bool ground)
-{
-    const glm::dmat3 toUnit = glm::transpose(glm::dmat3(framing_.view));
-    lamp_ = glm::normalize(glm::vec3(toUnit * kLamp) + kRaised * up_);
-    surroundings_.emplace(lamp_, cutPlanes_);
-    if (ground)
-    {
-        const GroundShadow shadow = groundShadow(mesh, positions, up_, lamp_);
-        ground_ = std::make_unique<GroundPass>(gl_, shadow);
-        groundLevel_ = shadow.level;
-    }
-    setView(framing_);
 }
 
 void ScenePainter::uploadMesh(const TriangleMesh& mesh, const std::vector<glm::vec3>& positions)
@@ -105,12 +86,12 @@ void ScenePainter::uploadMesh(const TriangleMesh& mesh, const std::vector<glm::v
     shaded_ = shadeMesh(mesh, positions, variant_.fadingLines);
     shell_ = std::make_unique<MeshBuffer>(
         gl_, shaded_, edgeStrengths(shaded_, glm::vec3(framing_.eye), framing_.orthographic));
-    tiles_.emplace(shaded_, framing_, size_);
+    tiles_.emplace(shaded_, framing_, settings_.size);
 }
 
 void ScenePainter::uploadSwatches()
 {
-    const double height = size_.height;
+    const double height = settings_.size.height;
     const TriangleMesh mesh = squares(legend_.polygons(), height);
     const ShadedMesh shaded = shadeMesh(mesh, positionsOf(mesh));
     auto strengths = edgeStrengths(shaded, {0, 0, 1}, true);
@@ -132,17 +113,19 @@ void ScenePainter::uploadSwatches()
         states.insert(states.end(), 2, static_cast<PolygonState>(swatch.state));
     }
     swatches_->polygons.update(states);
-    flatUniforms_.projection = pixelProjection(size_);
+    flatUniforms_.projection = pixelProjection(settings_.size);
+    flatUniforms_.supersample = uniforms_.supersample;
     flatUniforms_.depthSlope = -0.5F * flatUniforms_.projection[2][2];
 }
 
 void ScenePainter::setView(const Framing& framing)
 {
     framing_ = framing;
-    uniforms_ = uniformsOf(framing, size_, style_.look);
-    const glm::mat3 toEye(framing.view);
-    uniforms_.lamp = toEye * lamp_;
-    uniforms_.above = toEye * up_;
+    uniforms_ = uniformsOf(framing, settings_);
+    if (studio_)
+    {
+        studio_->light(framing, uniforms_);
+    }
     if (cutPlanes_)
     {
         uniforms_.cutPlanes = toEyeSpace(*cutPlanes_, framing);
@@ -156,7 +139,7 @@ void ScenePainter::lookFrom(const Framing& framing)
     if (shell_)
     {
         shell_->setEdges(edgeStrengths(shaded_, glm::vec3(framing_.eye), framing_.orthographic));
-        tiles_.emplace(shaded_, framing_, size_);
+        tiles_.emplace(shaded_, framing_, settings_.size);
     }
 }
 
@@ -175,7 +158,7 @@ std::span<const PixelRectangle> ScenePainter::setPolygons(std::span<const Polygo
 
 void ScenePainter::clear()
 {
-    const glm::vec4 background = toVector(style_.palette.background);
+    const glm::vec4 background = toVector(settings_.style.palette.background);
     // Colours are premultiplied by alpha until they are read.
     gl_.clearColor(background.r * background.a, background.g * background.a,
                    background.b * background.a, background.a);
@@ -185,9 +168,7 @@ void ScenePainter::clear()
 
 void ScenePainter::paintGround()
 {
-    const glm::vec3 eye(framing_.eye);
-    const float height = glm::dot(eye, up_) - (framing_.orthographic ? 0 : groundLevel_);
-    if (ground_ && height > 0)
+    if (ground_ && studio_->showsGround(framing_))
     {
         ground_->draw(uniforms_.view, uniforms_.projection);
     }
@@ -326,8 +307,9 @@ void ScenePainter::addSpheres(std::span<const SphereInstance> spheres,
     gl_.stencilFunc(GL_EQUAL, mark_, 0xff);
     gl_.stencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
     paintShellPerRegion(parts);
-    const PixelRectangle legend = {0, size_.height - static_cast<int>(legend_.height()) - 1,
-                                   static_cast<int>(legend_.width()) + 1, size_.height};
+    const PixelRectangle legend = {0,
+                                   settings_.size.height - static_cast<int>(legend_.height()) - 1,
+                                   static_cast<int>(legend_.width()) + 1, settings_.size.height};
     if (swatches_ &&
         std::any_of(parts.begin(), parts.end(),
                     [&](const TriangleTiles::Part& part) { return part.pixels.overlaps(legend); }))

@@ -6,6 +6,7 @@
 #include "render/framing/pixel_rectangle.hpp"
 #include "render/layer/dirty_rectangles.hpp"
 #include "render/layer/projected_sphere.hpp"
+#include "render/layer/studio.hpp"
 #include "render/layer/surroundings.hpp"
 #include "render/layer/triangle_tiles.hpp"
 #include "render/overlay/colour_scale.hpp"
@@ -84,8 +85,6 @@ private:
     };
 
     void uploadMesh(const TriangleMesh& mesh, const std::vector<glm::vec3>& positions);
-    void lightStudio(const TriangleMesh& mesh, const std::vector<glm::vec3>& positions,
-                     bool ground);
     void uploadSwatches();
     void paintSwatchPolygons();
     /// paintShell, only in and closely around the parts.
@@ -95,16 +94,12 @@ private:
     const GlFunctions& gl_;
     const Legend& legend_;
     const SphereColours& colours_;
-    PictureSize size_;
-    Style style_;
+    RenderSettings settings_;
     ShaderVariant variant_;
     std::optional<CutPlanes> cutPlanes_;
-    glm::vec3 lamp_{
-        0, 1, 0}; ///< towards the studio's lamp, which the camera leaves where it is [unit space]
-    glm::vec3 up_;
+    std::optional<Studio> studio_;
     std::optional<Surroundings> surroundings_;
     std::unique_ptr<GroundPass> ground_;
-    float groundLevel_ = 0; ///< along up_ [unit space]
     std::vector<SphereLight> lights_;
     Framing framing_;
     SphereUniforms uniforms_;

@@ -37,15 +37,6 @@ public:
                  std::span<const PixelRectangle> parts, const Framebuffer& scratch,
                  DirtyRectangles& dirty);
 
-    /// Calls visit(index in resting, pixels) for all spheres at rest that may be seen.
-    template <typename Visit>
-    void eachSeen(Visit visit) const
-    {
-        for (const Seen& seen : seen_)
-        {
-            visit(seen.index, seen.pixels);
-        }
-    }
     /// Where one of the spheres at rest may be seen; empty when it is hidden or out of view.
     [[nodiscard]] PixelRectangle whereSeen(std::size_t resting) const;
     /// Hidden by what is at rest, and out of view for as long as the camera is still.

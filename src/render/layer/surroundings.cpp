@@ -4,11 +4,13 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 namespace frostfill
 {
@@ -20,6 +22,9 @@ namespace
 constexpr float kReach = 1.6F;
 /// Nor of the lamp, when they are further than this in its direction.
 constexpr float kLampReach = 7;
+
+/// That one core lights before another may take more.
+constexpr std::size_t kSpheresATask = 64;
 
 /// By how much the lamp's light spreads on the way: it is as soft as it is large.
 constexpr float kSoftness = 0.3F;
@@ -45,45 +50,48 @@ Surroundings::Surroundings(const glm::vec3& towardsLamp, const std::optional<Cut
 {
 }
 
-glm::ivec3 Surroundings::placeOf(const glm::vec3& point) const
+std::vector<std::size_t> Surroundings::placesBefore(std::span<const SphereInstance> resting) const
 {
-    return glm::ivec3(glm::floor(glm::clamp(point / cell_, glm::vec3(-1e6F), glm::vec3(1e6F))));
-}
-
-std::uint32_t Surroundings::cellOf(const glm::ivec3& place) const
-{
-    const std::uint32_t hash = static_cast<std::uint32_t>(place.x) * 73856093U ^
-                               static_cast<std::uint32_t>(place.y) * 19349663U ^
-                               static_cast<std::uint32_t>(place.z) * 83492791U;
-    return hash & static_cast<std::uint32_t>(heads_.size() - 1);
-}
-
-void Surroundings::rebuild()
-{
-    cell_ = std::max(2 * largest_, 1e-6F);
-    heads_.assign(std::bit_ceil(std::max<std::size_t>(2 * spheres_.size(), 1024)), 0);
-    nexts_.assign(spheres_.size(), 0);
-    for (std::size_t i = 0; i < spheres_.size(); ++i)
+    std::vector<std::size_t> places;
+    const std::size_t count = grid_.spheres().size();
+    std::vector<bool> isThere(count);
+    places.reserve(resting.size());
+    for (const SphereInstance& sphere : resting)
     {
-        const SphereInstance& sphere = spheres_[i];
-        std::uint32_t& head = heads_[cellOf(placeOf({sphere.x, sphere.y, sphere.z}))];
-        nexts_[i] = head;
-        head = static_cast<std::uint32_t>(i + 1);
+        places.push_back(grid_.indexOf(sphere));
+        if (places.back() < count)
+        {
+            isThere[places.back()] = true;
+        }
     }
+    const bool noneHasGone = std::find(isThere.begin(), isThere.end(), false) == isThere.end();
+    return noneHasGone ? places : std::vector(resting.size(), count);
 }
 
 void Surroundings::start(std::span<const SphereInstance> resting)
 {
-    spheres_.clear();
-    heads_.clear();
-    nexts_.clear();
-    lights_.clear();
-    known_.clear();
+    const std::vector<std::size_t> before = placesBefore(resting);
+    const std::vector<SphereLight> lights = std::exchange(lights_, {});
+    const std::vector<std::uint8_t> known = std::exchange(known_, {});
+    grid_ = {};
+    reached_.clear();
     cutAway_.clear();
-    largest_ = 0;
-    for (const SphereInstance& sphere : resting)
+    for (std::size_t i = 0; i < resting.size(); ++i)
     {
-        push(sphere);
+        push(resting[i]);
+        if (before[i] < lights.size())
+        {
+            lights_[i] = lights[before[i]];
+            known_[i] = known[before[i]];
+        }
+    }
+    const bool anyKept = std::find(known_.begin(), known_.end(), 1) != known_.end();
+    for (std::size_t i = 0; anyKept && i < resting.size(); ++i)
+    {
+        if (before[i] == lights.size() && !cutAway_[i])
+        {
+            forgetLightAround(resting[i]);
+        }
     }
 }
 
@@ -96,94 +104,54 @@ void Surroundings::add(const SphereInstance& sphere)
     }
 }
 
+void Surroundings::follow(std::span<const SphereInstance> resting, std::size_t first)
+{
+    if (first == 0)
+    {
+        start(resting);
+        return;
+    }
+    for (const SphereInstance& sphere : resting.subspan(first))
+    {
+        add(sphere);
+    }
+}
+
 void Surroundings::push(const SphereInstance& sphere)
 {
     const glm::dvec4 centre(sphere.x, sphere.y, sphere.z, 1);
     cutAway_.push_back(cut_ && glm::dot((*cut_)[0], centre) > 0 &&
                        glm::dot((*cut_)[1], centre) > 0);
-    spheres_.push_back(sphere);
     lights_.emplace_back();
-    known_.push_back(Known::nothing);
-    if (sphere.radius > largest_ || spheres_.size() > heads_.size())
-    {
-        largest_ = std::max(largest_, 1.2F * sphere.radius);
-        rebuild();
-        return;
-    }
-    std::uint32_t& head = heads_[cellOf(placeOf(glm::vec3(centre)))];
-    nexts_.push_back(head);
-    head = static_cast<std::uint32_t>(spheres_.size());
-}
-
-template <typename Visit>
-void Surroundings::eachIn(const glm::vec3& lowest, const glm::vec3& highest, Visit visit) const
-{
-    const glm::ivec3 low = placeOf(lowest);
-    const glm::ivec3 high = placeOf(highest);
-    for (int z = low.z; z <= high.z; ++z)
-    {
-        for (int y = low.y; y <= high.y; ++y)
-        {
-            for (int x = low.x; x <= high.x; ++x)
-            {
-                const glm::ivec3 place(x, y, z);
-                for (std::uint32_t i = heads_[cellOf(place)]; i != 0; i = nexts_[i - 1])
-                {
-                    const SphereInstance& other = spheres_[i - 1];
-                    if (placeOf({other.x, other.y, other.z}) == place)
-                    {
-                        visit(i - 1);
-                    }
-                }
-            }
-        }
-    }
-}
-
-std::size_t Surroundings::indexOf(const SphereInstance& sphere) const
-{
-    std::size_t found = spheres_.size();
-    const glm::vec3 centre(sphere.x, sphere.y, sphere.z);
-    const auto look = [&](std::uint32_t i)
-    {
-        const SphereInstance& other = spheres_[i];
-        if (other.x == sphere.x && other.y == sphere.y && other.z == sphere.z &&
-            other.radius == sphere.radius)
-        {
-            found = i;
-        }
-    };
-    if (!spheres_.empty())
-    {
-        eachIn(centre, centre, look);
-    }
-    return found;
+    known_.push_back(0);
+    grid_.add(sphere);
 }
 
 void Surroundings::forgetLightAround(const SphereInstance& arrival)
 {
-    // The other way round than in collect: who would find this one there.
+    // The other way round than in neighboursOf: who would find this one there.
     const glm::vec3 centre(arrival.x, arrival.y, arrival.z);
-    const glm::vec3 reach((1 + kReach) * largest_ + arrival.radius);
-    const glm::vec3 along = centre - kLampReach * largest_ * lamp_;
-    const glm::vec3 beside((1 + kSoftness * kLampReach) * largest_ + arrival.radius);
-    eachIn(glm::min(centre - reach, along - beside), glm::max(centre + reach, along + beside),
-           [&](std::uint32_t i)
-           {
-               if (known_[i] == Known::now && reaches(arrival, spheres_[i]))
-               {
-                   known_[i] = Known::before;
-               }
-           });
+    const glm::vec3 reach((1 + kReach) * grid_.largest() + arrival.radius);
+    const glm::vec3 along = centre - kLampReach * grid_.largest() * lamp_;
+    const glm::vec3 beside((1 + kSoftness * kLampReach) * grid_.largest() + arrival.radius);
+    grid_.eachIn(glm::min(centre - reach, along - beside), glm::max(centre + reach, along + beside),
+                 [&](std::uint32_t i)
+                 {
+                     if (known_[i] != 0 && reaches(arrival, grid_.spheres()[i]))
+                     {
+                         known_[i] = 0;
+                         reached_.push_back(i);
+                     }
+                 });
 }
 
-void Surroundings::collect(const SphereInstance& sphere)
+std::vector<Surroundings::Neighbour> Surroundings::neighboursOf(const SphereInstance& sphere) const
 {
-    near_.clear();
+    std::vector<Neighbour> near;
     const glm::vec3 centre(sphere.x, sphere.y, sphere.z);
-    const glm::vec3 reach((1 + kReach) * sphere.radius + largest_);
+    const glm::vec3 reach((1 + kReach) * sphere.radius + grid_.largest());
     const glm::vec3 along = centre + kLampReach * sphere.radius * lamp_;
-    const glm::vec3 beside((1 + kSoftness * kLampReach) * sphere.radius + largest_);
+    const glm::vec3 beside((1 + kSoftness * kLampReach) * sphere.radius + grid_.largest());
     const auto meet = [&](const SphereInstance& other)
     {
         const glm::vec3 way = (glm::vec3(other.x, other.y, other.z) - centre) / sphere.radius;
@@ -205,65 +173,38 @@ void Surroundings::collect(const SphereInstance& sphere)
         }
         if (weight > 0)
         {
-            near_.push_back({weight, way, radius});
+            near.push_back({weight, way, radius});
         }
     };
-    eachIn(glm::min(centre - reach, along - beside), glm::max(centre + reach, along + beside),
-           [&](std::uint32_t i)
-           {
-               if (!cutAway_[i])
-               {
-                   meet(spheres_[i]);
-               }
-           });
-    std::sort(near_.begin(), near_.end(),
+    grid_.eachIn(glm::min(centre - reach, along - beside), glm::max(centre + reach, along + beside),
+                 [&](std::uint32_t i)
+                 {
+                     if (!cutAway_[i])
+                     {
+                         meet(grid_.spheres()[i]);
+                     }
+                 });
+    std::sort(near.begin(), near.end(),
               [](const Neighbour& a, const Neighbour& b)
               {
                   return std::tie(b.weight, a.way.x, a.way.y, a.way.z) <
                          std::tie(a.weight, b.way.x, b.way.y, b.way.z);
               });
+    return near;
 }
 
-SphereLight Surroundings::of(const SphereInstance& sphere)
-{
-    const std::size_t own = indexOf(sphere);
-    return own == spheres_.size() ? lightOn(sphere) : keptLight(own);
-}
-
-const SphereLight& Surroundings::keptLight(std::size_t index)
-{
-    if (known_[index] != Known::now)
-    {
-        lights_[index] = lightOn(spheres_[index]);
-        known_[index] = Known::now;
-    }
-    return lights_[index];
-}
-
-bool Surroundings::hasChanged(const SphereInstance& sphere)
-{
-    const std::size_t own = indexOf(sphere);
-    if (own == spheres_.size() || known_[own] == Known::now)
-    {
-        return false;
-    }
-    const bool hadNone = known_[own] == Known::nothing;
-    const SphereLight before = lights_[own];
-    return keptLight(own) != before || hadNone;
-}
-
-SphereLight Surroundings::lightOn(const SphereInstance& sphere)
+SphereLight Surroundings::lightOn(const SphereInstance& sphere) const
 {
     SphereLight light;
-    if (spheres_.empty())
+    if (grid_.spheres().empty())
     {
         return light;
     }
-    collect(sphere);
-    const std::size_t listed = std::min(near_.size(), light.occluders.size());
+    const std::vector<Neighbour> neighbours = neighboursOf(sphere);
+    const std::size_t listed = std::min(neighbours.size(), light.occluders.size());
     for (std::size_t i = 0; i < listed; ++i)
     {
-        const Neighbour& near = near_[i];
+        const Neighbour& near = neighbours[i];
         // What is too large to be told is brought nearer: it hides as much.
         const float size = std::max({std::abs(near.way.x), std::abs(near.way.y),
                                      std::abs(near.way.z), near.radius, kOccluderRange});
@@ -272,9 +213,9 @@ SphereLight Surroundings::lightOn(const SphereInstance& sphere)
     }
     float sky = 1;
     float lamp = 1;
-    for (std::size_t i = listed; i < near_.size(); ++i)
+    for (std::size_t i = listed; i < neighbours.size(); ++i)
     {
-        const Neighbour& near = near_[i];
+        const Neighbour& near = neighbours[i];
         const float squared = glm::dot(near.way, near.way);
         const float ahead = glm::dot(near.way, lamp_);
         sky *= 1 - 0.25F * std::min(near.radius * near.radius / squared, 1.0F);
@@ -287,6 +228,53 @@ SphereLight Surroundings::lightOn(const SphereInstance& sphere)
     light.open = {static_cast<std::uint8_t>(std::lround(255 * sky)),
                   static_cast<std::uint8_t>(std::lround(255 * lamp)), 0, 0};
     return light;
+}
+
+SphereLight Surroundings::of(const SphereInstance& sphere)
+{
+    const std::size_t own = grid_.indexOf(sphere);
+    return own == grid_.spheres().size() ? lightOn(sphere) : ofResting(own);
+}
+
+const SphereLight& Surroundings::ofResting(std::size_t index)
+{
+    if (known_[index] == 0)
+    {
+        lights_[index] = lightOn(grid_.spheres()[index]);
+        known_[index] = 1;
+    }
+    return lights_[index];
+}
+
+void Surroundings::ask(std::span<const std::uint32_t> indices)
+{
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, indices.size(), kSpheresATask),
+                      [&](const auto& range)
+                      {
+                          for (std::size_t i = range.begin(); i < range.end(); ++i)
+                          {
+                              ofResting(indices[i]);
+                          }
+                      });
+}
+
+std::span<const std::uint32_t>
+Surroundings::askAgain(const std::function<bool(std::uint32_t)>& isSeen)
+{
+    changed_.clear();
+    for (const std::uint32_t index : reached_)
+    {
+        if (isSeen(index))
+        {
+            const SphereLight before = lights_[index];
+            if (ofResting(index) != before)
+            {
+                changed_.push_back(index);
+            }
+        }
+    }
+    reached_.clear();
+    return changed_;
 }
 
 bool Surroundings::reaches(const SphereInstance& from, const SphereInstance& to) const

@@ -2,12 +2,14 @@
 #pragma once
 
 #include "render/framing/cutaway_planes.hpp"
+#include "render/layer/sphere_grid.hpp"
 #include "render/passes/sphere_pass.hpp"
 
-#include <glm/ext/vector_int3.hpp>
 #include <glm/vec3.hpp>
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -23,29 +25,29 @@ public:
     /// `towardsLamp` is a unit vector. What a cut takes away keeps no light off.
     Surroundings(const glm::vec3& towardsLamp, const std::optional<CutPlanes>& cut);
 
-    /// Forgets all and takes these.
+    /// Takes these and no others, which have indices in this order from now on. What is known of
+    /// those that were there before is kept where none has gone.
     void start(std::span<const SphereInstance> resting);
     void add(const SphereInstance& sphere);
+    /// Takes those from `first` on that came to rest since; 0: starts.
+    void follow(std::span<const SphereInstance> resting, std::size_t first);
 
     /// The neighbours that hide most from a sphere, and what all others let through to it. That of
     /// a sphere at rest is kept until one is added that reaches it.
-    [[nodiscard]] SphereLight of(const SphereInstance& sphere);
-    /// Whether spheres that were added have changed the light of one at rest since it was last
-    /// asked for; true if it never was.
-    [[nodiscard]] bool hasChanged(const SphereInstance& sphere);
+    SphereLight of(const SphereInstance& sphere);
+    const SphereLight& ofResting(std::size_t index);
+    /// Asks for that of many at rest; cores share the work.
+    void ask(std::span<const std::uint32_t> indices);
+    /// What was asked for last [spheres].
+    [[nodiscard]] std::span<const SphereLight> lights() const { return lights_; }
+    /// Asks again for those that spheres that were added have reached since, as far as they are
+    /// seen. Returns those that have changed, until the next call.
+    std::span<const std::uint32_t> askAgain(const std::function<bool(std::uint32_t)>& isSeen);
 
     /// Whether a sphere's light may depend on another one's being there.
     [[nodiscard]] bool reaches(const SphereInstance& from, const SphereInstance& to) const;
 
 private:
-    /// What is known of a sphere's light.
-    enum class Known : std::uint8_t
-    {
-        nothing,
-        before, ///< that it was, before some came that may have changed it
-        now,
-    };
-
     struct Neighbour
     {
         float weight;  ///< how much it hides
@@ -53,32 +55,24 @@ private:
         float radius;  ///< in the sphere's
     };
 
-    [[nodiscard]] std::uint32_t cellOf(const glm::ivec3& place) const;
-    [[nodiscard]] glm::ivec3 placeOf(const glm::vec3& point) const;
-    void rebuild();
     void push(const SphereInstance& sphere);
-    /// Index of a sphere that was added; that of none is the number of spheres.
-    [[nodiscard]] std::size_t indexOf(const SphereInstance& sphere) const;
+    /// Indices until now; the number of spheres until now for all that were not there, and for all
+    /// if one that was there has gone.
+    [[nodiscard]] std::vector<std::size_t>
+    placesBefore(std::span<const SphereInstance> resting) const;
     void forgetLightAround(const SphereInstance& arrival);
-    /// Calls visit(index) for the spheres whose centres are in cells that a box touches.
-    template <typename Visit>
-    void eachIn(const glm::vec3& low, const glm::vec3& high, Visit visit) const;
-    void collect(const SphereInstance& sphere);
-    [[nodiscard]] SphereLight lightOn(const SphereInstance& sphere);
-    /// On a sphere that was added; kept.
-    const SphereLight& keptLight(std::size_t index);
+    /// What hides anything from a sphere, that which hides most first.
+    [[nodiscard]] std::vector<Neighbour> neighboursOf(const SphereInstance& sphere) const;
+    [[nodiscard]] SphereLight lightOn(const SphereInstance& sphere) const;
 
     glm::vec3 lamp_;
     std::optional<CutPlanes> cut_;
-    float largest_ = 0; ///< radius
-    float cell_ = 1;    ///< edge of the grid's cells
-    std::vector<SphereInstance> spheres_;
-    std::vector<std::uint32_t> heads_; ///< of the cells' lists, hashed; index + 1, or 0
-    std::vector<std::uint32_t> nexts_; ///< [spheres]
-    std::vector<SphereLight> lights_;  ///< [spheres] when last asked for
-    std::vector<Known> known_;         ///< [spheres]
-    std::vector<bool> cutAway_;        ///< [spheres] and so keep no light off
-    std::vector<Neighbour> near_;      ///< reused
+    SphereGrid grid_;
+    std::vector<SphereLight> lights_;    ///< [spheres] when last asked for
+    std::vector<std::uint8_t> known_;    ///< [spheres] 1: none has come since that reaches it
+    std::vector<std::uint32_t> reached_; ///< that were known until others came
+    std::vector<std::uint32_t> changed_; ///< what askAgain has returned
+    std::vector<bool> cutAway_;          ///< [spheres] and so keep no light off
 };
 
 } // namespace frostfill

@@ -34,11 +34,6 @@ std::vector<Vertex> verticesOf(const ShadedMesh& mesh)
     return vertices;
 }
 
-const void* offset(std::size_t bytes)
-{
-    return reinterpret_cast<const void*>(bytes);
-}
-
 } // namespace
 
 glm::vec3 inkFor(const Colour& surface, const Colour& background)
@@ -61,7 +56,7 @@ MeshBuffer::MeshBuffer(const GlFunctions& gl, const ShadedMesh& mesh,
                   vertices.data(), GL_STATIC_DRAW);
     gl.vertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex), nullptr);
     gl.vertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex),
-                           offset(offsetof(Vertex, normal)));
+                           inBuffer(offsetof(Vertex, normal)));
     gl.bindBuffer(GL_ARRAY_BUFFER, buffers_[2]);
     gl.vertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, 4, nullptr);
     gl.bindBuffer(GL_ARRAY_BUFFER, buffers_[1]);
@@ -158,7 +153,7 @@ void MeshBuffer::drawChosen(bool fronts) const
     {
         gl_.bindVertexArray(array_);
         gl_.drawElements(GL_TRIANGLES, static_cast<GLsizei>(count), GL_UNSIGNED_INT,
-                         offset(first * sizeof(std::uint32_t)));
+                         inBuffer(first * sizeof(std::uint32_t)));
     }
 }
 

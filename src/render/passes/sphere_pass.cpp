@@ -66,9 +66,9 @@ SphereBuffer::SphereBuffer(const GlFunctions& gl, bool lit) : gl_(gl)
     gl.bindBuffer(GL_ARRAY_BUFFER, buffers_[0]);
     gl.vertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, sizeof(SphereInstance), nullptr);
     gl.vertexAttribIPointer(1, 1, GL_UNSIGNED_INT, sizeof(SphereInstance),
-                            reinterpret_cast<const void*>(offsetof(SphereInstance, state)));
+                            inBuffer(offsetof(SphereInstance, state)));
     gl.vertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(SphereInstance),
-                           reinterpret_cast<const void*>(offsetof(SphereInstance, colour)));
+                           inBuffer(offsetof(SphereInstance, colour)));
     for (GLuint attribute = 0; attribute < 3; ++attribute)
     {
         gl.enableVertexAttribArray(attribute);
@@ -81,7 +81,7 @@ SphereBuffer::SphereBuffer(const GlFunctions& gl, bool lit) : gl_(gl)
         {
             const auto attribute = static_cast<GLuint>(3 + i);
             gl.vertexAttribPointer(attribute, 4, i < kListed ? GL_BYTE : GL_UNSIGNED_BYTE, GL_TRUE,
-                                   sizeof(SphereLight), reinterpret_cast<const void*>(4 * i));
+                                   sizeof(SphereLight), inBuffer(4 * i));
             gl.enableVertexAttribArray(attribute);
         }
     }
@@ -160,6 +160,7 @@ void SpherePass::draw(const SphereBuffer& spheres, const SphereUniforms& uniform
     program_.set("depthAtInfinity", uniforms.depthAtInfinity);
     program_.set("depthSlope", uniforms.depthSlope);
     program_.set("pixelScale", uniforms.pixelScale);
+    program_.set("supersample", uniforms.supersample);
     program_.set("heightPlane", std::span(&uniforms.heightPlane, 1));
     program_.set("distancePlane", std::span(&uniforms.distancePlane, 1));
     program_.set("haze", uniforms.haze);

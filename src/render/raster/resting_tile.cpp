@@ -14,25 +14,32 @@ namespace
 /// tens of them.
 constexpr std::int64_t kBatch = 400;
 
-void fill(SampleTile& tile, const PixelRectangle& pixels, std::uint32_t background,
-          std::size_t samples)
-{
-    for (std::size_t k = 0; k < samples; ++k)
-    {
-        for (int y = pixels.bottom; y < pixels.top; ++y)
-        {
-            const int first = y * kTileEdge + pixels.left;
-            std::fill_n(tile.nearness[k].begin() + first, pixels.width(), kNothing);
-            std::fill_n(tile.colour[k].begin() + first, pixels.width(), background);
-        }
-    }
-}
-
 } // namespace
 
 RestingTile::RestingTile(const Colour& background, int samples)
     : background_(premultiplied(background)), planes_(static_cast<std::size_t>(samples))
 {
+}
+
+void RestingTile::paintGround(SampleTile& tile, const PixelRectangle& pixels) const
+{
+    for (std::size_t k = 0; k < planes_; ++k)
+    {
+        for (int y = pixels.bottom; y < pixels.top; ++y)
+        {
+            const int first = y * kTileEdge + pixels.left;
+            std::fill_n(tile.nearness[k].begin() + first, pixels.width(), kNothing);
+            if (ground_)
+            {
+                std::copy_n(ground_->begin() + first, pixels.width(),
+                            tile.colour[k].begin() + first);
+            }
+            else
+            {
+                std::fill_n(tile.colour[k].begin() + first, pixels.width(), background_);
+            }
+        }
+    }
 }
 
 bool RestingTile::lists(std::uint32_t sphere) const
@@ -48,13 +55,13 @@ void RestingTile::start(const PixelRectangle& pixels)
     if (!samples_)
     {
         samples_ = std::make_unique<SampleTile>();
-        fill(*samples_, {0, 0, kTileEdge, kTileEdge}, background_, planes_);
+        paintGround(*samples_, {0, 0, kTileEdge, kTileEdge});
         furthest_.fill(kNothing);
         furthestOfAll_ = kNothing;
         touched_ = 0;
         return;
     }
-    fill(*samples_, pixels, background_, planes_);
+    paintGround(*samples_, pixels);
 }
 
 void RestingTile::findFurthestOf(std::size_t block)
@@ -119,8 +126,8 @@ bool RestingTile::hides(const SphereBounds& sphere, const TilePart& whole) const
     return samples_ != nullptr;
 }
 
-void RestingTile::repaint(const SphereRaster& raster, std::span<const SphereInstance> resting,
-                          std::span<const SphereBounds> placed, const TilePart& whole, bool cull)
+void RestingTile::repaint(const SphereRaster& raster, const RestingSpheres& resting,
+                          const TilePart& whole, bool cull)
 {
     if (spheres_.empty())
     {
@@ -136,39 +143,39 @@ void RestingTile::repaint(const SphereRaster& raster, std::span<const SphereInst
     for (const Listed& listed : spheres_)
     {
         const std::uint32_t sphere = listed.index;
-        if (cull && (listed.nearest <= furthestOfAll_ || hides(placed[sphere], whole)))
+        if (cull && (listed.nearest <= furthestOfAll_ || hides(resting.placed[sphere], whole)))
         {
             continue;
         }
         spheres_[kept++] = listed;
-        raster.draw(resting[sphere], placed[sphere].pixels, whole, *samples_);
+        resting.draw(sphere, raster, whole, *samples_);
         if (cull)
         {
-            findFurthestAtTimes(whole.within(placed[sphere].pixels));
+            findFurthestAtTimes(whole.within(resting.placed[sphere].pixels));
         }
     }
     spheres_.erase(spheres_.begin() + static_cast<std::ptrdiff_t>(kept), spheres_.end());
 }
 
-void RestingTile::recolour(const SphereRaster& raster, std::span<const SphereInstance> resting,
-                           std::span<const SphereBounds> placed, const TilePart& whole,
-                           const PixelRectangle& pixels)
+void RestingTile::recolour(const SphereRaster& raster, const RestingSpheres& resting,
+                           const TilePart& whole, const PixelRectangle& pixels)
 {
     // Shapes stay, so what is hidden now is hidden afterwards too.
     std::erase_if(spheres_,
-                  [&](const Listed& listed) { return hides(placed[listed.index], whole); });
+                  [&](const Listed& listed) { return hides(resting.placed[listed.index], whole); });
     start(pixels);
     TilePart part = whole;
     part.pixels = pixels;
     for (const Listed& listed : spheres_)
     {
-        raster.draw(resting[listed.index], placed[listed.index].pixels, part, *samples_);
+        resting.draw(listed.index, raster, part, *samples_);
     }
 }
 
-bool RestingTile::add(const SphereRaster& raster, const SphereInstance& sphere,
-                      const SphereBounds& placed, std::uint32_t index, const TilePart& whole)
+bool RestingTile::add(const SphereRaster& raster, const RestingSpheres& resting,
+                      std::uint32_t sphere, const TilePart& whole)
 {
+    const SphereBounds& placed = resting.placed[sphere];
     if (hides(placed, whole))
     {
         return false;
@@ -177,8 +184,8 @@ bool RestingTile::add(const SphereRaster& raster, const SphereInstance& sphere,
     {
         start(whole.pixels);
     }
-    spheres_.push_back({index, placed.nearest});
-    raster.draw(sphere, placed.pixels, whole, *samples_);
+    spheres_.push_back({sphere, placed.nearest});
+    resting.draw(sphere, raster, whole, *samples_);
     findFurthestAtTimes(whole.within(placed.pixels));
     return true;
 }
@@ -187,7 +194,7 @@ void RestingTile::copyTo(SampleTile& tile, const PixelRectangle& pixels) const
 {
     if (!samples_)
     {
-        fill(tile, pixels, background_, planes_);
+        paintGround(tile, pixels);
         return;
     }
     const auto bytes = static_cast<std::size_t>(pixels.width()) * 4;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "render/raster/ground_raster.hpp"
 #include "render/raster/sample_tile.hpp"
 #include "render/raster/sphere_raster.hpp"
 
@@ -8,6 +9,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace frostfill
@@ -20,11 +22,30 @@ struct SphereBounds
     float nearest = 0;
 };
 
+/// The spheres at rest, with all that it takes to draw one.
+struct RestingSpheres
+{
+    std::span<const SphereInstance> spheres;
+    std::span<const SphereBounds> placed; ///< [spheres]
+    std::span<const SphereLight> lights;  ///< [spheres] if they are lit as in the studio
+
+    void draw(std::size_t sphere, const SphereRaster& raster, const TilePart& part,
+              SampleTile& tile) const
+    {
+        raster.draw(spheres[sphere], placed[sphere].pixels, part, tile,
+                    lights.empty() ? nullptr : &lights[sphere]);
+    }
+};
+
 /// The spheres at rest in one tile, drawn once and kept.
 class RestingTile
 {
 public:
     RestingTile(const Colour& background, int samples);
+
+    /// What is seen where nothing lies; null for the background alone. It is drawn from the next
+    /// repaint() on.
+    void setGround(std::unique_ptr<TileBackground> ground) { ground_ = std::move(ground); }
 
     /// Forgets all.
     void clear() { spheres_.clear(); }
@@ -32,20 +53,28 @@ public:
     void list(std::uint32_t sphere, float nearest) { spheres_.push_back({sphere, nearest}); }
     [[nodiscard]] bool empty() const { return spheres_.empty(); }
     [[nodiscard]] bool lists(std::uint32_t sphere) const;
+    /// Calls visit(sphere) for all that may be seen.
+    template <typename Visit>
+    void each(Visit visit) const
+    {
+        for (const Listed& listed : spheres_)
+        {
+            visit(listed.index);
+        }
+    }
 
     /// Draws the whole tile. With `cull`, spheres that are found to be hidden are not listed any
     /// more.
-    void repaint(const SphereRaster& raster, std::span<const SphereInstance> resting,
-                 std::span<const SphereBounds> placed, const TilePart& whole, bool cull);
-    /// Draws a part anew in which colours have changed. Spheres that others have come to hide are
-    /// not listed any more.
-    void recolour(const SphereRaster& raster, std::span<const SphereInstance> resting,
-                  std::span<const SphereBounds> placed, const TilePart& whole,
+    void repaint(const SphereRaster& raster, const RestingSpheres& resting, const TilePart& whole,
+                 bool cull);
+    /// Draws a part anew in which colours or light have changed. Spheres that others have come to
+    /// hide are not listed any more.
+    void recolour(const SphereRaster& raster, const RestingSpheres& resting, const TilePart& whole,
                   const PixelRectangle& pixels);
     /// Lists a sphere and draws it over what is there, unless it is hidden. Returns whether it may
     /// be seen.
-    bool add(const SphereRaster& raster, const SphereInstance& sphere, const SphereBounds& placed,
-             std::uint32_t index, const TilePart& whole);
+    bool add(const SphereRaster& raster, const RestingSpheres& resting, std::uint32_t sphere,
+             const TilePart& whole);
 
     /// Hidden in this tile by what is at rest.
     [[nodiscard]] bool hides(const SphereBounds& sphere, const TilePart& whole) const;
@@ -66,6 +95,8 @@ private:
     };
 
     void start(const PixelRectangle& pixels);
+    /// Nothing but the background and the ground.
+    void paintGround(SampleTile& tile, const PixelRectangle& pixels) const;
     /// `drawn`: pixels of the tile that a sphere was drawn to.
     void findFurthestAtTimes(const PixelRectangle& drawn);
     void findFurthestOf(std::size_t block);
@@ -73,6 +104,7 @@ private:
     std::uint32_t background_;    ///< premultiplied
     std::size_t planes_;          ///< of samples that are drawn
     std::vector<Listed> spheres_; ///< that may be seen, ascending
+    std::unique_ptr<TileBackground> ground_;
     std::unique_ptr<SampleTile> samples_;
     std::int64_t drawn_ = 0;                   ///< pixels since it was looked for what is hidden
     std::uint64_t touched_ = 0;                ///< blocks with such pixels, a bit each

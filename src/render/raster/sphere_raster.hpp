@@ -29,13 +29,16 @@ struct PixelGrid
 class SphereRaster
 {
 public:
+    /// Of a hatch that is dark, as in common.glsl.
+    static constexpr float kHatchShare = 0.34F;
+
     /// `background` is the palette's; `front` is added to what is near without perspective.
     SphereRaster(const SphereUniforms& uniforms, bool orthographic, const PictureSize& size,
                  const Colour& background, int samples, float front = 0);
 
-    /// `pixels` is around it in the picture.
+    /// `pixels` is around it in the picture. `light`: as in the studio.
     void draw(const SphereInstance& sphere, const PixelRectangle& pixels, const TilePart& part,
-              SampleTile& tile) const;
+              SampleTile& tile, const SphereLight* light = nullptr) const;
 
     /// No point of it is nearer; see kNothing.
     [[nodiscard]] float nearest(const SphereInstance& sphere) const;
@@ -64,9 +67,39 @@ public:
         std::array<float, kMostTileSamples> acrossAt, aboveAt, alongAt; ///< from a pixel's middle
     };
 
+    /// What the studio adds. Lengths are in its radius.
+    struct Lighting
+    {
+        struct Occluder
+        {
+            Setup::Slope way; ///< to its centre
+            float squared;    ///< of the way's length, and 1
+            float radius;
+            float ahead; ///< of the way, towards the lamp
+        };
+        std::array<Occluder, SphereLight{}.occluders.size()> occluders;
+        std::size_t count; ///< of occluders that are there
+        float sky, lamp;   ///< what all others let through
+        Setup::Slope towardsLamp, up, gloss;
+    };
+
 private:
-    bool setUp(const SphereInstance& sphere, Setup& setup) const;
-    void setColours(const SphereInstance& sphere, const glm::vec3& centre, Setup& setup) const;
+    /// Unit vectors in eye space: to the centre, and in the plane of the circle.
+    struct Axes
+    {
+        glm::vec3 axis{0, 0, -1};
+        glm::vec3 right{1, 0, 0};
+        glm::vec3 above{0, 1, 0};
+        float shrink = 1; ///< the circle's radius in the sphere's
+
+        [[nodiscard]] Setup::Slope slope(const glm::vec3& way) const;
+    };
+
+    /// False when it cannot be seen.
+    bool setUp(const SphereInstance& sphere, bool lit, Axes& axes, Setup& setup) const;
+    void setColours(const SphereInstance& sphere, const glm::vec3& centre, bool lit,
+                    Setup& setup) const;
+    void setLighting(const SphereLight& light, const Axes& axes, Lighting& lighting) const;
 
     SphereUniforms uniforms_;
     PixelGrid grid_;

@@ -7,10 +7,10 @@
 #include <frostfill/error.hpp>
 
 #include <fmt/core.h>
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace frostfill
 {
@@ -19,17 +19,14 @@ namespace
 
 /// Longest edge of a picture, as OpenGL has it here.
 constexpr int kLongestEdge = 16384;
-/// That one core places before another may take more. More: cores wait for each other at the end.
-/// Fewer: handing them out costs more.
-constexpr std::size_t kSpheresATask = 4096;
 
 } // namespace
 
 bool TilePipeline::draws(const RenderSettings& settings)
 {
     const Style& style = settings.style;
-    return (style.look == Look::clean || style.look == Look::dark) &&
-           style.cutaway.kind == Cutaway::Kind::none && !style.ambientOcclusion;
+    return style.look != Look::paper && style.cutaway.kind == Cutaway::Kind::none &&
+           !style.ambientOcclusion;
 }
 
 TilePipeline::TilePipeline(const TriangleMesh& mesh, const RenderSettings& settings)
@@ -43,15 +40,15 @@ TilePipeline::TilePipeline(const TriangleMesh& mesh, const RenderSettings& setti
                                 "between 1 and {} pixels",
                                 size_.width, size_.height, kLongestEdge));
     }
-    tiles_.reserve(grid_.count());
-    for (std::size_t i = 0; i < grid_.count(); ++i)
-    {
-        tiles_.push_back({RestingTile(settings.style.palette.background, samples_), {}, {}, {}});
-    }
+    runningIn_.resize(grid_.count());
+    dirty_.resize(grid_.count());
+    const std::vector<glm::vec3> positions = inUnitSpace(mesh, viewpoint_.framing());
     if (settings.style.shell)
     {
-        addShell(mesh);
+        addShell(mesh, positions);
     }
+    layer_.emplace(grid_, viewpoint_.settings(), samples_,
+                   studioOf(mesh, positions, viewpoint_.settings(), viewpoint_.framing()));
     if (viewpoint_.legend().visible())
     {
         swatches_ = std::make_unique<SwatchRaster>(viewpoint_, samples_);
@@ -59,14 +56,8 @@ TilePipeline::TilePipeline(const TriangleMesh& mesh, const RenderSettings& setti
     useFraming();
 }
 
-void TilePipeline::addShell(const TriangleMesh& mesh)
+void TilePipeline::addShell(const TriangleMesh& mesh, const std::vector<glm::vec3>& positions)
 {
-    std::vector<glm::vec3> positions;
-    positions.reserve(mesh.vertices.size());
-    for (const Eigen::Vector3d& vertex : mesh.vertices)
-    {
-        positions.emplace_back(viewpoint_.framing().toUnit(vertex));
-    }
     shaded_ = shadeMesh(mesh, positions, true);
     shell_ = std::make_unique<ShellRaster>(shaded_, shellPalette(viewpoint_.settings().style),
                                            strokesFor(viewpoint_.settings()), samples_);
@@ -90,9 +81,12 @@ void TilePipeline::useFraming()
 {
     const Framing& framing = viewpoint_.framing();
     const Style& style = viewpoint_.settings().style;
-    const SphereUniforms uniforms = uniformsOf(framing, size_, style.look);
-    raster_.emplace(uniforms, framing.orthographic, size_, style.palette.background, samples_);
-    projector_.emplace(framing, size_);
+    SphereUniforms uniforms = uniformsOf(framing, viewpoint_.settings());
+    layer_->light(framing, uniforms);
+    view_.emplace(TileView{
+        SphereRaster(uniforms, framing.orthographic, size_, style.palette.background, samples_),
+        SphereProjector(framing, size_)});
+    layer_->lookFrom(*view_, framing, uniforms);
     if (shell_)
     {
         shell_->lookFrom(uniforms, framing.orthographic, size_,
@@ -102,17 +96,9 @@ void TilePipeline::useFraming()
     stale_ = true;
 }
 
-void TilePipeline::markDirty(const PixelRectangle& pixels)
+void TilePipeline::renew(std::size_t tile, const PixelRectangle& pixels)
 {
-    grid_.each(pixels,
-               [&](std::size_t tile) {
-                   tiles_[tile].dirty = around(tiles_[tile].dirty, grid_.part(tile).within(pixels));
-               });
-}
-
-SphereBounds TilePipeline::place(const SphereInstance& sphere) const
-{
-    return {projector_->project(sphere).pixels, raster_->nearest(sphere)};
+    dirty_[tile] = around(dirty_[tile], grid_.part(tile).within(pixels));
 }
 
 const std::vector<PixelRectangle>& TilePipeline::draw(const Snapshot& snapshot, Image& image)
@@ -121,7 +107,6 @@ const std::vector<PixelRectangle>& TilePipeline::draw(const Snapshot& snapshot, 
     {
         useFraming();
     }
-    const bool layer = viewpoint_.settings().staticLayer;
     const SphereLedger::Changes& changes =
         ledger_.update(snapshot, viewpoint_.framing(), viewpoint_.colours());
     const bool startAgain = stale_ || changes.everything;
@@ -133,18 +118,20 @@ const std::vector<PixelRectangle>& TilePipeline::draw(const Snapshot& snapshot, 
     {
         for (const std::uint32_t triangle : shell_->setStates(snapshot.polygons))
         {
-            markDirty(shell_->bounds(triangle));
+            const PixelRectangle pixels = shell_->bounds(triangle);
+            grid_.each(pixels, [&](std::size_t tile) { renew(tile, pixels); });
         }
     }
     stale_ = false;
-    if (startAgain || !layer)
+    layer_->follow(ledger_.resting(), startAgain ? 0 : changes.firstArrival);
+    if (startAgain || !viewpoint_.settings().staticLayer)
     {
-        rebuild();
+        layer_->rebuild(viewpoint_.settings().staticLayer, dirty_);
     }
     else
     {
-        repaintResting(changes.recoloured);
-        addArrivals(changes.firstArrival);
+        layer_->repaint(changes.recoloured, dirty_);
+        layer_->add(changes.firstArrival, dirty_);
     }
     placeRunning();
 
@@ -157,92 +144,6 @@ const std::vector<PixelRectangle>& TilePipeline::draw(const Snapshot& snapshot, 
     return parts_;
 }
 
-void TilePipeline::rebuild()
-{
-    const bool cull = viewpoint_.settings().staticLayer;
-    const auto resting = ledger_.resting();
-    for (Tile& tile : tiles_)
-    {
-        tile.resting.clear();
-    }
-    placed_.resize(resting.size());
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, resting.size(), kSpheresATask),
-                      [&](const auto& range)
-                      {
-                          for (std::size_t i = range.begin(); i < range.end(); ++i)
-                          {
-                              placed_[i] = place(resting[i]);
-                          }
-                      });
-    for (std::uint32_t i = 0; i < resting.size(); ++i)
-    {
-        const SphereBounds& placed = placed_[i];
-        grid_.each(placed.pixels,
-                   [&](std::size_t tile) { tiles_[tile].resting.list(i, placed.nearest); });
-    }
-    tbb::parallel_for(std::size_t{0}, tiles_.size(),
-                      [&](std::size_t tile)
-                      {
-                          const TilePart whole = grid_.part(tile);
-                          tiles_[tile].resting.repaint(*raster_, resting, placed_, whole, cull);
-                          tiles_[tile].dirty = whole.pixels;
-                      });
-}
-
-void TilePipeline::repaintResting(std::span<const std::size_t> recoloured)
-{
-    // Many change at once where groups are discarded, and a tile takes as long for all as for one.
-    std::vector<std::size_t> stale;
-    for (const std::size_t sphere : recoloured)
-    {
-        grid_.each(placed_[sphere].pixels,
-                   [&](std::size_t tile)
-                   {
-                       Tile& own = tiles_[tile];
-                       const TilePart whole = grid_.part(tile);
-                       if (own.resting.lists(static_cast<std::uint32_t>(sphere)) &&
-                           !own.resting.hides(placed_[sphere], whole))
-                       {
-                           if (own.recoloured.empty())
-                           {
-                               stale.push_back(tile);
-                           }
-                           own.recoloured =
-                               around(own.recoloured, whole.within(placed_[sphere].pixels));
-                       }
-                   });
-    }
-    for (const std::size_t tile : stale)
-    {
-        Tile& own = tiles_[tile];
-        own.resting.recolour(*raster_, ledger_.resting(), placed_, grid_.part(tile),
-                             own.recoloured);
-        own.dirty = around(own.dirty, own.recoloured);
-        own.recoloured = {};
-    }
-}
-
-void TilePipeline::addArrivals(std::size_t first)
-{
-    const auto resting = ledger_.resting();
-    for (std::size_t i = first; i < resting.size(); ++i)
-    {
-        placed_.push_back(place(resting[i]));
-        const SphereBounds& placed = placed_.back();
-        grid_.each(placed.pixels,
-                   [&](std::size_t tile)
-                   {
-                       const TilePart whole = grid_.part(tile);
-                       if (tiles_[tile].resting.add(*raster_, resting[i], placed,
-                                                    static_cast<std::uint32_t>(i), whole))
-                       {
-                           tiles_[tile].dirty =
-                               around(tiles_[tile].dirty, whole.within(placed.pixels));
-                       }
-                   });
-    }
-}
-
 void TilePipeline::placeRunning()
 {
     for (const SphereBounds& before : running_)
@@ -250,32 +151,31 @@ void TilePipeline::placeRunning()
         grid_.each(before.pixels,
                    [&](std::size_t tile)
                    {
-                       Tile& own = tiles_[tile];
-                       if (!own.running.empty()) // it was seen here
+                       if (!runningIn_[tile].empty()) // it was seen here
                        {
-                           own.dirty = around(own.dirty, grid_.part(tile).within(before.pixels));
+                           renew(tile, before.pixels);
                        }
                    });
     }
     for (const SphereBounds& before : running_)
     {
-        grid_.each(before.pixels, [&](std::size_t tile) { tiles_[tile].running.clear(); });
+        grid_.each(before.pixels, [&](std::size_t tile) { runningIn_[tile].clear(); });
     }
     running_.clear();
+    runningLights_.clear();
     for (const SphereInstance& sphere : ledger_.running())
     {
         const auto index = static_cast<std::uint32_t>(running_.size());
-        running_.push_back(place(sphere));
-        const SphereBounds& now = running_.back();
+        const SphereBounds now = view_->place(sphere);
+        running_.push_back(now);
+        runningLights_.push_back(layer_->lightOn(sphere, now));
         grid_.each(now.pixels,
                    [&](std::size_t tile)
                    {
-                       Tile& own = tiles_[tile];
-                       const TilePart whole = grid_.part(tile);
-                       if (!own.resting.hides(now, whole))
+                       if (!layer_->hides(now, tile))
                        {
-                           own.running.push_back(index);
-                           own.dirty = around(own.dirty, whole.within(now.pixels));
+                           runningIn_[tile].push_back(index);
+                           renew(tile, now.pixels);
                        }
                    });
     }
@@ -284,9 +184,9 @@ void TilePipeline::placeRunning()
 void TilePipeline::composeDirty(bool manyTiles, Image& image)
 {
     std::vector<std::size_t> dirty;
-    for (std::size_t tile = 0; tile < tiles_.size(); ++tile)
+    for (std::size_t tile = 0; tile < dirty_.size(); ++tile)
     {
-        if (!tiles_[tile].dirty.empty())
+        if (!dirty_[tile].empty())
         {
             dirty.push_back(tile);
         }
@@ -314,19 +214,20 @@ void TilePipeline::composeDirty(bool manyTiles, Image& image)
 
 PixelRectangle TilePipeline::compose(std::size_t tile, SampleTile& work, Image& image)
 {
-    Tile& own = tiles_[tile];
     TilePart dirty = grid_.part(tile);
-    dirty.pixels = own.dirty;
-    own.dirty = {};
-    own.resting.copyTo(work, dirty.pixels);
-    for (const std::uint32_t sphere : own.running)
+    dirty.pixels = std::exchange(dirty_[tile], {});
+    const RestingTile& resting = (*layer_)[tile];
+    resting.copyTo(work, dirty.pixels);
+    for (const std::uint32_t sphere : runningIn_[tile])
     {
-        raster_->draw(ledger_.running()[sphere], running_[sphere].pixels, dirty, work);
+        const auto& light = runningLights_[sphere];
+        view_->raster.draw(ledger_.running()[sphere], running_[sphere].pixels, dirty, work,
+                           light ? &*light : nullptr);
     }
     if (shell_)
     {
         shell_->draw(triangles_->inTile(grid_.column(tile), grid_.row(tile)), dirty, work,
-                     viewpoint_.settings().staticLayer ? &own.resting : nullptr);
+                     viewpoint_.settings().staticLayer ? &resting : nullptr);
     }
     const PixelRectangle inPicture = grid_.inPicture(dirty);
     if (swatches_ && swatches_->pixels().overlaps(inPicture))

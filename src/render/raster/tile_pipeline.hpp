@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "render/layer/projected_sphere.hpp"
 #include "render/layer/sphere_ledger.hpp"
 #include "render/layer/triangle_tiles.hpp"
 #include "render/overlay/viewpoint.hpp"
-#include "render/raster/resting_tile.hpp"
 #include "render/raster/shell_raster.hpp"
-#include "render/raster/sphere_raster.hpp"
 #include "render/raster/swatch_raster.hpp"
 #include "render/raster/tile_grid.hpp"
+#include "render/raster/tile_layer.hpp"
 
 #include <tbb/enumerable_thread_specific.h>
 
@@ -44,21 +42,10 @@ public:
     [[nodiscard]] const Viewpoint& viewpoint() const { return viewpoint_; }
 
 private:
-    struct Tile
-    {
-        RestingTile resting;
-        std::vector<std::uint32_t> running; ///< that may be seen
-        PixelRectangle recoloured;          ///< in the tile, while it is repainted
-        PixelRectangle dirty;               ///< in the tile
-    };
-
     void useFraming();
-    void addShell(const TriangleMesh& mesh);
-    [[nodiscard]] SphereBounds place(const SphereInstance& sphere) const;
-    void markDirty(const PixelRectangle& pixels);
-    void rebuild();
-    void addArrivals(std::size_t first);
-    void repaintResting(std::span<const std::size_t> recoloured);
+    void addShell(const TriangleMesh& mesh, const std::vector<glm::vec3>& positions);
+    /// Draws the tile where it has these pixels of the picture.
+    void renew(std::size_t tile, const PixelRectangle& pixels);
     void placeRunning();
     void composeDirty(bool manyTiles, Image& image);
     /// Returns which part of the picture it has drawn.
@@ -71,13 +58,14 @@ private:
     ShadedMesh shaded_;
     std::unique_ptr<ShellRaster> shell_;
     std::optional<TriangleTiles> triangles_;
-    std::optional<SphereRaster> raster_;
-    std::optional<SphereProjector> projector_;
+    std::optional<TileView> view_;
+    std::optional<TileLayer> layer_;
     std::unique_ptr<SwatchRaster> swatches_;
     SphereLedger ledger_;
-    std::vector<SphereBounds> placed_;  ///< [resting]
-    std::vector<SphereBounds> running_; ///< [running]
-    std::vector<Tile> tiles_;           ///< from the lower left corner
+    std::vector<SphereBounds> running_;                     ///< [running]
+    std::vector<std::optional<SphereLight>> runningLights_; ///< [running] none but in the studio
+    std::vector<std::vector<std::uint32_t>> runningIn_;     ///< [tiles] those that may be seen
+    std::vector<PixelRectangle> dirty_;                     ///< [tiles] in the tile
     tbb::enumerable_thread_specific<SampleTile> work_;
     bool stale_ = true; ///< nothing of the picture before can be kept
     std::vector<PixelRectangle> parts_;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <numeric>
 
 namespace frostfill
 {
@@ -110,42 +111,90 @@ TEST(Surroundings, ChangeOnlyTheLightOfThoseThatAnArrivalReaches)
     EXPECT_LT(reached, 3 * changed) << "says that it reaches nearly all";
 }
 
-// The oracle: surroundings that are started with the same spheres and keep nothing.
+const glm::dvec4 kCut(1, 0, 0, -0.5);
+
+/// The oracle: surroundings that are started with the same spheres and keep nothing.
+std::vector<SphereLight> lightOnAll(std::span<const SphereInstance> spheres,
+                                    const std::optional<CutPlanes>& cut)
+{
+    Surroundings fresh(kLamp, cut);
+    fresh.start(spheres);
+    std::vector<SphereLight> lights;
+    for (std::size_t i = 0; i < spheres.size(); ++i)
+    {
+        lights.push_back(fresh.ofResting(i));
+    }
+    return lights;
+}
+
 TEST(Surroundings, KeepTheLightOfThoseThatAnArrivalDoesNotChange)
 {
-    const glm::dvec4 plane(1, 0, 0, -0.5);
-    for (const auto& cut : {std::optional<CutPlanes>(), std::optional(CutPlanes{plane, plane})})
+    constexpr std::uint32_t kSeen = 900;
+    for (const auto& cut : {std::optional<CutPlanes>(), std::optional(CutPlanes{kCut, kCut})})
     {
         const std::vector<SphereInstance> spheres = cloud(1100);
         Surroundings surroundings(kLamp, cut);
-        surroundings.start(std::span(spheres).first(1000));
-        std::vector<SphereLight> before;
-        before.reserve(spheres.size());
-        for (const SphereInstance& sphere : spheres)
-        {
-            before.push_back(surroundings.of(sphere));
-        }
-        int changed = 0;
+        surroundings.follow(std::span(spheres).first(1000), 0);
+        std::vector<std::uint32_t> all(1000);
+        std::iota(all.begin(), all.end(), 0U);
+        surroundings.ask(all);
+        std::vector<SphereLight> before(surroundings.lights().begin(), surroundings.lights().end());
+        std::size_t changed = 0;
         for (std::size_t end = 1010; end <= spheres.size(); end += 10)
         {
-            for (std::size_t i = end - 10; i < end; ++i)
+            const auto now = std::span(spheres).first(end);
+            surroundings.follow(now, end - 10);
+            const std::vector<SphereLight> lights = lightOnAll(now, cut);
+            std::vector<std::uint32_t> expected;
+            for (std::uint32_t k = 0; k < kSeen; ++k)
             {
-                surroundings.add(spheres[i]);
+                if (lights[k] != before[k])
+                {
+                    expected.push_back(k);
+                }
             }
-            Surroundings fresh(kLamp, cut);
-            fresh.start(std::span(spheres).first(end));
-            for (std::size_t k = 0; k < 1000; ++k)
+            const auto told = surroundings.askAgain([](std::uint32_t i) { return i < kSeen; });
+            std::vector<std::uint32_t> sorted(told.begin(), told.end());
+            std::sort(sorted.begin(), sorted.end());
+            ASSERT_EQ(sorted, expected) << end;
+            ASSERT_TRUE(surroundings.askAgain([](std::uint32_t) { return true; }).empty());
+            for (std::uint32_t k = 0; k < 1000; ++k)
             {
-                const SphereLight now = fresh.of(spheres[k]);
-                const bool differs = !same(before[k], now);
-                ASSERT_EQ(surroundings.hasChanged(spheres[k]), differs) << end << ", " << k;
-                ASSERT_TRUE(same(surroundings.of(spheres[k]), now)) << end << ", " << k;
-                ASSERT_FALSE(surroundings.hasChanged(spheres[k])) << end << ", " << k;
-                before[k] = now;
-                changed += differs ? 1 : 0;
+                ASSERT_TRUE(same(surroundings.ofResting(k), lights[k])) << end << ", " << k;
             }
+            before = lights;
+            changed += expected.size();
         }
-        EXPECT_GT(changed, 100);
+        EXPECT_GT(changed, 100U);
+    }
+}
+
+TEST(Surroundings, KeepWhatIsKnownWhenTheyAreStartedInAnotherOrderAndWithArrivals)
+{
+    for (const auto& cut : {std::optional<CutPlanes>(), std::optional(CutPlanes{kCut, kCut})})
+    {
+        std::vector<SphereInstance> spheres = cloud(600);
+        Surroundings surroundings(kLamp, cut);
+        surroundings.start(std::span(spheres).first(500));
+        for (std::size_t i = 0; i < 500; ++i)
+        {
+            surroundings.ofResting(i);
+        }
+        std::reverse(spheres.begin(), spheres.end());
+        surroundings.start(spheres);
+        std::vector<SphereLight> lights = lightOnAll(spheres, cut);
+        for (std::size_t i = 0; i < spheres.size(); ++i)
+        {
+            ASSERT_TRUE(same(surroundings.ofResting(i), lights[i])) << i;
+        }
+        // One has gone, which nothing but a new beginning takes into account.
+        spheres.pop_back();
+        surroundings.start(spheres);
+        lights = lightOnAll(spheres, cut);
+        for (std::size_t i = 0; i < spheres.size(); ++i)
+        {
+            ASSERT_TRUE(same(surroundings.ofResting(i), lights[i])) << i;
+        }
     }
 }
 

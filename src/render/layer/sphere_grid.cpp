@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "render/layer/sphere_grid.hpp"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <bit>
+
+namespace frostfill
+{
+
+void SphereGrid::add(const SphereInstance& sphere)
+{
+    spheres_.push_back(sphere);
+    if (sphere.radius > largest_ || spheres_.size() > heads_.size())
+    {
+        largest_ = std::max(largest_, 1.2F * sphere.radius);
+        rebuild();
+        return;
+    }
+    std::uint32_t& head = heads_[cellOf(placeOf({sphere.x, sphere.y, sphere.z}))];
+    nexts_.push_back(head);
+    head = static_cast<std::uint32_t>(spheres_.size());
+}
+
+glm::ivec3 SphereGrid::placeOf(const glm::vec3& point) const
+{
+    return glm::ivec3(glm::floor(glm::clamp(point / cell_, glm::vec3(-1e6F), glm::vec3(1e6F))));
+}
+
+std::uint32_t SphereGrid::cellOf(const glm::ivec3& place) const
+{
+    const std::uint32_t hash = static_cast<std::uint32_t>(place.x) * 73856093U ^
+                               static_cast<std::uint32_t>(place.y) * 19349663U ^
+                               static_cast<std::uint32_t>(place.z) * 83492791U;
+    return hash & static_cast<std::uint32_t>(heads_.size() - 1);
+}
+
+void SphereGrid::rebuild()
+{
+    cell_ = std::max(2 * largest_, 1e-6F);
+    heads_.assign(std::bit_ceil(std::max<std::size_t>(2 * spheres_.size(), 1024)), 0);
+    nexts_.assign(spheres_.size(), 0);
+    for (std::size_t i = 0; i < spheres_.size(); ++i)
+    {
+        const SphereInstance& sphere = spheres_[i];
+        std::uint32_t& head = heads_[cellOf(placeOf({sphere.x, sphere.y, sphere.z}))];
+        nexts_[i] = head;
+        head = static_cast<std::uint32_t>(i + 1);
+    }
+}
+
+std::size_t SphereGrid::indexOf(const SphereInstance& sphere) const
+{
+    std::size_t found = spheres_.size();
+    const glm::vec3 centre(sphere.x, sphere.y, sphere.z);
+    const auto look = [&](std::uint32_t i)
+    {
+        const SphereInstance& other = spheres_[i];
+        if (other.x == sphere.x && other.y == sphere.y && other.z == sphere.z &&
+            other.radius == sphere.radius)
+        {
+            found = i;
+        }
+    };
+    eachIn(centre, centre, look);
+    return found;
+}
+
+} // namespace frostfill

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "render/framing/framing.hpp"
+#include "render/framing/ground_shadow.hpp"
+#include "render/passes/sphere_pass.hpp"
+
+#include <frostfill/renderer.hpp>
+
+#include <glm/vec3.hpp>
+
+#include <optional>
+#include <span>
+
+namespace frostfill
+{
+
+/// What stands around the object in the style studio, and stays there when the camera moves. [unit
+/// space]
+struct Studio
+{
+    glm::vec3 up{0, 1, 0};
+    glm::vec3 lamp{0, 1, 0}; ///< towards it
+    std::optional<GroundShadow> ground;
+
+    /// Only from above.
+    [[nodiscard]] bool showsGround(const Framing& framing) const;
+    /// Adds lamp and ground, as the camera sees them.
+    void light(const Framing& framing, SphereUniforms& uniforms) const;
+};
+
+/// None in other styles. `framing` is where the camera stands at first, `positions` are the
+/// vertices of the mesh.
+[[nodiscard]] std::optional<Studio> studioOf(const TriangleMesh& mesh,
+                                             std::span<const glm::vec3> positions,
+                                             const RenderSettings& settings,
+                                             const Framing& framing);
+
+/// Vertices of a mesh in unit space.
+[[nodiscard]] std::vector<glm::vec3> inUnitSpace(const TriangleMesh& mesh, const Framing& framing);
+
+} // namespace frostfill

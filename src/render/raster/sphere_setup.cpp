@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+// What is the same over one sphere is worked out here, once and not for every pixel.
+#include "render/raster/sphere_raster.hpp"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace frostfill
+{
+namespace
+{
+
+using Setup = SphereRaster::Setup;
+using Lighting = SphereRaster::Lighting;
+
+// The numbers of common.glsl, sphere.vert and sphere.frag.
+const glm::vec3 kKeyLight(-0.424F, 0.636F, 0.645F);
+const glm::vec3 kFillLight(0.802F, 0.134F, 0.582F);
+const glm::vec3 kBackLight(0.258F, 0.602F, -0.756F);
+const glm::vec3 kHighlight(-0.234F, 0.351F, 0.907F);
+/// Strength of gloss, ring and hatch for each SphereState.
+constexpr std::array<std::array<float, 3>, 3> kMarks = {
+    {{0.65F, 0.8F, 0}, {0, 0, 0}, {0, 0, 0.42F}}};
+
+/// As OpenGL takes a signed byte for -1..1.
+float shareOf(std::int8_t byte)
+{
+    return std::max(static_cast<float>(byte) / 127, -1.0F);
+}
+
+} // namespace
+
+PixelGrid pixelGrid(const glm::mat4& projection, bool orthographic, const PictureSize& size)
+{
+    PixelGrid grid;
+    grid.orthographic = orthographic;
+    const float shiftX = orthographic ? -projection[3][0] : projection[2][0];
+    const float shiftY = orthographic ? -projection[3][1] : projection[2][1];
+    grid.left = (shiftX - 1) / projection[0][0];
+    grid.bottom = (shiftY - 1) / projection[1][1];
+    grid.perColumn = 2 / (projection[0][0] * static_cast<float>(size.width));
+    grid.perRow = 2 / (projection[1][1] * static_cast<float>(size.height));
+    return grid;
+}
+
+SphereRaster::SphereRaster(const SphereUniforms& uniforms, bool orthographic,
+                           const PictureSize& size, const Colour& background, int samples,
+                           float front)
+    : uniforms_(uniforms), grid_(pixelGrid(uniforms.projection, orthographic, size)),
+      background_(glm::vec3(toVector(background)) * toVector(background).a), samples_(samples),
+      front_(front)
+{
+}
+
+void SphereRaster::setColours(const SphereInstance& sphere, const glm::vec3& centre, bool lit,
+                              Setup& setup) const
+{
+    const glm::vec4 point(centre, 1);
+    const float foot =
+        0.86F + 0.14F * glm::clamp(glm::dot(uniforms_.heightPlane, point), 0.0F, 1.0F);
+    const float far =
+        uniforms_.haze * glm::clamp(glm::dot(uniforms_.distancePlane, point), 0.0F, 1.0F);
+    const float distance = grid_.orthographic ? 1 : -centre.z;
+    setup.pixel = distance / (uniforms_.pixelScale * sphere.radius);
+    const auto& [gloss, ring, ofHatch] = kMarks[sphere.state];
+    const float hatch = lit ? 0 : ofHatch;
+    setup.gloss = 255 * gloss;
+    setup.ring = ring;
+    // On small spheres a hatch is noise. It fades to its mean, and is gone at 12 pixels across in
+    // the picture as it is seen.
+    const float shown = glm::smoothstep(12.0F, 120.0F, 2 / (setup.pixel * uniforms_.supersample));
+    setup.hatch = hatch * shown;
+    const float dimmed = foot * (1 - far) * (1 - kHatchShare * hatch * (1 - shown));
+    for (int c = 0; c < 3; ++c)
+    {
+        const auto channel = static_cast<std::size_t>(c);
+        setup.tint[channel] = static_cast<float>(sphere.colour[channel]) * dimmed;
+        setup.haze[channel] = 255 * background_[c] * far;
+    }
+}
+
+bool SphereRaster::setUp(const SphereInstance& sphere, bool lit, Axes& axes, Setup& setup) const
+{
+    const glm::vec3 centre(uniforms_.view * glm::vec4(sphere.x, sphere.y, sphere.z, 1));
+    const float radius = sphere.radius;
+    auto& [axis, right, above, shrink] = axes = Axes{};
+    if (grid_.orthographic)
+    {
+        setup.x = (centre.x - grid_.left) / grid_.perColumn;
+        setup.y = (centre.y - grid_.bottom) / grid_.perRow;
+        setup.acrossX = grid_.perColumn / radius;
+        setup.aboveX = 0;
+        setup.aboveY = grid_.perRow / radius;
+        setup.along = 1;
+        setup.alongX = setup.alongY = 0;
+        setup.steepness = 0;
+        setup.nearScale = centre.z + front_;
+        setup.rise = radius;
+    }
+    else
+    {
+        const float squared = glm::dot(centre, centre);
+        const float distance = std::sqrt(squared);
+        const float steepness = radius / distance;
+        if (steepness >= 1 || centre.z >= 0)
+        {
+            return false; // the eye is in the sphere or past it
+        }
+        axis = centre / distance;
+        right = glm::normalize(glm::vec3(-centre.z, 0, centre.x));
+        above = glm::cross(centre, right) / -distance;
+        shrink = std::sqrt(1 - steepness * steepness);
+        const float scale = squared * shrink / radius; // K
+        setup.x = (centre.x / -centre.z - grid_.left) / grid_.perColumn;
+        setup.y = (centre.y / -centre.z - grid_.bottom) / grid_.perRow;
+        setup.acrossX = scale * grid_.perColumn * right.x;
+        setup.aboveX = scale * grid_.perColumn * above.x;
+        setup.aboveY = scale * grid_.perRow * above.y;
+        setup.along = squared / -centre.z;
+        setup.alongX = grid_.perColumn * centre.x;
+        setup.alongY = grid_.perRow * centre.y;
+        setup.steepness = steepness;
+        setup.nearScale = 1 / (squared - radius * radius);
+        setup.rise = 0;
+    }
+    setup.up = axes.slope({0, 1, 0});
+    setup.key = axes.slope(kKeyLight);
+    setup.fill = axes.slope(kFillLight);
+    setup.back = axes.slope(kBackLight);
+    setup.highlight = axes.slope(kHighlight);
+    for (std::size_t k = 0; k < kMostTileSamples; ++k)
+    {
+        const SampleOffset at = samples_ > 1 ? kFourSamples[k] : SampleOffset{};
+        setup.acrossAt[k] = setup.acrossX * at.x;
+        setup.aboveAt[k] = setup.aboveX * at.x + setup.aboveY * at.y;
+        setup.alongAt[k] = setup.alongX * at.x + setup.alongY * at.y;
+    }
+    setColours(sphere, centre, lit, setup);
+    return true;
+}
+
+Setup::Slope SphereRaster::Axes::slope(const glm::vec3& way) const
+{
+    return {-glm::dot(axis, way), shrink * glm::dot(right, way), shrink * glm::dot(above, way)};
+}
+
+void SphereRaster::setLighting(const SphereLight& light, const Axes& axes, Lighting& lighting) const
+{
+    const glm::mat3 toEye(uniforms_.view);
+    const glm::vec3& lamp = uniforms_.lamp;
+    lighting.towardsLamp = axes.slope(lamp);
+    lighting.up = axes.slope(uniforms_.above);
+    lighting.gloss = axes.slope(glm::normalize(lamp + glm::vec3(0, 0, 1)));
+    lighting.sky = static_cast<float>(light.open[0]) / 255;
+    lighting.lamp = static_cast<float>(light.open[1]) / 255;
+    lighting.count = 0;
+    for (const auto& [x, y, z, radius] : light.occluders)
+    {
+        if (radius > 0)
+        {
+            const glm::vec3 way =
+                kOccluderRange * (toEye * glm::vec3(shareOf(x), shareOf(y), shareOf(z)));
+            lighting.occluders[lighting.count++] = {axes.slope(way), glm::dot(way, way) + 1,
+                                                    kOccluderRange * shareOf(radius),
+                                                    glm::dot(way, lamp)};
+        }
+    }
+}
+
+float SphereRaster::nearest(const SphereInstance& sphere) const
+{
+    const glm::mat4& view = uniforms_.view;
+    const float z =
+        view[0][2] * sphere.x + view[1][2] * sphere.y + view[2][2] * sphere.z + view[3][2];
+    if (grid_.orthographic)
+    {
+        return z + 1.0001F * sphere.radius + 1e-5F + front_;
+    }
+    const float ahead = -z - 1.0001F * sphere.radius;
+    return ahead > 0 ? 1.00001F / ahead : std::numeric_limits<float>::max();
+}
+
+} // namespace frostfill

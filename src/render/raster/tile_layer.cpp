@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: MIT
+#include "render/raster/tile_layer.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <utility>
+
+namespace frostfill
+{
+namespace
+{
+
+/// That one core places before another may take more. More: cores wait for each other at the end.
+/// Fewer: handing them out costs more.
+constexpr std::size_t kSpheresATask = 4096;
+
+} // namespace
+
+TileLayer::TileLayer(const TileGrid& grid, const RenderSettings& settings, int samples,
+                     std::optional<Studio> studio)
+    : grid_(grid), size_(settings.size), background_(settings.style.palette.background),
+      studio_(std::move(studio)), repainted_(grid.count())
+{
+    tiles_.reserve(grid_.count());
+    for (std::size_t i = 0; i < grid_.count(); ++i)
+    {
+        tiles_.emplace_back(background_, samples);
+    }
+    if (studio_)
+    {
+        surroundings_.emplace(studio_->lamp, std::nullopt);
+    }
+}
+
+void TileLayer::light(const Framing& framing, SphereUniforms& uniforms) const
+{
+    if (studio_)
+    {
+        studio_->light(framing, uniforms);
+    }
+}
+
+void TileLayer::lookFrom(const TileView& view, const Framing& framing,
+                         const SphereUniforms& uniforms)
+{
+    view_ = &view;
+    std::optional<GroundRaster> ground;
+    if (studio_ && studio_->showsGround(framing))
+    {
+        ground.emplace(*studio_->ground, uniforms.view,
+                       pixelGrid(uniforms.projection, framing.orthographic, size_), background_);
+    }
+    tbb::parallel_for(std::size_t{0}, tiles_.size(),
+                      [&](std::size_t tile)
+                      {
+                          auto pixels = ground ? std::make_unique<TileBackground>() : nullptr;
+                          const bool seen = ground && ground->draw(grid_.part(tile), *pixels);
+                          tiles_[tile].setGround(seen ? std::move(pixels) : nullptr);
+                      });
+}
+
+void TileLayer::follow(std::span<const SphereInstance> resting, std::size_t first)
+{
+    resting_ = resting;
+    if (surroundings_)
+    {
+        surroundings_->follow(resting, first);
+    }
+}
+
+RestingSpheres TileLayer::restingSpheres() const
+{
+    return {resting_, placed_,
+            surroundings_ ? surroundings_->lights() : std::span<const SphereLight>()};
+}
+
+void TileLayer::rebuild(bool cull, std::span<PixelRectangle> dirty)
+{
+    for (RestingTile& tile : tiles_)
+    {
+        tile.clear();
+    }
+    placed_.resize(resting_.size());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, resting_.size(), kSpheresATask),
+                      [&](const auto& range)
+                      {
+                          for (std::size_t i = range.begin(); i < range.end(); ++i)
+                          {
+                              placed_[i] = view_->place(resting_[i]);
+                          }
+                      });
+    for (std::uint32_t i = 0; i < resting_.size(); ++i)
+    {
+        const SphereBounds& placed = placed_[i];
+        grid_.each(placed.pixels, [&](std::size_t tile) { tiles_[tile].list(i, placed.nearest); });
+    }
+    if (surroundings_)
+    {
+        if (cull)
+        {
+            // Only their shapes, to see which spheres need light.
+            repaintTiles({resting_, placed_, {}}, cull);
+        }
+        lightWhatIsSeen();
+    }
+    repaintTiles(restingSpheres(), cull);
+    for (std::size_t tile = 0; tile < tiles_.size(); ++tile)
+    {
+        dirty[tile] = grid_.part(tile).pixels;
+    }
+}
+
+void TileLayer::repaintTiles(const RestingSpheres& resting, bool cull)
+{
+    tbb::parallel_for(std::size_t{0}, tiles_.size(),
+                      [&](std::size_t tile)
+                      { tiles_[tile].repaint(view_->raster, resting, grid_.part(tile), cull); });
+}
+
+void TileLayer::lightWhatIsSeen()
+{
+    std::vector<bool> seen(resting_.size());
+    for (const RestingTile& tile : tiles_)
+    {
+        tile.each([&](std::uint32_t sphere) { seen[sphere] = true; });
+    }
+    std::vector<std::uint32_t> spheres;
+    for (std::uint32_t i = 0; i < seen.size(); ++i)
+    {
+        if (seen[i])
+        {
+            spheres.push_back(i);
+        }
+    }
+    surroundings_->ask(spheres);
+}
+
+bool TileLayer::isSeen(std::uint32_t resting, std::size_t tile) const
+{
+    return tiles_[tile].lists(resting) && !hides(placed_[resting], tile);
+}
+
+bool TileLayer::isHidden(const SphereBounds& sphere) const
+{
+    bool hidden = true;
+    grid_.each(sphere.pixels, [&](std::size_t tile) { hidden = hidden && hides(sphere, tile); });
+    return hidden;
+}
+
+void TileLayer::repaint(std::span<const std::size_t> recoloured, std::span<PixelRectangle> dirty)
+{
+    // Many change at once where groups are discarded, and a tile takes as long for all as for one.
+    std::vector<std::size_t> stale;
+    const auto note = [&](std::uint32_t sphere)
+    {
+        grid_.each(placed_[sphere].pixels,
+                   [&](std::size_t tile)
+                   {
+                       if (isSeen(sphere, tile))
+                       {
+                           PixelRectangle& part = repainted_[tile];
+                           if (part.empty())
+                           {
+                               stale.push_back(tile);
+                           }
+                           part = around(part, grid_.part(tile).within(placed_[sphere].pixels));
+                       }
+                   });
+    };
+    for (const std::size_t sphere : recoloured)
+    {
+        note(static_cast<std::uint32_t>(sphere));
+    }
+    if (surroundings_)
+    {
+        const auto isSeenAnywhere = [&](std::uint32_t sphere)
+        {
+            bool seen = false;
+            grid_.each(placed_[sphere].pixels,
+                       [&](std::size_t tile) { seen = seen || isSeen(sphere, tile); });
+            return seen;
+        };
+        for (const std::uint32_t sphere : surroundings_->askAgain(isSeenAnywhere))
+        {
+            note(sphere);
+        }
+    }
+    for (const std::size_t tile : stale)
+    {
+        tiles_[tile].recolour(view_->raster, restingSpheres(), grid_.part(tile), repainted_[tile]);
+        dirty[tile] = around(dirty[tile], repainted_[tile]);
+        repainted_[tile] = {};
+    }
+}
+
+void TileLayer::add(std::size_t first, std::span<PixelRectangle> dirty)
+{
+    for (std::size_t i = first; i < resting_.size(); ++i)
+    {
+        placed_.push_back(view_->place(resting_[i]));
+        const SphereBounds& placed = placed_.back();
+        if (surroundings_ && !isHidden(placed))
+        {
+            surroundings_->ofResting(i);
+        }
+        const RestingSpheres resting = restingSpheres();
+        grid_.each(
+            placed.pixels,
+            [&](std::size_t tile)
+            {
+                const TilePart whole = grid_.part(tile);
+                if (tiles_[tile].add(view_->raster, resting, static_cast<std::uint32_t>(i), whole))
+                {
+                    dirty[tile] = around(dirty[tile], whole.within(placed.pixels));
+                }
+            });
+    }
+}
+
+std::optional<SphereLight> TileLayer::lightOn(const SphereInstance& sphere,
+                                              const SphereBounds& placed)
+{
+    if (!surroundings_)
+    {
+        return {};
+    }
+    return isHidden(placed) ? SphereLight{} : surroundings_->of(sphere);
+}
+
+} // namespace frostfill

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "render/layer/projected_sphere.hpp"
+#include "render/layer/studio.hpp"
+#include "render/layer/surroundings.hpp"
+#include "render/raster/ground_raster.hpp"
+#include "render/raster/resting_tile.hpp"
+#include "render/raster/sphere_raster.hpp"
+#include "render/raster/tile_grid.hpp"
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace frostfill
+{
+
+/// How spheres come into the picture, from where the camera is.
+struct TileView
+{
+    SphereRaster raster;
+    SphereProjector projector;
+
+    [[nodiscard]] SphereBounds place(const SphereInstance& sphere) const
+    {
+        return {projector.project(sphere).pixels, raster.nearest(sphere)};
+    }
+};
+
+/// The spheres at rest in all tiles, drawn once and kept, with the ground of the studio and what
+/// keeps light from what lies there. It adds the parts of tiles that it has drawn anew to `dirty`
+/// [tiles].
+class TileLayer
+{
+public:
+    TileLayer(const TileGrid& grid, const RenderSettings& settings, int samples,
+              std::optional<Studio> studio);
+
+    /// The view has to stay until the next call, and everything has to be rebuilt.
+    void lookFrom(const TileView& view, const Framing& framing, const SphereUniforms& uniforms);
+    /// Adds the lamp of the studio, as the camera sees it.
+    void light(const Framing& framing, SphereUniforms& uniforms) const;
+
+    /// Takes the spheres at rest: those from `first` on came since. They have to stay until the
+    /// next call.
+    void follow(std::span<const SphereInstance> resting, std::size_t first);
+    /// Draws all. With `cull`, what is hidden is left out.
+    void rebuild(bool cull, std::span<PixelRectangle> dirty);
+    /// Draws these and those whose light arrivals have changed.
+    void repaint(std::span<const std::size_t> recoloured, std::span<PixelRectangle> dirty);
+    /// Draws those from `first` on over what is there.
+    void add(std::size_t first, std::span<PixelRectangle> dirty);
+
+    [[nodiscard]] const RestingTile& operator[](std::size_t tile) const { return tiles_[tile]; }
+    [[nodiscard]] bool hides(const SphereBounds& sphere, std::size_t tile) const
+    {
+        return tiles_[tile].hides(sphere, grid_.part(tile));
+    }
+    /// What reaches a sphere that is not at rest; none but in the studio.
+    [[nodiscard]] std::optional<SphereLight> lightOn(const SphereInstance& sphere,
+                                                     const SphereBounds& placed);
+
+private:
+    [[nodiscard]] RestingSpheres restingSpheres() const;
+    void repaintTiles(const RestingSpheres& resting, bool cull);
+    void lightWhatIsSeen();
+    [[nodiscard]] bool isSeen(std::uint32_t resting, std::size_t tile) const;
+    /// In every tile.
+    [[nodiscard]] bool isHidden(const SphereBounds& sphere) const;
+
+    TileGrid grid_;
+    PictureSize size_;
+    Colour background_;
+    std::optional<Studio> studio_;
+    std::optional<Surroundings> surroundings_; ///< in the studio
+    const TileView* view_ = nullptr;
+    std::span<const SphereInstance> resting_;
+    std::vector<SphereBounds> placed_;      ///< [resting]
+    std::vector<RestingTile> tiles_;        ///< from the lower left corner
+    std::vector<PixelRectangle> repainted_; ///< [tiles] in the tile, during repaint()
+};
+
+} // namespace frostfill
