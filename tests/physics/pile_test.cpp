@@ -219,6 +219,32 @@ TEST(PositionSolver, SpheresPressedIntoARowClimbOutOfIt)
     }
 }
 
+// One that has crept into a wall is moved back. Those beside it are looked at on other threads, so
+// they have to see it where it is afterwards, whoever comes first.
+TEST(SupportIsland, LooksAtNobodyWhoIsStillBeingMoved)
+{
+    const std::vector<Eigen::Vector3d> places = {{7.01, kFloor + 1, 0}, {5.1, kFloor + 1, 0.5}};
+    std::vector<std::vector<Eigen::Vector3d>> normals;
+    for (const std::vector<std::uint32_t>& order : {std::vector{0U, 1U}, {1U, 0U}})
+    {
+        Pile pile(places);
+        for (std::uint32_t k = 0; k < 2; ++k)
+        {
+            pile.runners[k].nearby = {1 - k};
+            pile.runners[k].member = true;
+        }
+        std::vector<std::uint32_t> members = order;
+        SupportIsland(pile.flight, pile.threads).keep(pile.runners, members);
+        EXPECT_EQ(members, order);
+        EXPECT_NEAR(pile.runners[0].position.x(), 7, 1e-12);
+        const Eigen::Vector3d way = pile.runners[1].position - pile.runners[0].position;
+        ASSERT_FALSE(pile.runners[1].normals.empty());
+        EXPECT_EQ(pile.runners[1].normals.back(), way.normalized());
+        normals.push_back(pile.runners[1].normals);
+    }
+    EXPECT_EQ(normals[0], normals[1]);
+}
+
 TEST(SupportIsland, AreThoseThatStandOnTheFloorAndOnEachOther)
 {
     std::vector<Eigen::Vector3d> places = column(3);

@@ -6,14 +6,17 @@
 namespace frostfill
 {
 
-// Whoever is taken out may have carried others, so these are looked at again.
+// Whoever is taken out may have carried others, so these are looked at again. What is at rest may
+// give a runner back that has crept into it, so all have been moved before any looks where others
+// are.
 void SupportIsland::keep(std::span<Runner> runners, std::vector<std::uint32_t>& members)
 {
+    threads_.forEach(members.size(), [&](std::size_t i) { touch(runners[members[i]]); });
     threads_.forEach(members.size(),
                      [&](std::size_t i)
                      {
                          Runner& runner = runners[members[i]];
-                         runner.falls = !carry(runners, runner);
+                         runner.falls = !isCarriedToo(runners, runner);
                      });
     gone_.clear();
     for (const std::uint32_t k : members)
@@ -40,8 +43,18 @@ void SupportIsland::keep(std::span<Runner> runners, std::vector<std::uint32_t>& 
 
 bool SupportIsland::carry(std::span<const Runner> runners, Runner& runner) const
 {
+    touch(runner);
+    return isCarriedToo(runners, runner);
+}
+
+void SupportIsland::touch(Runner& runner) const
+{
+    flight_.findContacts(runner, kCarryingGap * runner.radius);
+}
+
+bool SupportIsland::isCarriedToo(std::span<const Runner> runners, Runner& runner) const
+{
     const double gap = kCarryingGap * runner.radius;
-    flight_.findContacts(runner, gap);
     for (const std::uint32_t k : runner.nearby)
     {
         const Runner& other = runners[k];

@@ -27,6 +27,11 @@ public:
     [[nodiscard]] bool carry(std::span<const Runner> runners, Runner& runner) const;
 
 private:
+    /// Finds what is at rest and touches it.
+    void touch(Runner& runner) const;
+    /// After touch(): whether that and members carry it. Moves nobody.
+    [[nodiscard]] bool isCarriedToo(std::span<const Runner> runners, Runner& runner) const;
+
     const FreeFlight& flight_;
     Threads& threads_;
     std::vector<std::uint32_t> gone_; ///< scratch of keep
