@@ -78,14 +78,18 @@ TEST_F(Backends, EglDrawsTheBytesOfOsmesaOnTheSameMesa)
     {
         GTEST_SKIP() << "there is no libEGL";
     }
-    std::string driver;
-    const Image reference = draw(Backend::osmesa, driver);
-    for (const Backend backend : {Backend::eglSoftware, Backend::eglSurfaceless})
+    for (const Look look : {Look::clean, Look::studio})
     {
-        std::string own;
-        const Image image = draw(backend, own);
-        EXPECT_EQ(own, driver);
-        EXPECT_EQ(image.pixels, reference.pixels);
+        choose(look);
+        std::string driver;
+        const Image reference = draw(Backend::osmesa, driver);
+        for (const Backend backend : {Backend::eglSoftware, Backend::eglSurfaceless})
+        {
+            std::string own;
+            const Image image = draw(backend, own);
+            EXPECT_EQ(own, driver);
+            EXPECT_EQ(image.pixels, reference.pixels) << static_cast<int>(look);
+        }
     }
 }
 
