@@ -18,9 +18,16 @@ void SphereGrid::add(const SphereInstance& sphere)
         rebuild();
         return;
     }
-    std::uint32_t& head = heads_[cellOf(placeOf({sphere.x, sphere.y, sphere.z}))];
+    enter(static_cast<std::uint32_t>(spheres_.size() - 1));
+}
+
+void SphereGrid::enter(std::uint32_t sphere)
+{
+    const SphereInstance& own = spheres_[sphere];
+    cells_.push_back(placeOf({own.x, own.y, own.z}));
+    std::uint32_t& head = heads_[cellOf(cells_.back())];
     nexts_.push_back(head);
-    head = static_cast<std::uint32_t>(spheres_.size());
+    head = sphere + 1;
 }
 
 glm::ivec3 SphereGrid::placeOf(const glm::vec3& point) const
@@ -40,13 +47,11 @@ void SphereGrid::rebuild()
 {
     cell_ = std::max(2 * largest_, 1e-6F);
     heads_.assign(std::bit_ceil(std::max<std::size_t>(2 * spheres_.size(), 1024)), 0);
-    nexts_.assign(spheres_.size(), 0);
-    for (std::size_t i = 0; i < spheres_.size(); ++i)
+    nexts_.clear();
+    cells_.clear();
+    for (std::uint32_t i = 0; i < spheres_.size(); ++i)
     {
-        const SphereInstance& sphere = spheres_[i];
-        std::uint32_t& head = heads_[cellOf(placeOf({sphere.x, sphere.y, sphere.z}))];
-        nexts_[i] = head;
-        head = static_cast<std::uint32_t>(i + 1);
+        enter(i);
     }
 }
 
@@ -63,7 +68,10 @@ std::size_t SphereGrid::indexOf(const SphereInstance& sphere) const
             found = i;
         }
     };
-    eachIn(centre, centre, look);
+    if (!spheres_.empty())
+    {
+        visitCell(placeOf(centre), look);
+    }
     return found;
 }
 

@@ -38,6 +38,38 @@ float lampHidden(float ahead, float beside, float radius)
            std::min(radius * radius / (spread * spread) * 1.5F, 1.0F);
 }
 
+/// Where the centres of those may be that keep light from a sphere, or from which it keeps light:
+/// close by, or around a ray, in a cone that begins narrower than what is close.
+struct Zone
+{
+    glm::vec3 middle;
+    float close;
+    glm::vec3 ray;  ///< unit vector
+    float farthest; ///< along the ray
+    float wide;     ///< where the ray begins
+
+    [[nodiscard]] bool mayHold(const glm::vec3& point, float slack) const
+    {
+        const glm::vec3 way = point - middle;
+        const float squared = glm::dot(way, way);
+        const float ahead = glm::dot(way, ray);
+        const float beside = wide + kSoftness * (ahead + slack) + slack;
+        return squared < (close + slack) * (close + slack) ||
+               (ahead > -slack && ahead < farthest + slack &&
+                squared - ahead * ahead < beside * beside);
+    }
+
+    template <typename Visit>
+    void each(const SphereGrid& grid, Visit visit) const
+    {
+        const glm::vec3 end = middle + farthest * ray;
+        const float atEnd = wide + kSoftness * farthest;
+        grid.eachIn(
+            glm::min(middle - close, end - atEnd), glm::max(middle + close, end + atEnd),
+            [&](const glm::vec3& point, float slack) { return mayHold(point, slack); }, visit);
+    }
+};
+
 std::int8_t toByte(float share)
 {
     return static_cast<std::int8_t>(std::lround(127 * std::clamp(share, -1.0F, 1.0F)));
@@ -131,27 +163,24 @@ void Surroundings::forgetLightAround(const SphereInstance& arrival)
 {
     // The other way round than in neighboursOf: who would find this one there.
     const glm::vec3 centre(arrival.x, arrival.y, arrival.z);
-    const glm::vec3 reach((1 + kReach) * grid_.largest() + arrival.radius);
-    const glm::vec3 along = centre - kLampReach * grid_.largest() * lamp_;
-    const glm::vec3 beside((1 + kSoftness * kLampReach) * grid_.largest() + arrival.radius);
-    grid_.eachIn(glm::min(centre - reach, along - beside), glm::max(centre + reach, along + beside),
-                 [&](std::uint32_t i)
-                 {
-                     if (known_[i] != 0 && reaches(arrival, grid_.spheres()[i]))
-                     {
-                         known_[i] = 0;
-                         reached_.push_back(i);
-                     }
-                 });
+    const float largest = grid_.largest();
+    const Zone zone{centre, (1 + kReach) * largest + arrival.radius, -lamp_, kLampReach * largest,
+                    largest + arrival.radius};
+    zone.each(grid_,
+              [&](std::uint32_t i)
+              {
+                  if (known_[i] != 0 && reaches(arrival, grid_.spheres()[i]))
+                  {
+                      known_[i] = 0;
+                      reached_.push_back(i);
+                  }
+              });
 }
 
 std::vector<Surroundings::Neighbour> Surroundings::neighboursOf(const SphereInstance& sphere) const
 {
     std::vector<Neighbour> near;
     const glm::vec3 centre(sphere.x, sphere.y, sphere.z);
-    const glm::vec3 reach((1 + kReach) * sphere.radius + grid_.largest());
-    const glm::vec3 along = centre + kLampReach * sphere.radius * lamp_;
-    const glm::vec3 beside((1 + kSoftness * kLampReach) * sphere.radius + grid_.largest());
     const auto meet = [&](const SphereInstance& other)
     {
         const glm::vec3 way = (glm::vec3(other.x, other.y, other.z) - centre) / sphere.radius;
@@ -176,14 +205,16 @@ std::vector<Surroundings::Neighbour> Surroundings::neighboursOf(const SphereInst
             near.push_back({weight, way, radius});
         }
     };
-    grid_.eachIn(glm::min(centre - reach, along - beside), glm::max(centre + reach, along + beside),
-                 [&](std::uint32_t i)
-                 {
-                     if (!cutAway_[i])
-                     {
-                         meet(grid_.spheres()[i]);
-                     }
-                 });
+    const Zone zone{centre, (1 + kReach) * sphere.radius + grid_.largest(), lamp_,
+                    kLampReach * sphere.radius, sphere.radius + grid_.largest()};
+    zone.each(grid_,
+              [&](std::uint32_t i)
+              {
+                  if (!cutAway_[i])
+                  {
+                      meet(grid_.spheres()[i]);
+                  }
+              });
     std::sort(near.begin(), near.end(),
               [](const Neighbour& a, const Neighbour& b)
               {
