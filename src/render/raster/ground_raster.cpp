@@ -90,7 +90,8 @@ bool GroundRaster::draw(const TilePart& whole, TileBackground& pixels) const
             const float dark = darknessAt(static_cast<float>(whole.left + x) + 0.5F,
                                           static_cast<float>(whole.bottom + y) + 0.5F);
             seen = seen || dark > 0;
-            pixels[static_cast<std::size_t>(y * kTileEdge + x)] = blended(dark);
+            const int at = y * kTileEdge + x;
+            pixels[static_cast<std::size_t>(at)] = blended(dark);
         }
     }
     return seen;

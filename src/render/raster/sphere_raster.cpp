@@ -209,7 +209,8 @@ FROSTFILL_INLINE void drawRows(const Setup& s, const Look& look, const PixelRect
             const Floats w = root(most(1 - rhoSquared, 0));
             const Floats q = along * s.nearScale;
             const Floats isNear = q + (q * s.steepness + s.rise) * w;
-            const std::size_t at = static_cast<std::size_t>(y * kTileEdge + x);
+            const int first = y * kTileEdge + x;
+            const auto at = static_cast<std::size_t>(first);
             std::array<Mask, samples> seen;
             Mask seenAtAll{};
             for (std::size_t k = 0; k < samples; ++k)
