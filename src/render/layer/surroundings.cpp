@@ -60,7 +60,7 @@ struct Zone
     }
 
     template <typename Visit>
-    void each(const SphereGrid& grid, Visit visit) const
+    void each(const OccluderGrid& grid, Visit visit) const
     {
         const glm::vec3 end = middle + farthest * ray;
         const float atEnd = wide + kSoftness * farthest;

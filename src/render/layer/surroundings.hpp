@@ -2,7 +2,7 @@
 #pragma once
 
 #include "render/framing/cutaway_planes.hpp"
-#include "render/layer/sphere_grid.hpp"
+#include "render/layer/occluder_grid.hpp"
 #include "render/passes/sphere_pass.hpp"
 
 #include <glm/vec3.hpp>
@@ -67,7 +67,7 @@ private:
 
     glm::vec3 lamp_;
     std::optional<CutPlanes> cut_;
-    SphereGrid grid_;
+    OccluderGrid grid_;
     std::vector<SphereLight> lights_;    ///< [spheres] when last asked for
     std::vector<std::uint8_t> known_;    ///< [spheres] 1: none has come since that reaches it
     std::vector<std::uint32_t> reached_; ///< that were known until others came

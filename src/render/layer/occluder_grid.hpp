@@ -15,7 +15,7 @@ namespace frostfill
 {
 
 /// Spheres that are found by their places; they have indices in the order in which they were added.
-class SphereGrid
+class OccluderGrid
 {
 public:
     void add(const SphereInstance& sphere);

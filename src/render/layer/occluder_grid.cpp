@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/layer/sphere_grid.hpp"
+#include "render/layer/occluder_grid.hpp"
 
 #include <glm/common.hpp>
 
@@ -9,7 +9,7 @@
 namespace frostfill
 {
 
-void SphereGrid::add(const SphereInstance& sphere)
+void OccluderGrid::add(const SphereInstance& sphere)
 {
     spheres_.push_back(sphere);
     if (sphere.radius > largest_ || spheres_.size() > heads_.size())
@@ -21,7 +21,7 @@ void SphereGrid::add(const SphereInstance& sphere)
     enter(static_cast<std::uint32_t>(spheres_.size() - 1));
 }
 
-void SphereGrid::enter(std::uint32_t sphere)
+void OccluderGrid::enter(std::uint32_t sphere)
 {
     const SphereInstance& own = spheres_[sphere];
     cells_.push_back(placeOf({own.x, own.y, own.z}));
@@ -30,12 +30,12 @@ void SphereGrid::enter(std::uint32_t sphere)
     head = sphere + 1;
 }
 
-glm::ivec3 SphereGrid::placeOf(const glm::vec3& point) const
+glm::ivec3 OccluderGrid::placeOf(const glm::vec3& point) const
 {
     return glm::ivec3(glm::floor(glm::clamp(point / cell_, glm::vec3(-1e6F), glm::vec3(1e6F))));
 }
 
-std::uint32_t SphereGrid::cellOf(const glm::ivec3& place) const
+std::uint32_t OccluderGrid::cellOf(const glm::ivec3& place) const
 {
     const std::uint32_t hash = static_cast<std::uint32_t>(place.x) * 73856093U ^
                                static_cast<std::uint32_t>(place.y) * 19349663U ^
@@ -43,7 +43,7 @@ std::uint32_t SphereGrid::cellOf(const glm::ivec3& place) const
     return hash & static_cast<std::uint32_t>(heads_.size() - 1);
 }
 
-void SphereGrid::rebuild()
+void OccluderGrid::rebuild()
 {
     cell_ = std::max(2 * largest_, 1e-6F);
     heads_.assign(std::bit_ceil(std::max<std::size_t>(2 * spheres_.size(), 1024)), 0);
@@ -55,7 +55,7 @@ void SphereGrid::rebuild()
     }
 }
 
-std::size_t SphereGrid::indexOf(const SphereInstance& sphere) const
+std::size_t OccluderGrid::indexOf(const SphereInstance& sphere) const
 {
     std::size_t found = spheres_.size();
     const glm::vec3 centre(sphere.x, sphere.y, sphere.z);
