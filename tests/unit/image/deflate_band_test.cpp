@@ -43,6 +43,7 @@ TEST(DeflateBand, GivesTheSameBytesWhereverItsMemoryLies)
     std::latch all(kThreads); // so that none takes the memory of one that has ended
     std::vector<Bytes> bytes(kThreads);
     std::vector<std::thread> threads;
+    threads.reserve(bytes.size());
     for (Bytes& own : bytes)
     {
         threads.emplace_back(
