@@ -60,12 +60,14 @@ void expectLayerEqualsFullDrawing(RenderSettings settings, int seed)
 }
 
 /// Of the cameras drawn from one sequence, those from `first` on and before `end`.
-void expectEqualForCameras(int first, int end)
+void expectEqualForCameras(int first, int end, Look look = Look::clean)
 {
     Numbers numbers;
     for (int camera = 0; camera < end; ++camera)
     {
-        const RenderSettings settings = randomSettings(numbers);
+        RenderSettings settings = randomSettings(numbers);
+        settings.style.look = look;
+        settings.style.palette = paletteOf(look);
         if (camera >= first)
         {
             expectLayerEqualsFullDrawing(settings, camera);
@@ -76,6 +78,11 @@ void expectEqualForCameras(int first, int end)
 TEST(RandomCameras, EqualsFullDrawingForAnyCameraSizeAndZoom)
 {
     expectEqualForCameras(0, 15);
+}
+
+TEST(RandomCameras, EqualsFullDrawingInTheStudioToo)
+{
+    expectEqualForCameras(0, 40, Look::studio);
 }
 
 // With the label `long`.
