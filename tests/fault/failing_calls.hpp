@@ -141,7 +141,7 @@ protected:
     void expectEachIsBorne(const std::vector<Failure>& failures, bool every = false) const
     {
         const std::string arguments = kTiny + "--frames 0:3 --out "; // nothing is thinned out
-        std::filesystem::remove_all(folder_ / "whole"); // of the failures before
+        std::filesystem::remove_all(folder_ / "whole");              // of the failures before
         ASSERT_EQ(run(arguments + "whole").code, 0);
         const auto whole = contents("whole");
         ASSERT_GT(whole.size(), 6u);
