@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 
+#include <utility>
 #include <vector>
 
 namespace frostfill
@@ -43,7 +44,11 @@ std::optional<Studio> studioOf(const TriangleMesh& mesh, std::span<const glm::ve
     studio.lamp = glm::normalize(glm::vec3(toUnit * kLamp) + kRaised * studio.up);
     if (settings.style.ground && settings.poses.empty())
     {
-        studio.ground = groundShadow(mesh, positions, studio.up, studio.lamp);
+        GroundShadow ground = groundShadow(mesh, positions, studio.up, studio.lamp);
+        if (!ground.corners.empty())
+        {
+            studio.ground = std::move(ground);
+        }
     }
     return studio;
 }

@@ -20,12 +20,12 @@ namespace frostfill
 struct Studio
 {
     glm::vec3 up{0, 1, 0};
-    glm::vec3 lamp{0, 1, 0}; ///< towards it
-    std::optional<GroundShadow> ground;
+    glm::vec3 lamp{0, 1, 0};            ///< towards it
+    std::optional<GroundShadow> ground; ///< where there is a shadow on it
 
     /// Only from above.
     [[nodiscard]] bool showsGround(const Framing& framing) const;
-    /// Adds lamp and ground, as the camera sees them.
+    /// Adds where the lamp and what is above are, as the camera sees them.
     void light(const Framing& framing, SphereUniforms& uniforms) const;
 };
 

@@ -174,19 +174,42 @@ TEST_F(Backends, TheBuiltInOneGivesTheSameBytesWithoutAvx2)
     std::string driver;
     for (const Look look : {Look::clean, Look::studio})
     {
-        for (const int samples : {1, 4})
+        for (const bool orthographic : {false, true})
         {
-            choose(look);
-            settings.camera.orthographic = samples == 1;
-            settings.samples = samples;
-            lanes::usesAvx2() = true;
-            const Image wide = draw(Backend::builtin, driver);
-            lanes::usesAvx2() = false;
-            const Image narrow = draw(Backend::builtin, driver);
-            lanes::usesAvx2() = true;
-            EXPECT_EQ(wide.pixels, narrow.pixels) << static_cast<int>(look) << ", " << samples;
+            for (const int samples : {1, 4})
+            {
+                choose(look);
+                settings.camera.orthographic = orthographic;
+                settings.samples = samples;
+                lanes::usesAvx2() = true;
+                const Image wide = draw(Backend::builtin, driver);
+                lanes::usesAvx2() = false;
+                const Image narrow = draw(Backend::builtin, driver);
+                lanes::usesAvx2() = true;
+                EXPECT_EQ(wide.pixels, narrow.pixels)
+                    << static_cast<int>(look) << ", " << orthographic << ", " << samples;
+            }
         }
     }
+}
+
+// Seen from far below at first, the lamp is so low that the ground has no shadow.
+TEST_F(Backends, TheBuiltInOneDrawsAGroundWithoutAShadow)
+{
+    choose(Look::studio);
+    settings.camera.elevation = -70;
+    std::vector<Image> pictures;
+    for (const Backend backend : {Backend::osmesa, Backend::builtin})
+    {
+        settings.backend = backend;
+        Renderer renderer(mesh, settings);
+        Camera above = settings.camera;
+        above.elevation = 30;
+        renderer.setCamera(above);
+        pictures.push_back(renderer.draw(snapshot));
+    }
+    const ImageDifference difference = compareImages(pictures[0], pictures[1]);
+    EXPECT_LT(difference.rootMeanSquare, 2);
 }
 
 // Tiles are drawn by whichever core is free. A camera that moves draws all of them, each time.
