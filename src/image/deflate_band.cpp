@@ -55,19 +55,20 @@ isal_zstream& streamFor(const std::vector<std::uint8_t>& data, Streams& streams)
     }
     const int bits = std::min(static_cast<int>(std::bit_width(data.size())) - 1, kHashBits);
     const std::uint32_t mask = (1U << bits) - 1;
-    const auto found = std::find_if(
-        streams.begin(), streams.end(),
-        [&](const isal_zstream& stream)
-        {
-            const auto address = reinterpret_cast<std::uintptr_t>(&stream);
-            const std::uint32_t wrong = hashOf(static_cast<std::uint32_t>(address >> 16)) & mask;
-            bool isOneOfThem = false;
-            for (std::size_t i = 0; i < kPlaces; ++i)
-            {
-                isOneOfThem = isOneOfThem || (hashOf(fourBytes(data.data() + i)) & mask) == wrong;
-            }
-            return !isOneOfThem;
-        });
+    std::array<std::uint32_t, kPlaces> hashes{};
+    for (std::size_t i = 0; i < kPlaces; ++i)
+    {
+        hashes[i] = hashOf(fourBytes(data.data() + i)) & mask;
+    }
+    const auto found =
+        std::find_if(streams.begin(), streams.end(),
+                     [&](const isal_zstream& stream)
+                     {
+                         const auto address = reinterpret_cast<std::uintptr_t>(&stream);
+                         const std::uint32_t wrong =
+                             hashOf(static_cast<std::uint32_t>(address >> 16)) & mask;
+                         return std::find(hashes.begin(), hashes.end(), wrong) == hashes.end();
+                     });
     return found != streams.end() ? *found : streams[0];
 }
 

@@ -25,7 +25,7 @@ public:
     GroundRaster(const GroundShadow& ground, const glm::mat4& view, const PixelGrid& grid,
                  const Colour& background);
 
-    /// Returns whether any of it is seen in the tile; only then is `pixels` written.
+    /// Draws a whole tile. Returns whether any shadow is seen in it.
     bool draw(const TilePart& whole, TileBackground& pixels) const;
 
 private:

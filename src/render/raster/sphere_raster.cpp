@@ -51,13 +51,17 @@ struct Places
     Floats across, above, rhoSquared, w;
 };
 
-FROSTFILL_INLINE Floats power32(Floats value)
+FROSTFILL_INLINE Floats power16(Floats value)
 {
     value *= value;
     value *= value;
     value *= value;
-    value *= value;
     return value * value;
+}
+
+FROSTFILL_INLINE Floats power32(Floats value)
+{
+    return power16(value * value);
 }
 
 /// What the marks of the states leave of the light.
@@ -133,12 +137,7 @@ struct InStudio
         takeLight(normals, facing, sky, lamp);
         const Floats fromSky = (0.5F + 0.16F * dot(normals, l.up)) * sky;
         const Floats key = 0.74F * most(facing, 0) * lamp;
-        Floats shine = most(dot(normals, l.gloss), 0);
-        shine *= shine;
-        shine *= shine;
-        shine *= shine;
-        shine *= shine;
-        shine *= 25.5F * lamp;
+        const Floats shine = power16(most(dot(normals, l.gloss), 0)) * (25.5F * lamp);
         const Floats returned = 0.25F * (1 - sky) * (1.0F / 255);
         Floats left = all(1);
         Floats gloss{};

@@ -45,8 +45,12 @@ void TileLayer::lookFrom(const TileView& view, const Framing& framing,
                          const SphereUniforms& uniforms)
 {
     view_ = &view;
+    if (!studio_)
+    {
+        return;
+    }
     std::optional<GroundRaster> ground;
-    if (studio_ && studio_->showsGround(framing))
+    if (studio_->showsGround(framing))
     {
         ground.emplace(*studio_->ground, uniforms.view,
                        pixelGrid(uniforms.projection, framing.orthographic, size_), background_);
