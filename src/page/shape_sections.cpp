@@ -82,13 +82,7 @@ void addEdges(const ShadedMesh& mesh, Sections& sections)
 
 Sections shapeSections(const TriangleMesh& mesh, const Framing& framing)
 {
-    std::vector<glm::vec3> positions;
-    positions.reserve(mesh.vertices.size());
-    for (const Eigen::Vector3d& vertex : mesh.vertices)
-    {
-        positions.emplace_back(framing.toUnit(vertex));
-    }
-    const ShadedMesh shaded = shadeMesh(mesh, positions);
+    const ShadedMesh shaded = shadeMesh(mesh, inUnitSpace(mesh, framing));
 
     // Where a vertex lies on a crease, its triangles see different normals.
     using Key = std::pair<std::uint32_t, std::array<std::int16_t, 3>>;

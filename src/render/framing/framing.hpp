@@ -9,6 +9,7 @@
 #include <glm/vec4.hpp>
 
 #include <span>
+#include <vector>
 
 namespace frostfill
 {
@@ -61,6 +62,9 @@ inline constexpr double kUsualAzimuth = 30;
 /// The same picture after the camera has gone round the pivot by an angle about the up axis
 /// [degree].
 [[nodiscard]] Framing revolved(const Framing& framing, const Eigen::Vector3d& up, double degrees);
+
+/// Vertices of a mesh in unit space.
+[[nodiscard]] std::vector<glm::vec3> inUnitSpace(const TriangleMesh& mesh, const Framing& framing);
 
 /// The direction of a vector.
 [[nodiscard]] inline glm::dvec3 unitVector(const Eigen::Vector3d& v)

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "render/layer/sphere_ledger.hpp"
 
+#include "render/layer/for_all.hpp"
+
 #include <glm/geometric.hpp>
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <numeric>
@@ -16,7 +16,7 @@ namespace
 
 constexpr int kKeyBits = 22;
 constexpr int kDigitBits = 11;
-/// That one core takes before another may take more.
+/// See forAll.
 constexpr std::size_t kSpheresATask = 4096;
 
 /// The mesh lies within 1 of unit space's origin, so that steps are a millionth of its size.
@@ -50,20 +50,6 @@ void sortByKey(std::vector<Keyed>& keyed)
         }
         keyed.swap(next);
     }
-}
-
-/// Calls visit(i) for all below `count`; cores share the work.
-template <typename Visit>
-void forAll(std::size_t count, Visit visit)
-{
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kSpheresATask),
-                      [&](const auto& range)
-                      {
-                          for (std::size_t i = range.begin(); i < range.end(); ++i)
-                          {
-                              visit(i);
-                          }
-                      });
 }
 
 } // namespace
@@ -192,7 +178,7 @@ void SphereLedger::sortFrontToBack(const Framing& framing)
     const glm::vec3 eye(framing.eye);
     const float eyeDistance = glm::length(eye);
     std::vector<Keyed> order(resting_.size());
-    forAll(order.size(),
+    forAll(order.size(), kSpheresATask,
            [&](std::size_t i)
            {
                const glm::vec3 centre(resting_[i].x, resting_[i].y, resting_[i].z);
@@ -204,7 +190,7 @@ void SphereLedger::sortFrontToBack(const Framing& framing)
     sortByKey(order);
     std::vector<SphereInstance> spheres(order.size());
     std::vector<std::uint32_t> ids(order.size());
-    forAll(order.size(),
+    forAll(order.size(), kSpheresATask,
            [&](std::size_t i)
            {
                const auto from = static_cast<std::uint32_t>(order[i]);

@@ -5,7 +5,6 @@
 #include <glm/mat3x3.hpp>
 
 #include <utility>
-#include <vector>
 
 namespace frostfill
 {
@@ -51,17 +50,6 @@ std::optional<Studio> studioOf(const TriangleMesh& mesh, std::span<const glm::ve
         }
     }
     return studio;
-}
-
-std::vector<glm::vec3> inUnitSpace(const TriangleMesh& mesh, const Framing& framing)
-{
-    std::vector<glm::vec3> positions;
-    positions.reserve(mesh.vertices.size());
-    for (const Eigen::Vector3d& vertex : mesh.vertices)
-    {
-        positions.emplace_back(framing.toUnit(vertex));
-    }
-    return positions;
 }
 
 } // namespace frostfill

@@ -36,7 +36,4 @@ struct Studio
                                              const RenderSettings& settings,
                                              const Framing& framing);
 
-/// Vertices of a mesh in unit space.
-[[nodiscard]] std::vector<glm::vec3> inUnitSpace(const TriangleMesh& mesh, const Framing& framing);
-
 } // namespace frostfill

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "render/layer/surroundings.hpp"
 
+#include "render/layer/for_all.hpp"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +23,7 @@ constexpr float kReach = 1.6F;
 /// Nor of the lamp, when they are further than this in its direction.
 constexpr float kLampReach = 7;
 
-/// That one core lights before another may take more.
+/// See forAll.
 constexpr std::size_t kSpheresATask = 64;
 
 /// By how much the lamp's light spreads on the way: it is as soft as it is large.
@@ -279,14 +279,7 @@ const SphereLight& Surroundings::ofResting(std::size_t index)
 
 void Surroundings::ask(std::span<const std::uint32_t> indices)
 {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, indices.size(), kSpheresATask),
-                      [&](const auto& range)
-                      {
-                          for (std::size_t i = range.begin(); i < range.end(); ++i)
-                          {
-                              ofResting(indices[i]);
-                          }
-                      });
+    forAll(indices.size(), kSpheresATask, [&](std::size_t i) { ofResting(indices[i]); });
 }
 
 std::span<const std::uint32_t>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "render/raster/tile_layer.hpp"
 
-#include <tbb/blocked_range.h>
+#include "render/layer/for_all.hpp"
+
 #include <tbb/parallel_for.h>
 
 #include <utility>
@@ -11,8 +12,7 @@ namespace frostfill
 namespace
 {
 
-/// That one core places before another may take more. More: cores wait for each other at the end.
-/// Fewer: handing them out costs more.
+/// See forAll.
 constexpr std::size_t kSpheresATask = 4096;
 
 } // namespace
@@ -86,14 +86,8 @@ void TileLayer::rebuild(bool cull, std::span<PixelRectangle> dirty)
         tile.clear();
     }
     placed_.resize(resting_.size());
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, resting_.size(), kSpheresATask),
-                      [&](const auto& range)
-                      {
-                          for (std::size_t i = range.begin(); i < range.end(); ++i)
-                          {
-                              placed_[i] = view_->place(resting_[i]);
-                          }
-                      });
+    forAll(resting_.size(), kSpheresATask,
+           [&](std::size_t i) { placed_[i] = view_->place(resting_[i]); });
     for (std::uint32_t i = 0; i < resting_.size(); ++i)
     {
         const SphereBounds& placed = placed_[i];
