@@ -37,7 +37,7 @@ FilmEncoder::Known FilmEncoder::knownOf(const Snapshot& state, const Eigen::Vect
     known.radius = std::llround(std::min(radius / radiusStep(), kFurthest));
     known.group = state.groups[id];
     known.state = static_cast<std::uint8_t>(state.states[id]);
-    if (!centre.allFinite() || state.radii[id] == waitingRadius(radius))
+    if (!centre.allFinite() || state.waits(id))
     {
         known.state = kHidden;
     }

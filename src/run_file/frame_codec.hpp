@@ -24,14 +24,6 @@ struct Track
 inline constexpr std::uint64_t kHasPose = 1;
 inline constexpr std::uint64_t kIsRepeated = 2;
 
-/// How large a sphere is drawn that has a number and only waits for its fall: so small that nobody
-/// sees it. [mesh unit]
-[[nodiscard]] inline float waitingRadius(double radius)
-{
-    constexpr double kUnseen = 1e-3;
-    return static_cast<float>(kUnseen * radius);
-}
-
 [[nodiscard]] inline bool hasMoved(const Pose& pose)
 {
     return !pose.rotation.isIdentity(0) || !pose.offset.isZero(0);
@@ -66,22 +58,24 @@ inline constexpr double kGridsInARadius = 10000;
 [[nodiscard]] Eigen::Vector3f placeInPictures(const Eigen::Vector3d& exact,
                                               const Eigen::Vector3d& origin);
 
+/// With so many binary digits less, as files keep speeds.
+[[nodiscard]] float roundedSpeed(float speed);
+
 /// Writes what has changed from frame to frame.
 class FrameEncoder
 {
 public:
     explicit FrameEncoder(double grid) : grid_(grid) {}
-    /// Rounds the places in the snapshot.
-    void encode(Snapshot& snapshot, const RunFileWriter::Exact& exact, ByteWriter& out);
+    void encode(const Snapshot& snapshot, const ExactSphere& exact, ByteWriter& out);
     /// The frame before once more.
     void repeat(ByteWriter& out) const;
 
 private:
-    void sortChanges(Snapshot& snapshot, const RunFileWriter::Exact& exact);
-    void sortRenewed(const Snapshot& snapshot, const RunFileWriter::Exact& exact);
+    void sortChanges(const Snapshot& snapshot, const ExactSphere& exact);
+    void sortRenewed(const Snapshot& snapshot, const ExactSphere& exact);
     void encodeRenewed(const Snapshot& snapshot, ByteWriter& out) const;
-    void encodeMoving(Snapshot& snapshot, ByteWriter& out);
-    void encodeSettled(const RunFileWriter::Exact& exact, ByteWriter& out) const;
+    void encodeMoving(const Snapshot& snapshot, ByteWriter& out);
+    void encodeSettled(const ExactSphere& exact, ByteWriter& out) const;
     void encodePolygons(const Snapshot& snapshot, ByteWriter& out);
 
     double grid_;
@@ -109,8 +103,6 @@ public:
     void sortChanges();
     [[nodiscard]] const Snapshot& snapshot() const { return snapshot_; }
     void forgetChanges();
-    /// Number of different states so far.
-    [[nodiscard]] std::uint64_t states() const { return states_; }
     [[nodiscard]] const std::vector<Eigen::Vector3d>& centres() const { return centres_; }
     [[nodiscard]] const std::vector<double>& radii() const { return radii_; }
 
@@ -121,13 +113,11 @@ private:
     void decodeWaiting(ByteReader& in);
     void decodeSettled(ByteReader& in);
     void decodePolygons(ByteReader& in);
-    [[nodiscard]] std::size_t& counter(SphereState state);
     void resize(std::size_t count);
     void setState(std::uint32_t id, SphereState state);
     void awaken();
 
     double grid_;
-    std::uint64_t states_ = 0;
     std::vector<std::uint32_t> waiting_;
     Snapshot snapshot_;
     std::vector<Eigen::Vector3d> centres_;

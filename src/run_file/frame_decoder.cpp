@@ -48,7 +48,7 @@ void FrameDecoder::decode(ByteReader& in)
     {
         return;
     }
-    ++states_;
+    ++snapshot_.revision;
     snapshot_.pose = {};
     if (flags == kHasPose)
     {
@@ -100,7 +100,7 @@ void FrameDecoder::forgetChanges()
 {
     snapshot_.changed.clear();
     snapshot_.polygonsChanged = false;
-    snapshot_.changedSince = snapshot_.step;
+    snapshot_.changedSince = snapshot_.revision;
 }
 
 void FrameDecoder::decodePose(ByteReader& in)
@@ -118,18 +118,11 @@ void FrameDecoder::decodePose(ByteReader& in)
     }
 }
 
-std::size_t& FrameDecoder::counter(SphereState state)
-{
-    return state == SphereState::running  ? snapshot_.running
-           : state == SphereState::frozen ? snapshot_.frozen
-                                          : snapshot_.discarded;
-}
-
 void FrameDecoder::setState(std::uint32_t id, SphereState state)
 {
-    --counter(snapshot_.states[id]);
+    --snapshot_.count(snapshot_.states[id]);
     snapshot_.states[id] = state;
-    ++counter(state);
+    ++snapshot_.count(state);
 }
 
 // What waited in the frame before counts again, until this one says that it waits.
@@ -137,7 +130,7 @@ void FrameDecoder::awaken()
 {
     for (const std::uint32_t id : waiting_)
     {
-        snapshot_.radii[id] = static_cast<float>(radii_[id]);
+        snapshot_.waiting[id] = 0;
         ++snapshot_.running;
     }
     waiting_.clear();
@@ -148,14 +141,10 @@ void FrameDecoder::resize(std::size_t count)
     const std::size_t known = snapshot_.states.size();
     for (std::size_t id = count; id < known; ++id)
     {
-        --counter(snapshot_.states[id]);
+        --snapshot_.count(snapshot_.states[id]);
     }
     snapshot_.running += count - std::min(known, count);
-    snapshot_.radii.resize(count);
-    snapshot_.groups.resize(count);
-    snapshot_.states.resize(count, SphereState::running);
-    snapshot_.centres.resize(count, Eigen::Vector3f::Zero());
-    snapshot_.speeds.resize(count, 0);
+    snapshot_.resize(count);
     centres_.resize(count, Eigen::Vector3d::Zero());
     radii_.resize(count);
 }
@@ -220,13 +209,14 @@ void FrameDecoder::decodeMoving(ByteReader& in)
 void FrameDecoder::decodeWaiting(ByteReader& in)
 {
     waiting_ = getIds(in, snapshot_.states.size());
+    snapshot_.waiting.resize(snapshot_.states.size());
     for (const std::uint32_t id : waiting_)
     {
         if (snapshot_.states[id] != SphereState::running)
         {
             throw DamagedBytes("has a sphere that waits at rest");
         }
-        snapshot_.radii[id] = waitingRadius(radii_[id]);
+        snapshot_.waiting[id] = 1;
         --snapshot_.running;
     }
 }

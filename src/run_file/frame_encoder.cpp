@@ -12,15 +12,15 @@ namespace
 
 constexpr int kSpeedBits = 12; ///< of a float's 23 that speeds lose
 
-float rounded(float speed)
+} // namespace
+
+float roundedSpeed(float speed)
 {
     constexpr std::uint32_t kHalf = 1U << (kSpeedBits - 1);
     const auto bits = std::bit_cast<std::uint32_t>(speed) + kHalf;
     const float result = std::bit_cast<float>(bits >> kSpeedBits << kSpeedBits);
     return std::isfinite(result) ? result : speed;
 }
-
-} // namespace
 
 double gridOf(double smallestRadius, double stepsInARadius)
 {
@@ -32,7 +32,25 @@ Eigen::Vector3f placeInPictures(const Eigen::Vector3d& exact, const Eigen::Vecto
     return (exact - origin).cast<float>();
 }
 
-void FrameEncoder::encode(Snapshot& snapshot, const RunFileWriter::Exact& exact, ByteWriter& out)
+void roundPlaces(Snapshot& snapshot, double smallestRadius, const ExactSphere& exact)
+{
+    const double grid = gridOf(smallestRadius);
+    for (const std::uint32_t id : snapshot.changed)
+    {
+        if (snapshot.states[id] != SphereState::running)
+        {
+            snapshot.centres[id] = placeInPictures(exact(id).centre, snapshot.origin);
+            continue;
+        }
+        for (float& place : snapshot.centres[id])
+        {
+            place = static_cast<float>(static_cast<double>(std::llround(place / grid)) * grid);
+        }
+        snapshot.speeds[id] = roundedSpeed(snapshot.speeds[id]);
+    }
+}
+
+void FrameEncoder::encode(const Snapshot& snapshot, const ExactSphere& exact, ByteWriter& out)
 {
     const bool hasPose = hasMoved(snapshot.pose);
     time_ = snapshot.time;
@@ -78,7 +96,7 @@ void FrameEncoder::repeat(ByteWriter& out) const
 }
 
 // A number is new, or has gone to another sphere because its own was withdrawn.
-void FrameEncoder::sortRenewed(const Snapshot& snapshot, const RunFileWriter::Exact& exact)
+void FrameEncoder::sortRenewed(const Snapshot& snapshot, const ExactSphere& exact)
 {
     const std::size_t count = snapshot.states.size();
     const std::size_t known = std::min(states_.size(), count);
@@ -88,20 +106,14 @@ void FrameEncoder::sortRenewed(const Snapshot& snapshot, const RunFileWriter::Ex
     groups_.resize(count);
     for (const std::uint32_t id : snapshot.changed)
     {
-        const float radius = snapshot.radii[id];
-        if (id < known && groups_[id] == snapshot.groups[id] &&
-            radius == static_cast<float>(radii_[id]))
-        {
-            continue;
-        }
-        const bool waited = id < known && radius == waitingRadius(radii_[id]);
-        if (!waited || groups_[id] != snapshot.groups[id])
+        if (id >= known || groups_[id] != snapshot.groups[id] ||
+            snapshot.radii[id] != static_cast<float>(radii_[id]))
         {
             renewed_.push_back(id);
             radii_[id] = exact(id).radius;
             groups_[id] = snapshot.groups[id];
         }
-        if (radius == waitingRadius(radii_[id]))
+        if (snapshot.waits(id))
         {
             waiting_.push_back(id);
         }
@@ -111,7 +123,7 @@ void FrameEncoder::sortRenewed(const Snapshot& snapshot, const RunFileWriter::Ex
 // `changed` may name more than has changed since the last frame, because the snapshot is one of
 // several that are filled in turn; it never names less. What has woken and come to rest again
 // between two frames is told by its place.
-void FrameEncoder::sortChanges(Snapshot& snapshot, const RunFileWriter::Exact& exact)
+void FrameEncoder::sortChanges(const Snapshot& snapshot, const ExactSphere& exact)
 {
     running_.clear();
     settled_.clear();
@@ -134,7 +146,6 @@ void FrameEncoder::sortChanges(Snapshot& snapshot, const RunFileWriter::Exact& e
             settled_.push_back(id);
         }
         places_[id] = place;
-        snapshot.centres[id] = place;
         const bool isFrozenSoFar = settles || states_[id] == SphereState::frozen;
         if ((now == SphereState::frozen) != isFrozenSoFar)
         {
@@ -159,7 +170,7 @@ void FrameEncoder::encodeRenewed(const Snapshot& snapshot, ByteWriter& out) cons
     }
 }
 
-void FrameEncoder::encodeMoving(Snapshot& snapshot, ByteWriter& out)
+void FrameEncoder::encodeMoving(const Snapshot& snapshot, ByteWriter& out)
 {
     out.ids(running_);
     std::vector<Track> now;
@@ -173,8 +184,6 @@ void FrameEncoder::encodeMoving(Snapshot& snapshot, ByteWriter& out)
         {
             const auto a = static_cast<std::size_t>(axis);
             track.place[a] = std::llround(snapshot.centres[id][axis] / grid_);
-            snapshot.centres[id][axis] =
-                static_cast<float>(static_cast<double>(track.place[a]) * grid_);
             track.step[a] = before != nullptr ? track.place[a] - before->place[a] : 0;
             out.difference(before != nullptr ? track.place[a] - before->place[a] - before->step[a]
                                              : track.place[a]);
@@ -183,14 +192,13 @@ void FrameEncoder::encodeMoving(Snapshot& snapshot, ByteWriter& out)
     }
     for (const std::uint32_t id : running_)
     {
-        snapshot.speeds[id] = rounded(snapshot.speeds[id]);
-        out.raw(snapshot.speeds[id]);
+        out.raw(roundedSpeed(snapshot.speeds[id]));
     }
     out.ids(waiting_);
     moving_ = std::move(now);
 }
 
-void FrameEncoder::encodeSettled(const RunFileWriter::Exact& exact, ByteWriter& out) const
+void FrameEncoder::encodeSettled(const ExactSphere& exact, ByteWriter& out) const
 {
     out.ids(settled_);
     for (int axis = 0; axis < 3; ++axis)

@@ -225,7 +225,7 @@ void RunFileReader::forgetChanges()
 
 std::uint64_t RunFileReader::revision() const
 {
-    return implementation_->decoder->states();
+    return implementation_->decoder->snapshot().revision;
 }
 
 const std::vector<Eigen::Vector3d>& RunFileReader::centres() const

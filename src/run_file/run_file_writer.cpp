@@ -98,10 +98,6 @@ struct RunFileWriter::Implementation
 
     void write(std::string_view bytes)
     {
-        if (descriptor < 0)
-        {
-            return;
-        }
         if (continues && isThere(bytes))
         {
             at += static_cast<off_t>(bytes.size());
@@ -135,7 +131,7 @@ struct RunFileWriter::Implementation
     }
     void writeFrames()
     {
-        if (!numbers.empty() && descriptor >= 0)
+        if (!numbers.empty())
         {
             write(packRecord(RecordKind::frames, numbers, waiting.bytes()));
         }
@@ -144,7 +140,7 @@ struct RunFileWriter::Implementation
     }
 
     std::filesystem::path file;
-    int descriptor = -1;    ///< -1: no file is written
+    int descriptor = -1;
     bool continues = false; ///< what follows may be there already
     off_t at = 0;           ///< where, if it continues
     FrameEncoder encoder;
@@ -154,7 +150,7 @@ struct RunFileWriter::Implementation
 
 RunFileWriter::RunFileWriter(const std::filesystem::path& file, std::string_view head,
                              const TriangleMesh& mesh, double smallestRadius, EarlierFile earlier)
-    : RunFileWriter(smallestRadius)
+    : implementation_(std::make_unique<Implementation>(gridOf(smallestRadius)))
 {
     ByteWriter numbers;
     numbers.raw(gridOf(smallestRadius));
@@ -176,14 +172,9 @@ RunFileWriter::RunFileWriter(const std::filesystem::path& file, std::string_view
     }
 }
 
-RunFileWriter::RunFileWriter(double smallestRadius)
-    : implementation_(std::make_unique<Implementation>(gridOf(smallestRadius)))
-{
-}
-
 RunFileWriter::~RunFileWriter() = default;
 
-void RunFileWriter::put(std::size_t frame, Snapshot& snapshot, const Exact& exact)
+void RunFileWriter::put(std::size_t frame, const Snapshot& snapshot, const ExactSphere& exact)
 {
     implementation_->encoder.encode(snapshot, exact, implementation_->waiting);
     implementation_->add(frame);
@@ -199,10 +190,6 @@ void RunFileWriter::finish(std::string_view summary)
 {
     Implementation& it = *implementation_;
     it.writeFrames();
-    if (it.descriptor < 0)
-    {
-        return;
-    }
     it.write(packRecord(RecordKind::summary, {}, summary));
     int failure = it.continues && ftruncate(it.descriptor, it.at) != 0 ? errno : 0;
     failure = failure != 0 ? failure : syncFile(it.descriptor);
