@@ -121,6 +121,14 @@ struct Snapshot
         groups.resize(spheres);
         speeds.resize(spheres);
         waiting.resize(std::min(waiting.size(), spheres));
+        for (ColumnValues& each : columns)
+        {
+            each.bits.resize(spheres);
+        }
+    }
+    [[nodiscard]] const ColumnValues* values(const Column& column) const
+    {
+        return findValues(columns, column);
     }
 };
 

@@ -44,7 +44,8 @@ room(simulation/paper ${core} simulation/contact simulation/motion simulation/di
      simulation/release)
 list(APPEND parts simulation/freezing simulation/paper)
 room(simulation/quality ${core})
-room(simulation/engine ${core} ${parts} simulation/quality)
+room(simulation/columns ${core} simulation/quality)
+room(simulation/engine ${core} ${parts} simulation/quality simulation/columns)
 
 room(image base)
 set(seen base snapshot mesh view image)
@@ -72,7 +73,7 @@ room(import mesh scene snapshot run_file packing run)
 room(sweep base mesh scene scene/options simulation image renderer run_file output run)
 
 set(below base geometry ${mesh} view scene scene/options snapshot simulation simulation/world ${parts}
-          simulation/quality simulation/engine image renderer render/framing render/context
+          simulation/quality simulation/columns simulation/engine image renderer render/framing render/context
           render/passes render/overlay run_file packing output run)
 room(study ${below})
 room(study/stability ${below} study)

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "simulation/columns/contacts_column.hpp"
+
+#include "simulation/quality/resting_contacts.hpp"
+#include "simulation/quality/tolerances.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace frostfill
+{
+namespace
+{
+
+const Eigen::Vector3d kNowhere = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
+
+} // namespace
+
+double ContactsColumn::value(std::uint32_t id) const
+{
+    return keeps_ ? counts_[id] : restingContacts(world_, id);
+}
+
+void ContactsColumn::update()
+{
+    keeps_ = true;
+    again_.clear();
+    const std::size_t count = world_.spheres.size();
+    for (std::size_t id = count; id < places_.size(); ++id)
+    {
+        addBeside(places_[id]); // its number has gone to another sphere, or is free
+    }
+    places_.resize(count, kNowhere);
+    counts_.resize(count, 0);
+    for (; seen_ < world_.stateChanges.size(); ++seen_)
+    {
+        look(world_.stateChanges[seen_]);
+    }
+    for (const std::uint32_t id : world_.runningIds)
+    {
+        look(id); // it may have the number of one that rested
+    }
+    std::sort(again_.begin(), again_.end());
+    again_.erase(std::unique(again_.begin(), again_.end()), again_.end());
+    for (const std::uint32_t id : again_)
+    {
+        const std::uint32_t now = restingContacts(world_, id);
+        if (std::exchange(counts_[id], now) != now)
+        {
+            changes_.push_back(id);
+        }
+    }
+}
+
+void ContactsColumn::look(std::uint32_t id)
+{
+    if (id >= places_.size())
+    {
+        return; // withdrawn since
+    }
+    const bool rests = world_.spheres.state[id] != SphereState::running;
+    const Eigen::Vector3d now = rests ? world_.spheres.position(id) : kNowhere;
+    const Eigen::Vector3d before = std::exchange(places_[id], now);
+    if (before == now)
+    {
+        return;
+    }
+    addBeside(before);
+    addBeside(now);
+    again_.push_back(id);
+}
+
+void ContactsColumn::addBeside(const Eigen::Vector3d& place)
+{
+    if (!place.allFinite())
+    {
+        return;
+    }
+    constexpr double kReach = 2 + kContactGap; // of the largest spheres [r]
+    world_.resting.forEachNear(place, kReach,
+                               [&](std::uint32_t id)
+                               {
+                                   const auto p = world_.resting[id].position();
+                                   if ((p - place).squaredNorm() <= kReach * kReach)
+                                   {
+                                       again_.push_back(id);
+                                   }
+                               });
+}
+
+} // namespace frostfill
