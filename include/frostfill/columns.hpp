@@ -87,6 +87,9 @@ struct Column
 /// Null if there is none.
 [[nodiscard]] const Column* findColumn(std::string_view name);
 
+/// The names of those that may give spheres their colours.
+[[nodiscard]] std::vector<std::string> colourColumns();
+
 /// Adds a carried column, of type uint32 or float32, before the first simulation and from one
 /// thread. Throws Error usage for a name that is taken or no word, or for another type.
 const Column& addColumn(Column column);

@@ -50,6 +50,7 @@ struct SphereRow
     std::uint32_t set = 0;
     float speed = 0;                            ///< [mesh unit/s]
     std::span<const ColumnValues> carried = {}; ///< of all spheres
+    double height = 0; ///< [mesh unit] of the centre above the object's foot; known to pictures
 
     [[nodiscard]] double value(const Column& column) const;
 };

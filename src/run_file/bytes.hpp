@@ -111,6 +111,22 @@ public:
         const std::uint64_t folded = count();
         return static_cast<std::int64_t>(folded >> 1) ^ -static_cast<std::int64_t>(folded & 1);
     }
+    /// Ascending ids below a number, as ByteWriter::ids wrote them.
+    [[nodiscard]] std::vector<std::uint32_t> ids(std::size_t below)
+    {
+        std::vector<std::uint32_t> ids(countOfMany());
+        std::uint64_t before = 0;
+        for (std::uint32_t& id : ids)
+        {
+            before += count();
+            if (before >= below)
+            {
+                throw DamagedBytes("names a sphere or polygon that is not there");
+            }
+            id = static_cast<std::uint32_t>(before);
+        }
+        return ids;
+    }
     [[nodiscard]] bool done() const { return rest_.empty(); }
     [[nodiscard]] std::size_t left() const { return rest_.size(); }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "run_file/bytes.hpp"
+#include "run_file/column_codec.hpp"
 
 #include <frostfill/run_file.hpp>
 
@@ -65,7 +66,10 @@ inline constexpr double kGridsInARadius = 10000;
 class FrameEncoder
 {
 public:
-    explicit FrameEncoder(double grid) : grid_(grid) {}
+    explicit FrameEncoder(double grid, const std::vector<ColumnValues>& columns = {})
+        : grid_(grid), columns_(columns)
+    {
+    }
     void encode(const Snapshot& snapshot, const ExactSphere& exact, ByteWriter& out);
     /// The frame before once more.
     void repeat(ByteWriter& out) const;
@@ -79,6 +83,7 @@ private:
     void encodePolygons(const Snapshot& snapshot, ByteWriter& out);
 
     double grid_;
+    ColumnEncoder columns_;
     double time_ = 0; ///< of the frame before [s], and so on
     std::uint64_t step_ = 0;
     std::uint32_t set_ = 0;
@@ -96,7 +101,7 @@ class FrameDecoder
 {
 public:
     FrameDecoder(double grid, const Eigen::Vector3d& origin, std::size_t polygons,
-                 std::uint64_t source);
+                 std::uint64_t source, std::vector<FileColumn> columns = {});
     /// Throws DamagedBytes. Snapshot::changed grows until forgetChanges().
     void decode(ByteReader& in);
     /// Brings Snapshot::changed into order, each sphere once. To be called before it is looked at.
@@ -118,6 +123,7 @@ private:
     void awaken();
 
     double grid_;
+    ColumnDecoder columns_;
     std::vector<std::uint32_t> waiting_;
     Snapshot snapshot_;
     std::vector<Eigen::Vector3d> centres_;

@@ -2,6 +2,7 @@
 #include "run_file/frame_codec.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace frostfill
 {
@@ -11,28 +12,13 @@ namespace
 /// How often changes may name each sphere before they are sorted.
 constexpr std::size_t kTimesNamed = 4;
 
-std::vector<std::uint32_t> getIds(ByteReader& in, std::size_t below)
-{
-    std::vector<std::uint32_t> ids(in.countOfMany());
-    std::uint64_t before = 0;
-    for (std::uint32_t& id : ids)
-    {
-        before += in.count();
-        if (before >= below)
-        {
-            throw DamagedBytes("names a sphere or polygon that is not there");
-        }
-        id = static_cast<std::uint32_t>(before);
-    }
-    return ids;
-}
-
 } // namespace
 
 FrameDecoder::FrameDecoder(double grid, const Eigen::Vector3d& origin, std::size_t polygons,
-                           std::uint64_t source)
-    : grid_(grid)
+                           std::uint64_t source, std::vector<FileColumn> columns)
+    : grid_(grid), columns_(std::move(columns))
 {
+    snapshot_.columns = columns_.carried();
     snapshot_.source = source;
     snapshot_.origin = origin;
     snapshot_.polygons.resize(polygons, PolygonState::active);
@@ -60,6 +46,7 @@ void FrameDecoder::decode(ByteReader& in)
     decodeWaiting(in);
     decodeSettled(in);
     decodePolygons(in);
+    columns_.decode(in, snapshot_);
     if (snapshot_.changed.size() > kTimesNamed * snapshot_.states.size())
     {
         sortChanges(); // before it takes more memory than the spheres
@@ -157,7 +144,7 @@ void FrameDecoder::decodeRenewed(ByteReader& in)
         throw DamagedBytes("counts more spheres than there are");
     }
     resize(static_cast<std::size_t>(count));
-    const std::vector<std::uint32_t> renewed = getIds(in, snapshot_.states.size());
+    const std::vector<std::uint32_t> renewed = in.ids(snapshot_.states.size());
     for (const std::uint32_t id : renewed)
     {
         radii_[id] = in.raw<double>();
@@ -174,7 +161,7 @@ void FrameDecoder::decodeRenewed(ByteReader& in)
 
 void FrameDecoder::decodeMoving(ByteReader& in)
 {
-    const std::vector<std::uint32_t> running = getIds(in, snapshot_.states.size());
+    const std::vector<std::uint32_t> running = in.ids(snapshot_.states.size());
     std::vector<Track> now;
     now.reserve(running.size());
     TrackFinder find(moving_);
@@ -208,7 +195,7 @@ void FrameDecoder::decodeMoving(ByteReader& in)
 
 void FrameDecoder::decodeWaiting(ByteReader& in)
 {
-    waiting_ = getIds(in, snapshot_.states.size());
+    waiting_ = in.ids(snapshot_.states.size());
     snapshot_.waiting.resize(snapshot_.states.size());
     for (const std::uint32_t id : waiting_)
     {
@@ -223,7 +210,7 @@ void FrameDecoder::decodeWaiting(ByteReader& in)
 
 void FrameDecoder::decodeSettled(ByteReader& in)
 {
-    const std::vector<std::uint32_t> settled = getIds(in, snapshot_.states.size());
+    const std::vector<std::uint32_t> settled = in.ids(snapshot_.states.size());
     for (int axis = 0; axis < 3; ++axis)
     {
         for (const std::uint32_t id : settled)
@@ -239,7 +226,7 @@ void FrameDecoder::decodeSettled(ByteReader& in)
         snapshot_.changed.push_back(id);
     }
     // Those that changed between frozen and discarded.
-    for (const std::uint32_t id : getIds(in, snapshot_.states.size()))
+    for (const std::uint32_t id : in.ids(snapshot_.states.size()))
     {
         setState(id, snapshot_.states[id] == SphereState::discarded ? SphereState::frozen
                                                                     : SphereState::discarded);
@@ -249,7 +236,7 @@ void FrameDecoder::decodeSettled(ByteReader& in)
 
 void FrameDecoder::decodePolygons(ByteReader& in)
 {
-    const std::vector<std::uint32_t> turned = getIds(in, snapshot_.polygons.size());
+    const std::vector<std::uint32_t> turned = in.ids(snapshot_.polygons.size());
     for (const std::uint32_t polygon : turned)
     {
         PolygonState& state = snapshot_.polygons[polygon];

@@ -55,7 +55,8 @@ struct RunFileReader::Implementation
         {
             origin[axis] = in.raw<double>();
         }
-        head = bytes.substr(4 * sizeof(double));
+        columns = getColumns(in);
+        head = bytes.substr(bytes.size() - in.left());
         if (!(grid > 0) || !origin.allFinite())
         {
             throw DamagedBytes("has a grid that is no number");
@@ -104,7 +105,7 @@ struct RunFileReader::Implementation
 
     void rewind()
     {
-        decoder = FrameDecoder(grid, origin, mesh.triangles.size(), newSource());
+        decoder = FrameDecoder(grid, origin, mesh.triangles.size(), newSource(), columns);
         decoded = 0;
         record = 0;
         rest.reset();
@@ -131,6 +132,7 @@ struct RunFileReader::Implementation
     std::uint64_t whole = 0;
     double grid = 0;
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+    std::vector<FileColumn> columns;
     std::string head;
     TriangleMesh mesh;
     std::vector<std::size_t> frames;
@@ -175,6 +177,11 @@ const TriangleMesh& RunFileReader::mesh() const
 const std::vector<std::size_t>& RunFileReader::frames() const
 {
     return implementation_->frames;
+}
+
+const std::vector<ColumnValues>& RunFileReader::columns() const
+{
+    return implementation_->decoder->snapshot().columns;
 }
 
 const std::optional<std::string>& RunFileReader::summary() const

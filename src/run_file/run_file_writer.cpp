@@ -28,7 +28,10 @@ constexpr std::size_t kBytesInARecord = std::size_t{1} << 20;
 
 struct RunFileWriter::Implementation
 {
-    explicit Implementation(double grid) : encoder(grid) {}
+    explicit Implementation(double grid, const std::vector<ColumnValues>& columns = {})
+        : encoder(grid, columns)
+    {
+    }
     ~Implementation()
     {
         if (descriptor >= 0)
@@ -149,8 +152,9 @@ struct RunFileWriter::Implementation
 };
 
 RunFileWriter::RunFileWriter(const std::filesystem::path& file, std::string_view head,
-                             const TriangleMesh& mesh, double smallestRadius, EarlierFile earlier)
-    : implementation_(std::make_unique<Implementation>(gridOf(smallestRadius)))
+                             const TriangleMesh& mesh, double smallestRadius, EarlierFile earlier,
+                             const std::vector<ColumnValues>& columns)
+    : implementation_(std::make_unique<Implementation>(gridOf(smallestRadius), columns))
 {
     ByteWriter numbers;
     numbers.raw(gridOf(smallestRadius));
@@ -159,6 +163,7 @@ RunFileWriter::RunFileWriter(const std::filesystem::path& file, std::string_view
     {
         numbers.raw(origin[axis]);
     }
+    putColumns(columns, numbers);
     numbers.bytes() += head;
     const std::string start = std::string(kRunFileMark) +
                               packRecord(RecordKind::head, {}, numbers.bytes()) +

@@ -86,6 +86,17 @@ std::deque<Column> builtIn()
          .digits = 11,
          .file = false,
          .fixed = [](const SphereRow& row) -> double { return row.speed; }},
+        {.name = "height",
+         .plural = "heights",
+         .title = "Height",
+         .unit = "mesh unit",
+         .help = "height of the centre above the object's foot",
+         .type = ColumnType::float64,
+         .changes = ColumnChanges::running,
+         .file = false,
+         .exported = false,
+         .python = false,
+         .fixed = [](const SphereRow& row) { return row.height; }},
         {.name = "contacts",
          .plural = "contacts",
          .title = "Contacts",
@@ -125,6 +136,19 @@ const Column* findColumn(std::string_view name)
     const auto found = std::find_if(table().begin(), table().end(),
                                     [&](const Column& column) { return column.name == name; });
     return found != table().end() ? &*found : nullptr;
+}
+
+std::vector<std::string> colourColumns()
+{
+    std::vector<std::string> names;
+    for (const Column& column : table())
+    {
+        if (column.colour)
+        {
+            names.push_back(column.name);
+        }
+    }
+    return names;
 }
 
 const Column& addColumn(Column column)

@@ -166,7 +166,7 @@ TEST_F(RenderRun, DrawsWhatFillWouldHaveDrawnWithOtherSettings)
     {
         scene.camera.azimuth = 75;
         scene.size = {80, 80};
-        scene.style.colourBy = ColourBy::set;
+        scene.style.colourBy = "set";
     };
     RenderRequest other = again();
     other.change = change;
