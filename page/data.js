@@ -72,6 +72,13 @@ class Cursor {
     return (folded >>> 1) ^ -(folded & 1);
   }
 
+  /** Four bytes, the lowest first. */
+  bits() {
+    const { bytes, at } = this;
+    this.at += 4;
+    return (bytes[at] | bytes[at + 1] << 8 | bytes[at + 2] << 16 | bytes[at + 3] << 24) >>> 0;
+  }
+
   /** A count, and for each id its distance from the one before. */
   ids() {
     const ids = new Uint32Array(this.count());

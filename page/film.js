@@ -18,6 +18,10 @@ function grown(array, length) {
   return longer;
 }
 
+/** The same arrays once more. */
+const copied = (arrays) =>
+  Object.fromEntries(Object.entries(arrays).map(([name, array]) => [name, array.slice()]));
+
 class Film {
   constructor(sections) {
     this.times = numbersOf(Float64Array, sections.times);
@@ -26,7 +30,7 @@ class Film {
     this.frames = this.times.length;
     this.counts = Film.readCounts(sections, this.frames);
     this.cursors = {};
-    for (const name of ["changes", "groups", "radii", "states", "x", "y", "z", "speeds"]) {
+    for (const name of ["changes", "groups", "radii", "states", "x", "y", "z", "speeds", "columns"]) {
       this.cursors[name] = new Cursor(sections[name]);
     }
     this.at = -1; // frame that is shown
@@ -37,6 +41,10 @@ class Film {
     this.groups = new Uint32Array(0);
     this.states = new Uint8Array(0);
     this.speeds = new Uint8Array(0);
+    this.columns = {}; // carried ones by their names
+    for (const { name, whole } of facts.film.columns) {
+      this.columns[name] = whole ? new Uint32Array(0) : new Float32Array(0);
+    }
     this.polygons = new Uint8Array(facts.triangles);
     this.renewed = [0, 0, 0, 0, 0]; // x, y, z, radius, group of the last one that was
     this.marks = [];
@@ -106,6 +114,19 @@ class Film {
     for (const id of changes.ids()) {
       this.polygons[id] ^= 1;
     }
+    this.fillColumns();
+  }
+
+  /** What has changed in carried columns. */
+  fillColumns() {
+    const { columns: cursor } = this.cursors;
+    for (const { name, whole } of facts.film.columns) {
+      const values = this.columns[name];
+      const bits = new Uint32Array(values.buffer);
+      for (const id of cursor.ids()) {
+        bits[id] = whole ? values[id] + cursor.difference() : cursor.bits();
+      }
+    }
   }
 
   renew(ids, ran) {
@@ -150,6 +171,9 @@ class Film {
     this.groups = grown(this.groups, spheres);
     this.states = grown(this.states, spheres);
     this.speeds = grown(this.speeds, spheres);
+    for (const [name, values] of Object.entries(this.columns)) {
+      this.columns[name] = grown(values, spheres).fill(0, Math.min(spheres, this.spheres));
+    }
     this.spheres = spheres;
   }
 
@@ -159,6 +183,7 @@ class Film {
       "renewed"]) {
       mark[name] = this[name].slice();
     }
+    mark.columns = copied(this.columns);
     for (const [name, cursor] of Object.entries(this.cursors)) {
       mark.cursors[name] = cursor.at;
     }
@@ -166,7 +191,8 @@ class Film {
   }
 
   restore(mark) {
-    const { cursors, ...rest } = mark;
+    const { cursors, columns, ...rest } = mark;
+    this.columns = copied(columns);
     for (const [name, value] of Object.entries(rest)) {
       this[name] = typeof value === "number" ? value : value.slice();
     }

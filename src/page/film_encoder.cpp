@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace frostfill
@@ -25,8 +26,9 @@ constexpr auto kRunning = static_cast<std::uint8_t>(SphereState::running);
 
 } // namespace
 
-FilmEncoder::FilmEncoder(double smallestRadius, double fastest)
-    : step_(gridOf(smallestRadius, kStepsPerRadius)), fastest_(fastest)
+FilmEncoder::FilmEncoder(double smallestRadius, double fastest,
+                         const std::vector<ColumnValues>& columns)
+    : step_(gridOf(smallestRadius, kStepsPerRadius)), fastest_(fastest), columnEncoder_(columns)
 {
 }
 
@@ -106,6 +108,9 @@ void FilmEncoder::add(const Snapshot& state, const std::vector<Eigen::Vector3d>&
     }
     addMotion(isRenewed, now);
     addPolygons(state.polygons);
+    std::vector<std::uint32_t> all(now.size());
+    std::iota(all.begin(), all.end(), 0U);
+    columnEncoder_.encode(state, all, columns_);
     known_ = std::move(now);
 }
 
@@ -172,8 +177,9 @@ void FilmEncoder::repeat(const Snapshot& state)
 std::size_t FilmEncoder::bytes() const
 {
     std::size_t sum = 0;
-    for (const ByteWriter* out : {&times_, &counts_, &poses_, &changes_, &groups_, &radii_,
-                                  &states_, &places_[0], &places_[1], &places_[2], &speeds_})
+    for (const ByteWriter* out :
+         {&times_, &counts_, &poses_, &changes_, &groups_, &radii_, &states_, &places_[0],
+          &places_[1], &places_[2], &speeds_, &columns_})
     {
         sum += out->bytes().size();
     }
@@ -196,6 +202,7 @@ Sections FilmEncoder::take()
     add("y", places_[1]);
     add("z", places_[2]);
     add("speeds", speeds_);
+    add("columns", columns_);
     return sections;
 }
 

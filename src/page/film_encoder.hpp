@@ -3,6 +3,7 @@
 
 #include "page/sections.hpp"
 #include "run_file/bytes.hpp"
+#include "run_file/column_codec.hpp"
 
 #include <frostfill/snapshot.hpp>
 
@@ -21,7 +22,9 @@ class FilmEncoder
 public:
     /// Places are rounded to a grid, whose step is a power of two and at most 1/500 of the smallest
     /// radius [mesh unit]. `fastest` is the speed from which on all are alike [mesh unit/s].
-    FilmEncoder(double smallestRadius, double fastest);
+    /// Of the columns that snapshots carry it keeps `columns`.
+    FilmEncoder(double smallestRadius, double fastest,
+                const std::vector<ColumnValues>& columns = {});
 
     /// The next frame. `centres` and `radii` are those of the run file.
     void add(const Snapshot& state, const std::vector<Eigen::Vector3d>& centres,
@@ -60,7 +63,8 @@ private:
     std::vector<PolygonState> polygons_;
     Known renewed_; ///< the last one that was renewed
 
-    ByteWriter times_, counts_, changes_, groups_, radii_, states_, speeds_, poses_;
+    ColumnEncoder columnEncoder_;
+    ByteWriter times_, counts_, changes_, groups_, radii_, states_, speeds_, poses_, columns_;
     std::array<ByteWriter, 3> places_;
 };
 

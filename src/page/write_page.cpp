@@ -91,7 +91,7 @@ private:
     /// The page with frames first..last; empty if it is hopelessly large.
     std::string pageOf(std::size_t first, std::size_t last, PageResult& result)
     {
-        FilmEncoder film(smallest_, fastest_);
+        FilmEncoder film(smallest_, fastest_, reader_.columns());
         std::vector<std::size_t> numbers;
         std::optional<std::uint64_t> revision;
         for (std::size_t i = first; i <= last; ++i)
@@ -135,6 +135,13 @@ private:
                          {"spheres", spheres_},
                          {"frames", numbers},
                          {"kept", kept}};
+        facts["film"]["columns"] = nlohmann::ordered_json::array();
+        for (const ColumnValues& values : reader_.columns())
+        {
+            const Column& column = values.column();
+            facts["film"]["columns"].push_back(
+                {{"name", column.name}, {"whole", column.isWhole()}});
+        }
         Sections sections = shape_;
         for (auto& section : film.take())
         {

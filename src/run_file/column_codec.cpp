@@ -65,7 +65,8 @@ std::vector<FileColumn> getColumns(ByteReader& in)
     return columns;
 }
 
-void ColumnEncoder::encode(const Snapshot& snapshot, ByteWriter& out)
+void ColumnEncoder::encode(const Snapshot& snapshot, std::span<const std::uint32_t> looked,
+                           ByteWriter& out)
 {
     for (ColumnValues& written : written_)
     {
@@ -74,7 +75,7 @@ void ColumnEncoder::encode(const Snapshot& snapshot, ByteWriter& out)
         { return values != nullptr && id < values->bits.size() ? values->bits[id] : 0; };
         written.bits.resize(snapshot.states.size());
         std::vector<std::uint32_t> ids;
-        for (const std::uint32_t id : snapshot.changed)
+        for (const std::uint32_t id : looked)
         {
             if (written.bits[id] != bitsOf(id))
             {

@@ -5,6 +5,8 @@
 
 #include <frostfill/snapshot.hpp>
 
+#include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,12 +28,12 @@ void putColumns(const std::vector<ColumnValues>& columns, ByteWriter& out);
 [[nodiscard]] std::vector<FileColumn> getColumns(ByteReader& in);
 
 /// Writes what has changed in the columns of a snapshot since the one before: of each column the
-/// ids, and then the values. Only spheres in Snapshot::changed are looked at.
+/// ids, and then the values. Looks only at the spheres that are named, in ascending order.
 class ColumnEncoder
 {
 public:
     explicit ColumnEncoder(const std::vector<ColumnValues>& columns = {}) : written_(columns) {}
-    void encode(const Snapshot& snapshot, ByteWriter& out);
+    void encode(const Snapshot& snapshot, std::span<const std::uint32_t> looked, ByteWriter& out);
 
 private:
     std::vector<ColumnValues> written_;

@@ -80,7 +80,7 @@ void FrameEncoder::encode(const Snapshot& snapshot, const ExactSphere& exact, By
     encodeMoving(snapshot, out);
     encodeSettled(exact, out);
     encodePolygons(snapshot, out);
-    columns_.encode(snapshot, out);
+    columns_.encode(snapshot, snapshot.changed, out);
     states_.resize(snapshot.states.size());
     for (const std::uint32_t id : snapshot.changed)
     {

@@ -37,14 +37,7 @@ void ColumnCapture::fillColumn(ColumnValues& values, Snapshot& snapshot)
     const std::size_t count = snapshot.states.size();
     WorldColumn* source = sourceOf(column);
     const std::size_t changedBefore = snapshot.changed.size();
-    const auto look = [&](std::size_t id, bool isListed)
-    {
-        const auto sphere = static_cast<std::uint32_t>(id);
-        if (values.set(id, valueOf(column, source, sphere)) && !isListed)
-        {
-            snapshot.changed.push_back(sphere);
-        }
-    };
+    const auto look = [&](std::uint32_t id) { values.set(id, valueOf(column, source, id)); };
     const auto seen = std::exchange(values.changesSeen, 0);
     if (source != nullptr)
     {
@@ -54,18 +47,21 @@ void ColumnCapture::fillColumn(ColumnValues& values, Snapshot& snapshot)
         {
             if (id < count)
             {
-                look(id, false);
+                look(id);
+                // Even if it is what it was: another snapshot may have told of a value between.
+                snapshot.changed.push_back(id);
             }
         }
         values.changesSeen = changes.size();
     }
     for (std::size_t k = 0; k < changedBefore; ++k)
     {
-        look(snapshot.changed[k], true);
+        look(snapshot.changed[k]);
     }
-    for (std::size_t id = seen ? count : 0; id < count; ++id)
+    for (std::uint32_t id = 0; id < count && !seen; ++id) // asked for only now
     {
-        look(id, false); // asked for only now
+        look(id);
+        snapshot.changed.push_back(id);
     }
 }
 

@@ -28,8 +28,13 @@ inline RecordedRun recordRun(const Scene& scene, const std::filesystem::path& fi
     RecordedRun run;
     run.mesh = loadMesh(scene.object.mesh).mesh;
     Simulation simulation(scene, run.mesh);
-    RunFileWriter writer(file, head, run.mesh, simulation.smallestRadius(), earlier);
+    RunFileWriter writer(file, head, run.mesh, simulation.smallestRadius(), earlier,
+                         carriedColumns());
     std::array<Snapshot, 3> snapshots;
+    for (Snapshot& snapshot : snapshots)
+    {
+        snapshot.columns = carriedColumns();
+    }
     const auto take = [&]
     {
         const std::size_t number = 2 * run.numbers.size();

@@ -56,6 +56,8 @@ frames = len(film["frames"])
 times = struct.unpack(f"<{frames}d", sections["times"])
 poses = struct.unpack(f"<{12 * frames}d", sections["poses"])
 spheres, polygons, renewed = {}, [0] * facts["triangles"], [0, 0, 0, 0, 0]
+contacts = {}
+assert film["columns"] == [{"name": "contacts", "whole": True}]
 
 
 def next_frame():
@@ -86,6 +88,10 @@ def next_frame():
         sphere["speed"] = sphere["speed"] + readers["speeds"].difference() if runs else 0
     for i in changes.ids():
         polygons[i] ^= 1
+    for i in [i for i in contacts if i >= n]:
+        del contacts[i]
+    for i in readers["columns"].ids():
+        contacts[i] = contacts.get(i, 0) + readers["columns"].difference()
 
 
 def in_world(place, pose):
@@ -112,6 +118,7 @@ for index, frame in enumerate(oracle["frames"]):
     pose = poses[12 * index:12 * index + 12]
     for i, centre in enumerate(centres):
         sphere = spheres[i]
+        assert contacts.get(i, 0) == frame["contacts"][i]
         assert sphere["state"] == states[i] and sphere["group"] == frame["groups"][i]
         assert abs(sphere["radius"] * film["radius_step"] - frame["radii"][i]) <= film["radius_step"] / 2
         # Each coordinate of the mesh's frame is within half a step, whichever way the object is turned.
@@ -123,7 +130,7 @@ for index, frame in enumerate(oracle["frames"]):
         assert abs(shown - speed) <= film["fastest"] / 509, (i, shown, speed)
 assert worst <= film["step"] / 2 * (1 + 1e-6), (worst, film["step"])
 assert worst > film["step"] / 8, "places are finer than they need be"
-for name in ["changes", "x", "y", "z", "radii", "groups", "states", "speeds", "counts"]:
+for name in ["changes", "x", "y", "z", "radii", "groups", "states", "speeds", "counts", "columns"]:
     assert readers[name].at == len(sections[name]), name
 
 points = struct.unpack(f"<{len(sections['points']) // 4}f", sections["points"])
