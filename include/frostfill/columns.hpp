@@ -58,7 +58,7 @@ struct Column
     ColumnType type = ColumnType::float32;
     ColumnChanges changes = ColumnChanges::atRest;
     ColumnOf of = ColumnOf::all;
-    int digits = 0;   ///< binary ones that a run file keeps while the sphere runs; 0: all
+    int digits = 0;   ///< binary ones of a float that are kept behind the first; 0: all
     double low = 0;   ///< both ends of its scale of colours
     double high = 1;  ///< likewise
     bool file = true; ///< in spheres.csv

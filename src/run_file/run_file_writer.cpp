@@ -28,7 +28,7 @@ constexpr std::size_t kBytesInARecord = std::size_t{1} << 20;
 
 struct RunFileWriter::Implementation
 {
-    explicit Implementation(double grid, const std::vector<ColumnValues>& columns = {})
+    explicit Implementation(double grid, const std::vector<ColumnValues>& columns)
         : encoder(grid, columns)
     {
     }

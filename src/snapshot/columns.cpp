@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <utility>
 
 namespace frostfill
@@ -176,6 +177,25 @@ const Column& addColumn(Column column)
     return table().emplace_back(std::move(column));
 }
 
+namespace
+{
+
+/// With so many binary digits behind the first, as far as that leaves a number.
+float rounded(float value, int digits)
+{
+    constexpr int kAll = 23;
+    if (digits <= 0 || digits >= kAll)
+    {
+        return value;
+    }
+    const int lost = kAll - digits;
+    const auto bits = std::bit_cast<std::uint32_t>(value) + (1U << (lost - 1));
+    const auto result = std::bit_cast<float>(bits >> lost << lost);
+    return std::isfinite(result) ? result : value;
+}
+
+} // namespace
+
 double ColumnValues::at(std::size_t sphere) const
 {
     const std::uint32_t value = sphere < bits.size() ? bits[sphere] : 0;
@@ -184,8 +204,10 @@ double ColumnValues::at(std::size_t sphere) const
 
 bool ColumnValues::set(std::size_t sphere, double value)
 {
-    const auto now = column_->isWhole() ? static_cast<std::uint32_t>(value)
-                                        : std::bit_cast<std::uint32_t>(static_cast<float>(value));
+    const auto now =
+        column_->isWhole()
+            ? static_cast<std::uint32_t>(value)
+            : std::bit_cast<std::uint32_t>(rounded(static_cast<float>(value), column_->digits));
     return std::exchange(bits[sphere], now) != now;
 }
 
