@@ -23,14 +23,15 @@ function colourSpheres(film, by, look, colours) {
   const height = heightOf();
   const valueOf = {
     state: (id) => ofState[film.states[id]],
-    set: (id) => fromScale(Math.floor(film.groups[id] / facts.groups_per_set)),
-    group: (id) => fromScale(film.groups[id]),
-    speed: (id) => kScale[film.speeds[id]],
+    set: (id) => fromScale(Math.floor(film.values.group[id] / facts.groups_per_set)),
+    group: (id) => fromScale(film.values.group[id]),
+    speed: (id) => kScale[film.values.speed[id]],
     height: (id) => fromScale(height(film, id)),
-  }[by] ?? ((id) => fromScale(film.columns[by][id]));
+  }[by] ?? ((id) => fromScale(film.values[by][id]));
   for (let id = 0; id < film.spheres; ++id) {
     const state = film.states[id];
-    const isMeant = of === "all" || (of === "resting") === (state === kFrozen || state === kDiscarded);
+    const rests = state === kFrozen || state === kDiscarded;
+    const isMeant = of === "all" || (of === "resting") === rests;
     colours[id] = isMeant ? valueOf(id) : state === kFrozen ? resting : ofState[state];
   }
 }

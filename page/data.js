@@ -72,11 +72,10 @@ class Cursor {
     return (folded >>> 1) ^ -(folded & 1);
   }
 
-  /** Four bytes, the lowest first. */
-  bits() {
-    const { bytes, at } = this;
+  /** A number of four bytes. */
+  float() {
     this.at += 4;
-    return (bytes[at] | bytes[at + 1] << 8 | bytes[at + 2] << 16 | bytes[at + 3] << 24) >>> 0;
+    return new DataView(this.bytes.buffer, this.bytes.byteOffset).getFloat32(this.at - 4, true);
   }
 
   /** A count, and for each id its distance from the one before. */

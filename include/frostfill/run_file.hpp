@@ -39,13 +39,11 @@ class RunFileWriter
 {
 public:
     /// Begins a new file. `head` describes the run, as JSON; `smallestRadius` [mesh unit] sets how
-    /// finely places of moving spheres are kept. Of the columns that snapshots carry it keeps
-    /// `columns`. The file appears with its head and its mesh.
+    /// finely places of moving spheres are kept. The file appears with its head and its mesh.
     /// Throws Error cannotCreate or writeFailed.
     RunFileWriter(const std::filesystem::path& file, std::string_view head,
                   const TriangleMesh& mesh, double smallestRadius,
-                  EarlierFile earlier = EarlierFile::replace,
-                  const std::vector<ColumnValues>& columns = {});
+                  EarlierFile earlier = EarlierFile::replace);
     ~RunFileWriter();
     RunFileWriter(const RunFileWriter&) = delete;
     RunFileWriter& operator=(const RunFileWriter&) = delete;
@@ -80,8 +78,6 @@ public:
     [[nodiscard]] const TriangleMesh& mesh() const;
     /// Numbers of the frames that are there, ascending.
     [[nodiscard]] const std::vector<std::size_t>& frames() const;
-    /// The carried columns of its snapshots: those of the file that this program knows.
-    [[nodiscard]] const std::vector<ColumnValues>& columns() const;
     /// Absent in the file of a run that did not end.
     [[nodiscard]] const std::optional<std::string>& summary() const;
     /// Bytes of whole records, and of the file. They differ where it is torn.

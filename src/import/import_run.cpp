@@ -202,8 +202,7 @@ ImportResult importRun(const ImportRequest& request, const ImportProgress& progr
     RunDirectory place(request.directory,
                        request.overwrite ? EarlierRun::replace : EarlierRun::refuse);
     place.begin();
-    RunFileWriter file(request.directory / kRunFile, headText(head), mesh, survey.smallestRadius,
-                       EarlierFile::replace, survey.columns);
+    RunFileWriter file(request.directory / kRunFile, headText(head), mesh, survey.smallestRadius);
     Frames frames(survey, mesh);
     MomentSequence sequence(request);
     for (Moment moment; sequence.next(moment);)

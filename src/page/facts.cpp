@@ -221,7 +221,7 @@ double fastestColour(const RunHead& head, const PageView& view)
 }
 
 Json pageFacts(const RunFileReader& run, const RunHead& head, const PageView& view,
-               const std::string& sets)
+               std::span<const ColumnValues> carried, const std::string& sets)
 {
     Json facts;
     facts["version"] = head.version;
@@ -249,7 +249,7 @@ Json pageFacts(const RunFileReader& run, const RunHead& head, const PageView& vi
     facts["shell_opacity"] =
         view.settings.style.shellOpacity ? Json(*view.settings.style.shellOpacity) : Json();
     addLooks(view, run.mesh(), facts);
-    addColours(head, view, run.columns(), facts);
+    addColours(head, view, carried, facts);
     addStrokes(view, facts);
     const double rate = head.interval * head.scene.frames.fps;
     facts["rate"] = rate < 1e30 ? Json(rate) : Json(); // simulated seconds a second of video

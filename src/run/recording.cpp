@@ -107,7 +107,7 @@ void keepRun(FrameRecorder& recorder, const FillRequest& request, const LoadedMe
     head.version = describeMachine().version;
     recorder.keepIn(std::make_unique<RunFileWriter>(
         request.directory / kRunFile, headText(head), mesh.mesh, simulation.smallestRadius(),
-        request.resume ? EarlierFile::continued : EarlierFile::replace, carriedColumns()));
+        request.resume ? EarlierFile::continued : EarlierFile::replace));
 }
 
 } // namespace frostfill

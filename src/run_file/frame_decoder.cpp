@@ -2,10 +2,10 @@
 #include "run_file/frame_codec.hpp"
 
 #include <algorithm>
-#include <utility>
 
 namespace frostfill
 {
+
 namespace
 {
 
@@ -15,39 +15,35 @@ constexpr std::size_t kTimesNamed = 4;
 } // namespace
 
 FrameDecoder::FrameDecoder(double grid, const Eigen::Vector3d& origin, std::size_t polygons,
-                           std::uint64_t source, std::vector<FileColumn> columns)
-    : grid_(grid), columns_(std::move(columns))
+                           std::uint64_t source)
+    : FrameCodec({grid}, origin, polygons)
 {
-    snapshot_.columns = columns_.carried();
     snapshot_.source = source;
-    snapshot_.origin = origin;
-    snapshot_.polygons.resize(polygons, PolygonState::active);
 }
 
-void FrameDecoder::decode(ByteReader& in)
+void FrameDecoder::decode(StreamReaders& in)
 {
-    snapshot_.time = in.raw<double>();
-    snapshot_.step = in.count();
-    snapshot_.set = static_cast<std::uint32_t>(in.count());
-    const std::uint64_t flags = in.count();
-    if (flags == kIsRepeated)
+    const std::uint64_t revision = snapshot_.revision;
+    for (const auto& [name, stream] : in)
     {
-        return;
+        const Column* column = findColumn(name.substr(0, name.find(':')));
+        if (column != nullptr && column->isCarried() && name == streamOf(*column))
+        {
+            carry(*column);
+        }
     }
-    ++snapshot_.revision;
-    snapshot_.pose = {};
-    if (flags == kHasPose)
+    goThrough(in, nullptr);
+    if (snapshot_.revision == revision)
     {
-        decodePose(in);
+        return; // once more
     }
-    awaken();
-    decodeRenewed(in);
-    decodeMoving(in);
-    decodeWaiting(in);
-    decodeSettled(in);
-    decodePolygons(in);
-    columns_.decode(in, snapshot_);
-    if (snapshot_.changed.size() > kTimesNamed * snapshot_.states.size())
+    auto& changed = snapshot_.changed;
+    for (const auto* ids : {&renewed_, &turned_, &moved_, &revalued_})
+    {
+        changed.insert(changed.end(), ids->begin(), ids->end());
+    }
+    snapshot_.polygonsChanged = snapshot_.polygonsChanged || !turnedPolygons_.empty();
+    if (changed.size() > kTimesNamed * snapshot_.states.size())
     {
         sortChanges(); // before it takes more memory than the spheres
     }
@@ -88,163 +84,6 @@ void FrameDecoder::forgetChanges()
     snapshot_.changed.clear();
     snapshot_.polygonsChanged = false;
     snapshot_.changedSince = snapshot_.revision;
-}
-
-void FrameDecoder::decodePose(ByteReader& in)
-{
-    for (int row = 0; row < 3; ++row)
-    {
-        for (int column = 0; column < 3; ++column)
-        {
-            snapshot_.pose.rotation(row, column) = in.raw<double>();
-        }
-    }
-    for (int axis = 0; axis < 3; ++axis)
-    {
-        snapshot_.pose.offset[axis] = in.raw<double>();
-    }
-}
-
-void FrameDecoder::setState(std::uint32_t id, SphereState state)
-{
-    --snapshot_.count(snapshot_.states[id]);
-    snapshot_.states[id] = state;
-    ++snapshot_.count(state);
-}
-
-// What waited in the frame before counts again, until this one says that it waits.
-void FrameDecoder::awaken()
-{
-    for (const std::uint32_t id : waiting_)
-    {
-        snapshot_.waiting[id] = 0;
-        ++snapshot_.running;
-    }
-    waiting_.clear();
-}
-
-void FrameDecoder::resize(std::size_t count)
-{
-    const std::size_t known = snapshot_.states.size();
-    for (std::size_t id = count; id < known; ++id)
-    {
-        --snapshot_.count(snapshot_.states[id]);
-    }
-    snapshot_.running += count - std::min(known, count);
-    snapshot_.resize(count);
-    centres_.resize(count, Eigen::Vector3d::Zero());
-    radii_.resize(count);
-}
-
-void FrameDecoder::decodeRenewed(ByteReader& in)
-{
-    const std::uint64_t count = in.count();
-    if (count > snapshot_.states.size() + in.left())
-    {
-        throw DamagedBytes("counts more spheres than there are");
-    }
-    resize(static_cast<std::size_t>(count));
-    const std::vector<std::uint32_t> renewed = in.ids(snapshot_.states.size());
-    for (const std::uint32_t id : renewed)
-    {
-        radii_[id] = in.raw<double>();
-        snapshot_.radii[id] = static_cast<float>(radii_[id]);
-        snapshot_.changed.push_back(id);
-    }
-    std::int64_t before = 0;
-    for (const std::uint32_t id : renewed)
-    {
-        before += in.difference();
-        snapshot_.groups[id] = static_cast<std::uint32_t>(before);
-    }
-}
-
-void FrameDecoder::decodeMoving(ByteReader& in)
-{
-    const std::vector<std::uint32_t> running = in.ids(snapshot_.states.size());
-    std::vector<Track> now;
-    now.reserve(running.size());
-    TrackFinder find(moving_);
-    for (const std::uint32_t id : running)
-    {
-        Track track{id, {}, {}};
-        const Track* before = find(id);
-        for (int axis = 0; axis < 3; ++axis)
-        {
-            const auto a = static_cast<std::size_t>(axis);
-            track.place[a] = in.difference();
-            if (before != nullptr)
-            {
-                track.place[a] += before->place[a] + before->step[a];
-                track.step[a] = track.place[a] - before->place[a];
-            }
-            const double place = static_cast<double>(track.place[a]) * grid_;
-            snapshot_.centres[id][axis] = static_cast<float>(place);
-            centres_[id][axis] = snapshot_.origin[axis] + place;
-        }
-        setState(id, SphereState::running);
-        snapshot_.changed.push_back(id);
-        now.push_back(track);
-    }
-    for (const std::uint32_t id : running)
-    {
-        snapshot_.speeds[id] = in.raw<float>();
-    }
-    moving_ = std::move(now);
-}
-
-void FrameDecoder::decodeWaiting(ByteReader& in)
-{
-    waiting_ = in.ids(snapshot_.states.size());
-    snapshot_.waiting.resize(snapshot_.states.size());
-    for (const std::uint32_t id : waiting_)
-    {
-        if (snapshot_.states[id] != SphereState::running)
-        {
-            throw DamagedBytes("has a sphere that waits at rest");
-        }
-        snapshot_.waiting[id] = 1;
-        --snapshot_.running;
-    }
-}
-
-void FrameDecoder::decodeSettled(ByteReader& in)
-{
-    const std::vector<std::uint32_t> settled = in.ids(snapshot_.states.size());
-    for (int axis = 0; axis < 3; ++axis)
-    {
-        for (const std::uint32_t id : settled)
-        {
-            centres_[id][axis] = in.raw<double>();
-        }
-    }
-    for (const std::uint32_t id : settled)
-    {
-        snapshot_.centres[id] = placeInPictures(centres_[id], snapshot_.origin);
-        snapshot_.speeds[id] = 0;
-        setState(id, SphereState::frozen);
-        snapshot_.changed.push_back(id);
-    }
-    // Those that changed between frozen and discarded.
-    for (const std::uint32_t id : in.ids(snapshot_.states.size()))
-    {
-        setState(id, snapshot_.states[id] == SphereState::discarded ? SphereState::frozen
-                                                                    : SphereState::discarded);
-        snapshot_.changed.push_back(id);
-    }
-}
-
-void FrameDecoder::decodePolygons(ByteReader& in)
-{
-    const std::vector<std::uint32_t> turned = in.ids(snapshot_.polygons.size());
-    for (const std::uint32_t polygon : turned)
-    {
-        PolygonState& state = snapshot_.polygons[polygon];
-        const bool wasActive = state == PolygonState::active;
-        state = wasActive ? PolygonState::discarded : PolygonState::active;
-        snapshot_.discardedPolygons += wasActive ? 1 : static_cast<std::size_t>(-1);
-    }
-    snapshot_.polygonsChanged = snapshot_.polygonsChanged || !turned.empty();
 }
 
 } // namespace frostfill

@@ -35,9 +35,11 @@ std::uint64_t newSource()
     {
         throw DamagedBytes("is no run file (run.frost)");
     }
-    throw DamagedBytes(fmt::format("is of version {}, and this Frostfill reads version {}",
-                                   static_cast<unsigned char>(bytes[kRunFileVersionAt]),
-                                   static_cast<unsigned char>(kRunFileMark[kRunFileVersionAt])));
+    throw DamagedBytes(
+        fmt::format("is a run file of version {}, and this Frostfill reads version {}: fill "
+                    "again, or use the Frostfill that wrote it",
+                    static_cast<unsigned char>(bytes[kRunFileVersionAt]),
+                    static_cast<unsigned char>(kRunFileMark[kRunFileVersionAt])));
 }
 
 } // namespace
@@ -55,8 +57,7 @@ struct RunFileReader::Implementation
         {
             origin[axis] = in.raw<double>();
         }
-        columns = getColumns(in);
-        head = bytes.substr(bytes.size() - in.left());
+        head = bytes.substr(4 * sizeof(double));
         if (!(grid > 0) || !origin.allFinite())
         {
             throw DamagedBytes("has a grid that is no number");
@@ -105,7 +106,7 @@ struct RunFileReader::Implementation
 
     void rewind()
     {
-        decoder = FrameDecoder(grid, origin, mesh.triangles.size(), newSource(), columns);
+        decoder = FrameDecoder(grid, origin, mesh.triangles.size(), newSource());
         decoded = 0;
         record = 0;
         rest.reset();
@@ -116,7 +117,7 @@ struct RunFileReader::Implementation
         if (!rest)
         {
             unpacked = unpackRecord(records[record]);
-            rest.emplace(unpacked);
+            rest = split(unpacked);
         }
         decoder->decode(*rest);
         ++decoded;
@@ -132,7 +133,6 @@ struct RunFileReader::Implementation
     std::uint64_t whole = 0;
     double grid = 0;
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();
-    std::vector<FileColumn> columns;
     std::string head;
     TriangleMesh mesh;
     std::vector<std::size_t> frames;
@@ -144,7 +144,7 @@ struct RunFileReader::Implementation
     std::size_t decoded = 0; ///< frames so far
     std::size_t record = 0;  ///< in which the next one is
     std::string unpacked;
-    std::optional<ByteReader> rest; ///< of `unpacked`
+    std::optional<StreamReaders> rest; ///< of `unpacked`
 };
 
 RunFileReader::RunFileReader(const std::filesystem::path& file)
@@ -177,11 +177,6 @@ const TriangleMesh& RunFileReader::mesh() const
 const std::vector<std::size_t>& RunFileReader::frames() const
 {
     return implementation_->frames;
-}
-
-const std::vector<ColumnValues>& RunFileReader::columns() const
-{
-    return implementation_->decoder->snapshot().columns;
 }
 
 const std::optional<std::string>& RunFileReader::summary() const

@@ -28,8 +28,8 @@ constexpr std::size_t kBytesInARecord = std::size_t{1} << 20;
 
 struct RunFileWriter::Implementation
 {
-    explicit Implementation(double grid, const std::vector<ColumnValues>& columns)
-        : encoder(grid, columns)
+    Implementation(double grid, const Eigen::Vector3d& origin, std::size_t polygons)
+        : encoder({grid}, origin, polygons)
     {
     }
     ~Implementation()
@@ -127,7 +127,7 @@ struct RunFileWriter::Implementation
     void add(std::size_t frame)
     {
         numbers.push_back(static_cast<std::uint32_t>(frame));
-        if (numbers.size() == kFramesInARecord || waiting.bytes().size() >= kBytesInARecord)
+        if (numbers.size() == kFramesInARecord || encoder.bytes() >= kBytesInARecord)
         {
             writeFrames();
         }
@@ -136,10 +136,9 @@ struct RunFileWriter::Implementation
     {
         if (!numbers.empty())
         {
-            write(packRecord(RecordKind::frames, numbers, waiting.bytes()));
+            write(packRecord(RecordKind::frames, numbers, joined(encoder.take())));
+            numbers.clear();
         }
-        waiting.bytes().clear();
-        numbers.clear();
     }
 
     std::filesystem::path file;
@@ -147,14 +146,13 @@ struct RunFileWriter::Implementation
     bool continues = false; ///< what follows may be there already
     off_t at = 0;           ///< where, if it continues
     FrameEncoder encoder;
-    ByteWriter waiting;
-    std::vector<std::uint32_t> numbers; ///< of the frames that wait
+    std::vector<std::uint32_t> numbers; ///< of the frames that wait in the encoder
 };
 
 RunFileWriter::RunFileWriter(const std::filesystem::path& file, std::string_view head,
-                             const TriangleMesh& mesh, double smallestRadius, EarlierFile earlier,
-                             const std::vector<ColumnValues>& columns)
-    : implementation_(std::make_unique<Implementation>(gridOf(smallestRadius), columns))
+                             const TriangleMesh& mesh, double smallestRadius, EarlierFile earlier)
+    : implementation_(std::make_unique<Implementation>(
+          gridOf(smallestRadius), boundingBox(mesh).center(), mesh.triangles.size()))
 {
     ByteWriter numbers;
     numbers.raw(gridOf(smallestRadius));
@@ -163,7 +161,6 @@ RunFileWriter::RunFileWriter(const std::filesystem::path& file, std::string_view
     {
         numbers.raw(origin[axis]);
     }
-    putColumns(columns, numbers);
     numbers.bytes() += head;
     const std::string start = std::string(kRunFileMark) +
                               packRecord(RecordKind::head, {}, numbers.bytes()) +
@@ -181,13 +178,23 @@ RunFileWriter::~RunFileWriter() = default;
 
 void RunFileWriter::put(std::size_t frame, const Snapshot& snapshot, const ExactSphere& exact)
 {
-    implementation_->encoder.encode(snapshot, exact, implementation_->waiting);
+    implementation_->encoder.encode(snapshot,
+                                    [&](std::uint32_t id)
+                                    {
+                                        SphereRecord sphere = exact(id);
+                                        if (snapshot.states[id] == SphereState::running)
+                                        {
+                                            sphere.centre = snapshot.origin +
+                                                            snapshot.centres[id].cast<double>();
+                                        }
+                                        return sphere;
+                                    });
     implementation_->add(frame);
 }
 
 void RunFileWriter::repeat(std::size_t frame)
 {
-    implementation_->encoder.repeat(implementation_->waiting);
+    implementation_->encoder.repeat();
     implementation_->add(frame);
 }
 

@@ -42,34 +42,36 @@ protected:
         snapshot_.changed.resize(snapshot_.centres.size());
         std::iota(snapshot_.changed.begin(), snapshot_.changed.end(), 0U);
         count();
-        encoder_.encode(
-            snapshot_,
-            [&](std::uint32_t id)
-            {
-                SphereRecord sphere;
-                sphere.centre = snapshot_.centres[id].cast<double>();
-                sphere.radius = radii_[id];
-                return sphere;
-            },
-            bytes_);
+        encoder_.encode(snapshot_,
+                        [&](std::uint32_t id)
+                        {
+                            SphereRecord sphere;
+                            sphere.centre = snapshot_.centres[id].cast<double>();
+                            sphere.radius = radii_[id];
+                            return sphere;
+                        });
         expectTheSame();
     }
     void repeat()
     {
-        encoder_.repeat(bytes_);
+        encoder_.repeat();
         expectTheSame();
     }
     void expectTheSame()
     {
-        ByteReader reader(bytes_.bytes());
-        decoder_.decode(reader);
-        EXPECT_TRUE(reader.done());
-        bytes_.bytes().clear();
+        const std::string bytes = joined(encoder_.take());
+        StreamReaders streams = split(bytes);
+        decoder_.decode(streams);
+        for (const auto& [name, rest] : streams)
+        {
+            EXPECT_TRUE(rest.done()) << name;
+        }
         const Snapshot& read = decoder_.snapshot();
         EXPECT_EQ(read.centres, snapshot_.centres);
         EXPECT_EQ(read.radii, snapshot_.radii);
         EXPECT_EQ(read.states, snapshot_.states);
         EXPECT_EQ(read.groups, snapshot_.groups);
+        EXPECT_EQ(read.speeds, snapshot_.speeds);
         EXPECT_EQ(read.running, snapshot_.running);
         EXPECT_EQ(read.frozen, snapshot_.frozen);
         EXPECT_EQ(read.discarded, snapshot_.discarded);
@@ -81,7 +83,7 @@ protected:
 
     Snapshot snapshot_;
     std::vector<double> radii_;
-    FrameEncoder encoder_{gridOf(1)};
+    FrameEncoder encoder_{Rounding{gridOf(1)}, Eigen::Vector3d::Zero(), 0};
     FrameDecoder decoder_{gridOf(1), Eigen::Vector3d::Zero(), 0, 1};
 
 private:
@@ -100,7 +102,6 @@ private:
         snapshot_.frozen = of(SphereState::frozen);
         snapshot_.discarded = of(SphereState::discarded);
     }
-    ByteWriter bytes_;
 };
 
 TEST_F(FrameCodec, KeepsASphereThatIsWithdrawnAndOneThatTakesItsNumber)
@@ -141,6 +142,30 @@ TEST_F(FrameCodec, KeepsSpheresThatWaitForTheirFall)
     waits(2);
     put();
     withdrawLast();
+    put();
+}
+
+TEST_F(FrameCodec, KeepsWhereASphereRestsThatWokeBetweenTwoFrames)
+{
+    addSphere(SphereState::frozen, 1, 0);
+    addSphere(SphereState::running, 1, 0);
+    put();
+    snapshot_.centres[0].x() += 1e-5F; // a fifth of the grid
+    put();
+    EXPECT_EQ(decoder_.centres()[0].x(), double{1e-5F});
+}
+
+TEST_F(FrameCodec, KeepsSpeedsWhileSpheresRun)
+{
+    addSphere(SphereState::running, 1, 0);
+    addSphere(SphereState::running, 1, 0);
+    snapshot_.speeds = {1.5F, 0.25F};
+    put();
+    snapshot_.states[0] = SphereState::frozen;
+    snapshot_.speeds = {0, 64};
+    put();
+    snapshot_.states[0] = SphereState::running;
+    snapshot_.speeds = {0.5F, 64};
     put();
 }
 
