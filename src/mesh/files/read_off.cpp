@@ -121,13 +121,21 @@ TriangleMesh readOff(std::string_view text)
     for (std::uint64_t i = 0; i < counts.faces; ++i)
     {
         nextLine(scanner, i, counts.faces, "faces");
+        const Place where = scanner.place();
         const std::uint64_t size = takeCount(scanner, scanner.word());
         corners.clear();
         for (std::uint64_t corner = 0; corner < size; ++corner)
         {
-            corners.push_back(scanner.toInteger(scanner.word(), "the face"));
+            // The format is free: a face may go on in the next line. One that is cut off takes
+            // numbers of the next face, and the file then ends too early.
+            const std::string_view word = scanner.wordAnywhere();
+            if (word.empty())
+            {
+                refuseAt(where, "the face has too few numbers; export the mesh again");
+            }
+            corners.push_back(scanner.toInteger(word, "the face"));
         }
-        mesh.addFace(scanner.place().number, corners); // its colour follows
+        mesh.addFace(where.number, corners); // its colour follows
     }
     if (scanner.nextLine())
     {
