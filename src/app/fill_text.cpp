@@ -103,8 +103,8 @@ void printPlan(const FillRequest& request, const FillPlan& plan)
     }
     if (plan.fallsLeftOut)
     {
-        say("spheres appear where they land: for so many, falls that --motion leaves out are not "
-            "drawn\n");
+        say("there are too many spheres to draw the falls that --motion leaves out: they appear "
+            "where they land\n");
     }
 }
 

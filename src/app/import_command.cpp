@@ -120,8 +120,8 @@ Command addImportCommand(CLI::App& program)
     ImportRequest& request = arguments->request;
     command
         ->add_option("--mesh", request.mesh,
-                     "What the spheres are in: a file, which may be open, or torus, sphere, cube, "
-                     "human (the box of the file)")
+                     "The mesh around the spheres: a file, which may be open, or torus, sphere, "
+                     "cube, human (the box of the file)")
         ->type_name("MESH");
     addUpOption(*command, arguments->given);
     command

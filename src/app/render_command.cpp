@@ -192,14 +192,14 @@ void addOutput(CLI::App& command, RenderArguments& arguments)
         ->group(output);
     command
         .add_flag("--contact-sheet", arguments.request.contactSheet,
-                  "Also show twelve frames in one picture, contact_sheet.png")
+                  "Also draw twelve frames in one picture, contact_sheet.png")
         ->group(output);
     command.add_flag("--overwrite", arguments.request.overwrite, "Replace earlier pictures")
         ->group(output);
     command
         .add_flag("--skip-existing", arguments.request.skipExisting,
-                  "Leave pictures that are there, whole, and of this run, frame and settings; not "
-                  "with a video or passes")
+                  "Keep existing pictures that are complete and of this run, frame and settings; "
+                  "not with a video or passes")
         ->group(output);
     command
         .add_option("--shard", arguments.shard,
@@ -209,7 +209,7 @@ void addOutput(CLI::App& command, RenderArguments& arguments)
         ->group(output);
     command
         .add_flag("--gather", arguments.request.gather,
-                  "Draw nothing; look whether all pictures are there, whole and the right ones")
+                  "Draw nothing; check that all pictures exist, complete and correct")
         ->group(output);
     command
         .add_flag("--dry-run", arguments.request.dryRun,
