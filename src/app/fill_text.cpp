@@ -117,11 +117,11 @@ void printResult(const Scene& scene, const FillResult& result)
     }
     else if (result.radiusThatFits)
     {
-        fmt::print("full before the count: {} of {} spheres are in, and nowhere else one of {} "
-                   "fits; {}\n",
-                   result.spheres, *scene.spheres.count,
-                   radiiText(result.smallestRadius, result.largestRadius),
-                   radiusAdvice(scene.spheres.radius, result));
+        fmt::print(
+            "full before the count: {} of {} spheres are in, and no other sphere of {} fits; {}\n",
+            result.spheres, *scene.spheres.count,
+            radiiText(result.smallestRadius, result.largestRadius),
+            radiusAdvice(scene.spheres.radius, result));
     }
     else if (result.full)
     {

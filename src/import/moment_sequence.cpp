@@ -71,7 +71,7 @@ bool MomentSequence::next(Moment& moment)
         if (!std::isfinite(time))
         {
             refuse(request_, ErrorCode::badData,
-                   fmt::format("has a step whose time is no number, behind {} s", time_));
+                   fmt::format("has a step whose time is not a number, behind {} s", time_));
         }
         if (count_ > 0 && time < time_)
         {

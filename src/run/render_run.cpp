@@ -161,10 +161,10 @@ void requireOneProcess(const RenderRequest& request)
     if (request.shard.count > 1 &&
         (!request.video.empty() || request.contactSheet || request.overwrite))
     {
-        throw Error(ErrorCode::usage, "one part of the pictures makes no video and no contact "
-                                      "sheet, and does not know which pictures are others': omit "
-                                      "--video, --contact-sheet and --overwrite; --gather makes "
-                                      "the contact sheet of all");
+        throw Error(ErrorCode::usage,
+                    "one part of the pictures makes no video and no contact sheet, and cannot "
+                    "replace pictures of other parts: omit --video, --contact-sheet and "
+                    "--overwrite; --gather makes the contact sheet of all");
     }
     if (request.gather && (!request.video.empty() || request.overwrite || request.shard.count > 1))
     {

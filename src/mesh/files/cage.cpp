@@ -135,7 +135,7 @@ public:
         std::array<int, 2> ends{};
         if (pipe2(ends.data(), O_CLOEXEC) != 0)
         {
-            refuse("no pipe is to be had");
+            refuse("no pipe is available");
         }
         id_ = fork();
         if (id_ == 0)
@@ -147,7 +147,7 @@ public:
         if (id_ < 0)
         {
             close(pipe_);
-            refuse("no process is to be had");
+            refuse("no process is available");
         }
     }
     Child(const Child&) = delete;

@@ -86,8 +86,8 @@ TriangleMesh readMeshInCage(const std::filesystem::path& file)
     if (!take(rest, mesh.vertices) || !take(rest, mesh.triangles) || !rest.empty() ||
         findNonsense(mesh))
     {
-        throw Error(ErrorCode::badData, subject + ": the reader made nonsense of it; export the "
-                                                  "mesh again, in another format if need be");
+        throw Error(ErrorCode::badData, subject + ": the reader returned an invalid mesh; export "
+                                                  "the mesh again, in another format if need be");
     }
     return mesh;
 }

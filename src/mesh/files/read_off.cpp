@@ -140,7 +140,7 @@ TriangleMesh readOff(std::string_view text)
     if (scanner.nextLine())
     {
         refuseAt(scanner.place(),
-                 fmt::format("the file goes on after its {} faces; export the mesh again",
+                 fmt::format("the file has more data after its {} faces; export the mesh again",
                              counts.faces));
     }
     return mesh.take();
