@@ -100,7 +100,7 @@ FramePainter::~FramePainter()
     }
     catch (...)
     {
-        // Whoever finishes hears of it; here is nobody left to tell.
+        // finish() reports errors. A destructor must not throw.
     }
 }
 

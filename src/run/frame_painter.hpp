@@ -56,7 +56,7 @@ struct PaintRequest
     bool onlyLook = false; ///< draw nothing, and tell which pictures are not there
 };
 
-/// Turns states of a run into pictures, whoever has them: the simulation, or a run file. A picture
+/// Turns states of a run into pictures, from the simulation or from a run file. A picture
 /// depends on the request, the state and the number of its frame alone. Drawing is done in one
 /// thread and encoding and writing in another.
 class FramePainter
@@ -73,7 +73,7 @@ public:
     explicit FramePainter(PaintRequest request);
     ~FramePainter();
 
-    /// Only every so manieth of the selected frames is kept as a picture, from the start.
+    /// Only every stride-th of the selected frames is kept as a picture, from the start.
     void keepEvery(std::size_t stride);
     /// Asks this between the frames for which the last state is held.
     void stopWhen(std::function<bool()> requested) { stopRequested_ = std::move(requested); }

@@ -46,7 +46,7 @@ FramePainter::State toPaint(const Snapshot& snapshot, const RunFileReader& reade
     return {&snapshot, reader.revision()};
 }
 
-/// Every so manieth selected frame is kept: as `fill` did for the same selection, or as the limit
+/// Every n-th selected frame is kept: as `fill` did for the same selection, or as the limit
 /// asks for. Throws Error usage when no frame is left.
 std::size_t strideOf(const Scene& scene, const RunHead& head, const KeptFrames& frames, double path)
 {
@@ -84,7 +84,7 @@ std::size_t strideOf(const Scene& scene, const RunHead& head, const KeptFrames& 
 /// The pictures of a rendering, before the first is drawn.
 struct PictureCount
 {
-    std::size_t stride = 1; ///< every so manieth of the selected frames is kept, in the end
+    std::size_t stride = 1; ///< every stride-th of the selected frames is kept in the end
     std::size_t count = 0;
 };
 

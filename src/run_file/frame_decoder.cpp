@@ -132,7 +132,7 @@ void FrameDecoder::setState(std::uint32_t id, SphereState state)
     ++counter(state);
 }
 
-// What waited in the frame before counts again, until this one says that it waits.
+// Spheres that waited in the frame before count as running, until this frame lists them again.
 void FrameDecoder::awaken()
 {
     for (const std::uint32_t id : waiting_)

@@ -67,7 +67,7 @@ RunReport noProcess()
 [[noreturn]] void runInChild(const FillRequest& request, const FillObserver& observer, int pipe,
                              pid_t parent)
 {
-    // It must not go on when nobody waits for it any more.
+    // It must end when its parent does.
     prctl(PR_SET_PDEATHSIG, SIGTERM);
     if (getppid() != parent)
     {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Reading a mesh that anybody may have made. Assimp 5.2.5, the reader of glTF in Debian 12,
+// Reading a mesh from an untrusted source. Assimp 5.2.5, the reader of glTF in Debian 12,
 // crashes, hangs or fills the memory on damaged files; in a child process that costs a sentence.
-// The other readers are not known to, and are caged all the same.
+// The other readers are not known to, and are caged nevertheless.
 #include "mesh/files/cage.hpp"
 #include "mesh/repair/find_nonsense.hpp"
 

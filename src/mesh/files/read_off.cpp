@@ -54,7 +54,7 @@ std::string_view skipKeyword(TextScanner& scanner)
     return next;
 }
 
-/// The number of edges, which nobody needs and some leave out, may be in the same line or alone in
+/// The number of edges, which is not needed and often left out, may be in the same line or alone in
 /// the next one.
 void skipEdgeCount(TextScanner& scanner)
 {

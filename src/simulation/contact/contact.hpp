@@ -75,7 +75,7 @@ struct Contact
 /// The contact of a sphere at p with the front of triangle `id`, or with either side of a two-sided
 /// one, with a gap of at most `gap`.
 /// Inside a plane of several triangles only the one straight below the centre counts. The edges of
-/// the others come near, too, but nobody can touch an edge that is flat.
+/// the others come near, too, but no sphere can touch an edge that is flat.
 [[nodiscard]] inline std::optional<Contact> frontContact(const Surface& surface, std::uint32_t id,
                                                          const Eigen::Vector3d& p, double radius,
                                                          double gap = 0)

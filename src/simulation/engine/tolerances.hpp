@@ -17,10 +17,10 @@ inline constexpr double kStep = 0.165;
 /// The same with Motion::skip, where nothing falls from far and so nothing is fast.
 inline constexpr double kSkipStep = 0.33;
 /// The shortest step that may be asked for [sqrt(r/g) of the smallest]. Smaller: runs of which
-/// nobody sees the end. Larger: a study of ever shorter steps has to stop early.
+/// it seems not to end. Larger: a study of ever shorter steps has to stop early.
 inline constexpr double kShortestStep = 1e-6;
 /// A longer step that the user asks for is divided [sqrt(r/g) of the smallest]. Larger: gravity
-/// alone makes spheres in contact too fast to come to rest. Smaller: time that nobody asked for.
+/// alone makes spheres in contact too fast to come to rest. Smaller: needless time.
 inline constexpr double kLongestStep = 0.33;
 /// The window over which a sphere is watched [sqrt(r/g)]. Larger: spheres freeze later. Smaller: a
 /// sphere at the top of its bounce seems calm.

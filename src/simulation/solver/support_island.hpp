@@ -29,7 +29,7 @@ public:
 private:
     /// Finds what is at rest and touches it.
     void touch(Runner& runner) const;
-    /// After touch(): whether that and members carry it. Moves nobody.
+    /// After touch(): whether that and members carry it. Moves no runner.
     [[nodiscard]] bool isCarriedToo(std::span<const Runner> runners, Runner& runner) const;
 
     const FreeFlight& flight_;

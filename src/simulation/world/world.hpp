@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Room: what there is: the object, the spheres, the grids and the counters. Engines change it;
-// everyone else only reads it.
+// all other code only reads it.
 #pragma once
 
 #include "mesh/interior/inside_test.hpp"
@@ -23,8 +23,8 @@
 namespace frostfill
 {
 
-/// What there is, whoever moves it: the object, the spheres and the counters. An Engine changes it,
-/// everyone else only looks. Coordinates of the run.
+/// The state of a run: the object, the spheres and the counters. An Engine changes it,
+/// all other code only reads it. Coordinates of the run.
 struct World
 {
     World(const Scene& sceneOfRun, const TriangleMesh& mesh);

@@ -49,7 +49,7 @@ TriangleMesh cubeOf(std::uint64_t count)
     return mesh;
 }
 
-/// The common checker: overlaps and centres outside, whoever made the places.
+/// The common checker: overlaps and centres outside, for every engine alike.
 void judge(const TriangleMesh& mesh, const std::vector<Eigen::Vector3d>& places, PeerPoint& point)
 {
     World world(cubeScene(places.size(), Motion::fall), mesh);
