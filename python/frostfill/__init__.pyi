@@ -104,7 +104,7 @@ def fill(
 
     out: a folder for the files of the run, as `frostfill fill` writes them. Without it they are kept
     only for as long as the run; Run.save keeps them. No pictures are drawn unless `frames` is given.
-    resume: go on with the run in `out`.
+    resume: continue the run in `out`.
 
     Ctrl-C stops after the step. Raises Error; Postcondition has the attribute `run`."""
 
@@ -514,7 +514,7 @@ def check(
         wrap: float | Literal['auto', 'none'] | None = ...,
         unite: bool = ...,
     ) -> QualityReport:
-    """Judges spheres in a mesh, whoever has placed them.
+    """Judges spheres in a mesh, from any source.
 
     centres: numbers [n, 3]; radii: [n], or one number. The mesh: vertices [v, 3] and triangles
     [t, 3], or `mesh`, a name or a file. at_rest: bool [n], whose weight has to be carried; all by
