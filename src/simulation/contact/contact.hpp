@@ -10,6 +10,7 @@
 #include "mesh/interior/surface.hpp"
 #include "simulation/contact/contact_cone.hpp"
 #include "simulation/contact/tolerances.hpp"
+#include "simulation/world/running_spheres.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -142,6 +143,18 @@ struct Restitution
 [[nodiscard]] inline double massOf(double radius)
 {
     return radius * radius * radius;
+}
+
+/// Kinetic and potential energy of all that run, for gravity downwards along y.
+[[nodiscard]] inline double energyOf(const RunningSpheres& running, double gravity)
+{
+    double energy = 0;
+    for (std::uint32_t row = 0; row < running.size(); ++row)
+    {
+        energy += massOf(running.radius[row]) *
+                  (running.velocity[row].squaredNorm() / 2 + gravity * running.position[row].y());
+    }
+    return energy;
 }
 
 } // namespace frostfill

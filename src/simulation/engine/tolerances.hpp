@@ -28,14 +28,6 @@ inline constexpr double kWindow = 0.33;
 
 // When a sphere is overdue, and is frozen wherever it gets.
 
-/// How fast a sphere ages that only runners hold up [1]: a pile comes to rest from below. Larger:
-/// the top of a high pile is overdue before its foot has frozen. Smaller: spheres that hold one
-/// another up for good run long.
-inline constexpr double kWaiting = 0.05;
-/// Part of a contact's normal that is vertical, at least, for the contact to hold a sphere up [1].
-/// Not a share of the weight, unlike kWakes and its like: it only tells a floor from a wall.
-/// Larger: spheres in steep grooves age slowly. Smaller: what leans on a wall counts as held up.
-inline constexpr double kHoldsUp = 0.1;
 /// The largest restitution that is given the time to come to rest [1]. With 1 none would be enough.
 inline constexpr double kLiveliest = 0.95;
 /// Falls through the height that a sphere is given at least. Smaller: spheres are overdue on a long

@@ -15,8 +15,8 @@ namespace frostfill
 struct RestFollowers
 {
     RestFollowers(World& world, double band, Threads& threads)
-        : falls(world.resting.frame(), world.triangles), release(makeRelease(world, band, threads)),
-          discard(makeDiscard(world))
+        : falls(world.spheres.resting().frame(), world.triangles),
+          release(makeRelease(world, band, threads)), discard(makeDiscard(world))
     {
     }
 

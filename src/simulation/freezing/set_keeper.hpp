@@ -28,7 +28,7 @@ public:
     void placed(std::size_t spheres);
 
     /// A window is over: see FreezingPart::select. Spheres are due again from then on.
-    void endWindow(std::span<Runner> runners, std::vector<std::uint32_t>& sleepy);
+    void endWindow(std::span<RestWatch> running, std::vector<std::uint32_t>& sleepy);
 
     /// See FreezingPart::keepsSets.
     [[nodiscard]] bool keepsSets() const { return rule_->keepsSets(); }

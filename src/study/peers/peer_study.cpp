@@ -55,9 +55,8 @@ void judge(const TriangleMesh& mesh, const std::vector<Eigen::Vector3d>& places,
     World world(cubeScene(places.size(), Motion::fall), mesh);
     for (const Eigen::Vector3d& place : places)
     {
-        world.freeze(world.release(world.frame.toRun(place), 1, 0));
+        world.spheres.addResting(world.frame.toRun(place), 1, 0);
     }
-    world.forgetFrozen();
     const QualityReport quality = examine(world);
     point.outside = quality.centresOutside + quality.notFinite;
     point.maxOverlap = quality.maxOverlap;

@@ -192,12 +192,12 @@ TEST(FillRun, UntilFullEndsWhenTheSpheresTakeMoreThanTheObject)
 class ToNowhere final : public IntegratorPart
 {
 public:
-    void advance(Spheres& spheres, std::size_t begin, double /*gravity*/, double /*dt*/) override
+    void advance(RunningSpheres& running, double /*gravity*/, double /*dt*/) override
     {
-        if (begin < spheres.size())
+        if (running.size() > 0)
         {
             const double nan = std::numeric_limits<double>::quiet_NaN();
-            spheres.setPosition(spheres.size() - 1, {0, nan, 0});
+            running.position[running.size() - 1] = {0, nan, 0};
         }
     }
 };
