@@ -23,9 +23,9 @@ function colourSpheres(film, by, look, colours) {
   const height = heightOf();
   const valueOf = {
     state: (id) => ofState[film.states[id]],
-    set: (id) => fromScale(Math.floor(film.groups[id] / facts.groups_per_set)),
-    group: (id) => fromScale(film.groups[id]),
-    speed: (id) => film.states[id] === kRunning ? kScale[film.speeds[id]]
+    set: (id) => fromScale(Math.floor(film.values.group[id] / facts.groups_per_set)),
+    group: (id) => fromScale(film.values.group[id]),
+    speed: (id) => film.states[id] === kRunning ? kScale[film.values.speed[id]]
       : film.states[id] === kDiscarded ? ofState[kDiscarded] : resting,
     height: (id) => fromScale(height(film, id)),
   }[by];

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The frames of the run. Each says what has changed since the one before, so that a frame is reached
-// from the nearest mark before it, where everything was kept.
+// The frames of the run, as docs/run-file.md describes them. Each says what has changed since the one
+// before, so that a frame is reached from the nearest mark before it, where everything was kept.
 
 const kRunning = 0;
 const kFrozen = 1;
 const kDiscarded = 2;
-const kHidden = 3; // waits for its fall to begin
+const kWaits = 3; // for its fall to begin: not drawn
+const kHasPose = 1; // in the flags of a frame
+const kIsRepeated = 2;
+const kStill = [1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0];
 const kMarks = 16;
 
 /** An array as long as that, with what was in it. */
@@ -20,41 +23,51 @@ function grown(array, length) {
 
 class Film {
   constructor(sections) {
-    this.times = numbersOf(Float64Array, sections.times);
-    this.poses = numbersOf(Float64Array, sections.poses);
     this.numbers = facts.film.frames;
-    this.frames = this.times.length;
-    this.counts = Film.readCounts(sections, this.frames);
+    this.frames = this.numbers.length;
+    this.readFacts(sections);
+    this.columns = Object.entries(facts.film.columns); // [name, when it changes]
+    const names = this.columns.map(([name]) => name);
     this.cursors = {};
-    for (const name of ["changes", "groups", "radii", "states", "x", "y", "z", "speeds"]) {
-      this.cursors[name] = new Cursor(sections[name]);
+    for (const name of ["changes", "state", "x", "y", "z", ...names]) {
+      this.cursors[name] = new Cursor(sections[name] ?? []);
     }
     this.at = -1; // frame that is shown
     this.spheres = 0;
     this.places = new Int32Array(0); // x, y, z of each
     this.gone = new Int32Array(0); // since the frame before
-    this.radii = new Int32Array(0);
-    this.groups = new Uint32Array(0);
     this.states = new Uint8Array(0);
-    this.speeds = new Uint8Array(0);
+    this.values = Object.fromEntries(names.map((name) => [name, new Int32Array(0)]));
     this.polygons = new Uint8Array(facts.triangles);
-    this.renewed = [0, 0, 0, 0, 0]; // x, y, z, radius, group of the last one that was
+    this.renewed = {}; // x, y, z and values of the last one that was
     this.marks = [];
     this.markEvery = Math.max(8, Math.ceil(this.frames / kMarks));
   }
 
-  /** Running, frozen, discarded and discarded polygons of each frame. */
-  static readCounts(sections, frames) {
-    const cursor = new Cursor(sections.counts);
-    const changes = new Uint32Array(4 * frames);
-    for (let i = 0; cursor.at < cursor.bytes.length; ++i) {
-      changes[i] = cursor.count();
+  /** Of each frame its time, its pose, its counts and whether it shows the state of the one before. */
+  readFacts(sections) {
+    const frames = new Cursor(sections.frames);
+    const [times, poses] = [sections.times, sections.poses ?? []].map((bytes) =>
+      Array.from(numbersOf(Float64Array, bytes)).reverse());
+    this.times = [];
+    this.poses = [];
+    this.repeats = [];
+    this.counts = []; // steps, set, running, frozen, discarded and discarded polygons
+    for (let i = 0; i < this.frames; ++i) {
+      const flags = frames.count();
+      this.repeats.push(flags === kIsRepeated);
+      const isNew = flags !== kIsRepeated;
+      this.times.push(isNew ? times.pop() : this.times[i - 1]);
+      this.counts.push(isNew ? Array.from({ length: 6 }, (_, k) =>
+        (this.counts[i - 1]?.[k] ?? 0) + frames.difference()) : this.counts[i - 1]);
+      this.poses.push(!isNew ? this.poses[i - 1]
+        : flags === kHasPose ? Array.from({ length: 12 }, () => poses.pop()) : kStill);
     }
-    return changes;
   }
 
+  /** Running, frozen, discarded and discarded polygons of a frame. */
   countsAt(frame) {
-    return this.counts.subarray(4 * frame, 4 * frame + 4);
+    return this.counts[frame].slice(2);
   }
 
   /** The last frame that is not later than a time. */
@@ -83,10 +96,8 @@ class Film {
   }
 
   next() {
-    const { changes } = this.cursors;
-    ++this.at;
-    if (changes.count() === 1) { // otherwise it shows the state of the frame before
-      this.readState(changes);
+    if (!this.repeats[++this.at]) {
+      this.readState(this.cursors.changes);
     }
     if (this.at % this.markEvery === 0 && this.at / this.markEvery === this.marks.length) {
       this.marks.push(this.kept());
@@ -97,32 +108,32 @@ class Film {
     const before = this.spheres;
     this.resize(changes.count());
     const ran = this.states.slice(0, this.spheres);
-    ran.fill(kHidden, Math.min(before, this.spheres));
+    ran.fill(kWaits, Math.min(before, this.spheres));
     this.renew(changes.ids(), ran);
     for (const id of changes.ids()) {
-      this.states[id] = this.cursors.states.count();
+      this.states[id] = this.cursors.state.count();
     }
     this.move(ran);
     for (const id of changes.ids()) {
       this.polygons[id] ^= 1;
     }
+    this.readValues();
+  }
+
+  /** The number that follows the one of the sphere renewed before. */
+  ofRenewed(name) {
+    this.renewed[name] = (this.renewed[name] ?? 0) + this.cursors[name].difference();
+    return this.renewed[name];
   }
 
   renew(ids, ran) {
-    const { x, y, z, radii, groups, states } = this.cursors;
-    const last = this.renewed;
     for (const id of ids) {
-      last[0] += x.difference();
-      last[1] += y.difference();
-      last[2] += z.difference();
-      last[3] += radii.difference();
-      last[4] += groups.difference();
-      this.places.set([last[0], last[1], last[2]], 3 * id);
+      this.places.set(["x", "y", "z"].map((axis) => this.ofRenewed(axis)), 3 * id);
       this.gone.fill(0, 3 * id, 3 * id + 3);
-      this.radii[id] = last[3];
-      this.groups[id] = last[4];
-      this.states[id] = states.count();
-      this.speeds[id] = 0;
+      for (const [name, changes] of this.columns) {
+        this.values[name][id] = changes === "never" ? this.ofRenewed(name) : 0;
+      }
+      this.states[id] = this.cursors.state.count();
       ran[id] = 255; // its place is known
     }
   }
@@ -139,25 +150,33 @@ class Film {
           this.gone[3 * id + axis] = runs ? gone : 0;
         }
       }
-      this.speeds[id] = runs ? this.speeds[id] + this.cursors.speeds.difference() : 0;
+    }
+  }
+
+  readValues() {
+    for (const [name, changes] of this.columns) {
+      const values = this.values[name];
+      for (let id = 0; changes === "running" && id < this.spheres; ++id) {
+        const runs = this.states[id] === kRunning;
+        values[id] = runs ? values[id] + this.cursors[name].difference() : 0;
+      }
     }
   }
 
   resize(spheres) {
     this.places = grown(this.places, 3 * spheres);
     this.gone = grown(this.gone, 3 * spheres);
-    this.radii = grown(this.radii, spheres);
-    this.groups = grown(this.groups, spheres);
     this.states = grown(this.states, spheres);
-    this.speeds = grown(this.speeds, spheres);
+    for (const [name] of this.columns) {
+      this.values[name] = grown(this.values[name], spheres);
+    }
     this.spheres = spheres;
   }
 
   kept() {
-    const mark = { at: this.at, spheres: this.spheres, cursors: {} };
-    for (const name of ["places", "gone", "radii", "groups", "states", "speeds", "polygons",
-      "renewed"]) {
-      mark[name] = this[name].slice();
+    const mark = { cursors: {} };
+    for (const name of ["at", "spheres", "places", "gone", "states", "values", "polygons", "renewed"]) {
+      mark[name] = structuredClone(this[name]);
     }
     for (const [name, cursor] of Object.entries(this.cursors)) {
       mark.cursors[name] = cursor.at;
@@ -167,9 +186,7 @@ class Film {
 
   restore(mark) {
     const { cursors, ...rest } = mark;
-    for (const [name, value] of Object.entries(rest)) {
-      this[name] = typeof value === "number" ? value : value.slice();
-    }
+    Object.assign(this, structuredClone(rest));
     for (const [name, at] of Object.entries(cursors)) {
       this.cursors[name].at = at;
     }
@@ -177,6 +194,6 @@ class Film {
 
   /** The pose of the object in this frame: the rotation row by row and its offset. */
   pose() {
-    return Array.from(this.poses.subarray(12 * this.at, 12 * this.at + 12));
+    return this.poses[this.at];
   }
 }

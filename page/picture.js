@@ -50,11 +50,11 @@ class Picture {
     const shift = scaled(difference(facts.origin, facts.centre), scale);
     let at = 0;
     for (let id = 0; id < film.spheres; ++id) {
-      if (film.states[id] !== kHidden) {
+      if (film.states[id] !== kWaits) {
         for (let axis = 0; axis < 3; ++axis) {
           this.instances[4 * at + axis] = shift[axis] + scale * step * film.places[3 * id + axis];
         }
-        this.instances[4 * at + 3] = scale * radiusStep * film.radii[id];
+        this.instances[4 * at + 3] = scale * radiusStep * film.values.radius[id];
         this.states[at++] = film.states[id];
       }
     }
@@ -70,7 +70,7 @@ class Picture {
     colourSpheres(film, view.colourBy, view.look, this.colours);
     let at = 0;
     for (let id = 0; id < film.spheres; ++id) {
-      if (film.states[id] !== kHidden) {
+      if (film.states[id] !== kWaits) {
         this.colours[at++] = this.colours[id];
       }
     }

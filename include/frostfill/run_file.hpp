@@ -26,31 +26,31 @@ enum class EarlierFile
     continued, ///< what is equal stays; from the first difference on it is written anew
 };
 
+/// A sphere's radius, and its place if it is at rest, exact [mesh unit].
+using ExactSphere = std::function<SphereRecord(std::uint32_t id)>;
+
+/// Rounds what has changed in a snapshot to what a run file keeps of it, so that who draws it and
+/// who reads it from the file see the same bits. `smallestRadius` is that of the run [mesh unit].
+void roundPlaces(Snapshot& snapshot, double smallestRadius, const ExactSphere& exact);
+
 /// Writes a run file: what any picture of a run needs, appended frame by frame, so that a run that
 /// is killed leaves all but its last frames. docs/run-file.md describes the bytes.
 class RunFileWriter
 {
 public:
-    /// A sphere's radius, and its place if it is at rest, exact [mesh unit].
-    using Exact = std::function<SphereRecord(std::uint32_t id)>;
-
     /// Begins a new file. `head` describes the run, as JSON; `smallestRadius` [mesh unit] sets how
     /// finely places of moving spheres are kept. The file appears with its head and its mesh.
     /// Throws Error cannotCreate or writeFailed.
     RunFileWriter(const std::filesystem::path& file, std::string_view head,
                   const TriangleMesh& mesh, double smallestRadius,
                   EarlierFile earlier = EarlierFile::replace);
-    /// Writes no file: only rounds the places as if there were one, so that pictures do not depend
-    /// on it.
-    explicit RunFileWriter(double smallestRadius);
     ~RunFileWriter();
     RunFileWriter(const RunFileWriter&) = delete;
     RunFileWriter& operator=(const RunFileWriter&) = delete;
 
-    /// Appends a frame. Rounds the places of moving spheres in the snapshot to the grid of the
-    /// file, so that who draws it and who reads it from the file see the same bits. Frames of one
-    /// simulation come in order. Throws Error writeFailed.
-    void put(std::size_t frame, Snapshot& snapshot, const Exact& exact);
+    /// Appends a frame, rounded as by roundPlaces(). Frames of one simulation come in order. Throws
+    /// Error writeFailed.
+    void put(std::size_t frame, const Snapshot& snapshot, const ExactSphere& exact);
     /// Appends a frame that shows the state of the frame before. Throws Error writeFailed.
     void repeat(std::size_t frame);
 

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -53,7 +54,10 @@ struct Snapshot
     std::vector<SphereState> states;      ///< [#S]
     std::vector<std::uint32_t> groups;    ///< [#S]
     std::vector<float> speeds;            ///< [#S] mesh units per second; 0 at rest
-    std::vector<PolygonState> polygons;   ///< [#T] of the simulated mesh
+    /// [#S], or shorter where nothing waits: not 0 for a running sphere that has its number and
+    /// only waits for its fall to begin. It is neither drawn nor counted.
+    std::vector<std::uint8_t> waiting;
+    std::vector<PolygonState> polygons;               ///< [#T] of the simulated mesh
     Eigen::Vector3d origin = Eigen::Vector3d::Zero(); ///< mesh coordinates; the box's centre
 
     Pose pose; ///< of a moving object and everything in it
@@ -64,7 +68,9 @@ struct Snapshot
     std::size_t stateChangesSeen = 0; ///< internal: where the next capture continues
     std::uint64_t source = 0; ///< the simulation that filled it; 0 for a snapshot made by hand,
                               ///< whose `changed` is ignored
-    std::uint64_t changedSince = 0; ///< `changed` covers everything after this step
+    /// Grows with whatever a picture shows, in snapshots of one source.
+    std::uint64_t revision = 0;
+    std::uint64_t changedSince = 0; ///< `changed` covers everything after this revision
 
     double time = 0;         ///< [s] simulated
     std::uint64_t step = 0;  ///< number of steps since the start
@@ -73,6 +79,28 @@ struct Snapshot
     std::size_t frozen = 0;
     std::size_t discarded = 0;
     std::size_t discardedPolygons = 0;
+
+    [[nodiscard]] bool waits(std::size_t sphere) const
+    {
+        return sphere < waiting.size() && waiting[sphere] != 0;
+    }
+    /// Number of spheres in a state.
+    [[nodiscard]] std::size_t& count(SphereState state)
+    {
+        return state == SphereState::running  ? running
+               : state == SphereState::frozen ? frozen
+                                              : discarded;
+    }
+    /// Makes room for so many spheres, or takes the last ones away. Does not count them.
+    void resize(std::size_t spheres)
+    {
+        centres.resize(spheres, Eigen::Vector3f::Zero());
+        radii.resize(spheres);
+        states.resize(spheres, SphereState::running);
+        groups.resize(spheres);
+        speeds.resize(spheres);
+        waiting.resize(std::min(waiting.size(), spheres));
+    }
 };
 
 } // namespace frostfill

@@ -139,11 +139,7 @@ void Frames::put(const Moment& moment, std::size_t step, RunFileWriter& file)
 {
     numbers_.update(moment.ids);
     const std::size_t count = numbers_.count();
-    snapshot_.centres.resize(count);
-    snapshot_.radii.resize(count);
-    snapshot_.states.resize(count);
-    snapshot_.groups.resize(count);
-    snapshot_.speeds.resize(count);
+    snapshot_.resize(count);
     for (std::size_t number = 0; number < count; ++number)
     {
         const std::size_t k = numbers_.index(number);

@@ -2,9 +2,9 @@
 #include "output/atomic_file.hpp"
 #include "page/assemble.hpp"
 #include "page/facts.hpp"
-#include "page/film_encoder.hpp"
 #include "page/shape_sections.hpp"
 #include "run_file/file_of_run.hpp"
+#include "run_file/frame_codec.hpp"
 #include "run_file/kept_frames.hpp"
 
 #include <frostfill/error.hpp>
@@ -27,6 +27,10 @@ namespace
 /// shrink to a third or so.
 constexpr double kHopeless = 12;
 
+/// Steps of the grid in the smallest radius, at least: an error of a thousandth of it is a pixel
+/// where a sphere is two thousand pixels wide.
+constexpr double kStepsPerRadius = 500;
+
 std::string textOf(const std::filesystem::path& file)
 {
     std::ifstream stream(file, std::ios::binary);
@@ -47,6 +51,7 @@ public:
         shape_ = shapeSections(reader_.mesh(), view_.framing);
         sets_ = textOf(file.parent_path() / "sets.csv");
         findSmallestRadius();
+        rounding_ = {gridOf(smallest_, kStepsPerRadius), false, fastest_};
     }
 
     std::string page(PageResult& result)
@@ -55,7 +60,7 @@ public:
         result.keptFrames = reader_.frames().size();
         result.ended = reader_.summary().has_value();
         result.spheres = spheres_;
-        result.error = FilmEncoder(smallest_, fastest_).step() / 2;
+        result.error = rounding_.grid / 2;
         result.errorOverRadius = result.error / smallest_;
 
         std::string whole = pageOf(0, last, result);
@@ -88,10 +93,19 @@ private:
         smallest_ = spheres_ > 0 ? smallest_ : 1;
     }
 
+    [[nodiscard]] SphereRecord sphere(std::uint32_t id) const
+    {
+        SphereRecord sphere;
+        sphere.centre = reader_.centres()[id];
+        sphere.radius = reader_.radii()[id];
+        return sphere;
+    }
+
     /// The page with frames first..last; empty if it is hopelessly large.
     std::string pageOf(std::size_t first, std::size_t last, PageResult& result)
     {
-        FilmEncoder film(smallest_, fastest_);
+        FrameEncoder film(rounding_, boundingBox(reader_.mesh()).center(),
+                          reader_.mesh().triangles.size());
         std::vector<std::size_t> numbers;
         std::optional<std::uint64_t> revision;
         for (std::size_t i = first; i <= last; ++i)
@@ -100,11 +114,11 @@ private:
             numbers.push_back(reader_.frames()[i]);
             if (revision == reader_.revision())
             {
-                film.repeat(state);
+                film.repeat();
             }
             else
             {
-                film.add(state, reader_.centres(), reader_.radii());
+                film.encode(state, [&](std::uint32_t id) { return sphere(id); });
             }
             revision = reader_.revision();
             reader_.forgetChanges();
@@ -124,21 +138,26 @@ private:
         return assemble(film, numbers, result.keptFrames);
     }
 
-    std::string assemble(FilmEncoder& film, const std::vector<std::size_t>& numbers,
+    std::string assemble(FrameEncoder& film, const std::vector<std::size_t>& numbers,
                          std::size_t kept)
     {
         nlohmann::ordered_json facts = pageFacts(reader_, head_, view_, sets_);
-        facts["film"] = {{"step", film.step()},
-                         {"radius_step", film.radiusStep()},
-                         {"error_over_radius", film.step() / 2 / smallest_},
+        facts["film"] = {{"step", rounding_.grid},
+                         {"radius_step", rounding_.radiusStep()},
+                         {"error_over_radius", rounding_.grid / 2 / smallest_},
                          {"fastest", fastest_},
                          {"spheres", spheres_},
                          {"frames", numbers},
                          {"kept", kept}};
-        Sections sections = shape_;
-        for (auto& section : film.take())
+        for (const StreamColumn& column : kStreamColumns)
         {
-            sections.push_back(std::move(section));
+            facts["film"]["columns"][column.name] =
+                column.changes == ColumnChanges::never ? "never" : "running";
+        }
+        Sections sections = shape_;
+        for (const auto& [name, stream] : film.take())
+        {
+            sections.emplace_back(name, stream.bytes());
         }
         return assemblePage(std::move(facts), sections);
     }
@@ -149,6 +168,7 @@ private:
     RunHead head_;
     PageView view_;
     double fastest_ = 0;
+    Rounding rounding_;
     double smallest_ = std::numeric_limits<double>::infinity();
     std::size_t spheres_ = 0;
     Sections shape_;

@@ -2,7 +2,6 @@
 #include "run/falling_spheres.hpp"
 
 #include "run/ceilings.hpp"
-#include "run_file/frame_codec.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -44,14 +43,7 @@ std::size_t FallingSpheres::landedBy(double time) const
 
 void FallingSpheres::takeFrom(Snapshot& snapshot, std::size_t real)
 {
-    if (real < snapshot.centres.size())
-    {
-        snapshot.centres.resize(real);
-        snapshot.radii.resize(real);
-        snapshot.states.resize(real);
-        snapshot.groups.resize(real);
-        snapshot.speeds.resize(real);
-    }
+    snapshot.resize(std::min(real, snapshot.centres.size()));
 }
 
 std::size_t FallingSpheres::addTo(Snapshot& snapshot, double now) const
@@ -60,16 +52,10 @@ std::size_t FallingSpheres::addTo(Snapshot& snapshot, double now) const
     const std::size_t end = std::max(landed, landedBy(now + lag_));
     for (std::size_t id = landed; id < snapshot.centres.size(); ++id)
     {
-        const SphereState state = snapshot.states[id];
-        snapshot.running -= state == SphereState::running ? 1 : 0;
-        snapshot.frozen -= state == SphereState::frozen ? 1 : 0;
-        snapshot.discarded -= state == SphereState::discarded ? 1 : 0;
+        --snapshot.count(snapshot.states[id]);
     }
-    snapshot.centres.resize(end);
-    snapshot.radii.resize(end);
-    snapshot.states.resize(end);
-    snapshot.groups.resize(end);
-    snapshot.speeds.resize(end);
+    snapshot.resize(end);
+    snapshot.waiting.resize(end);
     auto& changed = snapshot.changed;
     changed.erase(std::lower_bound(changed.begin(), changed.end(), landed), changed.end());
     for (std::size_t id = landed; id < end; ++id)
@@ -100,8 +86,8 @@ void FallingSpheres::put(Snapshot& snapshot, std::size_t id, double now) const
     const double down = std::min(height, fallen > 0 ? pull_ * fallen * fallen / 2 : 0);
     const Eigen::Vector3d place = landing.place + (height - down) * up_;
     snapshot.centres[id] = (place - snapshot.origin).cast<float>();
-    snapshot.radii[id] =
-        fallen > 0 ? static_cast<float>(landing.radius) : waitingRadius(landing.radius);
+    snapshot.radii[id] = static_cast<float>(landing.radius);
+    snapshot.waiting[id] = fallen > 0 ? 0 : 1;
     snapshot.states[id] = SphereState::running;
     snapshot.groups[id] = landing.group;
     snapshot.speeds[id] = static_cast<float>(fallen > 0 ? pull_ * fallen : 0);

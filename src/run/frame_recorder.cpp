@@ -9,8 +9,7 @@ namespace frostfill
 
 FrameRecorder::FrameRecorder(std::unique_ptr<FramePainter> painter, double smallestRadius,
                              bool lastOnly)
-    : file_(std::make_unique<RunFileWriter>(smallestRadius)), lastOnly_(lastOnly),
-      painter_(std::move(painter))
+    : smallestRadius_(smallestRadius), lastOnly_(lastOnly), painter_(std::move(painter))
 {
 }
 
@@ -26,7 +25,6 @@ void FrameRecorder::keepTo(const FramePlan& plan)
 void FrameRecorder::keepIn(std::unique_ptr<RunFileWriter> file)
 {
     file_ = std::move(file);
-    keeps_ = true;
 }
 
 void FrameRecorder::stopWhen(std::function<bool()> requested)
@@ -55,7 +53,7 @@ void FrameRecorder::record(const Simulation& simulation)
 void FrameRecorder::takeNext(const Simulation& simulation)
 {
     const bool draws = painter_ && painter_->wants(next_);
-    if (draws || (keeps_ && !lastOnly_))
+    if (draws || (file_ && !lastOnly_))
     {
         look(simulation, std::min(timeAt(next_), simulation.time()));
     }
@@ -80,15 +78,21 @@ void FrameRecorder::look(const Simulation& simulation, double time)
 {
     if (seen_ == simulation.revision() && (!falls_ || over_))
     {
-        file_->repeat(next_);
+        if (file_)
+        {
+            file_->repeat(next_);
+        }
         return;
     }
     capture(simulation, time);
     const auto exact = [&](std::uint32_t id)
     { return id < simulation.sphereCount() ? simulation.sphere(id) : falls_->sphere(id); };
-    file_->put(next_, snapshots_[newest_], exact);
+    roundPlaces(snapshots_[newest_], smallestRadius_, exact);
+    if (file_)
+    {
+        file_->put(next_, snapshots_[newest_], exact);
+    }
     seen_ = simulation.revision();
-    ++revision_;
 }
 
 void FrameRecorder::capture(const Simulation& simulation, double time)
@@ -105,13 +109,8 @@ void FrameRecorder::capture(const Simulation& simulation, double time)
     if (falls_)
     {
         real_[newest_] = falls_->addTo(snapshot, time);
-        if (painter_ && painter_->mayLeaveOut())
-        {
-            // Landings change what pictures see within a step: one that is left out would hide
-            // them from the next. So all is looked at, in this snapshot and by the renderer.
-            snapshot.source = 0;
-        }
     }
+    snapshot.revision = ++revision_;
 }
 
 void FrameRecorder::finish(const Simulation& simulation)

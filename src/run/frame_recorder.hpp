@@ -42,7 +42,7 @@ public:
     /// Null without pictures.
     [[nodiscard]] const FramePainter* painter() const { return painter_.get(); }
     /// Null if none is kept.
-    [[nodiscard]] RunFileWriter* file() { return keeps_ ? file_.get() : nullptr; }
+    [[nodiscard]] RunFileWriter* file() { return file_.get(); }
     /// Pictures so far.
     [[nodiscard]] std::size_t count() const { return painter_ ? painter_->count() : 0; }
     [[nodiscard]] std::size_t stride() const { return painter_ ? painter_->stride() : 1; }
@@ -55,7 +55,7 @@ private:
     [[nodiscard]] FramePainter::State state();
 
     std::unique_ptr<RunFileWriter> file_;
-    bool keeps_ = false; ///< in a file; otherwise places are only rounded as if
+    double smallestRadius_;
     bool lastOnly_;
     std::function<bool()> stopRequested_;
     double interval_ = FrameTiming{}.interval;

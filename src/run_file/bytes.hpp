@@ -57,6 +57,16 @@ public:
             before = id;
         }
     }
+    // What ByteReader reads in the same words.
+    void passSize(std::uint64_t& size, std::uint64_t /*known*/) { count(size); }
+    void pass(std::uint64_t& number, std::uint64_t /*largest*/) { count(number); }
+    void pass(std::int64_t& number, std::int64_t before) { difference(number - before); }
+    void pass(std::vector<std::uint32_t>& list, std::size_t /*below*/) { ids(list); }
+    template <typename Value>
+    void passRaw(Value& value)
+    {
+        raw(value);
+    }
     [[nodiscard]] std::string& bytes() { return bytes_; }
     [[nodiscard]] const std::string& bytes() const { return bytes_; }
 
@@ -68,18 +78,13 @@ private:
 class ByteReader
 {
 public:
-    explicit ByteReader(std::string_view bytes) : rest_(bytes) {}
+    explicit ByteReader(std::string_view bytes = {}) : rest_(bytes) {}
 
     template <typename Value>
     [[nodiscard]] Value raw()
     {
-        if (rest_.size() < sizeof(Value))
-        {
-            throw DamagedBytes("ends too early");
-        }
         Value value;
-        std::memcpy(&value, rest_.data(), sizeof value);
-        rest_.remove_prefix(sizeof value);
+        std::memcpy(&value, take(sizeof value).data(), sizeof value);
         return value;
     }
     [[nodiscard]] std::uint64_t count()
@@ -111,8 +116,49 @@ public:
         const std::uint64_t folded = count();
         return static_cast<std::int64_t>(folded >> 1) ^ -static_cast<std::int64_t>(folded & 1);
     }
+    // What ByteWriter writes in the same words.
+    /// Of a list that grows from `known`, by at most as many as there are bytes.
+    void passSize(std::uint64_t& size, std::uint64_t known) { pass(size, known + rest_.size()); }
+    void pass(std::uint64_t& number, std::uint64_t largest)
+    {
+        number = count();
+        if (number > largest)
+        {
+            throw DamagedBytes("has a number that is too large");
+        }
+    }
+    void pass(std::int64_t& number, std::int64_t before) { number = before + difference(); }
+    /// Ascending ids, all of them below.
+    void pass(std::vector<std::uint32_t>& ids, std::size_t below)
+    {
+        ids.resize(countOfMany());
+        std::uint64_t id = 0;
+        for (std::uint32_t& each : ids)
+        {
+            id += count();
+            if (id >= below)
+            {
+                throw DamagedBytes("names a sphere or polygon that is not there");
+            }
+            each = static_cast<std::uint32_t>(id);
+        }
+    }
+    template <typename Value>
+    void passRaw(Value& value)
+    {
+        value = raw<Value>();
+    }
+    [[nodiscard]] std::string_view take(std::size_t bytes)
+    {
+        if (bytes > rest_.size())
+        {
+            throw DamagedBytes("ends too early");
+        }
+        const std::string_view taken = rest_.substr(0, bytes);
+        rest_.remove_prefix(bytes);
+        return taken;
+    }
     [[nodiscard]] bool done() const { return rest_.empty(); }
-    [[nodiscard]] std::size_t left() const { return rest_.size(); }
 
 private:
     std::string_view rest_;

@@ -1,138 +1,147 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "run_file/bytes.hpp"
-
-#include <frostfill/run_file.hpp>
+#include "run_file/rounding.hpp"
+#include "run_file/streams.hpp"
 
 #include <array>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace frostfill
 {
-
-/// A sphere that moved in the frame before, on the grid of the file.
-struct Track
-{
-    std::uint32_t id = 0;
-    std::array<std::int64_t, 3> place{};
-    std::array<std::int64_t, 3> step{}; ///< from the frame before that
-};
-
-/// In the flags of a frame: its pose follows; it shows the state of the frame before, and nothing
-/// follows.
-inline constexpr std::uint64_t kHasPose = 1;
-inline constexpr std::uint64_t kIsRepeated = 2;
-
-/// How large a sphere is drawn that has a number and only waits for its fall: so small that nobody
-/// sees it. [mesh unit]
-[[nodiscard]] inline float waitingRadius(double radius)
-{
-    constexpr double kUnseen = 1e-3;
-    return static_cast<float>(kUnseen * radius);
-}
 
 [[nodiscard]] inline bool hasMoved(const Pose& pose)
 {
     return !pose.rotation.isIdentity(0) || !pose.offset.isZero(0);
 }
 
-/// Goes through the tracks of the frame before along with ascending ids.
-class TrackFinder
+/// When the value of a column is in a frame.
+enum class ColumnChanges : std::uint8_t
+{
+    never,   ///< when the sphere is new
+    running, ///< with every frame in which it runs; otherwise it is 0
+};
+
+/// A column of spheres in a stream of frames, beside state and place.
+struct StreamColumn
+{
+    const char* name;
+    ColumnChanges changes;
+};
+inline constexpr std::array<StreamColumn, 3> kStreamColumns = {{{"radius", ColumnChanges::never},
+                                                                {"group", ColumnChanges::never},
+                                                                {"speed", ColumnChanges::running}}};
+
+/// What has changed from frame to frame, in streams; docs/run-file.md describes them. A run file
+/// and a page hold the same streams, rounded differently. Encoder and decoder know the same state
+/// and go through a frame in the same way: one writes each number, the other reads it.
+class FrameCodec
 {
 public:
-    explicit TrackFinder(const std::vector<Track>& before) : before_(before) {}
-    [[nodiscard]] const Track* operator()(std::uint32_t id)
+    FrameCodec(const Rounding& rounding, const Eigen::Vector3d& origin, std::size_t polygons);
+    /// The newest frame, as it was kept.
+    [[nodiscard]] const Snapshot& snapshot() const { return snapshot_; }
+    [[nodiscard]] const std::vector<Eigen::Vector3d>& centres() const { return centres_; }
+    [[nodiscard]] const std::vector<double>& radii() const { return radii_; }
+
+protected:
+    /// In the flags of a frame: it shows the state of the frame before, and nothing follows.
+    static constexpr std::uint64_t kIsRepeated = 2;
+    /// States in streams have the numbers of SphereState, and one more: the sphere has a number and
+    /// waits for its fall to begin, or is nowhere.
+    static constexpr std::uint64_t kRuns = 0;
+    static constexpr std::uint64_t kWaits = 3;
+
+    /// What is to be encoded.
+    struct Given
     {
-        while (at_ < before_.size() && before_[at_].id < id)
-        {
-            ++at_;
-        }
-        return at_ < before_.size() && before_[at_].id == id ? &before_[at_] : nullptr;
+        const Snapshot& snapshot;
+        const ExactSphere& exact;
+    };
+    using Place = std::array<std::int64_t, 3>; ///< from the origin of pictures [grid]
+
+    /// A frame that differs from the one before. Decodes if nothing is given.
+    template <typename Bytes>
+    void goThrough(Named<Bytes>& streams, const Given* given);
+    [[nodiscard]] std::uint64_t stateOf(const Given& given, std::uint32_t id) const;
+    [[nodiscard]] std::int64_t valueOf(const Given& given, std::size_t column,
+                                       std::uint32_t id) const;
+    [[nodiscard]] std::int64_t value(std::size_t column, std::uint32_t id) const;
+    [[nodiscard]] std::uint64_t state(std::uint32_t id) const;
+    [[nodiscard]] static bool rests(std::uint64_t state)
+    {
+        return state != kRuns && state != kWaits;
     }
+    [[nodiscard]] Place placeOf(const Eigen::Vector3d& centre) const;
+    [[nodiscard]] Eigen::Vector3d centreOf(const Place& place) const;
+    void resize(std::size_t count);
+
+    Rounding rounding_;
+    Snapshot snapshot_;
+    std::vector<Eigen::Vector3d> centres_;                         ///< [mesh unit]
+    std::vector<double> radii_;                                    ///< [mesh unit]
+    std::vector<std::uint32_t> renewed_, turned_, turnedPolygons_; ///< of this frame
+    std::vector<std::uint32_t> moved_;                             ///< likewise
 
 private:
-    const std::vector<Track>& before_;
-    std::size_t at_ = 0;
+    /// A sphere that runs, and how far it went in the frame before [grid].
+    struct Track
+    {
+        std::uint32_t id = 0;
+        Place step{};
+    };
+    template <typename Bytes>
+    void goThroughFacts(std::uint64_t flags, Named<Bytes>& streams);
+    template <typename Bytes>
+    void goThroughStates(const std::vector<std::uint32_t>& ids, Bytes& states, const Given* given);
+    template <typename Bytes>
+    void goThroughPlaces(Named<Bytes>& streams, const Given* given);
+    template <typename Bytes>
+    void goThroughValues(Named<Bytes>& streams, const Given* given);
+    void addTracks(const std::vector<std::uint32_t>& ids);
+    void setState(std::uint32_t id, std::uint64_t state);
+    void setValue(std::size_t column, std::uint32_t id, std::int64_t value);
+
+    std::array<std::int64_t, 6> facts_{};
+    std::vector<Track> tracks_; ///< by ascending id
+    Place renewedPlace_{};      ///< of the last one that was, and its values
+    std::array<std::int64_t, kStreamColumns.size()> renewedValues_{};
 };
 
-inline constexpr double kGridsInARadius = 10000;
-
-/// The grid to which places of moving spheres are rounded: a power of two, so that a rounded place
-/// is a float's exact value, and at least this many in the smallest radius.
-[[nodiscard]] double gridOf(double smallestRadius, double stepsInARadius = kGridsInARadius);
-
-/// Where pictures see a sphere at rest.
-[[nodiscard]] Eigen::Vector3f placeInPictures(const Eigen::Vector3d& exact,
-                                              const Eigen::Vector3d& origin);
-
-/// Writes what has changed from frame to frame.
-class FrameEncoder
+class FrameEncoder : public FrameCodec
 {
 public:
-    explicit FrameEncoder(double grid) : grid_(grid) {}
-    /// Rounds the places in the snapshot.
-    void encode(Snapshot& snapshot, const RunFileWriter::Exact& exact, ByteWriter& out);
+    using FrameCodec::FrameCodec;
+    /// The next frame. `exact` has each sphere's place and radius before they are rounded.
+    void encode(const Snapshot& snapshot, const ExactSphere& exact);
     /// The frame before once more.
-    void repeat(ByteWriter& out) const;
+    void repeat();
+
+    [[nodiscard]] std::size_t bytes() const; ///< of the streams
+    /// What was written since it was last called.
+    [[nodiscard]] Streams take() { return std::exchange(streams_, {}); }
 
 private:
-    void sortChanges(Snapshot& snapshot, const RunFileWriter::Exact& exact);
-    void sortRenewed(const Snapshot& snapshot, const RunFileWriter::Exact& exact);
-    void encodeRenewed(const Snapshot& snapshot, ByteWriter& out) const;
-    void encodeMoving(Snapshot& snapshot, ByteWriter& out);
-    void encodeSettled(const RunFileWriter::Exact& exact, ByteWriter& out) const;
-    void encodePolygons(const Snapshot& snapshot, ByteWriter& out);
+    void sortChanges(const Given& given);
+    void sortChange(std::uint32_t id, const Given& given);
+    void sortPolygons(const Snapshot& snapshot);
 
-    double grid_;
-    double time_ = 0; ///< of the frame before [s], and so on
-    std::uint64_t step_ = 0;
-    std::uint32_t set_ = 0;
-    std::vector<SphereState> states_;
-    std::vector<double> radii_; ///< [mesh unit]
-    std::vector<std::uint32_t> groups_;
-    std::vector<Eigen::Vector3f> places_; ///< of spheres at rest
-    std::vector<PolygonState> polygons_;
-    std::vector<Track> moving_;
-    std::vector<std::uint32_t> renewed_, running_, waiting_, settled_, discarded_; ///< of this one
+    Streams streams_;
 };
 
-/// Reads what FrameEncoder wrote, in the same order.
-class FrameDecoder
+/// Of what was kept exactly; a page is decoded by page/film.js.
+class FrameDecoder : public FrameCodec
 {
 public:
     FrameDecoder(double grid, const Eigen::Vector3d& origin, std::size_t polygons,
                  std::uint64_t source);
     /// Throws DamagedBytes. Snapshot::changed grows until forgetChanges().
-    void decode(ByteReader& in);
+    void decode(StreamReaders& in);
     /// Brings Snapshot::changed into order, each sphere once. To be called before it is looked at.
     void sortChanges();
-    [[nodiscard]] const Snapshot& snapshot() const { return snapshot_; }
     void forgetChanges();
-    /// Number of different states so far.
-    [[nodiscard]] std::uint64_t states() const { return states_; }
-    [[nodiscard]] const std::vector<Eigen::Vector3d>& centres() const { return centres_; }
-    [[nodiscard]] const std::vector<double>& radii() const { return radii_; }
-
-private:
-    void decodePose(ByteReader& in);
-    void decodeRenewed(ByteReader& in);
-    void decodeMoving(ByteReader& in);
-    void decodeWaiting(ByteReader& in);
-    void decodeSettled(ByteReader& in);
-    void decodePolygons(ByteReader& in);
-    [[nodiscard]] std::size_t& counter(SphereState state);
-    void resize(std::size_t count);
-    void setState(std::uint32_t id, SphereState state);
-    void awaken();
-
-    double grid_;
-    std::uint64_t states_ = 0;
-    std::vector<std::uint32_t> waiting_;
-    Snapshot snapshot_;
-    std::vector<Eigen::Vector3d> centres_;
-    std::vector<double> radii_;
-    std::vector<Track> moving_;
 };
 
 } // namespace frostfill

@@ -2,227 +2,100 @@
 #include "run_file/frame_codec.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <cstring>
 
 namespace frostfill
 {
-namespace
-{
 
-constexpr int kSpeedBits = 12; ///< of a float's 23 that speeds lose
-
-float rounded(float speed)
+void FrameEncoder::encode(const Snapshot& snapshot, const ExactSphere& exact)
 {
-    constexpr std::uint32_t kHalf = 1U << (kSpeedBits - 1);
-    const auto bits = std::bit_cast<std::uint32_t>(speed) + kHalf;
-    const float result = std::bit_cast<float>(bits >> kSpeedBits << kSpeedBits);
-    return std::isfinite(result) ? result : speed;
+    const Given given{snapshot, exact};
+    snapshot_.time = snapshot.time;
+    snapshot_.step = snapshot.step;
+    snapshot_.set = snapshot.set;
+    snapshot_.pose = snapshot.pose;
+    sortChanges(given);
+    sortPolygons(snapshot);
+    goThrough(streams_, &given);
 }
 
-} // namespace
-
-double gridOf(double smallestRadius, double stepsInARadius)
+void FrameEncoder::repeat()
 {
-    return std::exp2(std::floor(std::log2(smallestRadius / stepsInARadius)));
+    streams_["frames"].count(kIsRepeated);
 }
 
-Eigen::Vector3f placeInPictures(const Eigen::Vector3d& exact, const Eigen::Vector3d& origin)
+std::size_t FrameEncoder::bytes() const
 {
-    return (exact - origin).cast<float>();
-}
-
-void FrameEncoder::encode(Snapshot& snapshot, const RunFileWriter::Exact& exact, ByteWriter& out)
-{
-    const bool hasPose = hasMoved(snapshot.pose);
-    time_ = snapshot.time;
-    step_ = snapshot.step;
-    set_ = snapshot.set;
-    out.raw(time_);
-    out.count(step_);
-    out.count(set_);
-    out.count(hasPose ? kHasPose : 0);
-    if (hasPose)
+    std::size_t sum = 0;
+    for (const auto& [name, stream] : streams_)
     {
-        for (int row = 0; row < 3; ++row)
-        {
-            for (int column = 0; column < 3; ++column)
-            {
-                out.raw(snapshot.pose.rotation(row, column));
-            }
-        }
-        for (int axis = 0; axis < 3; ++axis)
-        {
-            out.raw(snapshot.pose.offset[axis]);
-        }
+        sum += stream.bytes().size();
     }
-    sortRenewed(snapshot, exact);
-    sortChanges(snapshot, exact);
-    encodeRenewed(snapshot, out);
-    encodeMoving(snapshot, out);
-    encodeSettled(exact, out);
-    encodePolygons(snapshot, out);
-    states_.resize(snapshot.states.size());
-    for (const std::uint32_t id : snapshot.changed)
-    {
-        states_[id] = snapshot.states[id];
-    }
-}
-
-void FrameEncoder::repeat(ByteWriter& out) const
-{
-    out.raw(time_);
-    out.count(step_);
-    out.count(set_);
-    out.count(kIsRepeated);
-}
-
-// A number is new, or has gone to another sphere because its own was withdrawn.
-void FrameEncoder::sortRenewed(const Snapshot& snapshot, const RunFileWriter::Exact& exact)
-{
-    const std::size_t count = snapshot.states.size();
-    const std::size_t known = std::min(states_.size(), count);
-    renewed_.clear();
-    waiting_.clear();
-    radii_.resize(count);
-    groups_.resize(count);
-    for (const std::uint32_t id : snapshot.changed)
-    {
-        const float radius = snapshot.radii[id];
-        if (id < known && groups_[id] == snapshot.groups[id] &&
-            radius == static_cast<float>(radii_[id]))
-        {
-            continue;
-        }
-        const bool waited = id < known && radius == waitingRadius(radii_[id]);
-        if (!waited || groups_[id] != snapshot.groups[id])
-        {
-            renewed_.push_back(id);
-            radii_[id] = exact(id).radius;
-            groups_[id] = snapshot.groups[id];
-        }
-        if (radius == waitingRadius(radii_[id]))
-        {
-            waiting_.push_back(id);
-        }
-    }
+    return sum;
 }
 
 // `changed` may name more than has changed since the last frame, because the snapshot is one of
-// several that are filled in turn; it never names less. What has woken and come to rest again
-// between two frames is told by its place.
-void FrameEncoder::sortChanges(Snapshot& snapshot, const RunFileWriter::Exact& exact)
+// several that are filled in turn; it never names less.
+void FrameEncoder::sortChanges(const Given& given)
 {
-    running_.clear();
-    settled_.clear();
-    discarded_.clear();
-    states_.resize(std::min(states_.size(), snapshot.states.size()));
-    places_.resize(snapshot.states.size(), Eigen::Vector3f::Zero());
-    for (const std::uint32_t id : snapshot.changed)
+    const std::size_t count = given.snapshot.states.size();
+    const std::size_t known = std::min(count, snapshot_.states.size());
+    resize(count);
+    renewed_.clear();
+    turned_.clear();
+    for (const std::uint32_t id : given.snapshot.changed)
     {
-        const SphereState now = snapshot.states[id];
-        if (now == SphereState::running)
+        if (id < known)
         {
-            running_.push_back(id);
-            continue;
+            sortChange(id, given);
         }
-        const bool wasAtRest = id < states_.size() && states_[id] != SphereState::running;
-        const Eigen::Vector3f place = placeInPictures(exact(id).centre, snapshot.origin);
-        const bool settles = !wasAtRest || places_[id] != place;
-        if (settles)
-        {
-            settled_.push_back(id);
-        }
-        places_[id] = place;
-        snapshot.centres[id] = place;
-        const bool isFrozenSoFar = settles || states_[id] == SphereState::frozen;
-        if ((now == SphereState::frozen) != isFrozenSoFar)
-        {
-            discarded_.push_back(id);
-        }
+    }
+    for (std::size_t id = known; id < count; ++id)
+    {
+        renewed_.push_back(static_cast<std::uint32_t>(id));
     }
 }
 
-void FrameEncoder::encodeRenewed(const Snapshot& snapshot, ByteWriter& out) const
+// A number may have gone to another sphere because its own was withdrawn. What has woken and come
+// to rest again between two frames is told by its place, and is like new.
+void FrameEncoder::sortChange(std::uint32_t id, const Given& given)
 {
-    out.count(snapshot.states.size());
-    out.ids(renewed_);
-    for (const std::uint32_t id : renewed_)
+    const std::uint64_t now = stateOf(given, id);
+    const std::uint64_t before = state(id);
+    bool isNew = false;
+    if (now != kRuns && before != kRuns)
     {
-        out.raw(radii_[id]);
+        const Eigen::Vector3d centre = given.exact(id).centre;
+        isNew = rounding_.exact && rests(now) ? centre != centres_[id]
+                                              : placeOf(centre) != placeOf(centres_[id]);
     }
-    std::int64_t before = 0;
-    for (const std::uint32_t id : renewed_)
+    for (std::size_t k = 0; k < kStreamColumns.size(); ++k)
     {
-        out.difference(groups_[id] - before);
-        before = groups_[id];
+        isNew = isNew || (kStreamColumns[k].changes == ColumnChanges::never &&
+                          valueOf(given, k, id) != value(k, id));
+    }
+    if (isNew)
+    {
+        renewed_.push_back(id);
+    }
+    else if (now != before)
+    {
+        turned_.push_back(id);
     }
 }
 
-void FrameEncoder::encodeMoving(Snapshot& snapshot, ByteWriter& out)
+void FrameEncoder::sortPolygons(const Snapshot& snapshot)
 {
-    out.ids(running_);
-    std::vector<Track> now;
-    now.reserve(running_.size());
-    TrackFinder find(moving_);
-    for (const std::uint32_t id : running_)
-    {
-        Track track{id, {}, {}};
-        const Track* before = find(id);
-        for (int axis = 0; axis < 3; ++axis)
-        {
-            const auto a = static_cast<std::size_t>(axis);
-            track.place[a] = std::llround(snapshot.centres[id][axis] / grid_);
-            snapshot.centres[id][axis] =
-                static_cast<float>(static_cast<double>(track.place[a]) * grid_);
-            track.step[a] = before != nullptr ? track.place[a] - before->place[a] : 0;
-            out.difference(before != nullptr ? track.place[a] - before->place[a] - before->step[a]
-                                             : track.place[a]);
-        }
-        now.push_back(track);
-    }
-    for (const std::uint32_t id : running_)
-    {
-        snapshot.speeds[id] = rounded(snapshot.speeds[id]);
-        out.raw(snapshot.speeds[id]);
-    }
-    out.ids(waiting_);
-    moving_ = std::move(now);
-}
-
-void FrameEncoder::encodeSettled(const RunFileWriter::Exact& exact, ByteWriter& out) const
-{
-    out.ids(settled_);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-        for (const std::uint32_t id : settled_)
-        {
-            out.raw(exact(id).centre[axis]);
-        }
-    }
-    out.ids(discarded_);
-}
-
-void FrameEncoder::encodePolygons(const Snapshot& snapshot, ByteWriter& out)
-{
-    std::vector<std::uint32_t> turned;
-    polygons_.resize(snapshot.polygons.size(), PolygonState::active);
+    turnedPolygons_.clear();
+    snapshot_.polygons.resize(snapshot.polygons.size(), PolygonState::active);
     // Most frames change none, and a mesh may have a million.
-    const bool same =
-        polygons_.empty() || std::memcmp(polygons_.data(), snapshot.polygons.data(),
-                                         polygons_.size() * sizeof(PolygonState)) == 0;
-    for (std::size_t polygon = 0; !same && polygon < polygons_.size(); ++polygon)
+    const bool same = snapshot_.polygons == snapshot.polygons;
+    for (std::size_t polygon = 0; !same && polygon < snapshot.polygons.size(); ++polygon)
     {
-        if (polygons_[polygon] != snapshot.polygons[polygon])
+        if (snapshot_.polygons[polygon] != snapshot.polygons[polygon])
         {
-            turned.push_back(static_cast<std::uint32_t>(polygon));
+            turnedPolygons_.push_back(static_cast<std::uint32_t>(polygon));
         }
     }
-    for (const std::uint32_t polygon : turned)
-    {
-        polygons_[polygon] = snapshot.polygons[polygon];
-    }
-    out.ids(turned);
 }
 
 } // namespace frostfill

@@ -35,9 +35,11 @@ std::uint64_t newSource()
     {
         throw DamagedBytes("is no run file (run.frost)");
     }
-    throw DamagedBytes(fmt::format("is of version {}, and this Frostfill reads version {}",
-                                   static_cast<unsigned char>(bytes[kRunFileVersionAt]),
-                                   static_cast<unsigned char>(kRunFileMark[kRunFileVersionAt])));
+    throw DamagedBytes(
+        fmt::format("is a run file of version {}, and this Frostfill reads version {}: fill "
+                    "again, or use the Frostfill that wrote it",
+                    static_cast<unsigned char>(bytes[kRunFileVersionAt]),
+                    static_cast<unsigned char>(kRunFileMark[kRunFileVersionAt])));
 }
 
 } // namespace
@@ -115,7 +117,7 @@ struct RunFileReader::Implementation
         if (!rest)
         {
             unpacked = unpackRecord(records[record]);
-            rest.emplace(unpacked);
+            rest = split(unpacked);
         }
         decoder->decode(*rest);
         ++decoded;
@@ -142,7 +144,7 @@ struct RunFileReader::Implementation
     std::size_t decoded = 0; ///< frames so far
     std::size_t record = 0;  ///< in which the next one is
     std::string unpacked;
-    std::optional<ByteReader> rest; ///< of `unpacked`
+    std::optional<StreamReaders> rest; ///< of `unpacked`
 };
 
 RunFileReader::RunFileReader(const std::filesystem::path& file)
@@ -225,7 +227,7 @@ void RunFileReader::forgetChanges()
 
 std::uint64_t RunFileReader::revision() const
 {
-    return implementation_->decoder->states();
+    return implementation_->decoder->snapshot().revision;
 }
 
 const std::vector<Eigen::Vector3d>& RunFileReader::centres() const

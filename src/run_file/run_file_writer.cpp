@@ -28,7 +28,10 @@ constexpr std::size_t kBytesInARecord = std::size_t{1} << 20;
 
 struct RunFileWriter::Implementation
 {
-    explicit Implementation(double grid) : encoder(grid) {}
+    Implementation(double grid, const Eigen::Vector3d& origin, std::size_t polygons)
+        : encoder({grid}, origin, polygons)
+    {
+    }
     ~Implementation()
     {
         if (descriptor >= 0)
@@ -98,10 +101,6 @@ struct RunFileWriter::Implementation
 
     void write(std::string_view bytes)
     {
-        if (descriptor < 0)
-        {
-            return;
-        }
         if (continues && isThere(bytes))
         {
             at += static_cast<off_t>(bytes.size());
@@ -128,33 +127,32 @@ struct RunFileWriter::Implementation
     void add(std::size_t frame)
     {
         numbers.push_back(static_cast<std::uint32_t>(frame));
-        if (numbers.size() == kFramesInARecord || waiting.bytes().size() >= kBytesInARecord)
+        if (numbers.size() == kFramesInARecord || encoder.bytes() >= kBytesInARecord)
         {
             writeFrames();
         }
     }
     void writeFrames()
     {
-        if (!numbers.empty() && descriptor >= 0)
+        if (!numbers.empty())
         {
-            write(packRecord(RecordKind::frames, numbers, waiting.bytes()));
+            write(packRecord(RecordKind::frames, numbers, joined(encoder.take())));
+            numbers.clear();
         }
-        waiting.bytes().clear();
-        numbers.clear();
     }
 
     std::filesystem::path file;
-    int descriptor = -1;    ///< -1: no file is written
+    int descriptor = -1;
     bool continues = false; ///< what follows may be there already
     off_t at = 0;           ///< where, if it continues
     FrameEncoder encoder;
-    ByteWriter waiting;
-    std::vector<std::uint32_t> numbers; ///< of the frames that wait
+    std::vector<std::uint32_t> numbers; ///< of the frames that wait in the encoder
 };
 
 RunFileWriter::RunFileWriter(const std::filesystem::path& file, std::string_view head,
                              const TriangleMesh& mesh, double smallestRadius, EarlierFile earlier)
-    : RunFileWriter(smallestRadius)
+    : implementation_(std::make_unique<Implementation>(
+          gridOf(smallestRadius), boundingBox(mesh).center(), mesh.triangles.size()))
 {
     ByteWriter numbers;
     numbers.raw(gridOf(smallestRadius));
@@ -176,22 +174,27 @@ RunFileWriter::RunFileWriter(const std::filesystem::path& file, std::string_view
     }
 }
 
-RunFileWriter::RunFileWriter(double smallestRadius)
-    : implementation_(std::make_unique<Implementation>(gridOf(smallestRadius)))
-{
-}
-
 RunFileWriter::~RunFileWriter() = default;
 
-void RunFileWriter::put(std::size_t frame, Snapshot& snapshot, const Exact& exact)
+void RunFileWriter::put(std::size_t frame, const Snapshot& snapshot, const ExactSphere& exact)
 {
-    implementation_->encoder.encode(snapshot, exact, implementation_->waiting);
+    implementation_->encoder.encode(snapshot,
+                                    [&](std::uint32_t id)
+                                    {
+                                        SphereRecord sphere = exact(id);
+                                        if (snapshot.states[id] == SphereState::running)
+                                        {
+                                            sphere.centre = snapshot.origin +
+                                                            snapshot.centres[id].cast<double>();
+                                        }
+                                        return sphere;
+                                    });
     implementation_->add(frame);
 }
 
 void RunFileWriter::repeat(std::size_t frame)
 {
-    implementation_->encoder.repeat(implementation_->waiting);
+    implementation_->encoder.repeat();
     implementation_->add(frame);
 }
 
@@ -199,10 +202,6 @@ void RunFileWriter::finish(std::string_view summary)
 {
     Implementation& it = *implementation_;
     it.writeFrames();
-    if (it.descriptor < 0)
-    {
-        return;
-    }
     it.write(packRecord(RecordKind::summary, {}, summary));
     int failure = it.continues && ftruncate(it.descriptor, it.at) != 0 ? errno : 0;
     failure = failure != 0 ? failure : syncFile(it.descriptor);

@@ -57,7 +57,8 @@ public:
             height += height < -0.5F ? 1.0F : 0.0F;
             snapshot.changed.push_back(static_cast<std::uint32_t>(i));
         }
-        snapshot.changedSince = snapshot.step++;
+        snapshot.changedSince = snapshot.revision++;
+        ++snapshot.step;
     }
 
     Snapshot snapshot;

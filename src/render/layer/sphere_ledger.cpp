@@ -56,8 +56,8 @@ void sortByKey(std::vector<Keyed>& keyed)
 
 bool SphereLedger::knowsWhatChanged(const Snapshot& snapshot) const
 {
-    return snapshot.source != 0 && snapshot.source == source_ && snapshot.changedSince <= step_ &&
-           snapshot.centres.size() >= places_.size();
+    return snapshot.source != 0 && snapshot.source == source_ &&
+           snapshot.changedSince <= revision_ && snapshot.centres.size() >= places_.size();
 }
 
 SphereInstance SphereLedger::instance(const Snapshot& snapshot, std::uint32_t id) const
@@ -161,13 +161,16 @@ const SphereLedger::Changes& SphereLedger::update(const Snapshot& snapshot, cons
         startAgain(snapshot);
     }
     source_ = snapshot.source;
-    step_ = snapshot.step;
+    revision_ = snapshot.revision;
 
     std::erase_if(runningIds_, [&](std::uint32_t id) { return places_[id] != kRuns; });
     running_.clear();
     for (const std::uint32_t id : runningIds_)
     {
-        running_.push_back(instance(snapshot, id));
+        if (!snapshot.waits(id))
+        {
+            running_.push_back(instance(snapshot, id));
+        }
     }
     return changes_;
 }

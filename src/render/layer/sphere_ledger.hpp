@@ -56,7 +56,7 @@ private:
     Eigen::Vector3f offset_ = Eigen::Vector3f::Zero();
     float scale_ = 1;
     std::uint64_t source_ = 0; ///< of the last snapshot
-    std::uint64_t step_ = 0;
+    std::uint64_t revision_ = 0;
     std::vector<std::uint32_t> places_;     ///< [#S] index in resting_, or kRuns
     std::vector<std::uint32_t> restingIds_; ///< [resting]
     std::vector<SphereInstance> resting_;

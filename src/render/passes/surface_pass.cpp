@@ -23,7 +23,7 @@ std::vector<SphereInstance> placeSpheres(const Snapshot& snapshot, const Framing
         spheres.push_back({centre.x(),
                            centre.y(),
                            centre.z(),
-                           snapshot.radii[i] * scale,
+                           snapshot.waits(i) ? 0 : snapshot.radii[i] * scale,
                            static_cast<std::uint32_t>(snapshot.states[i]),
                            {}});
     }

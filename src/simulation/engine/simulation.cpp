@@ -231,7 +231,7 @@ void Simulation::capture(Snapshot& snapshot) const
         snapshot = {};
         snapshot.source = implementation_->source;
     }
-    snapshot.changedSince = snapshot.step;
+    snapshot.changedSince = snapshot.revision;
     const std::size_t known = std::min(snapshot.centres.size(), count);
 
     // What may differ from the last capture: new spheres, those that ran then, those that changed
@@ -255,11 +255,7 @@ void Simulation::capture(Snapshot& snapshot) const
     std::sort(changed.begin(), changed.end());
     changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
 
-    snapshot.centres.resize(count);
-    snapshot.radii.resize(count);
-    snapshot.states.resize(count);
-    snapshot.groups.resize(count);
-    snapshot.speeds.resize(count);
+    snapshot.resize(count);
     for (const std::uint32_t id : changed)
     {
         snapshot.centres[id] =
@@ -282,6 +278,7 @@ void Simulation::capture(Snapshot& snapshot) const
     snapshot.stateChangesSeen = changes.size();
     snapshot.time = time();
     snapshot.step = world.steps;
+    snapshot.revision = revision();
     snapshot.set = world.sets.empty() ? 0 : static_cast<std::uint32_t>(world.sets.size() - 1);
     snapshot.running = world.spheres.runningCount();
     snapshot.frozen = world.spheres.frozenCount();

@@ -51,8 +51,7 @@ inline void writeOracle(const std::filesystem::path& folder, std::uint32_t group
                       : p;
             frame["centres"].push_back({world.x(), world.y(), world.z()});
             frame["radii"].push_back(reader.radii()[i]);
-            frame["waiting"].push_back(static_cast<double>(state.radii[i]) <
-                                       0.5 * reader.radii()[i]);
+            frame["waiting"].push_back(state.waits(i));
             frame["states"].push_back(static_cast<int>(state.states[i]));
             frame["groups"].push_back(state.groups[i]);
             frame["speeds"].push_back(state.speeds[i]);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "run/run_head.hpp"
-#include "run_file/frame_codec.hpp"
 #include "unit/export/exported_run.hpp"
 
 #include <frostfill/page.hpp>
@@ -98,9 +97,9 @@ private:
     {
         radii_.push_back(1 + random(1));
         snapshot_.centres.emplace_back(random(30), random(30), random(30));
-        snapshot_.radii.push_back(happens(0.3) ? waitingRadius(radii_.back())
-                                               : static_cast<float>(radii_.back()));
-        const bool waits = snapshot_.radii.back() < 0.5F;
+        snapshot_.radii.push_back(static_cast<float>(radii_.back()));
+        const bool waits = happens(0.3);
+        snapshot_.waiting.push_back(waits ? 1 : 0);
         snapshot_.states.push_back(
             waits ? SphereState::running
                   : static_cast<SphereState>(static_cast<std::uint8_t>(random(2.99))));
@@ -111,9 +110,8 @@ private:
     void change(std::size_t id)
     {
         SphereState& state = snapshot_.states[id];
-        snapshot_.radii[id] =
-            happens(0.4) ? static_cast<float>(radii_[id]) : snapshot_.radii[id]; // waits no more
-        const bool waits = snapshot_.radii[id] == waitingRadius(radii_[id]);
+        snapshot_.waiting[id] = happens(0.4) ? 0 : snapshot_.waiting[id];
+        const bool waits = snapshot_.waits(id);
         if (state == SphereState::running && !waits)
         {
             snapshot_.centres[id] += Eigen::Vector3f(0.1F, -0.4F, 0.05F);
@@ -148,6 +146,7 @@ private:
         drop(snapshot_.states);
         drop(snapshot_.groups);
         drop(snapshot_.speeds);
+        drop(snapshot_.waiting);
     }
 
     std::mt19937 numbers_;

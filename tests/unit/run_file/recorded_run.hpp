@@ -35,7 +35,9 @@ inline RecordedRun recordRun(const Scene& scene, const std::filesystem::path& fi
         const std::size_t number = 2 * run.numbers.size();
         Snapshot& snapshot = snapshots[run.numbers.size() % 3];
         simulation.capture(snapshot);
-        writer.put(number, snapshot, [&](std::uint32_t id) { return simulation.sphere(id); });
+        const auto exact = [&](std::uint32_t id) { return simulation.sphere(id); };
+        roundPlaces(snapshot, simulation.smallestRadius(), exact);
+        writer.put(number, snapshot, exact);
         run.numbers.push_back(number);
         run.frames.push_back(snapshot);
     };

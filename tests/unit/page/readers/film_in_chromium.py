@@ -8,9 +8,9 @@ from browser import Browser
 folder = sys.argv[1]
 oracle = json.load(open(f"{folder}/oracle.json"))
 ASKED = """(film => { film.seek(%d); const n = film.spheres; return {
-    places: Array.from(film.places.subarray(0, 3 * n)), radii: Array.from(film.radii.subarray(0, n)),
-    states: Array.from(film.states.subarray(0, n)), groups: Array.from(film.groups.subarray(0, n)),
-    speeds: Array.from(film.speeds.subarray(0, n)), polygons: Array.from(film.polygons),
+    places: Array.from(film.places.subarray(0, 3 * n)), radii: Array.from(film.values.radius.subarray(0, n)),
+    states: Array.from(film.states.subarray(0, n)), groups: Array.from(film.values.group.subarray(0, n)),
+    speeds: Array.from(film.values.speed.subarray(0, n)), polygons: Array.from(film.polygons),
     time: film.times[%d] }; })(frostfill.film)"""
 
 order = list(range(len(oracle["frames"])))

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "run_file/streams.hpp"
+
+#include <utility>
+#include <vector>
+
+namespace frostfill
+{
+
+std::string joined(const Streams& streams)
+{
+    ByteWriter all;
+    all.count(streams.size());
+    for (const auto& [name, stream] : streams)
+    {
+        all.count(name.size());
+        all.bytes() += name;
+        all.count(stream.bytes().size());
+    }
+    for (const auto& [name, stream] : streams)
+    {
+        all.bytes() += stream.bytes();
+    }
+    return std::move(all.bytes());
+}
+
+StreamReaders split(std::string_view bytes)
+{
+    ByteReader in(bytes);
+    std::vector<std::pair<std::string, std::size_t>> sizes(in.countOfMany());
+    for (auto& [name, size] : sizes)
+    {
+        name = in.take(in.countOfMany());
+        size = in.countOfMany();
+    }
+    StreamReaders streams;
+    for (const auto& [name, size] : sizes)
+    {
+        streams[name] = ByteReader(in.take(size));
+    }
+    return streams;
+}
+
+} // namespace frostfill
