@@ -95,8 +95,9 @@ py::object errorClass(ErrorCode code)
 void addErrors(py::module_& module)
 {
     baseClass = PyErr_NewExceptionWithDoc(
-        "frostfill.Error", "What the library refuses: one sentence says what, where, what to do.",
-        nullptr, nullptr);
+        "frostfill.Error",
+        "An error of the library: one sentence says what is wrong, where, and what to do.", nullptr,
+        nullptr);
     module.add_object("Error", py::reinterpret_borrow<py::object>(baseClass));
     for (std::size_t i = 0; i < kKinds; ++i)
     {

@@ -48,7 +48,7 @@ void addQuality(py::module_& module)
     add("mean_overlap", &R::meanOverlap, "[r] over all pairs that touch or overlap");
     add("max_wall_overlap", &R::maxWallOverlap, "[r] the largest overlap of sphere and mesh");
     add("centres_outside", &R::centresOutside, "by winding number");
-    add("not_finite", &R::notFinite, "spheres whose place is no number");
+    add("not_finite", &R::notFinite, "spheres whose position is not a number");
     add("unsupported", &R::unsupported, "spheres at rest whose contacts cannot carry their weight");
     add("energy_gain", &R::energyGain,
         "largest growth of the total energy in a step, over that of a fall; 0 without a run");
@@ -60,15 +60,15 @@ void addQuality(py::module_& module)
     add("mesh_volume", &R::meshVolume, "[unit^3]");
     add("sphere_volume", &R::sphereVolume, "[unit^3] of all spheres");
     add("volume_estimate", &R::volumeEstimate,
-        "[unit^3] of the mesh, as the number of spheres tells it; NaN unless full of equal ones");
+        "[unit^3] of the mesh, estimated from the number of spheres; NaN unless full of equal "
+        "ones");
     add("volume_estimate_error", &R::volumeEstimateError, "[unit^3] its uncertainty");
     addText(report);
 }
 
 void addMeshReport(py::module_& module)
 {
-    py::class_<MeshReport> report(module, "MeshReport",
-                                  "What is known of a mesh. Counts are exact.");
+    py::class_<MeshReport> report(module, "MeshReport", "Facts about a mesh. Counts are exact.");
     const auto add = [&](const char* name, auto member, const char* help)
     { report.def_readonly(name, member, help); };
     using R = MeshReport;
@@ -99,7 +99,7 @@ void addMeshReport(py::module_& module)
 void addVolume(py::module_& module)
 {
     py::class_<VolumeEstimate> report(module, "VolumeEstimate",
-                                      "An object's volume as its fillings with spheres tell it.");
+                                      "An object's volume, estimated from fillings with spheres.");
     const auto add = [&](const char* name, auto member, const char* help)
     { report.def_readonly(name, member, help); };
     using R = VolumeEstimate;

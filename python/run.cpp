@@ -243,7 +243,8 @@ void addArrays(py::class_<KeptRun>& run)
             { return r.frame(wholeNumberOf(number, "number")); },
             py::arg("number"),
             "The state of a frame, by its number; -1 is the last. A Snapshot. Frames are read in "
-            "order, so the next one is quick and an earlier one is read from the beginning on.")
+            "order, so the next one is quick; for an earlier one reading starts again at the "
+            "first.")
         .def("__getitem__", &KeptRun::at, py::arg("index"))
         .def("__len__", [](const KeptRun& r) { return r.reader().frames().size(); })
         .def_property_readonly(

@@ -181,7 +181,7 @@ void addSteps(py::class_<Stepper>& simulation)
                                                  : wholeNumberOf(steps, "steps"));
             },
             py::arg("steps") = py::none(),
-            "Takes so many steps, or all to the end, without coming back to Python in between. "
+            "Takes this many steps, or all to the end, without returning to Python in between. "
             "Returns how many were taken. Ctrl-C stops it after a step.")
         .def("snapshot", &Stepper::snapshot, "The state as it is now: a Snapshot.")
         .def("__iter__", [](py::object self) { return self; })
@@ -234,8 +234,8 @@ void addFacts(py::class_<Stepper>& simulation)
         "stray",
         [](const Simulation& s)
         { return s.stray() ? std::optional(s.stray()->sphere) : std::nullopt; },
-        "The sphere for which the run was stopped, which is where none can be; None if all is "
-        "well.");
+        "The sphere that stopped the run, because no sphere can be where it is; None if there is "
+        "none.");
     simulation
         .def_property_readonly(
             "vertices", [](const Stepper& s) { return view(s.mesh(), s.mesh()->vertices); },

@@ -7,22 +7,24 @@ say()
     printf '%s\n' "$*" >&2
 }
 
-# The packages of scripts/packages that are not installed.
+# missing_packages LIST...: the packages of those lists of scripts/packages that are not installed.
 missing_packages()
 {
-    sed -e 's/#.*//' -e '/^[[:space:]]*$/d' "$root/scripts/packages" | while read -r package; do
+    awk -v lists=" $* " '/^#/ { next } /^\[/ { list = substr($1, 2, length($1) - 2); next }
+        index(lists, " " list " ")' "$root/scripts/packages" | while read -r package; do
         status=$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null) || status=
         [ "$status" = installed ] || printf '%s ' "$package"
     done
 }
 
+# install_missing_packages LIST...
 install_missing_packages()
 {
     if ! command -v dpkg-query >/dev/null 2>&1; then
         say "This is no Debian system: install the equivalents of the packages in scripts/packages."
         return 0
     fi
-    missing=$(missing_packages)
+    missing=$(missing_packages "$@")
     [ -n "$missing" ] || return 0
 
     say "Missing Debian packages: $missing"
@@ -55,9 +57,19 @@ build_jobs()
     if [ "$by_memory" -lt "$cores" ]; then echo "$by_memory"; else echo "$cores"; fi
 }
 
-# configure_release OPTION...: configures the release preset.
+# has_targets TARGET...: whether the release preset has been configured so that it has them.
+has_targets()
+{
+    for target; do
+        grep -qs "^build $target: phony" "$root/build/release/build.ninja" || return 1
+    done
+}
+
+# configure_release OPTION...: configures the release preset, without tests, which need packages of
+# their own, unless they are there or asked for.
 configure_release()
 {
+    has_targets test_support || set -- -DFROSTFILL_TESTS=OFF "$@"
     say "Configuring ..."
     (cd "$root" && cmake --preset release "$@" >&2) || {
         say "Configuring failed; see above."
@@ -65,10 +77,9 @@ configure_release()
     }
 }
 
-# build_release TARGET...: configures the release preset unless that is done and builds the targets.
+# build_release TARGET...: builds targets of the release preset, which is configured.
 build_release()
 {
-    [ -f "$root/build/release/build.ninja" ] || configure_release
     say "Building ..."
     (cd "$root" && cmake --build --preset release --parallel "$(build_jobs)" --target "$@" >&2) || {
         say "Building failed; see above."

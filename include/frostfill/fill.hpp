@@ -129,7 +129,7 @@ struct FillResult
 /// nothing did.
 [[nodiscard]] std::optional<Error> failureOf(const FillResult& result);
 
-/// The request with which the run in a directory was begun, to go on with it. Throws Error
+/// The request with which the run in a directory was begun, to resume it. Throws Error
 /// inputMissing if none was kept there, or badData.
 [[nodiscard]] FillRequest resumeRequest(const std::filesystem::path& directory);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Room: the simulation of somebody else, from a dump or extended XYZ to a run file.
+// Room: simulations of other programs: a dump or extended XYZ becomes a run file.
 #pragma once
 
 #include <frostfill/scene.hpp>
@@ -46,7 +46,7 @@ struct ImportResult
 /// Called after each step with the number that are done and all; false stops.
 using ImportProgress = std::function<bool(std::size_t done, std::size_t all)>;
 
-/// Writes a run file with a frame for each step of somebody's simulation, to be rendered and
+/// Writes a run file with a frame for each timestep of another program, to be rendered and
 /// exported like a run of our own; it cannot be resumed. Lengths are in the unit of the file, which
 /// is that of the mesh. Where the file has no column `state`, a sphere is frozen from the step
 /// after which its place stays within a thousandth of its radius up to the last step, and running

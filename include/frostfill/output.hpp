@@ -25,7 +25,7 @@ public:
     /// A limit of 0 keeps all pictures, and a limit of 1 keeps only the first.
     explicit FrameThinning(std::size_t limit) : limit_(limit) {}
 
-    /// Only every so manieth picture is kept from the start, so that the limit is not met. To be
+    /// Only every n-th picture is kept from the start, so that the limit is not met. To be
     /// called before the second picture.
     void keepEvery(std::size_t stride) { stride_ = stride; }
 

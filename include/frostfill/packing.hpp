@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Room: packings of anybody: read from files, and judged by the judge of our own runs.
+// Room: packings from any program, read from files and judged by the judge of our own runs.
 #pragma once
 
 #include <frostfill/mesh.hpp>
@@ -16,7 +16,7 @@
 namespace frostfill
 {
 
-/// Spheres that somebody has placed. Sphere k is entry k of each list.
+/// Spheres from any source. Sphere k is entry k of each list.
 struct Packing
 {
     std::vector<Eigen::Vector3d> centres; ///< [#S] in the coordinates of the mesh

@@ -9,13 +9,13 @@ namespace frostfill
 {
 
 /// The part of some work that one of several processes does. All parts together are the whole work,
-/// each of it once, whoever does which part when.
+/// each of it once, in whatever order the parts are done.
 struct Shard
 {
     std::size_t index = 0; ///< from 0
     std::size_t count = 1; ///< of parts
 
-    /// Whether the k-th of many tasks belongs to this part: every so manieth does, so that tasks
+    /// Whether the k-th of many tasks belongs to this part: every count-th does, so that tasks
     /// that grow from first to last are shared evenly.
     [[nodiscard]] bool owns(std::size_t k) const { return k % count == index; }
     /// The tasks from `first` up to, but not including, `second` of `all`, for tasks that go better

@@ -73,7 +73,7 @@ struct SweepObserver
 /// The indices of the runs of the shard, in order.
 [[nodiscard]] std::vector<std::size_t> runsOf(const SweepRequest& request);
 
-/// Does the runs of a shard one after the other: skips those that are done, goes on with those that
+/// Does the runs of a shard one after the other: skips those that are done, resumes those that
 /// were interrupted, repeats those that failed, and leaves alone what another process is doing. A
 /// run that fails stops no other. Returns a report for each run of the shard, in order. Throws
 /// Error cannotCreate when the directory cannot be made.

@@ -104,7 +104,7 @@ def fill(
 
     out: a folder for the files of the run, as `frostfill fill` writes them. Without it they are kept
     only for as long as the run; Run.save keeps them. No pictures are drawn unless `frames` is given.
-    resume: go on with the run in `out`.
+    resume: continue the run in `out`.
 
     Ctrl-C stops after the step. Raises Error; Postcondition has the attribute `run`."""
 
@@ -121,7 +121,7 @@ class Run:
     def last(self) -> Snapshot:
         """The last state: a Snapshot."""
     def frame(self, number: Any) -> Snapshot:
-        """The state of a frame, by its number; -1 is the last. A Snapshot. Frames are read in order, so the next one is quick and an earlier one is read from the beginning on."""
+        """The state of a frame, by its number; -1 is the last. A Snapshot. Frames are read in order, so the next one is quick; for an earlier one reading starts again at the first."""
     def __getitem__(self, index: int) -> Snapshot:
         ...
     def __len__(self) -> int:
@@ -339,7 +339,7 @@ class Simulation:
     def step(self) -> bool:
         """Advances by one time step. Returns False when the run is over."""
     def advance(self, steps: Any = None) -> int:
-        """Takes so many steps, or all to the end, without coming back to Python in between. Returns how many were taken. Ctrl-C stops it after a step."""
+        """Takes this many steps, or all to the end, without returning to Python in between. Returns how many were taken. Ctrl-C stops it after a step."""
     def snapshot(self) -> Snapshot:
         """The state as it is now: a Snapshot."""
     def __iter__(self) -> Iterator[Snapshot]:
@@ -415,7 +415,7 @@ class Simulation:
         """The target of the run: the count, or an estimate if it fills until full."""
     @property
     def stray(self) -> int | None:
-        """The sphere for which the run was stopped, which is where none can be; None if all is well."""
+        """The sphere that stopped the run, because no sphere can be where it is; None if there is none."""
     @property
     def vertices(self) -> NDArray[numpy.float64]:
         """float64 [v, 3]: of the mesh as simulated, after repair."""
@@ -514,7 +514,7 @@ def check(
         wrap: float | Literal['auto', 'none'] | None = ...,
         unite: bool = ...,
     ) -> QualityReport:
-    """Judges spheres in a mesh, whoever has placed them.
+    """Judges spheres in a mesh, from any source.
 
     centres: numbers [n, 3]; radii: [n], or one number. The mesh: vertices [v, 3] and triangles
     [t, 3], or `mesh`, a name or a file. at_rest: bool [n], whose weight has to be carried; all by
@@ -536,7 +536,7 @@ class QualityReport:
         """by winding number"""
     @property
     def not_finite(self) -> int:
-        """spheres whose place is no number"""
+        """spheres whose position is not a number"""
     @property
     def unsupported(self) -> int:
         """spheres at rest whose contacts cannot carry their weight"""
@@ -557,7 +557,7 @@ class QualityReport:
         """[unit^3] of all spheres"""
     @property
     def volume_estimate(self) -> float:
-        """[unit^3] of the mesh, as the number of spheres tells it; NaN unless full of equal ones"""
+        """[unit^3] of the mesh, estimated from the number of spheres; NaN unless full of equal ones"""
     @property
     def volume_estimate_error(self) -> float:
         """[unit^3] its uncertainty"""
@@ -581,7 +581,7 @@ class Inspection(NamedTuple):
     refusal: str | None
 
 class MeshReport:
-    """What is known of a mesh. Counts are exact."""
+    """Facts about a mesh. Counts are exact."""
     @property
     def vertices(self) -> int:
         """number of vertices"""
@@ -715,7 +715,7 @@ def volume(
     """Estimates the volume of a mesh by filling it with spheres, and with spheres half as large."""
 
 class VolumeEstimate:
-    """An object's volume as its fillings with spheres tell it."""
+    """An object's volume, estimated from fillings with spheres."""
     @property
     def volume(self) -> float:
         """[unit^3] the estimate"""
@@ -736,7 +736,7 @@ class VolumeEstimate:
         """spheres of half the radius that fit"""
 
 class Error(Exception):
-    """What the library refuses: one sentence says what, where, what to do."""
+    """An error of the library: one sentence says what is wrong, where, and what to do."""
 
 class Usage(Error, ValueError):
     """A call or a value that makes no sense."""

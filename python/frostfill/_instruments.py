@@ -24,7 +24,7 @@ def check(
     at_rest: ArrayLike | None = None,
     **options,
 ) -> QualityReport:
-    """Judges spheres in a mesh, whoever has placed them.
+    """Judges spheres in a mesh, from any source.
 
     centres: numbers [n, 3]; radii: [n], or one number. The mesh: vertices [v, 3] and triangles
     [t, 3], or `mesh`, a name or a file. at_rest: bool [n], whose weight has to be carried; all by

@@ -208,7 +208,7 @@ def fill(
 
     out: a folder for the files of the run, as `frostfill fill` writes them. Without it they are kept
     only for as long as the run; Run.save keeps them. No pictures are drawn unless `frames` is given.
-    resume: go on with the run in `out`.
+    resume: continue the run in `out`.
 
     Ctrl-C stops after the step. Raises Error; Postcondition has the attribute `run`.
 

@@ -160,7 +160,7 @@ Command addCheckCommand(CLI::App& program)
 {
     const auto arguments = std::make_shared<CheckArguments>();
     CLI::App* command = program.add_subcommand(
-        "check", "Judge anybody's packing: overlaps, walls, centres outside, support");
+        "check", "Judge a packing from any program: overlaps, walls, centres outside, support");
     command->footer(kExamples);
     command->add_option("FILE", arguments->file, "The packing")->required();
     command
@@ -176,9 +176,9 @@ Command addCheckCommand(CLI::App& program)
     limit("--max-wall-overlap", arguments->mostWallOverlap,
           "The same for a sphere and the mesh, of its radius", "X");
     limit("--max-outside", arguments->mostOutside,
-          "Exit with 2 if more centres are outside, or are no numbers", "N");
+          "Exit with 2 if more centres are outside, or are not numbers", "N");
     limit("--max-unsupported", arguments->mostUnsupported,
-          "Exit with 2 if more spheres at rest hang in the air", "N");
+          "Exit with 2 if more spheres at rest have no support", "N");
     command->add_flag("--json", arguments->json, "Print JSON");
     return [arguments] { return check(*arguments); };
 }

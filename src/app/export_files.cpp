@@ -17,8 +17,7 @@ void printResult(const ExportResult& result)
     std::string line = result.files.front().string();
     line += others > 0 ? fmt::format(" and {} files beside it", others) : "";
     line += fmt::format(": {} {}", result.frames, result.frames == 1 ? "frame" : "frames");
-    line +=
-        result.repeats > 0 ? fmt::format(" ({} more show the same moments)", result.repeats) : "";
+    line += result.repeats > 0 ? fmt::format(" ({} more show the same times)", result.repeats) : "";
     line += fmt::format(", {} spheres, {:.3g} MB", result.spheres,
                         static_cast<double>(result.bytes) / 1e6);
     fmt::print("{}{}\n", line, result.unfinished ? "; the run has not ended" : "");

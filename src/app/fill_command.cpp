@@ -40,7 +40,7 @@ constexpr const char* kExamples = R"(Examples:
   frostfill fill cube --radius 0.04..0.12        radii drawn from a range
   frostfill fill --scene output/torus/summary.json --out output/again
   frostfill fill --resume output/torus           go on after a kill or a stop
-  frostfill fill torus --view                    also a page to look at: output/torus/view.html
+  frostfill fill torus --view                    also a page for any browser: output/torus/view.html
 )";
 
 int printVolume(const FillArguments& arguments)
@@ -248,8 +248,8 @@ Command addFillCommand(CLI::App& program)
         ->group(output);
     command
         ->add_option("--resume", arguments->resume,
-                     "Go on with the run in this directory, to the same results; with the options "
-                     "of the run or none")
+                     "Continue the run in this directory, to the same results; give the options of "
+                     "the run or none")
         ->type_name("DIR")
         ->group(output);
     command->add_option("--video", arguments->video, "Also make a video of the frames, with ffmpeg")
@@ -272,7 +272,7 @@ Command addFillCommand(CLI::App& program)
         ->group(output);
     command
         ->add_flag("--contact-sheet", arguments->contactSheet,
-                   "Also show twelve frames in one picture, contact_sheet.png")
+                   "Also draw twelve frames in one picture, contact_sheet.png")
         ->group(output);
     command
         ->add_flag("--view", arguments->view,

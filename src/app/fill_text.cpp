@@ -103,8 +103,8 @@ void printPlan(const FillRequest& request, const FillPlan& plan)
     }
     if (plan.fallsLeftOut)
     {
-        say("spheres appear where they land: for so many, falls that --motion leaves out are not "
-            "drawn\n");
+        say("there are too many spheres to draw the falls that --motion leaves out: they appear "
+            "where they land\n");
     }
 }
 
@@ -117,11 +117,11 @@ void printResult(const Scene& scene, const FillResult& result)
     }
     else if (result.radiusThatFits)
     {
-        fmt::print("full before the count: {} of {} spheres are in, and nowhere else one of {} "
-                   "fits; {}\n",
-                   result.spheres, *scene.spheres.count,
-                   radiiText(result.smallestRadius, result.largestRadius),
-                   radiusAdvice(scene.spheres.radius, result));
+        fmt::print(
+            "full before the count: {} of {} spheres are in, and no other sphere of {} fits; {}\n",
+            result.spheres, *scene.spheres.count,
+            radiiText(result.smallestRadius, result.largestRadius),
+            radiusAdvice(scene.spheres.radius, result));
     }
     else if (result.full)
     {

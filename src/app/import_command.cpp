@@ -44,21 +44,22 @@ std::string describeStates(const ImportResult& result)
     }
     if (result.steps == 1)
     {
-        return "all taken to be at rest: one step shows no motion";
+        return "all count as at rest: one step shows no motion";
     }
-    return fmt::format("{} of them taken to be at rest, for staying within 1/1000 of their radius",
-                       result.atRest);
+    return fmt::format(
+        "{} of them count as at rest, because they stay within 1/1000 of their radius",
+        result.atRest);
 }
 
 void printResult(const ImportResult& result)
 {
     if (!result.torn.empty())
     {
-        say(fmt::format("the last step is torn and left out: {}\n", result.torn));
+        say(fmt::format("the last step is incomplete and left out: {}\n", result.torn));
     }
     if (result.repeats > 0)
     {
-        say(fmt::format("{} steps are there twice and count once\n", result.repeats));
+        say(fmt::format("{} steps occur twice and count once\n", result.repeats));
     }
     fmt::print("{}: {} {} from {:.6g} s to {:.6g} s\n", result.format, result.steps,
                result.steps == 1 ? "step" : "steps", result.begin, result.end);
@@ -66,7 +67,7 @@ void printResult(const ImportResult& result)
                result.smallestRadius, result.largestRadius, describeStates(result));
     if (result.vanished > 0)
     {
-        fmt::print("{} spheres vanish before the end; their numbers go to others\n",
+        fmt::print("{} spheres vanish before the end; other spheres take their ids\n",
                    result.vanished);
     }
     if (result.boxDrawn)
@@ -120,8 +121,8 @@ Command addImportCommand(CLI::App& program)
     ImportRequest& request = arguments->request;
     command
         ->add_option("--mesh", request.mesh,
-                     "What the spheres are in: a file, which may be open, or torus, sphere, cube, "
-                     "human (the box of the file)")
+                     "The mesh around the spheres: a file, which may be open, or torus, sphere, "
+                     "cube, human (the box of the file)")
         ->type_name("MESH");
     addUpOption(*command, arguments->given);
     command

@@ -28,10 +28,10 @@ constexpr const char* kUsage = R"(Examples:
   frostfill fill torus                    the paper's torus: frames and tables in output/torus
   frostfill fill bunny.stl --radius 0.02  any closed mesh, until it is full
   frostfill render output/torus --azimuth 60 --style dark   draw a kept run again
-  frostfill view output/torus             a page to look at in any browser
+  frostfill view output/torus             a page for any browser
   frostfill fps                           frames per second, the paper's and ours
   frostfill mesh bunny.stl                inspect a mesh
-  frostfill check packing.csv --mesh part.stl   judge anybody's packing
+  frostfill check packing.csv --mesh part.stl   judge a packing from any program
   frostfill COMMAND --help                all options of a command
 )";
 

@@ -31,16 +31,16 @@ constexpr const char* kEnd = R"(
 | code | meaning |
 |---:|---|
 | 0 | success |
-| 2 | a comparison or a claim failed, or a run of a sweep |
+| 2 | a comparison, a claim or a run of a sweep failed |
 | 64 | wrong use of the command line |
-| 65 | the mesh or the scene cannot be used, or what is to be gathered is not complete |
+| 65 | the mesh or the scene cannot be used, or the runs to be gathered are incomplete |
 | 66 | an input file is missing |
 | 69 | OpenGL or a required program is missing |
-| 70 | the result is wrong: a sphere outside the mesh, an overlap, spheres in the air, or a blank picture; the files are kept |
+| 70 | the result is wrong: a sphere outside the mesh, an overlap, spheres without support, or a blank picture; the files are kept |
 | 71 | out of memory |
 | 73 | an output file or directory cannot be created |
 | 74 | writing failed |
-| 75 | stopped by a signal, all files are complete; or runs of a sweep are left that another process does |
+| 75 | stopped by a signal, all files are complete; or another process is still doing runs of the sweep |
 )";
 
 /// In a cell of a table a vertical bar would start the next cell.

@@ -154,7 +154,7 @@ Command addPlanCommand(CLI::App& program)
 {
     const auto arguments = std::make_shared<PlanArguments>();
     CLI::App* command = program.add_subcommand(
-        "plan", "Estimate what a sweep or a rendering takes, and which job array to ask for");
+        "plan", "Estimate what a sweep or a rendering takes, and which job array to request");
     command->footer(kExamples);
     command->add_option("WHAT", arguments->what, "A sweep (FILE.toml), or the directory of a run")
         ->required();

@@ -50,8 +50,8 @@ void printResult(const RenderArguments& arguments, const RenderResult& result)
 {
     if (result.wholeBytes < result.fileBytes)
     {
-        say(fmt::format("{} is torn: {} of its {} bytes are whole, with {} frames; the rest is "
-                        "left out\n",
+        say(fmt::format("{} is incomplete: {} of its {} bytes can be read, with {} frames; the "
+                        "rest is left out\n",
                         arguments.run, result.wholeBytes, result.fileBytes, result.keptFrames));
     }
     else if (!result.ended)
@@ -89,8 +89,8 @@ void requireAll(const RenderResult& result)
             result.missing.begin() +
                 static_cast<std::ptrdiff_t>(std::min(kMostNamed, result.missing.size())));
         throw Error(ErrorCode::badData,
-                    fmt::format("{} of the {} pictures in {} are missing or are others: {}{}; draw "
-                                "them with the same options and --skip-existing",
+                    fmt::format("{} of the {} pictures in {} are missing or wrong: {}{}; draw them "
+                                "with the same options and --skip-existing",
                                 result.missing.size(), result.allFrames, result.directory.string(),
                                 fmt::join(named, ", "),
                                 named.size() < result.missing.size() ? ", ..." : ""));
@@ -98,8 +98,8 @@ void requireAll(const RenderResult& result)
     if (result.surplus > 0)
     {
         throw Error(ErrorCode::badData,
-                    fmt::format("{} holds {} pictures beside these {}, of another rendering; "
-                                "remove them, or draw into another directory",
+                    fmt::format("{} holds {} pictures of another rendering beside these {}; remove "
+                                "them, or draw into another directory",
                                 result.directory.string(), result.surplus, result.allFrames));
     }
 }
@@ -192,14 +192,14 @@ void addOutput(CLI::App& command, RenderArguments& arguments)
         ->group(output);
     command
         .add_flag("--contact-sheet", arguments.request.contactSheet,
-                  "Also show twelve frames in one picture, contact_sheet.png")
+                  "Also draw twelve frames in one picture, contact_sheet.png")
         ->group(output);
     command.add_flag("--overwrite", arguments.request.overwrite, "Replace earlier pictures")
         ->group(output);
     command
         .add_flag("--skip-existing", arguments.request.skipExisting,
-                  "Leave pictures that are there, whole, and of this run, frame and settings; not "
-                  "with a video or passes")
+                  "Keep existing pictures that are complete and of this run, frame and settings; "
+                  "not with a video or passes")
         ->group(output);
     command
         .add_option("--shard", arguments.shard,
@@ -209,7 +209,7 @@ void addOutput(CLI::App& command, RenderArguments& arguments)
         ->group(output);
     command
         .add_flag("--gather", arguments.request.gather,
-                  "Draw nothing; look whether all pictures are there, whole and the right ones")
+                  "Draw nothing; check that all pictures exist, complete and correct")
         ->group(output);
     command
         .add_flag("--dry-run", arguments.request.dryRun,
@@ -227,7 +227,7 @@ Command addRenderCommand(CLI::App& program)
 {
     const auto arguments = std::make_shared<RenderArguments>();
     CLI::App* command = program.add_subcommand(
-        "render", "Draw a run again that was kept; what is not given is as in the run");
+        "render", "Draw a kept run again; settings that are not given are those of the run");
     command->footer(kExamples);
     command->add_option("RUN", arguments->run, "Directory of a run that was kept, or its run.frost")
         ->required();

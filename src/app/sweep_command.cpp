@@ -270,13 +270,13 @@ Command addSweepCommand(CLI::App& program)
                      "Do only the I-th of N parts; slurm: that of this task of a job array")
         ->type_name("I/N|slurm");
     CLI::Option* gather = command->add_flag(
-        "--gather", arguments->gather, "Run nothing; write one table of all runs, if all are done");
+        "--gather", arguments->gather, "Run nothing; write one table of all runs if all are done");
     command
         ->add_flag("--allow-incomplete", arguments->allowIncomplete,
-                   "Gather what there is, with the status of each run")
+                   "Gather the runs that exist, with the status of each run")
         ->needs(gather);
     command->add_flag("--overwrite", arguments->overwrite,
-                      "Replace other runs that are in the place of these");
+                      "Replace other runs in the folders of these");
     command->add_flag("--dry-run", arguments->dryRun,
                       "Check everything and say what would be done, but write nothing");
     arguments->progress.addTo(*command, "Options");

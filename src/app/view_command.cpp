@@ -48,8 +48,8 @@ int runView(const ViewArguments& arguments)
 Command addViewCommand(CLI::App& program)
 {
     const auto arguments = std::make_shared<ViewArguments>();
-    CLI::App* command = program.add_subcommand(
-        "view", "Write a kept run as one HTML page, to look at in any browser");
+    CLI::App* command =
+        program.add_subcommand("view", "Write a kept run as one HTML page for any browser");
     command->footer(kExamples);
     command->add_option("RUN", arguments->run, "Directory of a run that was kept, or its run.frost")
         ->required();

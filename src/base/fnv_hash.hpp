@@ -8,7 +8,7 @@ namespace frostfill
 {
 
 /// FNV-1a with 64 bits, byte by byte. [Fowler, Noll & Vo 1991] It takes 1.5 ms a megabyte and
-/// hashes a mesh and a scene once a run; xxHash would take 0.13 ms, which nobody notices, and
+/// hashes a mesh and a scene once a run; xxHash would take 0.13 ms, which is not noticed, and
 /// change every run's hash.
 class FnvHash
 {

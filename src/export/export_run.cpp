@@ -158,8 +158,8 @@ ExportResult exportRun(const ExportRequest& request, const ExportProgress& progr
         ++done;
         if (progress && !progress(done, chosen.size()))
         {
-            throw Error(ErrorCode::stoppedEarly, "the export was stopped; what is missing can be "
-                                                 "made with the same command");
+            throw Error(ErrorCode::stoppedEarly,
+                        "the export was stopped; the same command makes what is missing");
         }
     }
     exporter->finish();

@@ -75,7 +75,7 @@ protected:
 [[nodiscard]] std::vector<std::string> exportFiles(ExportFormat format,
                                                    const std::vector<std::size_t>& numbers);
 
-/// frame_00042.vtp and the like.
+/// frame_00042.vtp, for instance.
 [[nodiscard]] std::string numberedName(const char* what, std::size_t number, const char* ending);
 
 // The makers, each in a file of its own. `run` outlives the exporter.

@@ -22,8 +22,8 @@ constexpr std::uint32_t kLevel = 1;
 /// Bits of the largest hash of that level.
 constexpr int kHashBits = 13;
 
-/// More than the three hashes that one may not be equal to: short data has short hashes, which
-/// several candidates may share.
+/// Streams at different addresses, see streamFor. The hash of one address must differ from three
+/// others. Short data has short hashes, which addresses may share, so four streams are too few.
 using Streams = std::array<isal_zstream, 16>;
 
 /// The hash of ISA-L, of four bytes: the instruction crc32 (CRC-32C, reflected).
@@ -42,10 +42,10 @@ std::uint32_t fourBytes(const std::uint8_t* from)
            std::uint32_t{from[3]} << 24;
 }
 
-/// ISA-L 2.30 enters the third place of the data into its table under the hash of bits 16 to 47 of
-/// the stream's address, a register that it has forgotten to load, instead of the hash of what is
-/// there (igzip_icf_body_h1_gr_bt.asm). That changes what it finds only where it is the hash of one
-/// of the first three places. So one of several streams is taken of which it is not.
+/// ISA-L 2.30 has a fault: it enters the third place of the data into its table under a wrong hash,
+/// that of bits 16 to 47 of the stream's address, because a register is not loaded
+/// (igzip_icf_body_h1_gr_bt.asm). The output changes only where this hash equals that of one of the
+/// first three places. So this chooses a stream whose address has another hash.
 isal_zstream& streamFor(const std::vector<std::uint8_t>& data, Streams& streams)
 {
     constexpr std::size_t kPlaces = 3;

@@ -51,8 +51,7 @@ void MomentSequence::nameSpheres(Moment& moment) const
     if (reader_.isDump() && count_ > 0)
     {
         refuse(request_, ErrorCode::badData,
-               "has several steps and no column id, without which nobody knows which sphere is "
-               "which; dump id too");
+               "has several steps but no column id, which tells the spheres apart; dump id too");
     }
     moment.ids.resize(moment.centres.size());
     std::iota(moment.ids.begin(), moment.ids.end(), std::uint64_t{1});
@@ -72,7 +71,7 @@ bool MomentSequence::next(Moment& moment)
         if (!std::isfinite(time))
         {
             refuse(request_, ErrorCode::badData,
-                   fmt::format("has a step whose time is no number, behind {} s", time_));
+                   fmt::format("has a step whose time is not a number, behind {} s", time_));
         }
         if (count_ > 0 && time < time_)
         {

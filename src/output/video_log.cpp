@@ -50,7 +50,7 @@ std::string processOf(const std::string& name, const std::string& stem)
     return digits ? process : std::string();
 }
 
-/// Whether the file begins with our sign, and nobody holds its lock.
+/// Whether the file begins with our sign, and no process holds its lock.
 bool isForsaken(const std::filesystem::path& log)
 {
     const int descriptor = ::open(log.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK);

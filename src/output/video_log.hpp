@@ -8,7 +8,7 @@ namespace frostfill
 {
 
 /// Where ffmpeg writes what it has to say while it makes a video. It is locked as long as this
-/// lives, so the next video of the same name knows which unfinished files nobody works on any more.
+/// lives, so the next video of the same name knows which unfinished files are no longer in use.
 class VideoLog
 {
 public:

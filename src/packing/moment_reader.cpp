@@ -42,7 +42,7 @@ bool MomentReader::read(Moment& moment)
         isDump_ ? readDumpMoment(lines_, radius_, moment) : readXyzMoment(lines_, radius_, moment);
     if (found ? lines_.cut() : moment.step || moment.time)
     {
-        torn_ = found ? "its last line has no end" : "it ends within a heading";
+        torn_ = found ? "its last line is incomplete" : "it ends within a heading";
         return false;
     }
     return found;
@@ -81,7 +81,7 @@ void MomentReader::examine(const Moment& moment) const
     {
         if (!moment.centres[k].allFinite())
         {
-            lines_.refuse(fmt::format("the place of {} is no number", name(k)));
+            lines_.refuse(fmt::format("the position of {} is not a number", name(k)));
         }
         if (!(moment.radii[k] > 0) || !std::isfinite(moment.radii[k]))
         {
@@ -90,7 +90,7 @@ void MomentReader::examine(const Moment& moment) const
         }
         if (!moment.speeds.empty() && !std::isfinite(moment.speeds[k]))
         {
-            lines_.refuse(fmt::format("the velocity of {} is no number", name(k)));
+            lines_.refuse(fmt::format("the velocity of {} is not a number", name(k)));
         }
     }
     std::vector<std::uint64_t> ids = moment.ids;

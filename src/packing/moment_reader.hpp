@@ -16,7 +16,7 @@ namespace frostfill
 /// Whether a text is a dump of LAMMPS or LIGGGHTS.
 [[nodiscard]] bool isDump(std::string_view text);
 
-/// Goes through the moments of somebody's simulation: a dump or extended XYZ. What a writer that
+/// Goes through the moments of a simulation: a dump or extended XYZ. What a writer that
 /// was interrupted has left of its last moment does not count, not even a last line without its
 /// end: a number may lack its last digits.
 class MomentReader

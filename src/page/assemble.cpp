@@ -39,7 +39,7 @@ std::string inHtml(std::string_view text)
     return safe;
 }
 
-/// One script of many files: what they declare is seen by all of them and by nobody else.
+/// One script of many files: they share their declarations, which are not global.
 std::string scripts()
 {
     std::string all;

@@ -131,7 +131,7 @@ private:
             if (progress_ && !progress_(i - first + 1, last - first + 1))
             {
                 throw Error(ErrorCode::stoppedEarly,
-                            "the page was not written; the same command makes it");
+                            "the page was not written; give the same command again");
             }
         }
         result.frames = numbers.size();

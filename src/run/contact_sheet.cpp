@@ -138,11 +138,11 @@ Image makeContactSheet(const ContactSheetRequest& request)
 void writeContactSheet(const Scene& scene, const std::filesystem::path& directory,
                        const FramePainter& painter)
 {
-    const auto& [left, top, right, bottom] = painter.objectRegion();
+    const auto& [left, top, right, bottom] = painter.drawn().objectRegion;
     ContactSheetRequest sheet;
     sheet.frames = directory / "frames";
     sheet.count = painter.count();
-    sheet.times = painter.pictureTimes();
+    sheet.times = painter.drawn().moments;
     sheet.title = scene.name;
     sheet.palette = scene.style.palette;
     sheet.crop = {left, top, right, bottom};

@@ -276,15 +276,15 @@ FillResult fill(const FillRequest& request, const FillObserver& observer)
     if (painter != nullptr)
     {
         result.frames = painter->count();
-        result.skippedFrames = painter->skipped();
-        result.videoFailure = painter->videoFailure();
+        result.skippedFrames = painter->drawn().skipped;
+        result.videoFailure = painter->drawn().videoFailure;
         if (request.contactSheet)
         {
             writeContactSheet(request.scene, request.directory, *painter);
         }
-        result.setFrames = painter->sets();
-        result.renderer = painter->description();
-        times += painter->times();
+        result.setFrames = painter->drawn().sets;
+        result.renderer = painter->drawn().renderer;
+        times += painter->drawn().times;
     }
     clock.end("drawing_the_rest");
     result.sets = simulation.sets();
@@ -302,7 +302,7 @@ FillResult fill(const FillRequest& request, const FillObserver& observer)
     result.stateHash = simulation.stateHash();
     result.quality = simulation.quality();
     result.stray = simulation.stray();
-    result.failure = findFault(request.scene, result, painter != nullptr && painter->blank());
+    result.failure = findFault(request.scene, result, painter != nullptr && painter->drawn().blank);
     clock.end("judging");
     clock.enter(result);
 

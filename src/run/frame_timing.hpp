@@ -39,7 +39,7 @@ struct FramePlan
     FrameTiming timing;
     std::size_t all = 0;    ///< frames of the whole animation, without what is held
     std::size_t held = 0;   ///< frames for which the last state is held
-    std::size_t stride = 1; ///< every so manieth of those that are selected is kept as a picture
+    std::size_t stride = 1; ///< every stride-th of the selected frames is kept as a picture
     std::size_t kept = 0;   ///< pictures
     double seconds = 0;     ///< [s] of video, of all frames that are selected
     double bytes = 0;       ///< of all pictures, roughly

@@ -29,73 +29,46 @@ bool FrameWriter::has(std::size_t index, PictureSize size, const PngText& text) 
 void FrameWriter::put(std::size_t number, const Image& image,
                       std::span<const std::uint8_t> changedRows, std::size_t set, PngText text)
 {
-    // With one job at most waiting and one being done, the third parcel is free.
-    Parcel& parcel = parcels_[next_];
-    next_ = (next_ + 1) % parcels_.size();
-    parcel.number = number;
-    parcel.set = set;
-    parcel.width = image.width;
-    parcel.height = image.height;
-    parcel.channels = image.channels;
-    parcel.text = std::move(text);
-    parcel.changedRows.assign(changedRows.begin(), changedRows.end());
-    parcel.pixels.clear();
+    // With one job at most waiting and one being done, the third copy is free.
+    Copy& copy = copies_[next_];
+    next_ = (next_ + 1) % copies_.size();
+    copy.image = {image.width, image.height, image.channels, std::move(copy.image.pixels)};
+    copy.image.pixels.resize(image.pixels.size());
     const std::size_t row =
         static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.channels);
+    for (Copy& each : copies_)
+    {
+        each.staleRows.resize(changedRows.size(), 1);
+    }
     for (std::size_t y = 0; y < changedRows.size(); ++y)
     {
-        if (changedRows[y] != 0)
+        for (Copy& each : copies_)
         {
-            const auto from = image.pixels.begin() + static_cast<std::ptrdiff_t>(y * row);
-            parcel.pixels.insert(parcel.pixels.end(), from,
-                                 from + static_cast<std::ptrdiff_t>(row));
+            each.staleRows[y] |= changedRows[y];
+        }
+        if (std::exchange(copy.staleRows[y], std::uint8_t{0}) != 0)
+        {
+            std::copy_n(image.pixels.data() + y * row, row, copy.image.pixels.data() + y * row);
         }
     }
-    worker_.push([this, &parcel] { write(parcel); });
+    worker_.push([this, number, &copy, set, text = std::move(text),
+                  rows = std::vector<std::uint8_t>(changedRows.begin(), changedRows.end())]
+                 { write(number, copy.image, rows, set, text); });
 }
 
-void FrameWriter::write(const Parcel& parcel)
+void FrameWriter::write(std::size_t number, const Image& image,
+                        const std::vector<std::uint8_t>& changedRows, std::size_t set,
+                        const PngText& text)
 {
-    const std::size_t row =
-        static_cast<std::size_t>(parcel.width) * static_cast<std::size_t>(parcel.channels);
-    image_.width = parcel.width;
-    image_.height = parcel.height;
-    image_.channels = parcel.channels;
-    image_.pixels.resize(row * static_cast<std::size_t>(parcel.height));
-    auto from = parcel.pixels.begin();
-    for (std::size_t y = 0; y < parcel.changedRows.size(); ++y)
-    {
-        if (parcel.changedRows[y] != 0)
-        {
-            std::copy_n(from, row, image_.pixels.begin() + static_cast<std::ptrdiff_t>(y * row));
-            from += static_cast<std::ptrdiff_t>(row);
-        }
-    }
-
     const auto spent = [&]
     { return sequence_.times()[Stage::encoding] + sequence_.times()[Stage::writing]; };
     const double before = spent();
-    sequence_.put(parcel.number, image_, parcel.changedRows, parcel.text);
-    if (milliseconds_.size() <= parcel.set)
+    sequence_.put(number, image, changedRows, text);
+    if (milliseconds_.size() <= set)
     {
-        milliseconds_.resize(parcel.set + 1);
+        milliseconds_.resize(set + 1);
     }
-    milliseconds_[parcel.set].push_back(1000 * (spent() - before));
-}
-
-void FrameWriter::skip(std::size_t number)
-{
-    worker_.push([this, number] { sequence_.skip(number); });
-}
-
-void FrameWriter::keepEvery(std::size_t stride)
-{
-    worker_.push([this, stride] { sequence_.keepEvery(stride); });
-}
-
-void FrameWriter::finish()
-{
-    worker_.finish();
+    milliseconds_[set].push_back(1000 * (spent() - before));
 }
 
 } // namespace frostfill

@@ -15,8 +15,8 @@
 namespace frostfill
 {
 
-/// Encodes and writes pictures in a thread of its own, in order. Of each picture it takes only the
-/// rows that differ from the one before.
+/// Encodes and writes pictures in a thread of its own, in order. Of each picture it copies only the
+/// rows that differ from the newest ones.
 class FrameWriter
 {
 public:
@@ -33,11 +33,17 @@ public:
     /// taken for it, so that it is drawn again and told.
     [[nodiscard]] bool has(std::size_t index, PictureSize size, const PngText& text) const;
     /// Leaves a picture as it is whose file is there already.
-    void skip(std::size_t number);
+    void skip(std::size_t number)
+    {
+        worker_.push([this, number] { sequence_.skip(number); });
+    }
     /// See FrameThinning.
-    void keepEvery(std::size_t stride);
+    void keepEvery(std::size_t stride)
+    {
+        worker_.push([this, stride] { sequence_.keepEvery(stride); });
+    }
     /// Waits until everything is written. Throws what has gone wrong.
-    void finish();
+    void finish() { worker_.finish(); }
 
     /// After finish().
     [[nodiscard]] const StageTimes& times() const { return sequence_.times(); }
@@ -48,25 +54,21 @@ public:
     }
 
 private:
-    /// Rows of one picture on their way to the other thread.
-    struct Parcel
+    /// A picture on its way to the other thread.
+    struct Copy
     {
-        std::size_t number = 0;
-        std::size_t set = 0;
-        int width = 0, height = 0, channels = 3;
-        PngText text;
-        std::vector<std::uint8_t> changedRows; ///< [height]
-        std::vector<std::uint8_t> pixels;      ///< of the changed rows, one after the other
+        Image image;
+        std::vector<std::uint8_t> staleRows; ///< [height] that have changed since it was made
     };
 
-    void write(const Parcel& parcel);
+    void write(std::size_t number, const Image& image, const std::vector<std::uint8_t>& changedRows,
+               std::size_t set, const PngText& text);
 
     std::filesystem::path directory_;
     PngText text_; ///< of all pictures
     PngSequence sequence_;
-    Image image_;
     std::vector<std::vector<double>> milliseconds_;
-    std::array<Parcel, 3> parcels_; ///< one is filled, one waits, one is being written
+    std::array<Copy, 3> copies_; ///< one is filled, one waits, one is being written
     std::size_t next_ = 0;
     OrderedWorker worker_{1}; ///< last: it uses all the others
 };

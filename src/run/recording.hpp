@@ -15,7 +15,7 @@ namespace frostfill
 /// Whether the run is kept in a run file.
 [[nodiscard]] bool isKept(const Scene& scene);
 
-/// The recorder of a run, with a painter if it has pictures. Null if nobody wants frames. Throws
+/// The recorder of a run, with a painter if it has pictures. Null if no frames are wanted. Throws
 /// Error; see FramePainter.
 [[nodiscard]] std::unique_ptr<FrameRecorder> makeRecorder(const FillRequest& request,
                                                           const LoadedMesh& mesh,
@@ -29,7 +29,7 @@ namespace frostfill
                                      const Simulation& simulation, const FillObserver& observer,
                                      FrameRecorder* recorder, double path);
 
-/// Begins the run file, or goes on with that of a run that is resumed. Throws Error cannotCreate or
+/// Begins the run file, or continues that of a run that is resumed. Throws Error cannotCreate or
 /// writeFailed.
 void keepRun(FrameRecorder& recorder, const FillRequest& request, const LoadedMesh& mesh,
              const Simulation& simulation, const FramePlan& frames,

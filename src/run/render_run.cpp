@@ -41,31 +41,17 @@ std::optional<CameraPath> cameraPath(const RenderRequest& request, const RunHead
     return text.empty() ? std::nullopt : std::optional(CameraPath::read(text));
 }
 
-FramePainter::State toPaint(const Snapshot& snapshot, const RunFileReader& reader)
-{
-    return {&snapshot, reader.revision()};
-}
-
-/// Every so manieth selected frame is kept: as `fill` did for the same selection, or as the limit
+/// Every n-th selected frame is kept: as `fill` did for the same selection, or as the limit
 /// asks for. Throws Error usage when no frame is left.
-std::size_t strideOf(const Scene& scene, const RunHead& head, const KeptFrames& frames, double path)
+std::size_t strideOf(const Scene& scene, const RunHead& head, const KeptFrames& frames,
+                     PicturePlan counted)
 {
-    const FrameSelection selection = framesToDraw(scene);
-    const std::size_t held = heldFrames(scene, path);
-    std::size_t selected = selection.isLastOnly() ? std::max<std::size_t>(1, held) : 0;
-    if (!selection.isLastOnly())
+    for (std::size_t i = 0; i < frames.count(); ++i)
     {
-        for (std::size_t i = 0; i < frames.count(); ++i)
-        {
-            selected += selection.has(frames.number(i)) ? 1 : 0;
-        }
-        for (std::size_t k = 0; k < held; ++k)
-        {
-            selected += selection.hasLast() || selection.has(frames.end() + k) ? 1 : 0;
-        }
+        counted.pass(frames.number(i));
     }
-    selected += selection.hasLast() && selected == 0 ? 1 : 0;
-    if (selected == 0)
+    counted.passLast(frames.end());
+    if (counted.selected() == 0)
     {
         throw Error(ErrorCode::usage,
                     fmt::format("--frames {} leaves no frame: the run file has {} frames, up to "
@@ -76,65 +62,30 @@ std::size_t strideOf(const Scene& scene, const RunHead& head, const KeptFrames& 
     const FrameSettings& now = scene.frames;
     const bool same = then.enabled && then.selection == now.selection && then.limit == now.limit &&
                       then.hold == now.hold && then.fps == now.fps;
-    return same ? head.stride
-                : strideFor(selected + (selection.hasLast() ? 1 : 0), now.limit,
-                            selection.hasLast());
+    const bool last = framesToDraw(scene).hasLast();
+    return same ? head.stride : strideFor(counted.selected() + (last ? 1 : 0), now.limit, last);
 }
 
-/// The pictures of a rendering, before the first is drawn.
-struct PictureCount
-{
-    std::size_t stride = 1; ///< every so manieth of the selected frames is kept, in the end
-    std::size_t count = 0;
-};
-
-/// Takes the frames as the painter does, but draws none. `stride`: with which it begins.
-PictureCount countPictures(const std::filesystem::path& file, const Scene& scene,
-                           std::size_t stride, double path)
+/// Plans all pictures of a rendering, before the first is drawn.
+void planAll(PicturePlan& plan, const std::filesystem::path& file)
 {
     RunFileReader reader(file);
     const KeptFrames frames(reader);
-    const FrameSelection selection = framesToDraw(scene);
-    const std::size_t last = reader.frames().size() - 1;
-    std::vector<std::size_t> states; // of the selected frames, by their place in the file
     for (std::size_t i = 0; i < frames.count(); ++i)
     {
-        if (selection.has(frames.number(i)))
-        {
-            states.push_back(i);
-        }
+        plan.wants(frames.number(i)) ? void(plan.take(frames.number(i), i))
+                                     : plan.pass(frames.number(i));
     }
-    const std::size_t end = selection.isLastOnly() ? 0 : frames.end();
-    for (std::size_t k = 0; k < heldFrames(scene, path); ++k)
+    if (plan.wantsLast())
     {
-        if (selection.hasLast() || selection.has(end + k))
-        {
-            states.push_back(last);
-        }
+        const std::size_t last = reader.frames().size() - 1;
+        const std::size_t kept = plan.keptState().value_or(last);
+        (void)reader.seek(kept);
+        const std::uint64_t revision = reader.revision();
+        (void)reader.seek(last);
+        plan.finish(frames.end(), reader.revision() == revision ? kept : last, {},
+                    [](const PicturePlan::Picture&) {});
     }
-    FrameThinning thinning(scene.frames.limit);
-    thinning.keepEvery(stride);
-    std::optional<std::size_t> kept;
-    for (std::size_t n = 0; n < states.size(); ++n)
-    {
-        kept = thinning.take(n).keep ? states[n] : kept;
-    }
-    const auto revision = [&](std::size_t state)
-    {
-        (void)reader.seek(state);
-        return reader.revision();
-    };
-    if (selection.hasLast() && (!kept || revision(*kept) != revision(last)))
-    {
-        std::size_t number = states.size();
-        do
-        {
-            const std::size_t step = thinning.stride();
-            number = (number + step - 1) / step * step;
-            (void)thinning.take(number);
-        } while (!thinning.wants(number));
-    }
-    return {thinning.stride(), thinning.count()};
 }
 
 /// Pictures in a folder that are none of the first `count`.
@@ -161,10 +112,10 @@ void requireOneProcess(const RenderRequest& request)
     if (request.shard.count > 1 &&
         (!request.video.empty() || request.contactSheet || request.overwrite))
     {
-        throw Error(ErrorCode::usage, "one part of the pictures makes no video and no contact "
-                                      "sheet, and does not know which pictures are others': omit "
-                                      "--video, --contact-sheet and --overwrite; --gather makes "
-                                      "the contact sheet of all");
+        throw Error(ErrorCode::usage,
+                    "one part of the pictures makes no video and no contact sheet, and cannot "
+                    "replace pictures of other parts: omit --video, --contact-sheet and "
+                    "--overwrite; --gather makes the contact sheet of all");
     }
     if (request.gather && (!request.video.empty() || request.overwrite || request.shard.count > 1))
     {
@@ -233,10 +184,10 @@ bool drawFrames(FramePainter& painter, RunFileReader& reader, KeptFrames& frames
             painter.pass(frames.number(i));
             continue;
         }
-        const std::size_t leftOut = painter.leftOut();
-        painter.take(frames.number(i), toPaint(frames.state(i), reader));
+        const std::size_t leftOut = painter.drawn().leftOut();
+        painter.take(frames.number(i), {&frames.state(i), reader.revision()});
         painter.wait();
-        if (painter.leftOut() == leftOut)
+        if (painter.drawn().leftOut() == leftOut)
         {
             reader.forgetChanges();
         }
@@ -245,8 +196,9 @@ bool drawFrames(FramePainter& painter, RunFileReader& reader, KeptFrames& frames
             observer.progressed(i + 1, frames.count());
         }
     }
-    painter.finish(frames.end(),
-                   painter.wantsLast() ? toPaint(frames.last(), reader) : FramePainter::State{});
+    painter.finish(frames.end(), painter.wantsLast()
+                                     ? FramePainter::State{&frames.last(), reader.revision()}
+                                     : FramePainter::State{});
     return false;
 }
 
@@ -270,19 +222,19 @@ RenderResult renderRun(const RenderRequest& request, const RenderObserver& obser
     const std::filesystem::path directory = directoryOf(request, file);
     const std::optional<CameraPath> path = cameraPath(request, head, scene);
     KeptFrames frames(reader);
-    const double duration = path ? path->duration() : 0;
-    PictureCount pictures = {strideOf(scene, head, frames, duration), 0};
+    PicturePlan pictures(scene, path ? path->duration() : 0);
+    pictures.keepEvery(strideOf(scene, head, frames, pictures));
     const bool isPart = request.shard.count > 1 || request.gather;
     if (isPart || request.dryRun)
     {
-        pictures = countPictures(file, scene, pictures.stride, duration);
+        planAll(pictures, file);
     }
     if (request.dryRun)
     {
         RunDirectory::check(directory, earlierPictures(request));
-        const auto [first, end] = request.shard.range(pictures.count);
+        const auto [first, end] = request.shard.range(pictures.count());
         RenderResult plan = resultOf(reader, directory);
-        plan.allFrames = pictures.count;
+        plan.allFrames = pictures.count();
         plan.frames = end - first;
         return plan;
     }
@@ -298,26 +250,27 @@ RenderResult renderRun(const RenderRequest& request, const RenderObserver& obser
                           request.skipExisting || isPart};
     if (isPart)
     {
-        paint.pictures = request.shard.range(pictures.count);
+        paint.pictures = request.shard.range(pictures.count());
         paint.onlyLook = request.gather;
     }
     FramePainter painter(paint);
     painter.stopWhen(observer.stopRequested);
-    painter.keepEvery(pictures.stride);
+    painter.keepEvery(pictures.stride());
     place.begin();
 
     RenderResult result = resultOf(reader, directory);
     result.stopped = drawFrames(painter, reader, frames, observer);
     result.allFrames = painter.count();
-    result.frames = painter.count() - painter.others();
-    result.missing = painter.missing();
+    const DrawnPictures& drawn = painter.drawn();
+    result.frames = painter.count() - drawn.others;
+    result.missing = drawn.missing;
     result.surplus = request.gather ? picturesBeyond(painter.count(), directory / "frames") : 0;
-    result.skippedFrames = painter.skipped();
-    result.renderer = painter.description();
+    result.skippedFrames = drawn.skipped;
+    result.renderer = drawn.renderer;
     if (!result.stopped)
     {
-        result.videoFailure = painter.videoFailure();
-        result.blank = painter.blank();
+        result.videoFailure = drawn.videoFailure;
+        result.blank = drawn.blank;
         if (request.contactSheet && result.missing.empty())
         {
             writeContactSheet(scene, directory, painter);

@@ -43,10 +43,11 @@ void refuseImported(const RunHead& head, const std::filesystem::path& directory)
 {
     if (!head.importedFrom.empty())
     {
-        throw Error(ErrorCode::usage,
-                    fmt::format("the run in {} was imported from '{}': there is nothing to go on "
-                                "with; render and export it",
-                                directory.string(), head.importedFrom));
+        throw Error(
+            ErrorCode::usage,
+            fmt::format(
+                "the run in {} was imported from '{}': it cannot be resumed; render or export it",
+                directory.string(), head.importedFrom));
     }
 }
 

@@ -17,7 +17,7 @@ namespace frostfill
 [[nodiscard]] std::optional<LoadedMesh> meshOfEarlierRun(const FillRequest& request);
 
 /// The first setting by which two scenes give different runs, "seed = 1, not 2"; empty if there is
-/// none. Threads and the like change no bit.
+/// none. The number of threads and similar options change no bit.
 [[nodiscard]] std::string sceneDifference(const Scene& begun, const Scene& now);
 
 /// What to do with the files in the directory of a request; `resumes`: with a run that is kept.

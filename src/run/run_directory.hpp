@@ -51,7 +51,7 @@ private:
 
     std::filesystem::path path_;
     EarlierRun earlier_;
-    bool writes_; ///< and nobody else does
+    bool writes_; ///< and has the lock to itself; false: shares it
     /// The directory itself, opened; closed also when the rest of the construction fails.
     struct Lock
     {

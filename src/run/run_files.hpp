@@ -22,7 +22,7 @@ struct RunRecord
     const FramePlan& frames;
     const FillResult& result;
     StageTimes times;       ///< of simulation and pictures together
-    std::size_t stride = 1; ///< every so manieth of the selected frames was kept
+    std::size_t stride = 1; ///< every stride-th of the selected frames was kept
 };
 
 /// The text of summary.json.

@@ -24,7 +24,7 @@ struct ColourFacts
 [[nodiscard]] ColourRange colourRange(const Scene& scene, const ColourFacts& facts);
 
 /// What a run file says of its run before the first frame: all that a picture needs beside mesh and
-/// states, and all that it takes to go on with the run.
+/// states, and all that it takes to resume the run.
 struct RunHead
 {
     Scene scene;
@@ -34,7 +34,7 @@ struct RunHead
     bool contactSheet = false;
     ColourFacts colours;
     double interval = 0;     ///< [s] simulated, between two frames
-    std::size_t stride = 1;  ///< every so manieth frame is kept as a picture
+    std::size_t stride = 1;  ///< every stride-th frame is kept as a picture
     std::vector<Pose> poses; ///< of a moving object, that have to fit into the picture
     std::string version;     ///< of the program
     /// The file of another program that the run was read from; empty for a run of our own.

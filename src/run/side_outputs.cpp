@@ -12,7 +12,11 @@ namespace frostfill
 
 SideOutputs::SideOutputs(const Scene& scene, std::filesystem::path directory,
                          const std::filesystem::path& video)
-    : passes_(scene.frames.passes), limit_(scene.frames.limit), directory_(std::move(directory))
+    : limit_(scene.frames.limit), directory_(std::move(directory)),
+      passes_({{{"depth", scene.frames.passes.depth, &PassPictures::depth},
+                {"normal", scene.frames.passes.normal, &PassPictures::normal},
+                {"identity", scene.frames.passes.identity, &PassPictures::identity}}}),
+      hasPasses_(scene.frames.passes.any())
 {
     if (!video.empty())
     {
@@ -23,11 +27,11 @@ SideOutputs::SideOutputs(const Scene& scene, std::filesystem::path directory,
 void SideOutputs::keepEvery(std::size_t stride)
 {
     stride_ = stride;
-    for (auto* sequence : {&depth_, &normal_, &identity_})
+    for (Pass& pass : passes_)
     {
-        if (*sequence)
+        if (pass.sequence)
         {
-            (*sequence)->keepEvery(stride);
+            pass.sequence->keepEvery(stride);
         }
     }
 }
@@ -39,53 +43,41 @@ void SideOutputs::put(std::size_t number, bool kept, Renderer& renderer, const S
     {
         video_->put(number, image);
     }
-    if (kept && passes_.any())
+    if (!kept || !hasPasses_)
     {
-        putPasses(number, renderer, snapshot);
+        return;
     }
-}
-
-void SideOutputs::putPasses(std::size_t number, Renderer& renderer, const Snapshot& snapshot)
-{
     renderer.renderPasses(snapshot, pictures_);
     // The range of depths is known with the first picture, and stays.
     const PngText range = {{"Software", "Frostfill"},
                            {"Nearest", fmt::format("{}", pictures_.nearest)},
                            {"Furthest", fmt::format("{}", pictures_.furthest)}};
-    const auto keep =
-        [&](bool wanted, std::optional<PngSequence>& sequence, const char* name, const Image& image)
+    for (Pass& pass : passes_)
     {
-        if (wanted && !sequence)
+        if (pass.isWanted && !pass.sequence)
         {
-            sequence.emplace(directory_ / name, limit_, range);
-            sequence->keepEvery(stride_);
+            pass.sequence.emplace(directory_ / pass.folder, limit_, range);
+            pass.sequence->keepEvery(stride_);
             for (const std::size_t earlier : skipped_)
             {
-                sequence->skip(earlier);
+                pass.sequence->skip(earlier);
             }
         }
-        if (wanted)
+        if (pass.isWanted)
         {
-            sequence->put(number, image);
+            pass.sequence->put(number, pictures_.*pass.picture);
         }
-    };
-    keep(passes_.depth, depth_, "depth", pictures_.depth);
-    keep(passes_.normal, normal_, "normal", pictures_.normal);
-    keep(passes_.identity, identity_, "identity", pictures_.identity);
+    }
 }
 
 void SideOutputs::skip(std::size_t number)
 {
-    if (!depth_ && !normal_ && !identity_)
+    skipped_.push_back(number);
+    for (Pass& pass : passes_)
     {
-        skipped_.push_back(number);
-        return;
-    }
-    for (auto* sequence : {&depth_, &normal_, &identity_})
-    {
-        if (*sequence)
+        if (pass.sequence)
         {
-            (*sequence)->skip(number);
+            pass.sequence->skip(number);
         }
     }
 }

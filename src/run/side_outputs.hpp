@@ -7,6 +7,7 @@
 #include <frostfill/renderer.hpp>
 #include <frostfill/scene.hpp>
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -23,8 +24,6 @@ public:
     SideOutputs(const Scene& scene, std::filesystem::path directory,
                 const std::filesystem::path& video);
 
-    /// Whether frames are wanted that are not kept as pictures.
-    [[nodiscard]] bool wantEveryFrame() const { return video_.has_value(); }
     /// See FrameThinning; for the passes. The video gets every frame.
     void keepEvery(std::size_t stride);
     /// Takes a frame that the renderer has just drawn; passes are for those that are `kept`.
@@ -36,17 +35,21 @@ public:
     [[nodiscard]] std::optional<std::string> finish();
 
 private:
-    void putPasses(std::size_t number, Renderer& renderer, const Snapshot& snapshot);
-
-    Passes passes_;
     std::size_t limit_;
     std::size_t stride_ = 1;
     std::filesystem::path directory_;
     std::optional<Video> video_;
-    std::optional<std::size_t> passesDrawn_; ///< number of the frame that the passes show
     PassPictures pictures_;
     std::vector<std::size_t> skipped_; ///< before the first passes
-    std::optional<PngSequence> depth_, normal_, identity_;
+    struct Pass
+    {
+        const char* folder;
+        bool isWanted;
+        Image PassPictures::*picture;
+        std::optional<PngSequence> sequence = std::nullopt; ///< from the first picture on
+    };
+    std::array<Pass, 3> passes_;
+    bool hasPasses_; ///< any of them
 };
 
 } // namespace frostfill

@@ -31,7 +31,7 @@ std::string describe(const StraySphere& stray)
     }
     if (stray.kind == StrayKind::notFinite)
     {
-        what = "had a position or velocity that is no number";
+        what = "had a position or velocity that is not a number";
         help = "try a smaller --dt";
     }
     return fmt::format(
@@ -58,8 +58,8 @@ std::optional<std::string> findFaultOfFast(const FillResult& result, double rest
     // Without any loss of speed only the time limit ends a run.
     if (static_cast<double>(quality.unsupported) > most && restitution < 1)
     {
-        return fmt::format("{} of {} rest on nothing that carries them; try --motion descend, a "
-                           "lower --restitution or a longer --set-time-limit",
+        return fmt::format("{} of {} are at rest without support; try --motion descend, a lower "
+                           "--restitution or a longer --set-time-limit",
                            spheres(quality.unsupported), result.spheres);
     }
     return std::nullopt;
@@ -77,7 +77,7 @@ std::optional<std::string> findFault(const Scene& scene, const FillResult& resul
     }
     if (quality.notFinite > 0)
     {
-        return fmt::format("{} ended at positions that are no numbers; try a smaller --dt",
+        return fmt::format("{} ended at positions that are not numbers; try a smaller --dt",
                            spheres(quality.notFinite));
     }
     if (result.overfull)

@@ -89,8 +89,13 @@ public:
     }
     [[nodiscard]] std::uint64_t count()
     {
-        std::uint64_t value = 0;
-        for (int shift = 0; shift < 64; shift += 7)
+        const auto first = raw<std::uint8_t>(); // nearly always the only one
+        if (first < 0x80)
+        {
+            return first;
+        }
+        std::uint64_t value = first & 0x7F;
+        for (int shift = 7; shift < 64; shift += 7)
         {
             const auto byte = raw<std::uint8_t>();
             value |= static_cast<std::uint64_t>(byte & 0x7F) << shift;
@@ -154,7 +159,7 @@ public:
         {
             throw DamagedBytes("ends too early");
         }
-        const std::string_view taken = rest_.substr(0, bytes);
+        const std::string_view taken(rest_.data(), bytes);
         rest_.remove_prefix(bytes);
         return taken;
     }

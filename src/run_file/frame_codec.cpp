@@ -193,7 +193,7 @@ void FrameCodec::addTracks(const std::vector<std::uint32_t>& ids)
     {
         if (state(id) == kRuns)
         {
-            tracks_.push_back({id, {}});
+            tracks_.push_back({id, placeOf(centres_[id]), {}});
         }
     }
     std::inplace_merge(tracks_.begin(), tracks_.begin() + known, tracks_.end(),
@@ -238,20 +238,24 @@ void FrameCodec::goThroughPlaces(Named<Bytes>& streams, const Given* given)
     {
         renewedPlace_ = passPlace(id, renewedPlace_);
     }
+    auto renewed = renewed_.begin();
     std::erase_if(tracks_,
                   [&](const Track& track)
                   {
+                      while (renewed != renewed_.end() && *renewed < track.id)
+                      {
+                          ++renewed;
+                      }
                       return track.id >= snapshot_.states.size() ||
-                             std::binary_search(renewed_.begin(), renewed_.end(), track.id);
+                             (renewed != renewed_.end() && *renewed == track.id);
                   });
     addTracks(turned_);
     moved_.clear();
-    for (auto& [id, step] : tracks_)
+    for (auto& [id, place, step] : tracks_)
     {
-        const Place before = placeOf(centres_[id]);
-        const Place now =
-            passPlace(id, {before[0] + step[0], before[1] + step[1], before[2] + step[2]});
-        step = {now[0] - before[0], now[1] - before[1], now[2] - before[2]};
+        const Place before = place;
+        place = passPlace(id, {place[0] + step[0], place[1] + step[1], place[2] + step[2]});
+        step = {place[0] - before[0], place[1] - before[1], place[2] - before[2]};
         moved_.push_back(id);
     }
     std::erase_if(tracks_, [&](const Track& track) { return state(track.id) != kRuns; });

@@ -87,10 +87,11 @@ protected:
     std::vector<std::uint32_t> moved_, revalued_;                  ///< likewise
 
 private:
-    /// A sphere that runs, and how far it went in the frame before [grid].
+    /// A sphere that runs, and how far it went in the frame before.
     struct Track
     {
         std::uint32_t id = 0;
+        Place place{};
         Place step{};
     };
     template <typename Bytes>

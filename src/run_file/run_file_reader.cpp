@@ -60,7 +60,7 @@ struct RunFileReader::Implementation
         head = bytes.substr(4 * sizeof(double));
         if (!(grid > 0) || !origin.allFinite())
         {
-            throw DamagedBytes("has a grid that is no number");
+            throw DamagedBytes("has a grid that is not a number");
         }
     }
 

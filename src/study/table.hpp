@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Room: measurements and claims about the other rooms, with verdicts. Nobody installs it.
+// Room: measurements and claims about the other rooms, with verdicts. It is not installed.
 #pragma once
 
 #include <filesystem>

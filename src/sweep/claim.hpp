@@ -19,7 +19,7 @@ public:
     Claim(const Claim&) = delete;
     Claim& operator=(const Claim&) = delete;
 
-    /// False if another one holds the run. Where file systems know no locks, everybody holds it.
+    /// False if another one holds the run. On a file system without locks this is always true.
     [[nodiscard]] bool holds() const { return holds_; }
 
 private:

@@ -22,7 +22,7 @@ namespace
 /// Spheres of a run that is tried itself, and of the larger model of one that is not. More: plans
 /// take longer. Fewer: what a run takes beside its spheres counts for too much.
 constexpr double kTried = 2000;
-/// The smaller model has so many times fewer.
+/// The larger model has this many times as many spheres as the smaller one.
 constexpr double kApart = 4;
 /// Time goes with the number of spheres to a power between these.
 constexpr double kLeastPower = 0.9;

@@ -53,9 +53,9 @@ RunReport reportOf(int status)
                 fmt::format("its process was ended by a signal: {}{}", strsignal(signal),
                             signal == SIGKILL ? "; perhaps there was not enough memory" : "")};
     }
-    return failed(Error(
-        ErrorCode::postcondition,
-        fmt::format("its process ended without a word, with exit code {}", WEXITSTATUS(status))));
+    return failed(Error(ErrorCode::postcondition,
+                        fmt::format("its process ended without a message, with exit code {}",
+                                    WEXITSTATUS(status))));
 }
 
 RunReport noProcess()
@@ -67,7 +67,7 @@ RunReport noProcess()
 [[noreturn]] void runInChild(const FillRequest& request, const FillObserver& observer, int pipe,
                              pid_t parent)
 {
-    // It must not go on when nobody waits for it any more.
+    // It must end when its parent does.
     prctl(PR_SET_PDEATHSIG, SIGTERM);
     if (getppid() != parent)
     {

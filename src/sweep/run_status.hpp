@@ -24,7 +24,7 @@ private:
     TriangleMesh mesh_;
 };
 
-/// Whether the folder holds this run, ended, with all files that its summary speaks of.
+/// Whether the folder holds this run, ended, with all files that its summary lists.
 [[nodiscard]] bool isComplete(const Scene& scene, const std::string& runHash,
                               const std::filesystem::path& folder);
 
@@ -32,8 +32,8 @@ private:
 enum class Remains
 {
     nothing,   ///< or what is not worth keeping
-    resumable, ///< this run, to go on with
-    partial,   ///< this run, without a file to go on with
+    resumable, ///< this run, which can be resumed
+    partial,   ///< this run, without a file to resume it from
     other,     ///< another run
 };
 [[nodiscard]] Remains remainsIn(const Scene& scene, const std::string& runHash,

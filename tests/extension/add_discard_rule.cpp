@@ -16,7 +16,7 @@ public:
     {
         if (++count_ % 2 == 0)
         {
-            world_.discard(id);
+            world_.spheres.discard(id);
         }
     }
 

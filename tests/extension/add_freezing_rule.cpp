@@ -10,13 +10,13 @@ namespace
 class AllAtOnce final : public FreezingPart
 {
 public:
-    void select(const SetProgress& /*set*/, std::span<Runner> runners,
+    void select(const SetProgress& /*set*/, std::span<RestWatch> running,
                 std::vector<std::uint32_t>& sleepy) override
     {
         constexpr std::uint32_t kCalmWindows = 10;
-        for (const Runner& runner : runners)
+        for (const RestWatch& watch : running)
         {
-            if (runner.stillWindows < kCalmWindows)
+            if (watch.stillWindows < kCalmWindows)
             {
                 sleepy.clear();
                 return;

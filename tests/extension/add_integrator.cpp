@@ -10,14 +10,13 @@ namespace
 class Midpoint final : public IntegratorPart
 {
 public:
-    void advance(Spheres& spheres, std::size_t begin, double gravity, double dt) override
+    void advance(RunningSpheres& running, double gravity, double dt) override
     {
         const Eigen::Vector3d change = {0, -gravity * dt, 0};
-        for (std::size_t i = begin; i < spheres.size(); ++i)
+        for (std::uint32_t row = 0; row < running.size(); ++row)
         {
-            const Eigen::Vector3d before = spheres.velocity(i);
-            spheres.setPosition(i, spheres.position(i) + (before + change / 2) * dt);
-            spheres.setVelocity(i, before + change);
+            running.position[row] += (running.velocity[row] + change / 2) * dt;
+            running.velocity[row] += change;
         }
     }
 };

@@ -13,14 +13,15 @@ namespace
 class Layer final : public SphereSearchPart
 {
 public:
-    [[nodiscard]] std::span<const IdRange> near(const Spheres& spheres, std::size_t i,
+    [[nodiscard]] std::span<const IdRange> near(const Spheres& spheres, std::uint32_t i,
                                                 IdRange frozen) override
     {
         constexpr double kReach = 3; // two radii, and what the sphere may be pushed [r]
+        const double y = spheres.running().position[i].y();
         found_.clear();
         for (std::size_t id = frozen.begin; id < frozen.end; ++id)
         {
-            if (std::abs(spheres.y[id] - spheres.y[i]) < kReach)
+            if (std::abs(spheres.position(id).y() - y) < kReach)
             {
                 found_.push_back({id, id + 1});
             }

@@ -124,7 +124,7 @@ TEST_F(RenderCommand, SaysThatAFileIsTornAndDrawsWhatIsWhole)
               test::withoutSummary(whole).substr(0, test::withoutSummary(whole).size() - 9));
     const Answer answer = run("render run");
     EXPECT_EQ(answer.code, 0) << answer.errors;
-    EXPECT_NE(answer.errors.find("is torn"), std::string::npos) << answer.errors;
+    EXPECT_NE(answer.errors.find("is incomplete"), std::string::npos) << answer.errors;
     EXPECT_EQ(picture("run/render", 3), picture("run", 3));
 }
 

@@ -35,50 +35,47 @@ struct Pile
 {
     explicit Pile(const std::vector<Eigen::Vector3d>& places, const std::vector<double>& radii = {})
     {
-        runners.resize(places.size());
-        for (std::uint32_t k = 0; k < places.size(); ++k)
+        for (std::size_t k = 0; k < places.size(); ++k)
         {
-            runners[k].restart(k, places[k], radii.empty() ? 1 : radii[k]);
+            world.spheres.add(places[k], radii.empty() ? 1 : radii[k], 0);
         }
     }
 
     void step()
     {
-        for (Runner& runner : runners)
+        for (std::uint32_t row = 0; row < running.size(); ++row)
         {
-            flight.advance(runner, kDt);
+            flight.advance(row, kDt);
         }
-        positionSolver.resolve(runners, kDt);
+        positionSolver.resolve(kDt);
     }
 
     [[nodiscard]] double energy() const
     {
-        return std::accumulate(
-            runners.begin(), runners.end(), 0.0,
-            [](double sum, const Runner& runner)
-            { return sum + runner.velocity.squaredNorm() / 2 + runner.position.y(); });
+        double sum = 0;
+        for (std::uint32_t row = 0; row < running.size(); ++row)
+        {
+            sum += running.velocity[row].squaredNorm() / 2 + running.position[row].y();
+        }
+        return sum;
     }
 
     /// Those that carry one another, of all.
     std::vector<std::uint32_t> carried()
     {
         step(); // finds who meets whom
-        std::vector<std::uint32_t> members(runners.size());
+        std::vector<std::uint32_t> members(running.size());
         std::iota(members.begin(), members.end(), 0);
-        for (Runner& runner : runners)
-        {
-            runner.member = true;
-        }
-        SupportIsland(flight, threads).keep(runners, members);
+        SupportIsland(running, flight, positionSolver.pairs(), threads).keep(members);
         return members;
     }
 
     World world{sceneOfPile(), shapes::box({-8, -8, -8}, {8, 8, 8}, 8)};
+    RunningSpheres& running = world.spheres.running();
     FreeFlight flight{world, {}};
     Threads threads{1};
-    RunnerGrid grid{world.resting.frame()};
-    PositionSolver positionSolver{grid, flight, threads, {}};
-    std::vector<Runner> runners;
+    RunnerGrid grid{world.spheres.resting().frame()};
+    PositionSolver positionSolver{running, grid, flight, threads, {}};
 };
 
 std::vector<Eigen::Vector3d> column(int height)
@@ -98,10 +95,10 @@ TEST(VelocitySolver, AColumnOnTheFloorStandsStill)
     for (int k = 0; k < 50; ++k)
     {
         pile.step();
-        for (const Runner& runner : pile.runners)
+        for (std::uint32_t row = 0; row < 7; ++row)
         {
-            EXPECT_LT(runner.velocity.norm(), 1e-3);
-            EXPECT_NEAR(runner.position.y(), kFloor + 1 + 2 * runner.id, 2e-3);
+            EXPECT_LT(pile.running.velocity[row].norm(), 1e-3);
+            EXPECT_NEAR(pile.running.position[row].y(), kFloor + 1 + 2 * row, 2e-3);
         }
     }
 }
@@ -119,12 +116,12 @@ TEST(VelocitySolver, ARandomCrowdNeverGainsEnergyInAStep)
             places.emplace_back(at(k % 3, 0), at(k / 9, 1), at(k / 3 % 3, 2));
         }
         Pile pile(places);
-        for (Runner& runner : pile.runners)
+        for (std::uint32_t row = 0; row < 27; ++row)
         {
             for (int axis = 0; axis < 3; ++axis)
             {
-                runner.velocity[axis] =
-                    6 * (uniformRandom(seed, runner.id, 3 + static_cast<std::uint64_t>(axis)) - .5);
+                pile.running.velocity[row][axis] =
+                    6 * (uniformRandom(seed, row, 3 + static_cast<std::uint64_t>(axis)) - .5);
             }
         }
         double energy = pile.energy();
@@ -135,9 +132,9 @@ TEST(VelocitySolver, ARandomCrowdNeverGainsEnergyInAStep)
             EXPECT_LE(pile.energy(), energy + 1e-12 * fall);
             energy = std::min(energy, pile.energy());
         }
-        for (const Runner& runner : pile.runners)
+        for (const Eigen::Vector3d& velocity : pile.running.velocity.all())
         {
-            EXPECT_LT(runner.velocity.norm(), 0.5);
+            EXPECT_LT(velocity.norm(), 0.5);
         }
     }
 }
@@ -149,17 +146,17 @@ TEST(VelocitySolver, SpheresOfUnlikeMassPartWithTheClosedFormSpeeds)
     {
         const Eigen::Vector3d normal = Eigen::Vector3d(2, 0, 1).normalized();
         Pile pile({Eigen::Vector3d::Zero(), (1 + small) * normal}, {1, small});
-        Runner& heavy = pile.runners[0];
-        Runner& light = pile.runners[1];
-        heavy.velocity = 0.7 * normal + Eigen::Vector3d(0, 0.3, 0);
-        light.velocity = -1.1 * normal;
-        pile.positionSolver.resolve(pile.runners, kDt);
+        Eigen::Vector3d& heavy = pile.running.velocity[0];
+        Eigen::Vector3d& light = pile.running.velocity[1];
+        heavy = 0.7 * normal + Eigen::Vector3d(0, 0.3, 0);
+        light = -1.1 * normal;
+        pile.positionSolver.resolve(kDt);
         const double mass = small * small * small;
         const double common = (0.7 - mass * 1.1) / (1 + mass); // of the centre of mass
         const double parting = SolverSettings().restitution * 1.8;
-        EXPECT_NEAR(heavy.velocity.dot(normal), common - parting * mass / (1 + mass), 1e-12);
-        EXPECT_NEAR(light.velocity.dot(normal), common + parting / (1 + mass), 1e-12);
-        EXPECT_NEAR(heavy.velocity.y(), 0.3, 1e-12);
+        EXPECT_NEAR(heavy.dot(normal), common - parting * mass / (1 + mass), 1e-12);
+        EXPECT_NEAR(light.dot(normal), common + parting / (1 + mass), 1e-12);
+        EXPECT_NEAR(heavy.y(), 0.3, 1e-12);
     }
 }
 
@@ -172,10 +169,10 @@ TEST(PositionSolver, SpheresOfUnlikeMassAreTakenApartAboutTheirCentreOfMass)
         Pile pile({Eigen::Vector3d::Zero(), (1 + small - depth) * normal}, {1, small});
         const double mass = small * small * small;
         const auto middle = [&]
-        { return (pile.runners[0].position + mass * pile.runners[1].position).eval(); };
+        { return (pile.running.position[0] + mass * pile.running.position[1]).eval(); };
         const Eigen::Vector3d before = middle();
-        pile.positionSolver.resolve(pile.runners, kDt);
-        EXPECT_NEAR((pile.runners[1].position - pile.runners[0].position).norm(), 1 + small, 1e-12);
+        pile.positionSolver.resolve(kDt);
+        EXPECT_NEAR((pile.running.position[1] - pile.running.position[0]).norm(), 1 + small, 1e-12);
         EXPECT_LT((middle() - before).norm(), 1e-12) << small;
     }
 }
@@ -185,12 +182,12 @@ TEST(PositionSolver, SpheresOfUnlikeMassAreTakenApartAboutTheirCentreOfMass)
 TEST(PositionSolver, ALiftCostsAsMuchSpeedAsItGivesHeight)
 {
     Pile pile({{0, kFloor + 1, 0}, {0, kFloor + 2.95, 0}});
-    pile.runners[1].velocity = {1, 0, 0.5};
+    pile.running.velocity[1] = {1, 0, 0.5};
     const double before = pile.energy();
-    pile.positionSolver.resolve(pile.runners, kDt);
-    EXPECT_GT(pile.runners[1].position.y(), kFloor + 2.99);
+    pile.positionSolver.resolve(kDt);
+    EXPECT_GT(pile.running.position[1].y(), kFloor + 2.99);
     EXPECT_NEAR(pile.energy(), before, 1e-12);
-    EXPECT_LT(pile.runners[1].velocity.norm(), std::sqrt(1.25 - 2 * 0.04));
+    EXPECT_LT(pile.running.velocity[1].norm(), std::sqrt(1.25 - 2 * 0.04));
 }
 
 TEST(PositionSolver, SpheresPressedIntoARowClimbOutOfIt)
@@ -207,14 +204,11 @@ TEST(PositionSolver, SpheresPressedIntoARowClimbOutOfIt)
     {
         pile.step();
     }
-    for (const Runner& a : pile.runners)
+    for (std::uint32_t a = 0; a < 9; ++a)
     {
-        for (const Runner& b : pile.runners)
+        for (std::uint32_t b = 0; b < a; ++b)
         {
-            if (a.id < b.id)
-            {
-                EXPECT_GT((a.position - b.position).norm(), 2 - 0.05);
-            }
+            EXPECT_GT((pile.running.position[a] - pile.running.position[b]).norm(), 2 - 0.05);
         }
     }
 }
@@ -228,19 +222,16 @@ TEST(SupportIsland, LooksAtNobodyWhoIsStillBeingMoved)
     for (const std::vector<std::uint32_t>& order : {std::vector{0U, 1U}, {1U, 0U}})
     {
         Pile pile(places);
-        for (std::uint32_t k = 0; k < 2; ++k)
-        {
-            pile.runners[k].nearby = {1 - k};
-            pile.runners[k].member = true;
-        }
+        BroadPhase pairs(pile.running, pile.grid, pile.threads);
+        pairs.findPairs();
         std::vector<std::uint32_t> members = order;
-        SupportIsland(pile.flight, pile.threads).keep(pile.runners, members);
+        SupportIsland(pile.running, pile.flight, pairs, pile.threads).keep(members);
         EXPECT_EQ(members, order);
-        EXPECT_NEAR(pile.runners[0].position.x(), 7, 1e-12);
-        const Eigen::Vector3d way = pile.runners[1].position - pile.runners[0].position;
-        ASSERT_FALSE(pile.runners[1].normals.empty());
-        EXPECT_EQ(pile.runners[1].normals.back(), way.normalized());
-        normals.push_back(pile.runners[1].normals);
+        EXPECT_NEAR(pile.running.position[0].x(), 7, 1e-12);
+        const Eigen::Vector3d way = pile.running.position[1] - pile.running.position[0];
+        ASSERT_FALSE(pile.flight.normals(1).empty());
+        EXPECT_EQ(pile.flight.normals(1).back(), way.normalized());
+        normals.push_back(pile.flight.normals(1));
     }
     EXPECT_EQ(normals[0], normals[1]);
 }

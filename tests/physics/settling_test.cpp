@@ -36,7 +36,7 @@ class Settling : public ::testing::Test
 protected:
     Eigen::Vector3d settle(World& world, Eigen::Vector3d p)
     {
-        FallIndex falls(world.resting.frame(), world.triangles);
+        FallIndex falls(world.spheres.resting().frame(), world.triangles);
         for (std::size_t id = 0; id < world.spheres.size(); ++id)
         {
             falls.insert(world.spheres.position(id));

@@ -46,12 +46,12 @@ std::string runToItsEnd(const Scene& scene, const TriangleMesh& mesh, QualityRep
     const auto engine = makeEngine(world);
     while (engine->step())
     {
-        for (const std::uint32_t id : world.runningIds)
+        for (const Eigen::Vector3d& p : world.spheres.running().position.all())
         {
-            EXPECT_TRUE(world.spheres.position(id).allFinite());
+            EXPECT_TRUE(p.allFinite());
         }
     }
-    EXPECT_EQ(world.running(), 0u);
+    EXPECT_EQ(world.spheres.runningCount(), 0u);
     quality = examine(world);
     return hashState(world.spheres);
 }

@@ -21,10 +21,7 @@ inline std::unique_ptr<World> smallWorld(const TriangleMesh& mesh)
 /// Adds a sphere at rest.
 inline std::uint32_t addResting(World& world, const Eigen::Vector3d& place)
 {
-    const std::uint32_t id = world.release(place, 1, 0);
-    world.freeze(id);
-    world.forgetFrozen();
-    return id;
+    return world.spheres.addResting(place, 1, 0);
 }
 
 } // namespace frostfill

@@ -70,7 +70,7 @@ void JsonProgress::addTo(CLI::App& command, const char* group)
 
 void JsonProgress::write(const std::string& line)
 {
-    // One call, so that lines of several processes do not mix. Nobody may be reading any more.
+    // One call, so that lines of several processes do not mix. The reader may be gone.
     std::ignore = ::write(descriptor_, line.data(), line.size());
 }
 

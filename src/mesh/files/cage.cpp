@@ -31,7 +31,7 @@ namespace
 /// The child's end of the pipe; it has no other file open above it.
 constexpr int kReport = 3;
 constexpr rlim_t kMostFiles = 16;
-/// A child that sleeps uses no processor time: after so many times its limit it is killed. [1]
+/// A child that sleeps uses no processor time: it is killed after its limit times this. [1]
 constexpr unsigned kWaitFactor = 10;
 
 // The first byte of what the child reports.
@@ -102,7 +102,7 @@ void writeAll(const char* bytes, std::size_t count)
     close_range(kReport + 1, ~0U, 0);
     if (kLimitsAddresses)
     {
-        // The reader's last words are of no use to anybody; a sanitizer's are.
+        // What the reader prints is of no use; what a sanitizer prints is.
         dup2(open("/dev/null", O_WRONLY | O_CLOEXEC), STDERR_FILENO);
     }
     lockCage(limits);
@@ -135,7 +135,7 @@ public:
         std::array<int, 2> ends{};
         if (pipe2(ends.data(), O_CLOEXEC) != 0)
         {
-            refuse("no pipe is to be had");
+            refuse("no pipe is available");
         }
         id_ = fork();
         if (id_ == 0)
@@ -147,7 +147,7 @@ public:
         if (id_ < 0)
         {
             close(pipe_);
-            refuse("no process is to be had");
+            refuse("no process is available");
         }
     }
     Child(const Child&) = delete;

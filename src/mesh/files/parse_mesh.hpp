@@ -6,7 +6,7 @@
 namespace frostfill
 {
 
-/// readMesh of bytes that are at hand. `file` gives the name's ending and is named in messages;
+/// readMesh of bytes in memory. `file` gives the name's ending and is named in messages;
 /// only glTF is read from it. Throws Error badData.
 [[nodiscard]] TriangleMesh parseMesh(std::string bytes, const std::filesystem::path& file);
 

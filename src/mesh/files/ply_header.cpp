@@ -144,10 +144,9 @@ PlyHeader readPlyHeader(std::string_view bytes)
         }
         else if (keyword == "property" || keyword == "end_header")
         {
-            refuseAt(
-                scanner.place(),
-                fmt::format("{} is not what a PLY header may hold there; export the mesh again",
-                            quoted(keyword)));
+            refuseAt(scanner.place(),
+                     fmt::format("{} is not allowed there in a PLY header; export the mesh again",
+                                 quoted(keyword)));
         }
         // Any other line is a comment: some programs leave the word out.
     }

@@ -39,8 +39,7 @@ public:
     {
         if (scanner_.nextLine())
         {
-            refuseAt(place(), "the file goes on after all that its header promises; export the "
-                              "mesh again");
+            refuseAt(place(), "the file has more data than its header says; export the mesh again");
         }
     }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "mesh/files/binary_numbers.hpp"
 #include "mesh/files/one_file_io.hpp"
 #include "mesh/files/readers.hpp"
 #include "mesh/files/unreadable.hpp"
@@ -48,6 +49,25 @@ void refuseExtensions(std::string_view bytes)
             throw Unreadable(fmt::format("it {} ({}), which cannot be read here; export it without",
                                          extension.says, extension.name));
         }
+    }
+}
+
+/// Refuses a GLB whose JSON ends at no multiple of four bytes, which the format asks for: assimp
+/// only says that it knows no reader for it.
+void refuseBrokenChunks(std::string_view bytes)
+{
+    constexpr std::size_t kJsonLengthAt = 12; // behind the mark, the version and the file's length
+    if (!bytes.starts_with("glTF") || bytes.size() < kJsonLengthAt + sizeof(std::uint32_t))
+    {
+        return;
+    }
+    const auto length = loadNumber<std::uint32_t>(bytes.data() + kJsonLengthAt, false);
+    if (length % 4 != 0)
+    {
+        throw Unreadable(
+            fmt::format("its JSON takes {} bytes, and GLB files fill it up with blanks "
+                        "to a multiple of four; export it again with a newer exporter",
+                        length));
     }
 }
 
@@ -175,6 +195,7 @@ private:
 TriangleMesh readGltf(const std::filesystem::path& file, std::string_view bytes)
 {
     refuseExtensions(bytes);
+    refuseBrokenChunks(bytes);
     Assimp::Importer importer;
     importer.SetIOHandler(new OneFileIo(file)); // assimp takes ownership
     removeOtherImporters(importer);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Reading a mesh that anybody may have made. Assimp 5.2.5, the reader of glTF in Debian 12,
+// Reading a mesh from an untrusted source. Assimp 5.2.5, the reader of glTF in Debian 12,
 // crashes, hangs or fills the memory on damaged files; in a child process that costs a sentence.
-// The other readers are not known to, and are caged all the same.
+// The other readers are not known to, and are caged nevertheless.
 #include "mesh/files/cage.hpp"
 #include "mesh/repair/find_nonsense.hpp"
 
@@ -86,8 +86,8 @@ TriangleMesh readMeshInCage(const std::filesystem::path& file)
     if (!take(rest, mesh.vertices) || !take(rest, mesh.triangles) || !rest.empty() ||
         findNonsense(mesh))
     {
-        throw Error(ErrorCode::badData, subject + ": the reader made nonsense of it; export the "
-                                                  "mesh again, in another format if need be");
+        throw Error(ErrorCode::badData, subject + ": the reader returned an invalid mesh; export "
+                                                  "the mesh again, in another format if need be");
     }
     return mesh;
 }

@@ -54,7 +54,7 @@ std::string_view skipKeyword(TextScanner& scanner)
     return next;
 }
 
-/// The number of edges, which nobody needs and some leave out, may be in the same line or alone in
+/// The number of edges, which is not needed and often left out, may be in the same line or alone in
 /// the next one.
 void skipEdgeCount(TextScanner& scanner)
 {
@@ -121,18 +121,26 @@ TriangleMesh readOff(std::string_view text)
     for (std::uint64_t i = 0; i < counts.faces; ++i)
     {
         nextLine(scanner, i, counts.faces, "faces");
+        const Place where = scanner.place();
         const std::uint64_t size = takeCount(scanner, scanner.word());
         corners.clear();
         for (std::uint64_t corner = 0; corner < size; ++corner)
         {
-            corners.push_back(scanner.toInteger(scanner.word(), "the face"));
+            // The format is free: a face may go on in the next line. One that is cut off takes
+            // numbers of the next face, and the file then ends too early.
+            const std::string_view word = scanner.wordAnywhere();
+            if (word.empty())
+            {
+                refuseAt(where, "the face has too few numbers; export the mesh again");
+            }
+            corners.push_back(scanner.toInteger(word, "the face"));
         }
-        mesh.addFace(scanner.place().number, corners); // its colour follows
+        mesh.addFace(where.number, corners); // its colour follows
     }
     if (scanner.nextLine())
     {
         refuseAt(scanner.place(),
-                 fmt::format("the file goes on after its {} faces; export the mesh again",
+                 fmt::format("the file has more data after its {} faces; export the mesh again",
                              counts.faces));
     }
     return mesh.take();

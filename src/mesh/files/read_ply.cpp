@@ -196,8 +196,8 @@ void refuseUnusable(const PlyHeader& header)
         if (isFaces(element) && lists != 1)
         {
             refuseAt({"line", element.line},
-                     fmt::format("the element {} has no list, or several, of the name "
-                                 "vertex_indices or vertex_index; export the mesh again",
+                     fmt::format("the element {} has no list, or several, named vertex_indices or "
+                                 "vertex_index; export the mesh again",
                                  quoted(element.name)));
         }
     }

@@ -1,63 +1,26 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/interior/edge_twins.hpp"
 
+#include "mesh/edge_table.hpp"
+
+#include <array>
+
 namespace frostfill
 {
-namespace
-{
 
-/// The sides that run from one vertex to another.
-struct Sides
+EdgeTwins::EdgeTwins(const TriangleMesh& mesh) : twins_(3 * mesh.triangles.size(), kNone)
 {
-    std::uint32_t last = EdgeTwins::kNone;
-    std::size_t count = 0;
-};
-
-Sides sidesFrom(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles,
-                std::uint32_t from, std::uint32_t to)
-{
-    Sides sides;
-    for (const std::uint32_t triangle : triangles)
-    {
-        const auto& t = mesh.triangles[triangle];
-        for (std::uint32_t k = 0; k < 3; ++k)
+    EdgeTable(mesh).forEach(
+        [&](std::span<const EdgeUse> uses)
         {
-            if (t[k] == from && t[(k + 1) % 3] == to)
+            if (uses.size() == 2 && cancels(uses))
             {
-                sides.last = 3 * triangle + k;
-                ++sides.count;
+                const std::array sides = {3 * uses[0].triangle + uses[0].corner,
+                                          3 * uses[1].triangle + uses[1].corner};
+                twins_[sides[0]] = sides[1];
+                twins_[sides[1]] = sides[0];
             }
-        }
-    }
-    return sides;
-}
-
-} // namespace
-
-EdgeTwins::EdgeTwins(const TriangleMesh& mesh, const VertexTriangles& around)
-    : twins_(3 * mesh.triangles.size(), kNone)
-{
-    for (std::uint32_t side = 0; side < twins_.size(); ++side)
-    {
-        if (twins_[side] != kNone)
-        {
-            continue;
-        }
-        const auto& t = mesh.triangles[side / 3];
-        const std::uint32_t from = t[side % 3];
-        const std::uint32_t to = t[(side % 3 + 1) % 3];
-        // The vertex with fewer triangles: the hub of a fan would be searched for each spoke.
-        const auto atFrom = around.at(from);
-        const auto atTo = around.at(to);
-        const auto triangles = atFrom.size() < atTo.size() ? atFrom : atTo;
-        const Sides same = sidesFrom(mesh, triangles, from, to);
-        const Sides opposite = sidesFrom(mesh, triangles, to, from);
-        if (same.count == 1 && same.last == side && opposite.count == 1)
-        {
-            twins_[side] = opposite.last;
-            twins_[opposite.last] = side;
-        }
-    }
+        });
 }
 
 bool EdgeTwins::isOneFan(const TriangleMesh& mesh, std::uint32_t vertex,

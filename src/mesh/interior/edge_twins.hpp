@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "mesh/interior/vertex_triangles.hpp"
+#include <frostfill/mesh.hpp>
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace frostfill
@@ -18,7 +19,7 @@ public:
     /// In place of a twin at an edge that has not exactly two sides, one in each direction.
     static constexpr std::uint32_t kNone = 0xffffffff;
 
-    EdgeTwins(const TriangleMesh& mesh, const VertexTriangles& around);
+    explicit EdgeTwins(const TriangleMesh& mesh);
 
     [[nodiscard]] std::uint32_t operator[](std::size_t side) const { return twins_[side]; }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/interior/surface.hpp"
 
+#include "mesh/edge_table.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
-#include <utility>
 
 namespace frostfill
 {
@@ -18,16 +18,12 @@ namespace
 /// rounding makes edges of planes, on which spheres stumble.
 constexpr double kFlatBend = 7e-8;
 
-/// By which a triangle counts at one of its features: the angle at a corner, 1 at an edge.
-double weightAt(const SurfaceTriangle& triangle, std::size_t feature)
+/// The angle at a corner, by which its triangle counts there.
+double weightAt(const SurfaceTriangle& triangle, std::size_t corner)
 {
-    if (feature > 2)
-    {
-        return 1;
-    }
-    const Eigen::Vector3d& at = triangle.corner[feature];
-    const Eigen::Vector3d u = triangle.corner[(feature + 1) % 3] - at;
-    const Eigen::Vector3d v = triangle.corner[(feature + 2) % 3] - at;
+    const Eigen::Vector3d& at = triangle.corner[corner];
+    const Eigen::Vector3d u = triangle.corner[(corner + 1) % 3] - at;
+    const Eigen::Vector3d v = triangle.corner[(corner + 2) % 3] - at;
     return std::atan2(u.cross(v).norm(), u.dot(v));
 }
 
@@ -44,13 +40,6 @@ TriangleBound boundOf(const SurfaceTriangle& triangle)
     return bound;
 }
 
-using EdgeKey = std::pair<std::uint32_t, std::uint32_t>;
-
-EdgeKey edgeKey(std::uint32_t a, std::uint32_t b)
-{
-    return {std::min(a, b), std::max(a, b)};
-}
-
 /// The triangles at an edge or a corner.
 struct Fan
 {
@@ -64,29 +53,57 @@ struct Fan
     }
 };
 
-/// The fans of a mesh.
-struct Fans
+void setFeature(SurfaceTriangle& triangle, std::size_t feature, const Fan& fan)
 {
-    std::map<EdgeKey, Fan> edges;
-    std::vector<Fan> corners; ///< [#V]
+    triangle.pseudonormal[feature] = fan.normal;
+    triangle.flat[feature] = fan.flat;
+}
 
-    template <class Visit>
-    void forEach(const std::array<std::uint32_t, 3>& triangle, Visit&& visit)
+/// Returns the corners' fans [#V].
+std::vector<Fan> setCorners(const TriangleMesh& mesh, std::vector<SurfaceTriangle>& triangles)
+{
+    std::vector<Fan> fans(mesh.vertices.size());
+    const auto forEach = [&](auto&& visit)
     {
-        for (std::size_t k = 0; k < 3; ++k)
+        for (std::size_t corner = 0; corner < 3 * triangles.size(); ++corner)
         {
-            visit(k, corners[triangle[k]]);
-            visit(3 + k, edges[edgeKey(triangle[k], triangle[(k + 1) % 3])]);
+            const std::size_t t = corner / 3;
+            visit(triangles[t], corner % 3, fans[mesh.triangles[t][corner % 3]]);
         }
-    }
-};
+    };
+    forEach([](const auto& triangle, std::size_t k, Fan& fan)
+            { fan.normal += triangle.normal * weightAt(triangle, k); });
+    forEach([](const auto& triangle, std::size_t, Fan& fan) { fan.bend(triangle.normal); });
+    forEach([](auto& triangle, std::size_t k, const Fan& fan) { setFeature(triangle, k, fan); });
+    return fans;
+}
+
+void setEdges(const TriangleMesh& mesh, std::vector<SurfaceTriangle>& triangles)
+{
+    EdgeTable(mesh).forEach(
+        [&](std::span<const EdgeUse> uses)
+        {
+            Fan fan;
+            for (const EdgeUse& use : uses)
+            {
+                fan.normal += triangles[use.triangle].normal;
+            }
+            for (const EdgeUse& use : uses)
+            {
+                fan.bend(triangles[use.triangle].normal);
+            }
+            for (const EdgeUse& use : uses)
+            {
+                setFeature(triangles[use.triangle], 3U + use.corner, fan);
+            }
+        });
+}
 
 } // namespace
 
 Surface::Surface(const TriangleMesh& mesh, const Walls& walls)
     : mesh_(mesh), triangles_(mesh.triangles.size()), bounds_(mesh.triangles.size())
 {
-    Fans fans{{}, std::vector<Fan>(mesh.vertices.size())};
     for (std::size_t t = 0; t < triangles_.size(); ++t)
     {
         SurfaceTriangle& triangle = triangles_[t];
@@ -98,35 +115,19 @@ Surface::Surface(const TriangleMesh& mesh, const Walls& walls)
         const auto& [a, b, c] = triangle.corner;
         triangle.normal = (c - a).cross(b - a).normalized();
         triangle.offset = triangle.normal.dot(a);
+        triangle.pseudonormal.fill(triangle.normal);
         bounds_[t] = boundOf(triangle);
-        fans.forEach(mesh.triangles[t], [&](std::size_t feature, Fan& fan)
-                     { fan.normal += triangle.normal * weightAt(triangle, feature); });
     }
-    for (std::size_t t = 0; t < triangles_.size(); ++t)
+    setEdges(mesh, triangles_);
+    for (const Fan& fan : setCorners(mesh, triangles_))
     {
-        fans.forEach(mesh.triangles[t],
-                     [&](std::size_t, Fan& fan) { fan.bend(triangles_[t].normal); });
-    }
-    for (std::size_t t = 0; t < triangles_.size(); ++t)
-    {
-        SurfaceTriangle& triangle = triangles_[t];
-        triangle.pseudonormal[6] = triangle.normal;
-        fans.forEach(mesh.triangles[t],
-                     [&](std::size_t feature, const Fan& fan)
-                     {
-                         triangle.pseudonormal[feature] = fan.normal;
-                         triangle.flat[feature] = fan.flat;
-                     });
+        vertexNormals_.push_back(fan.normal.normalized());
     }
     for (std::size_t t = 0; t < triangles_.size() && !walls.none(); ++t)
     {
         triangles_[t].twoSided = walls.twoSided[t];
     }
     anyTwoSided_ = !walls.none();
-    for (const Fan& fan : fans.corners)
-    {
-        vertexNormals_.push_back(fan.normal.normalized());
-    }
 }
 
 namespace

@@ -12,7 +12,7 @@ namespace frostfill
 
 /// A balanced binary tree of the triangles of a mesh, halved at the median centroid along the
 /// longest side. Nodes are in preorder: the first child of a node follows it. A walk needs no
-/// stack: it goes on with the next node, or with `skip` to leave out what is below.
+/// stack: it continues with the next node, or with `skip` to leave out what is below.
 class TriangleTree
 {
 public:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/interior/vertex_triangles.hpp"
 
+#include "mesh/triangle_shape.hpp"
+
 #include <numeric>
 
 namespace frostfill
@@ -14,7 +16,7 @@ void forEachCorner(const TriangleMesh& mesh, Visit&& visit)
     for (std::size_t triangle = mesh.triangles.size(); triangle-- > 0;)
     {
         const auto& t = mesh.triangles[triangle];
-        if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0])
+        if (!repeatsCorner(t))
         {
             visit(t[0], static_cast<std::uint32_t>(triangle));
             visit(t[1], static_cast<std::uint32_t>(triangle));

@@ -4,6 +4,7 @@
 #include "geometry/triangle_pair.hpp"
 #include "mesh/interior/crossings.hpp"
 #include "mesh/interior/edge_twins.hpp"
+#include "mesh/interior/vertex_triangles.hpp"
 #include "mesh/interior/winding_tree.hpp"
 
 #include <algorithm>
@@ -139,7 +140,7 @@ Walls classifyWalls(const TriangleMesh& mesh)
     walls.firstCrossing = crossings.firstPlace;
     walls.twoSided = std::move(crossings.crossed);
 
-    const EdgeTwins twins(mesh, around);
+    const EdgeTwins twins(mesh);
     flagIrregular(mesh, around, twins, walls.twoSided);
     const std::vector<Patch> patches = findPatches(twins, walls.twoSided);
     if (patches.size() > 1 || countOf(walls.twoSided) > 0)

@@ -2,7 +2,7 @@
 #include "mesh/repair/clean_mesh.hpp"
 
 #include "mesh/repair/components.hpp"
-#include "mesh/repair/triangle_shape.hpp"
+#include "mesh/triangle_shape.hpp"
 
 #include <map>
 

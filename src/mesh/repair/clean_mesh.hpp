@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Room: inspection and repair of meshes from outside. Each step changes a TriangleMesh and
+// reports what it did.
 #pragma once
 
 #include <frostfill/mesh.hpp>

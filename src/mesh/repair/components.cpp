@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/repair/components.hpp"
 
-#include "mesh/repair/triangle_shape.hpp"
+#include "mesh/triangle_shape.hpp"
 
 namespace frostfill
 {

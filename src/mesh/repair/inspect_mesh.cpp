@@ -2,7 +2,7 @@
 #include "mesh/interior/interior_volume.hpp"
 #include "mesh/repair/components.hpp"
 #include "mesh/repair/inspect_interior.hpp"
-#include "mesh/repair/triangle_shape.hpp"
+#include "mesh/triangle_shape.hpp"
 
 #include <optional>
 

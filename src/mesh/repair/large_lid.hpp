@@ -2,7 +2,7 @@
 #pragma once
 
 #include "mesh/repair/rims.hpp"
-#include "mesh/repair/triangle_shape.hpp"
+#include "mesh/triangle_shape.hpp"
 
 namespace frostfill
 {

@@ -3,7 +3,7 @@
 
 #include "mesh/interior/winding_number.hpp"
 #include "mesh/repair/components.hpp"
-#include "mesh/repair/triangle_shape.hpp"
+#include "mesh/triangle_shape.hpp"
 
 #include <cmath>
 

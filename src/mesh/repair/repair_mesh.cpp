@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "mesh/edge_table.hpp"
 #include "mesh/repair/advice.hpp"
 #include "mesh/repair/clean_mesh.hpp"
 #include "mesh/repair/close_holes.hpp"
-#include "mesh/repair/edge_table.hpp"
 #include "mesh/repair/find_nonsense.hpp"
 #include "mesh/repair/fins.hpp"
 #include "mesh/repair/openings.hpp"
@@ -11,7 +11,7 @@
 #include "mesh/repair/separate_edges.hpp"
 #include "mesh/repair/sheets.hpp"
 #include "mesh/repair/stitch_seams.hpp"
-#include "mesh/repair/triangle_shape.hpp"
+#include "mesh/triangle_shape.hpp"
 
 #include <frostfill/error.hpp>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/repair/rim_vertices.hpp"
 
-#include "mesh/repair/triangle_shape.hpp"
 #include "mesh/repair/weld.hpp"
+#include "mesh/triangle_shape.hpp"
 
 namespace frostfill
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "mesh/edge_table.hpp"
 #include "mesh/interior/triangle_tree.hpp"
-#include "mesh/repair/edge_table.hpp"
 
 namespace frostfill
 {

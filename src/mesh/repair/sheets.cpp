@@ -2,7 +2,7 @@
 #include "mesh/repair/sheets.hpp"
 
 #include "mesh/repair/components.hpp"
-#include "mesh/repair/triangle_shape.hpp"
+#include "mesh/triangle_shape.hpp"
 
 #include <cmath>
 

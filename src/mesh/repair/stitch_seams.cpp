@@ -2,8 +2,8 @@
 #include "mesh/repair/stitch_seams.hpp"
 
 #include "mesh/repair/rim_vertices.hpp"
-#include "mesh/repair/triangle_shape.hpp"
 #include "mesh/repair/weld.hpp"
+#include "mesh/triangle_shape.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "mesh/repair/edge_table.hpp"
+#include "mesh/edge_table.hpp"
 
 namespace frostfill
 {

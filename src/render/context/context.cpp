@@ -91,8 +91,8 @@ std::unique_ptr<Context> openContext(Backend backend)
 {
     requireMemory();
     const Watchdog watchdog(kPatience,
-                            "frostfill: OpenGL has not answered for a minute, perhaps for want of "
-                            "memory; try another --backend, or --frames none",
+                            "frostfill: OpenGL has not answered for a minute, perhaps because "
+                            "memory is short; try another --backend, or --frames none",
                             static_cast<int>(ErrorCode::noOpenGl));
     std::string attempts;
     for (const BackendChoice& choice : backendChoices())

@@ -103,7 +103,7 @@ EglLibrary openLibrary()
     extension("eglQueryDeviceStringEXT", egl.queryDeviceString);
     if (egl.platformDisplay == nullptr)
     {
-        egl.failure = "the library cannot do without a screen (no eglGetPlatformDisplayEXT)";
+        egl.failure = "the library needs a screen (no eglGetPlatformDisplayEXT)";
     }
     return egl;
 }

@@ -342,15 +342,4 @@ glm::dvec3 horizontalDirection(const Eigen::Vector3d& up, double azimuth)
     return std::cos(angle) * back + std::sin(angle) * right;
 }
 
-std::vector<glm::vec3> inUnitSpace(const TriangleMesh& mesh, const Framing& framing)
-{
-    std::vector<glm::vec3> positions;
-    positions.reserve(mesh.vertices.size());
-    for (const Eigen::Vector3d& vertex : mesh.vertices)
-    {
-        positions.emplace_back(framing.toUnit(vertex));
-    }
-    return positions;
-}
-
 } // namespace frostfill

@@ -40,7 +40,7 @@ struct PixelRectangle
             std::max(a.top, b.top)};
 }
 
-/// By so many pixels on each side.
+/// Grown by a number of pixels on each side.
 [[nodiscard]] inline PixelRectangle grown(const PixelRectangle& a, int by)
 {
     return {a.left - by, a.bottom - by, a.right + by, a.top + by};

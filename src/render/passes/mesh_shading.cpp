@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/passes/mesh_shading.hpp"
 
+#include "mesh/edge_table.hpp"
 #include "render/passes/mesh_creases.hpp"
 
 #include <glm/geometric.hpp>
@@ -99,43 +100,29 @@ void smoothNormals(const TriangleMesh& mesh, ShadedMesh& shaded)
 
 void findEdges(const TriangleMesh& mesh, ShadedMesh& shaded)
 {
-    struct Side
-    {
-        std::array<std::uint32_t, 2> ends;
-        std::uint32_t triangle;
-        std::uint8_t corner;
-    };
-    std::vector<Side> sides;
-    sides.reserve(mesh.triangles.size() * 3);
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-    {
-        for (std::uint8_t c = 0; c < 3; ++c)
+    EdgeTable(mesh).forEach(
+        [&](std::span<const EdgeUse> uses)
         {
-            const auto [low, high] =
-                std::minmax(mesh.triangles[t][(c + 1) % 3], mesh.triangles[t][(c + 2) % 3]);
-            sides.push_back({{low, high}, t, c});
-        }
-    }
-    std::stable_sort(sides.begin(), sides.end(),
-                     [](const Side& a, const Side& b) { return a.ends < b.ends; });
-    for (std::size_t i = 0; i < sides.size();)
-    {
-        const bool paired = i + 1 < sides.size() && sides[i].ends == sides[i + 1].ends;
-        ShadedMesh::Edge edge;
-        edge.triangles[0] = sides[i].triangle;
-        edge.corners[0] = sides[i].corner;
-        edge.ends = sides[i].ends;
-        edge.crease = paired ? 0 : kStrong;
-        if (paired)
-        {
-            edge.triangles[1] = sides[i + 1].triangle;
-            edge.corners[1] = sides[i + 1].corner;
-            edge.crease = creaseStrength(shaded.faceNormals[edge.triangles[0]],
-                                         shaded.faceNormals[edge.triangles[1]]);
-        }
-        shaded.edges.push_back(edge);
-        i += paired ? 2 : 1;
-    }
+            for (std::size_t first = 0; first < uses.size(); first += 2) // they go in pairs
+            {
+                const auto pair =
+                    uses.subspan(first, std::min<std::size_t>(2, uses.size() - first));
+                ShadedMesh::Edge edge;
+                edge.ends = {pair[0].low, pair[0].high};
+                edge.crease = kStrong;
+                for (std::size_t side = 0; side < pair.size(); ++side)
+                {
+                    edge.triangles[side] = pair[side].triangle;
+                    edge.corners[side] = static_cast<std::uint8_t>((pair[side].corner + 2) % 3);
+                }
+                if (pair.size() == 2)
+                {
+                    edge.crease = creaseStrength(shaded.faceNormals[edge.triangles[0]],
+                                                 shaded.faceNormals[edge.triangles[1]]);
+                }
+                shaded.edges.push_back(edge);
+            }
+        });
 }
 
 } // namespace

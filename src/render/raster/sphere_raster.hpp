@@ -29,22 +29,22 @@ struct PixelGrid
 class SphereRaster
 {
 public:
-    /// Of a hatch that is dark, as in common.glsl.
+    /// Share of the hatch that is dark, as in common.glsl.
     static constexpr float kHatchShare = 0.34F;
 
-    /// `background` is the palette's; `front` is added to what is near without perspective.
+    /// `background` is the palette's. `front` is added to the nearness without perspective.
     SphereRaster(const SphereUniforms& uniforms, bool orthographic, const PictureSize& size,
                  const Colour& background, int samples, float front = 0);
 
-    /// `pixels` is around it in the picture. `light`: as in the studio.
+    /// `pixels` is the sphere's rectangle in the picture. `light`: for the style studio.
     void draw(const SphereInstance& sphere, const PixelRectangle& pixels, const TilePart& part,
               SampleTile& tile, const SphereLight* light = nullptr) const;
 
-    /// No point of it is nearer; see kNothing.
+    /// An upper bound of the nearness of the sphere's points; see kNothing.
     [[nodiscard]] float nearest(const SphereInstance& sphere) const;
 
-    /// What is the same over one sphere. Let dx, dy be pixels from its middle. With D the ray, C
-    /// the centre, R and A unit vectors to the right and above in the plane of the circle:
+    /// What is constant over one sphere. Let dx, dy be pixels from its middle, D the ray, C the
+    /// centre, and R and A unit vectors to the right and upwards in the plane of the outline:
     struct Setup
     {
         float x, y;                  ///< its middle in the picture [pixel]
@@ -53,8 +53,8 @@ public:
         float along, alongX, alongY; ///< D.C = along + alongX dx + alongY dy
         float steepness;             ///< e; 0 without perspective
         float nearScale, rise;       ///< nearness = q + (q e + rise) w, q = D.C nearScale
-        /// Of the normal's product with what it is compared with: for (e + w) t, for the two
-        /// coordinates on the circle times t, where t = 1 / (1 + e w).
+        /// Coefficients of the dot product of the normal with a direction: of (e + w) t, and of the
+        /// two coordinates in the outline times t, where t = 1 / (1 + e w).
         struct Slope
         {
             float axis, right, above;

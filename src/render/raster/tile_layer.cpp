@@ -12,7 +12,7 @@ namespace frostfill
 namespace
 {
 
-/// See forAll.
+/// Spheres that one task of forAll places in the picture.
 constexpr std::size_t kSpheresATask = 4096;
 
 } // namespace

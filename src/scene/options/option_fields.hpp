@@ -62,7 +62,7 @@ const auto& namesOf()
     }
 }
 
-/// Lengths in mesh units outside of these are nobody's: squares and cubes of them overflow.
+/// Lengths in mesh units outside of these do not occur: squares and cubes of them overflow.
 inline constexpr double kSmallestLength = 1e-12;
 inline constexpr double kLargestLength = 1e12;
 

@@ -21,9 +21,8 @@ void addKeepRun(TableBuilder& table)
     table.add(Option{.key = "frames.keep_run",
                      .flag = "--keep-run",
                      .group = table.group(),
-                     .help =
-                         "Keep the run in run.frost, to draw it again (frostfill render) and to "
-                         "resume it; auto: when frames are drawn",
+                     .help = "Keep the run in run.frost, to draw it again (frostfill render) or "
+                             "resume it; auto: when frames are drawn",
                      .choices = {"auto", "on", "off"},
                      .get =
                          [](const Scene& scene)
@@ -73,13 +72,13 @@ void addFrames(TableBuilder& table)
         .range(kFewestPerSecond, 10000);
     table
         .add("frames.slow_motion", "--slow-motion",
-             "Video time over simulated time; auto: as the duration asks for",
+             "Video time over simulated time; auto: follows from the duration",
              FROSTFILL_FIELD(frames.slowMotion))
         .orNothing("auto")
         .range(1 / kSlowestMotion, kSlowestMotion);
     table
         .add("frames.duration", "--duration",
-             "How long the animation takes [s of video]; auto: 20 s, less for a few spheres",
+             "Length of the animation [s of video]; auto: 20 s, less for a few spheres",
              FROSTFILL_FIELD(frames.duration))
         .orNothing("auto")
         .range(kShortestVideo, kLongestTurn);
@@ -142,11 +141,10 @@ void addPicture(TableBuilder& table)
                          scene.style.colourBy = std::get<std::string>(value);
                          return true;
                      }});
-    table.add(
-        "picture.cutaway", "--cutaway",
-        "Cut open: remove what lies beyond a plane (offset from the middle [mesh unit]) or in a "
-        "wedge of azimuths [degree]",
-        FROSTFILL_FIELD(style.cutaway));
+    table.add("picture.cutaway", "--cutaway",
+              "Cut open: remove everything beyond a plane (offset from the middle [mesh unit]) or "
+              "in a wedge of azimuths [degree]",
+              FROSTFILL_FIELD(style.cutaway));
     table.add("picture.ambient_occlusion", "--ambient-occlusion",
               "Darken crevices; doubles the drawing time", FROSTFILL_FIELD(style.ambientOcclusion));
     table.add("picture.legend", "--legend", "Show counts and colours in the picture",
@@ -180,9 +178,10 @@ void addPicture(TableBuilder& table)
                      }});
     table.add("picture.background", "--background", "Colour of the background",
               FROSTFILL_FIELD(style.palette.background));
-    table.add("picture.backend", "--backend",
-              "what draws; auto: builtin, for styles that it lacks OSMesa, or EGL if there is none",
-              FROSTFILL_FIELD(backend));
+    table.add(
+        "picture.backend", "--backend",
+        "What draws; auto: builtin; for styles that it lacks OSMesa, or EGL if there is no OSMesa",
+        FROSTFILL_FIELD(backend));
 }
 
 void addCamera(TableBuilder& table)

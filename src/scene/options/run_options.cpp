@@ -36,15 +36,15 @@ void addObject(TableBuilder& table)
               FROSTFILL_FIELD(object.load.lid));
     table
         .add("object.wrap", "--wrap",
-             "Put a skin around the mesh, into openings wider than 2 of these lengths [mesh unit]; "
-             "auto: 1/50 of the box's diagonal; needs frostfill-wrap",
+             "Wrap a skin around the mesh; it enters openings wider than twice this length [mesh "
+             "unit]; auto: 1/50 of the box's diagonal; needs frostfill-wrap",
              FROSTFILL_FIELD(object.load.wrap))
         .orNothing("none")
         .range(0, kLargestNumber)
         .words({{"auto", 0}})
         .implied("auto");
     table.add("object.unite", "--unite",
-              "Remove the walls inside the object, of pieces that overlap; needs frostfill-wrap",
+              "Remove the inner walls of pieces that overlap; needs frostfill-wrap",
               FROSTFILL_FIELD(object.load.unite));
 }
 
@@ -68,7 +68,7 @@ void addSpheres(TableBuilder& table)
               FROSTFILL_FIELD(spheres.untilFull));
     table
         .add("spheres.group_size", "--group-size",
-             "Spheres in a group; 0 means 10, or more in a large object or, if they fall, of many",
+             "Spheres in a group; 0: 10, or more in a large object or when many spheres fall",
              FROSTFILL_FIELD(spheres.groupSize))
         .range(0, kLargestGroup);
     table

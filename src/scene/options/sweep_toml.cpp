@@ -53,8 +53,8 @@ void refuseOtherTables(const FileValues& values, std::string_view file)
         if (!key.starts_with("scene.") && !key.starts_with("sweep."))
         {
             refuse(file, value.line,
-                   fmt::format("'{}' is in neither table of a sweep: what all runs share stands "
-                               "in [scene], lists of values stand in [sweep]",
+                   fmt::format("'{}' is in neither table of a sweep: put the settings of all runs "
+                               "in [scene] and lists of values in [sweep]",
                                key));
         }
     }
@@ -71,8 +71,8 @@ std::vector<SweptKey> axesOf(const FileValues& swept, std::string_view file)
             if (found->second.list.empty())
             {
                 refuse(file, found->second.line,
-                       fmt::format("'{0}' must be a list of values, such as {0} = [ ... ]; a "
-                                   "single value stands in [scene]",
+                       fmt::format("'{0}' must be a list of values, such as {0} = [ ... ]; put a "
+                                   "single value in [scene]",
                                    option.key));
             }
             axes.push_back({&option, found->second});
@@ -206,8 +206,8 @@ std::vector<SweepRun> parseSweep(std::string_view toml, std::string_view nameFor
         if (!names.insert(runs.back().name).second)
         {
             refuse(nameForMessages, axes.front().values.line,
-                   fmt::format("two runs have the name '{}': a list has a value twice, or two "
-                               "that differ in signs a file name cannot have",
+                   fmt::format("two runs have the name '{}': a list has a value twice, or two that "
+                               "differ only in characters that a file name cannot have",
                                runs.back().name));
         }
     } while (nextPlaces(places, axes));

@@ -12,8 +12,8 @@ namespace frostfill
 SphereRecord recordOf(const World& world, std::size_t id)
 {
     return {world.frame.toMesh(world.spheres.position(id)),
-            world.spheres.radius[id] * world.frame.length, world.spheres.group[id],
-            world.spheres.state[id], world.stray && world.stray->sphere == id};
+            world.spheres.radius(id) * world.frame.length, world.spheres.group(id),
+            world.spheres.state(id), world.stray && world.stray->sphere == id};
 }
 
 void ColumnCapture::fill(Snapshot& snapshot)
@@ -107,7 +107,7 @@ WorldColumn* ColumnCapture::sourceOf(const Column& column)
 double ColumnCapture::valueOf(const Column& column, const WorldColumn* source,
                               std::uint32_t id) const
 {
-    const bool runs = world_.spheres.state[id] == SphereState::running;
+    const bool runs = world_.spheres.isRunning(id);
     if (column.of != ColumnOf::all && runs != (column.of == ColumnOf::running))
     {
         return 0;

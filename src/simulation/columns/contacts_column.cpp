@@ -33,11 +33,12 @@ void ContactsColumn::update()
     }
     places_.resize(count, kNowhere);
     counts_.resize(count, 0);
-    for (; seen_ < world_.stateChanges.size(); ++seen_)
+    const std::vector<std::uint32_t>& stateChanges = world_.spheres.changes();
+    for (; seen_ < stateChanges.size(); ++seen_)
     {
-        look(world_.stateChanges[seen_]);
+        look(stateChanges[seen_]);
     }
-    for (const std::uint32_t id : world_.runningIds)
+    for (const std::uint32_t id : world_.spheres.running().id.all())
     {
         look(id); // it may have the number of one that rested
     }
@@ -59,8 +60,8 @@ void ContactsColumn::look(std::uint32_t id)
     {
         return; // withdrawn since
     }
-    const bool rests = world_.spheres.state[id] != SphereState::running;
-    const Eigen::Vector3d now = rests ? world_.spheres.position(id) : kNowhere;
+    const bool runs = world_.spheres.isRunning(id);
+    const Eigen::Vector3d now = runs ? kNowhere : world_.spheres.position(id);
     const Eigen::Vector3d before = std::exchange(places_[id], now);
     if (before == now)
     {
@@ -78,15 +79,16 @@ void ContactsColumn::addBeside(const Eigen::Vector3d& place)
         return;
     }
     constexpr double kReach = 2 + kContactGap; // of the largest spheres [r]
-    world_.resting.forEachNear(place, kReach,
-                               [&](std::uint32_t id)
-                               {
-                                   const auto p = world_.resting[id].position();
-                                   if ((p - place).squaredNorm() <= kReach * kReach)
-                                   {
-                                       again_.push_back(id);
-                                   }
-                               });
+    const SphereGrid& resting = world_.spheres.resting();
+    resting.forEachNear(place, kReach,
+                        [&](std::uint32_t row)
+                        {
+                            const Eigen::Vector3d apart = resting[row].position() - place;
+                            if (apart.squaredNorm() <= kReach * kReach)
+                            {
+                                again_.push_back(resting.id(row));
+                            }
+                        });
 }
 
 } // namespace frostfill

@@ -26,7 +26,7 @@ private:
 
     const World& world_;
     bool keeps_ = false;
-    std::size_t seen_ = 0;                ///< of World::stateChanges
+    std::size_t seen_ = 0;                ///< of Spheres::changes
     std::vector<Eigen::Vector3d> places_; ///< [#S] where a sphere rests; not finite: nowhere
     std::vector<std::uint32_t> counts_;   ///< [#S]
     std::vector<std::uint32_t> again_;    ///< whose contacts are to be counted

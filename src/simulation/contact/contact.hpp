@@ -10,6 +10,7 @@
 #include "mesh/interior/surface.hpp"
 #include "simulation/contact/contact_cone.hpp"
 #include "simulation/contact/tolerances.hpp"
+#include "simulation/world/running_spheres.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -75,7 +76,7 @@ struct Contact
 /// The contact of a sphere at p with the front of triangle `id`, or with either side of a two-sided
 /// one, with a gap of at most `gap`.
 /// Inside a plane of several triangles only the one straight below the centre counts. The edges of
-/// the others come near, too, but nobody can touch an edge that is flat.
+/// the others come near, too, but no sphere can touch an edge that is flat.
 [[nodiscard]] inline std::optional<Contact> frontContact(const Surface& surface, std::uint32_t id,
                                                          const Eigen::Vector3d& p, double radius,
                                                          double gap = 0)
@@ -142,6 +143,18 @@ struct Restitution
 [[nodiscard]] inline double massOf(double radius)
 {
     return radius * radius * radius;
+}
+
+/// Kinetic and potential energy of all that run, for gravity downwards along y.
+[[nodiscard]] inline double energyOf(const RunningSpheres& running, double gravity)
+{
+    double energy = 0;
+    for (std::uint32_t row = 0; row < running.size(); ++row)
+    {
+        energy += massOf(running.radius[row]) *
+                  (running.velocity[row].squaredNorm() / 2 + gravity * running.position[row].y());
+    }
+    return energy;
 }
 
 } // namespace frostfill

@@ -52,12 +52,13 @@ public:
     void list(const World& world, const Eigen::Vector3d& p, double radius, double farthest)
     {
         spheres_.clear();
-        world.resting.forEachNear(p, radius + 1 + farthest,
-                                  [&](std::uint32_t id)
-                                  {
-                                      const GridSphere& other = world.resting[id];
-                                      add(other.position(), other.radius, p, radius, farthest);
-                                  });
+        const SphereGrid& resting = world.spheres.resting();
+        resting.forEachNear(p, radius + 1 + farthest,
+                            [&](std::uint32_t row)
+                            {
+                                const Ball& other = resting[row];
+                                add(other.position(), other.radius, p, radius, farthest);
+                            });
     }
 
     void add(const Eigen::Vector3d& centre, double its, const Eigen::Vector3d& p, double radius,

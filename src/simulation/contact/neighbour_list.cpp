@@ -19,20 +19,21 @@ void NeighbourList::ensure(const World& world, const Eigen::Vector3d& p, double 
     y.clear();
     z.clear();
     reach.clear();
-    world.resting.forEachNear(p, radius + 1 + kSkin,
-                              [&](std::uint32_t id)
-                              {
-                                  const GridSphere& other = world.resting[id];
-                                  const double contact = radius + other.radius;
-                                  if (!other.discarded &&
-                                      isWithin(other.position(), p, contact + kSkin))
-                                  {
-                                      x.push_back(other.x);
-                                      y.push_back(other.y);
-                                      z.push_back(other.z);
-                                      reach.push_back(contact);
-                                  }
-                              });
+    const SphereGrid& resting = world.spheres.resting();
+    resting.forEachNear(p, radius + 1 + kSkin,
+                        [&](std::uint32_t row)
+                        {
+                            const Ball& other = resting[row];
+                            const double contact = radius + other.radius;
+                            if (isWithin(other.position(), p, contact + kSkin) &&
+                                !resting.isDiscarded(row))
+                            {
+                                x.push_back(other.x);
+                                y.push_back(other.y);
+                                z.push_back(other.z);
+                                reach.push_back(contact);
+                            }
+                        });
     triangles_.clear();
     for (const std::uint32_t triangle : world.triangles.near(p))
     {

@@ -2,58 +2,71 @@
 #pragma once
 
 #include "geometry/grid_frame.hpp"
-#include "simulation/contact/runner.hpp"
+#include "simulation/contact/tolerances.hpp"
+#include "simulation/world/running_spheres.hpp"
 
 #include <cstdint>
-#include <span>
+#include <utility>
 #include <vector>
 
 namespace frostfill
 {
 
-/// Runners by cell, by their index. Filling and emptying cost what the runners cost, not the cells.
+/// Running spheres by cell, by row, as they lay when it was built, and as they are told to it
+/// since. Filling and emptying cost what the runners cost, not the cells.
 class RunnerGrid
 {
 public:
     explicit RunnerGrid(const GridFrame& frame) : frame_(frame), head_(frame.size(), kEnd) {}
 
     /// Forgets all and takes in these, as they lie now.
-    void rebuild(std::span<const Runner> runners)
+    void rebuild(const RunningSpheres& runners)
     {
-        for (const std::uint32_t cell : cell_)
+        for (const Node& node : nodes_)
         {
-            head_[cell] = kEnd;
+            head_[node.cell] = kEnd;
         }
-        cell_.clear();
         nodes_.clear();
-        for (const Runner& runner : runners)
+        for (std::uint32_t row = 0; row < runners.size(); ++row)
         {
-            add(runner.position, runner.radius);
+            add(runners.position[row], runners.radius[row]);
         }
     }
 
-    /// Takes in one more runner, with the next index.
+    /// Takes in one more runner, with the next row.
     void add(const Eigen::Vector3d& p, double radius)
     {
-        cell_.push_back(0);
-        nodes_.push_back({p, radius, kEnd});
-        link(static_cast<std::uint32_t>(cell_.size() - 1), p);
+        nodes_.push_back({p, radius, kEnd, 0});
+        link(static_cast<std::uint32_t>(nodes_.size() - 1));
     }
 
     /// To be called when a runner has been put elsewhere.
-    void move(std::uint32_t index, const Eigen::Vector3d& p)
+    void move(std::uint32_t row, const Eigen::Vector3d& p)
     {
-        std::uint32_t* entry = &head_[cell_[index]];
-        while (*entry != index)
+        std::uint32_t* entry = &head_[nodes_[row].cell];
+        while (*entry != row)
         {
             entry = &nodes_[*entry].next;
         }
-        *entry = nodes_[index].next;
-        nodes_[index].position = p;
-        link(index, p);
+        *entry = nodes_[row].next;
+        nodes_[row].position = p;
+        link(row);
     }
 
-    /// Calls visit(index, position, radius) for each runner in the cells that a cube of half-edge
+    /// Whether a sphere at the place would touch no runner.
+    [[nodiscard]] bool isClear(const Eigen::Vector3d& place, double radius) const
+    {
+        bool clear = true;
+        forEachNear(place, radius + 1 + kClearance,
+                    [&](std::uint32_t, const Eigen::Vector3d& p, double radiusThere)
+                    {
+                        const double contact = radiusThere + radius + kClearance;
+                        clear = clear && (p - place).squaredNorm() >= contact * contact;
+                    });
+        return clear;
+    }
+
+    /// Calls visit(row, position, radius) for each runner in the cells that a cube of half-edge
     /// `reach` about p meets, in no particular order.
     template <class Visit>
     void forEachNear(const Eigen::Vector3d& p, double reach, Visit&& visit) const
@@ -62,11 +75,11 @@ public:
                            frame_.coordinates(p.array() + reach),
                            [&](std::size_t cell)
                            {
-                               for (std::uint32_t index = head_[cell]; index != kEnd;)
+                               for (std::uint32_t row = head_[cell]; row != kEnd;)
                                {
-                                   const Node& node = nodes_[index];
-                                   visit(index, node.position, node.radius);
-                                   index = node.next;
+                                   const Node& node = nodes_[row];
+                                   visit(row, node.position, node.radius);
+                                   row = node.next;
                                }
                            });
     }
@@ -78,21 +91,20 @@ private:
         Eigen::Vector3d position;
         double radius;
         std::uint32_t next;
+        std::uint32_t cell;
     };
 
-    void link(std::uint32_t index, const Eigen::Vector3d& p)
+    void link(std::uint32_t row)
     {
-        const auto cell = static_cast<std::uint32_t>(frame_.index(p));
-        cell_[index] = cell;
-        nodes_[index].next = head_[cell];
-        head_[cell] = index;
+        Node& node = nodes_[row];
+        node.cell = static_cast<std::uint32_t>(frame_.index(node.position));
+        node.next = std::exchange(head_[node.cell], row);
     }
 
     static constexpr std::uint32_t kEnd = 0xffffffff;
     GridFrame frame_;
     std::vector<std::uint32_t> head_; ///< [#cells]
     std::vector<Node> nodes_;         ///< [#runners]
-    std::vector<std::uint32_t> cell_; ///< [#runners]
 };
 
 } // namespace frostfill

@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "simulation/contact/runner.hpp"
 #include "simulation/world/part_table.hpp"
 #include "simulation/world/world.hpp"
 
 #include <functional>
 #include <memory>
-#include <span>
 
 namespace frostfill
 {
 
 /// A discard rule: which spheres at rest and which polygons are not tested any more. It marks them
-/// with World::discard and World::discardPolygon, and does in each of these calls what it wants to.
+/// with Spheres::discard and World::discardPolygon, and does in each of these calls what it wants
+/// to.
 class DiscardPart
 {
 public:
@@ -25,8 +24,8 @@ public:
     virtual void renumber(std::uint32_t /*from*/, std::uint32_t /*to*/) {}
     /// Spheres have been frozen, for now no more.
     virtual void afterFreezing() {}
-    /// A step is over. `runners`: all that run; none in an engine that keeps no such list.
-    virtual void afterStep(std::span<Runner> /*runners*/) {}
+    /// A step is over. Returns whether what was discarded has come back.
+    [[nodiscard]] virtual bool afterStep() { return false; }
     /// Nothing runs any more. `full`: no further sphere fits.
     virtual void finish(bool /*full*/) {}
 };

@@ -28,12 +28,12 @@ void ExactDiscard::build()
         polygonWitness_.assign(world_.polygons.size(), kNoCube);
         // The margin is widest for the smallest contact.
         const double overlap = radii.smallest - map_->exclusion(radii.smallest);
-        clear_ = std::make_unique<ClearSearch>(world_.resting, world_.surface, world_.triangles,
-                                               radii.smallest, overlap);
+        clear_ = std::make_unique<ClearSearch>(world_.spheres.resting(), world_.surface,
+                                               world_.triangles, radii.smallest, overlap);
         clear_->halve(closer_ ? kHalvingsWhenNearlyFull : kHalvings);
         for (const Kept& kept : kept_)
         {
-            map_->addResting(world_.spheres.position(kept.id), world_.spheres.radius[kept.id]);
+            map_->addResting(world_.spheres.position(kept.id), world_.spheres.radius(kept.id));
         }
         if (map_->flood(centres_))
         {
@@ -64,41 +64,31 @@ std::size_t ExactDiscard::batch() const
     return std::max<std::size_t>(1, expectedCount(world_) / kUpdates);
 }
 
-void ExactDiscard::afterStep(std::span<Runner> runners)
+bool ExactDiscard::afterStep()
 {
     if (!map_ || !map_->active())
     {
-        return;
+        return false;
     }
-    const auto astray = [this](const Runner& runner) { return !map_->contains(runner.position); };
-    const bool trip = std::any_of(runners.begin(), runners.end(), astray);
+    const std::span<const Eigen::Vector3d> running = world_.spheres.running().position.all();
+    const auto astray = [this](const Eigen::Vector3d& p) { return !map_->contains(p); };
+    const bool trip = std::any_of(running.begin(), running.end(), astray);
     // The newest one waits: it is the last one if nothing follows; see finish.
     if (!trip && pending_.size() <= batch())
     {
-        return;
+        return false;
     }
-    centres_.clear();
-    for (const Runner& runner : runners)
-    {
-        centres_.push_back(runner.position);
-    }
+    centres_.assign(running.begin(), running.end());
     const std::size_t before = violations_;
     trip ? restoreAll() : updateWithoutTheNewest();
-    if (violations_ == before)
-    {
-        return;
-    }
-    for (Runner& runner : runners)
-    {
-        runner.around.invalidate();
-    }
+    return violations_ != before;
 }
 
 // Cubes of which the coarse search said that they may hold a place are then asked once more.
 void ExactDiscard::lookCloserNearTheEnd()
 {
     const bool untilFull = world_.targetCount == 0;
-    const auto resting = static_cast<double>(world_.discardedCount + kept_.size());
+    const auto resting = static_cast<double>(world_.spheres.discardedCount() + kept_.size());
     if (!closer_ && untilFull && resting > kNearlyFull * static_cast<double>(expectedCount(world_)))
     {
         closer_ = true;
@@ -113,7 +103,7 @@ void ExactDiscard::updateWithoutTheNewest()
     const std::size_t before = violations_;
     const std::uint32_t newest = pending_.back();
     pending_.pop_back();
-    clear_->ignore(newest);
+    clear_->ignore(world_.spheres.row(newest));
     update(centres_);
     if (violations_ == before)
     {
@@ -135,7 +125,7 @@ void ExactDiscard::finish(bool full)
         const std::uint32_t last = pending_.back();
         pending_.pop_back();
         centres_.push_back(world_.spheres.position(last));
-        clear_->ignore(last);
+        clear_->ignore(world_.spheres.row(last));
         map_->withdrawSeeds();
     }
     update(centres_);
@@ -169,7 +159,7 @@ void ExactDiscard::update(std::span<const Eigen::Vector3d> running)
 void ExactDiscard::addToMap(std::uint32_t id)
 {
     const Eigen::Vector3d centre = world_.spheres.position(id);
-    const double radius = world_.spheres.radius[id];
+    const double radius = world_.spheres.radius(id);
     map_->addResting(centre, radius);
     const VoxelLayout& layout = map_->layout();
     const BallRows rows(layout.frame, centre, radius + world_.radii.smallest(), kMeetsBall);
@@ -204,7 +194,7 @@ void ExactDiscard::dropSpheres(std::size_t count)
                                             const bool droppable = sphereDroppable(kept);
                                             if (droppable)
                                             {
-                                                world_.discard(kept.id);
+                                                world_.spheres.discard(kept.id);
                                             }
                                             return droppable;
                                         });
@@ -229,7 +219,7 @@ bool ExactDiscard::sphereDroppable(Kept& kept)
         return false;
     }
     const bool droppable = map_->sphereDroppable(
-        world_.spheres.position(kept.id), world_.spheres.radius[kept.id], kept.cursor,
+        world_.spheres.position(kept.id), world_.spheres.radius(kept.id), kept.cursor,
         [this](int x, int y, int z) { return holdsPlace(x, y, z); });
     kept.witness = lastHolding_;
     return droppable;
@@ -292,7 +282,7 @@ void ExactDiscard::restoreAll()
     pending_.clear();
     for (std::uint32_t id = 0; id < world_.spheres.size(); ++id)
     {
-        if (world_.spheres.state[id] == SphereState::frozen)
+        if (world_.spheres.state(id) == SphereState::frozen)
         {
             kept_.push_back({id});
         }

@@ -34,11 +34,10 @@ public:
     void addResting(std::uint32_t id) override;
     void renumber(std::uint32_t from, std::uint32_t to) override;
 
-    /// Checks that every runner is within the reached set; when one
-    /// is not, everything discarded comes back and the runners forget what they know of it. Drops
-    /// what is out of reach, whenever a fiftieth of the run has come to rest since the last time;
-    /// that is decided from counts, never from the clock.
-    void afterStep(std::span<Runner> runners) override;
+    /// Checks that every running sphere is within the reached set; when one is not, everything
+    /// discarded comes back. Drops what is out of reach, whenever a fiftieth of the run has come to
+    /// rest since the last time; that is decided from counts, never from the clock.
+    [[nodiscard]] bool afterStep() override;
 
     void finish(bool full) override;
 

@@ -16,21 +16,21 @@ std::size_t discardByHeight(World& world, std::size_t firstFrozen, std::size_t f
         return firstFrozen;
     }
     const Spheres& s = world.spheres;
-    const std::uint32_t lastGroup = s.group[frozenEnd - 1];
+    const std::uint32_t lastGroup = s.group(frozenEnd - 1);
     double lowestOfLast = std::numeric_limits<double>::infinity();
-    for (std::size_t id = frozenEnd; id > 0 && s.group[id - 1] == lastGroup; --id)
+    for (std::size_t id = frozenEnd; id > 0 && s.group(id - 1) == lastGroup; --id)
     {
-        lowestOfLast = std::min(lowestOfLast, s.y[id - 1]);
+        lowestOfLast = std::min(lowestOfLast, s.position(id - 1).y());
     }
 
     // Groups go in the order in which they came, so that those that stay remain one range.
-    while (firstFrozen < frozenEnd && s.group[firstFrozen] != lastGroup)
+    while (firstFrozen < frozenEnd && s.group(firstFrozen) != lastGroup)
     {
         std::size_t end = firstFrozen;
         bool below = true;
-        for (; end < frozenEnd && s.group[end] == s.group[firstFrozen]; ++end)
+        for (; end < frozenEnd && s.group(end) == s.group(firstFrozen); ++end)
         {
-            below = below && lowestOfLast - s.y[end] > epsilon;
+            below = below && lowestOfLast - s.position(end).y() > epsilon;
         }
         if (!below)
         {
@@ -38,7 +38,7 @@ std::size_t discardByHeight(World& world, std::size_t firstFrozen, std::size_t f
         }
         for (; firstFrozen < end; ++firstFrozen)
         {
-            world.discard(static_cast<std::uint32_t>(firstFrozen));
+            world.spheres.discard(static_cast<std::uint32_t>(firstFrozen));
         }
     }
     return firstFrozen;
@@ -54,20 +54,21 @@ bool isCovered(const World& world, const Eigen::Vector3d& vertex, const Eigen::V
     bool covered = false;
     // Centres of spheres that the ray enters that soon are within this of the ray's first half.
     const double reach = 1 + closeness / 2;
-    world.resting.forEachNear(
-        vertex + direction * (closeness / 2), reach,
-        [&](std::uint32_t id)
-        {
-            const Eigen::Vector3d toCentre = world.spheres.position(id) - vertex;
-            const double radius = world.spheres.radius[id];
-            const double along = toCentre.dot(direction);
-            const double missSquared = (toCentre - along * direction).squaredNorm();
-            if (along >= 0 && missSquared <= radius * radius)
-            {
-                const double entry = along - std::sqrt(radius * radius - missSquared);
-                covered = covered || entry <= closeness;
-            }
-        });
+    const SphereGrid& resting = world.spheres.resting();
+    resting.forEachNear(vertex + direction * (closeness / 2), reach,
+                        [&](std::uint32_t row)
+                        {
+                            const Eigen::Vector3d toCentre = resting[row].position() - vertex;
+                            const double radius = resting[row].radius;
+                            const double along = toCentre.dot(direction);
+                            const double missSquared = (toCentre - along * direction).squaredNorm();
+                            if (along >= 0 && missSquared <= radius * radius)
+                            {
+                                const double entry =
+                                    along - std::sqrt(radius * radius - missSquared);
+                                covered = covered || entry <= closeness;
+                            }
+                        });
     return covered;
 }
 
@@ -102,7 +103,8 @@ std::size_t discardCoveredPolygons(World& world, double closeness)
 void PaperDiscards::afterFreezing()
 {
     const DiscardSettings& settings = world_.scene.discard;
-    firstFrozen_ = discardByHeight(world_, firstFrozen_, world_.restingCount, settings.epsilon);
+    firstFrozen_ =
+        discardByHeight(world_, firstFrozen_, world_.spheres.resting().size(), settings.epsilon);
     discardCoveredPolygons(world_, settings.closeness);
 }
 

@@ -58,7 +58,7 @@ bool DropAndRollEngine::step()
     {
         const StageTimer timer(world_.times, Stage::discarding);
         discard->afterFreezing();
-        world_.finished ? discard->finish(world_.full) : discard->afterStep({});
+        world_.finished ? discard->finish(world_.full) : (void)discard->afterStep();
     }
     world_.time += kTimeOfSet * static_cast<double>(placed) / static_cast<double>(setSize_);
     if (world_.finished || inSet_ == setSize_ || world_.stops())
@@ -92,9 +92,7 @@ bool DropAndRollEngine::settle(Eigen::Vector3d place, double radius)
         return false;
     }
     const auto group = static_cast<std::uint32_t>(world_.spheres.size() / groupSize(world_));
-    const std::uint32_t id = world_.spheres.add(place, radius, group); // never runs
-    world_.freeze(id);
-    followers_.add(id, place, radius);
+    followers_.add(world_.spheres.addResting(place, radius, group), place, radius);
     return true;
 }
 

@@ -50,15 +50,14 @@ int sweeps(const World& world)
 } // namespace
 
 FastEngine::FastEngine(World& world)
-    : world_(world), threads_(world.scene.threads), runners_(world.resting.frame()),
-      followers_(world, releaseBand(world), threads_),
+    : world_(world), running_(world.spheres.running()), threads_(world.scene.threads),
+      grid_(world.spheres.resting().frame()), followers_(world, releaseBand(world), threads_),
       flight_(world, {world.scene.motion.restitution}), dropAndRoll_(world, followers_.falls),
-      sets_(world, ageLimit(world)), solver_(runners_.grid(), flight_, threads_,
+      sets_(world, ageLimit(world)), solver_(running_, grid_, flight_, threads_,
                                              {.restitution = world.scene.motion.restitution,
                                               .sweeps = sweeps(world),
                                               .stiff = !sets_.keepsSets()}),
-      freezer_(world, runners_, followers_, flight_, solver_, threads_, ageLimit(world)),
-      waker_(world, runners_)
+      freezer_(world, grid_, followers_, flight_, solver_, threads_, ageLimit(world)), waker_(world)
 {
     if (!followers_.release->any())
     {
@@ -93,12 +92,12 @@ bool FastEngine::step()
 
 void FastEngine::releaseWhenDue()
 {
-    if (waker_.isMoving() || !sets_.isDue(runners_.count()))
+    if (waker_.isMoving() || !sets_.isDue(running_.size()))
     {
         return;
     }
     const StageTimer timer(world_.times, Stage::releasing);
-    sets_.endSearch(release(sets_.startSearch(runners_.count())));
+    sets_.endSearch(release(sets_.startSearch(running_.size())));
 }
 
 // Returns how many have found a place.
@@ -108,7 +107,7 @@ std::size_t FastEngine::release(std::size_t wanted)
     query.ahead = true;
     query.givesUp = true; // when those that run have come to rest, every free place suits
     query.suits = [this](const Eigen::Vector3d& place, double radius)
-    { return runners_.isClear(place, radius); };
+    { return grid_.isClear(place, radius); };
     // Free flight is analytic: with Motion::skip a sphere appears where it would touch first.
     if (world_.scene.motion.mode == Motion::skip)
     {
@@ -118,7 +117,7 @@ std::size_t FastEngine::release(std::size_t wanted)
             return place;
         };
     }
-    runners_.rebuildGrid();
+    grid_.rebuild(running_);
     followers_.release->forgetAhead();
     std::size_t found = 0;
     while (found < wanted && !world_.stops())
@@ -128,9 +127,8 @@ std::size_t FastEngine::release(std::size_t wanted)
         {
             break;
         }
-        const std::uint32_t id = world_.release(next->place, next->radius, sets_.groupOf(found));
-        runners_.add(id, next->place, next->radius);
-        runners_.grid().add(next->place, next->radius);
+        world_.spheres.add(next->place, next->radius, sets_.groupOf(found));
+        grid_.add(next->place, next->radius);
         energy_.reset();
         ++found;
     }
@@ -148,22 +146,18 @@ void FastEngine::releaseAt(std::span<const PlacedSphere> spheres)
         {
             refuseCrowdedPlace(world_, one);
         }
-        runners_.add(world_.release(place, one.radius, sets_.groupOf(0)), place, one.radius);
+        world_.spheres.add(place, one.radius, sets_.groupOf(0));
     }
     energy_.reset();
     sets_.placed(spheres.size());
-    solver_.separate(runners_.all());
-    for (Runner& runner : runners_.all())
-    {
-        world_.spheres.setPosition(runner.id, runner.position);
-        runner.watched = runner.position;
-    }
+    solver_.separate();
+    freezer_.startWindow();
 }
 
 // When nothing runs any more, the object may still have to move.
 bool FastEngine::anythingMoves()
 {
-    if (runners_.count() > 0)
+    if (running_.size() > 0)
     {
         return true;
     }
@@ -191,17 +185,20 @@ void FastEngine::advance()
     }
     else if (!energy_)
     {
-        energy_ = runningEnergy();
+        energy_ = energyOf(running_, world_.frame.gravity);
     }
     // While the pull changes, nothing is due to be at rest.
     const bool ages = !waker_.pullChanges();
-    const std::span<Runner> runners = runners_.all();
     const StageTimer timer(world_.times, Stage::motion);
-    threads_.forEach(runners.size(),
+    threads_.forEach(running_.size(),
                      [&](std::size_t i)
                      {
-                         flight_.advance(runners[i], world_.dt);
-                         runners[i].age += ages ? ageing(runners[i]) * world_.dt : 0;
+                         const auto row = static_cast<std::uint32_t>(i);
+                         flight_.advance(row, world_.dt);
+                         if (ages)
+                         {
+                             freezer_.age(row, world_.dt);
+                         }
                      });
 }
 
@@ -210,13 +207,8 @@ void FastEngine::solve()
 {
     {
         const StageTimer timer(world_.times, Stage::sphereSphere);
-        solver_.resolve(runners_.all(), world_.dt);
+        solver_.resolve(world_.dt);
         sets_.observeSolver(1e3 * timer.seconds());
-    }
-    for (const Runner& runner : runners_.all())
-    {
-        world_.spheres.setPosition(runner.id, runner.position);
-        world_.spheres.setVelocity(runner.id, runner.velocity);
     }
     countTests();
     observeEnergy();
@@ -244,7 +236,11 @@ void FastEngine::freezeAndWake()
         // anew, for spheres that find no room where they are.
         followers_.release = makeRelease(world_, -1, threads_);
     }
-    waker_.wakeWhenDue();
+    if (waker_.wakeWhenDue())
+    {
+        flight_.forgetNeighbours();
+        solver_.velocities().letAllYield();
+    }
 }
 
 void FastEngine::discard()
@@ -252,7 +248,10 @@ void FastEngine::discard()
     if (followers_.discard)
     {
         const StageTimer timer(world_.times, Stage::discarding);
-        followers_.discard->afterStep(runners_.all());
+        if (followers_.discard->afterStep())
+        {
+            flight_.forgetNeighbours();
+        }
     }
 }
 
@@ -279,11 +278,11 @@ void FastEngine::finish()
 void FastEngine::countTests()
 {
     std::uint64_t pairs = 0;
-    for (const Runner& runner : runners_.all())
+    for (std::uint32_t row = 0; row < running_.size(); ++row)
     {
-        world_.operations.runningFrozenTests += runner.around.spheres();
-        world_.operations.spherePolygonTests += runner.around.triangles().size();
-        pairs += runner.nearby.size();
+        world_.operations.runningFrozenTests += flight_.around(row).spheres();
+        world_.operations.spherePolygonTests += flight_.around(row).triangles().size();
+        pairs += solver_.pairs().nearby(row).size();
     }
     world_.operations.runningRunningTests += pairs / 2;
 }
@@ -296,34 +295,13 @@ void FastEngine::observeEnergy()
         return;
     }
     double mass = 0;
-    for (const Runner& runner : runners_.all())
+    for (const double radius : running_.radius.all())
     {
-        mass += massOf(runner.radius);
+        mass += massOf(radius);
     }
-    const double after = runningEnergy();
+    const double after = energyOf(running_, world_.frame.gravity);
     world_.energy.enter(*energy_, after, mass * world_.height);
     energy_ = after;
-}
-
-double FastEngine::runningEnergy()
-{
-    double energy = 0;
-    for (const Runner& runner : runners_.all())
-    {
-        energy += massOf(runner.radius) *
-                  (runner.velocity.squaredNorm() / 2 + world_.frame.gravity * runner.position.y());
-    }
-    return energy;
-}
-
-// A pile comes to rest from below: what lies on others that still run has to wait for them.
-double FastEngine::ageing(const Runner& runner) const
-{
-    const Eigen::Vector3d down = world_.pull.direction(runner.position);
-    const auto holdsUp = [&](const Eigen::Vector3d& normal)
-    { return normal.dot(down) < -kHoldsUp; };
-    const bool heldUp = std::any_of(runner.normals.begin(), runner.normals.end(), holdsUp);
-    return heldUp || runner.nearby.empty() ? 1 : kWaiting;
 }
 
 } // namespace frostfill

@@ -6,7 +6,6 @@
 #include "base/threads.hpp"
 #include "simulation/freezing/freezer.hpp"
 #include "simulation/freezing/rest_followers.hpp"
-#include "simulation/freezing/runners.hpp"
 #include "simulation/freezing/set_keeper.hpp"
 #include "simulation/freezing/waker.hpp"
 #include "simulation/motion/drop_and_roll.hpp"
@@ -42,12 +41,11 @@ private:
     void beginMotion();
     void countTests();
     void observeEnergy();
-    [[nodiscard]] double runningEnergy();
-    [[nodiscard]] double ageing(const Runner& runner) const;
 
     World& world_;
+    RunningSpheres& running_;
     Threads threads_;
-    Runners runners_;
+    RunnerGrid grid_;
     RestFollowers followers_; ///< where falls end, where spheres can appear, what is discarded
     FreeFlight flight_;
     DropAndRoll dropAndRoll_;

@@ -23,10 +23,11 @@ Guard::Guard(World& world) : world_(world), fastest_(std::numeric_limits<double>
 void Guard::check()
 {
     const Eigen::AlignedBox3d& box = world_.surface.box();
-    for (const std::uint32_t id : world_.runningIds)
+    const RunningSpheres& running = world_.spheres.running();
+    for (std::uint32_t row = 0; row < running.size(); ++row)
     {
-        const Eigen::Vector3d p = world_.spheres.position(id);
-        const double speed = world_.spheres.velocity(id).squaredNorm();
+        const Eigen::Vector3d& p = running.position[row];
+        const double speed = running.velocity[row].squaredNorm();
         // What is no number is in no box, and below no speed. Near a wall the side takes a
         // distance, which can wait until the sphere is past the wall.
         const bool inBox = box.contains(p);
@@ -34,15 +35,16 @@ void Guard::check()
         if (!inBox || !slow || world_.inside.isFarOutside(p))
         {
             const bool finite = p.allFinite() && std::isfinite(speed);
-            return report(id, !finite          ? StrayKind::notFinite
-                              : inBox && !slow ? StrayKind::tooFast
-                                               : StrayKind::outside);
+            return report(running.id[row], !finite          ? StrayKind::notFinite
+                                           : inBox && !slow ? StrayKind::tooFast
+                                                            : StrayKind::outside);
         }
     }
-    for (; seen_ < world_.stateChanges.size(); ++seen_)
+    const std::vector<std::uint32_t>& changes = world_.spheres.changes();
+    for (; seen_ < changes.size(); ++seen_)
     {
-        const std::uint32_t id = world_.stateChanges[seen_];
-        if (id >= world_.spheres.size() || world_.spheres.state[id] != SphereState::frozen)
+        const std::uint32_t id = changes[seen_];
+        if (id >= world_.spheres.size() || world_.spheres.state(id) != SphereState::frozen)
         {
             continue;
         }

@@ -23,7 +23,7 @@ private:
 
     World& world_;
     double fastest_ = 0;   ///< squared speed beyond which something is wrong
-    std::size_t seen_ = 0; ///< of world.stateChanges
+    std::size_t seen_ = 0; ///< of the spheres' changes
 };
 
 } // namespace frostfill

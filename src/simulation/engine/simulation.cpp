@@ -145,7 +145,7 @@ std::uint64_t Simulation::steps() const
 std::uint64_t Simulation::revision() const
 {
     const World& world = implementation_->world;
-    return world.steps + world.stateChanges.size() + world.polygonChanges;
+    return world.steps + world.spheres.changes().size() + world.polygonChanges;
 }
 std::size_t Simulation::sphereCount() const
 {
@@ -153,7 +153,7 @@ std::size_t Simulation::sphereCount() const
 }
 std::size_t Simulation::restingCount() const
 {
-    return implementation_->world.restingCount;
+    return implementation_->world.spheres.resting().size();
 }
 
 std::size_t Simulation::expectedSpheres() const
@@ -248,17 +248,16 @@ void Simulation::capture(Snapshot& snapshot) const
     // their state since.
     auto& changed = snapshot.changed;
     changed.clear();
-    for (std::size_t k = snapshot.stateChangesSeen; k < world.stateChanges.size(); ++k)
+    const std::vector<std::uint32_t>& changes = world.spheres.changes();
+    for (std::size_t k = snapshot.stateChangesSeen; k < changes.size(); ++k)
     {
-        if (world.stateChanges[k] < known)
+        if (changes[k] < known)
         {
-            changed.push_back(world.stateChanges[k]);
+            changed.push_back(changes[k]);
         }
     }
-    for (const std::uint32_t id : world.runningIds)
-    {
-        changed.push_back(id);
-    }
+    const std::span<const std::uint32_t> running = world.spheres.running().id.all();
+    changed.insert(changed.end(), running.begin(), running.end());
     for (std::size_t id = known; id < count; ++id)
     {
         changed.push_back(static_cast<std::uint32_t>(id));
@@ -271,13 +270,11 @@ void Simulation::capture(Snapshot& snapshot) const
     {
         snapshot.centres[id] =
             world.frame.toMeshOffset(world.frame.apart(world.spheres.position(id))).cast<float>();
-        snapshot.radii[id] = static_cast<float>(world.spheres.radius[id] * world.frame.length);
-        snapshot.states[id] = world.spheres.state[id];
-        snapshot.groups[id] = world.spheres.group[id];
-        snapshot.speeds[id] = world.spheres.state[id] == SphereState::running
-                                  ? static_cast<float>(world.spheres.velocity(id).norm() *
-                                                       world.frame.length / world.frame.time)
-                                  : 0.0F;
+        snapshot.radii[id] = static_cast<float>(world.spheres.radius(id) * world.frame.length);
+        snapshot.states[id] = world.spheres.state(id);
+        snapshot.groups[id] = world.spheres.group(id);
+        snapshot.speeds[id] = static_cast<float>(world.spheres.velocity(id).norm() *
+                                                 world.frame.length / world.frame.time);
     }
 
     snapshot.polygonsChanged = snapshot.polygons.size() != world.polygons.size() ||
@@ -288,14 +285,14 @@ void Simulation::capture(Snapshot& snapshot) const
     }
     snapshot.origin = world.frame.origin;
     snapshot.pose = poseOf(world, std::max(0.0, world.time - world.motionStart));
-    snapshot.stateChangesSeen = world.stateChanges.size();
+    snapshot.stateChangesSeen = changes.size();
     snapshot.time = time();
     snapshot.step = world.steps;
     snapshot.revision = revision();
     snapshot.set = world.sets.empty() ? 0 : static_cast<std::uint32_t>(world.sets.size() - 1);
-    snapshot.running = world.running();
-    snapshot.frozen = world.restingCount - world.discardedCount;
-    snapshot.discarded = world.discardedCount;
+    snapshot.running = world.spheres.runningCount();
+    snapshot.frozen = world.spheres.frozenCount();
+    snapshot.discarded = world.spheres.discardedCount();
     snapshot.discardedPolygons = world.discardedPolygons;
     implementation_->columns.fill(snapshot);
 }

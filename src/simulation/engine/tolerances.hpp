@@ -17,10 +17,10 @@ inline constexpr double kStep = 0.165;
 /// The same with Motion::skip, where nothing falls from far and so nothing is fast.
 inline constexpr double kSkipStep = 0.33;
 /// The shortest step that may be asked for [sqrt(r/g) of the smallest]. Smaller: runs of which
-/// nobody sees the end. Larger: a study of ever shorter steps has to stop early.
+/// it seems not to end. Larger: a study of ever shorter steps has to stop early.
 inline constexpr double kShortestStep = 1e-6;
 /// A longer step that the user asks for is divided [sqrt(r/g) of the smallest]. Larger: gravity
-/// alone makes spheres in contact too fast to come to rest. Smaller: time that nobody asked for.
+/// alone makes spheres in contact too fast to come to rest. Smaller: needless time.
 inline constexpr double kLongestStep = 0.33;
 /// The window over which a sphere is watched [sqrt(r/g)]. Larger: spheres freeze later. Smaller: a
 /// sphere at the top of its bounce seems calm.
@@ -28,14 +28,6 @@ inline constexpr double kWindow = 0.33;
 
 // When a sphere is overdue, and is frozen wherever it gets.
 
-/// How fast a sphere ages that only runners hold up [1]: a pile comes to rest from below. Larger:
-/// the top of a high pile is overdue before its foot has frozen. Smaller: spheres that hold one
-/// another up for good run long.
-inline constexpr double kWaiting = 0.05;
-/// Part of a contact's normal that is vertical, at least, for the contact to hold a sphere up [1].
-/// Not a share of the weight, unlike kWakes and its like: it only tells a floor from a wall.
-/// Larger: spheres in steep grooves age slowly. Smaller: what leans on a wall counts as held up.
-inline constexpr double kHoldsUp = 0.1;
 /// The largest restitution that is given the time to come to rest [1]. With 1 none would be enough.
 inline constexpr double kLiveliest = 0.95;
 /// Falls through the height that a sphere is given at least. Smaller: spheres are overdue on a long

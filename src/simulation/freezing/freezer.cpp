@@ -5,35 +5,59 @@
 #include "simulation/freezing/tolerances.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
 namespace frostfill
 {
 
-Freezer::Freezer(World& world, Runners& runners, RestFollowers& followers, const FreeFlight& flight,
+Freezer::Freezer(World& world, RunnerGrid& grid, RestFollowers& followers, FreeFlight& flight,
                  PositionSolver& solver, Threads& threads, double ageLimit)
-    : world_(world), runners_(runners), followers_(followers), flight_(flight), solver_(solver),
-      threads_(threads), dropAndRoll_(world, followers.falls), island_(flight, threads),
-      room_(world, runners, followers), ageLimit_(ageLimit), layer_(spheresInLayer(world))
+    : world_(world), running_(world.spheres.running()), grid_(grid), followers_(followers),
+      flight_(flight), solver_(solver), threads_(threads), dropAndRoll_(world, followers.falls),
+      island_(running_, flight, solver.pairs(), threads), room_(world, grid, flight, followers),
+      ageLimit_(ageLimit), layer_(spheresInLayer(world)),
+      watch_(running_, [this](std::uint32_t row, RestWatch& watch)
+             { watch = {.start = running_.position[row]}; })
 {
+}
+
+// A pile comes to rest from below: what lies on others that still run has to wait for them.
+void Freezer::age(std::uint32_t row, double dt)
+{
+    const Eigen::Vector3d down = world_.pull.direction(running_.position[row]);
+    const std::span<const Eigen::Vector3d> normals = flight_.normals(row);
+    const bool heldUp =
+        std::any_of(normals.begin(), normals.end(),
+                    [&](const Eigen::Vector3d& normal) { return normal.dot(down) < -kHoldsUp; });
+    watch_[row].age += heldUp || solver_.pairs().nearby(row).empty() ? dt : kWaiting * dt;
+}
+
+void Freezer::startWindow()
+{
+    for (std::uint32_t row = 0; row < running_.size(); ++row)
+    {
+        watch_[row].start = running_.position[row];
+    }
 }
 
 void Freezer::freeze(SetKeeper& sets)
 {
     findSleepy();
-    sets.endWindow(runners_.all(), sleepy_);
+    sets.endWindow(watch_.all(), sleepy_);
     if (sleepy_.empty())
     {
         return;
     }
-    runners_.startFreezing();
+    carriedAt_.assign(running_.size(), std::nullopt);
+    stale_.assign(running_.size(), 0);
+    grid_.rebuild(running_);
     if (isPile())
     {
         freezeTogether(sets.keepsSets() ? 1 : kStillInPile);
     }
     freezeOneByOne();
-    runners_.removeAsleep();
-    world_.forgetFrozen();
+    world_.spheres.closeRanks();
     if (followers_.discard)
     {
         followers_.discard->afterFreezing();
@@ -43,24 +67,24 @@ void Freezer::freeze(SetKeeper& sets)
 void Freezer::findSleepy()
 {
     sleepy_.clear();
-    for (std::uint32_t k = 0; k < runners_.count(); ++k)
+    for (std::uint32_t row = 0; row < running_.size(); ++row)
     {
-        Runner& runner = runners_[k];
-        const double still = kStill * runner.radius;
-        const bool calm = (runner.position - runner.watched).squaredNorm() < still * still;
-        runner.watched = runner.position;
-        runner.stillWindows = calm ? runner.stillWindows + 1 : 0;
-        if (runner.stillWindows > 0 || isOverdue(runner))
+        RestWatch& watch = watch_[row];
+        const double still = kStill * running_.radius[row];
+        const bool calm = (running_.position[row] - watch.start).squaredNorm() < still * still;
+        watch.stillWindows = calm ? watch.stillWindows + 1 : 0;
+        if (watch.stillWindows > 0 || isOverdue(row))
         {
-            sleepy_.push_back(k);
+            sleepy_.push_back(row);
         }
     }
+    startWindow();
     const Eigen::Vector3d down = world_.pull.direction(Eigen::Vector3d::Zero());
     std::sort(sleepy_.begin(), sleepy_.end(),
               [&](std::uint32_t a, std::uint32_t b)
               {
-                  const double ya = -runners_[a].position.dot(down);
-                  const double yb = -runners_[b].position.dot(down);
+                  const double ya = -running_.position[a].dot(down);
+                  const double yb = -running_.position[b].dot(down);
                   return ya < yb || (ya == yb && a < b);
               });
 }
@@ -69,40 +93,26 @@ void Freezer::findSleepy()
 // rest as a whole. They are frozen where they are, once their overlaps are taken apart.
 void Freezer::freezeTogether(std::uint32_t stillWindows)
 {
-    const std::span<Runner> runners = runners_.all();
-    for (Runner& runner : runners)
-    {
-        runner.member = false;
-    }
     together_.clear();
-    for (const std::uint32_t k : sleepy_)
-    {
-        if (runners[k].stillWindows >= stillWindows)
-        {
-            together_.push_back(k);
-            runners[k].member = true;
-        }
-    }
-    island_.keep(runners, together_);
+    std::copy_if(sleepy_.begin(), sleepy_.end(), std::back_inserter(together_),
+                 [&](std::uint32_t row) { return watch_[row].stillWindows >= stillWindows; });
+    island_.keep(together_);
     if (together_.empty())
     {
         return;
     }
-    solver_.separate(runners, together_);
-    runners_.rebuildGrid();
-    island_.keep(runners, together_);
-    for (const std::uint32_t k : together_)
+    solver_.separate(together_);
+    grid_.rebuild(running_);
+    island_.keep(together_);
+    for (const std::uint32_t row : together_)
     {
         // Those before may have made this one give way, or have failed to freeze.
-        if (!runners_.isAsleep(k) && island_.carry(runners, runners[k]))
+        if (!running_.isGone(row) && island_.carry(row))
         {
-            runners[k].carriedAt = runners[k].position;
-            if (tryFreeze(k, true))
-            {
-                runners_.putToSleep(k);
-            }
+            carriedAt_[row] = running_.position[row];
+            tryFreeze(row, true);
         }
-        runners[k].member = false; // at rest or given up
+        island_.dismiss(row); // at rest or given up
     }
 }
 
@@ -114,82 +124,101 @@ void Freezer::freezeOneByOne()
     threads_.forEach(sleepy_.size(),
                      [&](std::size_t i)
                      {
-                         Runner& runner = runners_[sleepy_[i]];
+                         const std::uint32_t row = sleepy_[i];
                          // One that is overdue may go far, where it would not be told of others.
-                         runner.stale = isOverdue(runner);
-                         if (!runner.stale && !runners_.isAsleep(sleepy_[i]))
+                         stale_[row] = isOverdue(row) ? 1 : 0;
+                         if (stale_[row] == 0 && !running_.isGone(row))
                          {
-                             findPlace(runner);
+                             findPlace(row);
                          }
                      });
-    for (const std::uint32_t k : sleepy_)
+    for (const std::uint32_t row : sleepy_)
     {
-        Runner& runner = runners_[k];
-        if (runners_.isAsleep(k))
+        if (running_.isGone(row))
         {
             continue;
         }
-        if (runner.stale)
+        if (stale_[row] != 0)
         {
-            if (!isOverdue(runner))
+            if (!isOverdue(row))
             {
                 continue; // its turn comes in the next window
             }
-            findPlace(runner);
+            findPlace(row);
         }
-        if (runner.carriedAt && tryFreeze(k))
+        if (carriedAt_[row])
         {
-            runners_.putToSleep(k);
+            tryFreeze(row);
         }
     }
 }
 
 // Where the runner would be frozen. One that is overdue is frozen wherever it gets.
-void Freezer::findPlace(Runner& runner) const
+void Freezer::findPlace(std::uint32_t row)
 {
-    const bool tooOld = isOverdue(runner);
+    const bool tooOld = isOverdue(row);
+    const double radius = running_.radius[row];
     // In a pile one that does not give way would stir all the others.
-    const bool patient = runner.stillWindows < (isPile() ? kPatienceInPile : kPatience);
-    runner.yields = runner.yields && patient && !tooOld;
-    runner.stale = false;
-    runner.carriedAt.reset();
-    flight_.findContacts(runner, kSleepyGap * runner.radius);
-    if (!tooOld &&
-        !isCarried(world_.pull.direction(runner.position), runner.normals, kMostlyUncarried))
+    const bool patient = watch_[row].stillWindows < (isPile() ? kPatienceInPile : kPatience);
+    if (!patient || tooOld)
+    {
+        solver_.velocities().stopYielding(row);
+    }
+    stale_[row] = 0;
+    carriedAt_[row].reset();
+    flight_.findContacts(row, kSleepyGap * radius);
+    Eigen::Vector3d place = running_.position[row];
+    if (!tooOld && !isCarried(world_.pull.direction(place), flight_.normals(row), kMostlyUncarried))
     {
         return;
     }
-    Eigen::Vector3d place = runner.position;
     const double farthest =
-        tooOld ? std::numeric_limits<double>::infinity() : kLongestSettling * runner.radius;
-    if (dropAndRoll_.settle(place, runner.radius, runner.around, farthest) || tooOld)
+        tooOld ? std::numeric_limits<double>::infinity() : kLongestSettling * radius;
+    if (dropAndRoll_.settle(place, radius, flight_.around(row), farthest) || tooOld)
     {
-        runner.carriedAt = place;
+        carriedAt_[row] = place;
     }
 }
 
-// Returns false, and leaves the runner running, when others are in the way.
-bool Freezer::tryFreeze(std::uint32_t index, bool insist)
+// Leaves the runner running when others are in the way.
+void Freezer::tryFreeze(std::uint32_t row, bool insist)
 {
-    Runner& runner = runners_[index];
-    const Eigen::Vector3d place = *runner.carriedAt;
-    const bool tooOld = isOverdue(runner);
-    const bool blocked = insist || tooOld || runner.stillWindows > kBlocked;
-    const bool room = room_.makeRoom(index, {place, runner.radius}, blocked ? kFarRoom : kNearRoom);
-    if (!room && !insist && !tooOld && runner.stillWindows <= kBlockedForGood)
+    const PlacedSphere resting = {*carriedAt_[row], running_.radius[row]};
+    const bool tooOld = isOverdue(row);
+    const std::uint32_t stillWindows = watch_[row].stillWindows;
+    const bool blocked = insist || tooOld || stillWindows > kBlocked;
+    const bool room = room_.makeRoom(row, resting, blocked ? kFarRoom : kNearRoom);
+    if (!room && !insist && !tooOld && stillWindows <= kBlockedForGood)
     {
-        return false;
+        return;
     }
-    world_.spheres.setPosition(runner.id, place);
-    world_.freeze(runner.id);
+    const std::uint32_t atRest = world_.spheres.freeze(running_.id[row], resting.place);
     if (!room)
     {
         room_.evict();
     }
+    for (const std::uint32_t moved : room_.overlapped())
+    {
+        stale_[moved] = 1;
+    }
     world_.overdue += tooOld ? 1 : 0;
-    followers_.add(runner.id, place, runner.radius);
-    runners_.tell(place, runner.radius);
-    return true;
+    // Its id may have changed: one that was withdrawn has left its own to the last sphere.
+    followers_.add(world_.spheres.resting().id(atRest), resting.place, resting.radius);
+    tell(resting.place, resting.radius);
+}
+
+void Freezer::tell(const Eigen::Vector3d& place, double radius)
+{
+    // A neighbourhood was made within the skin of where its runner is now.
+    grid_.forEachNear(place, 1 + radius + 2 * NeighbourList::kSkin,
+                      [&](std::uint32_t row, const Eigen::Vector3d&, double)
+                      {
+                          if (flight_.around(row).add(place, radius))
+                          {
+                              stale_[row] = 1;
+                              watch_[row].age = 0; // what carries it has only now come to rest
+                          }
+                      });
 }
 
 } // namespace frostfill

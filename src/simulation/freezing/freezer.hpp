@@ -3,13 +3,13 @@
 
 #include "simulation/freezing/rest_followers.hpp"
 #include "simulation/freezing/room_maker.hpp"
-#include "simulation/freezing/runners.hpp"
 #include "simulation/freezing/set_keeper.hpp"
 #include "simulation/motion/drop_and_roll.hpp"
 #include "simulation/motion/free_flight.hpp"
 #include "simulation/solver/position_solver.hpp"
 #include "simulation/solver/support_island.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace frostfill
@@ -23,9 +23,14 @@ class Freezer
 {
 public:
     /// Everything given outlives this. `ageLimit`: see SetProgress.
-    Freezer(World& world, Runners& runners, RestFollowers& followers, const FreeFlight& flight,
+    Freezer(World& world, RunnerGrid& grid, RestFollowers& followers, FreeFlight& flight,
             PositionSolver& solver, Threads& threads, double ageLimit);
 
+    /// To be called in each step for each runner after its flight, on any thread: it is older by
+    /// `dt` at most.
+    void age(std::uint32_t row, double dt);
+    /// Windows begin where the runners are now.
+    void startWindow();
     /// To be called at the end of each window.
     void freeze(SetKeeper& sets);
 
@@ -33,23 +38,30 @@ private:
     void findSleepy();
     void freezeTogether(std::uint32_t stillWindows);
     void freezeOneByOne();
-    void findPlace(Runner& runner) const;
-    [[nodiscard]] bool tryFreeze(std::uint32_t index, bool insist = false);
-    [[nodiscard]] bool isOverdue(const Runner& runner) const { return runner.age > ageLimit_; }
+    void findPlace(std::uint32_t row);
+    void tryFreeze(std::uint32_t row, bool insist = false);
+    /// Tells the runners nearby that a sphere has come to rest.
+    void tell(const Eigen::Vector3d& place, double radius);
+    [[nodiscard]] bool isOverdue(std::uint32_t row) const { return watch_[row].age > ageLimit_; }
     /// More than a layer of runners is a pile, in which spheres carry each other.
-    [[nodiscard]] bool isPile() const { return static_cast<double>(runners_.count()) > layer_; }
+    [[nodiscard]] bool isPile() const { return static_cast<double>(running_.size()) > layer_; }
 
     World& world_;
-    Runners& runners_;
+    RunningSpheres& running_;
+    RunnerGrid& grid_;
     RestFollowers& followers_;
-    const FreeFlight& flight_;
+    FreeFlight& flight_;
     PositionSolver& solver_;
     Threads& threads_;
     DropAndRoll dropAndRoll_;
     SupportIsland island_;
     RoomMaker room_;
     double ageLimit_;
-    double layer_;                        ///< spheres that cover the object's cross-section
+    double layer_; ///< spheres that cover the object's cross-section
+    RunningColumn<RestWatch> watch_;
+    // By row, at the end of a window.
+    std::vector<std::optional<Eigen::Vector3d>> carriedAt_; ///< where what is at rest carries it
+    std::vector<char> stale_; ///< something has come to rest, or has moved, since that was found
     std::vector<std::uint32_t> sleepy_;   ///< runners to be frozen, the lowest first
     std::vector<std::uint32_t> together_; ///< those of an island, the lowest first
 };

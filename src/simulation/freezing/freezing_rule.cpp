@@ -14,7 +14,7 @@ namespace
 class OneByOne final : public FreezingPart
 {
 public:
-    void select(const SetProgress&, std::span<Runner>, std::vector<std::uint32_t>&) override {}
+    void select(const SetProgress&, std::span<RestWatch>, std::vector<std::uint32_t>&) override {}
     [[nodiscard]] bool letsMoreAppear(const SetProgress& set) const override
     {
         const double few = kStillRunning * static_cast<double>(set.size);
@@ -27,21 +27,21 @@ public:
 class BySet final : public FreezingPart
 {
 public:
-    void select(const SetProgress& set, std::span<Runner> runners,
+    void select(const SetProgress& set, std::span<RestWatch> running,
                 std::vector<std::uint32_t>& sleepy) override
     {
-        const auto overdue = [&](const Runner& runner) { return runner.age > set.ageLimit; };
+        const auto overdue = [&](const RestWatch& watch) { return watch.age > set.ageLimit; };
         const bool whole = set.complete || sleeps_ || set.noRoom;
         const bool calm =
-            static_cast<double>(sleepy.size()) >= kStillShare * static_cast<double>(runners.size());
+            static_cast<double>(sleepy.size()) >= kStillShare * static_cast<double>(running.size());
         stillWindows_ = whole && calm ? stillWindows_ + 1 : 0;
         if (!sleeps_ &&
-            (stillWindows_ >= kStillSet || std::any_of(runners.begin(), runners.end(), overdue)))
+            (stillWindows_ >= kStillSet || std::any_of(running.begin(), running.end(), overdue)))
         {
             sleeps_ = true;
-            for (Runner& runner : runners)
+            for (RestWatch& watch : running)
             {
-                runner.stillWindows = std::min(runner.stillWindows, 1u);
+                watch.stillWindows = std::min(watch.stillWindows, 1u);
             }
         }
         if (!sleeps_)

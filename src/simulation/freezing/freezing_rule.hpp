@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "simulation/contact/runner.hpp"
 #include "simulation/world/part_table.hpp"
 
+#include <Eigen/Core>
+
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <span>
@@ -14,6 +16,14 @@ namespace frostfill
 
 struct World;
 
+/// What is watched of a running sphere, to tell when it comes to rest.
+struct RestWatch
+{
+    Eigen::Vector3d start = Eigen::Vector3d::Zero(); ///< position at the window's start
+    double age = 0; ///< since its release, or something came to rest beside it [sqrt(r/g)]
+    std::uint32_t stillWindows = 0; ///< in a row in which it hardly moved
+};
+
 /// How far the newest set has come.
 struct SetProgress
 {
@@ -21,7 +31,7 @@ struct SetProgress
     std::size_t running = 0; ///< of all sets
     bool complete = false;   ///< as many have appeared as are to
     bool noRoom = false;     ///< the last search found none, and another is not due yet
-    double ageLimit = 0;     ///< Runner::age after which a sphere is overdue [sqrt(r/g)]
+    double ageLimit = 0;     ///< RestWatch::age after which a sphere is overdue [sqrt(r/g)]
 };
 
 /// A freezing rule: which of the calm spheres may be frozen, and so when others follow. Whatever it
@@ -32,9 +42,9 @@ class FreezingPart
 public:
     virtual ~FreezingPart() = default;
 
-    /// At the end of each window. Takes out of `sleepy` those that are to run on: indices of
-    /// runners that are calm or overdue, the lowest first.
-    virtual void select(const SetProgress& set, std::span<Runner> runners,
+    /// At the end of each window. Takes out of `sleepy` those that are to run on: rows of `running`
+    /// whose spheres are calm or overdue, the lowest sphere first.
+    virtual void select(const SetProgress& set, std::span<RestWatch> running,
                         std::vector<std::uint32_t>& sleepy) = 0;
 
     /// Whether spheres are to appear while others run.

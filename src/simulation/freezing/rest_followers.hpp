@@ -10,13 +10,13 @@
 namespace frostfill
 {
 
-/// What depends on which spheres are at rest, and is told of each that comes to rest: where falls
+/// What depends on the spheres at rest. It is updated for each that comes to rest: where falls
 /// end, where spheres can appear, and what is discarded.
 struct RestFollowers
 {
     RestFollowers(World& world, double band, Threads& threads)
-        : falls(world.resting.frame(), world.triangles), release(makeRelease(world, band, threads)),
-          discard(makeDiscard(world))
+        : falls(world.spheres.resting().frame(), world.triangles),
+          release(makeRelease(world, band, threads)), discard(makeDiscard(world))
     {
     }
 

@@ -6,36 +6,35 @@
 #include "simulation/freezing/tolerances.hpp"
 
 #include <algorithm>
-#include <utility>
 
 namespace frostfill
 {
 
-void RoomMaker::findOverlapped(std::uint32_t index, const PlacedSphere& resting)
+void RoomMaker::findOverlapped(std::uint32_t row, const PlacedSphere& resting)
 {
     overlapped_.clear();
-    runners_.grid().forEachNear(resting.place, resting.radius + 1,
-                                [&](std::uint32_t k, const Eigen::Vector3d& p, double radiusThere)
-                                {
-                                    const double contact = radiusThere + resting.radius;
-                                    if (k != index && !runners_.isAsleep(k) &&
-                                        (p - resting.place).squaredNorm() < contact * contact)
-                                    {
-                                        overlapped_.push_back(k);
-                                    }
-                                });
+    grid_.forEachNear(resting.place, resting.radius + 1,
+                      [&](std::uint32_t k, const Eigen::Vector3d& p, double radiusThere)
+                      {
+                          const double contact = radiusThere + resting.radius;
+                          if (k != row && !running_.isGone(k) &&
+                              (p - resting.place).squaredNorm() < contact * contact)
+                          {
+                              overlapped_.push_back(k);
+                          }
+                      });
     std::sort(overlapped_.begin(), overlapped_.end());
 }
 
-bool RoomMaker::makeRoom(std::uint32_t index, const PlacedSphere& resting, double farthest)
+bool RoomMaker::makeRoom(std::uint32_t row, const PlacedSphere& resting, double farthest)
 {
-    findOverlapped(index, resting);
+    findOverlapped(row, resting);
     moved_.clear();
     for (const std::uint32_t k : overlapped_)
     {
-        const Runner& runner = runners_[k];
-        moved_.push_back(runner.position);
-        if (!depenetrate(world_, resting, moved_.back(), runner.radius, farthest * runner.radius,
+        const double radius = running_.radius[k];
+        moved_.push_back(running_.position[k]);
+        if (!depenetrate(world_, resting, moved_.back(), radius, farthest * radius,
                          kMovesOutOfWedge))
         {
             return false;
@@ -43,7 +42,7 @@ bool RoomMaker::makeRoom(std::uint32_t index, const PlacedSphere& resting, doubl
     }
     for (std::size_t i = 0; i < overlapped_.size(); ++i)
     {
-        runners_.put(overlapped_[i], moved_[i]);
+        put(overlapped_[i], moved_[i]);
     }
     return true;
 }
@@ -51,36 +50,42 @@ bool RoomMaker::makeRoom(std::uint32_t index, const PlacedSphere& resting, doubl
 void RoomMaker::evict()
 {
     const ReleaseQuery query = {.suits = [this](const Eigen::Vector3d& place, double radius)
-                                { return runners_.isClear(place, radius); }};
+                                { return grid_.isClear(place, radius); }};
     for (const std::uint32_t k : overlapped_)
     {
-        Runner& other = runners_[k];
-        Eigen::Vector3d clear = other.position;
-        if (depenetrate(world_, clear, other.radius, kFarRoom * other.radius))
+        const double radius = running_.radius[k];
+        Eigen::Vector3d clear = running_.position[k];
+        if (depenetrate(world_, clear, radius, kFarRoom * radius))
         {
-            runners_.put(k, clear);
+            put(k, clear);
         }
-        else if (const auto elsewhere = followers_.release->place(other.radius, query))
+        else if (const auto elsewhere = followers_.release->place(radius, query))
         {
-            runners_.restart(k, *elsewhere);
+            running_.restart(k, *elsewhere);
+            grid_.move(k, *elsewhere);
         }
         else
         {
-            runners_.putToSleep(k); // not to be looked at any more
-            withdraw(other);
+            withdraw(k);
         }
     }
 }
 
-void RoomMaker::withdraw(Runner& runner)
+void RoomMaker::put(std::uint32_t row, const Eigen::Vector3d& place)
 {
-    const std::uint32_t id = std::exchange(runner.id, Runner::kNobody);
-    const std::uint32_t renumbered = world_.withdraw(id);
+    running_.position[row] = place;
+    flight_.around(row).invalidate(); // what comes to rest is told where it is now
+    grid_.move(row, place);
+}
+
+void RoomMaker::withdraw(std::uint32_t row)
+{
+    const std::uint32_t id = running_.id[row];
+    const std::uint32_t renumbered = world_.spheres.withdraw(id);
     if (followers_.discard)
     {
         followers_.discard->renumber(renumbered, id);
     }
-    runners_.renumber(renumbered, id);
 }
 
 } // namespace frostfill

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "simulation/contact/runner_grid.hpp"
 #include "simulation/freezing/rest_followers.hpp"
-#include "simulation/freezing/runners.hpp"
+#include "simulation/motion/free_flight.hpp"
 
 #include <vector>
 
@@ -14,29 +15,36 @@ namespace frostfill
 class RoomMaker
 {
 public:
-    RoomMaker(World& world, Runners& runners, RestFollowers& followers)
-        : world_(world), runners_(runners), followers_(followers)
+    RoomMaker(World& world, RunnerGrid& grid, FreeFlight& flight, RestFollowers& followers)
+        : world_(world), running_(world.spheres.running()), grid_(grid), flight_(flight),
+          followers_(followers)
     {
     }
 
-    /// Moves the runners that a sphere at this place, itself runner `index`, would overlap to clear
+    /// Moves the runners that a sphere at this place, itself in this row, would overlap to clear
     /// places at most `farthest` [own radius] away. Returns false, and moves none, when one of them
     /// cannot be moved.
-    [[nodiscard]] bool makeRoom(std::uint32_t index, const PlacedSphere& resting, double farthest);
+    [[nodiscard]] bool makeRoom(std::uint32_t row, const PlacedSphere& resting, double farthest);
 
     /// The last resort after makeRoom has failed and the sphere is at rest all the same: the others
     /// appear again elsewhere, or are withdrawn when the object is full.
     void evict();
 
+    /// Rows of those that were in the way at last, ascending.
+    [[nodiscard]] std::span<const std::uint32_t> overlapped() const { return overlapped_; }
+
 private:
-    void findOverlapped(std::uint32_t index, const PlacedSphere& resting);
-    void withdraw(Runner& runner);
+    void findOverlapped(std::uint32_t row, const PlacedSphere& resting);
+    void put(std::uint32_t row, const Eigen::Vector3d& place);
+    void withdraw(std::uint32_t row);
 
     World& world_;
-    Runners& runners_;
+    RunningSpheres& running_;
+    RunnerGrid& grid_;
+    FreeFlight& flight_;
     RestFollowers& followers_;
-    std::vector<std::uint32_t> overlapped_; ///< runners in the way, ascending
-    std::vector<Eigen::Vector3d> moved_;    ///< where they are put
+    std::vector<std::uint32_t> overlapped_;
+    std::vector<Eigen::Vector3d> moved_; ///< where they are put
 };
 
 } // namespace frostfill

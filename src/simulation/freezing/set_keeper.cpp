@@ -63,7 +63,7 @@ void SetKeeper::endSearch(std::size_t found)
 
 void SetKeeper::placed(std::size_t spheres)
 {
-    nextGroup_ = world_.spheres.group.back() + 1;
+    nextGroup_ = world_.spheres.group(world_.spheres.size() - 1) + 1;
     openRecord(spheres);
 }
 
@@ -73,9 +73,9 @@ void SetKeeper::openRecord(std::size_t spheres)
     record_.open(world_, spheres);
 }
 
-void SetKeeper::endWindow(std::span<Runner> runners, std::vector<std::uint32_t>& sleepy)
+void SetKeeper::endWindow(std::span<RestWatch> running, std::vector<std::uint32_t>& sleepy)
 {
-    rule_->select(progress(runners.size()), runners, sleepy);
+    rule_->select(progress(running.size()), running, sleepy);
     // What is to complete a set waits until those before it have fallen out of the way.
     noRoom_ = rule_->keepsSets() && ++windows_ % kWindowsToFall != 0;
 }

@@ -22,13 +22,13 @@ public:
     [[nodiscard]] std::size_t startSearch(std::size_t running);
     /// The group of the n-th sphere that is found in this search, n from 0.
     [[nodiscard]] std::uint32_t groupOf(std::size_t n) const;
-    /// So many have appeared.
+    /// To be called with the number of spheres that have appeared.
     void endSearch(std::size_t found);
     /// Those that the user has placed, a set of their own, have appeared.
     void placed(std::size_t spheres);
 
     /// A window is over: see FreezingPart::select. Spheres are due again from then on.
-    void endWindow(std::span<Runner> runners, std::vector<std::uint32_t>& sleepy);
+    void endWindow(std::span<RestWatch> running, std::vector<std::uint32_t>& sleepy);
 
     /// See FreezingPart::keepsSets.
     [[nodiscard]] bool keepsSets() const { return rule_->keepsSets(); }

@@ -29,6 +29,17 @@ inline constexpr double kMostlyUncarried = 0.5;
 /// freezes. Smaller: it waits for its neighbours to settle first, and stirs them.
 inline constexpr double kLongestSettling = 0.15;
 
+// How a sphere ages, until it is overdue.
+
+/// How fast a sphere ages that only runners hold up [1]: a pile comes to rest from below. Larger:
+/// the top of a high pile is overdue before its foot has frozen. Smaller: spheres that hold one
+/// another up for good run long.
+inline constexpr double kWaiting = 0.05;
+/// Part of a contact's normal that is vertical, at least, for the contact to hold a sphere up [1].
+/// Not a share of the weight, unlike kWakes and its like: it only tells a floor from a wall.
+/// Larger: spheres in steep grooves age slowly. Smaller: what leans on a wall counts as held up.
+inline constexpr double kHoldsUp = 0.1;
+
 // How long a sphere that cannot be frozen waits, in windows in which it was calm.
 
 /// After which those in a pile freeze together. Larger: piles take longer to come to rest. Smaller:

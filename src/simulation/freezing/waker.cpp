@@ -30,7 +30,7 @@ bool Waker::goOn()
         {
             wake(); // by the pull as it stays, whatever was looked at before
         }
-        if (runners_.count() == 0)
+        if (world_.spheres.running().size() == 0)
         {
             phase_ = Phase::over;
         }
@@ -59,11 +59,11 @@ std::array<Eigen::Vector3d, 8> Waker::directionsAtCorners() const
     return directions;
 }
 
-void Waker::wakeWhenDue()
+bool Waker::wakeWhenDue()
 {
     if (!isMoving())
     {
-        return;
+        return false;
     }
     const std::array<Eigen::Vector3d, 8> now = directionsAtCorners();
     double change = 0;
@@ -71,20 +71,17 @@ void Waker::wakeWhenDue()
     {
         change = std::max(change, (now[corner] - lookedAt_[corner]).norm());
     }
-    if (change > kSameDirection)
-    {
-        wake();
-    }
+    return change > kSameDirection && wake();
 }
 
 // Looks at all spheres at rest, then again at those that one let go may have carried.
-void Waker::wake()
+bool Waker::wake()
 {
     lookedAt_ = directionsAtCorners();
     std::vector<std::uint32_t> toLookAt;
     for (std::uint32_t id = 0; id < world_.spheres.size(); ++id)
     {
-        if (world_.spheres.state[id] != SphereState::running)
+        if (!world_.spheres.isRunning(id))
         {
             toLookAt.push_back(id);
         }
@@ -95,37 +92,34 @@ void Waker::wake()
         std::vector<std::uint32_t> next;
         for (const std::uint32_t id : toLookAt)
         {
-            if (world_.spheres.state[id] == SphereState::running || isSupported(id))
+            if (world_.spheres.isRunning(id) || isSupported(id))
             {
                 continue;
             }
             any = true;
-            world_.unfreeze(id);
-            runners_.add(id, world_.spheres.position(id), world_.spheres.radius[id]);
+            world_.spheres.wake(id);
             findTouching(id, next);
         }
         std::sort(next.begin(), next.end());
         next.erase(std::unique(next.begin(), next.end()), next.end());
         toLookAt = std::move(next);
     }
-    if (any)
-    {
-        runners_.forgetNeighbours();
-    }
+    return any;
 }
 
 void Waker::findTouching(std::uint32_t id, std::vector<std::uint32_t>& found) const
 {
     const Eigen::Vector3d place = world_.spheres.position(id);
-    const double radius = world_.spheres.radius[id];
-    world_.resting.forEachNear(
+    const double radius = world_.spheres.radius(id);
+    const SphereGrid& resting = world_.spheres.resting();
+    resting.forEachNear(
         place, radius + 1 + kCarryingGap,
-        [&](std::uint32_t other)
+        [&](std::uint32_t row)
         {
-            const GridSphere& near = world_.resting[other];
+            const Ball& near = resting[row];
             if (isWithin(near.position(), place, radius + near.radius + kCarryingGap))
             {
-                found.push_back(other);
+                found.push_back(resting.id(row));
             }
         });
 }
@@ -133,20 +127,21 @@ void Waker::findTouching(std::uint32_t id, std::vector<std::uint32_t>& found) co
 bool Waker::isSupported(std::uint32_t id)
 {
     const Eigen::Vector3d place = world_.spheres.position(id);
-    const double radius = world_.spheres.radius[id];
+    const double radius = world_.spheres.radius(id);
     const double gap = kCarryingGap * radius;
     normals_.clear();
-    world_.resting.forEachNear(place, radius + 1 + gap,
-                               [&](std::uint32_t other)
-                               {
-                                   const GridSphere& near = world_.resting[other];
-                                   const auto contact = sphereContact(place - near.position(),
-                                                                      radius + near.radius, gap);
-                                   if (other != id && contact)
-                                   {
-                                       normals_.push_back(contact->normal);
-                                   }
-                               });
+    const SphereGrid& resting = world_.spheres.resting();
+    resting.forEachNear(place, radius + 1 + gap,
+                        [&](std::uint32_t row)
+                        {
+                            const Ball& near = resting[row];
+                            const auto contact =
+                                sphereContact(place - near.position(), radius + near.radius, gap);
+                            if (row != world_.spheres.row(id) && contact)
+                            {
+                                normals_.push_back(contact->normal);
+                            }
+                        });
     for (const std::uint32_t t : world_.triangles.near(place))
     {
         if (const auto contact = frontContact(world_.surface, t, place, radius, gap))

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "simulation/freezing/runners.hpp"
 #include "simulation/world/world.hpp"
 
 #include <array>
@@ -26,7 +25,7 @@ public:
         over
     };
 
-    Waker(World& world, Runners& runners) : world_(world), runners_(runners) {}
+    explicit Waker(World& world) : world_(world) {}
 
     [[nodiscard]] Phase phase() const { return phase_; }
     /// The object moves, or what that let go still runs.
@@ -47,21 +46,20 @@ public:
     /// To be called at the end of each window. Returns whether the object has just stopped.
     bool stop();
     /// To be called at the end of each window: wakes what nothing carries any more, when the pull's
-    /// direction has changed since the last look.
-    void wakeWhenDue();
+    /// direction has changed since the last look. Returns whether any has woken.
+    bool wakeWhenDue();
 
 private:
     [[nodiscard]] bool timeIsUp() const
     {
         return world_.time - world_.motionStart >= world_.motion.duration();
     }
-    void wake();
+    bool wake();
     [[nodiscard]] std::array<Eigen::Vector3d, 8> directionsAtCorners() const;
     [[nodiscard]] bool isSupported(std::uint32_t id);
     void findTouching(std::uint32_t id, std::vector<std::uint32_t>& found) const;
 
     World& world_;
-    Runners& runners_;
     Phase phase_ = Phase::filling;
     int looks_ = 0; ///< since the object stopped, after which something ran again
     std::array<Eigen::Vector3d, 8> lookedAt_; ///< the pull's direction at the box's corners when

@@ -17,102 +17,111 @@ namespace
 constexpr double kLookAhead = kShareOfSkin * NeighbourList::kSkin;
 
 // Displacement within the time under gravity, as far as the contacts let it.
-Eigen::Vector3d freeWay(const Runner& runner, double time, const Eigen::Vector3d& gravity)
+Eigen::Vector3d freeWay(const Eigen::Vector3d& velocity, double time,
+                        const Eigen::Vector3d& gravity, std::span<const Eigen::Vector3d> normals)
 {
-    return projectToFree(time * runner.velocity + 0.5 * time * time * gravity, runner.normals);
+    return projectToFree(time * velocity + 0.5 * time * time * gravity, normals);
 }
 
 } // namespace
 
-void Runner::restart(std::uint32_t newId, const Eigen::Vector3d& p, double newRadius)
+FreeFlight::FreeFlight(World& world, const Settings& settings)
+    : world_(world), running_(world.spheres.running()), settings_(settings),
+      around_(running_, [](std::uint32_t, NeighbourList& around) { around.invalidate(); }),
+      normals_(running_)
 {
-    id = newId;
-    radius = newRadius;
-    position = p;
-    watched = p;
-    velocity.setZero();
-    around.invalidate();
-    age = 0;
-    stillWindows = 0;
-    yields = true;
-    stale = false;
-    carriedAt.reset();
 }
 
-void FreeFlight::advance(Runner& runner, double dt) const
+void FreeFlight::advance(std::uint32_t row, double dt)
 {
-    const Eigen::Vector3d gravity = world_.pull.at(runner.position, runner.velocity);
+    Eigen::Vector3d& position = running_.position[row];
+    Eigen::Vector3d& velocity = running_.velocity[row];
+    const double radius = running_.radius[row];
+    NeighbourList& around = around_[row];
+    std::vector<Eigen::Vector3d>& normals = normals_[row];
+    const Eigen::Vector3d gravity = world_.pull.at(position, velocity);
     const double strength = std::max(1.0, gravity.norm());
     double left = dt;
-    const double longest = dt * (runner.velocity.norm() + strength * dt);
+    const double longest = dt * (velocity.norm() + strength * dt);
     const int mostParts = kMostParts + static_cast<int>(longest / kLookAhead);
     for (int part = 0; part < mostParts && left > kNoTimeLeft * dt; ++part)
     {
-        const double ahead = left * (runner.velocity.norm() + strength * left);
-        runner.around.ensure(world_, runner.position, runner.radius, std::min(ahead, kLookAhead));
-        contactNormals(world_.surface, runner.around, runner.position, runner.radius, kTouch,
-                       runner.normals);
-        collide(runner);
+        const double ahead = left * (velocity.norm() + strength * left);
+        around.ensure(world_, position, radius, std::min(ahead, kLookAhead));
+        contactNormals(world_.surface, around, position, radius, kTouch, normals);
+        collide(velocity, normals);
 
         // The chord of the parabola over as much of the time as the neighbourhood reaches. Where a
         // contact ends it early, the speed is that of an earlier point of the parabola: energy is
         // lost there, never gained.
         double time = left;
-        Eigen::Vector3d way = freeWay(runner, time, gravity);
-        const double room = runner.around.room(runner.position);
+        Eigen::Vector3d way = freeWay(velocity, time, gravity, normals);
+        const double room = around.room(position);
         while (way.norm() > room)
         {
             time *= std::clamp(kIntoTheList * room / way.norm(), kShortestTry, kIntoTheList);
-            way = freeWay(runner, time, gravity);
+            way = freeWay(velocity, time, gravity, normals);
         }
         const double length = way.norm();
         if (length < kStandsStill)
         {
-            runner.velocity = projectToFree(runner.velocity + time * gravity, runner.normals);
+            velocity = projectToFree(velocity + time * gravity, normals);
             left -= time;
             continue;
         }
         const Eigen::Vector3d direction = way / length;
-        const double path = sphereCast(world_.surface, runner.around, runner.position,
-                                       runner.radius, direction, length);
+        const double path = sphereCast(world_.surface, around, position, radius, direction, length);
         const double share = path / length;
-        runner.position += path * direction;
-        runner.velocity = projectToFree(runner.velocity + share * time * gravity, runner.normals);
-        if (!runner.normals.empty())
+        position += path * direction;
+        velocity = projectToFree(velocity + share * time * gravity, normals);
+        if (!normals.empty())
         {
-            runner.velocity *= 1 - std::min(1.0, settings_.damping * share * time);
+            velocity *= 1 - std::min(1.0, settings_.damping * share * time);
         }
         left -= path < length ? share * time : time;
     }
-    findContacts(runner, kTouch);
-    collide(runner);
+    findContacts(row, kTouch);
+    collide(velocity, normals);
 }
 
-void FreeFlight::findContacts(Runner& runner, double gap) const
+void FreeFlight::findContacts(std::uint32_t row, double gap)
 {
-    runner.around.ensure(world_, runner.position, runner.radius, 0);
-    runner.position += contactNormals(world_.surface, runner.around, runner.position, runner.radius,
-                                      gap, runner.normals);
+    Eigen::Vector3d& position = running_.position[row];
+    const double radius = running_.radius[row];
+    around_[row].ensure(world_, position, radius, 0);
+    position += contactNormals(world_.surface, around_[row], position, radius, gap, normals_[row]);
 }
 
 // Contacts that are approached fast are bounced off one after another; then whatever still leads
 // into a contact is lost. Neither adds energy when restitution is at most 1.
-void FreeFlight::collide(Runner& runner) const
+void FreeFlight::collide(Eigen::Vector3d& velocity, std::span<const Eigen::Vector3d> normals) const
 {
     const Restitution restitution{settings_.restitution, settings_.bounceSpeed};
-    for (const Eigen::Vector3d& normal : runner.normals)
+    for (const Eigen::Vector3d& normal : normals)
     {
-        const double approach = normal.dot(runner.velocity);
+        const double approach = normal.dot(velocity);
         if (restitution.bounces(approach))
         {
-            runner.velocity += restitution.change(approach) * normal;
+            velocity += restitution.change(approach) * normal;
         }
     }
-    runner.velocity = projectToFree(runner.velocity, runner.normals);
+    velocity = projectToFree(velocity, normals);
 }
 
-void FreeFlight::shift(Runner& runner, const Eigen::Vector3d& displacement) const
+void FreeFlight::forgetNeighbours()
 {
+    for (NeighbourList& around : around_.all())
+    {
+        around.invalidate();
+    }
+}
+
+void FreeFlight::shift(std::uint32_t row, const Eigen::Vector3d& displacement)
+{
+    Eigen::Vector3d& position = running_.position[row];
+    const double radius = running_.radius[row];
+    NeighbourList& around = around_[row];
+    std::vector<Eigen::Vector3d>& normals = normals_[row];
     Eigen::Vector3d left = displacement;
     for (int part = 0; part < kMostShifts; ++part)
     {
@@ -121,19 +130,17 @@ void FreeFlight::shift(Runner& runner, const Eigen::Vector3d& displacement) cons
         {
             return;
         }
-        runner.around.ensure(world_, runner.position, runner.radius, std::min(length, kLookAhead));
-        const double limit = std::min(length, runner.around.room(runner.position));
+        around.ensure(world_, position, radius, std::min(length, kLookAhead));
+        const double limit = std::min(length, around.room(position));
         const Eigen::Vector3d direction = left / length;
-        const double path = sphereCast(world_.surface, runner.around, runner.position,
-                                       runner.radius, direction, limit);
-        runner.position += path * direction;
+        const double path = sphereCast(world_.surface, around, position, radius, direction, limit);
+        position += path * direction;
         if (path >= limit)
         {
             return;
         }
-        contactNormals(world_.surface, runner.around, runner.position, runner.radius, kTouch,
-                       runner.normals);
-        left = projectToFree((length - path) * direction, runner.normals);
+        contactNormals(world_.surface, around, position, radius, kTouch, normals);
+        left = projectToFree((length - path) * direction, normals);
     }
 }
 

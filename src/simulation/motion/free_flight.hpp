@@ -3,8 +3,10 @@
 // Running spheres do not see each other here.
 #pragma once
 
-#include "simulation/contact/runner.hpp"
+#include "simulation/contact/neighbour_list.hpp"
 #include "simulation/world/world.hpp"
+
+#include <vector>
 
 namespace frostfill
 {
@@ -21,7 +23,7 @@ public:
         double damping = 0.3;     ///< of the speed while in contact [1 / sqrt(r/g)]
     };
 
-    FreeFlight(const World& world, const Settings& settings) : world_(world), settings_(settings) {}
+    FreeFlight(World& world, const Settings& settings);
 
     /// Acceleration of a free sphere.
     [[nodiscard]] Eigen::Vector3d pullAt(const Eigen::Vector3d& p, const Eigen::Vector3d& v) const
@@ -38,21 +40,34 @@ public:
     /// Unit vector along what pulls in the middle of the object; zero when nothing does.
     [[nodiscard]] Eigen::Vector3d down() const { return downAt(Eigen::Vector3d::Zero()); }
 
+    // Of one runner, given by its row. Several threads may treat different ones at once.
+
     /// Moves by one step of exact ballistic flight, with sliding and bounces.
-    void advance(Runner& runner, double dt) const;
+    void advance(std::uint32_t row, double dt);
 
     /// Finds the normals of what is at rest and touches the runner: gaps of at most `gap` [r].
-    void findContacts(Runner& runner, double gap) const;
+    void findContacts(std::uint32_t row, double gap);
 
     /// Moves by a displacement as far as what is at rest lets it, sliding along where it is
     /// stopped.
-    void shift(Runner& runner, const Eigen::Vector3d& displacement) const;
+    void shift(std::uint32_t row, const Eigen::Vector3d& displacement);
+
+    /// What is at rest near it.
+    [[nodiscard]] NeighbourList& around(std::uint32_t row) { return around_[row]; }
+    /// Of the contacts that any of the above found last.
+    [[nodiscard]] std::vector<Eigen::Vector3d>& normals(std::uint32_t row) { return normals_[row]; }
+
+    /// All forget what is at rest near them: some of it is not there any more, or is again.
+    void forgetNeighbours();
 
 private:
-    void collide(Runner& runner) const;
+    void collide(Eigen::Vector3d& velocity, std::span<const Eigen::Vector3d> normals) const;
 
     const World& world_;
+    RunningSpheres& running_;
     Settings settings_;
+    RunningColumn<NeighbourList> around_;
+    RunningColumn<std::vector<Eigen::Vector3d>> normals_;
 };
 
 } // namespace frostfill

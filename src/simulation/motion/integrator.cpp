@@ -12,15 +12,15 @@ class Euler final : public IntegratorPart
 {
 public:
     explicit Euler(bool isExplicit) : isExplicit_(isExplicit) {}
-    void advance(Spheres& spheres, std::size_t begin, double gravity, double dt) override
+    void advance(RunningSpheres& running, double gravity, double dt) override
     {
         const double fall = gravity * dt;
-        for (std::size_t i = begin; i < spheres.size(); ++i)
+        for (std::uint32_t i = 0; i < running.size(); ++i)
         {
-            const Eigen::Vector3d velocity = spheres.velocity(i);
+            const Eigen::Vector3d velocity = running.velocity[i];
             const Eigen::Vector3d faster = velocity - Eigen::Vector3d(0, fall, 0);
-            spheres.setPosition(i, spheres.position(i) + (isExplicit_ ? velocity : faster) * dt);
-            spheres.setVelocity(i, faster);
+            running.position[i] += (isExplicit_ ? velocity : faster) * dt;
+            running.velocity[i] = faster;
         }
     }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "simulation/world/part_table.hpp"
-#include "simulation/world/spheres.hpp"
+#include "simulation/world/running_spheres.hpp"
 
 #include <functional>
 #include <memory>
@@ -17,9 +17,8 @@ class IntegratorPart
 public:
     virtual ~IntegratorPart() = default;
 
-    /// Moves the spheres with ids from `begin` on, all of which run, by one step. `gravity`:
-    /// acceleration downwards along y. Units of the run.
-    virtual void advance(Spheres& spheres, std::size_t begin, double gravity, double dt) = 0;
+    /// Moves all by one step. `gravity`: acceleration downwards along y. Units of the run.
+    virtual void advance(RunningSpheres& running, double gravity, double dt) = 0;
 };
 
 using MakeIntegrator = std::function<std::unique_ptr<IntegratorPart>()>;

@@ -19,24 +19,25 @@ double contactInLayer(const World& world, const std::array<int, 3>& column, int 
                       const Eigen::Vector3d& p, double radius)
 {
     double highest = -std::numeric_limits<double>::infinity();
-    const std::array<int, 3>& count = world.resting.frame().count;
+    const std::array<int, 3>& count = world.spheres.resting().frame().count;
     const std::array<int, 3> low = {std::max(0, column[0] - 1), layer, std::max(0, column[2] - 1)};
     const std::array<int, 3> high = {std::min(count[0] - 1, column[0] + 1), layer,
                                      std::min(count[2] - 1, column[2] + 1)};
-    world.resting.forEachIn(low, high,
-                            [&](std::uint32_t id)
-                            {
-                                const GridSphere& other = world.resting[id];
-                                const double reach = radius + other.radius;
-                                const double dx = other.x - p.x();
-                                const double dz = other.z - p.z();
-                                const double squared = reach * reach - dx * dx - dz * dz;
-                                if (squared > 0 && p.y() - other.y > kSlides * reach)
-                                {
-                                    highest = std::max(
-                                        highest, std::min(p.y(), other.y + std::sqrt(squared)));
-                                }
-                            });
+    const SphereGrid& resting = world.spheres.resting();
+    resting.forEachIn(low, high,
+                      [&](std::uint32_t row)
+                      {
+                          const Ball& other = resting[row];
+                          const double reach = radius + other.radius;
+                          const double dx = other.x - p.x();
+                          const double dz = other.z - p.z();
+                          const double squared = reach * reach - dx * dx - dz * dz;
+                          if (squared > 0 && p.y() - other.y > kSlides * reach)
+                          {
+                              highest =
+                                  std::max(highest, std::min(p.y(), other.y + std::sqrt(squared)));
+                          }
+                      });
     return highest;
 }
 

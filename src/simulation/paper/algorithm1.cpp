@@ -29,16 +29,16 @@ inline void loadFour(Four& four, const double* values)
     std::memcpy(&four, values, sizeof four);
 }
 
-// Where the first whole block begins that has a sphere in contact with sphere i; past the last
+// Where the first whole block begins that has a sphere in contact with one at p; past the last
 // whole block when none has. The sign of a difference is exact, so this finds the contacts that a
 // test one by one does.
 FROSTFILL_INSTRUCTION_SETS
-std::size_t firstBlockInContact(const Spheres& s, std::size_t i, std::size_t begin, std::size_t end)
+std::size_t firstBlockInContact(const Algorithm1::FourAtOnce& s, const Eigen::Vector3d& p, double r,
+                                std::size_t begin, std::size_t end)
 {
-    const double x = s.x[i];
-    const double y = s.y[i];
-    const double z = s.z[i];
-    const double r = s.radius[i];
+    const double x = p.x();
+    const double y = p.y();
+    const double z = p.z();
     for (; begin + kBlock <= end; begin += kBlock)
     {
         FourFlags any = {};
@@ -79,25 +79,26 @@ Contact contactFrom(const Eigen::Vector3d& before, const SignedDistance& here,
 
 Algorithm1::Algorithm1(Spheres& spheres, const Surface& surface, const PolygonSearchPart& polygons,
                        const Restitution& restitution, SphereSearchPart* search)
-    : spheres_(spheres), surface_(surface), polygons_(polygons), restitution_(restitution),
-      search_(search)
+    : spheres_(spheres), running_(spheres.running()), surface_(surface), polygons_(polygons),
+      restitution_(restitution), search_(search)
 {
 }
 
-void Algorithm1::runningRunning(std::size_t runningBegin, OperationCounts& counts)
+void Algorithm1::runningRunning(OperationCounts& counts)
 {
-    Spheres& s = spheres_;
-    const std::size_t end = s.size();
-    const std::uint64_t running = end - runningBegin;
+    const std::span<Eigen::Vector3d> p = running_.position.all();
+    const std::span<Eigen::Vector3d> v = running_.velocity.all();
+    const std::span<const double> radius = running_.radius.all();
+    const std::uint64_t running = p.size();
     std::uint64_t responses = 0;
-    for (std::size_t i = runningBegin; i < end; ++i)
+    for (std::size_t i = 0; i < running; ++i)
     {
-        for (std::size_t j = i + 1; j < end; ++j)
+        for (std::size_t j = i + 1; j < running; ++j)
         {
-            const double dx = s.x[i] - s.x[j];
-            const double dy = s.y[i] - s.y[j];
-            const double dz = s.z[i] - s.z[j];
-            const double reach = s.radius[i] + s.radius[j];
+            const double dx = p[i].x() - p[j].x();
+            const double dy = p[i].y() - p[j].y();
+            const double dz = p[i].z() - p[j].z();
+            const double reach = radius[i] + radius[j];
             // Summed up from the left, which Eigen does not do: the bits are those of this loop.
             const double squared = dx * dx + dy * dy + dz * dz;
             if (squared >= reach * reach)
@@ -106,19 +107,19 @@ void Algorithm1::runningRunning(std::size_t runningBegin, OperationCounts& count
             }
             const Contact contact = contactOfSpheres({dx, dy, dz}, squared, reach);
             const Eigen::Vector3d normal = wayOut(contact);
-            const double mj = massInPaper(s.radius[j]);
-            const double shareOfI = mj / (massInPaper(s.radius[i]) + mj);
-            s.setPosition(i, s.position(i) + normal * (contact.depth * shareOfI));
-            s.setPosition(j, s.position(j) - normal * (contact.depth * (1 - shareOfI)));
-            const double approach = (s.velocity(i) - s.velocity(j)).dot(normal);
+            const double mj = massInPaper(radius[j]);
+            const double shareOfI = mj / (massInPaper(radius[i]) + mj);
+            p[i] += normal * (contact.depth * shareOfI);
+            p[j] -= normal * (contact.depth * (1 - shareOfI));
+            const double approach = (v[i] - v[j]).dot(normal);
             if (approach < 0)
             {
                 const double change = restitution_.change(approach);
-                s.setVelocity(i, s.velocity(i) + normal * (change * shareOfI));
-                s.setVelocity(j, s.velocity(j) - normal * (change * (1 - shareOfI)));
+                v[i] += normal * (change * shareOfI);
+                v[j] -= normal * (change * (1 - shareOfI));
             }
-            touched_[i - runningBegin] = true;
-            touched_[j - runningBegin] = true;
+            touched_[i] = true;
+            touched_[j] = true;
             responses += 2;
         }
     }
@@ -126,13 +127,15 @@ void Algorithm1::runningRunning(std::size_t runningBegin, OperationCounts& count
     counts.runningRunningResponses += responses;
 }
 
-inline std::uint64_t Algorithm1::respondToFrozen(std::size_t i, std::size_t begin, std::size_t end)
+inline std::uint64_t Algorithm1::respondToFrozen(std::uint32_t i, std::size_t begin,
+                                                 std::size_t end)
 {
     std::uint64_t responses = 0;
     for (std::size_t j = begin; j < end; ++j)
     {
-        const auto contact = sphereContact(spheres_.position(i) - spheres_.position(j),
-                                           spheres_.radius[i] + spheres_.radius[j]);
+        const Ball& frozen = spheres_.resting()[static_cast<std::uint32_t>(j)];
+        const auto contact = sphereContact(running_.position[i] - frozen.position(),
+                                           running_.radius[i] + frozen.radius);
         if (contact)
         {
             respond(i, *contact);
@@ -142,11 +145,24 @@ inline std::uint64_t Algorithm1::respondToFrozen(std::size_t i, std::size_t begi
     return responses;
 }
 
-void Algorithm1::runningFrozen(std::size_t frozenBegin, std::size_t runningBegin,
-                               OperationCounts& counts)
+// In the preset paper spheres at rest stay where they are.
+void Algorithm1::followRest()
 {
-    const IdRange frozen = {frozenBegin, runningBegin};
-    for (std::size_t i = runningBegin; i < spheres_.size(); ++i)
+    const SphereGrid& resting = spheres_.resting();
+    for (auto row = static_cast<std::uint32_t>(frozen_.x.size()); row < resting.size(); ++row)
+    {
+        frozen_.x.push_back(resting[row].x);
+        frozen_.y.push_back(resting[row].y);
+        frozen_.z.push_back(resting[row].z);
+        frozen_.radius.push_back(resting[row].radius);
+    }
+}
+
+void Algorithm1::runningFrozen(std::size_t frozenBegin, OperationCounts& counts)
+{
+    followRest();
+    const IdRange frozen = {frozenBegin, spheres_.resting().size()};
+    for (std::uint32_t i = 0; i < running_.size(); ++i)
     {
         std::uint64_t responses = 0;
         for (const IdRange& near :
@@ -158,15 +174,17 @@ void Algorithm1::runningFrozen(std::size_t frozenBegin, std::size_t runningBegin
                              : respondToAllFrozen(i, near.begin, near.end);
         }
         counts.runningFrozenResponses += responses;
-        touched_[i - runningBegin] = touched_[i - runningBegin] || responses > 0;
+        touched_[i] = touched_[i] || responses > 0;
     }
 }
 
-std::uint64_t Algorithm1::respondToAllFrozen(std::size_t i, std::size_t begin, std::size_t end)
+std::uint64_t Algorithm1::respondToAllFrozen(std::uint32_t i, std::size_t begin, std::size_t end)
 {
     std::uint64_t responses = 0;
     std::size_t j = begin;
-    while ((j = firstBlockInContact(spheres_, i, j, end)) + kBlock <= end)
+    while ((j = firstBlockInContact(frozen_, running_.position[i], running_.radius[i], j, end)) +
+               kBlock <=
+           end)
     {
         responses += respondToFrozen(i, j, j + kBlock);
         j += kBlock;
@@ -174,35 +192,34 @@ std::uint64_t Algorithm1::respondToAllFrozen(std::size_t i, std::size_t begin, s
     return responses + respondToFrozen(i, j, end);
 }
 
-void Algorithm1::respond(std::size_t i, const Contact& contact)
+void Algorithm1::respond(std::uint32_t i, const Contact& contact)
 {
     const Eigen::Vector3d normal = wayOut(contact);
-    spheres_.setPosition(i, spheres_.position(i) + normal * contact.depth);
+    running_.position[i] += normal * contact.depth;
     reflect(i, normal);
 }
 
-void Algorithm1::runningPolygons(std::size_t runningBegin,
-                                 const std::vector<Eigen::Vector3d>& before,
+void Algorithm1::runningPolygons(const std::vector<Eigen::Vector3d>& before,
                                  OperationCounts& counts)
 {
-    for (std::size_t i = runningBegin; i < spheres_.size(); ++i)
+    for (std::uint32_t i = 0; i < running_.size(); ++i)
     {
-        const std::uint64_t responses = collideWithPolygons(i, before[i - runningBegin], counts);
+        const std::uint64_t responses = collideWithPolygons(i, before[i], counts);
         counts.spherePolygonResponses += responses;
-        touched_[i - runningBegin] = touched_[i - runningBegin] || responses > 0;
+        touched_[i] = touched_[i] || responses > 0;
         // One shallow push off one wall cannot lead through another.
-        if (responses > 1 || deepest_ > kShallow * spheres_.radius[i])
+        if (responses > 1 || deepest_ > kShallow * running_.radius[i])
         {
-            keepInside(i, before[i - runningBegin]);
+            keepInside(i, before[i]);
         }
     }
 }
 
-std::uint64_t Algorithm1::collideWithPolygons(std::size_t i, const Eigen::Vector3d& before,
+std::uint64_t Algorithm1::collideWithPolygons(std::uint32_t i, const Eigen::Vector3d& before,
                                               OperationCounts& counts)
 {
-    Eigen::Vector3d p = spheres_.position(i);
-    const double radius = spheres_.radius[i];
+    Eigen::Vector3d p = running_.position[i];
+    const double radius = running_.radius[i];
     std::uint64_t responses = 0;
     nearby_.clear();
     deepest_ = 0;
@@ -218,7 +235,7 @@ std::uint64_t Algorithm1::collideWithPolygons(std::size_t i, const Eigen::Vector
     };
     PolygonVisitor visit(surface_, p, radius, nearby_, respond);
     polygons_.search(p, visit);
-    spheres_.setPosition(i, p);
+    running_.position[i] = p;
     counts.spherePolygonTests += visit.tests();
     return responses;
 }
@@ -251,31 +268,31 @@ std::optional<Contact> Algorithm1::oneSidedContact(const SurfaceTriangle& triang
     return wallContact(here, p, radius);
 }
 
-void Algorithm1::reflect(std::size_t i, const Eigen::Vector3d& normal)
+void Algorithm1::reflect(std::uint32_t i, const Eigen::Vector3d& normal)
 {
-    const Eigen::Vector3d velocity = spheres_.velocity(i);
+    Eigen::Vector3d& velocity = running_.velocity[i];
     const double approach = velocity.dot(normal);
     if (approach < 0)
     {
-        spheres_.setVelocity(i, velocity + normal * restitution_.change(approach));
+        velocity += normal * restitution_.change(approach);
     }
 }
 
 // Several walls, or walls and spheres, can push a centre through a wall that it had already been
 // tested with: in a wedge narrower than the sphere every polygon undoes the other's work. Walls
 // always win: such a step is taken back, and the sphere starts again from rest.
-void Algorithm1::keepInside(std::size_t i, const Eigen::Vector3d& before)
+void Algorithm1::keepInside(std::uint32_t i, const Eigen::Vector3d& before)
 {
     if (nearby_.empty())
     {
         return;
     }
-    const double depth = nearestDistance(surface_, nearby_, spheres_.position(i)).value;
-    const double smallest = kSmallestDepth * spheres_.radius[i];
+    const double depth = nearestDistance(surface_, nearby_, running_.position[i]).value;
+    const double smallest = kSmallestDepth * running_.radius[i];
     if (depth < smallest && nearestDistance(surface_, nearby_, before).value >= smallest)
     {
-        spheres_.setPosition(i, before);
-        spheres_.setVelocity(i, Eigen::Vector3d::Zero());
+        running_.position[i] = before;
+        running_.velocity[i].setZero();
     }
 }
 

@@ -15,9 +15,9 @@
 namespace frostfill
 {
 
-/// The paper's Algorithm 1: one time step's collision tests and responses. Spheres are stored in
-/// order of appearance, so the groups FFG..LFG are the ids [frozenBegin, runningBegin) and the
-/// groups start..end all after them. Times in sqrt(r/g), lengths in r.
+/// The paper's Algorithm 1: one time step's collision tests and responses. Spheres come to rest in
+/// order of appearance, so the groups FFG..LFG are the rows at rest from frozenBegin on, and the
+/// groups start..end all rows that run. Times in sqrt(r/g), lengths in r.
 class Algorithm1
 {
 public:
@@ -27,24 +27,31 @@ public:
                const Restitution& restitution, SphereSearchPart* search = nullptr);
 
     /// Cycle 1, running with running: both respond.
-    void runningRunning(std::size_t runningBegin, OperationCounts& counts);
+    void runningRunning(OperationCounts& counts);
     /// Cycle 2, running with frozen: the running one responds.
-    void runningFrozen(std::size_t frozenBegin, std::size_t runningBegin, OperationCounts& counts);
+    void runningFrozen(std::size_t frozenBegin, OperationCounts& counts);
     /// Cycle 3, running with polygons that are not discarded. `before` has the centres of the
     /// running spheres before the step; they tell on which side of a wall a centre belongs.
-    void runningPolygons(std::size_t runningBegin, const std::vector<Eigen::Vector3d>& before,
-                         OperationCounts& counts);
+    void runningPolygons(const std::vector<Eigen::Vector3d>& before, OperationCounts& counts);
 
-    /// Whether a running sphere (counted from runningBegin) has responded since clearTouched.
+    /// Whether a running sphere, by row, has responded since clearTouched.
     [[nodiscard]] const std::vector<bool>& touched() const { return touched_; }
-    void clearTouched(std::size_t running) { touched_.assign(running, false); }
+    void clearTouched() { touched_.assign(running_.size(), false); }
+
+    /// Centres and radii of spheres at rest, coordinate by coordinate: what a test of four at once
+    /// loads. Put together from the table's rows, cycle 2 took half as long again.
+    struct FourAtOnce
+    {
+        std::vector<double> x, y, z, radius;
+    };
 
 private:
-    std::uint64_t respondToFrozen(std::size_t i, std::size_t begin, std::size_t end);
-    void respond(std::size_t i, const Contact& contact);
-    std::uint64_t respondToAllFrozen(std::size_t i, std::size_t begin, std::size_t end);
-    void reflect(std::size_t i, const Eigen::Vector3d& normal);
-    std::uint64_t collideWithPolygons(std::size_t i, const Eigen::Vector3d& before,
+    void followRest();
+    std::uint64_t respondToFrozen(std::uint32_t i, std::size_t begin, std::size_t end);
+    void respond(std::uint32_t i, const Contact& contact);
+    std::uint64_t respondToAllFrozen(std::uint32_t i, std::size_t begin, std::size_t end);
+    void reflect(std::uint32_t i, const Eigen::Vector3d& normal);
+    std::uint64_t collideWithPolygons(std::uint32_t i, const Eigen::Vector3d& before,
                                       OperationCounts& counts);
     /// No function of the source's own: it would be made part of the loop over all polygons, which
     /// then takes half as long again.
@@ -52,9 +59,11 @@ private:
                                                                 const Eigen::Vector3d& p,
                                                                 const Eigen::Vector3d& before,
                                                                 double radius);
-    void keepInside(std::size_t i, const Eigen::Vector3d& before);
+    void keepInside(std::uint32_t i, const Eigen::Vector3d& before);
 
     Spheres& spheres_;
+    RunningSpheres& running_;
+    FourAtOnce frozen_; ///< by row
     const Surface& surface_;
     const PolygonSearchPart& polygons_;
     Restitution restitution_;

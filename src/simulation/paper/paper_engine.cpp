@@ -13,11 +13,8 @@ namespace frostfill
 namespace
 {
 
+/// The time of a fall, and the speed at its end, in the run's units.
 double fallTime(double height)
-{
-    return std::sqrt(2 * height);
-}
-double fallSpeed(double height)
 {
     return std::sqrt(2 * height);
 }
@@ -30,7 +27,7 @@ double chooseTimeStep(const World& world)
     }
     const double smallest = world.radii.smallest();
     return std::min(kPaperLongestStep * std::sqrt(smallest),
-                    kLongestFall * smallest / fallSpeed(world.height));
+                    kLongestFall * smallest / fallTime(world.height));
 }
 
 RestMonitor restMonitor(const World& world)
@@ -44,8 +41,9 @@ RestMonitor restMonitor(const World& world)
 } // namespace
 
 PaperEngine::PaperEngine(World& world)
-    : world_(world), integrator_(integrators()[world.scene.motion.integrator]()),
-      spheres_(sphereSearches()[world.scene.search.spheres](world.resting)),
+    : world_(world), running_(world.spheres.running()),
+      integrator_(integrators()[world.scene.motion.integrator]()),
+      spheres_(sphereSearches()[world.scene.search.spheres](world.spheres.resting())),
       polygons_(polygonSearches()[world.scene.search.polygons](
           {world.surface, world.polygons, &world.triangles, kQuarterReach})),
       algorithm1_(world.spheres, world.surface, *polygons_,
@@ -74,10 +72,10 @@ bool PaperEngine::step()
         world_.finished = true;
         return false;
     }
-    const double energyBefore = runningEnergy();
+    const double energyBefore = energyOf(running_, world_.frame.gravity);
     integrate();
     collide();
-    world_.energy.enter(energyBefore, runningEnergy(), fallEnergy_);
+    world_.energy.enter(energyBefore, energyOf(running_, world_.frame.gravity), fallEnergy_);
     ++world_.steps;
     world_.time += world_.dt;
     setTime_ += world_.dt;
@@ -133,8 +131,8 @@ bool PaperEngine::releaseSet()
                 break;
             }
             const std::size_t inSet = world_.spheres.size() - before;
-            world_.release(found->place, found->radius,
-                           nextGroup_ + static_cast<std::uint32_t>(inSet / settings.groupSize));
+            world_.spheres.add(found->place, found->radius,
+                               nextGroup_ + static_cast<std::uint32_t>(inSet / settings.groupSize));
         }
     }
     if (world_.spheres.size() == before)
@@ -149,14 +147,14 @@ void PaperEngine::startSet(std::size_t spheres)
 {
     clock_.close(world_);
     clock_.open(world_, spheres);
-    nextGroup_ = world_.spheres.group.back() + 1;
+    nextGroup_ = world_.spheres.group(world_.spheres.size() - 1) + 1;
     setIsOver_ = false;
     setTime_ = 0;
-    rest_.restart(world_.spheres, world_.restingCount);
+    rest_.restart(running_);
     fallEnergy_ = 0;
-    for (std::size_t i = world_.restingCount; i < world_.spheres.size(); ++i)
+    for (const double radius : running_.radius.all())
     {
-        fallEnergy_ += world_.height * massOf(world_.spheres.radius[i]);
+        fallEnergy_ += world_.height * massOf(radius);
     }
 }
 
@@ -165,17 +163,16 @@ void PaperEngine::releaseAt(std::span<const PlacedSphere> spheres)
     requireInside(world_, spheres);
     for (const PlacedSphere& one : spheres)
     {
-        world_.release(one.place, one.radius, nextGroup_);
+        world_.spheres.add(one.place, one.radius, nextGroup_);
     }
     startSet(spheres.size());
 }
 
 bool PaperEngine::clearOfRunning(const Eigen::Vector3d& place, double radius) const
 {
-    for (std::size_t id = world_.restingCount; id < world_.spheres.size(); ++id)
+    for (std::uint32_t row = 0; row < running_.size(); ++row)
     {
-        if (isWithin(world_.spheres.position(id), place,
-                     world_.spheres.radius[id] + radius + kClearance))
+        if (isWithin(running_.position[row], place, running_.radius[row] + radius + kClearance))
         {
             return false;
         }
@@ -187,17 +184,17 @@ void PaperEngine::freezeAndDiscard()
 {
     {
         const StageTimer timer(world_.times, Stage::freezing);
-        while (world_.restingCount < world_.spheres.size())
+        for (std::uint32_t row = 0; row < running_.size(); ++row)
         {
-            const auto id = static_cast<std::uint32_t>(world_.restingCount);
-            world_.freeze(id);
-            release_->close(world_.spheres.position(id), world_.spheres.radius[id]);
+            const std::uint32_t id = running_.id[row];
+            world_.spheres.freeze(id);
+            release_->close(running_.position[row], running_.radius[row]);
             if (discard_)
             {
                 discard_->addResting(id);
             }
         }
-        world_.forgetFrozen();
+        world_.spheres.closeRanks();
         setsAtRest_ = 0;
     }
     if (discard_)
@@ -205,8 +202,8 @@ void PaperEngine::freezeAndDiscard()
         const StageTimer timer(world_.times, Stage::discarding);
         discard_->afterFreezing();
         const auto isDiscarded = [this](std::size_t id)
-        { return world_.spheres.state[id] == SphereState::discarded; };
-        while (firstFrozen_ < world_.restingCount && isDiscarded(firstFrozen_))
+        { return world_.spheres.state(id) == SphereState::discarded; };
+        while (firstFrozen_ < world_.spheres.resting().size() && isDiscarded(firstFrozen_))
         {
             ++firstFrozen_;
         }
@@ -217,37 +214,28 @@ void PaperEngine::freezeAndDiscard()
 void PaperEngine::integrate()
 {
     const StageTimer timer(world_.times, Stage::motion);
-    const Spheres& spheres = world_.spheres;
-    const auto collect = [&](std::vector<Eigen::Vector3d>& positions)
-    {
-        positions.clear();
-        for (std::size_t i = world_.restingCount; i < spheres.size(); ++i)
-        {
-            positions.push_back(spheres.position(i));
-        }
-    };
-    collect(before_);
-    integrator_->advance(world_.spheres, world_.restingCount, world_.frame.gravity, world_.dt);
-    collect(predicted_);
+    const std::span<const Eigen::Vector3d> positions = running_.position.all();
+    before_.assign(positions.begin(), positions.end());
+    integrator_->advance(running_, world_.frame.gravity, world_.dt);
+    predicted_.assign(positions.begin(), positions.end());
 }
 
 // PAPER, Algorithm 1: the three cycles of one time step.
 void PaperEngine::collide()
 {
-    const std::size_t runningBegin = world_.restingCount;
-    algorithm1_.clearTouched(world_.running());
+    algorithm1_.clearTouched();
     double sphereSphere = 0;
     double spherePolygon = 0;
     {
         const StageTimer timer(world_.times, Stage::sphereSphere);
-        algorithm1_.runningRunning(runningBegin, world_.operations);
-        algorithm1_.runningFrozen(firstFrozen_, runningBegin, world_.operations);
+        algorithm1_.runningRunning(world_.operations);
+        algorithm1_.runningFrozen(firstFrozen_, world_.operations);
         limitPushes();
         sphereSphere = timer.seconds();
     }
     {
         const StageTimer timer(world_.times, Stage::spherePolygon);
-        algorithm1_.runningPolygons(runningBegin, before_, world_.operations);
+        algorithm1_.runningPolygons(before_, world_.operations);
         spherePolygon = timer.seconds();
     }
     clock_.observe(1e3 * sphereSphere, 1e3 * spherePolygon);
@@ -255,15 +243,14 @@ void PaperEngine::collide()
 
 void PaperEngine::limitPushes()
 {
-    for (std::size_t k = 0; k < predicted_.size(); ++k)
+    for (std::uint32_t row = 0; row < running_.size(); ++row)
     {
-        const std::size_t id = world_.restingCount + k;
-        const Eigen::Vector3d push = world_.spheres.position(id) - predicted_[k];
+        const Eigen::Vector3d push = running_.position[row] - predicted_[row];
         const double length = push.norm();
-        const double longest = kPaperLongestPush * world_.spheres.radius[id];
+        const double longest = kPaperLongestPush * running_.radius[row];
         if (length > longest)
         {
-            world_.spheres.setPosition(id, predicted_[k] + push * (longest / length));
+            running_.position[row] = predicted_[row] + push * (longest / length);
         }
     }
 }
@@ -271,13 +258,13 @@ void PaperEngine::limitPushes()
 void PaperEngine::observeRest()
 {
     const StageTimer timer(world_.times, Stage::motion);
-    const bool atRest = rest_.observe(world_.spheres, world_.restingCount, algorithm1_.touched(),
-                                      [this](std::size_t id) { return isLost(id); });
+    const bool atRest = rest_.observe(running_, algorithm1_.touched(),
+                                      [this](std::uint32_t row) { return isLost(row); });
     const bool timedOut = !atRest && setTime_ > setTimeLimit_;
     if (timedOut)
     {
         clock_.markTimedOut();
-        world_.overdue += world_.running();
+        world_.overdue += running_.size();
     }
     if (atRest || timedOut)
     {
@@ -286,21 +273,9 @@ void PaperEngine::observeRest()
     }
 }
 
-double PaperEngine::runningEnergy() const
+bool PaperEngine::isLost(std::uint32_t row) const
 {
-    const Spheres& s = world_.spheres;
-    double energy = 0;
-    for (std::size_t i = world_.restingCount; i < s.size(); ++i)
-    {
-        energy +=
-            massOf(s.radius[i]) * (s.velocity(i).squaredNorm() / 2 + world_.frame.gravity * s.y[i]);
-    }
-    return energy;
-}
-
-bool PaperEngine::isLost(std::size_t id) const
-{
-    const Eigen::Vector3d p = world_.spheres.position(id);
+    const Eigen::Vector3d& p = running_.position[row];
     return !p.allFinite() || world_.surface.box().exteriorDistance(p) > kLost;
 }
 

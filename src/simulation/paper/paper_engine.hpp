@@ -31,10 +31,10 @@ private:
     void collide();
     void limitPushes();
     void observeRest();
-    [[nodiscard]] double runningEnergy() const;
-    [[nodiscard]] bool isLost(std::size_t id) const;
+    [[nodiscard]] bool isLost(std::uint32_t row) const;
 
     World& world_;
+    RunningSpheres& running_;
     std::unique_ptr<IntegratorPart> integrator_;
     std::unique_ptr<SphereSearchPart> spheres_;
     std::unique_ptr<PolygonSearchPart> polygons_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "simulation/world/spheres.hpp"
+#include "simulation/world/running_spheres.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -22,19 +22,23 @@ public:
     }
 
     /// Starts a new window.
-    void restart(const Spheres& spheres, std::size_t runningBegin);
+    void restart(const RunningSpheres& running)
+    {
+        step_ = 0;
+        start_.assign(running.position.all().begin(), running.position.all().end());
+        moved_.assign(start_.size(), false);
+        touchedInWindow_.assign(start_.size(), false);
+    }
 
-    /// Takes in one step; `touched` by running sphere. Returns true when the step ends a window in
-    /// which all were at rest. Spheres for which `ignored(id)` holds do not count.
+    /// Takes in one step; `touched` by row. Returns true when the step ends a window in which all
+    /// were at rest. Spheres for which `ignored(row)` holds do not count.
     template <class Ignored>
-    bool observe(const Spheres& spheres, std::size_t runningBegin, const std::vector<bool>& touched,
-                 Ignored&& ignored)
+    bool observe(const RunningSpheres& running, const std::vector<bool>& touched, Ignored&& ignored)
     {
         const double limit = tolerance_ * tolerance_;
-        for (std::size_t k = 0; k < start_.size(); ++k)
+        for (std::uint32_t k = 0; k < start_.size(); ++k)
         {
-            const std::size_t id = runningBegin + k;
-            moved_[k] = moved_[k] || (spheres.position(id) - start_[k]).squaredNorm() > limit;
+            moved_[k] = moved_[k] || (running.position[k] - start_[k]).squaredNorm() > limit;
             touchedInWindow_[k] = touchedInWindow_[k] || touched[k];
         }
         if (++step_ < windowSteps_)
@@ -42,11 +46,11 @@ public:
             return false;
         }
         bool atRest = true;
-        for (std::size_t k = 0; k < start_.size() && atRest; ++k)
+        for (std::uint32_t k = 0; k < start_.size() && atRest; ++k)
         {
-            atRest = (!moved_[k] && touchedInWindow_[k]) || ignored(runningBegin + k);
+            atRest = (!moved_[k] && touchedInWindow_[k]) || ignored(k);
         }
-        restart(spheres, runningBegin);
+        restart(running);
         return atRest;
     }
 

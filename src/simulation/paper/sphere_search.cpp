@@ -15,7 +15,7 @@ namespace
 class AllPairs final : public SphereSearchPart
 {
 public:
-    [[nodiscard]] std::span<const IdRange> near(const Spheres&, std::size_t,
+    [[nodiscard]] std::span<const IdRange> near(const Spheres&, std::uint32_t,
                                                 IdRange frozen) override
     {
         all_ = frozen;
@@ -31,11 +31,12 @@ class ByGrid final : public SphereSearchPart
 {
 public:
     explicit ByGrid(const SphereGrid& resting) : resting_(resting) {}
-    [[nodiscard]] std::span<const IdRange> near(const Spheres& spheres, std::size_t i,
+    [[nodiscard]] std::span<const IdRange> near(const Spheres& spheres, std::uint32_t i,
                                                 IdRange frozen) override
     {
         ids_.clear();
-        resting_.forEachNear(spheres.position(i), spheres.radius[i] + kGridReach,
+        const RunningSpheres& running = spheres.running();
+        resting_.forEachNear(running.position[i], running.radius[i] + kGridReach,
                              [&](std::uint32_t id)
                              {
                                  if (id >= frozen.begin)

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "simulation/world/part_table.hpp"
-#include "simulation/world/sphere_grid.hpp"
 #include "simulation/world/spheres.hpp"
 
 #include <functional>
@@ -12,7 +11,8 @@
 namespace frostfill
 {
 
-/// Spheres with ids from `begin` to before `end`.
+/// Spheres with ids from `begin` to before `end`. In the preset paper all come to rest in the order
+/// of their ids, so that the id of one at rest is also its row.
 struct IdRange
 {
     std::size_t begin = 0;
@@ -26,10 +26,10 @@ class SphereSearchPart
 public:
     virtual ~SphereSearchPart() = default;
 
-    /// Those of `frozen` that sphere `i` is tested with, as ranges in ascending order: at least all
-    /// that it may touch, also after the others have pushed it by up to the largest radius. Valid
-    /// until the next call.
-    [[nodiscard]] virtual std::span<const IdRange> near(const Spheres& spheres, std::size_t i,
+    /// Those of `frozen` that the sphere in running row `i` is tested with, as ranges in ascending
+    /// order: at least all that it may touch, also after the others have pushed it by up to the
+    /// largest radius. Valid until the next call.
+    [[nodiscard]] virtual std::span<const IdRange> near(const Spheres& spheres, std::uint32_t i,
                                                         IdRange frozen) = 0;
 };
 

@@ -30,12 +30,12 @@ constexpr std::size_t kMostSorted = 100'000;
 /// Of the spheres at rest and of those that run.
 SphereGrid gatherAll(const World& world)
 {
-    SphereGrid all(world.resting.frame());
+    SphereGrid all(world.spheres.resting().frame());
     for (std::uint32_t id = 0; id < world.spheres.size(); ++id)
     {
         if (world.spheres.position(id).allFinite())
         {
-            all.insert(id, world.spheres.position(id), world.spheres.radius[id]);
+            all.insert(id, world.spheres.position(id), world.spheres.radius(id));
         }
     }
     return all;
@@ -93,7 +93,7 @@ private:
         }
         report_.centresOutside += winding_.at(p) > 0 ? 0 : 1;
 
-        const bool resting = world_.spheres.state[id] != SphereState::running;
+        const bool resting = !world_.spheres.isRunning(id);
         normals_.clear();
         meetSpheres(id, p, resting);
         meetWalls(id, p);
@@ -101,34 +101,34 @@ private:
         {
             ++report_.unsupported;
         }
-        sumOfCubes_ += std::pow(world_.spheres.radius[id], 3);
+        sumOfCubes_ += std::pow(world_.spheres.radius(id), 3);
     }
 
     void meetSpheres(std::uint32_t id, const Eigen::Vector3d& p, bool resting)
     {
-        const Spheres& s = world_.spheres;
-        const double gap = kContactGap * s.radius[id];
-        const double reach = s.radius[id] + 1 + gap;
-        all_.forEachNear(p, reach,
-                         [&](std::uint32_t other)
+        const double radius = world_.spheres.radius(id);
+        const double gap = kContactGap * radius;
+        all_.forEachNear(p, radius + 1 + gap,
+                         [&](std::uint32_t row)
                          {
+                             const std::uint32_t other = all_.id(row);
                              if (other == id)
                              {
                                  return;
                              }
-                             const Eigen::Vector3d d = p - s.position(other);
+                             const Ball& ball = all_[row];
+                             const Eigen::Vector3d d = p - ball.position();
                              const double distance = d.norm();
-                             const double depth = s.radius[id] + s.radius[other] - distance;
+                             const double depth = radius + ball.radius - distance;
                              if (depth >= 0 && other > id)
                              {
-                                 const double share =
-                                     depth / std::min(s.radius[id], s.radius[other]);
+                                 const double share = depth / std::min(radius, ball.radius);
                                  report_.maxOverlap = std::max(report_.maxOverlap, share);
                                  overlapSum_ += share;
                                  ++pairs_;
                              }
                              if (depth > -gap && distance > 0 && resting &&
-                                 s.state[other] != SphereState::running)
+                                 !world_.spheres.isRunning(other))
                              {
                                  normals_.push_back(d / distance);
                              }
@@ -137,7 +137,7 @@ private:
 
     void meetWalls(std::uint32_t id, const Eigen::Vector3d& p)
     {
-        const double radius = world_.spheres.radius[id];
+        const double radius = world_.spheres.radius(id);
         for (const std::uint32_t t : world_.triangles.near(p))
         {
             const auto& [a, b, c] = world_.surface[t].corner;
@@ -199,14 +199,15 @@ private:
 QualityReport examine(const World& world)
 {
     std::optional<SphereGrid> gathered;
-    if (world.running() > 0 || world.spheres.size() <= kMostSorted)
+    if (world.spheres.runningCount() > 0 || world.spheres.size() <= kMostSorted)
     {
         gathered = gatherAll(world);
     }
     const std::size_t count = world.spheres.size();
     const WindingColumns winding(world.surface.mesh());
     std::vector<Examination> parts(
-        count / kInPart + 1, Examination(world, gathered ? *gathered : world.resting, winding));
+        count / kInPart + 1,
+        Examination(world, gathered ? *gathered : world.spheres.resting(), winding));
     Threads(world.scene.threads)
         .forEachLarge(parts.size(),
                       [&](std::size_t i)
@@ -250,14 +251,11 @@ QualityReport examine(const TriangleMesh& mesh, std::span<const Eigen::Vector3d>
     World world(scene, mesh);
     for (std::size_t k = 0; k < centres.size(); ++k)
     {
-        const std::uint32_t id =
-            world.release(world.frame.toRun(centres[k]), radii[k] / world.frame.length, 0);
-        if (atRest[k] && centres[k].allFinite())
-        {
-            world.freeze(id);
-        }
+        const Eigen::Vector3d place = world.frame.toRun(centres[k]);
+        const double radius = radii[k] / world.frame.length;
+        atRest[k] && place.allFinite() ? world.spheres.addResting(place, radius, 0)
+                                       : world.spheres.add(place, radius, 0);
     }
-    world.forgetFrozen();
     return examine(world);
 }
 

@@ -16,7 +16,7 @@ namespace frostfill
 /// Examines every sphere of the world as it stands. O(#S) but for the winding numbers.
 [[nodiscard]] QualityReport examine(const World& world);
 
-/// Examines spheres that anybody has placed in a closed, outward mesh. Sphere k has its centre at
+/// Examines spheres from any source in a closed, outward mesh. Sphere k has its centre at
 /// `centres[k]` and the radius `radii[k]`, in the mesh's coordinates and unit of length; when
 /// `atRest[k]`, gravity along -`up` has to be carried by its contacts. A centre that is not a
 /// number is counted and otherwise left out. The report knows nothing of energy or discards.

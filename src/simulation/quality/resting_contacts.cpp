@@ -16,17 +16,18 @@ namespace
 
 std::uint32_t spheresBeside(const World& world, std::uint32_t id, const Eigen::Vector3d& p)
 {
-    const double radius = world.spheres.radius[id];
+    const double radius = world.spheres.radius(id);
     const double gap = kContactGap * radius;
     std::uint32_t count = 0;
-    world.resting.forEachNear(p, radius + 1 + gap,
-                              [&](std::uint32_t other)
-                              {
-                                  const GridSphere& sphere = world.resting[other];
-                                  const double distance = (p - sphere.position()).norm();
-                                  const double depth = radius + sphere.radius - distance;
-                                  count += other != id && depth > -gap && distance > 0 ? 1 : 0;
-                              });
+    const SphereGrid& resting = world.spheres.resting();
+    resting.forEachNear(p, radius + 1 + gap,
+                        [&](std::uint32_t row)
+                        {
+                            const double distance = (p - resting[row].position()).norm();
+                            const double depth = radius + resting[row].radius - distance;
+                            const bool isOther = resting.id(row) != id && distance > 0;
+                            count += isOther && depth > -gap ? 1 : 0;
+                        });
     return count;
 }
 
@@ -71,7 +72,7 @@ std::uint32_t piecesOf(std::size_t triangles, std::vector<std::pair<Edge, std::s
 
 std::uint32_t wallsBeside(const World& world, std::uint32_t id, const Eigen::Vector3d& p)
 {
-    const double reach = world.spheres.radius[id] * (1 + kContactGap);
+    const double reach = world.spheres.radius(id) * (1 + kContactGap);
     std::size_t triangles = 0;
     std::vector<std::pair<Edge, std::size_t>> edges;
     for (const std::uint32_t t : world.triangles.near(p))
@@ -106,7 +107,7 @@ std::uint32_t wallsBeside(const World& world, std::uint32_t id, const Eigen::Vec
 std::uint32_t restingContacts(const World& world, std::uint32_t id)
 {
     const Eigen::Vector3d p = world.spheres.position(id);
-    if (world.spheres.state[id] == SphereState::running || !p.allFinite())
+    if (world.spheres.isRunning(id) || !p.allFinite())
     {
         return 0;
     }

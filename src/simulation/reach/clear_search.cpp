@@ -22,13 +22,13 @@ void ClearSearch::gather(const Eigen::Vector3d& middle, double edge)
     balls_.clear();
     const double reach = kHalfDiagonal * edge;
     resting_.forEachNear(middle, 1 + probe_ + reach,
-                         [&](std::uint32_t id)
+                         [&](std::uint32_t row)
                          {
-                             const GridSphere& s = resting_[id];
+                             const Ball& s = resting_[row];
                              const double radius = s.radius + probe_ - overlap_ - kReachRounding;
                              const Eigen::Vector3d centre = s.position();
-                             if (id != ignored_ && (centre - middle).squaredNorm() <
-                                                       (radius + reach) * (radius + reach))
+                             if (row != ignored_ && (centre - middle).squaredNorm() <
+                                                        (radius + reach) * (radius + reach))
                              {
                                  balls_.push_back({centre, radius * radius, radius});
                              }

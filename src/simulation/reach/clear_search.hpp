@@ -27,8 +27,8 @@ public:
     }
 
     static constexpr std::uint32_t kNone = 0xffffffff;
-    /// Looks as if this sphere were not at rest.
-    void ignore(std::uint32_t id) { ignored_ = id; }
+    /// Looks as if the sphere in this row were not at rest.
+    void ignore(std::uint32_t row) { ignored_ = row; }
 
     /// How often a cube is halved; see kHalvings, which it is at first.
     void halve(int times) { halvings_ = times; }

@@ -50,17 +50,14 @@ void ReleaseSites::startSweep()
         return;
     }
     sweeping_ = true;
-    const std::array<int, 3>& count = world_.resting.frame().count;
+    const SphereGrid& resting = world_.spheres.resting();
+    const std::array<int, 3>& count = resting.frame().count;
     const auto closeSlab = [&](int slab)
     {
         const int end = std::min(count[2], (slab + 1) * kSlabThickness);
-        world_.resting.forEachIn({0, 0, slab * kSlabThickness},
-                                 {count[0] - 1, count[1] - 1, end - 1},
-                                 [&](std::uint32_t id)
-                                 {
-                                     const GridSphere& sphere = world_.resting[id];
-                                     sites_.close(sphere.position(), sphere.radius);
-                                 });
+        resting.forEachIn({0, 0, slab * kSlabThickness}, {count[0] - 1, count[1] - 1, end - 1},
+                          [&](std::uint32_t row)
+                          { sites_.close(resting[row].position(), resting[row].radius); });
     };
     forEachSlab(threads_, (count[2] + kSlabThickness - 1) / kSlabThickness, closeSlab);
 }
@@ -70,15 +67,16 @@ bool ReleaseSites::isTaken(std::size_t site) const
 {
     const Eigen::Vector3d centre = sites_.centre(site);
     bool taken = false;
-    world_.resting.forEachNear(
-        centre, radius_ + 1,
-        [&](std::uint32_t id)
-        {
-            const GridSphere& sphere = world_.resting[id];
-            const double limit = sites_.closedWithin(sphere.radius);
-            taken =
-                taken || (limit > 0 && (sphere.position() - centre).squaredNorm() <= limit * limit);
-        });
+    const SphereGrid& resting = world_.spheres.resting();
+    resting.forEachNear(centre, radius_ + 1,
+                        [&](std::uint32_t row)
+                        {
+                            const Ball& sphere = resting[row];
+                            const double limit = sites_.closedWithin(sphere.radius);
+                            taken = taken ||
+                                    (limit > 0 &&
+                                     (sphere.position() - centre).squaredNorm() <= limit * limit);
+                        });
     return taken;
 }
 

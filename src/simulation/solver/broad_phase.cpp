@@ -19,51 +19,51 @@ bool mayTouch(const Eigen::Vector3d& a, double radiusOfA, const Eigen::Vector3d&
 
 } // namespace
 
-void BroadPhase::findPairs(std::span<Runner> runners)
+void BroadPhase::findPairs()
 {
-    if (runners.size() <= kFewRunners)
+    if (running_.size() <= kFewRunners)
     {
-        findAmongAll(runners);
+        findAmongAll();
         return;
     }
-    grid_.rebuild(runners);
-    threads_.forEach(runners.size(), [&](std::size_t i) { findInGrid(runners, runners[i]); });
+    grid_.rebuild(running_);
+    threads_.forEach(running_.size(),
+                     [&](std::size_t i) { findInGrid(static_cast<std::uint32_t>(i)); });
 }
 
-void BroadPhase::findAmongAll(std::span<Runner> runners)
+void BroadPhase::findAmongAll()
 {
-    balls_.clear();
-    for (Runner& runner : runners)
+    const std::span<const Eigen::Vector3d> position = running_.position.all();
+    const std::span<const double> radius = running_.radius.all();
+    for (std::uint32_t i = 0; i < position.size(); ++i)
     {
-        runner.nearby.clear();
-        balls_.push_back({runner.position, runner.radius});
-    }
-    for (std::uint32_t i = 1; i < balls_.size(); ++i)
-    {
+        nearby_[i].clear();
         for (std::uint32_t k = 0; k < i; ++k)
         {
-            if (mayTouch(balls_[i].centre, balls_[i].radius, balls_[k].centre, balls_[k].radius))
+            if (mayTouch(position[i], radius[i], position[k], radius[k]))
             {
-                runners[i].nearby.push_back(k);
-                runners[k].nearby.push_back(i);
+                nearby_[i].push_back(k);
+                nearby_[k].push_back(i);
             }
         }
     }
 }
 
-void BroadPhase::findInGrid(std::span<const Runner> runners, Runner& runner) const
+void BroadPhase::findInGrid(std::uint32_t row)
 {
-    runner.nearby.clear();
-    grid_.forEachNear(runner.position, runner.radius + 1 + kPairMargin,
-                      [&](std::uint32_t k, const Eigen::Vector3d& p, double radius)
+    const Eigen::Vector3d& position = running_.position[row];
+    const double radius = running_.radius[row];
+    std::vector<std::uint32_t>& nearby = nearby_[row];
+    nearby.clear();
+    grid_.forEachNear(position, radius + 1 + kPairMargin,
+                      [&](std::uint32_t k, const Eigen::Vector3d& p, double radiusThere)
                       {
-                          if (mayTouch(runner.position, runner.radius, p, radius) &&
-                              &runners[k] != &runner)
+                          if (mayTouch(position, radius, p, radiusThere) && k != row)
                           {
-                              runner.nearby.push_back(k);
+                              nearby.push_back(k);
                           }
                       });
-    std::sort(runner.nearby.begin(), runner.nearby.end());
+    std::sort(nearby.begin(), nearby.end());
 }
 
 } // namespace frostfill

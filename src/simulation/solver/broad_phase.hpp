@@ -4,7 +4,6 @@
 #include "base/threads.hpp"
 #include "simulation/contact/runner_grid.hpp"
 
-#include <span>
 #include <vector>
 
 namespace frostfill
@@ -16,24 +15,27 @@ class BroadPhase
 {
 public:
     /// `grid` may be rebuilt at each search.
-    BroadPhase(RunnerGrid& grid, Threads& threads) : grid_(grid), threads_(threads) {}
+    BroadPhase(RunningSpheres& running, RunnerGrid& grid, Threads& threads)
+        : running_(running), grid_(grid), threads_(threads), nearby_(running)
+    {
+    }
 
-    /// Fills Runner::nearby of all of them.
-    void findPairs(std::span<Runner> runners);
+    void findPairs();
+    /// Runners that the last search has found near this one, by row, ascending. One that has begun
+    /// to run since has those of whoever had its row before.
+    [[nodiscard]] const std::vector<std::uint32_t>& nearby(std::uint32_t row) const
+    {
+        return nearby_[row];
+    }
 
 private:
-    void findAmongAll(std::span<Runner> runners);
-    void findInGrid(std::span<const Runner> runners, Runner& runner) const;
+    void findAmongAll();
+    void findInGrid(std::uint32_t row);
 
+    RunningSpheres& running_;
     RunnerGrid& grid_;
     Threads& threads_;
-    /// What a comparison needs, close together; scratch of findAmongAll.
-    struct Ball
-    {
-        Eigen::Vector3d centre;
-        double radius;
-    };
-    std::vector<Ball> balls_;
+    RunningColumn<std::vector<std::uint32_t>> nearby_;
 };
 
 } // namespace frostfill

@@ -10,45 +10,47 @@
 namespace frostfill
 {
 
-void PositionSolver::resolve(std::span<Runner> runners, double dt)
+void PositionSolver::resolve(double dt)
 {
     down_ = flight_.down();
-    findPairs(runners);
-    velocitySolver_.resolve(runners, crowd_, down_, dt);
+    findPairs();
+    for (const std::uint32_t row : crowd_)
+    {
+        flown_[row] = running_.position[row];
+        velocityBefore_[row] = running_.velocity[row];
+    }
+    velocitySolver_.resolve(crowd_, rank_, down_, dt);
     const int mutual = settings_.stiff ? settings_.sweeps / 4 : settings_.sweeps * 3 / 4;
     for (int k = 0; k < settings_.sweeps; ++k)
     {
-        if (sweep(runners, k <= mutual ? 1 : 0, kDeep) < settings_.tolerance)
+        if (sweep(k <= mutual ? 1 : 0, kDeep) < settings_.tolerance)
         {
             break;
         }
     }
-    payForLifts(runners);
+    payForLifts();
 }
 
-void PositionSolver::separate(std::span<Runner> runners)
+void PositionSolver::separate()
 {
     for (int k = 0; k < kMostSeparations; ++k)
     {
-        findPairs(runners);
-        if (sweep(runners, k % 2, 0) < kApart)
+        findPairs();
+        if (sweep(k % 2, 0) < kApart)
         {
             return;
         }
     }
 }
 
-void PositionSolver::separate(std::span<Runner> runners, std::span<const std::uint32_t> some)
+void PositionSolver::separate(std::span<const std::uint32_t> some)
 {
-    for (Runner& runner : runners)
-    {
-        runner.rank = Runner::kNobody;
-    }
+    rank_.assign(running_.size(), kNotInCrowd);
     crowd_.assign(some.begin(), some.end());
-    orderFromBelow(runners);
+    orderFromBelow();
     for (int k = 0; k < kMostSeparations; ++k)
     {
-        if (sweep(runners, k % 2, kDeep) < kApart)
+        if (sweep(k % 2, kDeep) < kApart)
         {
             return;
         }
@@ -56,104 +58,100 @@ void PositionSolver::separate(std::span<Runner> runners, std::span<const std::ui
 }
 
 // All that follows concerns only runners in pairs; what is at rest none of them overlaps.
-void PositionSolver::findPairs(std::span<Runner> runners)
+void PositionSolver::findPairs()
 {
-    broadPhase_.findPairs(runners);
-    for (Runner& runner : runners)
-    {
-        runner.flown = runner.position;
-        runner.velocityBefore = runner.velocity;
-    }
+    pairs_.findPairs();
     crowd_.clear();
-    for (std::size_t i = 0; i < runners.size(); ++i)
+    for (std::uint32_t row = 0; row < running_.size(); ++row)
     {
-        if (!runners[i].nearby.empty())
+        if (!pairs_.nearby(row).empty())
         {
-            crowd_.push_back(static_cast<std::uint32_t>(i));
+            crowd_.push_back(row);
         }
     }
-    orderFromBelow(runners);
+    orderFromBelow();
 }
 
-void PositionSolver::orderFromBelow(std::span<Runner> runners)
+void PositionSolver::orderFromBelow()
 {
-    for (const std::uint32_t k : crowd_)
+    height_.resize(running_.size());
+    rank_.resize(running_.size());
+    flown_.resize(running_.size());
+    velocityBefore_.resize(running_.size());
+    for (const std::uint32_t row : crowd_)
     {
-        runners[k].height = -runners[k].position.dot(down_);
+        height_[row] = -running_.position[row].dot(down_);
     }
     std::sort(crowd_.begin(), crowd_.end(),
               [&](std::uint32_t a, std::uint32_t b)
-              {
-                  const double ha = runners[a].height;
-                  const double hb = runners[b].height;
-                  return ha < hb || (ha == hb && a < b);
-              });
+              { return height_[a] < height_[b] || (height_[a] == height_[b] && a < b); });
     for (std::uint32_t rank = 0; rank < crowd_.size(); ++rank)
     {
-        runners[crowd_[rank]].rank = rank;
+        rank_[crowd_[rank]] = rank;
     }
 }
 
 // From below: a runner gives way by its share to those above it, whose turn is yet to come, and
 // takes what is left of the overlap with those below, so that one sweep lifts a whole pile off its
 // floor. Returns the deepest penetration that it found.
-double PositionSolver::sweep(std::span<Runner> runners, double giveWay, double climbFrom)
+double PositionSolver::sweep(double giveWay, double climbFrom)
 {
     double deepest = 0;
-    for (const std::uint32_t k : crowd_)
+    for (const std::uint32_t row : crowd_)
     {
-        Runner& runner = runners[k];
-        const Eigen::Vector3d push = pushOff(runners, runner, giveWay, climbFrom, deepest);
+        const Eigen::Vector3d push = pushOff(row, giveWay, climbFrom, deepest);
         if (!push.isZero(0))
         {
-            flight_.shift(runner, push);
+            flight_.shift(row, push);
         }
     }
     return deepest;
 }
 
-Eigen::Vector3d PositionSolver::pushOff(std::span<const Runner> runners, const Runner& runner,
-                                        double giveWay, double climbFrom, double& deepest) const
+Eigen::Vector3d PositionSolver::pushOff(std::uint32_t row, double giveWay, double climbFrom,
+                                        double& deepest) const
 {
-    Eigen::Vector3d place = runner.position;
-    for (const std::uint32_t k : runner.nearby)
+    const double radius = running_.radius[row];
+    Eigen::Vector3d place = running_.position[row];
+    for (const std::uint32_t other : pairs_.nearby(row))
     {
-        const Runner& other = runners[k];
-        const auto contact = sphereContact(place - other.position, runner.radius + other.radius);
-        if (!contact || other.rank == Runner::kNobody)
+        const auto contact =
+            sphereContact(place - running_.position[other], radius + running_.radius[other]);
+        if (!contact || rank_[other] == kNotInCrowd)
         {
             continue;
         }
         const double depth = contact->depth;
         deepest = std::max(deepest, depth);
-        const bool takesRest = other.rank < runner.rank && (runner.yields || !other.yields);
-        const double share = takesRest ? 1 : giveWay * shareOf(runner, other, down_);
+        const bool takesRest = rank_[other] < rank_[row] &&
+                               (velocitySolver_.yields(row) || !velocitySolver_.yields(other));
+        const double share = takesRest ? 1 : giveWay * velocitySolver_.shareOf(row, other, down_);
         Eigen::Vector3d away = contact->normal;
-        if (takesRest && depth > climbFrom * runner.radius)
+        if (takesRest && depth > climbFrom * radius)
         {
             // Spheres pressed into a row on the floor or in a corner leave it upwards.
-            away = (away - down_ * (depth / runner.radius - climbFrom)).normalized();
+            away = (away - down_ * (depth / radius - climbFrom)).normalized();
         }
         place += away * (share * depth);
     }
-    const Eigen::Vector3d push = place - runner.position;
+    const Eigen::Vector3d push = place - running_.position[row];
     const double length = push.norm();
-    const double longest = kLongestPush * runner.radius;
+    const double longest = kLongestPush * radius;
     return length > longest ? Eigen::Vector3d(push * (longest / length)) : push;
 }
 
 // What is lifted is slowed down by as much energy.
-void PositionSolver::payForLifts(std::span<Runner> runners) const
+void PositionSolver::payForLifts()
 {
-    for (const std::uint32_t k : crowd_)
+    for (const std::uint32_t row : crowd_)
     {
-        Runner& runner = runners[k];
-        const double fall = (runner.position - runner.flown)
-                                .dot(flight_.pullAt(runner.flown, runner.velocityBefore));
-        const double squared = runner.velocity.squaredNorm();
+        Eigen::Vector3d& velocity = running_.velocity[row];
+        const double fall = (running_.position[row] - flown_[row])
+                                .dot(flight_.pullAt(flown_[row], velocityBefore_[row]));
+        const double squared = velocity.squaredNorm();
         if (fall < 0 && squared > 0)
         {
-            runner.velocity *= std::sqrt(std::max(0.0, 1 + 2 * fall / squared));
+            velocity *= std::sqrt(std::max(0.0, 1 + 2 * fall / squared));
         }
     }
 }

@@ -3,7 +3,6 @@
 
 #include "simulation/motion/free_flight.hpp"
 #include "simulation/solver/broad_phase.hpp"
-#include "simulation/solver/solver_settings.hpp"
 #include "simulation/solver/velocity_solver.hpp"
 
 #include <span>
@@ -18,37 +17,48 @@ class PositionSolver
 {
 public:
     /// `grid` may be rebuilt at each step.
-    PositionSolver(RunnerGrid& grid, const FreeFlight& flight, Threads& threads,
+    PositionSolver(RunningSpheres& running, RunnerGrid& grid, FreeFlight& flight, Threads& threads,
                    const SolverSettings& settings)
-        : broadPhase_(grid, threads), flight_(flight), settings_(settings),
-          velocitySolver_(settings)
+        : running_(running), pairs_(running, grid, threads), flight_(flight), settings_(settings),
+          velocitySolver_(running, flight, pairs_, settings)
     {
     }
 
     /// Separates the runners and makes their velocities agree with it.
-    void resolve(std::span<Runner> runners, double dt);
+    void resolve(double dt);
 
     /// Takes runners that overlap apart, without giving them any speed.
-    void separate(std::span<Runner> runners);
-    /// The same among some of them, given by index, as if the others were not there.
-    void separate(std::span<Runner> runners, std::span<const std::uint32_t> some);
+    void separate();
+    /// The same among some of them, given by row, as if the others were not there.
+    void separate(std::span<const std::uint32_t> some);
+
+    [[nodiscard]] const BroadPhase& pairs() const { return pairs_; }
+    [[nodiscard]] VelocitySolver& velocities() { return velocitySolver_; }
 
 private:
-    void findPairs(std::span<Runner> runners);
-    void orderFromBelow(std::span<Runner> runners);
+    static constexpr std::uint32_t kNotInCrowd = 0xffffffff;
+
+    void findPairs();
+    void orderFromBelow();
     /// `giveWay`: part of its share by which one gives way to those above it; `climbFrom`:
     /// penetration depth from which one climbs the other [own radius].
-    double sweep(std::span<Runner> runners, double giveWay, double climbFrom);
-    [[nodiscard]] Eigen::Vector3d pushOff(std::span<const Runner> runners, const Runner& runner,
-                                          double giveWay, double climbFrom, double& deepest) const;
-    void payForLifts(std::span<Runner> runners) const;
+    double sweep(double giveWay, double climbFrom);
+    [[nodiscard]] Eigen::Vector3d pushOff(std::uint32_t row, double giveWay, double climbFrom,
+                                          double& deepest) const;
+    void payForLifts();
 
-    BroadPhase broadPhase_;
-    const FreeFlight& flight_;
+    RunningSpheres& running_;
+    BroadPhase pairs_;
+    FreeFlight& flight_;
     SolverSettings settings_;
     VelocitySolver velocitySolver_;
     Eigen::Vector3d down_ = {0, -1, 0}; ///< the pull's direction in this step
-    std::vector<std::uint32_t> crowd_;  ///< runners that are in a pair, by index, lowest first
+    std::vector<std::uint32_t> crowd_;  ///< runners that are in a pair, by row, lowest first
+    // By row, of those in the crowd, in the step in hand.
+    std::vector<double> height_;                  ///< against the pull [r]
+    std::vector<std::uint32_t> rank_;             ///< in the crowd
+    std::vector<Eigen::Vector3d> flown_;          ///< position after this step's flight
+    std::vector<Eigen::Vector3d> velocityBefore_; ///< at the end of that flight
 };
 
 } // namespace frostfill

@@ -9,66 +9,69 @@ namespace frostfill
 // Whoever is taken out may have carried others, so these are looked at again. What is at rest may
 // give a runner back that has crept into it, so all have been moved before any looks where others
 // are.
-void SupportIsland::keep(std::span<Runner> runners, std::vector<std::uint32_t>& members)
+void SupportIsland::keep(std::vector<std::uint32_t>& members)
 {
-    threads_.forEach(members.size(), [&](std::size_t i) { touch(runners[members[i]]); });
-    threads_.forEach(members.size(),
-                     [&](std::size_t i)
-                     {
-                         Runner& runner = runners[members[i]];
-                         runner.falls = !isCarriedToo(runners, runner);
-                     });
-    gone_.clear();
-    for (const std::uint32_t k : members)
+    member_.assign(running_.size(), 0);
+    falls_.resize(running_.size());
+    for (const std::uint32_t row : members)
     {
-        if (runners[k].falls)
+        member_[row] = 1;
+    }
+    threads_.forEach(members.size(), [&](std::size_t i) { touch(members[i]); });
+    threads_.forEach(members.size(),
+                     [&](std::size_t i) { falls_[members[i]] = isCarriedToo(members[i]) ? 0 : 1; });
+    gone_.clear();
+    for (const std::uint32_t row : members)
+    {
+        if (falls_[row] != 0)
         {
-            runners[k].member = false;
-            gone_.push_back(k);
+            dismiss(row);
+            gone_.push_back(row);
         }
     }
     for (std::size_t i = 0; i < gone_.size(); ++i)
     {
-        for (const std::uint32_t k : runners[gone_[i]].nearby)
+        for (const std::uint32_t row : pairs_.nearby(gone_[i]))
         {
-            if (runners[k].member && !carry(runners, runners[k]))
+            if (member_[row] != 0 && !carry(row))
             {
-                runners[k].member = false;
-                gone_.push_back(k);
+                dismiss(row);
+                gone_.push_back(row);
             }
         }
     }
-    std::erase_if(members, [&](std::uint32_t k) { return !runners[k].member; });
+    std::erase_if(members, [&](std::uint32_t row) { return member_[row] == 0; });
 }
 
-bool SupportIsland::carry(std::span<const Runner> runners, Runner& runner) const
+bool SupportIsland::carry(std::uint32_t row)
 {
-    touch(runner);
-    return isCarriedToo(runners, runner);
+    touch(row);
+    return isCarriedToo(row);
 }
 
-void SupportIsland::touch(Runner& runner) const
+void SupportIsland::touch(std::uint32_t row)
 {
-    flight_.findContacts(runner, kCarryingGap * runner.radius);
+    flight_.findContacts(row, kCarryingGap * running_.radius[row]);
 }
 
-bool SupportIsland::isCarriedToo(std::span<const Runner> runners, Runner& runner) const
+bool SupportIsland::isCarriedToo(std::uint32_t row)
 {
-    const double gap = kCarryingGap * runner.radius;
-    for (const std::uint32_t k : runner.nearby)
+    const Eigen::Vector3d position = running_.position[row];
+    const double radius = running_.radius[row];
+    for (const std::uint32_t other : pairs_.nearby(row))
     {
-        const Runner& other = runners[k];
-        if (!other.member)
+        if (member_[other] == 0)
         {
             continue;
         }
         if (const auto contact =
-                sphereContact(runner.position - other.position, runner.radius + other.radius, gap))
+                sphereContact(position - running_.position[other], radius + running_.radius[other],
+                              kCarryingGap * radius))
         {
-            runner.normals.push_back(contact->normal);
+            flight_.normals(row).push_back(contact->normal);
         }
     }
-    return isCarried(flight_.downAt(runner.position), runner.normals, kCarried);
+    return isCarried(flight_.downAt(position), flight_.normals(row), kCarried);
 }
 
 } // namespace frostfill

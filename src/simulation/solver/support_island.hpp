@@ -3,8 +3,8 @@
 
 #include "base/threads.hpp"
 #include "simulation/motion/free_flight.hpp"
+#include "simulation/solver/broad_phase.hpp"
 
-#include <span>
 #include <vector>
 
 namespace frostfill
@@ -15,26 +15,34 @@ namespace frostfill
 class SupportIsland
 {
 public:
-    SupportIsland(const FreeFlight& flight, Threads& threads) : flight_(flight), threads_(threads)
+    SupportIsland(const RunningSpheres& running, FreeFlight& flight, const BroadPhase& pairs,
+                  Threads& threads)
+        : running_(running), flight_(flight), pairs_(pairs), threads_(threads)
     {
     }
 
-    /// Of those with Runner::member, takes it from those that are not carried. `members` lists
-    /// them; Runner::nearby of each is up to date.
-    void keep(std::span<Runner> runners, std::vector<std::uint32_t>& members);
+    /// Of these runners, given by row, leaves those that carry one another, who are its members
+    /// from then on. `pairs` is up to date.
+    void keep(std::vector<std::uint32_t>& members);
 
     /// Whether what is at rest and members carry the runner.
-    [[nodiscard]] bool carry(std::span<const Runner> runners, Runner& runner) const;
+    [[nodiscard]] bool carry(std::uint32_t row);
+    /// The runner is no member any more.
+    void dismiss(std::uint32_t row) { member_[row] = 0; }
 
 private:
     /// Finds what is at rest and touches it.
-    void touch(Runner& runner) const;
-    /// After touch(): whether that and members carry it. Moves nobody.
-    [[nodiscard]] bool isCarriedToo(std::span<const Runner> runners, Runner& runner) const;
+    void touch(std::uint32_t row);
+    /// After touch(): whether that and members carry it. Moves no sphere.
+    [[nodiscard]] bool isCarriedToo(std::uint32_t row);
 
-    const FreeFlight& flight_;
+    const RunningSpheres& running_;
+    FreeFlight& flight_;
+    const BroadPhase& pairs_;
     Threads& threads_;
-    std::vector<std::uint32_t> gone_; ///< scratch of keep
+    std::vector<char> member_;        ///< by row
+    std::vector<char> falls_;         ///< by row, of members
+    std::vector<std::uint32_t> gone_; ///< rows
 };
 
 } // namespace frostfill

@@ -41,7 +41,7 @@ inline constexpr int kRounds = 8;
 /// spheres that would miss each other brake. Smaller: they overlap first.
 inline constexpr double kSoon = 0.05;
 /// Approach that is left to spheres that lie on others. [sqrt(g r)] Larger: piles creep. Smaller:
-/// rounds are spent on what nobody sees.
+/// rounds are spent on invisible overlaps.
 inline constexpr double kSlow = 1e-3;
 
 } // namespace frostfill

@@ -9,71 +9,68 @@
 
 namespace frostfill
 {
-namespace
-{
-
 // Approach to what is at rest is lost.
-void stopAtRest(Runner& runner)
+void VelocitySolver::stopAtRest(std::uint32_t row)
 {
-    for (const Eigen::Vector3d& normal : runner.normals)
+    Eigen::Vector3d& velocity = running_.velocity[row];
+    for (const Eigen::Vector3d& normal : flight_.normals(row))
     {
-        const double approach = normal.dot(runner.velocity);
+        const double approach = normal.dot(velocity);
         if (approach < 0)
         {
-            runner.velocity -= approach * normal;
+            velocity -= approach * normal;
         }
     }
 }
 
-} // namespace
-
-double shareOf(const Runner& a, const Runner& b, const Eigen::Vector3d& down)
+double VelocitySolver::shareOf(std::uint32_t a, std::uint32_t b, const Eigen::Vector3d& down) const
 {
-    if (a.yields != b.yields)
+    if (yields(a) != yields(b))
     {
-        return a.yields ? 1 : 0;
+        return yields(a) ? 1 : 0;
     }
-    if (!a.yields)
+    if (!yields(a))
     {
-        const double ya = -a.position.dot(down);
-        const double yb = -b.position.dot(down);
-        return ya < yb || (ya == yb && a.id < b.id) ? 0 : 1;
+        const double ya = -running_.position[a].dot(down);
+        const double yb = -running_.position[b].dot(down);
+        return ya < yb || (ya == yb && running_.id[a] < running_.id[b]) ? 0 : 1;
     }
-    const double mb = massOf(b.radius);
-    return mb / (massOf(a.radius) + mb);
+    const double mb = massOf(running_.radius[b]);
+    return mb / (massOf(running_.radius[a]) + mb);
 }
 
 // One pair after another, the lowest first, and each with what is at rest. A few rounds carry the
 // floor's reaction up a pile.
-void VelocitySolver::resolve(std::span<Runner> runners, std::span<const std::uint32_t> crowd,
-                             const Eigen::Vector3d& down, double dt)
+void VelocitySolver::resolve(std::span<const std::uint32_t> crowd,
+                             std::span<const std::uint32_t> rank, const Eigen::Vector3d& down,
+                             double dt)
 {
     down_ = down;
-    findContacts(runners, crowd, dt);
+    findContacts(crowd, rank, dt);
     for (int round = 0; round < kRounds; ++round)
     {
         for (const ContactPair& contact : contacts_)
         {
-            collide(runners[contact.upper], runners[contact.lower], contact);
+            collide(contact);
         }
     }
     if (settings_.stiff)
     {
-        stopOnLower(runners);
+        stopOnLower();
     }
 }
 
 // Shock propagation [Guendelman et al. 2003]: what the rounds have left of an approach is lost, as
 // if the lower ones could not give way. No faster than it was, since what carries it may move.
-void VelocitySolver::stopOnLower(std::span<Runner> runners)
+void VelocitySolver::stopOnLower()
 {
     for (auto first = contacts_.begin(); first != contacts_.end();)
     {
         const auto last =
             std::find_if(first, contacts_.end(),
                          [&](const ContactPair& contact) { return contact.upper != first->upper; });
-        Runner& runner = runners[first->upper];
-        const double before = runner.velocity.squaredNorm();
+        Eigen::Vector3d& velocity = running_.velocity[first->upper];
+        const double before = velocity.squaredNorm();
         bool approaches = true;
         for (int k = 0; k < kRounds && approaches; ++k)
         {
@@ -81,53 +78,55 @@ void VelocitySolver::stopOnLower(std::span<Runner> runners)
             for (auto contact = first; contact != last; ++contact)
             {
                 const double approach =
-                    (runner.velocity - runners[contact->lower].velocity).dot(contact->normal);
+                    (velocity - running_.velocity[contact->lower]).dot(contact->normal);
                 if (approach < -contact->allowed - kSlow)
                 {
-                    runner.velocity -= (approach + contact->allowed) * contact->normal;
+                    velocity -= (approach + contact->allowed) * contact->normal;
                     approaches = true;
                 }
             }
-            stopAtRest(runner);
+            stopAtRest(first->upper);
         }
-        const double after = runner.velocity.squaredNorm();
+        const double after = velocity.squaredNorm();
         if (after > before)
         {
-            runner.velocity *= std::sqrt(before / after);
+            velocity *= std::sqrt(before / after);
         }
         first = last;
     }
 }
 
 // Of those that overlap or soon will, the lowest first.
-void VelocitySolver::findContacts(std::span<const Runner> runners,
-                                  std::span<const std::uint32_t> crowd, double dt)
+void VelocitySolver::findContacts(std::span<const std::uint32_t> crowd,
+                                  std::span<const std::uint32_t> rank, double dt)
 {
     contacts_.clear();
-    for (const std::uint32_t k : crowd)
+    for (const std::uint32_t upper : crowd)
     {
-        const Runner& upper = runners[k];
-        for (const std::uint32_t other : upper.nearby)
+        const Eigen::Vector3d position = running_.position[upper];
+        const double radius = running_.radius[upper];
+        for (const std::uint32_t lower : pairs_.nearby(upper))
         {
-            const Runner& lower = runners[other];
-            if (lower.rank >= upper.rank)
+            if (rank[lower] >= rank[upper])
             {
                 continue;
             }
-            const auto contact =
-                sphereContact(upper.position - lower.position, upper.radius + lower.radius, kSoon);
+            const auto contact = sphereContact(position - running_.position[lower],
+                                               radius + running_.radius[lower], kSoon);
             if (contact && !contact->normal.isZero(0))
             {
                 const double gap = -contact->depth;
-                contacts_.push_back({k, other, contact->normal, std::max(0.0, gap / dt)});
+                contacts_.push_back({upper, lower, contact->normal, std::max(0.0, gap / dt)});
             }
         }
     }
 }
 
-void VelocitySolver::collide(Runner& a, Runner& b, const ContactPair& contact) const
+void VelocitySolver::collide(const ContactPair& contact)
 {
-    const double approach = (a.velocity - b.velocity).dot(contact.normal);
+    Eigen::Vector3d& ofUpper = running_.velocity[contact.upper];
+    Eigen::Vector3d& ofLower = running_.velocity[contact.lower];
+    const double approach = (ofUpper - ofLower).dot(contact.normal);
     const Restitution restitution{settings_.restitution, settings_.bounceSpeed};
     const bool bounces = restitution.bounces(approach);
     if (approach >= -contact.allowed || (bounces && contact.allowed > 0))
@@ -135,10 +134,10 @@ void VelocitySolver::collide(Runner& a, Runner& b, const ContactPair& contact) c
         return;
     }
     const double change = bounces ? restitution.change(approach) : -contact.allowed - approach;
-    a.velocity += contact.normal * (change * shareOf(a, b, down_));
-    b.velocity -= contact.normal * (change * shareOf(b, a, down_));
-    stopAtRest(a);
-    stopAtRest(b);
+    ofUpper += contact.normal * (change * shareOf(contact.upper, contact.lower, down_));
+    ofLower -= contact.normal * (change * shareOf(contact.lower, contact.upper, down_));
+    stopAtRest(contact.upper);
+    stopAtRest(contact.lower);
 }
 
 } // namespace frostfill

@@ -52,9 +52,9 @@ void SetRecorder::close(World& world)
     {
         record.times.seconds[stage] = world.times.seconds[stage] - timesAtStart_.seconds[stage];
     }
-    record.running = world.running();
-    record.frozen = world.restingCount - world.discardedCount;
-    record.discarded = world.discardedCount;
+    record.running = world.spheres.runningCount();
+    record.frozen = world.spheres.frozenCount();
+    record.discarded = world.spheres.discardedCount();
     record.discardedPolygons = world.discardedPolygons;
     record.timedOut = timedOut_;
     record.operations = world.operations - operationsAtStart_;

@@ -7,59 +7,79 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace frostfill
 {
 
-/// A sphere of a grid, with all that a search needs in one place of memory.
-struct GridSphere
+/// Centre and radius: all that a search reads of a sphere, in one place of memory.
+struct alignas(32) Ball
 {
     double x = 0, y = 0, z = 0;
     double radius = 0;
-    std::uint32_t next = 0;
-    bool discarded = false; ///< nothing can touch it any more
 
     [[nodiscard]] Eigen::Vector3d position() const { return {x, y, z}; }
 };
 
-/// Spheres that do not move, by cell, as linked lists. Cells are at least as large as the largest
-/// distance asked for.
+/// Spheres that do not move, in columns by row, and by cell of a grid as linked lists of rows.
+/// Cells are at least as large as the largest distance asked for.
 class SphereGrid
 {
 public:
     explicit SphereGrid(const GridFrame& frame) : frame_(frame), head_(frame.size(), kEnd) {}
 
-    void insert(std::uint32_t id, const Eigen::Vector3d& p, double radius)
+    /// Returns the row, which is the last.
+    std::uint32_t insert(std::uint32_t id, const Eigen::Vector3d& p, double radius)
     {
-        if (spheres_.size() <= id)
-        {
-            spheres_.resize(id + 1);
-        }
-        std::uint32_t& head = head_[frame_.index(p)];
-        spheres_[id] = {p.x(), p.y(), p.z(), radius, head, false};
-        head = id;
+        const auto row = static_cast<std::uint32_t>(size());
+        balls_.push_back({p.x(), p.y(), p.z(), radius});
+        rows_.push_back({id, kEnd, false});
+        link(row);
         extent_.extend(p);
+        return row;
     }
 
     /// Room for so many spheres without moving any in memory.
-    void reserve(std::size_t count) { spheres_.reserve(count); }
-
-    /// Takes out a sphere that was inserted.
-    void remove(std::uint32_t id)
+    void reserve(std::size_t count)
     {
-        std::uint32_t* link = &head_[frame_.index(spheres_[id].position())];
-        while (*link != id)
-        {
-            link = &spheres_[*link].next;
-        }
-        *link = spheres_[id].next;
+        balls_.reserve(count);
+        rows_.reserve(count);
     }
 
-    [[nodiscard]] const GridSphere& operator[](std::uint32_t id) const { return spheres_[id]; }
-    void setDiscarded(std::uint32_t id, bool discarded) { spheres_[id].discarded = discarded; }
+    /// Takes out a row; the last one takes its place.
+    void remove(std::uint32_t row)
+    {
+        linkTo(row) = rows_[row].next;
+        const auto last = static_cast<std::uint32_t>(size() - 1);
+        if (row != last)
+        {
+            linkTo(last) = row;
+            balls_[row] = balls_[last];
+            rows_[row] = rows_[last];
+        }
+        balls_.pop_back();
+        rows_.pop_back();
+    }
 
-    /// Calls visit(id) for each sphere in the cells that a ball of radius `reach` about p meets,
+    /// The sphere has got another id. It is met first in its cell from now on, as one that has just
+    /// come to rest.
+    void renumber(std::uint32_t row, std::uint32_t id)
+    {
+        rows_[row].id = id;
+        linkTo(row) = rows_[row].next;
+        link(row);
+    }
+
+    // By row.
+    [[nodiscard]] std::size_t size() const { return balls_.size(); }
+    [[nodiscard]] const Ball& operator[](std::uint32_t row) const { return balls_[row]; }
+    [[nodiscard]] std::uint32_t id(std::uint32_t row) const { return rows_[row].id; }
+    /// Nothing can touch it any more.
+    [[nodiscard]] bool isDiscarded(std::uint32_t row) const { return rows_[row].discarded; }
+    void setDiscarded(std::uint32_t row, bool discarded) { rows_[row].discarded = discarded; }
+
+    /// Calls visit(row) for each sphere in the cells that a ball of radius `reach` about p meets,
     /// and maybe for a few more.
     template <class Visit>
     void forEachNear(const Eigen::Vector3d& p, double reach, Visit&& visit) const
@@ -84,7 +104,7 @@ public:
         }
     }
 
-    /// Calls visit(id) for each sphere in the cells from `low` to `high`, both included.
+    /// Calls visit(row) for each sphere in the cells from `low` to `high`, both included.
     template <class Visit>
     void forEachIn(const std::array<int, 3>& low, const std::array<int, 3>& high,
                    Visit&& visit) const
@@ -92,10 +112,10 @@ public:
         frame_.forEachCell(low, high,
                            [&](std::size_t cell)
                            {
-                               for (std::uint32_t id = head_[cell]; id != kEnd;
-                                    id = spheres_[id].next)
+                               for (std::uint32_t row = head_[cell]; row != kEnd;
+                                    row = rows_[row].next)
                                {
-                                   visit(id);
+                                   visit(row);
                                }
                            });
     }
@@ -112,11 +132,33 @@ private:
         return std::max({0.0, below, above});
     }
 
+    void link(std::uint32_t row)
+    {
+        rows_[row].next = std::exchange(head_[frame_.index(balls_[row].position())], row);
+    }
+    /// The link of its list that leads to the row.
+    std::uint32_t& linkTo(std::uint32_t row)
+    {
+        std::uint32_t* link = &head_[frame_.index(balls_[row].position())];
+        while (*link != row)
+        {
+            link = &rows_[*link].next;
+        }
+        return *link;
+    }
+
     static constexpr std::uint32_t kEnd = 0xffffffff;
     GridFrame frame_;
     std::vector<std::uint32_t> head_; ///< [#cells]
     Eigen::AlignedBox3d extent_;      ///< of all that were ever inserted
-    std::vector<GridSphere> spheres_; ///< [#S] those inserted; the others' values mean nothing
+    std::vector<Ball> balls_;
+    struct Row
+    {
+        std::uint32_t id;
+        std::uint32_t next; ///< row in the list of its cell
+        bool discarded;
+    };
+    std::vector<Row> rows_;
 };
 
 } // namespace frostfill

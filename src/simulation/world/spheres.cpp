@@ -4,65 +4,140 @@
 namespace frostfill
 {
 
-void Spheres::moveTo(std::size_t from, std::size_t to)
+void Spheres::reserve(std::size_t count, std::size_t changes)
 {
-    for (auto* values : {&x, &y, &z, &radius})
-    {
-        (*values)[to] = (*values)[from];
-    }
-    setVelocity(to, velocity(from));
-    setState(to, state[from]);
+    where_.reserve(count);
+    group_.reserve(count);
+    resting_.reserve(count);
+    changes_.reserve(changes);
 }
 
-void Spheres::setState(std::size_t i, SphereState newState)
+void Spheres::run(std::uint32_t id, const Eigen::Vector3d& place, double radius)
 {
-    const bool ran = state[i] == SphereState::running;
-    const bool runs = newState == SphereState::running;
-    if (ran && !runs)
+    const std::uint32_t row = running_.rows_++;
+    for (RowFollower* column : running_.columns_)
     {
-        velocities.stop(i);
+        column->fit(running_.rows_);
     }
-    if (!ran && runs)
-    {
-        velocities.start(i);
-    }
-    state[i] = newState;
+    running_.id[row] = id;
+    running_.radius[row] = radius;
+    where_[id] = 2 * row + kRuns;
+    running_.restart(row, place);
 }
 
-void Spheres::removeLast()
+std::uint32_t Spheres::rest(std::uint32_t id, const Eigen::Vector3d& place, double radius)
 {
-    if (state.back() == SphereState::running)
-    {
-        velocities.stop(size() - 1);
-    }
-    for (auto* values : {&x, &y, &z, &radius})
-    {
-        values->pop_back();
-    }
-    group.pop_back();
-    state.pop_back();
+    const std::uint32_t row = resting_.insert(id, place, radius);
+    where_[id] = 2 * row;
+    changes_.push_back(id);
+    return row;
 }
 
-void Spheres::reserve(std::size_t count)
+std::uint32_t Spheres::appear(std::uint32_t group)
 {
-    for (auto* values : {&x, &y, &z, &radius})
-    {
-        values->reserve(count);
-    }
-    group.reserve(count);
-    state.reserve(count);
-}
-
-std::uint32_t Spheres::add(const Eigen::Vector3d& p, double r, std::uint32_t groupOfSphere)
-{
-    x.push_back(p.x());
-    y.push_back(p.y());
-    z.push_back(p.z());
-    radius.push_back(r);
-    group.push_back(groupOfSphere);
-    state.push_back(SphereState::running);
-    velocities.start(size() - 1);
+    where_.push_back(0);
+    group_.push_back(group);
     return static_cast<std::uint32_t>(size() - 1);
+}
+
+std::uint32_t Spheres::add(const Eigen::Vector3d& place, double radius, std::uint32_t group)
+{
+    const std::uint32_t id = appear(group);
+    run(id, place, radius);
+    return id;
+}
+
+std::uint32_t Spheres::addResting(const Eigen::Vector3d& place, double radius, std::uint32_t group)
+{
+    const std::uint32_t id = appear(group);
+    rest(id, place, radius);
+    return id;
+}
+
+std::uint32_t Spheres::freeze(std::uint32_t id, const Eigen::Vector3d& place)
+{
+    const std::uint32_t row = where_[id] >> 1;
+    running_.id[row] = RunningSpheres::kNobody;
+    gaps_ = true;
+    return rest(id, place, running_.radius[row]);
+}
+
+std::uint32_t Spheres::withdraw(std::uint32_t id)
+{
+    running_.id[row(id)] = RunningSpheres::kNobody;
+    gaps_ = true;
+    const auto last = static_cast<std::uint32_t>(size() - 1);
+    if (last != id)
+    {
+        if (isRunning(last))
+        {
+            running_.id[row(last)] = id;
+        }
+        else
+        {
+            resting_.renumber(row(last), id);
+        }
+        where_[id] = where_[last];
+        changes_.push_back(id);
+    }
+    where_.pop_back();
+    group_.pop_back(); // a group goes with the id, not with the sphere
+    return last;
+}
+
+void Spheres::closeRanks()
+{
+    for (std::uint32_t row = gaps_ ? running_.rows_ : 0; row-- > 0;)
+    {
+        if (!running_.isGone(row))
+        {
+            continue;
+        }
+        const std::uint32_t last = --running_.rows_;
+        if (row != last)
+        {
+            for (RowFollower* column : running_.columns_)
+            {
+                column->swap(row, last);
+            }
+            where_[running_.id[row]] = 2 * row + kRuns;
+        }
+    }
+    gaps_ = false;
+}
+
+void Spheres::wake(std::uint32_t id)
+{
+    const std::uint32_t gone = row(id);
+    const Ball ball = resting_[gone];
+    discarded_ -= resting_.isDiscarded(gone) ? 1 : 0;
+    resting_.remove(gone);
+    if (gone < resting_.size())
+    {
+        where_[resting_.id(gone)] = 2 * gone;
+    }
+    run(id, ball.position(), ball.radius);
+    changes_.push_back(id);
+}
+
+void Spheres::discard(std::uint32_t id)
+{
+    resting_.setDiscarded(row(id), true);
+    ++discarded_;
+    changes_.push_back(id);
+}
+
+void Spheres::restoreDiscarded()
+{
+    for (std::uint32_t id = 0; id < size(); ++id)
+    {
+        if (state(id) == SphereState::discarded)
+        {
+            resting_.setDiscarded(row(id), false);
+            changes_.push_back(id);
+        }
+    }
+    discarded_ = 0;
 }
 
 } // namespace frostfill

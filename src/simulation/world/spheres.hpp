@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "simulation/world/velocities.hpp"
+#include "simulation/world/running_spheres.hpp"
+#include "simulation/world/sphere_grid.hpp"
 
 #include <frostfill/snapshot.hpp>
 
@@ -13,34 +14,85 @@
 namespace frostfill
 {
 
-/// All spheres as a structure of arrays, in order of appearance: the index is the id. Coordinates
-/// of the run (see FrameOfRun).
-struct Spheres
+/// The table of all spheres: what runs and what is at rest are two sets of columns by row, as the
+/// solver sets of Box3D are. A sphere keeps its id, which tells its set and row, while it goes from
+/// one set to the other. Ids are in order of appearance. Coordinates of the run (see FrameOfRun).
+class Spheres
 {
-    std::vector<double> x, y, z;
-    std::vector<double> radius;
-    std::vector<std::uint32_t> group;
-    std::vector<SphereState> state;
-    Velocities velocities;
+public:
+    /// `frame`: of the grid of spheres at rest.
+    explicit Spheres(const GridFrame& frame = {}) : resting_(frame) {}
 
-    [[nodiscard]] std::size_t size() const { return x.size(); }
-    [[nodiscard]] Eigen::Vector3d position(std::size_t i) const { return {x[i], y[i], z[i]}; }
-    [[nodiscard]] Eigen::Vector3d velocity(std::size_t i) const { return velocities[i]; }
-    void setPosition(std::size_t i, const Eigen::Vector3d& p)
+    [[nodiscard]] RunningSpheres& running() { return running_; }
+    [[nodiscard]] const RunningSpheres& running() const { return running_; }
+    [[nodiscard]] const SphereGrid& resting() const { return resting_; }
+
+    // By id.
+    [[nodiscard]] std::size_t size() const { return where_.size(); }
+    [[nodiscard]] std::uint32_t group(std::size_t id) const { return group_[id]; }
+    [[nodiscard]] bool isRunning(std::size_t id) const { return (where_[id] & kRuns) != 0; }
+    /// In its set.
+    [[nodiscard]] std::uint32_t row(std::size_t id) const { return where_[id] >> 1; }
+    [[nodiscard]] SphereState state(std::size_t id) const
     {
-        x[i] = p.x();
-        y[i] = p.y();
-        z[i] = p.z();
+        return isRunning(id)                   ? SphereState::running
+               : resting_.isDiscarded(row(id)) ? SphereState::discarded
+                                               : SphereState::frozen;
     }
-    /// Sphere i runs.
-    void setVelocity(std::size_t i, const Eigen::Vector3d& v) { velocities.set(i, v); }
-    /// Changes the state. What stops running loses its velocity.
-    void setState(std::size_t i, SphereState newState);
-    /// Gives sphere `to`, which runs, all that sphere `from` has but its group.
-    void moveTo(std::size_t from, std::size_t to);
-    void removeLast();
-    void reserve(std::size_t count);
-    std::uint32_t add(const Eigen::Vector3d& p, double r, std::uint32_t groupOfSphere);
+    [[nodiscard]] Eigen::Vector3d position(std::size_t id) const
+    {
+        return isRunning(id) ? running_.position[row(id)] : resting_[row(id)].position();
+    }
+    [[nodiscard]] double radius(std::size_t id) const
+    {
+        return isRunning(id) ? running_.radius[row(id)] : resting_[row(id)].radius;
+    }
+    [[nodiscard]] Eigen::Vector3d velocity(std::size_t id) const
+    {
+        return isRunning(id) ? running_.velocity[row(id)] : Eigen::Vector3d(0, 0, 0);
+    }
+
+    [[nodiscard]] std::size_t runningCount() const { return size() - resting_.size(); }
+    [[nodiscard]] std::size_t frozenCount() const { return resting_.size() - discarded_; }
+    [[nodiscard]] std::size_t discardedCount() const { return discarded_; }
+    /// Ids in the order in which their state changed.
+    [[nodiscard]] const std::vector<std::uint32_t>& changes() const { return changes_; }
+
+    /// Room for so many, at rest in the end, without moving any in memory.
+    void reserve(std::size_t count, std::size_t changes);
+    /// A sphere appears and runs. Returns its id.
+    std::uint32_t add(const Eigen::Vector3d& place, double radius, std::uint32_t group);
+    /// The same for one that never runs.
+    std::uint32_t addResting(const Eigen::Vector3d& place, double radius, std::uint32_t group);
+    /// A running sphere comes to rest. Returns its row there. Rows of those that still run stay
+    /// where they are until closeRanks().
+    std::uint32_t freeze(std::uint32_t id, const Eigen::Vector3d& place);
+    void freeze(std::uint32_t id) { freeze(id, position(id)); }
+    /// Takes out a running sphere for which there is no room. The sphere with the highest id takes
+    /// over its id; returns that sphere's old id. Running rows stay as after freeze().
+    std::uint32_t withdraw(std::uint32_t id);
+    /// Takes out running rows whose sphere is gone; the last rows take their places.
+    void closeRanks();
+    /// Lets a sphere at rest run again.
+    void wake(std::uint32_t id);
+    void discard(std::uint32_t id);
+    /// Takes all discards back.
+    void restoreDiscarded();
+
+private:
+    static constexpr std::uint32_t kRuns = 1;
+
+    std::uint32_t appear(std::uint32_t group);
+    void run(std::uint32_t id, const Eigen::Vector3d& place, double radius);
+    std::uint32_t rest(std::uint32_t id, const Eigen::Vector3d& place, double radius);
+
+    RunningSpheres running_;
+    SphereGrid resting_;
+    std::vector<std::uint32_t> where_; ///< by id: twice the row, and kRuns
+    std::vector<std::uint32_t> group_; ///< by id
+    std::vector<std::uint32_t> changes_;
+    std::size_t discarded_ = 0;
+    bool gaps_ = false; ///< a running row is gone
 };
 
 } // namespace frostfill

@@ -18,10 +18,11 @@ std::string hashState(const Spheres& spheres)
     };
     for (std::size_t i = 0; i < spheres.size(); ++i)
     {
-        take(std::bit_cast<std::uint64_t>(spheres.x[i]));
-        take(std::bit_cast<std::uint64_t>(spheres.y[i]));
-        take(std::bit_cast<std::uint64_t>(spheres.z[i]));
-        take(spheres.state[i] == SphereState::running ? 0 : 1);
+        for (const double coordinate : spheres.position(i))
+        {
+            take(std::bit_cast<std::uint64_t>(coordinate));
+        }
+        take(spheres.isRunning(i) ? 0 : 1);
     }
     return fmt::format("{:016x}", hash);
 }

@@ -32,7 +32,7 @@ inline constexpr double kGapOfParts = 8;
 /// An object with more cells is refused: its grids take two bytes a cell, and minutes.
 inline constexpr double kMostCells = 1e9;
 /// Memory is set aside for so many times the spheres that fit by the estimate. Smaller: arrays of a
-/// large run are copied. Larger: memory that nobody uses.
+/// large run are copied. Larger: unused memory.
 inline constexpr double kRoomForSpheres = 1.1;
 /// A centre that is nearer to a wall lies on it, but for rounding. [r] Larger: places near a wall
 /// are refused. Smaller: spheres are released on the wall, which has no side there.

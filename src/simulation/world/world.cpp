@@ -75,7 +75,7 @@ World::World(const Scene& sceneOfRun, const TriangleMesh& mesh)
       triangles(surface, checkedGrid(surface, frame, scene), kTriangleReach),
       inside(surface, triangles), height(surface.box().sizes().y()),
       motion(scene.move, frame, height), pull{.uniform = {0, -frame.gravity, 0}},
-      resting(gridOver(surface, kSphereCell)), polygons(mesh.triangles.size(), PolygonState::active)
+      spheres(gridOver(surface, kSphereCell)), polygons(mesh.triangles.size(), PolygonState::active)
 {
     radii = radii.inLargest();
     if (scene.spheres.count && !scene.spheres.untilFull)
@@ -86,87 +86,13 @@ World::World(const Scene& sceneOfRun, const TriangleMesh& mesh)
     const auto room =
         static_cast<std::size_t>(kRoomForSpheres * static_cast<double>(countThatFits(*this)));
     const std::size_t most = targetCount > 0 ? std::min(targetCount, room) : room;
-    spheres.reserve(most);
-    resting.reserve(most);
-    stateChanges.reserve(scene.discard.rule == DiscardRule::none ? most : 2 * most);
-}
-
-std::uint32_t World::release(const Eigen::Vector3d& place, double radius, std::uint32_t group)
-{
-    const std::uint32_t id = spheres.add(place, radius, group);
-    runningIds.push_back(id);
-    return id;
-}
-
-void World::forgetFrozen()
-{
-    std::erase_if(runningIds,
-                  [this](std::uint32_t id) { return spheres.state[id] != SphereState::running; });
-}
-
-void World::freeze(std::uint32_t id)
-{
-    spheres.setState(id, SphereState::frozen);
-    resting.insert(id, spheres.position(id), spheres.radius[id]);
-    ++restingCount;
-    stateChanges.push_back(id);
-}
-
-void World::unfreeze(std::uint32_t id)
-{
-    discardedCount -= spheres.state[id] == SphereState::discarded ? 1 : 0;
-    spheres.setState(id, SphereState::running);
-    resting.remove(id);
-    --restingCount;
-    stateChanges.push_back(id);
-    runningIds.insert(std::lower_bound(runningIds.begin(), runningIds.end(), id), id);
-}
-
-std::uint32_t World::withdraw(std::uint32_t id)
-{
-    std::erase(runningIds, id);
-    const auto last = static_cast<std::uint32_t>(spheres.size() - 1);
-    if (last != id)
-    {
-        if (spheres.state[last] == SphereState::running)
-        {
-            std::erase(runningIds, last);
-            runningIds.insert(std::lower_bound(runningIds.begin(), runningIds.end(), id), id);
-        }
-        else
-        {
-            resting.remove(last);
-            resting.insert(id, spheres.position(last), spheres.radius[last]);
-            resting.setDiscarded(id, spheres.state[last] == SphereState::discarded);
-        }
-        spheres.moveTo(last, id);
-        stateChanges.push_back(id);
-    }
-    spheres.removeLast();
-    return last;
-}
-
-void World::discard(std::uint32_t id)
-{
-    spheres.setState(id, SphereState::discarded);
-    resting.setDiscarded(id, true);
-    ++discardedCount;
-    stateChanges.push_back(id);
+    spheres.reserve(most, scene.discard.rule == DiscardRule::none ? most : 2 * most);
 }
 
 void World::restoreDiscarded()
 {
-    for (std::uint32_t id = 0; id < spheres.size(); ++id)
-    {
-        if (spheres.state[id] == SphereState::discarded)
-        {
-            spheres.setState(id, SphereState::frozen);
-            resting.setDiscarded(id, false);
-            stateChanges.push_back(id);
-        }
-    }
+    spheres.restoreDiscarded();
     ++restoredDiscards;
-    discardedCount = 0;
     ++polygonChanges;
     std::fill(polygons.begin(), polygons.end(), PolygonState::active);
     discardedPolygons = 0;

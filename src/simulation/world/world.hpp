@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Room: what there is: the object, the spheres, the grids and the counters. Engines change it;
-// everyone else only reads it.
+// all other code only reads it.
 #pragma once
 
 #include "mesh/interior/inside_test.hpp"
@@ -9,7 +9,6 @@
 #include "simulation/world/energy_balance.hpp"
 #include "simulation/world/frame_of_run.hpp"
 #include "simulation/world/object_motion.hpp"
-#include "simulation/world/sphere_grid.hpp"
 #include "simulation/world/spheres.hpp"
 
 #include <frostfill/simulation.hpp>
@@ -23,8 +22,8 @@
 namespace frostfill
 {
 
-/// What there is, whoever moves it: the object, the spheres and the counters. An Engine changes it,
-/// everyone else only looks. Coordinates of the run.
+/// The state of a run: the object, the spheres and the counters. An Engine changes it,
+/// all other code only reads it. Coordinates of the run.
 struct World
 {
     World(const Scene& sceneOfRun, const TriangleMesh& mesh);
@@ -47,10 +46,7 @@ struct World
 
     // What is in it.
     Spheres spheres;
-    SphereGrid resting; ///< frozen and discarded spheres
     std::vector<PolygonState> polygons;
-    std::size_t restingCount = 0;
-    std::size_t discardedCount = 0;
     std::size_t discardedPolygons = 0;
     std::size_t restoredDiscards = 0; ///< times that all discards were taken back
     std::size_t overdue = 0; ///< spheres frozen only because they would not come to rest in time
@@ -72,23 +68,9 @@ struct World
     std::vector<SetRecord> sets;
     EnergyBalance energy; ///< of the spheres that run; stays empty with Motion::descend
 
-    /// Ids in the order in which their state changed: what Simulation::capture reads.
-    std::vector<std::uint32_t> stateChanges;
-    std::uint64_t polygonChanges = 0;      ///< times that a polygon changed its state
-    std::vector<std::uint32_t> runningIds; ///< ascending
+    std::uint64_t polygonChanges = 0; ///< times that a polygon changed its state
 
     [[nodiscard]] bool stops() const { return stopRequested && stopRequested(); }
-    [[nodiscard]] std::size_t running() const { return spheres.size() - restingCount; }
-    std::uint32_t release(const Eigen::Vector3d& place, double radius, std::uint32_t group);
-    void freeze(std::uint32_t id);
-    /// To be called after freezing: takes the frozen ones out of runningIds.
-    void forgetFrozen();
-    /// Lets a sphere at rest run again.
-    void unfreeze(std::uint32_t id);
-    /// Takes out a running sphere for which there is no room. The sphere with the highest id takes
-    /// over its id; returns that sphere's old id.
-    std::uint32_t withdraw(std::uint32_t id);
-    void discard(std::uint32_t id);
     void discardPolygon(std::uint32_t polygon);
     /// Takes all discards back.
     void restoreDiscarded();

@@ -56,7 +56,7 @@ BulkPacking bulkPacking(const World& world, double margin)
     for (std::uint32_t id = 0; id < s.size(); ++id)
     {
         const Eigen::Vector3d p = s.position(id);
-        const double radius = s.radius[id];
+        const double radius = s.radius(id);
         const double volume = 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
         const Eigen::Vector3d clearance = (p - box.min()).cwiseMin(box.max() - p);
         if (clearance.minCoeff() <= -radius)
@@ -70,15 +70,17 @@ BulkPacking bulkPacking(const World& world, double margin)
         }
         ++bulk.spheres;
         const double gap = 0.01 * 2 * radius;
-        world.resting.forEachNear(p, radius + 1 + gap,
-                                  [&](std::uint32_t other)
-                                  {
-                                      const double distance = (s.position(other) - p).norm();
-                                      if (other != id && distance < radius + s.radius[other] + gap)
-                                      {
-                                          ++contacts;
-                                      }
-                                  });
+        s.resting().forEachNear(p, radius + 1 + gap,
+                                [&](std::uint32_t row)
+                                {
+                                    const Ball& other = s.resting()[row];
+                                    const double distance = (other.position() - p).norm();
+                                    if (s.resting().id(row) != id &&
+                                        distance < radius + other.radius + gap)
+                                    {
+                                        ++contacts;
+                                    }
+                                });
     }
     bulk.fraction = filled / box.volume();
     bulk.contacts =

@@ -41,14 +41,14 @@ double runningError(const TriangleMesh& mesh, const Eigen::Vector3d& start,
     const auto world = room(mesh);
     FreeFlight::Settings settings;
     settings.restitution = 0;
-    const FreeFlight flight(*world, settings);
-    Runner runner;
-    runner.restart(0, start, 1);
+    FreeFlight flight(*world, settings);
+    world->spheres.add(start, 1, 0);
+    RunningSpheres& running = world->spheres.running();
     for (int step = 0; step < 2000; ++step)
     {
-        flight.advance(runner, 0.1);
+        flight.advance(0, 0.1);
     }
-    return (runner.position - expected).head<2>().norm();
+    return (running.position[0] - expected).head<2>().norm();
 }
 
 void addFast(ClosedFormPoints& points, const char* problem, const char* parameter, double value,
@@ -142,14 +142,13 @@ void measureCorner(ClosedFormPoints& points)
 void measureThreeSpheres(ClosedFormPoints& points)
 {
     const auto world = room(boxMesh({-8, -8, -8}, {8, 8, 8}));
-    FallIndex falls(world->resting.frame(), world->triangles);
+    FallIndex falls(world->spheres.resting().frame(), world->triangles);
     for (int k = 0; k < 3; ++k)
     {
         const double a = 2 * std::numbers::pi * k / 3;
         const double arm = 2 / std::sqrt(3.0);
         const Eigen::Vector3d p(arm * std::cos(a), -7, arm * std::sin(a));
-        world->freeze(world->release(p, 1, 0));
-        world->forgetFrozen();
+        world->spheres.addResting(p, 1, 0);
         falls.insert(p);
     }
     DropAndRoll descent(*world, falls);

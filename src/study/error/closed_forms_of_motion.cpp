@@ -112,37 +112,37 @@ void measureFreeFall(ClosedFormPoints& points, double dt)
         {
             engine->step();
         }
-        const double error = world->spheres.y[0] - (20 - kTime * kTime / 2);
+        const double error = world->spheres.position(0).y() - (20 - kTime * kTime / 2);
         points.addPredicted("free fall", isExplicit ? "explicit Euler" : "semi-implicit Euler",
                             "step", dt, error, (isExplicit ? 1 : -1) * kTime * dt / 2);
     }
     const auto world = room(hall(5, 60));
-    const FreeFlight flight(*world, lossless(0));
-    Runner runner;
-    runner.restart(0, {0, 20, 0}, 1);
+    FreeFlight flight(*world, lossless(0));
+    world->spheres.add({0, 20, 0}, 1, 0);
+    RunningSpheres& running = world->spheres.running();
     for (int step = 0; step < steps; ++step)
     {
-        flight.advance(runner, dt);
+        flight.advance(0, dt);
     }
     points.addPredicted("free fall", "exact step", "step", dt,
-                        runner.position.y() - (20 - kTime * kTime / 2), 0);
+                        running.position[0].y() - (20 - kTime * kTime / 2), 0);
 }
 
 void measureThrow(ClosedFormPoints& points, double dt)
 {
     const auto world = room(hall(20, 60));
-    const FreeFlight flight(*world, lossless(0));
-    Runner runner;
-    runner.restart(0, {0, 0, 0}, 1);
-    runner.velocity = {1.5, 4, -0.5};
+    FreeFlight flight(*world, lossless(0));
+    world->spheres.add({0, 0, 0}, 1, 0);
+    RunningSpheres& running = world->spheres.running();
+    running.velocity[0] = {1.5, 4, -0.5};
     const int steps = static_cast<int>(std::lround(8 / dt));
     double worst = 0;
     for (int step = 1; step <= steps; ++step)
     {
-        flight.advance(runner, dt);
+        flight.advance(0, dt);
         const double t = step * dt;
         const Eigen::Vector3d expected(1.5 * t, 4 * t - t * t / 2, -0.5 * t);
-        worst = std::max(worst, (runner.position - expected).norm());
+        worst = std::max(worst, (running.position[0] - expected).norm());
     }
     points.add("throw", "exact step", "step", dt, worst, 1e-12 * steps + 1e-12);
 }
@@ -154,14 +154,14 @@ void measureBounce(ClosedFormPoints& points, double dt)
     constexpr double kRestitution = 0.7;
     const double expected = kRestitution * kRestitution * kDrop;
     const auto world = room(hall(5, 60));
-    const FreeFlight flight(*world, lossless(kRestitution));
-    Runner runner;
-    runner.restart(0, {0.3, -29 + kDrop, 0.2}, 1);
+    FreeFlight flight(*world, lossless(kRestitution));
+    world->spheres.add({0.3, -29 + kDrop, 0.2}, 1, 0);
+    RunningSpheres& running = world->spheres.running();
     const double ours = apexOf(
         [&]
         {
-            flight.advance(runner, dt);
-            return std::pair(runner.position.y() + 29, runner.velocity.y());
+            flight.advance(0, dt);
+            return std::pair(running.position[0].y() + 29, running.velocity[0].y());
         });
     points.add("bounce", "exact step", "step", dt, ours / expected - 1,
                0.6 * dt + kClosedFormRounding);
@@ -179,7 +179,7 @@ void measureBounce(ClosedFormPoints& points, double dt)
             [&]
             {
                 engine->step();
-                return std::pair(hallOfPaper->spheres.y[0] + 29,
+                return std::pair(hallOfPaper->spheres.position(0).y() + 29,
                                  hallOfPaper->spheres.velocity(0).y());
             });
         points.add("bounce", isExplicit ? "explicit Euler" : "semi-implicit Euler", "step", dt,
@@ -194,15 +194,15 @@ void measureBounceToRest(ClosedFormPoints& points, double dt)
     constexpr double kRestitution = 0.7;
     const double expected = std::sqrt(2 * kDrop) * (1 + kRestitution) / (1 - kRestitution);
     const auto world = room(hall(5, 60));
-    const FreeFlight flight(*world, lossless(kRestitution));
-    Runner runner;
-    runner.restart(0, {0.3, -29 + kDrop, 0.2}, 1);
+    FreeFlight flight(*world, lossless(kRestitution));
+    world->spheres.add({0.3, -29 + kDrop, 0.2}, 1, 0);
+    RunningSpheres& running = world->spheres.running();
     constexpr double kLow = 1e-6;
     double lastMotion = 0;
     for (double t = dt; t < 2 * expected; t += dt)
     {
-        flight.advance(runner, dt);
-        if (runner.position.y() + 29 > kLow)
+        flight.advance(0, dt);
+        if (running.position[0].y() + 29 > kLow)
         {
             lastMotion = t;
         }
@@ -222,25 +222,23 @@ void measureHeadOnPair(ClosedFormPoints& points, double dt)
     Scene scene = unitScene(Preset::fast);
     const auto world = room(hall(20, 60), scene);
     world->pull.uniform.setZero(); // weightless, so that the closed form holds
-    const FreeFlight flight(*world, lossless(kRestitution));
+    FreeFlight flight(*world, lossless(kRestitution));
     Threads threads(1);
-    RunnerGrid grid(world->resting.frame());
-    PositionSolver positionSolver(grid, flight, threads,
+    RunnerGrid grid(world->spheres.resting().frame());
+    RunningSpheres& pair = world->spheres.running();
+    PositionSolver positionSolver(pair, grid, flight, threads,
                                   {.restitution = kRestitution, .bounceSpeed = 0});
-    std::vector<Runner> pair(2);
-    pair[0].restart(0, {-3, 0, 0}, 1);
-    pair[1].restart(1, {1, 0, 0}, 1);
-    pair[0].velocity = {kSpeed, 0, 0};
+    world->spheres.add({-3, 0, 0}, 1, 0);
+    world->spheres.add({1, 0, 0}, 1, 0);
+    pair.velocity[0] = {kSpeed, 0, 0};
     for (double t = 0; t < 4; t += dt)
     {
-        for (Runner& runner : pair)
-        {
-            flight.advance(runner, dt);
-        }
-        positionSolver.resolve(pair, dt);
+        flight.advance(0, dt);
+        flight.advance(1, dt);
+        positionSolver.resolve(dt);
     }
-    const double error = std::max(std::abs(pair[0].velocity.x() - kSpeed * (1 - kRestitution) / 2),
-                                  std::abs(pair[1].velocity.x() - kSpeed * (1 + kRestitution) / 2));
+    const double error = std::max(std::abs(pair.velocity[0].x() - kSpeed * (1 - kRestitution) / 2),
+                                  std::abs(pair.velocity[1].x() - kSpeed * (1 + kRestitution) / 2));
     points.add("head-on pair", "exact step", "step", dt, error, 1e-9);
 }
 
@@ -254,19 +252,19 @@ void measureIncline(ClosedFormPoints& points, int cuts)
     const TriangleMesh mesh =
         moved(boxMesh({-30, -6, -12}, {30, 6, 12}, cuts), 1, tilt, Eigen::Vector3d::Zero());
     const auto world = room(mesh);
-    const FreeFlight flight(*world, lossless(0));
-    Runner runner;
+    FreeFlight flight(*world, lossless(0));
     const Eigen::Vector3d start = tilt * Eigen::Vector3d(15, -5, 0.7);
-    runner.restart(0, start, 1);
+    world->spheres.add(start, 1, 0);
+    RunningSpheres& running = world->spheres.running();
     const int steps = 80;
     for (int step = 0; step < steps; ++step)
     {
-        flight.advance(runner, kTime / steps);
+        flight.advance(0, kTime / steps);
     }
     const Eigen::Vector3d expected =
         start - tilt * Eigen::Vector3d(std::sin(kAngle) * kTime * kTime / 2, 0, 0);
     points.add("incline", "exact step", "triangles", 2.0 * cuts * cuts,
-               (runner.position - expected).norm(), 1e-9);
+               (running.position[0] - expected).norm(), 1e-9);
 }
 
 // A ball in a bowl swings with T = 2 pi sqrt(R - r), small amplitude.
@@ -276,17 +274,17 @@ void measureBowl(ClosedFormPoints& points, int segments, double dt)
     const double expected = 2 * std::numbers::pi * std::sqrt(kBowl - 1);
     const TriangleMesh mesh = bowlMesh(segments, kBowl);
     const auto world = room(mesh);
-    const FreeFlight flight(*world, lossless(0));
-    Runner runner;
+    FreeFlight flight(*world, lossless(0));
     constexpr double kAmplitude = 0.35; // [rad] several triangles wide
     const double path = kBowl - 1.2;
-    runner.restart(0, {path * std::sin(kAmplitude), -path * std::cos(kAmplitude), 0.01}, 1);
+    world->spheres.add({path * std::sin(kAmplitude), -path * std::cos(kAmplitude), 0.01}, 1, 0);
+    RunningSpheres& running = world->spheres.running();
     std::vector<double> crossings;
     for (double t = 0; t < 100 && crossings.size() < 3; t += dt)
     {
-        const double before = runner.position.x();
-        flight.advance(runner, dt);
-        const double now = runner.position.x();
+        const double before = running.position[0].x();
+        flight.advance(0, dt);
+        const double now = running.position[0].x();
         if ((before > 0) != (now > 0))
         {
             crossings.push_back(t + dt * before / (before - now));

@@ -21,21 +21,23 @@ public:
         largest_ = 0;
         sum_ = 0;
         pairs_ = 0;
-        const Spheres& s = world.spheres;
-        for (std::size_t k = 0; k < world.runningIds.size(); ++k)
+        const RunningSpheres& running = world.spheres.running();
+        const SphereGrid& resting = world.spheres.resting();
+        for (std::uint32_t k = 0; k < running.size(); ++k)
         {
-            const std::uint32_t id = world.runningIds[k];
-            const Eigen::Vector3d p = s.position(id);
+            const Eigen::Vector3d& p = running.position[k];
+            const double radius = running.radius[k];
             if (!p.allFinite())
             {
                 continue;
             }
-            for (std::size_t l = k + 1; l < world.runningIds.size(); ++l)
+            for (std::uint32_t l = k + 1; l < running.size(); ++l)
             {
-                meet(s, id, world.runningIds[l]);
+                meet(p, radius, running.position[l], running.radius[l]);
             }
-            world.resting.forEachNear(p, s.radius[id] + 1,
-                                      [&](std::uint32_t other) { meet(s, id, other); });
+            resting.forEachNear(p, radius + 1,
+                                [&](std::uint32_t row)
+                                { meet(p, radius, resting[row].position(), resting[row].radius); });
         }
         ++looks_;
         largestSum_ += largest_;
@@ -45,15 +47,15 @@ public:
     [[nodiscard]] double mean() const { return means_ / std::max(1.0, looks_); }
 
 private:
-    void meet(const Spheres& s, std::uint32_t a, std::uint32_t b)
+    void meet(const Eigen::Vector3d& a, double radiusOfA, const Eigen::Vector3d& b,
+              double radiusOfB)
     {
-        const double distance = (s.position(a) - s.position(b)).norm();
-        const double depth = s.radius[a] + s.radius[b] - distance;
+        const double depth = radiusOfA + radiusOfB - (a - b).norm();
         if (depth <= 0)
         {
             return;
         }
-        const double share = depth / std::min(s.radius[a], s.radius[b]);
+        const double share = depth / std::min(radiusOfA, radiusOfB);
         largest_ = std::max(largest_, share);
         sum_ += share;
         ++pairs_;

@@ -42,36 +42,28 @@ GrowthPoint meanOf(std::span<const SetRecord> sets, std::size_t present)
     return {present, tests / count, ms / count, tests / appeared, ms / appeared};
 }
 
-/// The spheres of a run as Algorithm 1 wants them: all of them, moving with no speed.
-Spheres spheresOf(const Simulation& simulation, const FrameOfRun& frame)
+/// A step of Algorithm 1 with all spheres of a run, moving with no speed.
+GrowthPoint oneStep(const Simulation& simulation, const FrameOfRun& frame, const Surface& surface,
+                    const PolygonSearchPart& polygons)
 {
-    Spheres spheres;
-    for (std::size_t id = 0; id < simulation.sphereCount(); ++id)
-    {
-        const SphereRecord sphere = simulation.sphere(id);
-        spheres.add(frame.toRun(sphere.centre), sphere.radius / frame.length, sphere.group);
-    }
-    return spheres;
-}
-
-GrowthPoint oneStep(const Spheres& state, const Surface& surface, const PolygonSearchPart& polygons)
-{
-    std::vector<Eigen::Vector3d> before;
-    for (std::size_t id = 0; id < state.size(); ++id)
-    {
-        before.push_back(state.position(id));
-    }
     GrowthPoint point;
-    point.spheres = state.size();
+    point.spheres = simulation.sphereCount();
     for (int repeat = 0; repeat < kRepeats; ++repeat)
     {
-        Spheres spheres = state;
+        Spheres spheres;
+        for (std::size_t id = 0; id < simulation.sphereCount(); ++id)
+        {
+            const SphereRecord sphere = simulation.sphere(id);
+            spheres.add(frame.toRun(sphere.centre), sphere.radius / frame.length, sphere.group);
+        }
+        const std::span<const Eigen::Vector3d> places = spheres.running().position.all();
+        const std::vector<Eigen::Vector3d> before(places.begin(), places.end());
         OperationCounts counts;
         Algorithm1 algorithm(spheres, surface, polygons, {});
-        algorithm.clearTouched(spheres.size());
+        algorithm.clearTouched();
         const auto start = std::chrono::steady_clock::now();
-        algorithm.runningRunning(0, counts);
-        algorithm.runningPolygons(0, before, counts);
+        algorithm.runningRunning(counts);
+        algorithm.runningPolygons(before, counts);
         const std::chrono::duration<double, std::milli> ms =
             std::chrono::steady_clock::now() - start;
         point.tests = static_cast<double>(counts.tests());
@@ -121,7 +113,7 @@ std::vector<GrowthPoint> growthWithoutFreezing(const Scene& scene, const Triangl
     {
         if (simulation.sphereCount() >= (result.size() + 1) * apart)
         {
-            result.push_back(oneStep(spheresOf(simulation, frame), surface, *polygons));
+            result.push_back(oneStep(simulation, frame, surface, *polygons));
         }
     }
     return result;

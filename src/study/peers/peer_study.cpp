@@ -49,15 +49,14 @@ TriangleMesh cubeOf(std::uint64_t count)
     return mesh;
 }
 
-/// The common checker: overlaps and centres outside, whoever made the places.
+/// The common checker: overlaps and centres outside, for every engine alike.
 void judge(const TriangleMesh& mesh, const std::vector<Eigen::Vector3d>& places, PeerPoint& point)
 {
     World world(cubeScene(places.size(), Motion::fall), mesh);
     for (const Eigen::Vector3d& place : places)
     {
-        world.freeze(world.release(world.frame.toRun(place), 1, 0));
+        world.spheres.addResting(world.frame.toRun(place), 1, 0);
     }
-    world.forgetFrozen();
     const QualityReport quality = examine(world);
     point.outside = quality.centresOutside + quality.notFinite;
     point.maxOverlap = quality.maxOverlap;

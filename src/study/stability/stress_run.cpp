@@ -36,10 +36,11 @@ public:
     void look()
     {
         std::size_t outside = 0;
-        for (const std::uint32_t id : world_.runningIds)
+        const RunningSpheres& running = world_.spheres.running();
+        for (std::uint32_t row = 0; row < running.size(); ++row)
         {
-            const Eigen::Vector3d p = world_.spheres.position(id);
-            finite_ = finite_ && p.allFinite() && world_.spheres.velocity(id).allFinite();
+            const Eigen::Vector3d& p = running.position[row];
+            finite_ = finite_ && p.allFinite() && running.velocity[row].allFinite();
             if (finite_ && isOutside(p))
             {
                 ++outside;

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "base/watchdog.hpp"
 
-#include "base/memory_at_hand.hpp"
-
 #include <gtest/gtest.h>
 
-#include <cstdint>
+#include <chrono>
+#include <thread>
 
 namespace frostfill
 {
@@ -30,12 +29,6 @@ TEST(Watchdog, DoesNothingWhenWhatItGuardsEnds)
         const Watchdog watchdog(20ms, "it hangs", 69);
     }
     std::this_thread::sleep_for(60ms);
-}
-
-TEST(MemoryAtHand, MayBeMappedAndNoMoreThanThereCanBe)
-{
-    EXPECT_TRUE(mayMap(1 << 20));
-    EXPECT_FALSE(mayMap(SIZE_MAX / 2));
 }
 
 } // namespace

@@ -42,6 +42,13 @@ inline void writeOracle(const std::filesystem::path& folder, std::uint32_t group
         nlohmann::json frame;
         frame["number"] = reader.frames()[k];
         frame["time"] = state.time;
+        frame["step"] = state.step;
+        frame["offset"] = {state.pose.offset.x(), state.pose.offset.y(), state.pose.offset.z()};
+        for (int row = 0; row < 3; ++row)
+        {
+            frame["rotation"].push_back({state.pose.rotation(row, 0), state.pose.rotation(row, 1),
+                                         state.pose.rotation(row, 2)});
+        }
         for (std::size_t i = 0; i < state.states.size(); ++i)
         {
             const Eigen::Vector3d p = reader.centres()[i];

@@ -192,12 +192,12 @@ TEST(FillRun, UntilFullEndsWhenTheSpheresTakeMoreThanTheObject)
 class ToNowhere final : public IntegratorPart
 {
 public:
-    void advance(Spheres& spheres, std::size_t begin, double /*gravity*/, double /*dt*/) override
+    void advance(RunningSpheres& running, double /*gravity*/, double /*dt*/) override
     {
-        if (begin < spheres.size())
+        if (running.size() > 0)
         {
             const double nan = std::numeric_limits<double>::quiet_NaN();
-            spheres.setPosition(spheres.size() - 1, {0, nan, 0});
+            running.position[running.size() - 1] = {0, nan, 0};
         }
     }
 };
@@ -212,7 +212,7 @@ TEST(FillRun, FailsWhenAPositionIsNoNumberButKeepsTheFiles)
     EXPECT_GT(result.quality.notFinite, 0u);
     EXPECT_EQ(result.quality.centresOutside, 0u);
     ASSERT_TRUE(result.failure);
-    EXPECT_NE(result.failure->find("no numbers"), std::string::npos) << *result.failure;
+    EXPECT_NE(result.failure->find("not numbers"), std::string::npos) << *result.failure;
     EXPECT_EQ(nlohmann::json::parse(result.summary)["outcome"], "failed");
     EXPECT_EQ(filesIn(folder / "run"), 5u);
 }

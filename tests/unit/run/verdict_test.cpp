@@ -85,7 +85,7 @@ TEST(Verdict, DoesNotJudgeTheSupportOfARunThatWasStopped)
     result.stopped = true;
     EXPECT_EQ(faultOf(result), "");
     result.quality.notFinite = 2;
-    EXPECT_TRUE(contains(faultOf(result), "2 spheres ended at positions that are no numbers"));
+    EXPECT_TRUE(contains(faultOf(result), "2 spheres ended at positions that are not numbers"));
 }
 
 TEST(Verdict, DoesNotJudgeSupportWhereOnlyTheTimeLimitEndsBouncing)

@@ -126,6 +126,17 @@ TEST_F(FrameCodec, KeepsASphereThatIsWithdrawnAndOneThatTakesItsNumber)
     put();
 }
 
+TEST_F(FrameCodec, KeepsTheGroupOfASphereThatTakesTheNumberOfOneAsLarge)
+{
+    addSphere(SphereState::running, 1, 0);
+    addSphere(SphereState::running, 1, 4);
+    put();
+    snapshot_.groups[0] = 4;
+    snapshot_.centres[0] = snapshot_.centres[1];
+    withdrawLast();
+    put();
+}
+
 TEST_F(FrameCodec, KeepsSpheresThatWaitForTheirFall)
 {
     addSphere(SphereState::running, 1, 0);

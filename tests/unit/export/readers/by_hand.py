@@ -1,34 +1,54 @@
 # SPDX-License-Identifier: MIT
-"""Reads what was exported with nothing but Python's standard library: by_hand.py FOLDER FORMAT"""
+"""Reads what was exported with nothing but Python's standard library: by_hand.py FOLDER FORMAT
+
+The readers follow the definitions of the formats, and ask for all that these ask for: counts, versions,
+types, lengths. Columns are read by the names that the file gives them."""
 import array
+import ast
 import csv
-import io
-import json
 import re
 import struct
 import sys
-import xml.etree.ElementTree as ElementTree
 import zipfile
 
-from oracle import Oracle
+from by_hand_gltf import read_glb, read_instanced
+from by_hand_vtp import read_vtp
+from oracle import COLUMNS, KINDS, Oracle
 
-COLUMNS = {"radius": "radii", "state": "states", "group": "groups", "set": "sets", "speed": "speeds",
-           "id": "ids"}
+PLACE = ["x", "y", "z"]
 
 
 def named(rows, names, first_id=0):
     """Columns of a table by the oracle's names."""
-    columns = {COLUMNS[name]: [float(row[i]) for row in rows]
-               for i, name in enumerate(names) if name in COLUMNS}
+    assert all(len(row) == len(names) for row in rows), f"a row has not {len(names)} values"
+    assert len(set(names)) == len(names), names
+    columns = {COLUMNS.get(name, name): [float(row[i]) for row in rows]
+               for i, name in enumerate(names) if name not in PLACE}
     x = names.index("x")
+    assert names[x:x + 3] == PLACE, names
     columns["centres"] = [[float(value) for value in row[x:x + 3]] for row in rows]
     columns["ids"] = [i - first_id for i in columns["ids"]]
     return columns
 
 
+def required(oracle, names, wanted):
+    oracle.equal("columns that are missing", [name for name in wanted if name not in names], [])
+
+
+def whole(oracle, names, rows):
+    """Numbers that count are written without a fraction."""
+    for i, name in enumerate(names):
+        if KINDS.get(name) in ("I", "B"):
+            oracle.equal(name, [row[i] for row in rows if not row[i].isdigit()], [])
+
+
 def read_csv(oracle):
+    oracle.files("csv", [f"spheres_{frame['number']:05}.csv" for frame in oracle.frames])
     for k, frame in enumerate(oracle.frames):
         rows = list(csv.reader(oracle.file(f"spheres_{frame['number']:05}.csv").open()))
+        oracle.equal("first column", rows[0][0], "id")
+        required(oracle, rows[0], KINDS)
+        whole(oracle, rows[0], rows[1:])
         oracle.frame("csv", k, named(rows[1:], rows[0]))
 
 
@@ -37,36 +57,80 @@ def read_xyz(oracle):
     at = 0
     for k, frame in enumerate(oracle.frames):
         count = int(lines[at])
-        names = re.search(r"Properties=(\S+)", lines[at + 1])[1].replace("pos:R:3", "x:R:1:y:R:1:z:R:1")
-        oracle.same("time", float(re.search(r"Time=(\S+)", lines[at + 1])[1]), frame["time"])
-        rows = [line.split() for line in lines[at + 2:at + 2 + count]]
-        oracle.frame("xyz", k, named(rows, names.split(":")[::3]))
+        facts = {key: quoted or word for key, quoted, word in
+                 re.findall(r'(\w+)=(?:"([^"]*)"|(\S+))', lines[at + 1])}
+        oracle.same("time", float(facts["Time"]), frame["time"])
+        oracle.same("number", int(facts["frame"]), frame["number"])
+        oracle.same("step", int(facts["step"]), frame["step"])
+        low, high = frame["box"]
+        x, y, z = (b - a for a, b in zip(low, high))
+        lattice = [float(word) for word in facts["Lattice"].split()]
+        oracle.same("lattice", lattice, [x, 0, 0, 0, y, 0, 0, 0, z], 1e-12)
+        oracle.same("origin", [float(word) for word in facts["Origin"].split()], low, 1e-12)
+        oracle.equal("periodic", facts["pbc"], "F F F")
+        fields = facts["Properties"].split(":")
+        names, letters, widths = fields[::3], fields[1::3], list(map(int, fields[2::3]))
+        oracle.equal("first fields", (names[:2], letters[:2], widths), (["species", "pos"], ["S", "R"],
+                     [1, 3] + [1] * (len(names) - 2)))
+        required(oracle, names, ("radius", "id", "state", "group", "set", "speed"))
+        for name, letter in zip(names, letters):
+            if name in KINDS:
+                oracle.equal(f"type of {name}", letter, "R" if KINDS[name] in "df" else "I")
+        rows = [line.split(" ") for line in lines[at + 2:at + 2 + count]]
+        oracle.equal("species", [row[0] for row in rows if row[0] != "X"], [])
+        columns = PLACE + names[2:]
+        whole(oracle, columns, [row[1:] for row in rows])
+        oracle.frame("xyz", k, named([row[1:] for row in rows], columns))
         at += 2 + count
     oracle.same("lines", at, len(lines))
+
+
+def bounds(lines):
+    """Lower and upper corner from a line an axis."""
+    return [list(column) for column in zip(*(map(float, line.split()[:2]) for line in lines))]
 
 
 def read_dump(oracle):
     lines = oracle.file("spheres.dump").read_text().splitlines()
     at = 0
     for k, frame in enumerate(oracle.frames):
-        assert lines[at] == "ITEM: TIME" and lines[at + 2] == "ITEM: TIMESTEP", lines[at]
+        oracle.equal("items", lines[at:at + 6:2] + lines[at + 6:at + 7],
+                     ["ITEM: TIME", "ITEM: TIMESTEP", "ITEM: NUMBER OF ATOMS", "ITEM: BOX BOUNDS ff ff ff"])
         oracle.same("time", float(lines[at + 1]), frame["time"])
         oracle.same("number", int(lines[at + 3]), frame["number"])
         count = int(lines[at + 5])
-        names = lines[at + 10].split()[2:]
-        rows = [line.split() for line in lines[at + 11:at + 11 + count]]
+        oracle.same("box", bounds(lines[at + 7:at + 10]), frame["box"], 1e-12)
+        names = lines[at + 10].split()
+        oracle.equal("columns", names[:4], ["ITEM:", "ATOMS", "id", "type"])
+        names = names[2:]
+        required(oracle, names, KINDS)
+        rows = [line.split(" ") for line in lines[at + 11:at + 11 + count]]
+        whole(oracle, names, rows)
         columns = named(rows, names, first_id=1)
+        oracle.same("types", [i - 1 for i in columns.pop("type")], columns["states"])
         oracle.frame("dump", k, columns)
-        oracle.same("types", [float(row[1]) - 1 for row in rows], columns["states"])
         at += 11 + count
     oracle.same("lines", at, len(lines))
 
 
 def read_data(oracle):
+    """Sections by the manual of read_data: a comment, a head, then Atoms in the style sphere."""
     lines = oracle.file("spheres.data").read_text().splitlines()
     last = oracle.frames[-1]
-    rows = [list(map(float, line.split())) for line in lines[lines.index("Atoms # sphere") + 2:]]
-    oracle.same("atoms", int(lines[2].split()[0]), len(last["radii"]))
+    numbers = re.match(r"Packing of frame (\d+) at (\S+) s; types 1 running, 2 frozen, 3 discarded; density 1$",
+                       lines[0])
+    oracle.same("frame and time", [float(word) for word in numbers.groups()], [last["number"], last["time"]])
+    at = lines.index("Atoms # sphere")
+    head = [line.split() for line in lines[1:at] if line]
+    oracle.equal("head", head[:2], [[str(len(last["ids"])), "atoms"], ["3", "atom", "types"]])
+    oracle.equal("axes", [line[2:] for line in head[2:]], [["xlo", "xhi"], ["ylo", "yhi"], ["zlo", "zhi"]])
+    oracle.same("box", bounds(lines[at - 4:at - 1]), last["box"], 1e-12)
+    oracle.equal("empty lines", (lines[1], lines[at - 1], lines[at + 1]), ("", "", ""))
+    rows = [line.split(" ") for line in lines[at + 2:]]
+    oracle.equal("values a row", sorted({len(row) for row in rows}), [7])
+    whole(oracle, ["id", "state"], rows)
+    rows = [list(map(float, row)) for row in rows]
+    oracle.same("densities", [row[3] for row in rows], [1] * len(rows))
     oracle.frame("data", -1, {"ids": [row[0] - 1 for row in rows],
                               "states": [row[1] - 1 for row in rows],
                               "radii": [row[2] / 2 for row in rows],
@@ -74,168 +138,82 @@ def read_data(oracle):
 
 
 def read_ply(oracle):
-    kinds = {"double": "d", "float": "f", "uint": "I", "uchar": "B"}
+    kinds = {"double": "d", "float": "f", "uint": "I", "uchar": "B", "int": "i", "ushort": "H"}
+    oracle.files("ply", [f"spheres_{frame['number']:05}.ply" for frame in oracle.frames])
     for k, frame in enumerate(oracle.frames):
         head, _, body = oracle.file(f"spheres_{frame['number']:05}.ply").read_bytes().partition(
             b"end_header\n")
-        fields = re.findall(r"property (\w+) (\w+)", head.decode())
-        rows = list(struct.iter_unpack("<" + "".join(kinds[kind] for kind, _ in fields), body))
-        oracle.frame("ply", k, named(rows, [name for _, name in fields]))
+        lines = head.decode().splitlines()
+        oracle.equal("first lines", lines[:2], ["ply", "format binary_little_endian 1.0"])
+        comment = re.match(r"comment frame (\d+) at (\S+) s$", lines[2])
+        oracle.same("comment", [float(word) for word in comment.groups()], [frame["number"], frame["time"]])
+        oracle.equal("element", lines[3], f"element vertex {len(frame['ids'])}")
+        fields = [line.split() for line in lines[4:]]
+        oracle.equal("lines", [line for line in fields if len(line) != 3 or line[0] != "property"], [])
+        names = [name for _, _, name in fields]
+        required(oracle, names, KINDS)
+        row = "<" + "".join(kinds[kind] for _, kind, _ in fields)
+        for name, kind in zip(names, row[1:]):
+            oracle.equal(f"type of {name}", kind, KINDS.get(name, kind))
+        oracle.same("bytes", len(body), struct.calcsize(row) * len(frame["ids"]))
+        oracle.frame("ply", k, named(list(struct.iter_unpack(row, body)), names))
 
 
-def poly_data(path):
-    """Arrays of a .vtp file by name, and its time."""
-    head, _, body = path.read_bytes().partition(b'<AppendedData encoding="raw">\n_')
-    tree = ElementTree.fromstring(head + b"</VTKFile>")
-    kinds = {"Float64": "d", "Float32": "f", "UInt32": "I", "UInt8": "B", "Int64": "q"}
-    arrays = {}
-    for node in tree.iter("DataArray"):
-        if node.get("format") == "appended":
-            at = int(node.get("offset"))
-            size, = struct.unpack_from("<Q", body, at)
-            arrays[node.get("Name")] = array.array(kinds[node.get("type")], body[at + 8:at + 8 + size])
-        else:
-            time = float(node.text)
-    piece = next(tree.iter("Piece"))
-    return arrays, time, int(piece.get("NumberOfPoints"))
-
-
-def read_vtp(oracle):
-    entries = list(ElementTree.parse(oracle.file("run.pvd")).iter("DataSet"))
-    for k, frame in enumerate(oracle.frames):
-        balls, mesh = entries[2 * k:2 * k + 2]
-        oracle.same("times in the .pvd", [float(balls.get("timestep")), float(mesh.get("timestep"))],
-                    [frame["time"]] * 2)
-        arrays, time, count = poly_data(oracle.file(balls.get("file")))
-        oracle.same("time", time, frame["time"])
-        oracle.same("points", count, len(frame["radii"]))
-        oracle.frame("vtp", k, {"centres": arrays["Points"],
-                                **{COLUMNS[name]: arrays[name] for name in COLUMNS}})
-        oracle.same("vertex cells", arrays["connectivity"], frame["ids"])
-        arrays, _, _ = poly_data(oracle.file(mesh.get("file")))
-        oracle.same("polygons", arrays["state"], frame["polygons"])
-        oracle.same("corners", arrays["connectivity"], oracle.triangles)
+def npy_arrays(oracle, path):
+    """Arrays of an .npz file and their shapes, by the definition of .npy 1.0."""
+    kinds = {"<f8": "d", "<f4": "f", "<u4": "I", "<i8": "q", "|u1": "B", "<u2": "H", "<i4": "i"}
+    arrays, shapes = {}, {}
+    with zipfile.ZipFile(path) as archive:
+        assert archive.testzip() is None
+        for entry in archive.infolist():
+            oracle.equal("file in the archive", (entry.filename[-4:], entry.compress_type), (".npy", 0))
+            data = archive.read(entry)
+            magic, size = struct.unpack_from("<8sH", data)
+            oracle.equal("magic", magic, b"\x93NUMPY\x01\x00")
+            oracle.equal("alignment and end of the head", ((10 + size) % 64, data[9 + size:10 + size]), (0, b"\n"))
+            head = ast.literal_eval(data[10:10 + size].decode())
+            oracle.equal("keys of the head", sorted(head), ["descr", "fortran_order", "shape"])
+            oracle.equal("order", head["fortran_order"], False)
+            name, kind, count = entry.filename[:-4], kinds[head["descr"]], 1
+            for extent in head["shape"]:
+                count *= extent
+            oracle.same(f"bytes of {name}", len(data) - 10 - size, count * struct.calcsize("<" + kind))
+            arrays[name] = array.array(kind, data[10 + size:])
+            shapes[name] = head["shape"]
+    return arrays, shapes
 
 
 def read_npz(oracle):
-    kinds = {"<f8": "d", "<f4": "f", "<u4": "I", "<i8": "q", "|u1": "B"}
-    arrays, shapes = {}, {}
-    with zipfile.ZipFile(oracle.file("run.npz")) as archive:
-        assert archive.testzip() is None
-        for name in archive.namelist():
-            data = archive.read(name)
-            size, = struct.unpack_from("<H", data, 8)
-            head = eval(data[10:10 + size])  # a dictionary, by the definition of the format
-            assert (10 + size) % 64 == 0
-            arrays[name[:-4]] = array.array(kinds[head["descr"]], data[10 + size:])
-            shapes[name[:-4]] = head["shape"]
-    frames, spheres = shapes["states"]
-    oracle.same("shape of centres", shapes["centres"], (len(oracle.frames), spheres, 3))
+    arrays, shapes = npy_arrays(oracle, oracle.file("run.npz"))
+    spheres, frames, last = len(oracle.frames[-1]["ids"]), len(oracle.frames), oracle.frames[-1]
+    triangles = len(oracle.triangles)
+    known = {"centres": ("d", (frames, spheres, 3)), "states": ("B", (frames, spheres)),
+             "speeds": ("f", (frames, spheres)), "polygons": ("B", (frames, triangles)),
+             "times": ("d", (frames,)), "steps": ("q", (frames,)), "frames": ("q", (frames,)),
+             "radii": ("d", (spheres,)), "groups": ("I", (spheres,)), "sets": ("I", (spheres,)),
+             "vertices": ("d", (len(oracle.vertices), 3)), "triangles": ("I", (triangles, 3))}
+    for name, (kind, shape) in known.items():
+        oracle.equal(f"type and shape of {name}", (arrays[name].typecode, shapes[name]), (kind, shape))
+    absent = {"states": 255, "speeds": 0}
+    for name, shape in shapes.items():
+        if name not in known:
+            oracle.equal(f"shape of {name}", shape in [(frames, spheres), (spheres,)], True)
     for k, frame in enumerate(oracle.frames):
-        count = len(frame["radii"])
-        start = k * spheres
-        oracle.frame("npz", k, {"centres": arrays["centres"][3 * start:3 * (start + count)],
-                                "states": arrays["states"][start:start + count],
-                                "speeds": arrays["speeds"][start:start + count]})
+        count, start = len(frame["ids"]), k * spheres
+        of_frame = {name: arrays[name][start:start + spheres] for name in arrays
+                    if shapes[name] == (frames, spheres)}
+        oracle.frame("npz", k, {name: values[:count] for name, values in of_frame.items()})
+        for name, value in absent.items():
+            oracle.same(f"{name} of spheres not there yet", of_frame[name][count:], [value] * (spheres - count))
+        oracle.frame("npz", k, {"centres": arrays["centres"][3 * start:3 * (start + count)]})
         rest = arrays["centres"][3 * (start + count):3 * (start + spheres)]
         oracle.same("not there yet", sum(x != x for x in rest), len(rest))
-        triangles = len(oracle.triangles)
         oracle.same("polygons", arrays["polygons"][k * triangles:(k + 1) * triangles], frame["polygons"])
-    last = oracle.frames[-1]
-    for name in ("radii", "groups", "sets"):
-        oracle.same(name, arrays[name], last[name])
-    oracle.same("times", arrays["times"], [frame["time"] for frame in oracle.frames])
-    oracle.same("frames", arrays["frames"], [frame["number"] for frame in oracle.frames])
+    oracle.frame("npz", -1, {name: arrays[name] for name in arrays if shapes[name] == (spheres,)})
+    for name, column in (("times", "time"), ("steps", "step"), ("frames", "number")):
+        oracle.same(name, arrays[name], [frame[column] for frame in oracle.frames])
     oracle.same("vertices", arrays["vertices"], oracle.vertices)
     oracle.same("triangles", arrays["triangles"], oracle.triangles)
-
-
-class Glb:
-    """A binary glTF file with its accessors."""
-
-    def __init__(self, path):
-        data = path.read_bytes()
-        assert struct.unpack_from("<4sII", data) == (b"glTF", 2, len(data))
-        size, = struct.unpack_from("<I", data, 12)
-        self.json = json.loads(data[20:20 + size])
-        self.buffer = data[28 + size:]
-
-    def values(self, index):
-        accessor = self.json["accessors"][index]
-        view = self.json["bufferViews"][accessor["bufferView"]]
-        wide = {"SCALAR": 1, "VEC3": 3, "VEC4": 4}[accessor["type"]]
-        kind = {5126: "f", 5125: "I"}[accessor["componentType"]]
-        at = view["byteOffset"] + accessor["byteOffset"]
-        assert accessor["byteOffset"] + 4 * wide * accessor["count"] <= view["byteLength"]
-        flat = struct.unpack_from(f"<{wide * accessor['count']}{kind}", self.buffer, at)
-        return [flat[i:i + wide] for i in range(0, len(flat), wide)] if wide > 1 else list(flat)
-
-
-def turned(q, p):
-    """p turned by the quaternion x, y, z, w."""
-    x, y, z, w = q
-    uv = (y * p[2] - z * p[1], z * p[0] - x * p[2], x * p[1] - y * p[0])
-    uuv = (y * uv[2] - z * uv[1], z * uv[0] - x * uv[2], x * uv[1] - y * uv[0])
-    return [p[i] + 2 * (w * uv[i] + uuv[i]) for i in range(3)]
-
-
-def read_glb(oracle):
-    glb = Glb(oracle.file("run.glb"))
-    nodes = glb.json["nodes"]
-    origin = middle(oracle.vertices)
-    start = oracle.frames[0]["time"]
-    channels = {}
-    for channel in glb.json["animations"][0]["channels"]:
-        sampler = glb.json["animations"][0]["samplers"][channel["sampler"]]
-        key = channel["target"]["node"], channel["target"]["path"]
-        channels[key] = (glb.values(sampler["input"]), glb.values(sampler["output"]),
-                         sampler["interpolation"])
-
-    def value(node, path, time):
-        if (node, path) not in channels:
-            return nodes[node][path]
-        times, values, interpolation = channels[node, path]
-        index = max((i for i, t in enumerate(times) if t <= time), default=0)
-        if interpolation == "LINEAR" and index + 1 < len(times) and time > times[index]:
-            share = (time - times[index]) / (times[index + 1] - times[index])
-            return [a + share * (b - a) for a, b in zip(values[index], values[index + 1])]
-        return list(values[index])
-
-    root = next(i for i, node in enumerate(nodes) if node["name"] == "object")
-    for k, frame in enumerate(oracle.frames):
-        time = struct.unpack("<f", struct.pack("<f", frame["time"] - start))[0]
-        offset, turn = value(root, "translation", time), value(root, "rotation", time)
-        count = len(frame["radii"])
-        places = [[a + b + c for a, b, c in zip(turned(turn, value(i, "translation", time)), offset, origin)]
-                  for i in range(count)]
-        oracle.same(f"glb, frame {k}, centres", places, frame["centres"], 3e-6)
-        sizes = [value(i, "scale", time)[0] for i in range(len(oracle.frames[-1]["radii"]))]
-        wanted = frame["radii"] + [0.0] * (len(sizes) - count)
-        oracle.same(f"glb, frame {k}, radii", sizes, wanted, 1e-7)
-    meshes = [nodes[i]["mesh"] for i in range(len(oracle.frames[-1]["radii"]))]
-    oracle.same("states", meshes, oracle.frames[-1]["states"])
-
-
-def read_instanced(oracle):
-    glb = Glb(oracle.file("packing.glb"))
-    assert glb.json["extensionsRequired"] == ["EXT_mesh_gpu_instancing"]
-    last = oracle.frames[-1]
-    origin = middle(oracle.vertices)
-    root = next(node for node in glb.json["nodes"] if node["name"] == "object")
-    for node in glb.json["nodes"]:
-        if "extensions" not in node:
-            continue
-        fields = node["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]
-        ids = [i for i in last["ids"] if last["states"][i] == node["mesh"]]
-        places = [[a + b + c for a, b, c in zip(turned(root["rotation"], p), root["translation"], origin)]
-                  for p in glb.values(fields["TRANSLATION"])]
-        oracle.same("places", places, [last["centres"][i] for i in ids], 3e-6)
-        oracle.same("sizes", glb.values(fields["SCALE"]), [[last["radii"][i]] * 3 for i in ids], 1e-7)
-        oracle.compared += len(ids)
-
-
-def middle(vertices):
-    return [(min(v[i] for v in vertices) + max(v[i] for v in vertices)) / 2 for i in range(3)]
 
 
 READERS = {"csv": read_csv, "xyz": read_xyz, "lammps-dump": read_dump, "lammps-data": read_data,

@@ -151,6 +151,26 @@ TEST(ReadMesh, PlacesTheNodesOfGltf)
     EXPECT_EQ(loaded.report.box.min(), Eigen::Vector3d(10, -1, 0));
 }
 
+// An early exporter of trimesh writes such files; assimp says "No suitable reader found".
+TEST(ReadMesh, SaysWhatIsWrongWithAGlbWhoseJsonIsNotFilledUp)
+{
+    const std::string json = R"({"asset":{"version":"2.0"}})";
+    ASSERT_EQ(json.size() % 4, 3U);
+    const auto number = [](std::size_t value)
+    {
+        std::string bytes;
+        for (int k = 0; k < 4; ++k)
+        {
+            bytes += static_cast<char>(value >> (8 * k) & 0xff);
+        }
+        return bytes;
+    };
+    const auto file = test::writeFile("odd.glb", "glTF" + number(2) + number(20 + json.size()) +
+                                                     number(json.size()) + "JSON" + json);
+    test::expectRefused(ErrorCode::badData, "its JSON takes 27 bytes",
+                        [&] { (void)readMesh(file); });
+}
+
 TEST(ReadMesh, OpensNoBufferOutsideTheFolderOfAGltf)
 {
     std::filesystem::create_directories(test::outputFile("inner"));

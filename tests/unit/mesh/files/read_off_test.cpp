@@ -54,6 +54,16 @@ TEST(ReadOff, TakesItsRelativesAndTheirColours)
     expectSquare(square("OFF\n4 1 0", " # a vertex", " # a face"));
 }
 
+TEST(ReadOff, TakesFacesThatAreBrokenOverLines)
+{
+    const std::string vertices = "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+    expectSquare(vertices + "3 0 1\n2\n3 0\n2 3\n");
+    expectSquare(vertices + "3\n0\n1 # a comment\n\n2 255 0 0\n3 0 2 3\n");
+    expectUnreadable(vertices + "3 0 1\n3 0 2 3\n", "a.off", "the file ends after 1 of 2 faces");
+    expectUnreadable(vertices + "3 0 1 2\n3 0\n\n2\n", "a.off",
+                     "line 8: the face has too few numbers");
+}
+
 TEST(ReadOff, RefusesByNameWhatItCannotRead)
 {
     expectUnreadable("OFF BINARY\n" + std::string(40, '\0'), "a.off", "line 1: binary OFF");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/repair/edge_table.hpp"
+#include "mesh/edge_table.hpp"
 #include "mesh/repair/large_lid.hpp"
 #include "mesh/repair/openings.hpp"
 #include "mesh/repair/rims.hpp"

@@ -32,26 +32,28 @@ void doSomething(World& world, std::uint64_t k)
     if (count < 60 || draw(1) < 0.2)
     {
         const auto cell = [&](std::uint64_t n) { return std::floor(4 * draw(n)) - 2; };
-        world.release(2 * Vector3d(cell(2), cell(3), cell(4)), 1, 0);
+        world.spheres.add(2 * Vector3d(cell(2), cell(3), cell(4)), 1, 0);
     }
-    else if (world.spheres.state[id] == SphereState::running)
+    else if (world.spheres.isRunning(id))
     {
         if (draw(5) < 0.3)
         {
-            world.withdraw(id);
-            return;
+            world.spheres.withdraw(id);
         }
-        world.freeze(id);
-        world.forgetFrozen();
+        else
+        {
+            const auto moved = Vector3d(draw(6) < 0.1 ? 0.5 : 0, 0, 0);
+            world.spheres.freeze(id, world.spheres.position(id) + moved);
+        }
+        world.spheres.closeRanks();
     }
     else if (draw(5) < 0.5)
     {
-        world.unfreeze(id);
-        world.spheres.setPosition(id, world.spheres.position(id) + Vector3d(0.5, 0, 0));
+        world.spheres.wake(id);
     }
-    else if (world.spheres.state[id] == SphereState::frozen)
+    else if (world.spheres.state(id) == SphereState::frozen)
     {
-        world.discard(id);
+        world.spheres.discard(id);
     }
 }
 

@@ -53,18 +53,17 @@ inline CountedContacts countContacts(const World& world, std::uint32_t id)
 {
     CountedContacts counted;
     const Spheres& spheres = world.spheres;
-    if (spheres.state[id] == SphereState::running)
+    if (spheres.isRunning(id))
     {
         return counted;
     }
     const Eigen::Vector3d p = spheres.position(id);
-    const double reach = 1.01 * spheres.radius[id];
+    const double reach = 1.01 * spheres.radius(id);
     for (std::uint32_t other = 0; other < spheres.size(); ++other)
     {
         const double distance = (p - spheres.position(other)).norm();
-        const bool touches = distance > 0 && distance - spheres.radius[other] < reach;
-        counted.spheres +=
-            touches && other != id && spheres.state[other] != SphereState::running ? 1 : 0;
+        const bool touches = distance > 0 && distance - spheres.radius(other) < reach;
+        counted.spheres += touches && other != id && !spheres.isRunning(other) ? 1 : 0;
     }
     const TriangleMesh& mesh = world.surface.mesh();
     std::vector<std::size_t> near;

@@ -15,11 +15,7 @@ namespace
 class DepenetrationTest : public ::testing::Test
 {
 protected:
-    DepenetrationTest()
-    {
-        world.freeze(world.release({0, 0, 0}, 1, 0));
-        world.forgetFrozen();
-    }
+    DepenetrationTest() { world.spheres.addResting({0, 0, 0}, 1, 0); }
 
     static Scene scene()
     {
@@ -48,9 +44,9 @@ TEST_F(DepenetrationTest, IsClearOfANewcomerAsIfThatWereAtRest)
     ASSERT_TRUE(depenetrate(world, newcomer, place, 1, 3, 100));
     EXPECT_GE(place.norm(), 2);
     EXPECT_GE((place - newcomer.place).norm(), 2);
-    EXPECT_EQ(world.restingCount, 1U);
+    EXPECT_EQ(world.spheres.resting().size(), 1U);
 
-    world.freeze(world.release(newcomer.place, newcomer.radius, 0));
+    world.spheres.addResting(newcomer.place, newcomer.radius, 0);
     ASSERT_TRUE(depenetrate(world, same, 1, 3, 100));
     EXPECT_LT((place - same).norm(), 1e-12);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/discard/exact_discard.hpp"
 
+#include "simulation/contact/neighbour_list.hpp"
 #include "support/discard_objects.hpp"
 #include "support/paths.hpp"
 #include "support/small_world.hpp"
@@ -151,9 +152,9 @@ protected:
     void dropAroundTheHole()
     {
         rest();
-        discard_.afterStep(runners_);
+        EXPECT_FALSE(discard_.afterStep());
         discard_.finish(false);
-        ASSERT_GT(world_->discardedCount, ids_.size() / 2);
+        ASSERT_GT(world_->spheres.discardedCount(), ids_.size() / 2);
     }
 
     void rest()
@@ -164,29 +165,27 @@ protected:
         }
     }
 
-    static Runner runnerAt(const Eigen::Vector3d& p)
-    {
-        Runner runner;
-        runner.restart(0, p, 1);
-        return runner;
-    }
-
     std::unique_ptr<World> world_;
     std::vector<std::uint32_t> ids_;
     ExactDiscard discard_{*world_};
-    std::vector<Runner> runners_ = {runnerAt({0, 0, 0})};
+    /// Where the sphere is that runs in the hole.
+    Eigen::Vector3d& runnerInTheHole()
+    {
+        return world_->spheres.running().position[world_->spheres.row(inTheHole_)];
+    }
+    std::uint32_t inTheHole_ = world_->spheres.add({0, 0, 0}, 1, 1);
 };
 
 TEST_F(FullBox, OnlyTheNeighboursOfTheHoleAreKept)
 {
     dropAroundTheHole();
     EXPECT_EQ(world_->restoredDiscards, 0u);
-    EXPECT_EQ(world_->discardedCount, ids_.size() - 12);
+    EXPECT_EQ(world_->spheres.discardedCount(), ids_.size() - 12);
     EXPECT_EQ(world_->discardedPolygons, world_->polygons.size());
     for (const std::uint32_t id : ids_)
     {
         const bool beside = world_->spheres.position(id).norm() < 2.1;
-        EXPECT_EQ(world_->spheres.state[id], beside ? SphereState::frozen : SphereState::discarded);
+        EXPECT_EQ(world_->spheres.state(id), beside ? SphereState::frozen : SphereState::discarded);
     }
 }
 
@@ -195,19 +194,22 @@ TEST_F(FullBox, EverythingComesBackWhenASphereIsWhereNoneCanBe)
 {
     dropAroundTheHole();
 
-    runners_.push_back(runnerAt(world_->spheres.position(ids_.front()) * 0.95));
-    runners_.back().around.ensure(*world_, runners_.back().position, 1, 0);
-    EXPECT_EQ(runners_.back().around.spheres(), 0u) << "the neighbours are dropped";
-    discard_.afterStep(runners_);
+    const Eigen::Vector3d place = world_->spheres.position(ids_.front()) * 0.95;
+    world_->spheres.add(place, 1, 1);
+    NeighbourList around;
+    around.ensure(*world_, place, 1, 0);
+    EXPECT_EQ(around.spheres(), 0u) << "the neighbours are dropped";
+    EXPECT_TRUE(discard_.afterStep());
     EXPECT_GT(world_->restoredDiscards, 0u);
-    EXPECT_EQ(world_->discardedCount, 0u);
+    EXPECT_EQ(world_->spheres.discardedCount(), 0u);
     EXPECT_EQ(world_->discardedPolygons, 0u);
     EXPECT_EQ(std::count(world_->polygons.begin(), world_->polygons.end(), PolygonState::discarded),
               0);
-    runners_.back().around.ensure(*world_, runners_.back().position, 1, 0);
-    EXPECT_GT(runners_.back().around.spheres(), 0u) << "what it knew of them is forgotten";
+    around.invalidate();
+    around.ensure(*world_, place, 1, 0);
+    EXPECT_GT(around.spheres(), 0u);
     // And it carries on.
-    discard_.afterStep(runners_);
+    (void)discard_.afterStep();
     discard_.finish(false);
     EXPECT_LE(world_->restoredDiscards, 2u);
 }
@@ -221,36 +223,35 @@ TEST_F(FullBox, DropsAgainWithWiderMarginsAfterASmallOverlap)
     {
         for (int side = 0; side < 6 && world_->restoredDiscards == 0; ++side)
         {
-            runners_.front().position.setZero();
-            runners_.front().position[side / 2] = side % 2 == 0 ? away : -away;
-            discard_.afterStep(runners_);
+            runnerInTheHole().setZero();
+            runnerInTheHole()[side / 2] = side % 2 == 0 ? away : -away;
+            const bool cameBack = discard_.afterStep();
+            EXPECT_EQ(cameBack, world_->restoredDiscards > 0);
         }
     }
     ASSERT_EQ(world_->restoredDiscards, 1u);
-    EXPECT_EQ(world_->discardedCount, 0u);
-    runners_.front().position.setZero();
-    discard_.afterStep(runners_);
+    EXPECT_EQ(world_->spheres.discardedCount(), 0u);
+    runnerInTheHole().setZero();
+    EXPECT_FALSE(discard_.afterStep());
     discard_.finish(false);
     EXPECT_EQ(world_->restoredDiscards, 1u);
-    EXPECT_GT(world_->discardedCount, ids_.size() / 3);
+    EXPECT_GT(world_->spheres.discardedCount(), ids_.size() / 3);
 }
 
 TEST_F(FullBox, NothingIsDroppedTwiceOrLostWhenASphereIsRenumbered)
 {
     rest();
     // The last one takes over the id of a sphere that is withdrawn.
-    const std::uint32_t running = world_->release({0, 0, 0}, 1, 1);
-    const std::uint32_t last = addResting(*world_, {0, 0, 0});
-    discard_.addResting(last);
-    discard_.renumber(world_->withdraw(running), running);
-    std::vector<Runner> none;
-    discard_.afterStep(none);
+    discard_.addResting(addResting(*world_, {0, 0, 0}));
+    discard_.renumber(world_->spheres.withdraw(inTheHole_), inTheHole_);
+    world_->spheres.closeRanks();
+    EXPECT_FALSE(discard_.afterStep());
     discard_.finish(false);
     EXPECT_EQ(world_->restoredDiscards, 0u);
-    EXPECT_EQ(world_->discardedCount, ids_.size() + 1) << "nothing fits in any more";
-    for (const SphereState state : world_->spheres.state)
+    EXPECT_EQ(world_->spheres.discardedCount(), ids_.size() + 1) << "nothing fits in any more";
+    for (std::size_t id = 0; id < world_->spheres.size(); ++id)
     {
-        EXPECT_EQ(state, SphereState::discarded);
+        EXPECT_EQ(world_->spheres.state(id), SphereState::discarded);
     }
 }
 

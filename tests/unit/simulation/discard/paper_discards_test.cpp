@@ -18,8 +18,7 @@ class PaperDiscards : public ::testing::Test
 protected:
     void rest(const Eigen::Vector3d& place, std::uint32_t group)
     {
-        world->freeze(world->release(place, 1, group));
-        world->forgetFrozen();
+        world->spheres.addResting(place, 1, group);
     }
     std::unique_ptr<World> world = smallWorld(shapes::box({-10, -10, -10}, {10, 10, 10}));
 };
@@ -34,9 +33,9 @@ TEST_F(PaperDiscards, ByHeightGoWholeGroupsBelowTheLowestOfTheLast)
     rest({0, 1, 0}, 2);
     rest({3, 3, 0}, 2);
     EXPECT_EQ(discardByHeight(*world, 0, 5, 4), 2u);
-    EXPECT_EQ(world->discardedCount, 2u);
-    EXPECT_EQ(world->spheres.state[1], SphereState::discarded);
-    EXPECT_EQ(world->spheres.state[2], SphereState::frozen);
+    EXPECT_EQ(world->spheres.discardedCount(), 2u);
+    EXPECT_EQ(world->spheres.state(1), SphereState::discarded);
+    EXPECT_EQ(world->spheres.state(2), SphereState::frozen);
     EXPECT_EQ(discardByHeight(*world, 2, 5, 2.9), 3u) << "one group more within less";
     EXPECT_EQ(discardByHeight(*world, 3, 5, -100), 3u) << "the last group stays";
 }
@@ -47,7 +46,7 @@ TEST_F(PaperDiscards, ByHeightGoInTheOrderInWhichTheyCame)
     rest({3, -9, 0}, 1);
     rest({6, 1, 0}, 2);
     EXPECT_EQ(discardByHeight(*world, 0, 3, 4), 0u);
-    EXPECT_EQ(world->discardedCount, 0u);
+    EXPECT_EQ(world->spheres.discardedCount(), 0u);
 }
 
 // PAPER: a polygon goes when the rays from all of its vertices along their normals soon enter a

@@ -30,9 +30,9 @@ protected:
 
 TEST_F(GuardTest, LetsSpheresInsideRunAndRest)
 {
-    world->release({0, 0, 0}, 1, 0);
-    world->spheres.setVelocity(0, {0, -5, 0});
-    world->release({-9.5, 0, 0}, 1, 0);
+    world->spheres.add({0, 0, 0}, 1, 0);
+    world->spheres.running().velocity[0] = {0, -5, 0};
+    world->spheres.add({-9.5, 0, 0}, 1, 0);
     addResting(*world, {4, -9, 4});
     EXPECT_FALSE(found());
     EXPECT_FALSE(world->finished);
@@ -40,8 +40,8 @@ TEST_F(GuardTest, LetsSpheresInsideRunAndRest)
 
 TEST_F(GuardTest, StopsTheRunForASphereThatHasLeftTheObject)
 {
-    world->release({0, 0, 0}, 1, 0);
-    world->release({0, 14, 0}, 1, 0);
+    world->spheres.add({0, 0, 0}, 1, 0);
+    world->spheres.add({0, 14, 0}, 1, 0);
     world->time = 2;
     const auto stray = found();
     ASSERT_TRUE(stray);
@@ -54,7 +54,7 @@ TEST_F(GuardTest, StopsTheRunForASphereThatHasLeftTheObject)
 
 TEST_F(GuardTest, StopsTheRunForASphereFarBeyondTheGrid)
 {
-    world->release({1e9, 0, 0}, 1, 0);
+    world->spheres.add({1e9, 0, 0}, 1, 0);
     ASSERT_TRUE(found());
     EXPECT_EQ(world->stray->kind, StrayKind::outside);
 }
@@ -75,10 +75,10 @@ TEST(Guard, StopsTheRunForASphereInACavity)
     mesh.vertices.insert(mesh.vertices.end(), cavity.vertices.begin(), cavity.vertices.end());
     const auto world = smallWorld(mesh);
     Guard guard(*world);
-    world->release({7.5, 0, 0}, 1, 0);
+    world->spheres.add({7.5, 0, 0}, 1, 0);
     guard.check();
     EXPECT_FALSE(world->stray);
-    world->release({0, 1, 0}, 1, 0);
+    world->spheres.add({0, 1, 0}, 1, 0);
     guard.check();
     ASSERT_TRUE(world->stray);
     EXPECT_EQ(world->stray->sphere, 1u);
@@ -96,23 +96,23 @@ TEST_F(GuardTest, StopsTheRunForASphereThatComesToRestBehindAWall)
 
 TEST_F(GuardTest, StopsTheRunForASphereFasterThanAnyFall)
 {
-    world->release({0, 0, 0}, 1, 0);
-    world->spheres.setVelocity(0, {90, 0, 0}); // a fall through the box gives 8.3
+    world->spheres.add({0, 0, 0}, 1, 0);
+    world->spheres.running().velocity[0] = {90, 0, 0}; // a fall through the box gives 8.3
     ASSERT_TRUE(found());
     EXPECT_EQ(world->stray->kind, StrayKind::tooFast);
 }
 
 TEST_F(GuardTest, StopsTheRunForWhatIsNoNumber)
 {
-    world->release({0, 0, 0}, 1, 0);
-    world->spheres.setVelocity(0, {0, std::numeric_limits<double>::quiet_NaN(), 0});
+    world->spheres.add({0, 0, 0}, 1, 0);
+    world->spheres.running().velocity[0] = {0, std::numeric_limits<double>::quiet_NaN(), 0};
     ASSERT_TRUE(found());
     EXPECT_EQ(world->stray->kind, StrayKind::notFinite);
 }
 
 TEST_F(GuardTest, AFallWithNothingBelowEndsWhereItBegan)
 {
-    const FallIndex falls(world->resting.frame(), world->triangles);
+    const FallIndex falls(world->spheres.resting().frame(), world->triangles);
     const DropAndRoll dropAndRoll(*world, falls);
     Eigen::Vector3d inside = {0, 0, 0};
     EXPECT_TRUE(dropAndRoll.drop(inside, 1));

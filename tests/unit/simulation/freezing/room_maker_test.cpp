@@ -37,28 +37,31 @@ TEST(RoomMaker, GivesTheNumberOfASphereThatIsWithdrawnToTheLastOne)
     const auto world = smallWorld(twoChambers());
     Threads threads(1);
     RestFollowers followers(*world, world->height, threads);
-    Runners runners(world->resting.frame());
+    RunnerGrid grid(world->spheres.resting().frame());
+    FreeFlight flight(*world, {});
+    RunningSpheres& running = world->spheres.running();
     const std::array<Vector3d, 3> places = {Vector3d(-5, 0.1, 0), {-5, -0.1, 0}, {5, 0, 0}};
     for (const Vector3d& place : places)
     {
-        runners.add(world->release(place, 1, 0), place, 1);
+        world->spheres.add(place, 1, 0);
     }
-    runners.startFreezing();
+    grid.rebuild(running);
 
-    RoomMaker room(*world, runners, followers);
+    RoomMaker room(*world, grid, flight, followers);
     ASSERT_FALSE(room.makeRoom(1, {places[1], 1}, kFarRoom));
-    world->freeze(runners[1].id);
+    world->spheres.freeze(1);
     room.evict();
-    world->forgetFrozen();
 
     EXPECT_EQ(world->spheres.size(), 2u);
-    EXPECT_EQ(runners[0].id, Runner::kNobody);
-    EXPECT_TRUE(runners.isAsleep(0));
-    EXPECT_EQ(runners[1].id, 1u);
-    EXPECT_EQ(runners[2].id, 0u);
+    EXPECT_TRUE(running.isGone(0));
+    EXPECT_TRUE(running.isGone(1));
+    EXPECT_EQ(running.id[2], 0u);
+    EXPECT_EQ(world->spheres.state(1), SphereState::frozen);
     EXPECT_EQ(world->spheres.position(0), places[2]);
-    EXPECT_EQ(world->spheres.state[0], SphereState::running);
-    EXPECT_EQ(world->runningIds, std::vector<std::uint32_t>{0});
+    EXPECT_EQ(world->spheres.state(0), SphereState::running);
+    world->spheres.closeRanks();
+    ASSERT_EQ(running.size(), 1u);
+    EXPECT_EQ(running.id[0], 0u);
 }
 
 TEST(RoomMaker, LetsASphereThatHasToLeaveAppearWhereThereIsRoom)
@@ -66,23 +69,25 @@ TEST(RoomMaker, LetsASphereThatHasToLeaveAppearWhereThereIsRoom)
     const auto world = smallWorld(twoChambers());
     Threads threads(1);
     RestFollowers followers(*world, world->height, threads);
-    Runners runners(world->resting.frame());
+    RunnerGrid grid(world->spheres.resting().frame());
+    FreeFlight flight(*world, {});
+    RunningSpheres& running = world->spheres.running();
     const std::array<Vector3d, 2> places = {Vector3d(-5, 0.1, 0), {-5, -0.1, 0}};
     for (const Vector3d& place : places)
     {
-        runners.add(world->release(place, 1, 0), place, 1);
+        world->spheres.add(place, 1, 0);
     }
-    runners.startFreezing();
+    grid.rebuild(running);
 
-    RoomMaker room(*world, runners, followers);
+    RoomMaker room(*world, grid, flight, followers);
     ASSERT_FALSE(room.makeRoom(1, {places[1], 1}, kFarRoom));
-    EXPECT_EQ(runners[0].position, places[0]) << "none is moved";
-    world->freeze(runners[1].id);
+    EXPECT_EQ(running.position[0], places[0]) << "none is moved";
+    world->spheres.freeze(1);
     room.evict();
 
     EXPECT_EQ(world->spheres.size(), 2u);
-    EXPECT_EQ(runners[0].id, 0u);
-    EXPECT_LE((runners[0].position - Vector3d(5, 0, 0)).cwiseAbs().maxCoeff(), 0.2);
+    EXPECT_EQ(running.id[0], 0u);
+    EXPECT_LE((running.position[0] - Vector3d(5, 0, 0)).cwiseAbs().maxCoeff(), 0.2);
 }
 
 } // namespace

@@ -81,13 +81,12 @@ TEST(Waker, LetsGoWhatRestedOnWhatItLetsGo)
         addResting(world, {0, -7.0 + 2 * k, 0});
     }
     const std::uint32_t underTheLid = addResting(world, {5, 7, 5});
-    Runners runners(world.resting.frame());
-    Waker waker(world, runners);
+    Waker waker(world);
     ASSERT_TRUE(waker.begin());
     world.pull.uniform = {0, 1, 0};
-    waker.wakeWhenDue();
-    EXPECT_EQ(runners.count(), 6u);
-    EXPECT_EQ(world.spheres.state[underTheLid], SphereState::frozen);
+    EXPECT_TRUE(waker.wakeWhenDue());
+    EXPECT_EQ(world.spheres.running().size(), 6u);
+    EXPECT_EQ(world.spheres.state(underTheLid), SphereState::frozen);
 }
 
 TEST(Waker, LeavesNothingAtRestThatTheJudgeFindsUncarried)
@@ -104,13 +103,12 @@ TEST(Waker, LeavesNothingAtRestThatTheJudgeFindsUncarried)
         }
         scene.move.tilt = tilt;
         world.motion = ObjectMotion(scene.move, world.frame, world.height);
-        Runners runners(world.resting.frame());
-        Waker waker(world, runners);
+        Waker waker(world);
         ASSERT_TRUE(waker.begin());
         world.pull = world.motion.pullAt(2 * world.motion.duration());
         EXPECT_GT(examine(world).unsupported, 0u) << tilt;
-        waker.wakeWhenDue();
-        EXPECT_GT(runners.count(), 0u) << tilt;
+        EXPECT_TRUE(waker.wakeWhenDue());
+        EXPECT_GT(world.spheres.running().size(), 0u) << tilt;
         EXPECT_EQ(examine(world).unsupported, 0u) << tilt;
     }
 }

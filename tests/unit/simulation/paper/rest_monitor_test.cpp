@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/paper/rest_monitor.hpp"
 
+#include "simulation/world/spheres.hpp"
+
 #include <gtest/gtest.h>
 
 namespace frostfill
@@ -16,11 +18,11 @@ protected:
     {
         spheres.add({0, 0, 0}, 1, 0);
         spheres.add({5, 0, 0}, 1, 0);
-        monitor.restart(spheres, 0);
+        monitor.restart(spheres.running());
     }
     bool observe(const std::vector<bool>& touched)
     {
-        return monitor.observe(spheres, 0, touched, [](std::size_t) { return false; });
+        return monitor.observe(spheres.running(), touched, [](std::uint32_t) { return false; });
     }
 
     Spheres spheres;
@@ -30,7 +32,7 @@ protected:
 TEST_F(RestMonitorTest, CallsThoseAtRestThatTouchAndStay)
 {
     EXPECT_FALSE(observe({true, false}));
-    spheres.setPosition(1, {5, 0.09, 0});
+    spheres.running().position[1] = {5, 0.09, 0};
     EXPECT_FALSE(observe({false, true}));
     EXPECT_TRUE(observe({false, false}));
 }
@@ -45,9 +47,9 @@ TEST_F(RestMonitorTest, CallsNoneAtRestAtTheTopOfItsBounce)
 TEST_F(RestMonitorTest, CallsNoneAtRestThatLeftItsPlaceAndCameBack)
 {
     EXPECT_FALSE(observe({true, true}));
-    spheres.setPosition(0, {0, 0.11, 0});
+    spheres.running().position[0] = {0, 0.11, 0};
     EXPECT_FALSE(observe({true, true}));
-    spheres.setPosition(0, {0, 0, 0});
+    spheres.running().position[0] = {0, 0, 0};
     EXPECT_FALSE(observe({true, true}));
     // A new window, in which both stay.
     EXPECT_FALSE(observe({true, true}));
@@ -57,11 +59,11 @@ TEST_F(RestMonitorTest, CallsNoneAtRestThatLeftItsPlaceAndCameBack)
 
 TEST_F(RestMonitorTest, LeavesOutThoseThatAreLost)
 {
-    spheres.setPosition(0, {0, -1000, 0});
-    const auto isLost = [](std::size_t id) { return id == 0; };
-    EXPECT_FALSE(monitor.observe(spheres, 0, {false, true}, isLost));
-    EXPECT_FALSE(monitor.observe(spheres, 0, {false, true}, isLost));
-    EXPECT_TRUE(monitor.observe(spheres, 0, {false, true}, isLost));
+    spheres.running().position[0] = {0, -1000, 0};
+    const auto isLost = [](std::uint32_t id) { return id == 0; };
+    EXPECT_FALSE(monitor.observe(spheres.running(), {false, true}, isLost));
+    EXPECT_FALSE(monitor.observe(spheres.running(), {false, true}, isLost));
+    EXPECT_TRUE(monitor.observe(spheres.running(), {false, true}, isLost));
 }
 
 } // namespace

@@ -17,10 +17,7 @@ using Eigen::Vector3d;
 
 std::uint32_t addSphere(World& world, const Vector3d& place, double radius)
 {
-    const std::uint32_t id = world.release(place, radius, 0);
-    world.freeze(id);
-    world.forgetFrozen();
-    return id;
+    return world.spheres.addResting(place, radius, 0);
 }
 
 // However finely they are divided.
@@ -90,9 +87,9 @@ TEST(RestingContacts, AreOfSpheresAtRestAlone)
 {
     const auto world = smallWorld(room());
     const auto at = addResting(*world, {0, 0, 0});
-    const auto moving = world->release({2, 0, 0}, 1, 0);
+    const auto moving = world->spheres.add({2, 0, 0}, 1, 0);
     const auto gone = addResting(*world, {-2, 0, 0});
-    world->discard(gone);
+    world->spheres.discard(gone);
     EXPECT_EQ(restingContacts(*world, at), 1u) << "what is discarded still lies there";
     EXPECT_EQ(restingContacts(*world, gone), 1u);
     EXPECT_EQ(restingContacts(*world, moving), 0u);
@@ -110,13 +107,10 @@ TEST(RestingContacts, AgreeWithAllPairsOnRandomSpheres)
             const auto draw = [&](std::uint64_t n) { return uniformRandom(seed, k, n); };
             const Vector3d p = Vector3d(26, 26, 8).cwiseProduct(
                 Vector3d(draw(0) - 0.5, draw(1) - 0.5, draw(2) - 0.5));
-            const auto id = world->release(p, 0.3 + 0.7 * draw(3), 0);
-            if (draw(4) < 0.8)
-            {
-                world->freeze(id);
-            }
+            const double radius = 0.3 + 0.7 * draw(3);
+            std::ignore = draw(4) < 0.8 ? world->spheres.addResting(p, radius, 0)
+                                        : world->spheres.add(p, radius, 0);
         }
-        world->forgetFrozen();
         std::size_t walls = 0;
         for (std::uint32_t id = 0; id < world->spheres.size(); ++id)
         {

@@ -26,8 +26,7 @@ protected:
     /// Puts a sphere at rest where `place` falls to.
     static void rest(World& world, FallIndex& falls, const Eigen::Vector3d& place)
     {
-        world.freeze(world.release(place, 1, 0));
-        world.forgetFrozen();
+        world.spheres.addResting(place, 1, 0);
         falls.insert(place);
     }
 
@@ -38,7 +37,7 @@ protected:
 TEST_F(ReleaseSitesTest, LookingAheadOnTwoThreadsFindsTheSamePlaces)
 {
     World world(scene, mesh);
-    FallIndex falls(world.resting.frame(), world.triangles);
+    FallIndex falls(world.spheres.resting().frame(), world.triangles);
     const DropAndRoll descent(world, falls);
     Threads one(1);
     Threads two(2);
@@ -101,7 +100,7 @@ TEST_F(ReleaseSitesTest, GivesUpForNowWhenManyPlacesInARowDoNotSuit)
 TEST_F(ReleaseSitesTest, LeavesNoPlaceInAnObjectThatIsFull)
 {
     World world(scene, mesh);
-    FallIndex falls(world.resting.frame(), world.triangles);
+    FallIndex falls(world.spheres.resting().frame(), world.triangles);
     Threads threads(2);
     ReleaseSites sites(world, 1, 4, threads);
     const auto asItIs = [](const Eigen::Vector3d& p) { return p; };
@@ -120,10 +119,10 @@ TEST_F(ReleaseSitesTest, LeavesNoPlaceInAnObjectThatIsFull)
         const double y = coordinate();
         const Eigen::Vector3d p(x, y, coordinate());
         double nearest = std::numeric_limits<double>::infinity();
-        world.resting.forEachNear(
-            p, 2,
-            [&](std::uint32_t id)
-            { nearest = std::min(nearest, (world.resting[id].position() - p).norm()); });
+        const SphereGrid& resting = world.spheres.resting();
+        resting.forEachNear(p, 2,
+                            [&](std::uint32_t row)
+                            { nearest = std::min(nearest, (resting[row].position() - p).norm()); });
         ASSERT_LT(nearest, 2 + 1e-6) << p.transpose();
     }
 }

@@ -27,8 +27,8 @@ TEST(SetRecorder, RecordsWhatCountersGainedWhileTheSetWasTheNewest)
     world->times[Stage::freezing] += 0.25;
     world->steps += 20;
     addResting(*world, {0, 0, 0});
-    world->discard(addResting(*world, {3, 0, 0}));
-    world->release({6, 0, 0}, 1, 0);
+    world->spheres.discard(addResting(*world, {3, 0, 0}));
+    world->spheres.add({6, 0, 0}, 1, 0);
     world->discardPolygon(0);
     recorder.markTimedOut();
     recorder.close(*world);

@@ -25,22 +25,29 @@ TEST(StateHash, TellsEveryBitOfEveryPositionAndWhatIsAtRest)
     const std::string hash = hashAfter([](Spheres&) {});
     EXPECT_EQ(hash.size(), 16u);
     EXPECT_EQ(hashAfter([](Spheres&) {}), hash);
-    for (const std::size_t id : {0u, 1u})
+    for (const std::uint32_t id : {0u, 1u})
     {
         const auto nudge = [](double& value) { value = std::nextafter(value, 100); };
-        EXPECT_NE(hashAfter([&](Spheres& s) { nudge(s.x[id]); }), hash) << id;
-        EXPECT_NE(hashAfter([&](Spheres& s) { nudge(s.y[id]); }), hash) << id;
-        EXPECT_NE(hashAfter([&](Spheres& s) { nudge(s.z[id]); }), hash) << id;
-        EXPECT_NE(hashAfter([&](Spheres& s) { s.setState(id, SphereState::frozen); }), hash) << id;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            EXPECT_NE(hashAfter([&](Spheres& s) { nudge(s.running().position[s.row(id)][axis]); }),
+                      hash)
+                << id << axis;
+        }
+        EXPECT_NE(hashAfter([&](Spheres& s) { s.freeze(id); }), hash) << id;
     }
-    EXPECT_NE(hashAfter([](Spheres& s) { s.removeLast(); }), hash);
+    EXPECT_NE(hashAfter([](Spheres& s) { s.withdraw(1); }), hash);
 }
 
 // So that runs with and without discards can be compared.
 TEST(StateHash, TakesFrozenAndDiscardedForTheSame)
 {
-    EXPECT_EQ(hashAfter([](Spheres& s) { s.setState(0, SphereState::frozen); }),
-              hashAfter([](Spheres& s) { s.setState(0, SphereState::discarded); }));
+    EXPECT_EQ(hashAfter([](Spheres& s) { s.freeze(0); }), hashAfter(
+                                                              [](Spheres& s)
+                                                              {
+                                                                  s.freeze(0);
+                                                                  s.discard(0);
+                                                              }));
 }
 
 } // namespace

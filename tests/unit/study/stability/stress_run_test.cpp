@@ -17,13 +17,13 @@ namespace
 class ThereAndBack final : public IntegratorPart
 {
 public:
-    void advance(Spheres& spheres, std::size_t begin, double /*gravity*/, double /*dt*/) override
+    void advance(RunningSpheres& running, double /*gravity*/, double /*dt*/) override
     {
         ++steps_;
         const double far = steps_ == 1 ? 100 : steps_ == 2 ? -100 : 0;
-        for (std::size_t i = begin; i < spheres.size(); ++i)
+        for (Eigen::Vector3d& position : running.position.all())
         {
-            spheres.setPosition(i, spheres.position(i) + Eigen::Vector3d(far, 0, 0));
+            position.x() += far;
         }
     }
 
@@ -35,7 +35,7 @@ private:
 class Still final : public IntegratorPart
 {
 public:
-    void advance(Spheres&, std::size_t, double, double) override {}
+    void advance(RunningSpheres&, double, double) override {}
 };
 
 StressRun runWith(Integrator integrator)

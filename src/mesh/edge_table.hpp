@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-// Room: inspection and repair of meshes from outside. Each step changes a TriangleMesh and
-// reports what it did.
 #pragma once
 
 #include <frostfill/mesh.hpp>
@@ -25,8 +23,8 @@ struct EdgeUse
 /// Whether as many triangles pass an edge in one direction as in the other.
 [[nodiscard]] bool cancels(std::span<const EdgeUse> uses);
 
-/// All edges of a mesh, each with its triangles, ordered by vertex numbers. Triangles that repeat a
-/// corner have no edges.
+/// All edges of a mesh, each with its triangles in ascending order; ordered by vertex numbers.
+/// Triangles that repeat a corner have no edges.
 class EdgeTable
 {
 public:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/repair/edge_table.hpp"
+#include "mesh/edge_table.hpp"
 
-#include "mesh/repair/triangle_shape.hpp"
+#include "mesh/triangle_shape.hpp"
 
 #include <algorithm>
 #include <cstddef>

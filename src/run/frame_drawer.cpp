@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+#include "run/frame_drawer.hpp"
+
+#include <frostfill/error.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace frostfill
+{
+
+RenderSettings renderSettings(const Scene& scene, const ColourRange& range, std::vector<Pose> poses)
+{
+    RenderSettings settings;
+    settings.poses = std::move(poses);
+    settings.size = scene.size;
+    settings.camera = scene.camera;
+    settings.style = scene.style;
+    settings.samples = scene.samples;
+    settings.supersample = scene.supersample;
+    settings.backend = scene.backend;
+    settings.range = range;
+    settings.groupsPerSet = scene.spheres.groupsPerSet;
+    settings.unitsPerMetre = scene.object.unitsPerMetre;
+    settings.up = upVector(scene.object.up);
+    settings.title = scene.name;
+    settings.staticLayer = scene.staticLayer;
+    return settings;
+}
+
+namespace
+{
+
+/// Fewer pixels than that may show nothing but the object's colour, and are not looked at.
+constexpr int kFewPixels = 64;
+
+/// Of the small picture in which spheres are looked for.
+constexpr int kLookWidth = 160;
+
+bool allPixelsAlike(const Image& image)
+{
+    const auto channels = static_cast<std::ptrdiff_t>(image.channels);
+    return std::equal(image.pixels.begin() + channels, image.pixels.end(), image.pixels.begin());
+}
+
+/// In every picture of a run.
+PngText textOfRun(const PaintRequest& request)
+{
+    PngText text = {{"Software", "Frostfill"}, {"Title", request.scene.name}, {"Run", request.run}};
+    if (request.path)
+    {
+        text.emplace_back("Camera", request.path->text());
+    }
+    return text;
+}
+
+PngText textOfFrame(std::size_t frame, const Snapshot& snapshot)
+{
+    return {{"Frame", fmt::format("{}", frame)},
+            {"Time", fmt::format("{:.9g} s", snapshot.time)},
+            {"State", fmt::format("{} running, {} frozen, {} discarded, {} polygons discarded",
+                                  snapshot.running, snapshot.frozen, snapshot.discarded,
+                                  snapshot.discardedPolygons)}};
+}
+
+} // namespace
+
+FrameDrawer::FrameDrawer(const PaintRequest& request)
+    : request_(request), settings_(renderSettings(request.scene, request.range, request.poses)),
+      skips_(request.skips()),
+      writer_(request.directory / "frames", request.scene.frames.limit, textOfRun(request)),
+      sideOutputs_(request.scene, request.directory, request.video)
+{
+    if (request_.path)
+    {
+        settings_.camera = request_.path->at(0, settings_.camera);
+        settings_.camera.turntable = 1; // the object fits, equally large, at all angles
+    }
+    renderer_.emplace(request_.mesh, settings_);
+    drawn_.renderer = renderer_->description();
+    drawn_.objectRegion = renderer_->objectRegion();
+}
+
+void FrameDrawer::keepEvery(std::size_t stride)
+{
+    writer_.keepEvery(stride);
+    sideOutputs_.keepEvery(stride);
+}
+
+/// How far the camera has gone: on its path [s], or round the object [degree].
+double FrameDrawer::cameraAt(std::size_t frame) const
+{
+    const double fps = request_.scene.frames.fps;
+    if (request_.path)
+    {
+        return std::min(static_cast<double>(frame) / fps, request_.path->duration());
+    }
+    const auto& turn = settings_.camera.turntable;
+    return turn ? 360 * std::fmod(static_cast<double>(frame) / (fps * *turn), 1.0) : 0;
+}
+
+/// Whether a picture is not drawn, and for which reason.
+bool FrameDrawer::leavesOut(const PicturePlan::Picture& picture, const PngText& text)
+{
+    if (!picture.index)
+    {
+        return false;
+    }
+    const auto [first, end] = request_.pictures;
+    const bool ours = *picture.index >= first && *picture.index < end;
+    drawn_.others += ours ? 0 : 1;
+    const bool isThere = ours && skips_ && writer_.has(*picture.index, settings_.size, text);
+    drawn_.skipped += isThere ? 1 : 0;
+    if (ours && !isThere && request_.onlyLook)
+    {
+        drawn_.missing.push_back(*picture.index);
+    }
+    return !ours || isThere || request_.onlyLook;
+}
+
+void FrameDrawer::draw(const PicturePlan::Picture& picture, const Snapshot& state,
+                       std::uint64_t revision)
+{
+    const std::pair shown(revision, cameraAt(picture.frame));
+    const bool isNew = shown_ != shown;
+    shown_ = shown;
+    state_ = &state;
+    if (isNew)
+    {
+        drawn_.sets.resize(std::max<std::size_t>(drawn_.sets.size(), state.set + 1));
+        drawn_.sets[state.set].renderMs.push_back(0); // unless it is drawn
+        drawn_.sets[state.set].readbackMs.push_back(0);
+    }
+    if (picture.thins)
+    {
+        std::size_t index = 0;
+        std::erase_if(drawn_.moments, [&](double) { return index++ % 2 != 0; });
+        skips_ = false; // from now on pictures change their names
+    }
+    if (picture.index)
+    {
+        drawn_.moments.push_back(state.time);
+    }
+    const PngText text = textOfFrame(picture.frame, state);
+    if (leavesOut(picture, text))
+    {
+        writer_.skip(picture.number);
+        sideOutputs_.skip(picture.number);
+        isDrawn_ = isDrawn_ && !isNew;
+        return;
+    }
+    const bool draws = isNew || !isDrawn_;
+    if (draws)
+    {
+        render(state, isNew);
+    }
+    noRows_.assign(static_cast<std::size_t>(image_->height), 0);
+    writer_.put(picture.number, *image_, draws ? renderer_->changedRows() : noRows_, state.set,
+                text);
+    // A picture at which thinning begins may fall to it itself: the passes have to hear of it.
+    sideOutputs_.put(picture.number, picture.thins || picture.index, *renderer_, state, *image_);
+}
+
+void FrameDrawer::render(const Snapshot& state, bool isNew)
+{
+    if (request_.path)
+    {
+        renderer_->setCamera(request_.path->at(shown_->second, settings_.camera));
+    }
+    else
+    {
+        renderer_->turn(shown_->second);
+    }
+    const StageTimes before = renderer_->times();
+    image_ = &renderer_->draw(state);
+    isDrawn_ = true;
+    const StageTimes& after = renderer_->times();
+    const auto spent = [&](Stage stage) { return 1000 * (after[stage] - before[stage]); };
+    if (isNew)
+    {
+        drawn_.sets[state.set].renderMs.back() = spent(Stage::rendering);
+        drawn_.sets[state.set].readbackMs.back() = spent(Stage::readback);
+    }
+    drawn_.blank =
+        drawn_.blank || (!state.centres.empty() && image_->width * image_->height >= kFewPixels &&
+                         allPixelsAlike(*image_));
+}
+
+void FrameDrawer::finish()
+{
+    drawn_.videoFailure = sideOutputs_.finish();
+    drawn_.times = renderer_->times();
+    renderer_.reset();
+    lookForSpheres();
+    writer_.finish();
+    drawn_.times += writer_.times();
+    const auto& encoding = writer_.milliseconds();
+    drawn_.sets.resize(std::max(drawn_.sets.size(), encoding.size()));
+    for (std::size_t set = 0; set < encoding.size(); ++set)
+    {
+        drawn_.sets[set].encodeMs = encoding[set];
+    }
+}
+
+void FrameDrawer::lookForSpheres()
+{
+    if (state_ == nullptr || state_->centres.empty())
+    {
+        return;
+    }
+    // With a legend no picture is blank, so the look is at a small one without. The first context
+    // is closed before: there is never more than one.
+    RenderSettings small = settings_;
+    small.style.legend = false;
+    small.style.ambientOcclusion = false;
+    small.samples = 1;
+    small.supersample = 1;
+    small.size.height = std::clamp(kLookWidth * small.size.height / small.size.width, 8, 2560);
+    small.size.width = kLookWidth;
+    try
+    {
+        Image image;
+        Renderer(request_.mesh, small).render(*state_, image);
+        drawn_.blank = drawn_.blank || allPixelsAlike(image);
+    }
+    catch (const Error&)
+    {
+        // Without memory for another context the run is no worse.
+    }
+}
+
+} // namespace frostfill

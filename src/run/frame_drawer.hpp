@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "run/camera_path.hpp"
+#include "run/frame_writer.hpp"
+#include "run/picture_plan.hpp"
+#include "run/side_outputs.hpp"
+
+#include <frostfill/fill.hpp>
+#include <frostfill/output.hpp>
+#include <frostfill/renderer.hpp>
+#include <frostfill/scene.hpp>
+
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace frostfill
+{
+
+/// How the scene's pictures are drawn; `range` is that of the colours, `poses` those of the object
+/// that have to fit.
+[[nodiscard]] RenderSettings renderSettings(const Scene& scene, const ColourRange& range = {},
+                                            std::vector<Pose> poses = {});
+
+/// What the pictures of a run are drawn from, beside its states. Mesh and scene outlive the
+/// drawing.
+struct PaintRequest
+{
+    const TriangleMesh& mesh;
+    const Scene& scene;
+    ColourRange range;               ///< of the colours
+    std::vector<Pose> poses;         ///< of a moving object, that have to fit
+    std::string run;                 ///< identifies the run in the pictures
+    std::filesystem::path directory; ///< that gets the folders of pictures
+    std::filesystem::path video;     ///< a file's, or empty
+    std::optional<CameraPath> path;  ///< of the camera
+    /// Pictures that are there already, and are what would be drawn, are not drawn again. With a
+    /// video or passes all are drawn.
+    bool skipExisting = false;
+    /// Indices of the first picture that is drawn and of the one after the last. Others draw the
+    /// rest.
+    std::pair<std::size_t, std::size_t> pictures = kAll;
+    static constexpr std::pair<std::size_t, std::size_t> kAll = {
+        0, std::numeric_limits<std::size_t>::max()};
+    bool onlyLook = false; ///< draw nothing, and tell which pictures are not there
+
+    /// Whether pictures that are there already are not drawn.
+    [[nodiscard]] bool skips() const
+    {
+        return skipExisting && video.empty() && (onlyLook || !scene.frames.passes.any());
+    }
+    /// Of the camera's path [s].
+    [[nodiscard]] double duration() const { return path ? path->duration() : 0; }
+};
+
+/// What has come of the pictures of a run.
+struct DrawnPictures
+{
+    std::string renderer;             ///< see Renderer::description
+    std::array<int, 4> objectRegion;  ///< see Renderer::objectRegion
+    std::vector<double> moments;      ///< simulated times of those kept [s]
+    std::size_t skipped = 0;          ///< that were there already
+    std::size_t others = 0;           ///< that were left to others
+    std::vector<std::size_t> missing; ///< indices of those not there, or not what would be drawn
+    [[nodiscard]] std::size_t leftOut() const { return skipped + others + missing.size(); }
+    // What follows is known once all are drawn.
+    std::optional<std::string> videoFailure; ///< what went wrong with the video
+    std::vector<SetFrames> sets;
+    StageTimes times;
+    bool blank = false; ///< some picture shows spheres, yet all its pixels are alike
+};
+
+/// Draws the pictures of a run and hands them to the writer, the passes and the video. It lives in
+/// one thread, which the renderer's context belongs to.
+class FrameDrawer
+{
+public:
+    /// Throws Error; see Renderer and Video.
+    explicit FrameDrawer(const PaintRequest& request);
+
+    void keepEvery(std::size_t stride);
+    /// Pictures come in order. `revision` is equal for the same state once more. The state stays as
+    /// it is until two others were drawn, or until finish(). Throws what has gone wrong with an
+    /// earlier picture.
+    void draw(const PicturePlan::Picture& picture, const Snapshot& state, std::uint64_t revision);
+    /// Waits until everything is written, and looks whether the spheres can be seen at all.
+    void finish();
+
+    [[nodiscard]] const DrawnPictures& drawn() const { return drawn_; }
+
+private:
+    [[nodiscard]] double cameraAt(std::size_t frame) const;
+    [[nodiscard]] bool leavesOut(const PicturePlan::Picture& picture, const PngText& text);
+    void render(const Snapshot& state, bool isNew);
+    void lookForSpheres();
+
+    PaintRequest request_;
+    RenderSettings settings_;
+    bool skips_; ///< pictures that are there already
+    FrameWriter writer_;
+    SideOutputs sideOutputs_;
+    std::optional<Renderer> renderer_;
+    /// Of the newest picture: the revision of its state, and where the camera is.
+    std::optional<std::pair<std::uint64_t, double>> shown_;
+    const Snapshot* state_ = nullptr; ///< that it shows
+    const Image* image_ = nullptr;    ///< the newest one that was drawn
+    bool isDrawn_ = true;             ///< the newest state was drawn, not left out
+    std::vector<std::uint8_t> noRows_;
+    DrawnPictures drawn_;
+};
+
+} // namespace frostfill
