@@ -68,12 +68,13 @@ void addColumns(py::class_<State, Pointer>& state)
 
 void addArrays(py::class_<State, Pointer>& state)
 {
+    state.def_property_readonly(
+        "centres", [](const Pointer& s) { return view(s, s->centres); },
+        "float64 [n, 3]: centres of the spheres, in the unit and frame of the mesh. Sphere k "
+        "is "
+        "row k, in order of appearance.");
+    addColumns(state);
     state
-        .def_property_readonly(
-            "centres", [](const Pointer& s) { return view(s, s->centres); },
-            "float64 [n, 3]: centres of the spheres, in the unit and frame of the mesh. Sphere k "
-            "is "
-            "row k, in order of appearance.")
         .def_property_readonly(
             "triangle_states", [](const Pointer& s) { return view(s, s->snapshot.polygons); },
             "uint8 [t]: 0 active, 1 discarded, of the triangles of the simulated mesh.")
@@ -106,7 +107,6 @@ void addState(py::module_& module)
 
 Arrays are read-only views of the library's own memory, made without a copy. They stay as they are
 for as long as you keep them; a simulation then takes other memory for its next states.)");
-    addColumns(state);
     addArrays(state);
     state
         .def_property_readonly(

@@ -118,11 +118,9 @@ std::deque<Column>& table()
 
 bool isWord(const std::string& name)
 {
-    return !name.empty() && std::all_of(name.begin(), name.end(),
-                                        [&](char c) {
-                                            return (c >= 'a' && c <= 'z') || c == '_' ||
-                                                   (c >= '0' && c <= '9' && &c != name.data());
-                                        });
+    constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyz_0123456789";
+    return !name.empty() && name.find_first_not_of(kLetters) == std::string::npos &&
+           (name.front() < '0' || name.front() > '9');
 }
 
 } // namespace

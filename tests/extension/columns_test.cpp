@@ -178,7 +178,7 @@ TEST(Columns, AreChoicesOfColours)
                                                "height", "contacts", "axis_distance"};
     EXPECT_EQ(colourColumns(), expected);
     expectError(
-        ErrorCode::usage,
+        ErrorCode::badData,
         [] { parseScene("preset = \"fast\"\n[picture]\ncolor_by = \"contact\"\n", "the test"); },
         "contacts");
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Room: the columns of spheres that a snapshot carries: where their values come from, and how a
-// snapshot gets them.
+// Room: the columns of spheres that a snapshot carries: where values come from, and how a snapshot
+// gets them.
 #pragma once
 
 #include "simulation/world/world.hpp"

@@ -39,8 +39,8 @@ class EventfulRun
 {
 public:
     explicit EventfulRun(const std::filesystem::path& folder)
-        : mesh_(loadMesh("torus").mesh), writer_(folder / "run.frost", headOf(fewSpheres()), mesh_,
-                                                 1, EarlierFile::replace, carriedColumns())
+        : mesh_(loadMesh("torus").mesh),
+          writer_(folder / "run.frost", headOf(fewSpheres()), mesh_, 1)
     {
         snapshot_.columns = carriedColumns();
         snapshot_.origin = boundingBox(mesh_).center();

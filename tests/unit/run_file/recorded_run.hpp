@@ -28,8 +28,7 @@ inline RecordedRun recordRun(const Scene& scene, const std::filesystem::path& fi
     RecordedRun run;
     run.mesh = loadMesh(scene.object.mesh).mesh;
     Simulation simulation(scene, run.mesh);
-    RunFileWriter writer(file, head, run.mesh, simulation.smallestRadius(), earlier,
-                         carriedColumns());
+    RunFileWriter writer(file, head, run.mesh, simulation.smallestRadius(), earlier);
     std::array<Snapshot, 3> snapshots;
     for (Snapshot& snapshot : snapshots)
     {
