@@ -45,7 +45,7 @@ TEST(DocumentedReader, ReadsEveryFrameAndTheRestingPlacesExactly)
     scene.spheres.count = 40;
     const test::RecordedRun recorded = test::recordRun(scene, folder / "run.frost");
     const std::string code = codeOfThePage();
-    EXPECT_LE(std::count(code.begin(), code.end(), '\n'), 60);
+    EXPECT_LE(std::count(code.begin(), code.end(), '\n'), 64);
     writeFile(folder / "reader.py", code);
     writeFile(folder / "all.py",
               "import sys, numpy as np, reader\n"

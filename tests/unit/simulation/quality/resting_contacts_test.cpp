@@ -72,11 +72,11 @@ TEST(RestingContacts, EndAtAHundredthOfTheOwnRadius)
 {
     const auto world = smallWorld(room());
     const auto large = addSphere(*world, {0, 0, 0}, 1);
-    const auto small = addSphere(*world, {1.505, 0, 0}, 0.5); // a gap of 0.005, a hundredth of it
+    const auto small = addSphere(*world, {1.5055, 0, 0}, 0.5); // a gap of 0.011 of it
     const auto far = addSphere(*world, {0, 1.5101, 0}, 0.5);
     const auto onFloor = addSphere(*world, {5, -10 + 0.5 * 1.0099, 0}, 0.5);
     const auto above = addSphere(*world, {7, -10 + 0.5 * 1.0101, 0}, 0.5);
-    EXPECT_EQ(restingContacts(*world, large), 1u) << "the gap is half a hundredth of its radius";
+    EXPECT_EQ(restingContacts(*world, large), 1u) << "the gap is 0.0055 of its radius";
     EXPECT_EQ(restingContacts(*world, small), 0u);
     EXPECT_EQ(restingContacts(*world, far), 0u);
     EXPECT_EQ(restingContacts(*world, onFloor), 1u);
