@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "output/run_hash.hpp"
 #include "run/contact_sheet.hpp"
 #include "run/frame_painter.hpp"
 #include "run/frame_timing.hpp"
 #include "run/resume.hpp"
 #include "run/run_directory.hpp"
-#include "run/run_hash.hpp"
 #include "run/run_head.hpp"
 #include "run_file/file_of_run.hpp"
 #include "run_file/kept_frames.hpp"

@@ -3,9 +3,9 @@
 
 #include "base/posix_file.hpp"
 #include "output/atomic_file.hpp"
+#include "output/run_hash.hpp"
 #include "output/scene_json.hpp"
 #include "run/machine_json.hpp"
-#include "run/run_hash.hpp"
 #include "run/set_table.hpp"
 #include "scene/frame_selection.hpp"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "sweep/run_status.hpp"
 
+#include "output/run_hash.hpp"
 #include "output/scene_json.hpp"
 #include "run/recording.hpp"
 #include "run/resume.hpp"
-#include "run/run_hash.hpp"
 #include "run/run_head.hpp"
 #include "run_file/file_of_run.hpp"
 #include "sweep/claim.hpp"

@@ -62,7 +62,7 @@ room(render ${seen} render/framing render/context render/passes render/overlay r
 
 room(run_file base ${mesh} snapshot)
 room(packing ${mesh} scene scene/options snapshot simulation simulation/quality run_file)
-room(output base snapshot scene scene/options image)
+room(output base mesh snapshot scene scene/options image)
 room(export base mesh view scene scene/options snapshot run_file output)
 room(run base mesh view scene scene/options snapshot simulation image renderer render/overlay run_file output)
 room(page mesh view scene snapshot renderer render/framing render/context render/passes render/overlay

@@ -39,7 +39,7 @@ public:
     void clearTouched() { touched_.assign(running_.size(), false); }
 
     /// Centres and radii of spheres at rest, coordinate by coordinate: what a test of four at once
-    /// loads. Put together from the table's rows, cycle 2 took half as long again.
+    /// loads. Gathered from the rows of the table, each load would be four.
     struct FourAtOnce
     {
         std::vector<double> x, y, z, radius;

@@ -140,7 +140,7 @@ TEST_F(ImportRun, RefusesWhatItCannotReadInOneSentence)
     expectRefused(good + dumpStep(6, "id x y radius", {"1 0 0 1"}), bad, "no column z");
     expectRefused(dumpStep(6, "id x y z", {"1 0 0 1"}), bad, "--radius");
     expectRefused(good + dumpStep(6, "x y z radius", {"0 0 0 1"}), bad, "dump id too");
-    expectRefused(good + dumpStep(6, kColumns, {"1 1 nan 0 0 0.1"}), bad, "place of sphere 1");
+    expectRefused(good + dumpStep(6, kColumns, {"1 1 nan 0 0 0.1"}), bad, "position of sphere 1");
     expectRefused(good + dumpStep(6, kColumns, {"1 1 0 0 0 -0.1"}), bad, "radius of sphere 1");
     expectRefused(good + dumpStep(6, kColumns, {"1 1 0 0 0 1", "1 1 0 0 0 1"}), bad, "twice");
     expectRefused(good + dumpStep(4, kColumns, {"1 1 0 0 0 1"}), bad, "back in time");

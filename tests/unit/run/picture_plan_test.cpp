@@ -17,7 +17,7 @@ namespace
 {
 
 /// A run in which every frame shows a state of its own, and the last state is another or is not.
-struct Run
+struct PlannedRun
 {
     const char* selection;
     std::size_t limit, stride, frames, held;
@@ -68,7 +68,7 @@ struct Folder
     }
 };
 
-Folder draw(PicturePlan& plan, const Run& run, std::size_t stopAfter = 1000)
+Folder draw(PicturePlan& plan, const PlannedRun& run, std::size_t stopAfter = 1000)
 {
     Folder folder;
     for (std::size_t frame = 0; frame < run.frames; ++frame)
@@ -98,8 +98,8 @@ void forEachRun(Test&& test)
         {
             for (std::size_t shape = 0; shape < 4 * 23 * 4 * 2; ++shape)
             {
-                test(Run{selection, limit, 1 + shape % 4, 1 + shape / 4 % 23, shape / 92 % 4,
-                         shape / 368 != 0});
+                test(PlannedRun{selection, limit, 1 + shape % 4, 1 + shape / 4 % 23, shape / 92 % 4,
+                                shape / 368 != 0});
             }
         }
     }
@@ -108,7 +108,7 @@ void forEachRun(Test&& test)
 TEST(PicturePlan, KeepsTheLimitAndShowsTheLastStateAtTheEnd)
 {
     forEachRun(
-        [](const Run& run)
+        [](const PlannedRun& run)
         {
             SCOPED_TRACE(run.name());
             PicturePlan plan(run.scene(), 0);
@@ -138,7 +138,7 @@ TEST(PicturePlan, KeepsTheLimitAndShowsTheLastStateAtTheEnd)
 TEST(PicturePlan, WithoutALimitTakesEverySelectedFrameInItsPlace)
 {
     forEachRun(
-        [](const Run& run)
+        [](const PlannedRun& run)
         {
             if (run.limit != 0 || run.stride != 1)
             {
@@ -185,7 +185,7 @@ TEST(PicturePlan, WithoutALimitTakesEverySelectedFrameInItsPlace)
 TEST(PicturePlan, KeepsTheSamePicturesWhenAVideoGetsEveryFrame)
 {
     forEachRun(
-        [](const Run& run)
+        [](const PlannedRun& run)
         {
             SCOPED_TRACE(run.name());
             PicturePlan pictures(run.scene(), 0);
@@ -202,18 +202,18 @@ TEST(PicturePlan, KeepsTheSamePicturesWhenAVideoGetsEveryFrame)
 
 TEST(PicturePlan, ThatIsStoppedHoldsNoLongerButShowsTheLastState)
 {
-    const Run run{"all", 0, 1, 5, 40, true};
+    const PlannedRun run{"all", 0, 1, 5, 40, true};
     PicturePlan plan(run.scene(), 0);
     EXPECT_EQ(draw(plan, run, 3).frames, (std::vector<std::size_t>{0, 1, 2, 3, 4, 5, 6, 7}));
     PicturePlan atOnce(run.scene(), 0);
     EXPECT_EQ(draw(atOnce, run, 0).states, (std::vector<std::uint64_t>{0, 1, 2, 3, 4, 5}));
-    PicturePlan none(Run{"0..9", 0, 1, 5, 40, true}.scene(), 0);
+    PicturePlan none(PlannedRun{"0..9", 0, 1, 5, 40, true}.scene(), 0);
     EXPECT_EQ(draw(none, run, 0).frames.size(), 5U);
 }
 
 TEST(PicturePlan, HoldsTheLastStateForAPathOrATurnUnlessToldHowLong)
 {
-    Run run{"last", 0, 1, 5, 0, true};
+    PlannedRun run{"last", 0, 1, 5, 0, true};
     PicturePlan path(run.scene(), 1.2);
     EXPECT_TRUE(path.wantsLast());
     EXPECT_EQ(draw(path, run).states, std::vector<std::uint64_t>(12, 5));

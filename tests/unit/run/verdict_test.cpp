@@ -59,7 +59,7 @@ TEST(Verdict, BlamesMoreThanHalfAPerCentThatHang)
 {
     FillResult result = goodResult();
     result.quality.unsupported = 6;
-    EXPECT_TRUE(contains(faultOf(result), "6 spheres of 1000 rest on nothing"));
+    EXPECT_TRUE(contains(faultOf(result), "6 spheres of 1000 are at rest without support"));
     result.spheres = 10;
     result.quality.unsupported = 1;
     EXPECT_EQ(faultOf(result), "");
@@ -107,7 +107,7 @@ TEST(Verdict, NamesTheSphereForWhichTheRunWasStopped)
     result.stray->kind = StrayKind::tooFast;
     EXPECT_TRUE(contains(faultOf(result), "faster than any fall"));
     result.stray->kind = StrayKind::notFinite;
-    EXPECT_TRUE(contains(faultOf(result), "no number"));
+    EXPECT_TRUE(contains(faultOf(result), "not a number"));
 }
 
 TEST(Verdict, BlamesBlankPicturesLast)

@@ -89,7 +89,8 @@ TEST(ReadOff, BelievesNoCount)
                      "line 2: 4000000000 faces are promised");
     expectUnreadable("OFF\n-1 1 0\n", "a.off", "line 2: -1 is no count");
     expectUnreadable("OFF\n" + std::string(500, '9') + " 1 0\n", "a.off", "line 2: '9999");
-    expectUnreadable(square("OFF\n4 1 0") + "3 0 1 2\n", "a.off", "line 8: the file goes on");
+    expectUnreadable(square("OFF\n4 1 0") + "3 0 1 2\n", "a.off",
+                     "line 8: the file has more data after its 1 faces");
     expectUnreadable(square("OFF\n4 2 0"), "a.off", "the file ends after 1 of 2 faces");
     expectUnreadable("OFF\n4 1 0\n0 0 0 1 1 1 1 1 1\n1 0 0\n", "a.off",
                      "the file ends after 2 of 4 vertices");

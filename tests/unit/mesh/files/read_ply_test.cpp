@@ -197,7 +197,7 @@ TEST(ReadPly, BelievesNoCount)
                      "line 14: the line has more values");
     expectUnreadable(with("1 1 0", "1 1"), "a.ply", "line 12: the line has too few numbers");
     expectUnreadable(with("4 0 1 2 3\n", "4 0 1 2 3\n4 0 1 2 3\n"), "a.ply",
-                     "line 15: the file goes on");
+                     "line 15: the file has more data than its header says");
     expectUnreadable(with("4 0 1 2 3", "4 0 1 2 7"), "a.ply", "line 14: the face names vertex 7");
     expectUnreadable(with("1 1 0", "1 inf 0"), "a.ply", "line 12");
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "run/run_hash.hpp"
+#include "output/run_hash.hpp"
 
 #include "base/fnv_hash.hpp"
 #include "output/scene_json.hpp"
