@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <string_view>
+#include <type_traits>
 
 namespace frostfill
 {
@@ -142,16 +143,22 @@ SphereColours::SphereColours(const RenderSettings& settings,
 
 double SphereColours::value(const Snapshot& snapshot, std::size_t sphere) const
 {
-    const Eigen::Vector3d centre = snapshot.centres[sphere].cast<double>() + snapshot.origin;
-    const SphereRow row{.id = static_cast<std::uint32_t>(sphere),
-                        .centre = centre,
-                        .radius = snapshot.radii[sphere],
-                        .state = snapshot.states[sphere],
-                        .group = snapshot.groups[sphere],
-                        .set = snapshot.groups[sphere] / groupsPerSet_,
-                        .speed = sphere < snapshot.speeds.size() ? snapshot.speeds[sphere] : 0,
-                        .carried = snapshot.columns,
-                        .height = up_.dot(centre) - foot_};
+    // A snapshot made by hand need not have what no picture shows.
+    const auto entry = [&](const auto& values)
+    { return sphere < values.size() ? values[sphere] : std::decay_t<decltype(values[0])>(); };
+    SphereRow row{.id = static_cast<std::uint32_t>(sphere),
+                  .centre = Eigen::Vector3d::Zero(),
+                  .radius = entry(snapshot.radii),
+                  .state = snapshot.states[sphere],
+                  .group = entry(snapshot.groups),
+                  .speed = entry(snapshot.speeds),
+                  .carried = snapshot.columns};
+    row.set = row.group / groupsPerSet_;
+    if (sphere < snapshot.centres.size())
+    {
+        row.centre = snapshot.centres[sphere].cast<double>() + snapshot.origin;
+        row.height = up_.dot(row.centre) - foot_;
+    }
     return row.value(*column_) / (column_->unit == kSpeedUnit ? unitsPerMetre_ : 1);
 }
 

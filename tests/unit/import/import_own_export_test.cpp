@@ -45,6 +45,7 @@ void expectTheSame(const std::vector<ReadFrame>& found, const std::vector<ReadFr
         EXPECT_EQ(found[k].radii, wanted[k].radii) << "frame " << k;
         EXPECT_EQ(found[k].groups, wanted[k].groups) << "frame " << k;
         EXPECT_EQ(found[k].speeds, wanted[k].speeds) << "frame " << k;
+        EXPECT_EQ(found[k].contacts, wanted[k].contacts) << "frame " << k;
         EXPECT_EQ(found[k].time, wanted[k].time);
         for (std::size_t i = 0; i < found[k].centres.size(); ++i)
         {

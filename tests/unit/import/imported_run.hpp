@@ -24,6 +24,7 @@ struct ReadFrame
     std::vector<SphereState> states;
     std::vector<std::uint32_t> groups;
     std::vector<float> speeds;
+    std::vector<std::uint32_t> contacts; ///< empty if the run has none
     friend bool operator==(const ReadFrame&, const ReadFrame&) = default;
 };
 
@@ -41,8 +42,9 @@ inline std::vector<ReadFrame> framesOf(const std::filesystem::path& directory)
             continue;
         }
         before = reader.revision();
-        frames.push_back({state.time, reader.centres(), reader.radii(), state.states, state.groups,
-                          state.speeds});
+        frames.push_back(
+            {state.time, reader.centres(), reader.radii(), state.states, state.groups, state.speeds,
+             state.columns.empty() ? std::vector<std::uint32_t>() : state.columns.front().bits});
     }
     return frames;
 }

@@ -3,6 +3,7 @@
 #include "render/overlay/colour_scale.hpp"
 
 #include "support/colour_vision.hpp"
+#include "support/expect_error.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,6 +15,7 @@ namespace
 {
 
 using namespace testing_support;
+using test::expectError;
 
 constexpr int kSteps = 16;
 
@@ -93,6 +95,41 @@ TEST(ColourScale, OfSpeedsIsForWhatRunsAndCoversTheSpeedsThatAreSeen)
                       *std::min_element(grey.begin(), grey.begin() + 3),
                   15);
         EXPECT_EQ(grey, colours.ofSwatch(snapshot.states[atRest]));
+    }
+}
+
+TEST(ColourScale, OfContactsIsForWhatRestsAndEndsAtTheKissingNumber)
+{
+    RenderSettings settings;
+    settings.style.colourBy = "contacts";
+    settings.range = {0, 1}; // of nobody
+    const SphereColours colours(settings, {});
+    EXPECT_EQ(colours.range().low, 0);
+    EXPECT_EQ(colours.range().high, 12);
+    EXPECT_TRUE(colours.countsWhole());
+    EXPECT_EQ(colours.title(), "Contacts");
+    Snapshot snapshot;
+    snapshot.states = {SphereState::running, SphereState::frozen, SphereState::discarded};
+    expectError(
+        ErrorCode::badData, [&] { colours.requireIn(snapshot); }, "without the column contacts");
+    snapshot.columns = carriedColumns();
+    snapshot.columns.front().bits = {0, 6, 12};
+    colours.requireIn(snapshot);
+    EXPECT_EQ(colours.of(snapshot, 0), settings.style.palette.running);
+    EXPECT_EQ(colours.of(snapshot, 1), scaleColour(0.5));
+    EXPECT_EQ(colours.of(snapshot, 2), scaleColour(1));
+    EXPECT_EQ(colours.ofSwatch(SphereState::running), settings.style.palette.running);
+    EXPECT_EQ(colours.ofSwatch(SphereState::frozen), scaleColour(0.5));
+}
+
+TEST(ColourScale, RefusesAColumnThatGivesNoColours)
+{
+    for (const char* name : {"radius", "colour"})
+    {
+        RenderSettings settings;
+        settings.style.colourBy = name;
+        expectError(
+            ErrorCode::usage, [&] { const SphereColours colours(settings, {}); }, name, "contacts");
     }
 }
 
