@@ -125,7 +125,7 @@ PeerResult runBullet(const PeerTask& task, double step)
     const ProcessorClock clock;
     BulletWorld world(task);
     PeerResult result;
-    RestWatch watch;
+    RestDetector watch;
     Pouring pouring(task);
     double nextLook = 0;
     double nextPour = 0;

@@ -303,7 +303,7 @@ TEST(Peers, PourSpheresClearOfEachOtherAndOfTheWalls)
 
 TEST(Peers, ComeToRestByTheCommonRule)
 {
-    RestWatch watch;
+    RestDetector watch;
     std::vector<Eigen::Vector3d> places(10, Eigen::Vector3d::Zero());
     EXPECT_FALSE(watch.look(places)); // there was nothing to compare with
     EXPECT_TRUE(watch.look(places));
