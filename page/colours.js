@@ -15,7 +15,7 @@ function coloursOfStates(look) {
 /** Colours of all spheres of the film's frame, into `colours`. */
 function colourSpheres(film, by, look, colours) {
   const ofState = coloursOfStates(look);
-  const { low, high } = facts.colours.find((each) => each.by === by);
+  const { low, high, of } = facts.colours.find((each) => each.by === by);
   const width = high > low ? high - low : Infinity;
   const fromScale = (value) =>
     kScale[Math.round(255 * Math.min(1, Math.max(0, (value - low) / width)))];
@@ -25,12 +25,14 @@ function colourSpheres(film, by, look, colours) {
     state: (id) => ofState[film.states[id]],
     set: (id) => fromScale(Math.floor(film.values.group[id] / facts.groups_per_set)),
     group: (id) => fromScale(film.values.group[id]),
-    speed: (id) => film.states[id] === kRunning ? kScale[film.values.speed[id]]
-      : film.states[id] === kDiscarded ? ofState[kDiscarded] : resting,
+    speed: (id) => kScale[film.values.speed[id]],
     height: (id) => fromScale(height(film, id)),
-  }[by];
+  }[by] ?? ((id) => fromScale(film.values[by][id]));
   for (let id = 0; id < film.spheres; ++id) {
-    colours[id] = valueOf(id);
+    const state = film.states[id];
+    const rests = state === kFrozen || state === kDiscarded;
+    const isMeant = of === "all" || (of === "resting") === rests;
+    colours[id] = isMeant ? valueOf(id) : state === kFrozen ? resting : ofState[state];
   }
 }
 

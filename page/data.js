@@ -72,6 +72,12 @@ class Cursor {
     return (folded >>> 1) ^ -(folded & 1);
   }
 
+  /** A number of four bytes. */
+  float() {
+    this.at += 4;
+    return new DataView(this.bytes.buffer, this.bytes.byteOffset).getFloat32(this.at - 4, true);
+  }
+
   /** A count, and for each id its distance from the one before. */
   ids() {
     const ids = new Uint32Array(this.count());

@@ -27,9 +27,11 @@ class Film {
     this.frames = this.numbers.length;
     this.readFacts(sections);
     this.columns = Object.entries(facts.film.columns); // [name, when it changes]
+    this.carried = Object.entries(facts.film.carried); // [name, its stream and whether it counts]
     const names = this.columns.map(([name]) => name);
+    const streams = this.carried.map(([, { stream }]) => stream);
     this.cursors = {};
-    for (const name of ["changes", "state", "x", "y", "z", ...names]) {
+    for (const name of ["changes", "state", "x", "y", "z", ...names, ...streams]) {
       this.cursors[name] = new Cursor(sections[name] ?? []);
     }
     this.at = -1; // frame that is shown
@@ -38,6 +40,9 @@ class Film {
     this.gone = new Int32Array(0); // since the frame before
     this.states = new Uint8Array(0);
     this.values = Object.fromEntries(names.map((name) => [name, new Int32Array(0)]));
+    for (const [name, { whole }] of this.carried) {
+      this.values[name] = whole ? new Uint32Array(0) : new Float32Array(0);
+    }
     this.polygons = new Uint8Array(facts.triangles);
     this.renewed = {}; // x, y, z and values of the last one that was
     this.marks = [];
@@ -154,6 +159,13 @@ class Film {
   }
 
   readValues() {
+    for (const [name, { stream, whole }] of this.carried) {
+      const values = this.values[name];
+      const cursor = this.cursors[stream];
+      for (const id of cursor.ids()) {
+        values[id] = whole ? values[id] + cursor.difference() : cursor.float();
+      }
+    }
     for (const [name, changes] of this.columns) {
       const values = this.values[name];
       for (let id = 0; changes === "running" && id < this.spheres; ++id) {
@@ -169,6 +181,9 @@ class Film {
     this.states = grown(this.states, spheres);
     for (const [name] of this.columns) {
       this.values[name] = grown(this.values[name], spheres);
+    }
+    for (const [name] of this.carried) {
+      this.values[name] = grown(this.values[name], spheres).fill(0, Math.min(spheres, this.spheres));
     }
     this.spheres = spheres;
   }

@@ -3,9 +3,13 @@
 
 #include "arrays.hpp"
 
+#include <frostfill/error.hpp>
+
 #include <fmt/format.h>
 
+#include <array>
 #include <memory>
+#include <string>
 
 namespace py = pybind11;
 
@@ -16,26 +20,61 @@ namespace
 
 using Pointer = std::shared_ptr<State>;
 
+/// Those of the table, without a copy.
+py::array arrayOf(const Pointer& s, const Column& column)
+{
+    if (column.name == "radius")
+    {
+        return view(s, s->radii);
+    }
+    if (column.name == "state")
+    {
+        return view(s, s->snapshot.states);
+    }
+    if (column.name == "group")
+    {
+        return view(s, s->snapshot.groups);
+    }
+    if (column.name == "speed")
+    {
+        return view(s, s->snapshot.speeds);
+    }
+    const ColumnValues* values = s->snapshot.values(column);
+    if (values == nullptr)
+    {
+        throw Error(ErrorCode::badData,
+                    fmt::format("the run was kept without the column {}", column.name));
+    }
+    return column.isWhole() ? view(s, values->bits)
+                            : view(s, reinterpret_cast<const float*>(values->bits.data()),
+                                   {static_cast<py::ssize_t>(values->bits.size())});
+}
+
+void addColumns(py::class_<State, Pointer>& state)
+{
+    constexpr std::array kTypes = {"uint8", "uint32", "float32", "float64"};
+    for (const Column& column : columns())
+    {
+        if (column.python)
+        {
+            const std::string help = fmt::format(
+                "{} [n]: {}.", kTypes.at(static_cast<std::size_t>(column.type)), column.help);
+            state.def_property_readonly(
+                column.plural.c_str(), [&column](const Pointer& s) { return arrayOf(s, column); },
+                help.c_str());
+        }
+    }
+}
+
 void addArrays(py::class_<State, Pointer>& state)
 {
+    state.def_property_readonly(
+        "centres", [](const Pointer& s) { return view(s, s->centres); },
+        "float64 [n, 3]: centres of the spheres, in the unit and frame of the mesh. Sphere k "
+        "is "
+        "row k, in order of appearance.");
+    addColumns(state);
     state
-        .def_property_readonly(
-            "centres", [](const Pointer& s) { return view(s, s->centres); },
-            "float64 [n, 3]: centres of the spheres, in the unit and frame of the mesh. Sphere k "
-            "is "
-            "row k, in order of appearance.")
-        .def_property_readonly(
-            "radii", [](const Pointer& s) { return view(s, s->radii); },
-            "float64 [n]: radii, in the unit of the mesh.")
-        .def_property_readonly(
-            "states", [](const Pointer& s) { return view(s, s->snapshot.states); },
-            "uint8 [n]: 0 running, 1 frozen, 2 discarded; see frostfill.SphereState.")
-        .def_property_readonly(
-            "groups", [](const Pointer& s) { return view(s, s->snapshot.groups); },
-            "uint32 [n]: the group with which a sphere appeared, from 0.")
-        .def_property_readonly(
-            "speeds", [](const Pointer& s) { return view(s, s->snapshot.speeds); },
-            "float32 [n]: mesh units a second; 0 at rest.")
         .def_property_readonly(
             "triangle_states", [](const Pointer& s) { return view(s, s->snapshot.polygons); },
             "uint8 [t]: 0 active, 1 discarded, of the triangles of the simulated mesh.")

@@ -3,6 +3,7 @@ include(CMakePackageConfigHelpers)
 
 set(public ${PROJECT_SOURCE_DIR}/include)
 target_sources(frostfill_core PUBLIC FILE_SET HEADERS BASE_DIRS ${public} FILES
+    ${public}/frostfill/columns.hpp
     ${public}/frostfill/error.hpp
     ${public}/frostfill/failure.hpp
     ${public}/frostfill/measure.hpp

@@ -91,13 +91,14 @@ private:
     StageTimes times_;
 };
 
-/// Writes `id,group,x,y,z,radius,state`, one row for each sphere. The id is the index. Numbers have
-/// 17 significant digits. The file is renamed when complete. Throws Error cannotCreate or
+/// Writes `id,group,x,y,z,radius,state`, one row for each sphere, and behind them the carried
+/// columns that are given. The id is the index. Numbers have the digits that read back to the same
+/// bits. The file is renamed when complete. Throws Error cannotCreate or
 /// writeFailed.
 void writeSpheresCsv(std::span<const SphereRecord> spheres, const std::filesystem::path& file);
 /// The same with `sphere(id)` for each id below `count`; this needs no copy of all spheres.
 void writeSpheresCsv(std::size_t count, const std::function<SphereRecord(std::size_t)>& sphere,
-                     const std::filesystem::path& file);
+                     const std::filesystem::path& file, std::span<const ColumnValues> carried = {});
 
 /// Writes `id,state`, one row for each polygon. The id is the index. Otherwise like
 /// writeSpheresCsv.

@@ -125,6 +125,8 @@ public:
 
     /// Updates `snapshot`; see Snapshot for the cost.
     void capture(Snapshot& snapshot) const;
+    /// All carried columns of the state as it is now, see columns.hpp.
+    [[nodiscard]] std::vector<ColumnValues> columns() const;
 
     [[nodiscard]] bool finished() const;
     /// The sphere for which the run was stopped: a fault of the mesh or of ours. Preset fast only;

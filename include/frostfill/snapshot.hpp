@@ -3,10 +3,13 @@
 // renderer reads it, so neither knows the other.
 #pragma once
 
+#include <frostfill/columns.hpp>
+
 #include <Eigen/Core>
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace frostfill
@@ -36,6 +39,22 @@ struct SphereRecord
     bool stray = false; ///< the run was stopped because it is where no sphere can be
 };
 
+/// A sphere as tables have it: what columns are read from.
+struct SphereRow
+{
+    std::uint32_t id = 0;
+    Eigen::Vector3d centre; ///< [mesh unit]
+    double radius = 0;      ///< [mesh unit]
+    SphereState state = SphereState::running;
+    std::uint32_t group = 0;
+    std::uint32_t set = 0;
+    float speed = 0;                            ///< [mesh unit/s]
+    std::span<const ColumnValues> carried = {}; ///< of all spheres
+    double height = 0; ///< [mesh unit] of the centre above the object's foot; known to pictures
+
+    [[nodiscard]] double value(const Column& column) const;
+};
+
 /// Position and orientation of the object. A point p of the mesh is at
 /// origin + offset + rotation (p - origin), where origin is the middle of the box of the mesh.
 struct Pose
@@ -57,12 +76,15 @@ struct Snapshot
     /// [#S], or shorter where nothing waits: not 0 for a running sphere that has its number and
     /// only waits for its fall to begin. It is neither drawn nor counted.
     std::vector<std::uint8_t> waiting;
-    std::vector<PolygonState> polygons;               ///< [#T] of the simulated mesh
+    std::vector<PolygonState> polygons; ///< [#T] of the simulated mesh
+    /// Of the columns that whoever made the snapshot asks for, see carriedColumns(): capture fills
+    /// those that are here.
+    std::vector<ColumnValues> columns;
     Eigen::Vector3d origin = Eigen::Vector3d::Zero(); ///< mesh coordinates; the box's centre
 
     Pose pose; ///< of a moving object and everything in it
 
-    /// Ids that appeared, moved or changed state in the last capture, ascending.
+    /// Ids that appeared, moved, changed state or a carried value in the last capture, ascending.
     std::vector<std::uint32_t> changed;
     bool polygonsChanged = false;     ///< a polygon changed its state in the last capture
     std::size_t stateChangesSeen = 0; ///< internal: where the next capture continues
@@ -100,6 +122,14 @@ struct Snapshot
         groups.resize(spheres);
         speeds.resize(spheres);
         waiting.resize(std::min(waiting.size(), spheres));
+        for (ColumnValues& each : columns)
+        {
+            each.bits.resize(spheres);
+        }
+    }
+    [[nodiscard]] const ColumnValues* values(const Column& column) const
+    {
+        return findValues(columns, column);
     }
 };
 

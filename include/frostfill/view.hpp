@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 
 namespace frostfill
 {
@@ -65,16 +66,6 @@ struct Palette
     Colour text = {32, 32, 32, 255};
 };
 
-/// What the colour of a sphere shows.
-enum class ColourBy : std::uint8_t
-{
-    state,
-    set,
-    group,
-    speed,
-    height,
-};
-
 /// The numbers at both ends of a colour scale.
 struct ColourRange
 {
@@ -118,8 +109,8 @@ enum class EdgeLines : std::uint8_t
 struct Style
 {
     Look look = Look::clean;
-    Palette palette; ///< by default that of the look
-    ColourBy colourBy = ColourBy::state;
+    Palette palette;                ///< by default that of the look
+    std::string colourBy = "state"; ///< the column that the colours of spheres show: columns.hpp
     Cutaway cutaway;
     bool legend = true;
     bool shell = true; ///< draw the mesh as a translucent shell with its edges

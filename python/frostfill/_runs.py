@@ -52,6 +52,11 @@ class Run(_frostfill.KeptRun):
         return self.last.groups
 
     @property
+    def contacts(self) -> NDArray[numpy.uint32]:
+        """uint32 [n]: the number of contacts of each sphere at rest; see Snapshot.contacts."""
+        return self.last.contacts
+
+    @property
     def directory(self) -> Path:
         """The folder of the run's files. Without `out`, one that goes when the run does."""
         return self.file.parent

@@ -17,15 +17,18 @@ public:
     {
         files_.push_back(folder_ / numberedName("spheres", frame.number, "csv"));
         AtomicFile file(files_.back());
-        std::string heading = kIdColumn.name;
-        forEachColumn(kTableColumns,
-                      [&](const auto& column) { heading += std::string(",") + column.name; });
+        const ColumnList columns = without(exportedColumns(frame.state), isId);
+        std::string heading = "id";
+        for (const Column* column : columns)
+        {
+            heading += "," + column->name;
+        }
         file.write(heading + "\n");
         writeLines(file, run_, frame,
-                   [](fmt::memory_buffer& row, const ExportedSphere& sphere)
+                   [&](fmt::memory_buffer& row, const SphereRow& sphere)
                    {
                        fmt::format_to(std::back_inserter(row), FMT_COMPILE("{}"), sphere.id);
-                       putText(row, sphere, kTableColumns, ',');
+                       putText(row, sphere, columns, ',');
                    });
         file.commit();
     }

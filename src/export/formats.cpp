@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "export/exporter.hpp"
+#include "export/sphere_columns.hpp"
 
 #include <frostfill/error.hpp>
 #include <frostfill/options.hpp>
@@ -49,6 +49,26 @@ const ExportFormatInfo& exportFormat(std::string_view name)
                 fmt::format("no format '{}'; {}", name,
                             nearest.empty() ? fmt::format("choose among {}", fmt::join(names, ", "))
                                             : fmt::format("did you mean {}?", nearest)));
+}
+
+ColumnList exportedColumns(const Snapshot& state)
+{
+    ColumnList exported;
+    for (const Column& column : columns())
+    {
+        if (column.exported && (!column.isCarried() || state.values(column) != nullptr))
+        {
+            exported.push_back(&column);
+        }
+    }
+    return exported;
+}
+
+ColumnList without(const ColumnList& columns, bool (*left)(const Column& column))
+{
+    ColumnList rest = columns;
+    std::erase_if(rest, [&](const Column* column) { return left(*column); });
+    return rest;
 }
 
 std::string numberedName(const char* what, std::size_t number, const char* ending)

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "export/glb_animation.hpp"
 #include "export/glb_file.hpp"
+#include "export/sphere_columns.hpp"
 
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <string>
 
 namespace frostfill
 {
@@ -10,6 +15,22 @@ namespace
 {
 
 using Json = GlbFile::Json;
+
+/// Columns that neither place nor shape nor colour shows: the carried ones. glTF wants the names of
+/// a program's own attributes in capitals behind a line.
+ColumnList extraColumns(const Snapshot& state)
+{
+    return without(exportedColumns(state),
+                   [](const Column& column) { return !column.isCarried(); });
+}
+
+std::string attributeName(const Column& column)
+{
+    std::string name = "_" + column.name;
+    std::transform(name.begin(), name.end(), name.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+    return name;
+}
 
 /// The packing of the last frame: a node a state, with an instance a sphere. Viewers that do not
 /// know the extension refuse the file rather than show three balls.
@@ -30,10 +51,12 @@ public:
         Json& nodes = file.json()["nodes"] = Json::array();
         nodes.push_back({{"name", "shell"}, {"mesh", meshes[3]}});
         Json children = {0};
+        const ColumnList columns = extraColumns(frame.state);
         for (std::size_t state = 0; state < 3; ++state)
         {
             std::vector<float> places;
             std::vector<float> sizes;
+            std::vector<std::vector<float>> extras(columns.size());
             for (std::size_t i = 0; i < frame.state.states.size(); ++i)
             {
                 if (static_cast<std::size_t>(frame.state.states[i]) == state)
@@ -44,6 +67,11 @@ public:
                         places.push_back(static_cast<float>(p[axis]));
                         sizes.push_back(static_cast<float>(frame.radii[i]));
                     }
+                    for (std::size_t k = 0; k < columns.size(); ++k)
+                    {
+                        const double value = frame.state.values(*columns[k])->at(i);
+                        extras[k].push_back(static_cast<float>(value));
+                    }
                 }
             }
             if (places.empty())
@@ -53,12 +81,17 @@ public:
             const std::size_t count = places.size() / 3;
             Json node = {{"name", fmt::format("spheres of state {}", state)},
                          {"mesh", meshes[state]}};
-            const auto attribute = [&](const std::vector<float>& values) {
+            const auto attribute = [&](const std::vector<float>& values, const char* type) {
                 return file.addAccessor(file.addView(values), 0, GlbFile::Kind::float32, count,
-                                        "VEC3");
+                                        type);
             };
-            node["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = {
-                {"TRANSLATION", attribute(places)}, {"SCALE", attribute(sizes)}};
+            Json& attributes = node["extensions"]["EXT_mesh_gpu_instancing"]["attributes"];
+            attributes = {{"TRANSLATION", attribute(places, "VEC3")},
+                          {"SCALE", attribute(sizes, "VEC3")}};
+            for (std::size_t k = 0; k < columns.size(); ++k)
+            {
+                attributes[attributeName(*columns[k])] = attribute(extras[k], "SCALAR");
+            }
             children.push_back(nodes.size());
             nodes.push_back(node);
         }
@@ -98,6 +131,7 @@ private:
         const auto meshes = addShapes(file, run_, last.state.origin);
         Json& nodes = file.json()["nodes"] = Json::array();
         Json children = Json::array();
+        const ColumnList columns = extraColumns(last.state);
         for (std::size_t i = 0; i < last.radii.size(); ++i)
         {
             const Eigen::Vector3d p = last.centres[i] - last.state.origin;
@@ -107,6 +141,10 @@ private:
                              {"mesh", meshes[static_cast<std::size_t>(last.state.states[i])]},
                              {"translation", {p.x(), p.y(), p.z()}},
                              {"scale", {r, r, r}}});
+            for (const Column* column : columns)
+            {
+                nodes.back()["extras"][column->name] = last.state.values(*column)->at(i);
+            }
         }
         children.push_back(nodes.size());
         nodes.push_back({{"name", "shell"}, {"mesh", meshes[3]}});

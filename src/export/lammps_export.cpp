@@ -7,9 +7,9 @@ namespace
 {
 
 /// Types are counted from 1: running, frozen, discarded.
-int typeOf(const ExportedSphere& sphere)
+int typeOf(const SphereRow& sphere)
 {
-    return sphere.state + 1;
+    return static_cast<int>(sphere.state) + 1;
 }
 
 /// The text dump of LAMMPS (dump custom), which OVITO and VMD read as well. Every frame has the
@@ -33,16 +33,19 @@ public:
         {
             file_.write(fmt::format("{} {}\n", box.min()[axis], box.max()[axis]));
         }
-        std::string columns = "ITEM: ATOMS id type";
-        forEachColumn(kTableColumns,
-                      [&](const auto& column) { columns += std::string(" ") + column.name; });
-        file_.write(columns + "\n");
+        const ColumnList columns = without(exportedColumns(state), isId);
+        std::string heading = "ITEM: ATOMS id type";
+        for (const Column* column : columns)
+        {
+            heading += " " + column->name;
+        }
+        file_.write(heading + "\n");
         writeLines(file_, run_, frame,
-                   [](fmt::memory_buffer& row, const ExportedSphere& sphere)
+                   [&](fmt::memory_buffer& row, const SphereRow& sphere)
                    {
                        fmt::format_to(std::back_inserter(row), FMT_COMPILE("{} {}"), sphere.id + 1,
                                       typeOf(sphere));
-                       putText(row, sphere, kTableColumns, ' ');
+                       putText(row, sphere, columns, ' ');
                    });
     }
     void finish() override { file_.commit(); }
@@ -77,11 +80,11 @@ public:
         }
         file.write("\nAtoms # sphere\n\n");
         writeLines(file, run_, frame,
-                   [](fmt::memory_buffer& row, const ExportedSphere& sphere)
+                   [](fmt::memory_buffer& row, const SphereRow& sphere)
                    {
-                       fmt::format_to(std::back_inserter(row), FMT_COMPILE("{} {} {} 1"),
-                                      sphere.id + 1, typeOf(sphere), 2 * sphere.radius);
-                       putText(row, sphere, kPlaceColumns, ' ');
+                       fmt::format_to(std::back_inserter(row), FMT_COMPILE("{} {} {} 1 {} {} {}"),
+                                      sphere.id + 1, typeOf(sphere), 2 * sphere.radius,
+                                      sphere.centre.x(), sphere.centre.y(), sphere.centre.z());
                    });
         file.commit();
     }

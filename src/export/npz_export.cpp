@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "export/npz_file.hpp"
 #include "export/sphere_columns.hpp"
-#include "run_file/bytes.hpp"
 
 #include <limits>
+#include <utility>
 
 namespace frostfill
 {
 namespace
 {
 
-constexpr std::uint8_t kNotThereYet = 255;
+constexpr double kNotThereYet = 255; ///< as a state
+
+constexpr const char* kTypes[] = {"|u1", "<u4", "<f4", "<f8"};
 
 /// Arrays over all frames [#F] and all spheres of the last of them [#S]. A sphere that has not yet
 /// appeared has NaN for its centre.
@@ -38,8 +40,6 @@ public:
             {
                 centres.raw(p[axis]);
             }
-            states_.raw(i < count ? static_cast<std::uint8_t>(state.states[i]) : kNotThereYet);
-            speeds_.raw(i < count ? state.speeds[i] : 0.0F);
         }
         file_.write(centres.bytes());
         for (const PolygonState polygon : state.polygons)
@@ -49,24 +49,22 @@ public:
         times_.raw(state.time);
         steps_.raw(static_cast<std::int64_t>(state.step));
         numbers_.raw(static_cast<std::int64_t>(frame.number));
-        if (times_.bytes().size() == run_.numbers.size() * sizeof(double))
-        {
-            addSpheres(frame);
-        }
+        addColumns(frame);
     }
     void finish() override
     {
         file_.end();
         const std::size_t frames = run_.numbers.size();
-        array("states", "|u1", {frames, run_.spheres}, states_);
-        array("speeds", "<f4", {frames, run_.spheres}, speeds_);
+        for (auto& [column, values] : arrays_)
+        {
+            array(column->plural.c_str(), typeName(*column, kTypes),
+                  isFixed(*column) ? std::vector{run_.spheres} : std::vector{frames, run_.spheres},
+                  values);
+        }
         array("polygons", "|u1", {frames, run_.mesh.triangles.size()}, polygons_);
         array("times", "<f8", {frames}, times_);
         array("steps", "<i8", {frames}, steps_);
         array("frames", "<i8", {frames}, numbers_);
-        array("radii", "<f8", {run_.spheres}, radii_);
-        array("groups", "<u4", {run_.spheres}, groups_);
-        array("sets", "<u4", {run_.spheres}, sets_);
         ByteWriter vertices;
         for (const Eigen::Vector3d& vertex : run_.mesh.vertices)
         {
@@ -89,15 +87,30 @@ public:
     }
 
 private:
-    /// Of the last frame, which has them all.
-    void addSpheres(const ExportedFrame& frame)
+    /// Has one value a sphere: those of the last frame, which has them all.
+    static bool isFixed(const Column& column) { return column.changes == ColumnChanges::never; }
+    void addColumns(const ExportedFrame& frame)
     {
-        for (std::size_t i = 0; i < run_.spheres; ++i)
+        if (arrays_.empty())
         {
-            const ExportedSphere sphere = sphereOf(run_, frame, i);
-            radii_.raw(sphere.radius);
-            groups_.raw(sphere.group);
-            sets_.raw(sphere.set);
+            for (const Column* column : without(exportedColumns(frame.state), isCoordinate))
+            {
+                if (!isId(*column)) // it is the index
+                {
+                    arrays_.emplace_back(column, ByteWriter());
+                }
+            }
+        }
+        const bool isLast = times_.bytes().size() == run_.numbers.size() * sizeof(double);
+        const std::size_t count = frame.state.states.size();
+        for (auto& [column, values] : arrays_)
+        {
+            const double absent = column->name == "state" ? kNotThereYet : 0;
+            for (std::size_t i = 0; i < run_.spheres && (isLast || !isFixed(*column)); ++i)
+            {
+                putBytes(values, *column,
+                         i < count ? rowOf(run_, frame, i).value(*column) : absent);
+            }
         }
     }
     void array(const char* name, const char* type, const std::vector<std::size_t>& shape,
@@ -110,9 +123,10 @@ private:
 
     const ExportedRun& run_;
     NpzFile file_;
-    ByteWriter states_, speeds_, polygons_; ///< [#F, #S] or [#F, #T]
-    ByteWriter times_, steps_, numbers_;    ///< [#F]
-    ByteWriter radii_, groups_, sets_;      ///< [#S]
+    /// [#F, #S], or [#S] where a value never changes
+    std::vector<std::pair<const Column*, ByteWriter>> arrays_;
+    ByteWriter polygons_;                ///< [#F, #T]
+    ByteWriter times_, steps_, numbers_; ///< [#F]
 };
 
 } // namespace

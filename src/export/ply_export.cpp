@@ -1,25 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "export/sphere_columns.hpp"
-#include "run_file/bytes.hpp"
-
-#include <type_traits>
 
 namespace frostfill
 {
 namespace
 {
 
-constexpr auto kColumns = std::tuple_cat(kPlaceColumns, kPointColumns);
-constexpr std::size_t kMostBytes = sizeof(ExportedSphere); ///< of a row
-
-template <typename Value>
-constexpr const char* typeName()
-{
-    return std::is_same_v<Value, double>          ? "double"
-           : std::is_same_v<Value, float>         ? "float"
-           : std::is_same_v<Value, std::uint32_t> ? "uint"
-                                                  : "uchar";
-}
+constexpr const char* kTypes[] = {"uchar", "uint", "float", "double"};
 
 /// A PLY file whose vertices are the centres of the spheres, binary and little-endian.
 class PlyExporter : public Exporter
@@ -36,14 +23,22 @@ public:
             fmt::format("ply\nformat binary_little_endian 1.0\ncomment frame {} at {} "
                         "s\nelement vertex {}\n",
                         frame.number, frame.state.time, count);
-        forEachColumn(kColumns, [&]<typename Value>(const ExportColumn<Value>& column)
-                      { head += fmt::format("property {} {}\n", typeName<Value>(), column.name); });
+        const ColumnList columns = exportedColumns(frame.state);
+        std::size_t bytes = 0;
+        for (const Column* column : columns)
+        {
+            head += fmt::format("property {} {}\n", typeName(*column, kTypes), column->name);
+            bytes += bytesOf(*column);
+        }
         ByteWriter rows;
-        rows.bytes().reserve(count * kMostBytes);
+        rows.bytes().reserve(count * bytes);
         for (std::size_t i = 0; i < count; ++i)
         {
-            const ExportedSphere sphere = sphereOf(run_, frame, i);
-            forEachColumn(kColumns, [&](const auto& column) { rows.raw(sphere.*column.value); });
+            const SphereRow sphere = rowOf(run_, frame, i);
+            for (const Column* column : columns)
+            {
+                putBytes(rows, *column, sphere.value(*column));
+            }
         }
         files_.push_back(folder_ / numberedName("spheres", frame.number, "ply"));
         AtomicFile file(files_.back());

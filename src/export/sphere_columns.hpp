@@ -3,91 +3,74 @@
 
 #include "export/exporter.hpp"
 #include "output/atomic_file.hpp"
-
-#include <fmt/compile.h>
-#include <fmt/format.h>
+#include "output/column_text.hpp"
+#include "run_file/bytes.hpp"
 
 #include <cstdint>
-#include <iterator>
 #include <string>
-#include <tuple>
+#include <vector>
 
 namespace frostfill
 {
 
-/// A sphere as files have it, in the world.
-struct ExportedSphere
-{
-    std::uint32_t id = 0;       ///< order of appearance, from 0
-    double x = 0, y = 0, z = 0; ///< centre [mesh unit]
-    double radius = 0;          ///< [mesh unit]
-    std::uint8_t state = 0;     ///< 0 running, 1 frozen, 2 discarded
-    std::uint32_t group = 0;    ///< with which it appeared, from 0
-    std::uint32_t set = 0;      ///< likewise
-    float speed = 0;            ///< [mesh unit / s]
-};
+using ColumnList = std::vector<const Column*>;
 
-[[nodiscard]] inline ExportedSphere sphereOf(const ExportedRun& run, const ExportedFrame& frame,
-                                             std::size_t i)
+/// A sphere in the world.
+[[nodiscard]] inline SphereRow rowOf(const ExportedRun& run, const ExportedFrame& frame,
+                                     std::size_t i)
 {
-    const Eigen::Vector3d p = frame.centre(i);
     const Snapshot& state = frame.state;
     return {static_cast<std::uint32_t>(i),
-            p.x(),
-            p.y(),
-            p.z(),
+            frame.centre(i),
             frame.radii[i],
-            static_cast<std::uint8_t>(state.states[i]),
+            state.states[i],
             state.groups[i],
             state.groups[i] / run.groupsPerSet,
-            state.speeds[i]};
+            state.speeds[i],
+            state.columns};
 }
 
-template <typename Value>
-struct ExportColumn
+/// What a run has of the columns that go to exports, in the order of the table.
+[[nodiscard]] ColumnList exportedColumns(const Snapshot& state);
+/// The same without some.
+[[nodiscard]] ColumnList without(const ColumnList& columns, bool (*left)(const Column& column));
+
+inline bool isId(const Column& column)
 {
-    const char* name;
-    Value ExportedSphere::*value;
-};
-
-inline constexpr ExportColumn<std::uint32_t> kIdColumn{"id", &ExportedSphere::id};
-inline constexpr std::tuple kPlaceColumns = {ExportColumn<double>{"x", &ExportedSphere::x},
-                                             ExportColumn<double>{"y", &ExportedSphere::y},
-                                             ExportColumn<double>{"z", &ExportedSphere::z}};
-inline constexpr ExportColumn<double> kRadiusColumn{"radius", &ExportedSphere::radius};
-inline constexpr std::tuple kStateColumns = {
-    ExportColumn<std::uint8_t>{"state", &ExportedSphere::state},
-    ExportColumn<std::uint32_t>{"group", &ExportedSphere::group},
-    ExportColumn<std::uint32_t>{"set", &ExportedSphere::set},
-    ExportColumn<float>{"speed", &ExportedSphere::speed}};
-
-/// What formats of points have beside the place.
-inline constexpr auto kPointColumns =
-    std::tuple_cat(std::tuple(kRadiusColumn, kIdColumn), kStateColumns);
-/// What tables have behind the number of a sphere.
-inline constexpr auto kTableColumns =
-    std::tuple_cat(kPlaceColumns, std::tuple(kRadiusColumn), kStateColumns);
-
-/// Calls visit(column) for each column in turn.
-template <typename Columns, typename Visit>
-void forEachColumn(const Columns& columns, Visit&& visit)
+    return column.name == "id";
+}
+/// Coordinates of the centre, which some formats put elsewhere.
+inline bool isCoordinate(const Column& column)
 {
-    std::apply([&](const auto&... column) { (visit(column), ...); }, columns);
+    return !column.frame.empty();
 }
 
-/// Appends the values of a sphere, each behind a separator, with the digits that read back to the
-/// same bits.
-template <typename Columns>
-void putText(fmt::memory_buffer& row, const ExportedSphere& sphere, const Columns& columns,
-             char separator)
+/// Appends the values of a sphere, each behind a separator.
+inline void putText(fmt::memory_buffer& row, const SphereRow& sphere, const ColumnList& columns,
+                    char separator)
 {
-    forEachColumn(columns,
-                  [&](const auto& column)
-                  {
-                      row.push_back(separator);
-                      fmt::format_to(std::back_inserter(row), FMT_COMPILE("{}"),
-                                     sphere.*column.value);
-                  });
+    for (const Column* column : columns)
+    {
+        row.push_back(separator);
+        putText(row, *column, sphere.value(*column));
+    }
+}
+
+inline void putBytes(ByteWriter& out, const Column& column, double value)
+{
+    visitNumber(column, value, [&](auto number) { out.raw(number); });
+}
+
+/// The name of a type among those of a format, which are in the order of ColumnType.
+[[nodiscard]] inline const char* typeName(const Column& column, const char* const (&names)[4])
+{
+    return names[static_cast<std::size_t>(column.type)];
+}
+
+[[nodiscard]] inline std::size_t bytesOf(const Column& column)
+{
+    constexpr std::size_t kBytes[] = {1, 4, 4, 8};
+    return kBytes[static_cast<std::size_t>(column.type)];
 }
 
 /// Writes a line a sphere; put(row, sphere) appends its words.
@@ -98,7 +81,7 @@ void writeLines(AtomicFile& file, const ExportedRun& run, const ExportedFrame& f
     for (std::size_t i = 0; i < frame.state.states.size(); ++i)
     {
         row.clear();
-        put(row, sphereOf(run, frame, i));
+        put(row, rowOf(run, frame, i));
         row.push_back('\n');
         file.write({row.data(), row.size()});
     }

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "export/sphere_columns.hpp"
-#include "run_file/bytes.hpp"
 
 #include <optional>
-#include <type_traits>
 #include <vector>
 
 namespace frostfill
@@ -60,14 +58,7 @@ private:
     std::size_t offset_ = 0;         ///< where the next one begins
 };
 
-template <typename Value>
-constexpr const char* typeName()
-{
-    return std::is_same_v<Value, double>          ? "Float64"
-           : std::is_same_v<Value, float>         ? "Float32"
-           : std::is_same_v<Value, std::uint32_t> ? "UInt32"
-                                                  : "UInt8";
-}
+constexpr const char* kTypes[] = {"UInt8", "UInt32", "Float32", "Float64"};
 
 /// Spheres are points with arrays; each point is a vertex cell too, so that it is drawn.
 void writeSpheres(const ExportedRun& run, const ExportedFrame& frame,
@@ -92,18 +83,17 @@ void writeSpheres(const ExportedRun& run, const ExportedFrame& frame,
         3);
     file.close("Points");
     file.open("PointData Scalars=\"state\"");
-    forEachColumn(kPointColumns,
-                  [&]<typename Value>(const ExportColumn<Value>& column)
-                  {
-                      file.array(typeName<Value>(), column.name, count * sizeof(Value),
-                                 [&](ByteWriter& data)
-                                 {
-                                     for (std::size_t i = 0; i < count; ++i)
-                                     {
-                                         data.raw(sphereOf(run, frame, i).*column.value);
-                                     }
-                                 });
-                  });
+    for (const Column* column : without(exportedColumns(state), isCoordinate))
+    {
+        file.array(typeName(*column, kTypes), column->name.c_str(), count * bytesOf(*column),
+                   [&](ByteWriter& data)
+                   {
+                       for (std::size_t i = 0; i < count; ++i)
+                       {
+                           putBytes(data, *column, rowOf(run, frame, i).value(*column));
+                       }
+                   });
+    }
     file.close("PointData");
     file.open("Verts");
     const auto ascending = [&](const char* label, std::int64_t first)

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "export/sphere_columns.hpp"
 
-#include <type_traits>
-
 namespace frostfill
 {
 namespace
@@ -23,24 +21,23 @@ public:
         const Eigen::AlignedBox3d box = boxInWorld(run_, frame);
         const Eigen::Vector3d size = box.sizes();
         const Eigen::Vector3d low = box.min();
+        const ColumnList columns = without(exportedColumns(state), isCoordinate);
         std::string properties = "species:S:1:pos:R:3";
-        forEachColumn(kPointColumns,
-                      [&]<typename Value>(const ExportColumn<Value>& column)
-                      {
-                          properties += fmt::format(":{}:{}:1", column.name,
-                                                    std::is_floating_point_v<Value> ? 'R' : 'I');
-                      });
+        for (const Column* column : columns)
+        {
+            properties += fmt::format(":{}:{}:1", column->name, column->isWhole() ? 'I' : 'R');
+        }
         file_.write(
             fmt::format("{}\nLattice=\"{} 0 0 0 {} 0 0 0 {}\" Origin=\"{} {} {}\" pbc=\"F F "
                         "F\" Properties={} Time={} frame={} step={}\n",
                         state.states.size(), size.x(), size.y(), size.z(), low.x(), low.y(),
                         low.z(), properties, state.time, frame.number, state.step));
         writeLines(file_, run_, frame,
-                   [](fmt::memory_buffer& row, const ExportedSphere& sphere)
+                   [&](fmt::memory_buffer& row, const SphereRow& sphere)
                    {
-                       row.push_back('X');
-                       putText(row, sphere, kPlaceColumns, ' ');
-                       putText(row, sphere, kPointColumns, ' ');
+                       fmt::format_to(std::back_inserter(row), FMT_COMPILE("X {} {} {}"),
+                                      sphere.centre.x(), sphere.centre.y(), sphere.centre.z());
+                       putText(row, sphere, columns, ' ');
                    });
     }
     void finish() override { file_.commit(); }

@@ -84,6 +84,7 @@ public:
     {
         snapshot_.origin = boundingBox(mesh).center();
         snapshot_.polygons.assign(mesh.triangles.size(), PolygonState::active);
+        snapshot_.columns = survey.columns;
     }
     void put(const Moment& moment, std::size_t step, RunFileWriter& file);
     [[nodiscard]] std::size_t atRest() const
@@ -158,17 +159,27 @@ void Frames::put(const Moment& moment, std::size_t step, RunFileWriter& file)
     std::iota(snapshot_.changed.begin(), snapshot_.changed.end(), 0U);
     snapshot_.time = survey_.times[step];
     snapshot_.step = moment.step.value_or(step);
-    file.put(step, snapshot_,
-             [&](std::uint32_t number)
-             {
-                 const std::size_t k = numbers_.index(number);
-                 SphereRecord sphere;
-                 sphere.centre = moment.centres[k];
-                 sphere.radius = moment.radii[k];
-                 sphere.group = snapshot_.groups[number];
-                 sphere.state = snapshot_.states[number];
-                 return sphere;
-             });
+    const auto record = [&](std::uint32_t number)
+    {
+        const std::size_t k = numbers_.index(number);
+        SphereRecord sphere;
+        sphere.centre = moment.centres[k];
+        sphere.radius = moment.radii[k];
+        sphere.group = snapshot_.groups[number];
+        sphere.state = snapshot_.states[number];
+        return sphere;
+    };
+    for (ColumnValues& values : snapshot_.columns)
+    {
+        const auto given = moment.carried.find(&values.column());
+        for (const std::uint32_t number : snapshot_.changed)
+        {
+            values.set(number, given != moment.carried.end()
+                                   ? given->second[numbers_.index(number)]
+                                   : values.column().compute(number, record(number)));
+        }
+    }
+    file.put(step, snapshot_, record);
 }
 
 std::string summaryOf(const RunHead& head, const ImportResult& result)

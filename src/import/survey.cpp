@@ -69,6 +69,16 @@ Survey surveyMoments(const ImportRequest& request)
         }
         survey.statesGiven = survey.statesGiven || !moment.states.empty();
         survey.spheres = moment.centres.size();
+        if (moment.centres.empty())
+        {
+            continue;
+        }
+        std::erase_if(survey.columns,
+                      [&](const ColumnValues& values)
+                      {
+                          const Column& column = values.column();
+                          return !column.compute && !moment.carried.contains(&column);
+                      });
     }
     survey.torn = sequence.reader().torn();
     survey.format = sequence.reader().format();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <frostfill/columns.hpp>
 #include <frostfill/import.hpp>
 
 #include <Eigen/Geometry>
@@ -35,6 +36,8 @@ struct Survey
     std::size_t spheres = 0, vanished = 0; ///< at the end
     std::size_t repeats = 0;
     bool statesGiven = false;
+    /// Carried columns that each step gives, or that follow from what it gives; without values.
+    std::vector<ColumnValues> columns = carriedColumns();
     std::string format;
     std::string torn;
 

@@ -56,6 +56,10 @@ void SphereColumns::take(std::string_view name, int index)
     {
         *column = index;
     }
+    if (const Column* known = findColumn(low); known != nullptr && known->isCarried())
+    {
+        carried.try_emplace(known, index);
+    }
 }
 
 void SphereColumns::requireAll(const TextLines& lines, double given) const
@@ -78,10 +82,13 @@ void SphereColumns::requireAll(const TextLines& lines, double given) const
 
 std::size_t SphereColumns::width() const
 {
-    return static_cast<std::size_t>(
-               std::max({x, y, z, scaledX, scaledY, scaledZ, radius, diameter, id, state, group,
-                         velocityX, velocityY, velocityZ, speed})) +
-           1;
+    int last = std::max({x, y, z, scaledX, scaledY, scaledZ, radius, diameter, id, state, group,
+                         velocityX, velocityY, velocityZ, speed});
+    for (const auto& [column, index] : carried)
+    {
+        last = std::max(last, index);
+    }
+    return static_cast<std::size_t>(last) + 1;
 }
 
 void addSphere(const std::vector<std::string_view>& words, const SphereColumns& columns,
@@ -116,6 +123,12 @@ void addSphere(const std::vector<std::string_view>& words, const SphereColumns& 
     {
         moment.groups.push_back(
             static_cast<std::uint32_t>(wholeNumberOf(word(columns.group), lines)));
+    }
+    for (const auto& [column, index] : columns.carried)
+    {
+        moment.carried[column].push_back(
+            column->isWhole() ? static_cast<double>(wholeNumberOf(word(index), lines))
+                              : number(index));
     }
     if (columns.speed >= 0)
     {

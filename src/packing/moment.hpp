@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -29,6 +30,8 @@ struct Moment
     std::vector<SphereState> states;        ///< [#S] or empty
     std::vector<std::uint32_t> groups;      ///< [#S] or empty
     std::vector<double> speeds;             ///< [#S] or empty; [unit/s]
+    /// [#S] of columns that runs carry, where the file has one of the name.
+    std::map<const Column*, std::vector<double>> carried;
 };
 
 /// The columns that a sphere is read from; each is the index of a word, or -1.
@@ -39,11 +42,16 @@ struct SphereColumns
     int radius = -1, diameter = -1;
     int id = -1, state = -1, group = -1;
     int velocityX = -1, velocityY = -1, velocityZ = -1, speed = -1;
+    std::map<const Column*, int> carried; ///< columns that runs carry
 
     /// Takes a column by its name, in any case; names that mean nothing here are left out.
     void take(std::string_view name, int index);
     /// Leaves out all but places, radii and states.
-    void keepPlacesOnly() { id = group = velocityX = velocityY = velocityZ = speed = -1; }
+    void keepPlacesOnly()
+    {
+        id = group = velocityX = velocityY = velocityZ = speed = -1;
+        carried.clear();
+    }
     /// Throws Error badData if a coordinate is missing, or a radius that is not given otherwise.
     void requireAll(const TextLines& lines, double radius) const;
     [[nodiscard]] std::size_t width() const; ///< words that a line must have

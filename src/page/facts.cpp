@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,12 +28,9 @@ constexpr std::array<std::pair<Look, const char*>, 4> kLooks = {{{Look::clean, "
                                                                  {Look::dark, "Dark"},
                                                                  {Look::paper, "Paper"},
                                                                  {Look::studio, "Studio"}}};
-constexpr std::array<std::pair<ColourBy, const char*>, 5> kColours = {
-    {{ColourBy::state, "state"},
-     {ColourBy::set, "set"},
-     {ColourBy::group, "group"},
-     {ColourBy::speed, "speed"},
-     {ColourBy::height, "height"}}};
+
+/// Which spheres a column says something of, by ColumnOf.
+constexpr std::array<const char*, 3> kSpheresOf = {"all", "running", "resting"};
 
 Json vectorJson(const Eigen::Vector3d& v)
 {
@@ -96,28 +94,35 @@ void addLooks(const PageView& view, const TriangleMesh& mesh, Json& facts)
     }
 }
 
-/// What colours mean, and the colours of the scale from 0 to 1.
-void addColours(const RunHead& head, const PageView& view, Json& facts)
+/// What colours mean, and the colours of the scale from 0 to 1. `carried`: columns of the run.
+void addColours(const RunHead& head, const PageView& view, std::span<const ColumnValues> carried,
+                Json& facts)
 {
     facts["colours"] = Json::array();
-    for (const auto& [by, name] : kColours)
+    for (const std::string& by : colourColumns())
     {
+        const Column& column = *findColumn(by);
+        if (column.isCarried() && findValues(carried, column) == nullptr)
+        {
+            continue;
+        }
         Scene scene = head.scene;
         scene.style.colourBy = by;
         RenderSettings settings = view.settings;
         settings.style.colourBy = by;
         settings.range = colourRange(scene, head.colours);
         const SphereColours colours(settings, view.vertices);
-        facts["colours"].push_back({{"by", name},
+        facts["colours"].push_back({{"by", by},
                                     {"title", colours.title()},
                                     {"low", colours.range().low},
                                     {"high", colours.range().high},
-                                    {"whole", colours.countsWhole()}});
+                                    {"whole", colours.countsWhole()},
+                                    {"of", kSpheresOf[static_cast<std::size_t>(column.of)]}});
         if (by == view.settings.style.colourBy)
         {
-            facts["colour_by"] = name;
+            facts["colour_by"] = by;
         }
-        if (by == ColourBy::speed)
+        if (by == "speed")
         {
             Snapshot still;
             still.states = {SphereState::frozen};
@@ -208,15 +213,15 @@ PageView pageView(const RunHead& head, const TriangleMesh& mesh)
 double fastestColour(const RunHead& head, const PageView& view)
 {
     Scene scene = head.scene;
-    scene.style.colourBy = ColourBy::speed;
+    scene.style.colourBy = "speed";
     RenderSettings settings = view.settings;
-    settings.style.colourBy = ColourBy::speed;
+    settings.style.colourBy = "speed";
     settings.range = colourRange(scene, head.colours);
     return SphereColours(settings, {}).range().high * settings.unitsPerMetre;
 }
 
 Json pageFacts(const RunFileReader& run, const RunHead& head, const PageView& view,
-               const std::string& sets)
+               std::span<const ColumnValues> carried, const std::string& sets)
 {
     Json facts;
     facts["version"] = head.version;
@@ -244,7 +249,7 @@ Json pageFacts(const RunFileReader& run, const RunHead& head, const PageView& vi
     facts["shell_opacity"] =
         view.settings.style.shellOpacity ? Json(*view.settings.style.shellOpacity) : Json();
     addLooks(view, run.mesh(), facts);
-    addColours(head, view, facts);
+    addColours(head, view, carried, facts);
     addStrokes(view, facts);
     const double rate = head.interval * head.scene.frames.fps;
     facts["rate"] = rate < 1e30 ? Json(rate) : Json(); // simulated seconds a second of video

@@ -8,6 +8,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <span>
+#include <string>
+
 namespace frostfill
 {
 
@@ -24,8 +27,10 @@ struct PageView
 [[nodiscard]] double fastestColour(const RunHead& head, const PageView& view);
 
 /// What a page knows beside shape and states: colours, strokes, camera, summary. `sets` is the
-/// text of sets.csv; empty if there is none.
+/// text of sets.csv; empty if there is none. `carried`: columns of its spheres.
 [[nodiscard]] nlohmann::ordered_json pageFacts(const RunFileReader& run, const RunHead& head,
-                                               const PageView& view, const std::string& sets);
+                                               const PageView& view,
+                                               std::span<const ColumnValues> carried,
+                                               const std::string& sets);
 
 } // namespace frostfill

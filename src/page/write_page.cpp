@@ -141,7 +141,8 @@ private:
     std::string assemble(FrameEncoder& film, const std::vector<std::size_t>& numbers,
                          std::size_t kept)
     {
-        nlohmann::ordered_json facts = pageFacts(reader_, head_, view_, sets_);
+        nlohmann::ordered_json facts =
+            pageFacts(reader_, head_, view_, film.snapshot().columns, sets_);
         facts["film"] = {{"step", rounding_.grid},
                          {"radius_step", rounding_.radiusStep()},
                          {"error_over_radius", rounding_.grid / 2 / smallest_},
@@ -153,6 +154,13 @@ private:
         {
             facts["film"]["columns"][column.name] =
                 column.changes == ColumnChanges::never ? "never" : "running";
+        }
+        facts["film"]["carried"] = nlohmann::ordered_json::object();
+        for (const ColumnValues& values : film.snapshot().columns)
+        {
+            const Column& column = values.column();
+            facts["film"]["carried"][column.name] = {{"stream", streamOf(column)},
+                                                     {"whole", column.isWhole()}};
         }
         Sections sections = shape_;
         for (const auto& [name, stream] : film.take())

@@ -90,6 +90,10 @@ void FallingSpheres::put(Snapshot& snapshot, std::size_t id, double now) const
     snapshot.waiting[id] = fallen > 0 ? 0 : 1;
     snapshot.states[id] = SphereState::running;
     snapshot.groups[id] = landing.group;
+    for (ColumnValues& values : snapshot.columns)
+    {
+        values.bits[id] = 0;
+    }
     snapshot.speeds[id] = static_cast<float>(fallen > 0 ? pull_ * fallen : 0);
     snapshot.running += fallen > 0 ? 1 : 0;
 }

@@ -25,6 +25,15 @@ void FrameRecorder::keepTo(const FramePlan& plan)
 void FrameRecorder::keepIn(std::unique_ptr<RunFileWriter> file)
 {
     file_ = std::move(file);
+    carry(carriedColumns());
+}
+
+void FrameRecorder::carry(const std::vector<ColumnValues>& columns)
+{
+    for (Snapshot& snapshot : snapshots_)
+    {
+        snapshot.columns = columns;
+    }
 }
 
 void FrameRecorder::stopWhen(std::function<bool()> requested)

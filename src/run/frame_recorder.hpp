@@ -11,6 +11,7 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <vector>
 
 namespace frostfill
 {
@@ -29,7 +30,9 @@ public:
     void keepTo(const FramePlan& plan);
     /// Draws falls that the motion leaves out.
     void drawFalls(std::unique_ptr<FallingSpheres> falls) { falls_ = std::move(falls); }
-    /// Keeps every frame in a file, too. To be called before the first.
+    /// Asks the simulation for these columns. To be called before the first frame.
+    void carry(const std::vector<ColumnValues>& columns);
+    /// Keeps every frame in a file, with all columns. To be called before the first.
     void keepIn(std::unique_ptr<RunFileWriter> file);
     /// Asks this between frames, of which one step may be due many; once it is true, those of the
     /// step and those for which the last state is held are left out.

@@ -81,8 +81,13 @@ std::unique_ptr<FrameRecorder> makeRecorder(const FillRequest& request, const Lo
                          simulation.poses(), runHash(scene, mesh.mesh), request.directory,
                          request.video, path, request.resume});
     }
-    return std::make_unique<FrameRecorder>(std::move(painter), simulation.smallestRadius(),
-                                           framesToDraw(scene).isLastOnly());
+    auto recorder = std::make_unique<FrameRecorder>(std::move(painter), simulation.smallestRadius(),
+                                                    framesToDraw(scene).isLastOnly());
+    if (const Column& shown = *findColumn(scene.style.colourBy); shown.isCarried())
+    {
+        recorder->carry({ColumnValues(shown)});
+    }
+    return recorder;
 }
 
 void keepRun(FrameRecorder& recorder, const FillRequest& request, const LoadedMesh& mesh,

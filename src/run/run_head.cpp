@@ -64,19 +64,20 @@ ColourFacts colourFacts(const Scene& scene, const Simulation& simulation)
 
 ColourRange colourRange(const Scene& scene, const ColourFacts& facts)
 {
-    switch (scene.style.colourBy)
+    const std::string& by = scene.style.colourBy;
+    if (by == "set")
     {
-    case ColourBy::set:
         return {0, std::max(1.0, std::ceil(facts.groups / scene.spheres.groupsPerSet) - 1)};
-    case ColourBy::group:
-        return {0, std::max(1.0, facts.groups - 1)};
-    case ColourBy::speed: // of a fall through the object
-        return {0, scene.motion.gravity * facts.fallSeconds};
-    case ColourBy::state:
-    case ColourBy::height: // the renderer knows
-        break;
     }
-    return {};
+    if (by == "group")
+    {
+        return {0, std::max(1.0, facts.groups - 1)};
+    }
+    if (by == "speed") // of a fall through the object
+    {
+        return {0, scene.motion.gravity * facts.fallSeconds};
+    }
+    return {}; // the renderer knows
 }
 
 std::string headText(const RunHead& head)

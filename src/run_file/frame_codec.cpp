@@ -138,6 +138,7 @@ void FrameCodec::goThrough(Named<Bytes>& streams, const Given* given)
     goThroughStates(turned_, streams["state"], given);
     goThroughPlaces(streams, given);
     goThroughValues(streams, given);
+    goThroughCarried(streams, given);
     changes.pass(turnedPolygons_, snapshot_.polygons.size());
     for (const std::uint32_t polygon : turnedPolygons_)
     {

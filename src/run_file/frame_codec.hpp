@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -17,14 +18,8 @@ namespace frostfill
     return !pose.rotation.isIdentity(0) || !pose.offset.isZero(0);
 }
 
-/// When the value of a column is in a frame.
-enum class ColumnChanges : std::uint8_t
-{
-    never,   ///< when the sphere is new
-    running, ///< with every frame in which it runs; otherwise it is 0
-};
-
-/// A column of spheres in a stream of frames, beside state and place.
+/// A column of spheres in a stream of frames, beside state and place: with each new sphere if it
+/// never changes, or else with every frame in which the sphere runs. Otherwise it is 0.
 struct StreamColumn
 {
     const char* name;
@@ -33,6 +28,9 @@ struct StreamColumn
 inline constexpr std::array<StreamColumn, 3> kStreamColumns = {{{"radius", ColumnChanges::never},
                                                                 {"group", ColumnChanges::never},
                                                                 {"speed", ColumnChanges::running}}};
+
+/// The stream of a carried column, which has its type behind its name.
+[[nodiscard]] std::string streamOf(const Column& column);
 
 /// What has changed from frame to frame, in streams; docs/run-file.md describes them. A run file
 /// and a page hold the same streams, rounded differently. Encoder and decoder know the same state
@@ -47,6 +45,9 @@ public:
     [[nodiscard]] const std::vector<double>& radii() const { return radii_; }
 
 protected:
+    /// Makes the snapshot carry a column from here on.
+    void carry(const Column& column);
+
     /// In the flags of a frame: it shows the state of the frame before, and nothing follows.
     static constexpr std::uint64_t kIsRepeated = 2;
     /// States in streams have the numbers of SphereState, and one more: the sphere has a number and
@@ -83,7 +84,7 @@ protected:
     std::vector<Eigen::Vector3d> centres_;                         ///< [mesh unit]
     std::vector<double> radii_;                                    ///< [mesh unit]
     std::vector<std::uint32_t> renewed_, turned_, turnedPolygons_; ///< of this frame
-    std::vector<std::uint32_t> moved_;                             ///< likewise
+    std::vector<std::uint32_t> moved_, revalued_;                  ///< likewise
 
 private:
     /// A sphere that runs, and how far it went in the frame before.
@@ -101,6 +102,10 @@ private:
     void goThroughPlaces(Named<Bytes>& streams, const Given* given);
     template <typename Bytes>
     void goThroughValues(Named<Bytes>& streams, const Given* given);
+    template <typename Bytes>
+    void goThroughCarried(Named<Bytes>& streams, const Given* given);
+    [[nodiscard]] std::vector<std::uint32_t> changedIn(const ColumnValues& known,
+                                                       const Given& given) const;
     void addTracks(const std::vector<std::uint32_t>& ids);
     void setState(std::uint32_t id, std::uint64_t state);
     void setValue(std::size_t column, std::uint32_t id, std::int64_t value);

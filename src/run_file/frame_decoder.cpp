@@ -24,13 +24,21 @@ FrameDecoder::FrameDecoder(double grid, const Eigen::Vector3d& origin, std::size
 void FrameDecoder::decode(StreamReaders& in)
 {
     const std::uint64_t revision = snapshot_.revision;
+    for (const auto& [name, stream] : in)
+    {
+        const Column* column = findColumn(name.substr(0, name.find(':')));
+        if (column != nullptr && column->isCarried() && name == streamOf(*column))
+        {
+            carry(*column);
+        }
+    }
     goThrough(in, nullptr);
     if (snapshot_.revision == revision)
     {
         return; // once more
     }
     auto& changed = snapshot_.changed;
-    for (const auto* ids : {&renewed_, &turned_, &moved_})
+    for (const auto* ids : {&renewed_, &turned_, &moved_, &revalued_})
     {
         changed.insert(changed.end(), ids->begin(), ids->end());
     }

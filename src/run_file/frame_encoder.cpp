@@ -13,6 +13,10 @@ void FrameEncoder::encode(const Snapshot& snapshot, const ExactSphere& exact)
     snapshot_.step = snapshot.step;
     snapshot_.set = snapshot.set;
     snapshot_.pose = snapshot.pose;
+    for (const ColumnValues& values : snapshot.columns)
+    {
+        carry(values.column());
+    }
     sortChanges(given);
     sortPolygons(snapshot);
     goThrough(streams_, &given);

@@ -120,7 +120,7 @@ TEST_F(GoldenPictures, HeightsInTheDark)
 {
     settings.style.look = Look::dark;
     settings.style.palette = paletteOf(Look::dark);
-    settings.style.colourBy = ColourBy::height;
+    settings.style.colourBy = "height";
     settings.size = {480, 270}; // room for the scale
     expectLikeGolden(draw(), "heights_dark");
 }

@@ -23,9 +23,9 @@ room(mesh/skin mesh geometry base)
 room(mesh/repair mesh mesh/interior mesh/skin geometry)
 room(mesh/files base mesh mesh/repair)
 room(view)
-room(scene ${mesh} view)
-room(scene/options base scene ${mesh} view)
 room(snapshot)
+room(scene ${mesh} view)
+room(scene/options base scene ${mesh} view snapshot)
 
 room(simulation mesh scene snapshot)
 set(core base geometry ${mesh} scene snapshot)
@@ -44,7 +44,8 @@ room(simulation/paper ${core} simulation/contact simulation/motion simulation/di
      simulation/release)
 list(APPEND parts simulation/freezing simulation/paper)
 room(simulation/quality ${core})
-room(simulation/engine ${core} ${parts} simulation/quality)
+room(simulation/columns ${core} simulation/quality)
+room(simulation/engine ${core} ${parts} simulation/quality simulation/columns)
 
 room(image base)
 set(seen base snapshot mesh view image)
@@ -72,7 +73,7 @@ room(import mesh scene snapshot run_file packing run)
 room(sweep base mesh scene scene/options simulation image renderer run_file output run)
 
 set(below base geometry ${mesh} view scene scene/options snapshot simulation simulation/world ${parts}
-          simulation/quality simulation/engine image renderer render/framing render/context
+          simulation/quality simulation/columns simulation/engine image renderer render/framing render/context
           render/passes render/overlay run_file packing output run)
 room(study ${below})
 room(study/stability ${below} study)
@@ -90,6 +91,7 @@ set(sees_all_public_headers app app/help app/progress)
 
 set(common error measure)
 # The public headers that are not named after their room.
+set(room_of_columns snapshot)
 set(room_of_shard base)
 set(room_of_failure base)
 set(room_of_plan_fill run)

@@ -128,6 +128,7 @@ void SphereLedger::startAgain(const Snapshot& snapshot)
 const SphereLedger::Changes& SphereLedger::update(const Snapshot& snapshot, const Framing& framing,
                                                   const SphereColours& colours)
 {
+    colours.requireIn(snapshot);
     colours_ = &colours;
     const Eigen::Vector3f offset =
         ((snapshot.origin - framing.centre) * framing.scale).cast<float>();

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "render/overlay/colour_scale.hpp"
 
+#include <frostfill/error.hpp>
+
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 namespace frostfill
 {
@@ -22,29 +27,33 @@ constexpr std::array<std::array<double, 3>, 9> kScale = {{{68, 1, 84},
                                                           {170, 220, 50},
                                                           {253, 231, 37}}};
 
-/// What rests has no speed worth a colour. Discarded spheres are as in other pictures.
+/// Of frozen spheres that the column says nothing of: blue is a colour of the scale. Running and
+/// discarded ones are as in other pictures.
 constexpr Colour kResting = {138, 142, 146, 255};
 
 /// Where spheres fall through a pile that grows evenly, 19 of 20 are seen slower than this share of
 /// the speed of a fall through all of the object. (1.5 x - 0.5 x^3 = 0.95)
 constexpr double kFastShare = 0.81;
 
-const char* titleOf(ColourBy by)
+/// Speeds are shown in metres a second.
+constexpr std::string_view kSpeedUnit = "mesh unit/s";
+
+const Column& colourColumn(const std::string& name)
 {
-    switch (by)
+    const Column* column = findColumn(name);
+    if (column == nullptr || !column->colour)
     {
-    case ColourBy::set:
-        return "Set";
-    case ColourBy::group:
-        return "Group";
-    case ColourBy::speed:
-        return "Speed [m/s]";
-    case ColourBy::height:
-        return "Height [mesh unit]";
-    case ColourBy::state:
-        break;
+        throw Error(ErrorCode::usage,
+                    fmt::format("no column '{}' gives spheres their colours; choose among {}", name,
+                                fmt::join(colourColumns(), ", ")));
     }
-    return "";
+    return *column;
+}
+
+std::string titleOf(const Column& column)
+{
+    const std::string unit = column.unit == kSpeedUnit ? "m/s" : column.unit;
+    return unit.empty() ? column.title : fmt::format("{} [{}]", column.title, unit);
 }
 
 } // namespace
@@ -104,15 +113,20 @@ Colour scaleColour(double value)
 
 SphereColours::SphereColours(const RenderSettings& settings,
                              std::span<const Eigen::Vector3d> vertices)
-    : by_(settings.style.colourBy), palette_(settings.style.palette), range_(settings.range),
-      title_(titleOf(by_)), groupsPerSet_(std::max(1U, settings.groupsPerSet)),
-      unitsPerMetre_(settings.unitsPerMetre), up_(settings.up)
+    : column_(&colourColumn(settings.style.colourBy)), palette_(settings.style.palette),
+      range_(settings.range), title_(titleOf(*column_)),
+      groupsPerSet_(std::max(1U, settings.groupsPerSet)), unitsPerMetre_(settings.unitsPerMetre),
+      up_(settings.up)
 {
-    if (by_ == ColourBy::speed)
+    if (column_->isCarried())
+    {
+        range_ = {column_->low, column_->high};
+    }
+    if (column_->name == "speed")
     {
         range_ = {0, roundUp(kFastShare * range_.high)};
     }
-    if (by_ != ColourBy::height || vertices.empty())
+    if (column_->name != "height" || vertices.empty())
     {
         return;
     }
@@ -128,22 +142,28 @@ SphereColours::SphereColours(const RenderSettings& settings,
 
 double SphereColours::value(const Snapshot& snapshot, std::size_t sphere) const
 {
-    switch (by_)
+    const Eigen::Vector3d centre = snapshot.centres[sphere].cast<double>() + snapshot.origin;
+    const SphereRow row{.id = static_cast<std::uint32_t>(sphere),
+                        .centre = centre,
+                        .radius = snapshot.radii[sphere],
+                        .state = snapshot.states[sphere],
+                        .group = snapshot.groups[sphere],
+                        .set = snapshot.groups[sphere] / groupsPerSet_,
+                        .speed = sphere < snapshot.speeds.size() ? snapshot.speeds[sphere] : 0,
+                        .carried = snapshot.columns,
+                        .height = up_.dot(centre) - foot_};
+    return row.value(*column_) / (column_->unit == kSpeedUnit ? unitsPerMetre_ : 1);
+}
+
+void SphereColours::requireIn(const Snapshot& snapshot) const
+{
+    if (column_->isCarried() && snapshot.values(*column_) == nullptr)
     {
-    case ColourBy::set:
-        return snapshot.groups[sphere] / groupsPerSet_;
-    case ColourBy::group:
-        return snapshot.groups[sphere];
-    case ColourBy::speed:
-        return sphere < snapshot.speeds.size()
-                   ? static_cast<double>(snapshot.speeds[sphere]) / unitsPerMetre_
-                   : 0;
-    case ColourBy::height:
-        return up_.dot(snapshot.centres[sphere].cast<double>() + snapshot.origin) - foot_;
-    case ColourBy::state:
-        break;
+        throw Error(ErrorCode::badData,
+                    fmt::format("the run was kept without the column {}: its spheres cannot be "
+                                "coloured by it",
+                                column_->name));
     }
-    return 0;
 }
 
 Colour SphereColours::ofState(SphereState state) const
@@ -159,9 +179,9 @@ Colour SphereColours::of(const Snapshot& snapshot, std::size_t sphere) const
     {
         return ofState(snapshot.states[sphere]);
     }
-    if (by_ == ColourBy::speed && snapshot.states[sphere] != SphereState::running)
+    if (!speaksOf(snapshot.states[sphere]))
     {
-        return restingColour(snapshot.states[sphere]);
+        return otherColour(snapshot.states[sphere]);
     }
     const double width = range_.high - range_.low;
     return scaleColour(width > 0 ? (value(snapshot, sphere) - range_.low) / width : 0);
@@ -169,16 +189,22 @@ Colour SphereColours::of(const Snapshot& snapshot, std::size_t sphere) const
 
 Colour SphereColours::ofSwatch(SphereState state) const
 {
-    if (by_ == ColourBy::speed && state != SphereState::running)
+    if (!hasScale())
     {
-        return restingColour(state);
+        return ofState(state);
     }
-    return hasScale() ? scaleColour(0.5) : ofState(state);
+    return speaksOf(state) ? scaleColour(0.5) : otherColour(state);
 }
 
-Colour SphereColours::restingColour(SphereState state) const
+bool SphereColours::speaksOf(SphereState state) const
 {
-    return state == SphereState::frozen ? kResting : palette_.discarded;
+    return column_->of == ColumnOf::all ||
+           (state == SphereState::running) == (column_->of == ColumnOf::running);
+}
+
+Colour SphereColours::otherColour(SphereState state) const
+{
+    return state == SphereState::frozen ? kResting : ofState(state);
 }
 
 } // namespace frostfill

@@ -26,27 +26,29 @@ namespace frostfill
 class SphereColours
 {
 public:
-    /// `vertices` are the mesh's.
+    /// `vertices` are the mesh's. Throws Error usage for a column that gives no colours.
     SphereColours(const RenderSettings& settings, std::span<const Eigen::Vector3d> vertices);
 
+    /// Throws Error badData for a snapshot that does not carry the column.
+    void requireIn(const Snapshot& snapshot) const;
     [[nodiscard]] Colour of(const Snapshot& snapshot, std::size_t sphere) const;
     /// Of a sphere in the legend, where a state is shown by its marks alone unless colours mean it.
     [[nodiscard]] Colour ofSwatch(SphereState state) const;
 
-    [[nodiscard]] bool hasScale() const { return by_ != ColourBy::state; }
+    [[nodiscard]] bool hasScale() const { return column_->name != "state"; }
     [[nodiscard]] const ColourRange& range() const { return range_; }
-    [[nodiscard]] bool countsWhole() const
-    {
-        return by_ == ColourBy::set || by_ == ColourBy::group;
-    }
+    [[nodiscard]] bool countsWhole() const { return column_->isWhole(); }
+    [[nodiscard]] const Column& column() const { return *column_; }
     [[nodiscard]] const std::string& title() const { return title_; } ///< with the unit
 
 private:
     [[nodiscard]] Colour ofState(SphereState state) const;
-    [[nodiscard]] Colour restingColour(SphereState state) const; ///< of speeds
+    /// Of a sphere that the column says nothing of.
+    [[nodiscard]] Colour otherColour(SphereState state) const;
+    [[nodiscard]] bool speaksOf(SphereState state) const;
     [[nodiscard]] double value(const Snapshot& snapshot, std::size_t sphere) const;
 
-    ColourBy by_;
+    const Column* column_;
     Palette palette_;
     ColourRange range_;
     std::string title_;

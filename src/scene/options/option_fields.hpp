@@ -38,12 +38,6 @@ struct EnumNames<Backend>
         "auto", "osmesa", "egl", "egl-hardware", "egl-software", "egl-surfaceless", "builtin"};
 };
 template <>
-struct EnumNames<ColourBy>
-{
-    static constexpr std::array<const char*, 5> kNames = {"state", "set", "group", "speed",
-                                                          "height"};
-};
-template <>
 struct EnumNames<EdgeLines>
 {
     static constexpr std::array<const char*, 3> kNames = {"auto", "on", "off"};

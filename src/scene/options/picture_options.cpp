@@ -2,6 +2,8 @@
 #include "scene/frame_selection.hpp"
 #include "scene/options/table_builder.hpp"
 
+#include <frostfill/columns.hpp>
+
 namespace frostfill
 {
 namespace
@@ -127,8 +129,18 @@ void addPicture(TableBuilder& table)
              "Draw this many times larger, then average: for figures", FROSTFILL_FIELD(supersample))
         .range(1, 8);
     addLook(table);
-    table.add("picture.color_by", "--color-by", "What the colour of a sphere shows",
-              FROSTFILL_FIELD(style.colourBy));
+    table.add(Option{.key = "picture.color_by",
+                     .flag = "--color-by",
+                     .group = table.group(),
+                     .help = "What the colour of a sphere shows",
+                     .choices = colourColumns(),
+                     .get = [](const Scene& scene) { return scene.style.colourBy; },
+                     .set =
+                         [](Scene& scene, const OptionValue& value)
+                     {
+                         scene.style.colourBy = std::get<std::string>(value);
+                         return true;
+                     }});
     table.add("picture.cutaway", "--cutaway",
               "Cut open: remove everything beyond a plane (offset from the middle [mesh unit]) or "
               "in a wedge of azimuths [degree]",

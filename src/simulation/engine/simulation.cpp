@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "simulation/columns/column_capture.hpp"
 #include "simulation/engine/guard.hpp"
 #include "simulation/engine/make_engine.hpp"
 #include "simulation/engine/tolerances.hpp"
@@ -65,6 +66,7 @@ struct Simulation::Implementation
     World world;
     std::unique_ptr<Engine> engine;
     Guard guard;
+    ColumnCapture columns{world};
     std::uint64_t source = nextSource();
 };
 
@@ -171,10 +173,12 @@ const MeshReport& Simulation::object() const
 
 SphereRecord Simulation::sphere(std::size_t id) const
 {
-    const World& world = implementation_->world;
-    return {world.frame.toMesh(world.spheres.position(id)),
-            world.spheres.radius(id) * world.frame.length, world.spheres.group(id),
-            world.spheres.state(id), world.stray && world.stray->sphere == id};
+    return recordOf(implementation_->world, id);
+}
+
+std::vector<ColumnValues> Simulation::columns() const
+{
+    return implementation_->columns.all();
 }
 
 std::vector<PolygonState> Simulation::polygonStates() const
@@ -228,7 +232,13 @@ void Simulation::capture(Snapshot& snapshot) const
     const std::size_t count = world.spheres.size();
     if (snapshot.source != implementation_->source)
     {
+        std::vector<ColumnValues> asked;
+        for (const ColumnValues& values : snapshot.columns)
+        {
+            asked.emplace_back(values.column());
+        }
         snapshot = {};
+        snapshot.columns = std::move(asked);
         snapshot.source = implementation_->source;
     }
     snapshot.changedSince = snapshot.revision;
@@ -284,6 +294,7 @@ void Simulation::capture(Snapshot& snapshot) const
     snapshot.frozen = world.spheres.frozenCount();
     snapshot.discarded = world.spheres.discardedCount();
     snapshot.discardedPolygons = world.discardedPolygons;
+    implementation_->columns.fill(snapshot);
 }
 
 } // namespace frostfill

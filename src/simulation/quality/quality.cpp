@@ -5,6 +5,7 @@
 #include "mesh/interior/winding_columns.hpp"
 #include "scene/packing_estimate.hpp"
 #include "simulation/quality/support.hpp"
+#include "simulation/quality/tolerances.hpp"
 
 #include <frostfill/error.hpp>
 
@@ -21,12 +22,8 @@ namespace frostfill
 namespace
 {
 
-constexpr double kContactGap =
-    0.01; // [own radius] below which a gap counts as a contact that carries
 constexpr double kUnsupported = 0.1;  // [1] of the weight that may remain uncarried
 constexpr std::size_t kInPart = 4096; // spheres that one thread looks at in one go
-/// A centre that is no farther from a wall lies on it, but for rounding. [r]
-constexpr double kOnWall = 1e-12;
 /// Up to so many spheres the judge sorts them itself; beyond it the memory for that is missed.
 constexpr std::size_t kMostSorted = 100'000;
 

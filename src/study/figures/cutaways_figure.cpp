@@ -44,7 +44,7 @@ void makeData(const FigureFolder& folder)
                               fmt::format("{}", state.frozen), fmt::format("{}", state.discarded),
                               fmt::format("{}", state.discardedPolygons)});
         byState.push_back(drawMoments(scene, mesh, end).front());
-        scene.style.colourBy = ColourBy::set;
+        scene.style.colourBy = "set";
         bySet.push_back(drawMoments(scene, mesh, end).front());
     }
     byState.insert(byState.end(), bySet.begin(), bySet.end());

@@ -85,9 +85,9 @@ void makeCutaways(const FigureFolder& folder)
     Table table;
     table.headings = {"column", "label"};
     std::vector<Image> panels;
-    for (const auto& [by, label] : {std::pair(ColourBy::state, "by state"),
-                                    {ColourBy::set, "by set (first dark to last bright)"},
-                                    {ColourBy::height, "by height"}})
+    for (const auto& [by, label] : {std::pair("state", "by state"),
+                                    {"set", "by set (first dark to last bright)"},
+                                    {"height", "by height"}})
     {
         scene.style.colourBy = by;
         table.rows.push_back({fmt::format("{}", panels.size()), label});

@@ -62,6 +62,10 @@ inline void writeOracle(const std::filesystem::path& folder, std::uint32_t group
             frame["states"].push_back(static_cast<int>(state.states[i]));
             frame["groups"].push_back(state.groups[i]);
             frame["speeds"].push_back(state.speeds[i]);
+            for (const ColumnValues& values : state.columns)
+            {
+                frame[values.column().plural].push_back(values.at(i));
+            }
         }
         for (const PolygonState polygon : state.polygons)
         {

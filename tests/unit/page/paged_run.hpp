@@ -42,6 +42,7 @@ public:
         : mesh_(loadMesh("torus").mesh),
           writer_(folder / "run.frost", headOf(fewSpheres()), mesh_, 1)
     {
+        snapshot_.columns = carriedColumns();
         snapshot_.origin = boundingBox(mesh_).center();
         snapshot_.polygons.assign(mesh_.triangles.size(), PolygonState::active);
         for (std::size_t frame = 0; frame < 60; ++frame)
@@ -105,6 +106,7 @@ private:
                   : static_cast<SphereState>(static_cast<std::uint8_t>(random(2.99))));
         snapshot_.groups.push_back(static_cast<std::uint32_t>(random(9)));
         snapshot_.speeds.push_back(0);
+        contacts().push_back(0);
         renewSpeed(radii_.size() - 1);
     }
     void change(std::size_t id)
@@ -131,7 +133,11 @@ private:
     {
         const bool runs = snapshot_.states[id] == SphereState::running;
         snapshot_.speeds[id] = runs ? static_cast<float>(random(12)) : 0;
+        contacts()[id] = runs           ? 0
+                         : happens(0.3) ? static_cast<std::uint32_t>(random(13))
+                                        : contacts()[id];
     }
+    std::vector<std::uint32_t>& contacts() { return snapshot_.columns.front().bits; }
     /// The last one takes the number of the one that goes.
     void withdraw(std::size_t id)
     {
@@ -147,6 +153,7 @@ private:
         drop(snapshot_.groups);
         drop(snapshot_.speeds);
         drop(snapshot_.waiting);
+        drop(contacts());
     }
 
     std::mt19937 numbers_;

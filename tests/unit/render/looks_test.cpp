@@ -101,8 +101,8 @@ INSTANTIATE_TEST_SUITE_P(
                               s.style.cutaway = kWedge;
                               s.camera.orthographic = true;
                           }},
-                    Look_{"Speed", [](RenderSettings& s) { s.style.colourBy = ColourBy::speed; }},
-                    Look_{"Group", [](RenderSettings& s) { s.style.colourBy = ColourBy::group; }},
+                    Look_{"Speed", [](RenderSettings& s) { s.style.colourBy = "speed"; }},
+                    Look_{"Group", [](RenderSettings& s) { s.style.colourBy = "group"; }},
                     Look_{"Occlusion", [](RenderSettings& s) { s.style.ambientOcclusion = true; }},
                     Look_{"Supersampled", [](RenderSettings& s) { s.supersample = 2; }},
                     Look_{"Turntable", [](RenderSettings& s) { s.camera.turntable = 4; }}),
@@ -314,7 +314,7 @@ TEST(Looks, HeightsRunOverTheWholeScale)
     addSphere(snapshot, {0, -0.8, 0}, 0.15, SphereState::frozen);
     addSphere(snapshot, {0, 0.8, 0}, 0.15, SphereState::frozen);
     RenderSettings settings = squareOn();
-    settings.style.colourBy = ColourBy::height;
+    settings.style.colourBy = "height";
     const Image image = draw(mesh, settings, snapshot);
     const auto* low = image.at(100, 177);
     const auto* high = image.at(100, 23);

@@ -28,7 +28,7 @@ FillRequest tiltedRun(const std::filesystem::path& directory)
     request.scene.size = {96, 72};
     request.scene.frames.duration = 0.5;
     request.scene.move.tilt = 30;
-    request.scene.style.colourBy = ColourBy::speed;
+    request.scene.style.colourBy = "speed";
     request.directory = directory;
     return request;
 }

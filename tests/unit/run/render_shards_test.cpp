@@ -125,7 +125,7 @@ TEST_F(RenderShards, HaveThemWithPassesATurntableAndAnotherStyle)
         scene.frames.passes.depth = true;
         scene.frames.passes.identity = true;
         scene.camera.turntable = 0.7;
-        scene.style.colourBy = ColourBy::set;
+        scene.style.colourBy = "set";
     };
     expectTheSameBytes();
 }

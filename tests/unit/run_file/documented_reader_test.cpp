@@ -45,12 +45,13 @@ TEST(DocumentedReader, ReadsEveryFrameAndTheRestingPlacesExactly)
     scene.spheres.count = 40;
     const test::RecordedRun recorded = test::recordRun(scene, folder / "run.frost");
     const std::string code = codeOfThePage();
-    EXPECT_LE(std::count(code.begin(), code.end(), '\n'), 60);
+    EXPECT_LE(std::count(code.begin(), code.end(), '\n'), 64);
     writeFile(folder / "reader.py", code);
     writeFile(folder / "all.py",
-              "import sys, reader\n"
-              "for n, time, c, r, s in reader.frames(sys.argv[1]):\n"
-              "    print(n, repr(float(time)), len(r), (s == 0).sum(), (s == 1).sum())\n"
+              "import sys, numpy as np, reader\n"
+              "for n, time, c, r, s, columns in reader.frames(sys.argv[1]):\n"
+              "    print(n, repr(float(time)), len(r), (s == 0).sum(), (s == 1).sum(), "
+              "(columns['contacts'] * (1 + np.arange(len(r)))).sum())\n"
               "for i in range(len(r)):\n"
               "    print(*(float(x).hex() for x in c[i]), s[i])\n");
     ASSERT_EQ(run(fmt::format("cd '{0}' && {1} all.py run.frost >out.txt 2>errors.txt",
@@ -62,8 +63,13 @@ TEST(DocumentedReader, ReadsEveryFrameAndTheRestingPlacesExactly)
     for (std::size_t k = 0; k < recorded.frames.size(); ++k)
     {
         const Snapshot& frame = recorded.frames[k];
-        expected += fmt::format("{} {:.17g} {} {} {}\n", recorded.numbers[k], frame.time,
-                                frame.radii.size(), frame.running, frame.frozen);
+        std::size_t contacts = 0; // of each sphere as often as its place in the row
+        for (std::size_t id = 0; id < frame.radii.size(); ++id)
+        {
+            contacts += (id + 1) * frame.columns.front().bits[id];
+        }
+        expected += fmt::format("{} {:.17g} {} {} {} {}\n", recorded.numbers[k], frame.time,
+                                frame.radii.size(), frame.running, frame.frozen, contacts);
     }
     std::istringstream lines(readFile(folder / "out.txt"));
     std::istringstream expectedLines(expected);

@@ -30,6 +30,10 @@ inline RecordedRun recordRun(const Scene& scene, const std::filesystem::path& fi
     Simulation simulation(scene, run.mesh);
     RunFileWriter writer(file, head, run.mesh, simulation.smallestRadius(), earlier);
     std::array<Snapshot, 3> snapshots;
+    for (Snapshot& snapshot : snapshots)
+    {
+        snapshot.columns = carriedColumns();
+    }
     const auto take = [&]
     {
         const std::size_t number = 2 * run.numbers.size();

@@ -188,13 +188,14 @@ def read_npz(oracle):
     spheres, frames, last = len(oracle.frames[-1]["ids"]), len(oracle.frames), oracle.frames[-1]
     triangles = len(oracle.triangles)
     known = {"centres": ("d", (frames, spheres, 3)), "states": ("B", (frames, spheres)),
-             "speeds": ("f", (frames, spheres)), "polygons": ("B", (frames, triangles)),
+             "speeds": ("f", (frames, spheres)), "contacts": ("I", (frames, spheres)),
+             "polygons": ("B", (frames, triangles)),
              "times": ("d", (frames,)), "steps": ("q", (frames,)), "frames": ("q", (frames,)),
              "radii": ("d", (spheres,)), "groups": ("I", (spheres,)), "sets": ("I", (spheres,)),
              "vertices": ("d", (len(oracle.vertices), 3)), "triangles": ("I", (triangles, 3))}
     for name, (kind, shape) in known.items():
         oracle.equal(f"type and shape of {name}", (arrays[name].typecode, shapes[name]), (kind, shape))
-    absent = {"states": 255, "speeds": 0}
+    absent = {"states": 255, "speeds": 0, "contacts": 0}
     for name, shape in shapes.items():
         if name not in known:
             oracle.equal(f"shape of {name}", shape in [(frames, spheres), (spheres,)], True)

@@ -163,6 +163,7 @@ def read_glb(oracle):
         wanted = frame["radii"] + [0.0] * (spheres - count)
         oracle.same(f"glb, frame {k}, radii", sizes, [[r] * 3 for r in wanted], 1e-7)
     oracle.same("states", [node["mesh"] for node in nodes[:spheres]], last["states"])
+    oracle.same("contacts", [node["extras"]["contacts"] for node in nodes[:spheres]], last["contacts"])
 
 
 def read_instanced(oracle):
@@ -183,5 +184,6 @@ def read_instanced(oracle):
                   for p in glb.values(fields["TRANSLATION"], ("VEC3", "f"))]
         oracle.same("places", places, [last["centres"][i] for i in ids], 3e-6)
         oracle.same("sizes", glb.values(fields["SCALE"], ("VEC3", "f")), [[last["radii"][i]] * 3 for i in ids], 1e-7)
+        oracle.same("contacts", glb.values(fields["_CONTACTS"], ("SCALAR", "f")), [last["contacts"][i] for i in ids])
         for attribute in set(fields) - {"TRANSLATION", "SCALE"}:
             oracle.same(attribute, len(glb.values(fields[attribute])), len(ids))

@@ -8,9 +8,9 @@ import struct
 
 # The oracle's names of columns, and how many bytes of which kind a number takes: d, f, I, B, q as in struct.
 COLUMNS = {"radius": "radii", "state": "states", "group": "groups", "set": "sets", "speed": "speeds",
-           "id": "ids"}
+           "id": "ids", "contacts": "contacts"}
 KINDS = {"x": "d", "y": "d", "z": "d", "radius": "d", "id": "I", "state": "B", "group": "I", "set": "I",
-         "speed": "f"}
+         "speed": "f", "contacts": "I"}
 
 
 class Oracle:
@@ -23,7 +23,7 @@ class Oracle:
         low, high = (tuple(f(v[i] for v in self.vertices) for i in range(3)) for f in (min, max))
         self.origin = [(a + b) / 2 for a, b in zip(low, high)]
         for frame in self.frames:
-            for name in ("centres", "radii", "states", "groups", "speeds"):
+            for name in ("centres", "radii", "states", "groups", "speeds", "contacts"):
                 frame.setdefault(name, [])  # of a frame without spheres
             frame["sets"] = [group // data["groups_per_set"] for group in frame["groups"]]
             frame["ids"] = list(range(len(frame["radii"])))

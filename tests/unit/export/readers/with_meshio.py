@@ -12,5 +12,5 @@ for k, frame in enumerate(run.frames):
     arrays = data.point_data
     run.frame("meshio", k, {"centres": data.points, "radii": arrays["radius"], "states": arrays["state"],
                             "groups": arrays["group"], "sets": arrays["set"], "speeds": arrays["speed"],
-                            "ids": arrays["id"]})
+                            "ids": arrays["id"], "contacts": arrays["contacts"]})
 run.finish()

@@ -14,10 +14,10 @@ for k, frame in enumerate(run.frames):
     reader.Update()
     data = reader.GetOutput()
     arrays = {name: vtk_to_numpy(data.GetPointData().GetArray(name))
-              for name in ("radius", "state", "group", "set", "speed", "id")}
+              for name in ("radius", "state", "group", "set", "speed", "id", "contacts")}
     run.same("cells", data.GetNumberOfVerts(), len(frame["radii"]))
     run.frame("VTK", k, {"centres": vtk_to_numpy(data.GetPoints().GetData()), "radii": arrays["radius"],
                          "states": arrays["state"], "groups": arrays["group"], "sets": arrays["set"],
-                         "speeds": arrays["speed"], "ids": arrays["id"]})
+                         "speeds": arrays["speed"], "ids": arrays["id"], "contacts": arrays["contacts"]})
     run.same("time", vtk_to_numpy(data.GetFieldData().GetArray("TimeValue")), [frame["time"]])
 run.finish()

@@ -58,6 +58,8 @@ times, poses = (list(struct.unpack(f"<{len(data) // 8}d", data))
                 for data in (sections["times"], sections.get("poses", b"")))
 time, pose, counts = 0, None, [0] * 6
 spheres, polygons, renewed = {}, [0] * facts["triangles"], [0, 0, 0, 0, 0]
+assert film["carried"] == {"contacts": {"stream": "contacts:uint32", "whole": True}}
+contacts = {}
 
 
 def next_frame():
@@ -94,6 +96,10 @@ def next_frame():
         sphere["speed"] = (sphere["speed"] if i in ran else 0) + readers["speed"].difference() if runs else 0
     for i in changes.ids():
         polygons[i] ^= 1
+    for i in [each for each in contacts if each >= n]:
+        del contacts[i]
+    for i in readers["contacts:uint32"].ids():
+        contacts[i] = contacts.get(i, 0) + readers["contacts:uint32"].difference()
 
 
 def in_world(place, pose):
@@ -118,6 +124,7 @@ for frame in oracle["frames"]:
     assert polygons == frame["polygons"]
     for i, centre in enumerate(centres):
         sphere = spheres[i]
+        assert contacts.get(i, 0) == frame["contacts"][i]
         assert sphere["state"] == states[i] and sphere["group"] == frame["groups"][i]
         assert abs(sphere["radius"] * film["radius_step"] - frame["radii"][i]) <= film["radius_step"] / 2
         # Each coordinate of the mesh's frame is within half a step, whichever way the object is turned.
@@ -130,7 +137,8 @@ for frame in oracle["frames"]:
 assert worst <= film["step"] / 2 * (1 + 1e-6), (worst, film["step"])
 assert worst > film["step"] / 8, "places are finer than they need be"
 assert not times and not poses
-for name in ["frames", "changes", "state", "x", "y", "z", "radius", "group", "speed"]:
+for name in ["frames", "changes", "state", "x", "y", "z", "radius", "group", "speed",
+             "contacts:uint32"]:
     assert readers[name].at == len(sections[name]), name
 assert not sections["exact"]
 

@@ -10,7 +10,8 @@ oracle = json.load(open(f"{folder}/oracle.json"))
 ASKED = """(film => { film.seek(%d); const n = film.spheres; return {
     places: Array.from(film.places.subarray(0, 3 * n)), radii: Array.from(film.values.radius.subarray(0, n)),
     states: Array.from(film.states.subarray(0, n)), groups: Array.from(film.values.group.subarray(0, n)),
-    speeds: Array.from(film.values.speed.subarray(0, n)), polygons: Array.from(film.polygons),
+    speeds: Array.from(film.values.speed.subarray(0, n)),
+    contacts: Array.from(film.values.contacts.subarray(0, n)), polygons: Array.from(film.polygons),
     time: film.times[%d] }; })(frostfill.film)"""
 
 order = list(range(len(oracle["frames"])))
@@ -24,6 +25,7 @@ with Browser(f"file://{folder}/view.html") as page:
         states = [3 if waits else state for waits, state in zip(waiting, frame.get("states") or [])]
         assert shown["states"] == states, index
         assert shown["groups"] == (frame.get("groups") or []), index
+        assert shown["contacts"] == (frame.get("contacts") or []), index
         assert shown["polygons"] == frame["polygons"] and shown["time"] == frame["time"], index
         for i, centre in enumerate(frame.get("centres") or []):
             for axis in range(3):

@@ -74,7 +74,7 @@ TEST(ColourScale, IsLabelledWithRoundNumbers)
 TEST(ColourScale, OfSpeedsIsForWhatRunsAndCoversTheSpeedsThatAreSeen)
 {
     RenderSettings settings;
-    settings.style.colourBy = ColourBy::speed;
+    settings.style.colourBy = "speed";
     settings.range = {0, 6.2}; // of a fall through the object
     const SphereColours colours(settings, {});
     EXPECT_EQ(colours.range().high, 6);

@@ -43,7 +43,7 @@ Scene unusualScene()
     scene.size = {1, 16384};
     scene.camera = {-90, 90, 1.5, 0.01, true, Eigen::Vector3d(-0.0, 1e-17, 100), 0.3, 1e-5 / 3};
     scene.style.look = Look::paper;
-    scene.style.colourBy = ColourBy::speed;
+    scene.style.colourBy = "speed";
     scene.style.cutaway = {Cutaway::Kind::plane, {0.1, -1.0 / 3.0, 1e-7}, -0.7, 0, 90};
     scene.style.ambientOcclusion = true;
     scene.supersample = 3;

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#include "simulation/columns/world_columns.hpp"
+
+#include "simulation/columns/contacts_column.hpp"
+
+namespace frostfill
+{
+
+std::map<std::string, MakeWorldColumn>& worldColumns()
+{
+    static std::map<std::string, MakeWorldColumn> makers = {
+        {"contacts", [](const World& world) { return std::make_unique<ContactsColumn>(world); }},
+    };
+    return makers;
+}
+
+} // namespace frostfill

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: MIT
+#include <frostfill/columns.hpp>
+#include <frostfill/error.hpp>
+#include <frostfill/snapshot.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <utility>
+
+namespace frostfill
+{
+namespace
+{
+
+/// No more spheres of one size touch a sphere of that size [Schütte & van der Waerden 1953].
+constexpr double kKissingNumber = 12;
+
+Column coordinate(const char* name, double (*fixed)(const SphereRow&))
+{
+    return {.name = name,
+            .plural = "centres",
+            .unit = "mesh unit",
+            .frame = "mesh",
+            .help = "centre of the sphere",
+            .type = ColumnType::float64,
+            .changes = ColumnChanges::running,
+            .python = false,
+            .colour = false,
+            .fixed = fixed};
+}
+
+std::deque<Column> builtIn()
+{
+    return {
+        coordinate("x", [](const SphereRow& row) { return row.centre.x(); }),
+        coordinate("y", [](const SphereRow& row) { return row.centre.y(); }),
+        coordinate("z", [](const SphereRow& row) { return row.centre.z(); }),
+        {.name = "radius",
+         .plural = "radii",
+         .unit = "mesh unit",
+         .help = "radii, in the unit of the mesh",
+         .type = ColumnType::float64,
+         .changes = ColumnChanges::never,
+         .colour = false,
+         .fixed = [](const SphereRow& row) { return row.radius; }},
+        {.name = "id",
+         .plural = "ids",
+         .help = "order of appearance, from 0",
+         .type = ColumnType::uint32,
+         .changes = ColumnChanges::never,
+         .python = false,
+         .colour = false,
+         .fixed = [](const SphereRow& row) -> double { return row.id; }},
+        {.name = "state",
+         .plural = "states",
+         .help = "0 running, 1 frozen, 2 discarded; see frostfill.SphereState",
+         .type = ColumnType::uint8,
+         .changes = ColumnChanges::atRest,
+         .fixed = [](const SphereRow& row) { return static_cast<double>(row.state); }},
+        {.name = "group",
+         .plural = "groups",
+         .title = "Group",
+         .help = "the group with which a sphere appeared, from 0",
+         .type = ColumnType::uint32,
+         .changes = ColumnChanges::never,
+         .fixed = [](const SphereRow& row) -> double { return row.group; }},
+        {.name = "set",
+         .plural = "sets",
+         .title = "Set",
+         .help = "the set with which a sphere appeared, from 0",
+         .type = ColumnType::uint32,
+         .changes = ColumnChanges::never,
+         .file = false,
+         .python = false,
+         .fixed = [](const SphereRow& row) -> double { return row.set; }},
+        {.name = "speed",
+         .plural = "speeds",
+         .title = "Speed",
+         .unit = "mesh unit/s",
+         .help = "mesh units a second; 0 at rest",
+         .type = ColumnType::float32,
+         .changes = ColumnChanges::running,
+         .of = ColumnOf::running,
+         .digits = 11,
+         .file = false,
+         .fixed = [](const SphereRow& row) -> double { return row.speed; }},
+        {.name = "height",
+         .plural = "heights",
+         .title = "Height",
+         .unit = "mesh unit",
+         .help = "height of the centre above the object's foot",
+         .type = ColumnType::float64,
+         .changes = ColumnChanges::running,
+         .file = false,
+         .exported = false,
+         .python = false,
+         .fixed = [](const SphereRow& row) { return row.height; }},
+        {.name = "contacts",
+         .plural = "contacts",
+         .title = "Contacts",
+         .help = "of a sphere at rest: other spheres at rest, and pieces of wall, whose gap to it "
+                 "is below 0.01 of its radius; 0 while it runs",
+         .type = ColumnType::uint32,
+         .changes = ColumnChanges::atRest,
+         .of = ColumnOf::resting,
+         .high = kKissingNumber},
+    };
+}
+
+std::deque<Column>& table()
+{
+    static std::deque<Column> all = builtIn();
+    return all;
+}
+
+bool isWord(const std::string& name)
+{
+    constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyz_0123456789";
+    return !name.empty() && name.find_first_not_of(kLetters) == std::string::npos &&
+           (name.front() < '0' || name.front() > '9');
+}
+
+} // namespace
+
+const std::deque<Column>& columns()
+{
+    return table();
+}
+
+const Column* findColumn(std::string_view name)
+{
+    const auto found = std::find_if(table().begin(), table().end(),
+                                    [&](const Column& column) { return column.name == name; });
+    return found != table().end() ? &*found : nullptr;
+}
+
+std::vector<std::string> colourColumns()
+{
+    std::vector<std::string> names;
+    for (const Column& column : table())
+    {
+        if (column.colour)
+        {
+            names.push_back(column.name);
+        }
+    }
+    return names;
+}
+
+const Column& addColumn(Column column)
+{
+    if (!isWord(column.name))
+    {
+        throw Error(ErrorCode::usage,
+                    fmt::format("'{}' is no name of a column: write a word of a to z, 0 to 9 and _",
+                                column.name));
+    }
+    if (findColumn(column.name) != nullptr)
+    {
+        throw Error(ErrorCode::usage,
+                    fmt::format("there is a column with the name '{}' already", column.name));
+    }
+    if (!column.isCarried() ||
+        (column.type != ColumnType::uint32 && column.type != ColumnType::float32))
+    {
+        throw Error(
+            ErrorCode::usage,
+            fmt::format("the column '{}' must be carried, as uint32 or float32", column.name));
+    }
+    column.plural = column.plural.empty() ? column.name : column.plural;
+    column.title = column.title.empty() ? column.name : column.title;
+    return table().emplace_back(std::move(column));
+}
+
+namespace
+{
+
+/// With so many binary digits behind the first, as far as that leaves a number.
+float rounded(float value, int digits)
+{
+    constexpr int kAll = 23;
+    if (digits <= 0 || digits >= kAll)
+    {
+        return value;
+    }
+    const int lost = kAll - digits;
+    const auto bits = std::bit_cast<std::uint32_t>(value) + (1U << (lost - 1));
+    const auto result = std::bit_cast<float>(bits >> lost << lost);
+    return std::isfinite(result) ? result : value;
+}
+
+} // namespace
+
+double ColumnValues::at(std::size_t sphere) const
+{
+    const std::uint32_t value = sphere < bits.size() ? bits[sphere] : 0;
+    return column_->isWhole() ? double(value) : double{std::bit_cast<float>(value)};
+}
+
+bool ColumnValues::set(std::size_t sphere, double value)
+{
+    const auto now =
+        column_->isWhole()
+            ? static_cast<std::uint32_t>(value)
+            : std::bit_cast<std::uint32_t>(rounded(static_cast<float>(value), column_->digits));
+    return std::exchange(bits[sphere], now) != now;
+}
+
+std::vector<ColumnValues> carriedColumns()
+{
+    std::vector<ColumnValues> carried;
+    for (const Column& column : table())
+    {
+        if (column.isCarried())
+        {
+            carried.emplace_back(column);
+        }
+    }
+    return carried;
+}
+
+const ColumnValues* findValues(std::span<const ColumnValues> values, const Column& column)
+{
+    const auto found =
+        std::find_if(values.begin(), values.end(),
+                     [&](const ColumnValues& each) { return &each.column() == &column; });
+    return found != values.end() ? &*found : nullptr;
+}
+
+double SphereRow::value(const Column& column) const
+{
+    if (!column.isCarried())
+    {
+        return column.fixed(*this);
+    }
+    const ColumnValues* values = findValues(carried, column);
+    return values != nullptr ? values->at(id) : 0;
+}
+
+} // namespace frostfill

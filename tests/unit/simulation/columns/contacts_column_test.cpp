@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+#include "simulation/columns/contacts_column.hpp"
+
+#include "base/random.hpp"
+#include "simulation/quality/resting_contacts.hpp"
+#include "support/shapes.hpp"
+#include "support/small_world.hpp"
+#include "unit/simulation/columns/contacts_oracle.hpp"
+#include "unit/simulation/engine/small_torus.hpp"
+#include "unit/simulation/quality/packing.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+namespace frostfill
+{
+namespace
+{
+
+using Eigen::Vector3d;
+
+/// Does one thing to a world of spheres on a grid of places 2 apart, by chance.
+void doSomething(World& world, std::uint64_t k)
+{
+    const auto draw = [&](std::uint64_t n) { return uniformRandom(7, k, n); };
+    const auto count = static_cast<double>(world.spheres.size());
+    const auto id = static_cast<std::uint32_t>(count * draw(0));
+    if (count < 60 || draw(1) < 0.2)
+    {
+        const auto cell = [&](std::uint64_t n) { return std::floor(4 * draw(n)) - 2; };
+        world.spheres.add(2 * Vector3d(cell(2), cell(3), cell(4)), 1, 0);
+    }
+    else if (world.spheres.isRunning(id))
+    {
+        if (draw(5) < 0.3)
+        {
+            world.spheres.withdraw(id);
+        }
+        else
+        {
+            const auto moved = Vector3d(draw(6) < 0.1 ? 0.5 : 0, 0, 0);
+            world.spheres.freeze(id, world.spheres.position(id) + moved);
+        }
+        world.spheres.closeRanks();
+    }
+    else if (draw(5) < 0.5)
+    {
+        world.spheres.wake(id);
+    }
+    else if (world.spheres.state(id) == SphereState::frozen)
+    {
+        world.spheres.discard(id);
+    }
+}
+
+TEST(ContactsColumn, FollowsWhateverHappens)
+{
+    const auto world = smallWorld(room());
+    ContactsColumn column(*world);
+    std::vector<double> before;
+    std::size_t seen = 0;
+    std::size_t most = 0;
+    for (std::uint64_t k = 0; k < 3000; ++k)
+    {
+        doSomething(*world, k);
+        if (uniformRandom(8, k, 0) < 0.6)
+        {
+            continue; // several things between two looks
+        }
+        column.update();
+        const auto changes = column.changes().subspan(seen);
+        const std::set<std::uint32_t> told(changes.begin(), changes.end());
+        seen = column.changes().size();
+        for (std::uint32_t id = 0; id < world->spheres.size(); ++id)
+        {
+            const double now = column.value(id);
+            const test::CountedContacts expected = test::countContacts(*world, id);
+            ASSERT_EQ(now, expected.spheres + expected.walls) << id << " after " << k;
+            ASSERT_TRUE(told.contains(id) || (id < before.size() ? before[id] : 0) == now) << id;
+            before.resize(std::max<std::size_t>(before.size(), id + 1));
+            before[id] = now;
+            most = std::max<std::size_t>(most, expected.spheres);
+        }
+        before.resize(world->spheres.size());
+    }
+    EXPECT_GE(most, 6u);
+}
+
+TEST(ContactsColumn, CountsWithoutBeingBroughtUpToDate)
+{
+    const auto world = smallWorld(room());
+    const ContactsColumn column(*world);
+    const auto low = addResting(*world, {0, -9, 0});
+    addResting(*world, {0, -7, 0});
+    EXPECT_EQ(column.value(low), 2);
+}
+
+/// A snapshot that asks for all columns.
+Snapshot asking()
+{
+    Snapshot snapshot;
+    snapshot.columns = carriedColumns();
+    return snapshot;
+}
+
+/// Every value of the columns, and that no sphere whose value differs from before is left out of
+/// what changed.
+void expectSame(const Snapshot& kept, const Snapshot& before, const Snapshot& fresh)
+{
+    ASSERT_EQ(kept.columns.size(), fresh.columns.size());
+    for (std::size_t k = 0; k < kept.columns.size(); ++k)
+    {
+        ASSERT_EQ(kept.columns[k].bits, fresh.columns[k].bits);
+        for (std::uint32_t id = 0; id < kept.states.size(); ++id)
+        {
+            const bool listed = std::binary_search(kept.changed.begin(), kept.changed.end(), id);
+            ASSERT_TRUE(listed || kept.columns[k].at(id) == before.columns[k].at(id)) << id;
+        }
+    }
+}
+
+// Two snapshots take turns, so that each misses what the other has seen.
+TEST(Capture, BringsColumnsUpToDateAndListsWhatChanged)
+{
+    const Column& contacts = *findColumn("contacts");
+    Scene scene = presetScene(Preset::fast, "torus");
+    scene.spheres.radius = 0.13;
+    scene.spheres.count = 80;
+    scene.move.tilt = 40; // what rests wakes again
+    Simulation simulation(scene, shapes::torus());
+    std::array<Snapshot, 2> kept = {asking(), asking()};
+    double sum = 0;
+    bool more = true;
+    for (std::size_t turn = 0; more; ++turn)
+    {
+        for (int k = 0; k < 11 && more; ++k)
+        {
+            more = simulation.step();
+        }
+        Snapshot& snapshot = kept[turn % 2];
+        const Snapshot before = snapshot;
+        simulation.capture(snapshot);
+        Snapshot fresh = asking();
+        simulation.capture(fresh);
+        ASSERT_NO_FATAL_FAILURE(expectSame(snapshot, before, fresh));
+        sum = 0;
+        for (std::uint32_t id = 0; id < snapshot.states.size(); ++id)
+        {
+            const double value = snapshot.values(contacts)->at(id);
+            ASSERT_TRUE(snapshot.states[id] != SphereState::running || value == 0);
+            sum += value;
+        }
+    }
+    const std::vector<ColumnValues> atEnd = simulation.columns();
+    simulation.capture(kept[0]);
+    ASSERT_EQ(findValues(atEnd, contacts)->bits, kept[0].values(contacts)->bits);
+    // A sphere that is carried by less than three others hangs in the air, walls aside.
+    EXPECT_GT(sum / static_cast<double>(kept[0].states.size()), 3);
+    EXPECT_LT(sum / static_cast<double>(kept[0].states.size()), 12);
+}
+
+TEST(Capture, CarriesNoColumnThatNobodyAskedFor)
+{
+    Simulation simulation(test::smallTorus(), shapes::torus());
+    Snapshot snapshot;
+    for (int k = 0; k < 300; ++k)
+    {
+        simulation.step();
+    }
+    simulation.capture(snapshot);
+    EXPECT_TRUE(snapshot.columns.empty());
+    snapshot.columns = carriedColumns(); // asked for later
+    simulation.step();
+    simulation.capture(snapshot);
+    Snapshot fresh = asking();
+    simulation.capture(fresh);
+    EXPECT_EQ(snapshot.columns.front().bits, fresh.columns.front().bits);
+}
+
+} // namespace
+} // namespace frostfill
