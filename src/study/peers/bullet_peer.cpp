@@ -2,7 +2,7 @@
 #include "base/processor_time.hpp"
 #include "study/peers/peer.hpp"
 #include "study/peers/pouring.hpp"
-#include "study/peers/rest_watch.hpp"
+#include "study/peers/rest_detector.hpp"
 
 // As it comes: its headers do not hold to our warnings.
 #pragma GCC diagnostic push

@@ -3,7 +3,7 @@
 #include "study/error/error_finish.hpp"
 #include "study/error/error_study.hpp"
 #include "study/peers/pouring.hpp"
-#include "study/peers/rest_watch.hpp"
+#include "study/peers/rest_detector.hpp"
 #include "study/stability/stability_study.hpp"
 #include "study/stability/stress_meshes.hpp"
 
