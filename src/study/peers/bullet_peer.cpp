@@ -2,7 +2,7 @@
 #include "base/processor_time.hpp"
 #include "study/peers/peer.hpp"
 #include "study/peers/pouring.hpp"
-#include "study/peers/rest_watch.hpp"
+#include "study/peers/rest_detector.hpp"
 
 // As it comes: its headers do not hold to our warnings.
 #pragma GCC diagnostic push
@@ -125,7 +125,7 @@ PeerResult runBullet(const PeerTask& task, double step)
     const ProcessorClock clock;
     BulletWorld world(task);
     PeerResult result;
-    RestWatch watch;
+    RestDetector watch;
     Pouring pouring(task);
     double nextLook = 0;
     double nextPour = 0;

@@ -3,7 +3,7 @@
 #include "study/error/error_finish.hpp"
 #include "study/error/error_study.hpp"
 #include "study/peers/pouring.hpp"
-#include "study/peers/rest_watch.hpp"
+#include "study/peers/rest_detector.hpp"
 #include "study/stability/stability_study.hpp"
 #include "study/stability/stress_meshes.hpp"
 
@@ -303,7 +303,7 @@ TEST(Peers, PourSpheresClearOfEachOtherAndOfTheWalls)
 
 TEST(Peers, ComeToRestByTheCommonRule)
 {
-    RestWatch watch;
+    RestDetector watch;
     std::vector<Eigen::Vector3d> places(10, Eigen::Vector3d::Zero());
     EXPECT_FALSE(watch.look(places)); // there was nothing to compare with
     EXPECT_TRUE(watch.look(places));

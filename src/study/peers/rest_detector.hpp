@@ -10,7 +10,7 @@ namespace frostfill
 {
 
 /// Tells when spheres have come to rest by the stop rule of all engines.
-class RestWatch
+class RestDetector
 {
 public:
     /// At the end of each window: whether nearly all have hardly moved in it.
