@@ -154,6 +154,9 @@ class Run:
     def groups(self) -> NDArray[numpy.uint32]:
         """uint32 [n]: the group with which a sphere appeared, from 0."""
     @property
+    def contacts(self) -> NDArray[numpy.uint32]:
+        """uint32 [n]: the number of contacts of each sphere at rest; see Snapshot.contacts."""
+    @property
     def directory(self) -> Path:
         """The folder of the run's files. Without `out`, one that goes when the run does."""
     @property
@@ -446,6 +449,9 @@ class Snapshot:
     @property
     def speeds(self) -> NDArray[numpy.float32]:
         """float32 [n]: mesh units a second; 0 at rest."""
+    @property
+    def contacts(self) -> NDArray[numpy.uint32]:
+        """uint32 [n]: of a sphere at rest: other spheres at rest, and pieces of wall, whose gap to it is below 0.01 of its radius; 0 while it runs."""
     @property
     def triangle_states(self) -> NDArray[numpy.uint8]:
         """uint8 [t]: 0 active, 1 discarded, of the triangles of the simulated mesh."""
