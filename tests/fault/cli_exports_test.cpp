@@ -28,15 +28,19 @@ protected:
     {
         return std::filesystem::exists(folder_ / file);
     }
-    /// The lines of the only file in a folder, without their last two columns: sets become groups.
+    /// The lines of the only file in a folder, without set and speed: groups become sets.
     [[nodiscard]] std::vector<std::string> rowsOf(const std::string& folder) const
     {
         std::ifstream file(std::filesystem::directory_iterator(folder_ / folder)->path());
         std::vector<std::string> rows;
         for (std::string row; std::getline(file, row);)
         {
-            row.resize(row.rfind(','));
-            rows.push_back(row.substr(0, row.rfind(',')));
+            const std::string contacts = row.substr(row.rfind(','));
+            for (int column = 0; column < 3; ++column)
+            {
+                row.resize(row.rfind(','));
+            }
+            rows.push_back(row + contacts);
         }
         return rows;
     }
