@@ -117,8 +117,9 @@ int examine()
 
 Command addDoctorCommand(CLI::App& program)
 {
-    program.add_subcommand("doctor",
-                           "Show which OpenGL and libraries are present and what is missing");
+    program
+        .add_subcommand("doctor", "Show which OpenGL and libraries are present and what is missing")
+        ->footer("Examples:\n  frostfill doctor\n");
     return [] { return examine(); };
 }
 

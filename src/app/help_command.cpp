@@ -73,6 +73,7 @@ Command addHelpCommand(CLI::App& program)
     const auto names = std::make_shared<std::vector<std::string>>();
     CLI::App* command = program.add_subcommand("help", "Print the help of a command");
     command->add_option("COMMAND", *names, "Such as fill, or bench error");
+    command->footer("Examples:\n  frostfill help fill\n  frostfill help bench error\n");
     return [names, &program]
     {
         fmt::print("{}", helpOf(program, *names));
@@ -82,7 +83,8 @@ Command addHelpCommand(CLI::App& program)
 
 Command addVersionCommand(CLI::App& program)
 {
-    program.add_subcommand("version", "Print the version");
+    program.add_subcommand("version", "Print the version")
+        ->footer("Examples:\n  frostfill version\n");
     return []
     {
         fmt::print("frostfill {}\n", FROSTFILL_VERSION);
@@ -98,8 +100,9 @@ Command addCompletionCommand(CLI::App& program)
     command->add_option("SHELL", *shell, "bash, zsh or fish")
         ->required()
         ->check(CLI::IsMember(shells()));
-    command->footer("Examples:\n  source <(frostfill completion bash)      in this shell\n"
-                    "  frostfill completion fish > ~/.config/fish/completions/frostfill.fish\n");
+    command->footer(
+        "Examples:\n  frostfill completion fish > ~/.config/fish/completions/frostfill.fish\n"
+        "  source <(frostfill completion bash)      in this shell\n");
     return [shell, &program]
     {
         fmt::print("{}", completionScript(*shell, commandTexts(program)));
@@ -113,7 +116,7 @@ Command addManCommand(CLI::App& program)
     CLI::App* command =
         program.add_subcommand("man", "Write the manual pages, one for each command");
     command->add_option("DIR", *folder, "Folder to write to")->required();
-    command->footer("Example:\n  frostfill man pages && man pages/frostfill-fill.1\n");
+    command->footer("Examples:\n  frostfill man pages && man pages/frostfill-fill.1\n");
     return [folder, &program] { return writePages(program, *folder); };
 }
 

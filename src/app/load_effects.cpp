@@ -10,7 +10,7 @@ namespace frostfill
 namespace
 {
 
-/// Of what comes out; or why nothing does, without the beginning that all refusals share.
+/// Of what comes out; or why nothing does.
 std::string effect(const TriangleMesh& mesh, const std::string& name,
                    const LoadMeshOptions& options)
 {
@@ -25,9 +25,7 @@ std::string effect(const TriangleMesh& mesh, const std::string& name,
         {
             return "the program frostfill-wrap is missing (docs/meshes.md)";
         }
-        const std::string why = error.what();
-        const std::size_t colon = why.find(": ");
-        return "refused: " + (colon == std::string::npos ? why : why.substr(colon + 2));
+        return fmt::format("refused: {}", error.what());
     }
 }
 

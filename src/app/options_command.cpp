@@ -87,7 +87,8 @@ std::string rowsOf(const CommandText& command)
 
 Command addOptionsCommand(CLI::App& program)
 {
-    program.add_subcommand("options", "Print every option and its default as Markdown");
+    program.add_subcommand("options", "Print every option and its default as Markdown")
+        ->footer("Examples:\n  frostfill options > options.md\n");
     return [&program]
     {
         std::string text = kStart + sceneOptionsMarkdown() + "\n## Commands\n";

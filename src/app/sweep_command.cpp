@@ -126,12 +126,18 @@ int gather(const SweepArguments& arguments, const SweepRequest& request)
     return exitCodeOf(reports);
 }
 
+struct DryReport
+{
+    std::string text;
+    bool fails = false;
+};
+
 /// What fill would do with a run, without pictures, so that nothing is rehearsed.
-std::string dryReport(const SweepRequest& sweep, const SweepRun& run, const RunReport& report)
+DryReport dryReport(const SweepRequest& sweep, const SweepRun& run, const RunReport& report)
 {
     if (report.status == RunStatus::done || report.status == RunStatus::running)
     {
-        return fmt::format("skipped, as it is {}", statusName(report.status));
+        return {fmt::format("skipped, as it is {}", statusName(report.status))};
     }
     FillRequest request;
     request.scene = run.scene;
@@ -142,14 +148,15 @@ std::string dryReport(const SweepRequest& sweep, const SweepRun& run, const RunR
     try
     {
         const FillPlan plan = planFill(request);
-        return fmt::format("about {} spheres of {:.4g}{}", plan.spheres, plan.largestRadius,
-                           report.status == RunStatus::missing && report.message.empty()
-                               ? ""
-                               : fmt::format("; now {}", reportText(report)));
+        return {fmt::format("about {} spheres of {:.4g}{}", plan.spheres, plan.largestRadius,
+                            report.status == RunStatus::missing && report.message.empty()
+                                ? ""
+                                : fmt::format("; now {}", reportText(report)))};
     }
     catch (const Error& error)
     {
-        return fmt::format("would fail with {}: {}", static_cast<int>(error.code()), error.what());
+        return {fmt::format("would fail with {}: {}", static_cast<int>(error.code()), error.what()),
+                true};
     }
 }
 
@@ -159,9 +166,9 @@ int printDryRun(const SweepRequest& request)
     bool fails = false;
     for (const std::size_t k : runsOf(request))
     {
-        const std::string text = dryReport(request, request.runs[k], reports[k]);
-        fails = fails || text.starts_with("would fail");
-        fmt::print("{}: {}\n", request.runs[k].name, text);
+        const DryReport report = dryReport(request, request.runs[k], reports[k]);
+        fails = fails || report.fails;
+        fmt::print("{}: {}\n", request.runs[k].name, report.text);
     }
     fmt::print("{} runs of {}; nothing was written\n", runsOf(request).size(), request.runs.size());
     return fails ? static_cast<int>(ErrorCode::thresholdFailed) : 0;

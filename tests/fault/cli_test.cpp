@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <sstream>
+#include <vector>
 
 namespace frostfill
 {
@@ -39,12 +41,29 @@ protected:
 
 TEST_F(CommandLine, HelpOfEveryCommandIsCompleteAndHasExamples)
 {
-    for (const char* command : {"", "fill", "mesh", "doctor"})
+    // "Subcommands:", then a command a line and what goes on from it, which is indented further.
+    const std::string all = run("--help").output;
+    std::istringstream lines(all.substr(all.find("Subcommands:")));
+    std::string line;
+    std::getline(lines, line);
+    std::vector<std::string> commands = {""};
+    while (std::getline(lines, line) && line.starts_with("  "))
     {
-        const Answer answer = run(std::string(command) + " --help");
-        EXPECT_EQ(answer.code, 0);
-        EXPECT_EQ(answer.errors, "");
+        if (line[2] != ' ')
+        {
+            commands.push_back(line.substr(2, line.find(' ', 2) - 2));
+        }
+    }
+    EXPECT_GE(commands.size(), 19U);
+    for (const std::string& command : commands)
+    {
+        const Answer answer = run(command + " --help");
+        EXPECT_EQ(answer.code, 0) << command;
+        EXPECT_EQ(answer.errors, "") << command;
+        EXPECT_NE(answer.output.find("Usage: frostfill " + command), std::string::npos) << command;
         EXPECT_NE(answer.output.find("--help"), std::string::npos) << command;
+        EXPECT_NE(answer.output.find("Examples:\n  frostfill " + command), std::string::npos)
+            << command;
     }
     const std::string help = run("fill --help").output;
     for (const char* part : {"--radius",

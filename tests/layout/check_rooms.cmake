@@ -17,6 +17,7 @@ endmacro()
 set(mesh mesh mesh/interior mesh/skin mesh/repair mesh/files)
 room(base)
 room(geometry base)
+room(oracle geometry) # of studies and tests alone
 room(mesh)
 room(mesh/interior mesh geometry)
 room(mesh/skin mesh geometry base)
@@ -72,7 +73,7 @@ room(import mesh scene snapshot run_file packing run)
 
 room(sweep base mesh scene scene/options simulation image renderer run_file output run)
 
-set(below base geometry ${mesh} view scene scene/options snapshot simulation simulation/world ${parts}
+set(below base geometry oracle ${mesh} view scene scene/options snapshot simulation simulation/world ${parts}
           simulation/quality simulation/columns simulation/engine image renderer render/framing render/context
           render/passes render/overlay run_file packing output run)
 room(study ${below})

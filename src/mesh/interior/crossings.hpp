@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "mesh/interior/vertex_triangles.hpp"
+#include "mesh/vertex_triangles.hpp"
 
 #include <cstddef>
 #include <vector>

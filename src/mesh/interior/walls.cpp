@@ -4,8 +4,8 @@
 #include "geometry/triangle_pair.hpp"
 #include "mesh/interior/crossings.hpp"
 #include "mesh/interior/edge_twins.hpp"
-#include "mesh/interior/vertex_triangles.hpp"
 #include "mesh/interior/winding_tree.hpp"
+#include "mesh/vertex_triangles.hpp"
 
 #include <algorithm>
 #include <cstdint>

@@ -2,6 +2,7 @@
 #include "render/passes/mesh_shading.hpp"
 
 #include "mesh/edge_table.hpp"
+#include "mesh/vertex_triangles.hpp"
 #include "render/passes/mesh_creases.hpp"
 
 #include <glm/geometric.hpp>
@@ -42,14 +43,6 @@ glm::vec3 unitOrZero(const glm::vec3& v)
     return length > 0 ? v / length : glm::vec3(0);
 }
 
-/// Triangle and corner in one number, so that corners can be sorted by vertex.
-struct VertexCorner
-{
-    std::uint32_t vertex;
-    std::uint32_t triangle;
-    std::uint8_t corner;
-};
-
 float angleAt(const std::array<glm::vec3, 3>& triangle, std::size_t corner)
 {
     const glm::vec3 a = unitOrZero(triangle[(corner + 1) % 3] - triangle[corner]);
@@ -61,40 +54,30 @@ float angleAt(const std::array<glm::vec3, 3>& triangle, std::size_t corner)
 /// [Thuermer & Wuethrich 1998], of those that are not bent away by a crease.
 void smoothNormals(const TriangleMesh& mesh, ShadedMesh& shaded)
 {
-    std::vector<VertexCorner> order;
-    order.reserve(mesh.triangles.size() * 3);
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-    {
-        for (std::uint8_t c = 0; c < 3; ++c)
-        {
-            order.push_back({mesh.triangles[t][c], t, c});
-        }
-    }
-    std::stable_sort(order.begin(), order.end(),
-                     [](const VertexCorner& a, const VertexCorner& b)
-                     { return a.vertex < b.vertex; });
     shaded.normals.resize(mesh.triangles.size());
-    for (auto first = order.begin(); first != order.end();)
+    const VertexTriangles around(mesh);
+    for (std::uint32_t vertex = 0; vertex < around.vertices(); ++vertex)
     {
-        const auto end =
-            std::find_if(first, order.end(),
-                         [&](const VertexCorner& other) { return other.vertex != first->vertex; });
-        for (auto own = first; own != end; ++own)
+        const auto cornerIn = [&](std::uint32_t t)
         {
-            const glm::vec3& face = shaded.faceNormals[own->triangle];
+            const auto& corners = mesh.triangles[t];
+            return static_cast<std::size_t>(std::find(corners.begin(), corners.end(), vertex) -
+                                            corners.begin());
+        };
+        for (const std::uint32_t own : around.at(vertex))
+        {
+            const glm::vec3& face = shaded.faceNormals[own];
             glm::vec3 sum(0);
-            for (auto other = first; other != end; ++other)
+            for (const std::uint32_t other : around.at(vertex))
             {
-                const glm::vec3& neighbour = shaded.faceNormals[other->triangle];
+                const glm::vec3& neighbour = shaded.faceNormals[other];
                 if (glm::dot(face, neighbour) >= kCreaseCosine)
                 {
-                    sum += neighbour * angleAt(shaded.corners[other->triangle], other->corner);
+                    sum += neighbour * angleAt(shaded.corners[other], cornerIn(other));
                 }
             }
-            shaded.normals[own->triangle][own->corner] =
-                sum == glm::vec3(0) ? face : unitOrZero(sum);
+            shaded.normals[own][cornerIn(own)] = sum == glm::vec3(0) ? face : unitOrZero(sum);
         }
-        first = end;
     }
 }
 

@@ -55,10 +55,9 @@ float pixelsOf(const glm::vec2& gradient)
 } // namespace
 
 ShellRaster::ShellRaster(const ShadedMesh& mesh, const Palette& palette, const MeshStrokes& strokes,
-                         int samples)
-    : mesh_(mesh), strokes_(strokes),
-      samples_(samples), colours_{toVector(palette.activePolygon),
-                                  toVector(palette.discardedPolygon)},
+                         int samples, bool avx2)
+    : mesh_(mesh), strokes_(strokes), samples_(samples),
+      avx2_(avx2), colours_{toVector(palette.activePolygon), toVector(palette.discardedPolygon)},
       inks_{inkFor(palette.activePolygon, palette.background),
             inkFor(palette.discardedPolygon, palette.background)},
       states_(mesh.corners.size(), PolygonState::active), setups_(mesh.corners.size())
@@ -292,7 +291,7 @@ void ShellRaster::draw(std::span<const std::uint32_t> triangles, const TilePart&
                 if (!rows.empty() &&
                     (resting == nullptr || !resting->hides({setup.pixels, setup.nearest}, part)))
                 {
-                    drawShellRows(samples_, setup, frame, rows, part, tile);
+                    drawShellRows(avx2_, samples_, setup, frame, rows, part, tile);
                 }
             }
         }

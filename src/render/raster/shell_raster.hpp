@@ -20,9 +20,9 @@ namespace frostfill
 class ShellRaster
 {
 public:
-    /// `mesh` must stay.
+    /// `mesh` must stay. `avx2` as lanes::hasAvx2().
     ShellRaster(const ShadedMesh& mesh, const Palette& palette, const MeshStrokes& strokes,
-                int samples);
+                int samples, bool avx2);
 
     /// `front` is added to what is near without perspective. `edgeOn` draws small triangles as
     /// densely as if they were seen at a grazing angle.
@@ -81,6 +81,7 @@ private:
     const ShadedMesh& mesh_;
     MeshStrokes strokes_;
     int samples_;
+    bool avx2_;
     std::array<glm::vec4, 2> colours_; ///< [PolygonState]
     std::array<glm::vec3, 2> inks_;    ///< [PolygonState]
     glm::mat4 view_{1};

@@ -2,7 +2,6 @@
 #include "render/raster/shell_rows.hpp"
 
 #include "render/raster/lanes.hpp"
-#include "render/raster/vector_width.hpp"
 
 #include <algorithm>
 #include <array>
@@ -236,10 +235,10 @@ void drawPlain(int samples, const Setup& setup, const Frame& frame, const PixelR
 
 } // namespace
 
-void drawShellRows(int samples, const ShellRaster::Setup& setup, const ShellRows& frame,
+void drawShellRows(bool avx2, int samples, const ShellRaster::Setup& setup, const ShellRows& frame,
                    const PixelRectangle& rows, const TilePart& part, SampleTile& tile)
 {
-    (lanes::usesAvx2() ? drawAvx2 : drawPlain)(samples, setup, frame, rows, part, tile);
+    (avx2 ? drawAvx2 : drawPlain)(samples, setup, frame, rows, part, tile);
 }
 
 } // namespace frostfill

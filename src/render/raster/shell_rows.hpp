@@ -15,8 +15,8 @@ struct ShellRows
     float lineWidth;
 };
 
-/// Blends a triangle over these rows of a tile.
-void drawShellRows(int samples, const ShellRaster::Setup& setup, const ShellRows& frame,
+/// Blends a triangle over these rows of a tile. `avx2` as lanes::hasAvx2().
+void drawShellRows(bool avx2, int samples, const ShellRaster::Setup& setup, const ShellRows& frame,
                    const PixelRectangle& rows, const TilePart& part, SampleTile& tile);
 
 } // namespace frostfill

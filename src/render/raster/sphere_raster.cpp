@@ -2,7 +2,6 @@
 #include "render/raster/sphere_raster.hpp"
 
 #include "render/raster/lanes.hpp"
-#include "render/raster/vector_width.hpp"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -312,8 +311,8 @@ void SphereRaster::draw(const SphereInstance& sphere, const PixelRectangle& pixe
     {
         setLighting(*light, axes, lighting);
     }
-    (lanes::usesAvx2() ? drawAvx2 : drawPlain)(
-        samples_, setup, light != nullptr ? &lighting : nullptr, rows, part, tile);
+    (avx2_ ? drawAvx2 : drawPlain)(samples_, setup, light != nullptr ? &lighting : nullptr, rows,
+                                   part, tile);
 }
 
 } // namespace frostfill

@@ -33,8 +33,9 @@ public:
     static constexpr float kHatchShare = 0.34F;
 
     /// `background` is the palette's. `front` is added to the nearness without perspective.
+    /// `avx2` as lanes::hasAvx2().
     SphereRaster(const SphereUniforms& uniforms, bool orthographic, const PictureSize& size,
-                 const Colour& background, int samples, float front = 0);
+                 const Colour& background, int samples, bool avx2, float front = 0);
 
     /// `pixels` is the sphere's rectangle in the picture. `light`: for the style studio.
     void draw(const SphereInstance& sphere, const PixelRectangle& pixels, const TilePart& part,
@@ -105,6 +106,7 @@ private:
     PixelGrid grid_;
     glm::vec3 background_; ///< [0..1] premultiplied
     int samples_;
+    bool avx2_;
     float front_;
 };
 

@@ -49,10 +49,10 @@ PixelGrid pixelGrid(const glm::mat4& projection, bool orthographic, const Pictur
 
 SphereRaster::SphereRaster(const SphereUniforms& uniforms, bool orthographic,
                            const PictureSize& size, const Colour& background, int samples,
-                           float front)
+                           bool avx2, float front)
     : uniforms_(uniforms), grid_(pixelGrid(uniforms.projection, orthographic, size)),
       background_(glm::vec3(toVector(background)) * toVector(background).a), samples_(samples),
-      front_(front)
+      avx2_(avx2), front_(front)
 {
 }
 

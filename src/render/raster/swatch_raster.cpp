@@ -17,14 +17,14 @@ constexpr float kInFront = 1e5F;
 
 } // namespace
 
-SwatchRaster::SwatchRaster(const Viewpoint& viewpoint, int samples)
+SwatchRaster::SwatchRaster(const Viewpoint& viewpoint, int samples, bool avx2)
 {
     const RenderSettings& settings = viewpoint.settings();
     const Legend& legend = viewpoint.legend();
     SphereUniforms flat;
     flat.projection = pixelProjection(settings.size);
-    raster_ = std::make_unique<SphereRaster>(flat, true, settings.size,
-                                             settings.style.palette.background, samples, kInFront);
+    raster_ = std::make_unique<SphereRaster>(
+        flat, true, settings.size, settings.style.palette.background, samples, avx2, kInFront);
     const auto height = static_cast<double>(settings.size.height);
     for (const Legend::Swatch& swatch : legend.spheres())
     {
@@ -51,7 +51,7 @@ SwatchRaster::SwatchRaster(const Viewpoint& viewpoint, int samples)
     }
     ShellRaster& polygons =
         *(polygons_ = std::make_unique<ShellRaster>(mesh_, shellPalette(settings.style),
-                                                    strokesFor(settings), samples));
+                                                    strokesFor(settings), samples, avx2));
     // With perspective the programs take them for being seen edge-on.
     polygons.lookFrom(flat, true, settings.size, std::move(strengths), 2 * kInFront,
                       !viewpoint.framing().orthographic);

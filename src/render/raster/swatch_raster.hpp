@@ -16,7 +16,7 @@ namespace frostfill
 class SwatchRaster
 {
 public:
-    SwatchRaster(const Viewpoint& viewpoint, int samples);
+    SwatchRaster(const Viewpoint& viewpoint, int samples, bool avx2);
 
     /// Around all of them, in the picture.
     [[nodiscard]] const PixelRectangle& pixels() const { return pixels_; }

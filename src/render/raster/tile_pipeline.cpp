@@ -29,9 +29,9 @@ bool TilePipeline::draws(const RenderSettings& settings)
            !style.ambientOcclusion;
 }
 
-TilePipeline::TilePipeline(const TriangleMesh& mesh, const RenderSettings& settings)
+TilePipeline::TilePipeline(const TriangleMesh& mesh, const RenderSettings& settings, bool avx2)
     : viewpoint_(mesh, settings), size_(settings.size),
-      samples_(settings.samples > 1 ? kMostTileSamples : 1), grid_(size_)
+      samples_(settings.samples > 1 ? kMostTileSamples : 1), avx2_(avx2), grid_(size_)
 {
     if (size_.width > kLongestEdge || size_.height > kLongestEdge)
     {
@@ -51,7 +51,7 @@ TilePipeline::TilePipeline(const TriangleMesh& mesh, const RenderSettings& setti
                    studioOf(mesh, positions, viewpoint_.settings(), viewpoint_.framing()));
     if (viewpoint_.legend().visible())
     {
-        swatches_ = std::make_unique<SwatchRaster>(viewpoint_, samples_);
+        swatches_ = std::make_unique<SwatchRaster>(viewpoint_, samples_, avx2_);
     }
     useFraming();
 }
@@ -60,7 +60,7 @@ void TilePipeline::addShell(const TriangleMesh& mesh, const std::vector<glm::vec
 {
     shaded_ = shadeMesh(mesh, positions, true);
     shell_ = std::make_unique<ShellRaster>(shaded_, shellPalette(viewpoint_.settings().style),
-                                           strokesFor(viewpoint_.settings()), samples_);
+                                           strokesFor(viewpoint_.settings()), samples_, avx2_);
 }
 
 void TilePipeline::lookFrom(const Camera& camera)
@@ -83,9 +83,9 @@ void TilePipeline::useFraming()
     const Style& style = viewpoint_.settings().style;
     SphereUniforms uniforms = uniformsOf(framing, viewpoint_.settings());
     layer_->light(framing, uniforms);
-    view_.emplace(TileView{
-        SphereRaster(uniforms, framing.orthographic, size_, style.palette.background, samples_),
-        SphereProjector(framing, size_)});
+    view_.emplace(TileView{SphereRaster(uniforms, framing.orthographic, size_,
+                                        style.palette.background, samples_, avx2_),
+                           SphereProjector(framing, size_)});
     layer_->lookFrom(*view_, framing, uniforms);
     if (shell_)
     {

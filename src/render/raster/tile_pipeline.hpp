@@ -4,6 +4,7 @@
 #include "render/layer/sphere_ledger.hpp"
 #include "render/layer/triangle_tiles.hpp"
 #include "render/overlay/viewpoint.hpp"
+#include "render/raster/has_avx2.hpp"
 #include "render/raster/shell_raster.hpp"
 #include "render/raster/swatch_raster.hpp"
 #include "render/raster/tile_grid.hpp"
@@ -26,7 +27,9 @@ namespace frostfill
 class TilePipeline
 {
 public:
-    TilePipeline(const TriangleMesh& mesh, const RenderSettings& settings);
+    /// Draws the same with and without `avx2`.
+    TilePipeline(const TriangleMesh& mesh, const RenderSettings& settings,
+                 bool avx2 = lanes::hasAvx2());
 
     /// Whether it knows this look.
     [[nodiscard]] static bool draws(const RenderSettings& settings);
@@ -54,6 +57,7 @@ private:
     Viewpoint viewpoint_;
     PictureSize size_;
     int samples_;
+    bool avx2_;
     TileGrid grid_;
     ShadedMesh shaded_;
     std::unique_ptr<ShellRaster> shell_;

@@ -12,6 +12,8 @@
 #include "simulation/contact/tolerances.hpp"
 #include "simulation/world/running_spheres.hpp"
 
+#include <frostfill/scene.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -125,8 +127,8 @@ inline void addNormal(std::vector<Eigen::Vector3d>& normals, const Eigen::Vector
 /// would ever come to rest.
 struct Restitution
 {
-    double coefficient = 0.2; ///< speed after over speed before, 0..1
-    double bounceSpeed = 0;   ///< approaches slower than this do not bounce [sqrt(g r)]
+    double coefficient = MotionSettings().restitution; ///< speed after over speed before, 0..1
+    double bounceSpeed = 0.5; ///< approaches slower than this do not bounce [sqrt(g r)]
 
     /// `approach`: relative velocity along the normal, negative when the two come nearer.
     [[nodiscard]] bool bounces(double approach) const { return approach < -bounceSpeed; }

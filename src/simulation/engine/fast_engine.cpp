@@ -52,9 +52,9 @@ int sweeps(const World& world)
 FastEngine::FastEngine(World& world)
     : world_(world), running_(world.spheres.running()), threads_(world.scene.threads),
       grid_(world.spheres.resting().frame()), followers_(world, releaseBand(world), threads_),
-      flight_(world, {world.scene.motion.restitution}), dropAndRoll_(world, followers_.falls),
+      flight_(world, {{world.scene.motion.restitution}}), dropAndRoll_(world, followers_.falls),
       sets_(world, ageLimit(world)), solver_(running_, grid_, flight_, threads_,
-                                             {.restitution = world.scene.motion.restitution,
+                                             {.restitution = {world.scene.motion.restitution},
                                               .sweeps = sweeps(world),
                                               .stiff = !sets_.keepsSets()}),
       freezer_(world, grid_, followers_, flight_, solver_, threads_, ageLimit(world)), waker_(world)

@@ -96,7 +96,7 @@ void FreeFlight::findContacts(std::uint32_t row, double gap)
 // into a contact is lost. Neither adds energy when restitution is at most 1.
 void FreeFlight::collide(Eigen::Vector3d& velocity, std::span<const Eigen::Vector3d> normals) const
 {
-    const Restitution restitution{settings_.restitution, settings_.bounceSpeed};
+    const Restitution& restitution = settings_.restitution;
     for (const Eigen::Vector3d& normal : normals)
     {
         const double approach = normal.dot(velocity);

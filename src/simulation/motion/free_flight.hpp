@@ -3,6 +3,7 @@
 // Running spheres do not see each other here.
 #pragma once
 
+#include "simulation/contact/contact.hpp"
 #include "simulation/contact/neighbour_list.hpp"
 #include "simulation/world/world.hpp"
 
@@ -18,9 +19,8 @@ class FreeFlight
 public:
     struct Settings
     {
-        double restitution = 0.2;
-        double bounceSpeed = 0.5; ///< approaches slower than this do not bounce [sqrt(g r)]
-        double damping = 0.3;     ///< of the speed while in contact [1 / sqrt(r/g)]
+        Restitution restitution;
+        double damping = 0.3; ///< of the speed while in contact [1 / sqrt(r/g)]
     };
 
     FreeFlight(World& world, const Settings& settings);

@@ -127,7 +127,7 @@ void VelocitySolver::collide(const ContactPair& contact)
     Eigen::Vector3d& ofUpper = running_.velocity[contact.upper];
     Eigen::Vector3d& ofLower = running_.velocity[contact.lower];
     const double approach = (ofUpper - ofLower).dot(contact.normal);
-    const Restitution restitution{settings_.restitution, settings_.bounceSpeed};
+    const Restitution& restitution = settings_.restitution;
     const bool bounces = restitution.bounces(approach);
     if (approach >= -contact.allowed || (bounces && contact.allowed > 0))
     {

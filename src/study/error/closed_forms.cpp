@@ -32,9 +32,8 @@ TriangleMesh hall(double half, double height)
 FreeFlight::Settings lossless(double restitution)
 {
     FreeFlight::Settings settings;
-    settings.restitution = restitution;
+    settings.restitution = {restitution, 0};
     settings.damping = 0;
-    settings.bounceSpeed = 0;
     return settings;
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "oracle/rest.hpp"
 #include "simulation/engine/make_engine.hpp"
 #include "simulation/motion/drop_and_roll.hpp"
 #include "simulation/motion/fall_index.hpp"
@@ -40,7 +41,7 @@ double runningError(const TriangleMesh& mesh, const Eigen::Vector3d& start,
 {
     const auto world = room(mesh);
     FreeFlight::Settings settings;
-    settings.restitution = 0;
+    settings.restitution.coefficient = 0;
     FreeFlight flight(*world, settings);
     world->spheres.add(start, 1, 0);
     RunningSpheres& running = world->spheres.running();
@@ -63,8 +64,7 @@ void addFast(ClosedFormPoints& points, const char* problem, const char* paramete
 
 } // namespace
 
-// r / sin a above the tip of a cone of half angle a, of which the mesh is a pyramid that
-// touches it from outside.
+// The mesh of a cone is a pyramid that touches it from outside.
 void measureCones(ClosedFormPoints& points)
 {
     constexpr int kSides = 12;
@@ -91,14 +91,13 @@ void measureCones(ClosedFormPoints& points)
         {
             mesh = insideOut(mesh);
         }
-        const Eigen::Vector3d expected(0, -kHeight / 2 + 1 / std::sin(angle), 0);
+        const Eigen::Vector3d expected(0, -kHeight / 2 + oracle::aboveTip(angle), 0);
         const Eigen::Vector3d start(0.1, 2.4, 0.1);
         const double degrees = angle * 180 / std::numbers::pi;
         addFast(points, "cone", "half angle", degrees, mesh, start, expected);
     }
 }
 
-// r / sin a above the bottom of a groove of half angle a.
 void measureGrooves(ClosedFormPoints& points)
 {
     for (const double angle : {0.3, 0.6, 0.9, 1.2})
@@ -114,7 +113,7 @@ void measureGrooves(ClosedFormPoints& points)
         }
         mesh.triangles = {{0, 2, 1}, {3, 4, 5}, {0, 1, 4}, {0, 4, 3},
                           {1, 2, 5}, {1, 5, 4}, {2, 0, 3}, {2, 3, 5}};
-        const Eigen::Vector3d expected(0, -height / 2 + 1 / std::sin(angle), 0);
+        const Eigen::Vector3d expected(0, -height / 2 + oracle::aboveTip(angle), 0);
         const Eigen::Vector3d start(0.2, 2.4, 0.4);
         const double degrees = angle * 180 / std::numbers::pi;
         addFast(points, "groove", "half angle", degrees, mesh, start, expected);
@@ -123,7 +122,7 @@ void measureGrooves(ClosedFormPoints& points)
     }
 }
 
-// In a cube that stands on a corner: sqrt(3) r above it.
+// In a cube of half edge 5 that stands on a corner.
 void measureCorner(ClosedFormPoints& points)
 {
     const Eigen::Matrix3d stand =
@@ -131,30 +130,26 @@ void measureCorner(ClosedFormPoints& points)
             .toRotationMatrix();
     const TriangleMesh mesh =
         moved(boxMesh({-5, -5, -5}, {5, 5, 5}, 3), 1, stand, Eigen::Vector3d::Zero());
-    const Eigen::Vector3d expected(0, -4 * std::sqrt(3.0), 0);
+    const Eigen::Vector3d expected(0, -5 * std::sqrt(3.0) + oracle::aboveCorner(), 0);
     const Eigen::Vector3d start(0.3, -2, 0.2);
     addFast(points, "corner", "cuts", 3, mesh, start, expected);
     points.add("corner", "paper", "cuts", 3, restingError(Preset::paper, mesh, start, expected),
                kNoClaim);
 }
 
-// On three that touch each other: 2 r sqrt(2/3) above their centres.
 void measureThreeSpheres(ClosedFormPoints& points)
 {
     const auto world = room(boxMesh({-8, -8, -8}, {8, 8, 8}));
     FallIndex falls(world->spheres.resting().frame(), world->triangles);
-    for (int k = 0; k < 3; ++k)
+    for (const Eigen::Vector3d& p : oracle::threeTouching(-7))
     {
-        const double a = 2 * std::numbers::pi * k / 3;
-        const double arm = 2 / std::sqrt(3.0);
-        const Eigen::Vector3d p(arm * std::cos(a), -7, arm * std::sin(a));
         world->spheres.addResting(p, 1, 0);
         falls.insert(p);
     }
     DropAndRoll descent(*world, falls);
     Eigen::Vector3d place(0.2, 0, 0.1);
     (void)descent.settle(place, 1);
-    const Eigen::Vector3d expected(0, -7 + 2 * std::sqrt(2.0 / 3.0), 0);
+    const Eigen::Vector3d expected(0, -7 + oracle::aboveThree(), 0);
     points.add("on three spheres", "fast", "spheres", 3, (place - expected).norm(), 1e-7);
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "oracle/motion.hpp"
 #include "simulation/engine/make_engine.hpp"
 #include "simulation/solver/position_solver.hpp"
 #include "study/error/closed_form_parts.hpp"
@@ -112,9 +113,9 @@ void measureFreeFall(ClosedFormPoints& points, double dt)
         {
             engine->step();
         }
-        const double error = world->spheres.position(0).y() - (20 - kTime * kTime / 2);
+        const double error = world->spheres.position(0).y() - (20 - oracle::fall(kTime));
         points.addPredicted("free fall", isExplicit ? "explicit Euler" : "semi-implicit Euler",
-                            "step", dt, error, (isExplicit ? 1 : -1) * kTime * dt / 2);
+                            "step", dt, error, (isExplicit ? 1 : -1) * oracle::eulerLag(kTime, dt));
     }
     const auto world = room(hall(5, 60));
     FreeFlight flight(*world, lossless(0));
@@ -125,7 +126,7 @@ void measureFreeFall(ClosedFormPoints& points, double dt)
         flight.advance(0, dt);
     }
     points.addPredicted("free fall", "exact step", "step", dt,
-                        running.position[0].y() - (20 - kTime * kTime / 2), 0);
+                        running.position[0].y() - (20 - oracle::fall(kTime)), 0);
 }
 
 void measureThrow(ClosedFormPoints& points, double dt)
@@ -140,19 +141,17 @@ void measureThrow(ClosedFormPoints& points, double dt)
     for (int step = 1; step <= steps; ++step)
     {
         flight.advance(0, dt);
-        const double t = step * dt;
-        const Eigen::Vector3d expected(1.5 * t, 4 * t - t * t / 2, -0.5 * t);
+        const Eigen::Vector3d expected = oracle::thrown({1.5, 4, -0.5}, step * dt);
         worst = std::max(worst, (running.position[0] - expected).norm());
     }
     points.add("throw", "exact step", "step", dt, worst, 1e-12 * steps + 1e-12);
 }
 
-// Apex after the first bounce: e^2 h.
 void measureBounce(ClosedFormPoints& points, double dt)
 {
     constexpr double kDrop = 10;
     constexpr double kRestitution = 0.7;
-    const double expected = kRestitution * kRestitution * kDrop;
+    const double expected = oracle::bounceApex(kDrop, kRestitution);
     const auto world = room(hall(5, 60));
     FreeFlight flight(*world, lossless(kRestitution));
     world->spheres.add({0.3, -29 + kDrop, 0.2}, 1, 0);
@@ -187,12 +186,11 @@ void measureBounce(ClosedFormPoints& points, double dt)
     }
 }
 
-// At rest after sqrt(2 h / g) (1 + e) / (1 - e), infinitely many bounces later.
 void measureBounceToRest(ClosedFormPoints& points, double dt)
 {
     constexpr double kDrop = 10;
     constexpr double kRestitution = 0.7;
-    const double expected = std::sqrt(2 * kDrop) * (1 + kRestitution) / (1 - kRestitution);
+    const double expected = oracle::bouncesEnd(kDrop, kRestitution);
     const auto world = room(hall(5, 60));
     FreeFlight flight(*world, lossless(kRestitution));
     world->spheres.add({0.3, -29 + kDrop, 0.2}, 1, 0);
@@ -209,12 +207,11 @@ void measureBounceToRest(ClosedFormPoints& points, double dt)
     }
     // Bounces that take less than a step are not told apart, and those below the height at
     // which they are no longer looked at are left out.
-    const double tail = std::sqrt(8 * kLow) / (1 - kRestitution);
+    const double tail = oracle::bouncesBelow(kLow, kRestitution);
     points.add("bounce to rest", "exact step", "step", dt, lastMotion / expected - 1,
                (kStepsToRest * dt + tail) / expected);
 }
 
-// Two equal spheres meet head on: v1' = v (1 - e) / 2, v2' = v (1 + e) / 2.
 void measureHeadOnPair(ClosedFormPoints& points, double dt)
 {
     constexpr double kRestitution = 0.6;
@@ -226,8 +223,7 @@ void measureHeadOnPair(ClosedFormPoints& points, double dt)
     Threads threads(1);
     RunnerGrid grid(world->spheres.resting().frame());
     RunningSpheres& pair = world->spheres.running();
-    PositionSolver positionSolver(pair, grid, flight, threads,
-                                  {.restitution = kRestitution, .bounceSpeed = 0});
+    PositionSolver positionSolver(pair, grid, flight, threads, {.restitution = {kRestitution, 0}});
     world->spheres.add({-3, 0, 0}, 1, 0);
     world->spheres.add({1, 0, 0}, 1, 0);
     pair.velocity[0] = {kSpeed, 0, 0};
@@ -237,12 +233,13 @@ void measureHeadOnPair(ClosedFormPoints& points, double dt)
         flight.advance(1, dt);
         positionSolver.resolve(dt);
     }
-    const double error = std::max(std::abs(pair.velocity[0].x() - kSpeed * (1 - kRestitution) / 2),
-                                  std::abs(pair.velocity[1].x() - kSpeed * (1 + kRestitution) / 2));
+    const oracle::Speeds expected = oracle::collide(1, kSpeed, 1, 0, kRestitution);
+    const double error = std::max(std::abs(pair.velocity[0].x() - expected.first),
+                                  std::abs(pair.velocity[1].x() - expected.second));
     points.add("head-on pair", "exact step", "step", dt, error, 1e-9);
 }
 
-// Sliding down a slope: g sin a, however finely it is cut. The room is tilted.
+// Sliding down a slope, however finely it is cut. The room is tilted.
 void measureIncline(ClosedFormPoints& points, int cuts)
 {
     constexpr double kAngle = 0.35;
@@ -262,16 +259,14 @@ void measureIncline(ClosedFormPoints& points, int cuts)
         flight.advance(0, kTime / steps);
     }
     const Eigen::Vector3d expected =
-        start - tilt * Eigen::Vector3d(std::sin(kAngle) * kTime * kTime / 2, 0, 0);
+        start - tilt * Eigen::Vector3d(oracle::slide(kAngle, kTime), 0, 0);
     points.add("incline", "exact step", "triangles", 2.0 * cuts * cuts,
                (running.position[0] - expected).norm(), 1e-9);
 }
 
-// A ball in a bowl swings with T = 2 pi sqrt(R - r), small amplitude.
 void measureBowl(ClosedFormPoints& points, int segments, double dt)
 {
     constexpr double kBowl = 30;
-    const double expected = 2 * std::numbers::pi * std::sqrt(kBowl - 1);
     const TriangleMesh mesh = bowlMesh(segments, kBowl);
     const auto world = room(mesh);
     FreeFlight flight(*world, lossless(0));
@@ -290,16 +285,14 @@ void measureBowl(ClosedFormPoints& points, int segments, double dt)
             crossings.push_back(t + dt * before / (before - now));
         }
     }
-    // T(A) = T0 (1 + A^2 / 16 + 11 A^4 / 3072): the ball loses amplitude at every crease, so
-    // only the first quarter and half swing are used.
-    const double a2 = kAmplitude * kAmplitude;
-    const double swing = expected * (1 + a2 / 16 + 11 * a2 * a2 / 3072);
+    // The ball loses amplitude at every crease, so only the first quarter and half swing are used.
+    const double swing = oracle::bowlPeriod(kBowl, kAmplitude);
     const double half = crossings.size() > 1 ? crossings[1] - crossings[0] : 0;
     // On facets that turn by d the potential is linear between points of the parabola, from
     // which it differs by up to g (R - r) d^2 / 8: a share (d / 2A)^2 of the swing's energy.
     // How much of the amplitude the creases leave is not known either.
     const double turn = 2 * std::numbers::pi / segments;
-    const double allowed = std::pow(turn / (2 * kAmplitude), 2) + a2 / 16;
+    const double allowed = std::pow(turn / (2 * kAmplitude), 2) + kAmplitude * kAmplitude / 16;
     points.add("bowl", "exact step", "segments", segments, half / (swing / 2) - 1, allowed);
 }
 

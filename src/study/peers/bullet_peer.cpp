@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "base/processor_time.hpp"
+#include "simulation/contact/contact.hpp"
 #include "study/peers/peer.hpp"
 #include "study/peers/pouring.hpp"
 #include "study/peers/rest_detector.hpp"
@@ -21,7 +22,7 @@ namespace frostfill
 namespace
 {
 
-constexpr btScalar kBounceSpeed = 0.5; ///< as the preset fast has it [sqrt(g r)]
+constexpr auto kBounceSpeed = static_cast<btScalar>(Restitution().bounceSpeed); ///< [sqrt(g r)]
 constexpr btScalar kMass = 1;
 
 btVector3 toBullet(const Eigen::Vector3d& v)

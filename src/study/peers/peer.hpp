@@ -16,7 +16,7 @@ struct PeerTask
 {
     TriangleMesh mesh;
     std::size_t count = 0; ///< spheres
-    double restitution = 0.2;
+    double restitution = 0;
     double timeLimit = 400;   ///< simulated time after which it ends, at rest or not
     double secondsLimit = 60; ///< processor time after which it ends
 };

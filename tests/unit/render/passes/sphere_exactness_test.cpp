@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The squares that stand for spheres against a ray caster in double precision.
+// Spheres as OpenGL and as tiles draw them, against a ray caster in double precision.
+#include "render/layer/painter_settings.hpp"
+#include "render/layer/projected_sphere.hpp"
 #include "render/pipeline.hpp"
+#include "render/raster/has_avx2.hpp"
+#include "render/raster/sphere_raster.hpp"
+#include "render/raster/tile_grid.hpp"
 #include "support/drawn_with.hpp"
 #include "support/pictures.hpp"
 
@@ -10,6 +15,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <span>
 
 namespace frostfill
@@ -100,6 +106,118 @@ struct Cloud
 /// What the depths of a picture may be off by [radius].
 constexpr double kDepthTolerance = 0.002;
 
+/// What was drawn where: the points that are seen in the middles of pixels, in unit space.
+struct Drawn
+{
+    Framing framing;
+    std::vector<SphereInstance> spheres;
+    std::vector<std::optional<glm::dvec3>> points; ///< by rows from the top
+};
+
+Drawn drawWithOpenGl(const TriangleMesh& mesh, const RenderSettings& settings,
+                     const Snapshot& snapshot)
+{
+    Pipeline pipeline(mesh, settings);
+    pipeline.draw(snapshot);
+    const auto spheres = pipeline.spheres().resting();
+    Drawn drawn{pipeline.framing(), {spheres.begin(), spheres.end()}, {}};
+    const RayCaster caster(drawn.framing, settings.size);
+    const std::vector<double> depth = pipeline.readDepth();
+    for (std::size_t i = 0; i < depth.size(); ++i)
+    {
+        const auto width = static_cast<std::size_t>(settings.size.width);
+        drawn.points.push_back(depth[i] < 1 ? std::optional(caster.unproject(
+                                                  static_cast<double>(i % width) + 0.5,
+                                                  static_cast<double>(i / width) + 0.5, depth[i]))
+                                            : std::nullopt);
+    }
+    return drawn;
+}
+
+Drawn drawInTiles(const TriangleMesh& mesh, const RenderSettings& settings,
+                  const Snapshot& snapshot)
+{
+    Viewpoint viewpoint(mesh, settings);
+    viewpoint.follow(snapshot);
+    const Framing& framing = viewpoint.framing();
+    SphereLedger ledger;
+    ledger.update(snapshot, framing, viewpoint.colours());
+    const auto spheres = ledger.resting();
+    Drawn drawn{framing, {spheres.begin(), spheres.end()}, {}};
+    const SphereRaster raster(uniformsOf(framing, settings), framing.orthographic, settings.size,
+                              settings.style.palette.background, 1, lanes::hasAvx2());
+    const SphereProjector projector(framing, settings.size);
+    const TileGrid grid(settings.size);
+    const RayCaster caster(framing, settings.size);
+    const auto width = static_cast<std::size_t>(settings.size.width);
+    drawn.points.resize(width * static_cast<std::size_t>(settings.size.height));
+    SampleTile tile;
+    for (std::size_t t = 0; t < grid.count(); ++t)
+    {
+        const TilePart part = grid.part(t);
+        tile.nearness[0].fill(kNothing);
+        for (const SphereInstance& sphere : spheres)
+        {
+            raster.draw(sphere, projector.project(sphere).pixels, part, tile);
+        }
+        const PixelRectangle inside = grid.inPicture(part);
+        for (int y = inside.bottom; y < inside.top; ++y)
+        {
+            for (int x = inside.left; x < inside.right; ++x)
+            {
+                const double near = tile.nearness[0][static_cast<std::size_t>(
+                    (y - part.bottom) * kTileEdge + x - part.left)];
+                if (near > kNothing)
+                {
+                    const int row = settings.size.height - 1 - y;
+                    const Ray ray = caster.through(x + 0.5, row + 0.5);
+                    // How far ahead of the eye the ray starts, and how much farther it goes.
+                    const double from = -(framing.view * glm::dvec4(ray.origin, 1)).z;
+                    const double along = -(framing.view * glm::dvec4(ray.direction, 0)).z;
+                    const double ahead = framing.orthographic ? -near : 1 / near;
+                    drawn.points[static_cast<std::size_t>(row) * width +
+                                 static_cast<std::size_t>(x)] =
+                        ray.origin + (ahead - from) / along * ray.direction;
+                }
+            }
+        }
+    }
+    return drawn;
+}
+
+void compare(const Drawn& drawn, const PictureSize& size)
+{
+    const RayCaster caster(drawn.framing, size);
+    std::size_t covered = 0;
+    std::size_t onEdge = 0;
+    std::size_t wrong = 0;
+    double worst = 0;
+    for (std::size_t i = 0; i < drawn.points.size(); ++i)
+    {
+        const auto width = static_cast<std::size_t>(size.width);
+        const Ray ray = caster.through(static_cast<double>(i % width) + 0.5,
+                                       static_cast<double>(i / width) + 0.5);
+        const Hit hit = caster.cast(ray, drawn.spheres);
+        const bool isHit = std::isfinite(hit.distance);
+        if (hit.onEdge)
+        {
+            ++onEdge;
+            continue;
+        }
+        covered += isHit ? 1 : 0;
+        wrong += isHit != drawn.points[i].has_value() ? 1 : 0;
+        if (isHit && drawn.points[i])
+        {
+            const glm::dvec3 exact = ray.origin + hit.distance * ray.direction;
+            worst = std::max(worst, glm::length(*drawn.points[i] - exact) / hit.radius);
+        }
+    }
+    EXPECT_GT(covered, 10000U) << "the scene proves little";
+    EXPECT_LT(onEdge, covered / 100) << "the scene proves little";
+    EXPECT_EQ(wrong, 0U);
+    EXPECT_LT(worst, kDepthTolerance) << "depth error over radius";
+}
+
 void compare(RenderSettings settings, const Cloud& cloud = {})
 {
     settings.style.shell = false;
@@ -117,49 +235,19 @@ void compare(RenderSettings settings, const Cloud& cloud = {})
         addSphere(snapshot, snapshot.origin + cloud.spread * place,
                   cloud.smallest + share * (cloud.largest - cloud.smallest), SphereState::frozen);
     }
-    Pipeline pipeline(mesh, settings);
-    pipeline.draw(snapshot);
-    const std::vector<double> depth = pipeline.readDepth();
-    const auto spheres = pipeline.spheres().resting();
-
-    const RayCaster caster(pipeline.framing(), settings.size);
-    std::size_t covered = 0;
-    std::size_t onEdge = 0;
-    std::size_t wrong = 0;
-    double worst = 0;
-    for (int y = 0; y < settings.size.height; ++y)
     {
-        for (int x = 0; x < settings.size.width; ++x)
-        {
-            const Ray ray = caster.through(x + 0.5, y + 0.5);
-            const Hit hit = caster.cast(ray, spheres);
-            const double drawn = depth[static_cast<std::size_t>(y * settings.size.width + x)];
-            const bool isHit = std::isfinite(hit.distance);
-            if (hit.onEdge)
-            {
-                ++onEdge;
-                continue;
-            }
-            covered += isHit ? 1 : 0;
-            wrong += isHit != (drawn < 1) ? 1 : 0;
-            if (isHit && drawn < 1)
-            {
-                const glm::dvec3 exact = ray.origin + hit.distance * ray.direction;
-                const glm::dvec3 point = caster.unproject(x + 0.5, y + 0.5, drawn);
-                worst = std::max(worst, glm::length(point - exact) / hit.radius);
-            }
-        }
+        SCOPED_TRACE("OpenGL");
+        compare(drawWithOpenGl(mesh, settings, snapshot), settings.size);
     }
-    EXPECT_GT(covered, 10000U) << "the scene proves little";
-    EXPECT_LT(onEdge, covered / 100) << "the scene proves little";
-    EXPECT_EQ(wrong, 0U);
-    EXPECT_LT(worst, kDepthTolerance) << "depth error over radius";
+    {
+        SCOPED_TRACE("tiles");
+        compare(drawInTiles(mesh, settings, snapshot), settings.size);
+    }
 }
 
 TEST(SphereExactness, PerspectiveOutlinesAndDepthsAreThoseOfTheRayCaster)
 {
     RenderSettings settings;
-    settings.backend = test::drawnWith();
     settings.size = {320, 240};
     compare(settings);
 }
@@ -167,7 +255,6 @@ TEST(SphereExactness, PerspectiveOutlinesAndDepthsAreThoseOfTheRayCaster)
 TEST(SphereExactness, WideAnglesStretchSpheresAsTheyShould)
 {
     RenderSettings settings;
-    settings.backend = test::drawnWith();
     settings.size = {640, 400};
     settings.camera.fieldOfView = 100;
     settings.camera.azimuth = -70;
@@ -177,7 +264,6 @@ TEST(SphereExactness, WideAnglesStretchSpheresAsTheyShould)
 TEST(SphereExactness, SpheresOfAMillionAreAsExact)
 {
     RenderSettings settings;
-    settings.backend = test::drawnWith();
     settings.size = {640, 400};
     settings.camera.zoom = 4;
     compare(settings, {700, 0.15, 0.004, 0.012});
@@ -186,14 +272,13 @@ TEST(SphereExactness, SpheresOfAMillionAreAsExact)
 TEST(SphereExactness, OrthographicOutlinesAndDepthsAreThoseOfTheRayCaster)
 {
     RenderSettings settings;
-    settings.backend = test::drawnWith();
     settings.size = {400, 300};
     settings.camera.orthographic = true;
     settings.camera.elevation = 65;
     compare(settings);
 }
 
-TEST(SphereExactness, FourSamplesSmoothTheOutline)
+TEST(SphereOutline, FourSamplesSmoothTheOutline)
 {
     RenderSettings settings;
     settings.backend = test::drawnWith();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "simulation/contact/sphere_cast.hpp"
 #include "simulation/motion/drop_and_roll.hpp"
+
+#include "oracle/rest.hpp"
+#include "simulation/contact/sphere_cast.hpp"
 #include "support/shapes.hpp"
 #include "support/small_world.hpp"
 
@@ -56,23 +58,19 @@ TEST_F(Settling, RestsOnTheFloorAtItsRadius)
     EXPECT_EQ(p.z(), -0.4);
 }
 
-// Closed form: the centre is r + 2 r sqrt(2/3) = 2.63299 r above the floor of the three.
 TEST_F(Settling, RestsOnThreeTouchingSpheres)
 {
     const auto world = smallWorld(shapes::box({-8, -8, -8}, {8, 8, 8}));
-    for (int k = 0; k < 3; ++k)
+    for (const Eigen::Vector3d& place : oracle::threeTouching(-7))
     {
-        const double a = 2 * M_PI * k / 3;
-        addResting(*world,
-                   {2 / std::sqrt(3.0) * std::cos(a), -7, 2 / std::sqrt(3.0) * std::sin(a)});
+        addResting(*world, place);
     }
     const Eigen::Vector3d p = settle(*world, {0.2, 0, 0.1});
-    EXPECT_NEAR(p.y(), -7 + 2 * std::sqrt(2.0 / 3.0), 1e-7);
+    EXPECT_NEAR(p.y(), -7 + oracle::aboveThree(), 1e-7);
     EXPECT_NEAR(p.x(), 0, 1e-7);
     EXPECT_NEAR(p.z(), 0, 1e-7);
 }
 
-// r / sin(a) above the bottom of a groove of half angle a.
 TEST_F(Settling, RestsInAGroove)
 {
     for (const double angle : {0.3, 0.6, 1.0})
@@ -80,7 +78,7 @@ TEST_F(Settling, RestsInAGroove)
         const auto world = smallWorld(groove(angle));
         const double centre = 5;
         const Eigen::Vector3d p = settle(*world, {0.2, 2, 0.5});
-        EXPECT_NEAR(p.y() + centre, 1 / std::sin(angle), 1e-6) << angle;
+        EXPECT_NEAR(p.y() + centre, oracle::aboveTip(angle), 1e-6) << angle;
         EXPECT_NEAR(p.x(), 0, 1e-6) << angle;
     }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/interior/vertex_triangles.hpp"
+#include "mesh/vertex_triangles.hpp"
 
 #include "mesh/triangle_shape.hpp"
 

@@ -2,6 +2,7 @@
 // What runners do to one another: collisions, pushes, and who carries whom in a pile.
 
 #include "base/random.hpp"
+#include "oracle/motion.hpp"
 #include "simulation/engine/make_engine.hpp"
 #include "simulation/quality/quality.hpp"
 #include "simulation/solver/position_solver.hpp"
@@ -152,10 +153,10 @@ TEST(VelocitySolver, SpheresOfUnlikeMassPartWithTheClosedFormSpeeds)
         light = -1.1 * normal;
         pile.positionSolver.resolve(kDt);
         const double mass = small * small * small;
-        const double common = (0.7 - mass * 1.1) / (1 + mass); // of the centre of mass
-        const double parting = SolverSettings().restitution * 1.8;
-        EXPECT_NEAR(heavy.dot(normal), common - parting * mass / (1 + mass), 1e-12);
-        EXPECT_NEAR(light.dot(normal), common + parting / (1 + mass), 1e-12);
+        const oracle::Speeds expected =
+            oracle::collide(1, 0.7, mass, -1.1, SolverSettings().restitution.coefficient);
+        EXPECT_NEAR(heavy.dot(normal), expected.first, 1e-12);
+        EXPECT_NEAR(light.dot(normal), expected.second, 1e-12);
         EXPECT_NEAR(heavy.y(), 0.3, 1e-12);
     }
 }

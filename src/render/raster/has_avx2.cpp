@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "render/raster/vector_width.hpp"
+#include "render/raster/has_avx2.hpp"
 
 #include "render/raster/lanes.hpp"
 
 namespace frostfill::lanes
 {
 
-bool& usesAvx2()
+bool hasAvx2()
 {
-    static bool uses = FROSTFILL_HAS_AVX2;
-    return uses;
+    return FROSTFILL_HAS_AVX2;
 }
 
 } // namespace frostfill::lanes
