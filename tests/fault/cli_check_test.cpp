@@ -68,6 +68,12 @@ TEST_F(CheckCommand, EndsWithTwoWhereMoreIsFoundThanMayBe)
     EXPECT_NE(answer.errors.find("largest overlap 0.1, more than 0.01"), std::string::npos)
         << answer.errors;
     EXPECT_EQ(answer.errors.find("outside"), std::string::npos) << answer.errors;
+    // A place that is no number is nowhere inside.
+    writeFile(folder_ / "lost.csv", "x,y,z,radius\n0,-0.75,0,0.25\nnan,0,0,0.25\n");
+    EXPECT_EQ(run("check lost.csv --mesh cube --max-outside 1").code, 0);
+    const Answer lost = run("check lost.csv --mesh cube --max-outside 0");
+    EXPECT_EQ(lost.code, 2);
+    EXPECT_NE(lost.errors.find("centres outside 1, more than 0"), std::string::npos) << lost.errors;
 }
 
 TEST_F(CheckCommand, RefusesInASentenceWhatItCannotMeasure)

@@ -60,6 +60,8 @@ TEST_F(Exports, OfAFillAreWhatTheCommandExportWrites)
         const std::string name = file.path().filename().string();
         EXPECT_EQ(test::readFile(file.path()), test::readFile(folder_ / "run/export" / name));
     }
+    const Answer one = run("export run --to xyz --frames 1 --out one");
+    EXPECT_NE(one.output.find(": 1 frame,"), std::string::npos) << one.output;
     // JSON has standard output for itself, and the run before is replaced with its exports.
     const Answer json = run(kSmall + "--export csv,xyz --out run --overwrite --json");
     EXPECT_EQ(json.code, 0) << json.errors;
@@ -97,6 +99,10 @@ TEST_F(Exports, AreImportedRenderedAndExportedAgain)
     const Answer resumed = run("fill --resume again");
     EXPECT_EQ(resumed.code, 64);
     EXPECT_NE(resumed.errors.find("imported"), std::string::npos) << resumed.errors;
+    ASSERT_EQ(run("import run/export/spheres.dump --up z --out tall --quiet").code, 0);
+    ASSERT_EQ(run("view tall --quiet").code, 0);
+    EXPECT_NE(test::readFile(folder_ / "tall/view.html").find(R"("up":[0.0,0.0,1.0])"),
+              std::string::npos);
     EXPECT_EQ(run("import missing.dump").code, 66);
     EXPECT_EQ(run("import run/export/spheres.dump --timestep 0").code, 64);
 }

@@ -128,6 +128,19 @@ TEST_F(RenderCommand, SaysThatAFileIsTornAndDrawsWhatIsWhole)
     EXPECT_EQ(picture("run/render", 3), picture("run", 3));
 }
 
+TEST_F(RenderCommand, StopsWith75WhenAskedToAndSkipsWhatIsThere)
+{
+    ASSERT_EQ(run(kLonger + "--overwrite --duration 8 --size 320x240").code, 0);
+    // Asked to at its first picture; all of them take far longer.
+    const Answer stopped =
+        run("render run --size 1920x1440 --quiet & process=$!; "
+            "until test -e run/render/frames/frame_00000.png; do sleep 0.01; done; "
+            "kill -TERM $process; wait $process");
+    EXPECT_EQ(stopped.code, 75) << stopped.errors;
+    EXPECT_FALSE(picture("run/render", 0).empty());
+    EXPECT_TRUE(picture("run/render", 239).empty());
+}
+
 TEST_F(RenderCommand, GoesOnAfterAKill)
 {
     ASSERT_EQ(run(kLonger + "--overwrite --duration 8 --size 320x240").code, 0);

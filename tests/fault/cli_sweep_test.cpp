@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <regex>
 #include <sstream>
 #include <string>
@@ -191,6 +192,13 @@ TEST_F(SweepCommand, PlansHaveTheFiguresThatSlurmAsksFor)
         sweep.output,
         std::regex("--array=0-3 --cpus-per-task=1 --time=00:0[0-9]:00 --mem=[0-9]+M")))
         << sweep.output;
+    // Twice what is said, and two minutes, in whole minutes.
+    std::smatch asked;
+    ASSERT_TRUE(std::regex_search(
+        sweep.output, asked,
+        std::regex("--array=0-0 .*--time=00:([0-9]+):00 --mem=.*# ([0-9.]+) s a task at most")))
+        << sweep.output;
+    EXPECT_EQ(std::stod(asked[1]), std::ceil((2 * std::stod(asked[2]) + 120) / 60)) << sweep.output;
     EXPECT_FALSE(isThere("output"));
     EXPECT_EQ(run("fill cube --count 8 --size 64x48 --duration 0.5 --quiet --out run").code, 0);
     const Answer render = run("plan run --tasks 5");

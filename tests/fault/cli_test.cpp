@@ -6,6 +6,9 @@
 
 #include <algorithm>
 #include <sstream>
+#include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace frostfill
@@ -162,7 +165,9 @@ TEST_F(CommandLine, MeshThatCannotBeFilledIsRefusedWith65)
     expectRefused("fill garbage.stl", 65, "garbage.stl");
     writeFile(folder_ / "flat.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     expectRefused("fill flat.obj", 65, "flat.obj");
-    EXPECT_EQ(run("mesh flat.obj").code, 65);
+    const Answer flat = run("mesh flat.obj");
+    EXPECT_EQ(flat.code, 65);
+    EXPECT_NE(flat.output.find("closed      no"), std::string::npos) << flat.output;
 }
 
 TEST_F(CommandLine, MeshTellsWhatARadiusCannotReach)
@@ -171,6 +176,24 @@ TEST_F(CommandLine, MeshTellsWhatARadiusCannotReach)
     EXPECT_EQ(hands.code, 0);
     EXPECT_NE(hands.output.find("no leak"), std::string::npos) << hands.output;
     EXPECT_NE(hands.output.find("out of reach: volume"), std::string::npos) << hands.output;
+    // The parts that are listed are among what is out of reach, which is less than all.
+    const auto numberAfter = [&](const std::string& words, std::size_t from)
+    {
+        const std::size_t at = hands.output.find(words, from);
+        return std::pair(
+            at, at == std::string::npos ? 0 : std::stod(hands.output.substr(at + words.size())));
+    };
+    const double volume = numberAfter("  volume      ", 0).second;
+    const double share = numberAfter("no leak; at least ", 0).second / 100;
+    double listed = 0;
+    for (auto [at, part] = numberAfter("out of reach: volume ", 0); at != std::string::npos;
+         std::tie(at, part) = numberAfter("out of reach: volume ", at + 1))
+    {
+        listed += part;
+    }
+    EXPECT_GT(listed, 0);
+    EXPECT_GE(share * volume, 0.99 * listed);
+    EXPECT_LT(share, 0.5);
     EXPECT_NE(run("mesh sphere --radius 0.999").output.find("no leak"), std::string::npos);
     EXPECT_NE(run("mesh sphere --radius 1.1").output.find("no sphere"), std::string::npos);
     EXPECT_EQ(run("mesh sphere --radius 0").code, 64);

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Arrays: shapes, types, views that nobody pulls the memory from under."""
 import gc
+import pathlib
+import tempfile
 
 import numpy
 from support import frostfill, unittest
@@ -78,6 +80,27 @@ class Arrays(unittest.TestCase):
                 same = frostfill.Simulation(vertices=v, triangles=t, count=20, name="cube")
                 same.advance()
                 self.assertEqual(same.state_hash(), cube.state_hash())
+
+    def test_counts_are_those_of_the_states(self):
+        simulation = frostfill.Simulation("torus", count=60)
+        seen = set()
+        for snapshot in simulation:
+            counts = numpy.bincount(snapshot.states, minlength=3).tolist()
+            self.assertEqual([snapshot.running, snapshot.frozen, snapshot.discarded], counts)
+            self.assertEqual(snapshot.discarded_triangles, int(snapshot.triangle_states.sum()))
+            seen.add((counts[2], snapshot.discarded_triangles))
+        self.assertTrue(any(spheres != triangles for spheres, triangles in seen))
+
+    def test_of_a_moved_object_bring_its_points_to_where_an_export_has_them(self):
+        run = frostfill.fill("torus", count=20, tilt=30, turn=40, duration=1, fps=10)
+        with tempfile.TemporaryDirectory() as folder:
+            (file,) = run.export(pathlib.Path(folder) / "world.xyz", frames="last")
+            rows = file.read_text().splitlines()[2:]
+        world = numpy.array([[float(word) for word in row.split()[1:4]] for row in rows])
+        last = run.last
+        self.assertFalse(numpy.allclose(last.rotation, last.rotation.T))
+        moved = last.origin + last.offset + (last.centres - last.origin) @ last.rotation.T
+        self.assertLess(numpy.abs(moved - world).max(), 1e-12)
 
     def test_pictures_show_themselves(self):
         picture = frostfill.Simulation("cube", count=5).render(size=(40, 30), legend=False)

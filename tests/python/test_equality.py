@@ -44,8 +44,9 @@ class Equality(FolderCase):
             self.assertTrue(numpy.array_equal(run.centres[:, axis], table[name]))
         self.assertTrue(numpy.array_equal(run.radii, table["radius"]))
         self.assertTrue(numpy.array_equal(run.groups, table["group"]))
-        names = numpy.array(["running", "frozen", "discarded"])
-        self.assertTrue(numpy.array_equal(names[run.states], table["state"]))
+        names = [frostfill.SphereState(state).name.lower() for state in run.states]
+        self.assertEqual(names, table["state"].tolist())
+        self.assertEqual(set(names), {"frozen", "discarded"})
 
     def test_a_mesh_in_arrays_is_the_mesh_of_its_file(self):
         read = frostfill.Simulation("cube", count=50)

@@ -16,6 +16,9 @@ class Check(FolderCase):
         centres = [[0.3, 0.1, 0.5], [0.48, 0.1, 0.5], [0.8, 0.1, 0.2], [0.5, 0.5, 0.5], [0.5, 0.5, 3]]
         report = frostfill.check(centres, 0.1, CUBE, FACES)
         self.assertAlmostEqual(report.max_overlap, 0.2)
+        two = frostfill.check([[0.1, 0.1, 0.1], [0.28, 0.1, 0.1], [0.47, 0.1, 0.1]], 0.1, CUBE, FACES)
+        self.assertAlmostEqual(two.max_overlap, 0.2)
+        self.assertAlmostEqual(two.mean_overlap, 0.15)  # of 0.2 and 0.1
         self.assertEqual(report.centres_outside, 1)
         self.assertGreaterEqual(report.unsupported, 1)
         self.assertAlmostEqual(report.mesh_volume, 1)
@@ -30,6 +33,7 @@ class Check(FolderCase):
                                  at_rest=run.states > 0)
         for ours, theirs in [
             (report.max_overlap, "max_overlap_over_radius"),
+            (report.mean_overlap, "mean_overlap_over_radius"),
             (report.max_wall_overlap, "max_wall_overlap_over_radius"),
             (report.centres_outside, "centres_outside"),
             (report.unsupported, "unsupported_frozen"),

@@ -27,6 +27,11 @@ class Runs(FolderCase):
     def test_are_the_same_after_saving_and_loading(self):
         saved = self.run_.save(self.folder / "deep" / "torus")
         loaded = frostfill.load(saved)
+        made = self.folder / "made"
+        made.mkdir()
+        self.assertEqual(saved.stat().st_mode, made.stat().st_mode)
+        saved.chmod(0o700)  # a copy is as open to others as any folder that is made
+        self.assertEqual(loaded.save(self.folder / "copy").stat().st_mode, made.stat().st_mode)
         for name in ("centres", "radii", "states", "groups"):
             self.assertTrue(numpy.array_equal(getattr(loaded, name), getattr(self.run_, name)))
         self.assertEqual(loaded.options, self.run_.options)
@@ -75,7 +80,10 @@ class Runs(FolderCase):
             (file,) = run.export(self.folder / f"torus.{ending}")
             self.assertGreater(file.stat().st_size, 100)
         arrays = numpy.load(self.folder / "torus.npz")
-        self.assertTrue(numpy.array_equal(arrays["centres"][-1], run.centres))
+        self.assertEqual(arrays["frames"].tolist(), run.frames.tolist())
+        for index, snapshot in enumerate(run):
+            here = len(snapshot)
+            self.assertTrue(numpy.array_equal(arrays["centres"][index][:here], snapshot.centres))
         self.assertEqual(run.export(self.folder / "all", "vtp", frames="0,1")[0].name, "run.pvd")
         with self.assertRaisesRegex(frostfill.CannotCreate, "is there already"):
             run.export(self.folder / "torus.csv")
@@ -88,7 +96,9 @@ class Runs(FolderCase):
             run.export(self.folder / "folder", "csw")
 
     def test_are_drawn_into_a_folder(self):
-        drawn = self.run_.draw(self.folder / "pictures", frames="0..9", size=(80, 60))
+        drawn = self.run_.draw(self.folder / "pictures", frames="0..9", size=(80, 60),
+                               contact_sheet=True)
+        self.assertTrue((self.folder / "pictures/contact_sheet.png").exists())
         self.assertEqual(drawn, 10)
         self.assertEqual(len(list((self.folder / "pictures/frames").glob("*.png"))), 10)
 

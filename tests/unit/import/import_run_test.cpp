@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
+#include "run/run_head.hpp"
 #include "support/expect_error.hpp"
 #include "unit/import/imported_run.hpp"
 
 #include <frostfill/fill.hpp>
+#include <frostfill/measure.hpp>
 #include <frostfill/packing.hpp>
 #include <frostfill/render_run.hpp>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 
@@ -91,6 +94,18 @@ TEST_F(ImportRun, TakesASphereToRestFromWhereItStaysToTheEnd)
     EXPECT_EQ(import(dumpStep(4, kColumns, {"1 1 0 0 0 0.1"})).at(0).states.at(0), kRests);
 }
 
+TEST_F(ImportRun, TakesWhatCreepsToRun)
+{
+    std::string text;
+    for (int step = 0; step < 4; ++step)
+    {
+        // By a fiftieth of its radius a step.
+        text += dumpStep(step, kColumns, {fmt::format("1 1 0 {} 0 0.1", 0.002 * step)});
+    }
+    import(text);
+    EXPECT_EQ(result_.atRest, 0U);
+}
+
 TEST_F(ImportRun, FollowsSpheresThatAppearAndVanish)
 {
     const auto frames = import(
@@ -130,7 +145,10 @@ TEST_F(ImportRun, ReadsExtendedXyzWithItsTimes)
     EXPECT_EQ(result.begin, 1.5);
     EXPECT_EQ(result.end, 2.5);
     EXPECT_EQ(result.largestRadius, 0.25);
-    EXPECT_NEAR(signedVolume(RunFileReader(folder_ / "run/run.frost").mesh()), 16, 1e-12);
+    const TriangleMesh box = RunFileReader(folder_ / "run/run.frost").mesh();
+    EXPECT_NEAR(signedVolume(box), 16, 1e-12);
+    EXPECT_EQ(boundingBox(box).min(), Eigen::Vector3d(-1, -1, -1));
+    EXPECT_EQ(boundingBox(box).max(), Eigen::Vector3d(3, 1, 1));
 }
 
 TEST_F(ImportRun, RefusesWhatItCannotReadInOneSentence)
@@ -195,6 +213,42 @@ TEST_F(ImportRun, IsDrawnCheckedAndNotResumed)
     expectError(
         ErrorCode::usage, [&] { (void)fill(again); }, "was imported from");
     EXPECT_EQ(test::readFile(folder_ / "run/run.frost"), before);
+}
+
+// What commands and other programs read, and no picture shows.
+TEST_F(ImportRun, SaysInTheFileWhatItHasRead)
+{
+    // Two rest and one moves.
+    const auto step = [](int number, double height)
+    {
+        return dumpStep(
+            number, kColumns,
+            {"1 1 0 0 0 0.1", fmt::format("2 1 0.5 {} 0 0.2", height), "3 1 -0.5 0 0 0.1"});
+    };
+    ImportRequest three = request(step(100, 0) + step(110, 0.1) + step(130, 0.2));
+    three.up = Axis::z;
+    importRun(three);
+    RunFileReader reader(folder_ / "run/run.frost");
+    const RunHead head = readHead(reader.head(), "run.frost");
+    EXPECT_EQ(head.version, describeMachine().version);
+    EXPECT_NE(head.version, "");
+    EXPECT_EQ(head.importedFrom, three.file);
+    EXPECT_EQ(head.scene.object.up, Axis::z);
+    EXPECT_EQ(head.scene.spheres.count, 3U);
+    EXPECT_EQ(head.interval, 7.5); // 30 steps of half a second are two intervals
+    // The last state is there once more, as at the end of a run of our own.
+    ASSERT_EQ(reader.frames().size(), 4U);
+    const std::array<std::uint64_t, 4> steps = {100, 110, 130, 130};
+    for (std::size_t k = 0; k < steps.size(); ++k)
+    {
+        const Snapshot& state = reader.seek(k);
+        EXPECT_EQ(state.step, steps[k]);
+        EXPECT_EQ(state.time, 0.5 * static_cast<double>(steps[k]));
+    }
+    const auto summary = nlohmann::json::parse(reader.summary().value());
+    EXPECT_EQ(summary.at("outcome"), "complete");
+    EXPECT_EQ(summary.at("frames"), 3);
+    EXPECT_EQ(summary.at("spheres"), nlohmann::json({{"running", 1}, {"total", 3}}));
 }
 
 TEST_F(ImportRun, LeavesAnEarlierRunAloneUnlessToldOtherwise)

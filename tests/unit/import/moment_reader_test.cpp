@@ -47,6 +47,27 @@ TEST_F(MomentReaderTest, GivesWhatTheFileSays)
     EXPECT_EQ(torn_, "");
 }
 
+TEST_F(MomentReaderTest, KnowsStatesByNameAndByNumber)
+{
+    const auto moments =
+        read(dumpStep(7, "id x y z radius state",
+                      {"1 0 0 0 1 running", "2 0 0 0 1 frozen", "3 0 0 0 1 discarded",
+                       "4 0 0 0 1 0", "5 0 0 0 1 1", "6 0 0 0 1 2"}));
+    const std::vector<SphereState> states = {SphereState::running, SphereState::frozen,
+                                             SphereState::discarded};
+    ASSERT_EQ(moments.size(), 1U);
+    for (std::size_t k = 0; k < 6; ++k)
+    {
+        EXPECT_EQ(moments[0].states.at(k), states[k % 3]) << k;
+    }
+}
+
+TEST_F(MomentReaderTest, MeasuresSpeedAlongAllThreeAxes)
+{
+    const auto moments = read(dumpStep(7, "id x y z radius vx vy vz", {"1 0 0 0 1 2 3 6"}));
+    EXPECT_EQ(moments.at(0).speeds, (std::vector<double>{7}));
+}
+
 TEST_F(MomentReaderTest, LeavesOutALastLineWithoutItsEnd)
 {
     const std::string step = dumpStep(7, "id x y z radius", {"5 0 1 2 0.5", "6 0 1 2 0.25"});

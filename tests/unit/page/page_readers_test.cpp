@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What a page holds is read by others: by hand with Python's standard library, and by Chromium
-// where it is installed, which shows the page and is compared with our own pictures.
+// What a page holds is read by others: by hand with Python's standard library; by Node.js, where it
+// is installed, which runs what needs no browser; and by Chromium, where it is installed, which
+// shows the page and is compared with our own pictures.
 #include "unit/page/paged_run.hpp"
 
 #include <frostfill/render_run.hpp>
@@ -25,11 +26,12 @@ int run(const std::string& command)
 }
 
 /// Runs a script of the readers on a folder; what it prints goes into the test's output.
-void read(const char* script, const test::TemporaryFolder& folder)
+void read(const char* script, const test::TemporaryFolder& folder,
+          const char* with = "/usr/bin/python3")
 {
     const std::string said = (folder / "said.txt").string();
-    EXPECT_EQ(run(fmt::format("/usr/bin/python3 '{}/{}' '{}' >'{}' 2>&1", FROSTFILL_PAGE_READERS,
-                              script, folder.path().string(), said)),
+    EXPECT_EQ(run(fmt::format("{} '{}/{}' '{}' >'{}' 2>&1", with, FROSTFILL_PAGE_READERS, script,
+                              folder.path().string(), said)),
               0)
         << readFile(said);
     std::cout << readFile(said);
@@ -60,6 +62,36 @@ TEST(PageReadersOfAnything, FollowSpheresThatWaitWakeAndAreWithdrawn)
     writePage(request);
     read("by_hand.py", folder);
 }
+
+/// Of a still torus, of a moved one, or of one in which everything happens.
+class InNode : public ::testing::TestWithParam<const char*>
+{
+};
+
+TEST_P(InNode, PagesDecodeEveryFrameAndPlaceTheCamera)
+{
+    if (run("node --version | grep -qE '^v(1[89]|[2-9][0-9])'") != 0)
+    {
+        GTEST_SKIP() << "Node.js 18 is not installed (apt-get install nodejs)";
+    }
+    const test::TemporaryFolder folder;
+    const std::string kind = GetParam();
+    if (kind == "Eventful")
+    {
+        const test::EventfulRun eventful(folder.path());
+    }
+    else
+    {
+        test::recordForPage(folder.path(), kind == "Moved");
+    }
+    PageRequest request;
+    request.run = folder.path();
+    writePage(request);
+    read("in_node.mjs", folder, "node");
+}
+
+INSTANTIATE_TEST_SUITE_P(Runs, InNode, ::testing::Values("Still", "Moved", "Eventful"),
+                         [](const auto& run) { return std::string(run.param); });
 
 /// Our own pictures of three frames, drawn as pages draw: twice as wide and high, then averaged.
 void drawFrames(const std::filesystem::path& folder, const std::vector<std::size_t>& frames)

@@ -137,6 +137,33 @@ TEST(Shell, HidesMoreTheMoreOpaqueItIs)
     }
 }
 
+// Lines are darker than the surface beside them, in its own colour.
+TEST(Shell, HasItsLinesInTheColourOfThePolygons)
+{
+    const TriangleMesh mesh = boxMesh({1, 1, 1});
+    RenderSettings settings = shellSettings();
+    settings.style.palette.activePolygon = {0, 200, 0, 100};
+    settings.style.palette.discardedPolygon = {200, 0, 0, 100};
+    Snapshot snapshot;
+    for (const Backend backend : {Backend::builtin, Backend::osmesa})
+    {
+        settings.backend = backend;
+        for (const PolygonState state : {PolygonState::active, PolygonState::discarded})
+        {
+            snapshot.polygons.assign(mesh.triangles.size(), state);
+            const Image image = draw(mesh, settings, snapshot);
+            const std::size_t own = state == PolygonState::active ? 1 : 0;
+            int least = 255;
+            for (std::size_t i = 0; i < image.pixels.size(); i += 3)
+            {
+                ASSERT_GE(image.pixels[i + own] + 1, image.pixels[i + 1 - own]);
+                least = std::min(least, int{image.pixels[i + 1 - own]});
+            }
+            EXPECT_LT(least, 100); // there are lines
+        }
+    }
+}
+
 TEST(Shell, OfDiscardedPolygonsLeavesTheSpheresBehindItAsTheyAre)
 {
     const TriangleMesh mesh = boxMesh({1, 1, 1});

@@ -58,6 +58,23 @@ TEST(PlanSweep, IsOfTheSizeOfWhatTheRunsTake)
     expectWithin(2, bytes, bytesIn(folder / "out"));
 }
 
+TEST(PlanSweep, CountsWhatPicturesTake)
+{
+    const auto costOf = [](const std::string& frames)
+    {
+        const auto runs = parseSweep("[scene]\nobject.mesh = \"cube\"\nthreads = 1\n" + frames +
+                                         "[sweep]\nspheres.radius = [0.4]\n",
+                                     "sweep.toml");
+        return planSweep(runs).at(0);
+    };
+    const Cost none = costOf("frames.which = \"none\"\n");
+    const Cost sixty = costOf("picture.size = \"640x480\"\nframes.duration = 2\n");
+    const Cost twice = costOf("picture.size = \"640x480\"\nframes.duration = 4\n");
+    EXPECT_GT(sixty.seconds, 4 * none.seconds);
+    expectWithin(1.6, twice.seconds, 2 * sixty.seconds);
+    expectWithin(1.3, twice.bytes, 2 * sixty.bytes);
+}
+
 TEST(PlanRender, IsOfTheSizeOfWhatThePicturesTake)
 {
     const test::TemporaryFolder folder;

@@ -1,88 +1,27 @@
 // SPDX-License-Identifier: MIT
-#include "support/temporary_folder.hpp"
 #include "sweep/claim.hpp"
 #include "sweep/run_record.hpp"
+#include "unit/sweep/sweep_case.hpp"
 
-#include <frostfill/sweep.hpp>
-
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <csignal>
-#include <map>
-#include <sstream>
 
 namespace frostfill
 {
 namespace
 {
 
+using test::doneAnew;
+using test::kSweep;
 using test::readFile;
+using test::statusesOf;
 using test::writeFile;
 
-constexpr const char* kSweep = R"(
-[scene]
-frames.which = "none"
-threads = 1
-spheres.radius = 0.4
-[sweep]
-object.mesh = ["cube", "sphere"]
-seed = [1, 2, 3]
-)";
-
-class Sweep : public ::testing::Test
+class Sweep : public test::SweepCase
 {
-protected:
-    [[nodiscard]] SweepRequest request(const std::string& toml = kSweep) const
-    {
-        SweepRequest sweep;
-        sweep.runs = parseSweep(toml, "sweep.toml");
-        sweep.directory = folder_ / "out";
-        return sweep;
-    }
-    [[nodiscard]] std::filesystem::path folderOf(const SweepRun& run) const
-    {
-        return folder_ / "out" / run.name;
-    }
-    /// What is in every folder of a run, without what tells the time.
-    [[nodiscard]] std::map<std::string, std::string> results(const SweepRequest& sweep) const
-    {
-        std::map<std::string, std::string> all;
-        for (const SweepRun& run : sweep.runs)
-        {
-            all[run.name] = readFile(folderOf(run) / "spheres.csv");
-        }
-        return all;
-    }
-    test::TemporaryFolder folder_;
 };
-
-std::vector<RunStatus> statusesOf(const std::vector<RunReport>& reports)
-{
-    std::vector<RunStatus> statuses;
-    for (const RunReport& report : reports)
-    {
-        statuses.push_back(report.status);
-    }
-    return statuses;
-}
-
-/// The indices of the runs that are not skipped.
-std::vector<std::size_t> doneAnew(const SweepRequest& sweep)
-{
-    std::vector<std::size_t> anew;
-    SweepObserver observer;
-    observer.ended = [&](std::size_t index, const RunReport&, bool skipped)
-    {
-        if (!skipped)
-        {
-            anew.push_back(index);
-        }
-    };
-    (void)runSweep(sweep, observer);
-    return anew;
-}
 
 TEST_F(Sweep, FillsEachFolderAsFillWould)
 {
@@ -270,41 +209,6 @@ TEST_F(Sweep, KnowsARunThatWasKilledBeforeItCouldSaySo)
     const RunReport report = lookAtSweep(sweep)[0];
     EXPECT_EQ(report.status, RunStatus::stopped);
     EXPECT_NE(report.message.find("killed"), std::string::npos);
-}
-
-TEST_F(Sweep, GathersARowForEachRunWithItsStatusValuesAndResults)
-{
-    SweepRequest sweep = request();
-    sweep.shard = {0, 2};
-    (void)runSweep(sweep);
-    const std::vector<RunReport> reports = lookAtSweep(sweep);
-    EXPECT_EQ(statusesOf(reports),
-              (std::vector<RunStatus>{RunStatus::done, RunStatus::missing, RunStatus::done,
-                                      RunStatus::missing, RunStatus::done, RunStatus::missing}));
-    writeSweepTable(sweep, reports);
-    const auto rows = nlohmann::json::parse(readFile(folder_ / "out/table.json"));
-    ASSERT_EQ(rows.size(), 6U);
-    EXPECT_EQ(rows[0]["run"], "mesh=cube,seed=1");
-    EXPECT_EQ(rows[0]["scene.object.mesh"], "cube");
-    EXPECT_EQ(rows[0]["status"], "done");
-    EXPECT_EQ(rows[1]["status"], "missing");
-    EXPECT_FALSE(rows[1].contains("state_hash"));
-    const auto summary = nlohmann::json::parse(readFile(folderOf(sweep.runs[2]) / "summary.json"));
-    EXPECT_EQ(rows[2]["state_hash"], summary["state_hash"]);
-    EXPECT_EQ(rows[2]["error.packing_fraction"], summary["error"]["packing_fraction"]);
-    // The CSV has a line for each and as many cells in each; the swept name has a comma in it.
-    std::istringstream csv(readFile(folder_ / "out/table.csv"));
-    std::string line;
-    std::getline(csv, line);
-    EXPECT_EQ(line.substr(0, 48), "run,status,exit_code,message,scene.object.mesh,s");
-    const auto commas = std::count(line.begin(), line.end(), ',');
-    for (int k = 0; k < 6; ++k)
-    {
-        ASSERT_TRUE(std::getline(csv, line));
-        EXPECT_EQ(std::count(line.begin(), line.end(), ','), commas + 1) << line;
-        EXPECT_EQ(line.substr(0, 6), "\"mesh=") << line;
-    }
-    EXPECT_FALSE(std::getline(csv, line));
 }
 
 } // namespace

@@ -171,6 +171,18 @@ TEST(ReadMesh, SaysWhatIsWrongWithAGlbWhoseJsonIsNotFilledUp)
                         [&] { (void)readMesh(file); });
 }
 
+TEST(ReadMesh, PlacesTheChildrenOfAGltfWithinTheirParents)
+{
+    test::writeFile("box.bin", gltfBuffer());
+    std::string text =
+        gltf(R"(,"translation":[10,0,0]},{"children":[0],"scale":[2,3,4])", "box.bin");
+    const std::string root = R"({"nodes":[0]})";
+    text.replace(text.find(root), root.size(), R"({"nodes":[1]})");
+    const Eigen::AlignedBox3d box = boundingBox(readMesh(test::writeFile("nested.gltf", text)));
+    EXPECT_EQ(box.min(), Eigen::Vector3d(20, 0, 0));
+    EXPECT_EQ(box.max(), Eigen::Vector3d(22, 3, 4));
+}
+
 TEST(ReadMesh, OpensNoBufferOutsideTheFolderOfAGltf)
 {
     std::filesystem::create_directories(test::outputFile("inner"));

@@ -150,5 +150,56 @@ for triangle in oracle["triangles"]:
         for k in range(3):
             there = points[3 * corner + k] / facts["scale_of_unit"] + facts["centre"][k]
             assert abs(there - oracle["vertices"][vertex][k]) < 1e-6 / facts["scale_of_unit"]
+assert readers["triangles"].at == len(sections["triangles"])
+
+
+def minus(a, b):
+    return [p - q for p, q in zip(a, b)]
+
+
+def unit(a):
+    length = sum(p * p for p in a) ** 0.5
+    return [p / length for p in a]
+
+
+def normal_of(triangle):
+    a, b, c = (oracle["vertices"][k] for k in triangle)
+    u, v = minus(b, a), minus(c, a)
+    return unit([u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]])
+
+
+def cosine(a, b):
+    return sum(p * q for p, q in zip(a, b))
+
+
+# The torus is smooth: each normal is the one of the ring's tube at its vertex, to the sharpness of the mesh.
+normals = struct.unpack(f"<{len(sections['normals']) // 2}h", sections["normals"])
+assert len(normals) == len(points)
+readers["triangles"].at, corner = 0, 0
+for triangle in oracle["triangles"]:
+    for vertex in triangle:
+        corner += readers["triangles"].difference()
+        normal = [part / 32767 for part in normals[3 * corner:3 * corner + 3]]
+        assert abs(cosine(normal, normal) - 1) < 2e-4, normal
+        assert cosine(normal, normal_of(triangle)) > 0.9, (normal, triangle)
+# It has no crease, so that all of it is as far from one as can be said.
+assert set(sections["creases"]) == {255} and 3 * len(sections["creases"]) == len(points)
+
+# Each edge is there once, beside its two triangles, opposite the corners that it names.
+wanted = {tuple(sorted(triangle[k] for k in range(3) if k != c))
+          for triangle in oracle["triangles"] for c in range(3)}
+found, first = set(), 0
+kinds = sections["edgeKinds"]
+for edge in range(len(kinds) // 2):
+    first += readers["edges"].difference()
+    second = first + readers["edges"].difference()
+    ends = []
+    for t, opposite in ((first, kinds[2 * edge] % 4), (second, kinds[2 * edge] // 4)):
+        ends.append(tuple(sorted(v for k, v in enumerate(oracle["triangles"][t]) if k != opposite)))
+    assert first != second and ends[0] == ends[1], (edge, ends)
+    assert kinds[2 * edge + 1] == 60, "an edge of a smooth surface is drawn plainly"
+    found.add(ends[0])
+assert found == wanted and len(kinds) == 2 * len(wanted)
+assert readers["edges"].at == len(sections["edges"])
 print(f"{frames} frames: places are within {worst / smallest:.2g} r; "
       f"the page states {film['error_over_radius']:.2g} r")

@@ -119,15 +119,22 @@ TEST(Framing, ZoomEnlargesAboutTheMiddle)
     const TriangleMesh mesh = boxMesh({1, 2, 3});
     RenderSettings settings;
     settings.size = {600, 400};
-    const auto widthAt = [&](double zoom)
+    const auto extentAt = [&](double zoom)
     {
         settings.camera.zoom = zoom;
         const Bounds bounds =
             boundsOf(frame(mesh.vertices, settings, {0, 0, 600, 400}), settings.size, mesh);
-        return bounds.high.x - bounds.low.x;
+        return bounds.high - bounds.low;
     };
-    EXPECT_NEAR(widthAt(2) / widthAt(1), 2, 1e-9);
-    EXPECT_NEAR(widthAt(0.5) / widthAt(1), 0.5, 1e-9);
+    for (const bool orthographic : {false, true})
+    {
+        settings.camera.orthographic = orthographic;
+        for (const double zoom : {2.0, 0.5})
+        {
+            EXPECT_NEAR(extentAt(zoom).x / extentAt(1).x, zoom, 1e-9);
+            EXPECT_NEAR(extentAt(zoom).y / extentAt(1).y, zoom, 1e-9);
+        }
+    }
 }
 
 TEST(Framing, TargetIsInTheMiddleAndEverythingStillFits)

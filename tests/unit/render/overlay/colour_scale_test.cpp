@@ -133,5 +133,74 @@ TEST(ColourScale, RefusesAColumnThatGivesNoColours)
     }
 }
 
+/// A sphere of each state, in groups 0, 5 and 10, at heights 1, 2 and 4 above the foot of
+/// `vertices`.
+Snapshot threeSpheres()
+{
+    Snapshot snapshot;
+    snapshot.origin = {1, 4, 0};
+    snapshot.states = {SphereState::running, SphereState::frozen, SphereState::discarded};
+    snapshot.groups = {0, 5, 10};
+    snapshot.speeds = {3000, 0, 0};
+    snapshot.radii = {1, 1, 1};
+    snapshot.centres = {{0, -2, 0}, {7, -1, 3}, {-2, 1, 0}};
+    return snapshot;
+}
+const std::vector<Eigen::Vector3d> kVertices = {{-9, 1, 0}, {9, 9, 0}};
+
+std::vector<Colour> coloursBy(const std::string& by, ColourRange range = {})
+{
+    RenderSettings settings;
+    settings.style.palette = paletteOf(Look::dark);
+    settings.style.colourBy = by;
+    settings.range = range;
+    settings.groupsPerSet = 5;
+    settings.unitsPerMetre = 1000;
+    const SphereColours colours(settings, kVertices);
+    const Snapshot snapshot = threeSpheres();
+    return {colours.of(snapshot, 0), colours.of(snapshot, 1), colours.of(snapshot, 2)};
+}
+
+TEST(SphereColours, AreThoseOfThePaletteForStates)
+{
+    const Palette palette = paletteOf(Look::dark);
+    EXPECT_EQ(coloursBy("state"),
+              (std::vector<Colour>{palette.running, palette.frozen, palette.discarded}));
+}
+
+TEST(SphereColours, CountSetsAndGroupsFromTheLowEndOfTheScale)
+{
+    EXPECT_EQ(coloursBy("group", {0, 20}),
+              (std::vector<Colour>{scaleColour(0), scaleColour(0.25), scaleColour(0.5)}));
+    EXPECT_EQ(coloursBy("set", {0, 4}), // 5 groups each
+              (std::vector<Colour>{scaleColour(0), scaleColour(0.25), scaleColour(0.5)}));
+}
+
+TEST(SphereColours, MeasureSpeedInMetresASecond)
+{
+    // 3000 units are 3 m; the scale ends at the round number from 81 % of a fall's speed on.
+    EXPECT_EQ(coloursBy("speed", {0, 6 / 0.81})[0], scaleColour(0.5));
+}
+
+TEST(SphereColours, MeasureHeightFromTheFootOfTheObject)
+{
+    EXPECT_EQ(coloursBy("height"), (std::vector<Colour>{scaleColour(1 / 8.0), scaleColour(2 / 8.0),
+                                                        scaleColour(4 / 8.0)}));
+}
+
+TEST(SphereColours, AreNamedWithTheirUnit)
+{
+    const auto title = [](const std::string& by)
+    {
+        RenderSettings settings;
+        settings.style.colourBy = by;
+        return SphereColours(settings, {}).title();
+    };
+    EXPECT_EQ(title("set"), "Set");
+    EXPECT_EQ(title("group"), "Group");
+    EXPECT_EQ(title("speed"), "Speed [m/s]");
+    EXPECT_EQ(title("height"), "Height [mesh unit]");
+}
+
 } // namespace
 } // namespace frostfill

@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace frostfill
 {
@@ -77,6 +79,27 @@ TEST(MeshShading, OutlineIsDrawnAndDependsOnTheEye)
     // ring lies between two strips of which one faces the viewer.
     EXPECT_EQ(strong({0, 0, 1}), 2U * 2U * 48U);
     EXPECT_NE(strong({1, 0.1F, 0.2F}), strong({0, 0, 1}));
+}
+
+TEST(MeshShading, ABendOfMoreThan35DegreesIsACreaseAndNotSmoothedOver)
+{
+    for (const double degrees : {0.0, 30.0, 34.0, 36.0, 50.0, 90.0, 150.0})
+    {
+        const double bend = degrees * std::numbers::pi / 180;
+        TriangleMesh hinge; // about the x axis
+        hinge.vertices = {{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, std::cos(bend), std::sin(bend)}};
+        hinge.triangles = {{0, 2, 1}, {0, 1, 3}};
+        const ShadedMesh shaded = shade(hinge);
+        const auto edge = std::find_if(shaded.edges.begin(), shaded.edges.end(),
+                                       [](const ShadedMesh::Edge& each)
+                                       { return each.triangles[1] != ShadedMesh::Edge::kNone; });
+        ASSERT_NE(edge, shaded.edges.end());
+        const bool isCrease = degrees > 35;
+        EXPECT_EQ(edge->crease != 0, isCrease) << degrees;
+        // Smooth normals at the hinge are half way between both faces.
+        const double cosine = glm::dot(shaded.normals[0][0], shaded.faceNormals[0]);
+        EXPECT_NEAR(cosine, isCrease ? 1 : std::cos(bend / 2), 1e-5) << degrees;
+    }
 }
 
 TEST(MeshShading, RimOfAHoleIsDrawn)
