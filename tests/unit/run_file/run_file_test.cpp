@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace frostfill
 {
 namespace
@@ -39,6 +41,31 @@ void expectSame(const Snapshot& read, const Snapshot& written)
     EXPECT_EQ(read.frozen, written.frozen);
     EXPECT_EQ(read.discarded, written.discarded);
     EXPECT_EQ(read.discardedPolygons, written.discardedPolygons);
+    ASSERT_EQ(read.columns.size(), written.columns.size());
+    for (std::size_t k = 0; k < read.columns.size(); ++k)
+    {
+        EXPECT_EQ(read.columns[k].bits, written.columns[k].bits);
+    }
+}
+
+/// Returns how many values of columns differ. Each of them is of a sphere that is listed as
+/// changed.
+std::size_t expectListed(const Snapshot& read, const Snapshot& before)
+{
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < before.columns.size(); ++k)
+    {
+        const auto& was = before.columns[k].bits;
+        const auto& now = read.columns[k].bits;
+        for (std::uint32_t id = 0; id < std::min(was.size(), now.size()); ++id)
+        {
+            const auto& listed = read.changed;
+            const bool differs = was[id] != now[id];
+            count += differs ? 1 : 0;
+            EXPECT_TRUE(!differs || std::find(listed.begin(), listed.end(), id) != listed.end());
+        }
+    }
+    return count;
 }
 
 class RunFile : public ::testing::Test
@@ -55,11 +82,16 @@ protected:
         EXPECT_EQ(reader.mesh().vertices, run.mesh.vertices);
         EXPECT_EQ(reader.mesh().triangles, run.mesh.triangles);
         ASSERT_EQ(reader.frames(), run.numbers);
+        std::size_t revalued = 0;
         for (std::size_t k = 0; k < run.frames.size(); ++k)
         {
             SCOPED_TRACE(k);
-            expectSame(reader.seek(k), run.frames[k]);
+            reader.forgetChanges();
+            const Snapshot& read = reader.seek(k);
+            expectSame(read, run.frames[k]);
+            revalued += k > 0 ? expectListed(read, run.frames[k - 1]) : 0;
         }
+        EXPECT_GT(revalued, run.spheres.size()) << "contacts of what rests already";
         // At rest to the last bit, in motion to the grid.
         for (std::size_t id = 0; id < run.spheres.size(); ++id)
         {

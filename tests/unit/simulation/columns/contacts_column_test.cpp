@@ -90,6 +90,38 @@ TEST(ContactsColumn, FollowsWhateverHappens)
     EXPECT_GE(most, 6u);
 }
 
+TEST(ContactsColumn, ForgetsWhatTheNumberOfARunningSphereHadAtRest)
+{
+    const auto world = smallWorld(room());
+    ContactsColumn column(*world);
+    const std::uint32_t runs = world->spheres.add({5, 5, 5}, 1, 0);
+    addResting(*world, {0, 0, 0});
+    const std::uint32_t last = addResting(*world, {2, 0, 0});
+    column.update();
+    EXPECT_EQ(column.value(last), 1);
+    world->spheres.withdraw(runs); // its number goes to the last one
+    world->spheres.closeRanks();
+    ASSERT_EQ(world->spheres.add({5, 5, 5}, 1, 0), last);
+    column.update();
+    EXPECT_EQ(column.value(last), 0);
+    EXPECT_EQ(column.value(runs), 1);
+}
+
+TEST(ContactsColumn, LooksAgainBesideASphereThatWokeAndWasWithdrawn)
+{
+    const auto world = smallWorld(room());
+    ContactsColumn column(*world);
+    const std::uint32_t stays = addResting(*world, {0, 0, 0});
+    const std::uint32_t goes = addResting(*world, {2, 0, 0});
+    column.update();
+    EXPECT_EQ(column.value(stays), 1);
+    world->spheres.wake(goes);
+    world->spheres.withdraw(goes);
+    world->spheres.closeRanks();
+    column.update();
+    EXPECT_EQ(column.value(stays), 0);
+}
+
 TEST(ContactsColumn, CountsWithoutBeingBroughtUpToDate)
 {
     const auto world = smallWorld(room());
@@ -179,6 +211,7 @@ TEST(Capture, CarriesNoColumnThatNobodyAskedFor)
     Snapshot fresh = asking();
     simulation.capture(fresh);
     EXPECT_EQ(snapshot.columns.front().bits, fresh.columns.front().bits);
+    EXPECT_EQ(snapshot.columns.front().bits, simulation.columns().front().bits);
 }
 
 } // namespace
