@@ -4,30 +4,29 @@
 #include "mesh/triangle_shape.hpp"
 
 #include <algorithm>
-#include <cstddef>
 #include <numeric>
-#include <tuple>
 
 namespace frostfill
 {
 namespace
 {
 
+/// Calls `visit(low, side)`, as EdgeTable packs it.
 template <class Visit>
 void forEachSide(const TriangleMesh& mesh, Visit&& visit)
 {
-    for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle)
+    std::uint64_t side = 0;
+    for (const Triangle& t : mesh.triangles)
     {
-        const Triangle& t = mesh.triangles[triangle];
         if (repeatsCorner(t))
         {
+            side += 3;
             continue;
         }
-        for (std::uint8_t corner = 0; corner < 3; ++corner)
+        for (std::size_t corner = 0; corner < 3; ++corner, ++side)
         {
             const auto [low, high] = std::minmax(t[corner], t[(corner + 1) % 3]);
-            visit(
-                EdgeUse{low, high, static_cast<std::uint32_t>(triangle), corner, low == t[corner]});
+            visit(low, std::uint64_t{high} << 32 | side << 1 | (low == t[corner] ? 1 : 0));
         }
     }
 }
@@ -41,48 +40,30 @@ bool cancels(std::span<const EdgeUse> uses)
     return 2 * static_cast<std::size_t>(forward) == uses.size();
 }
 
-EdgeTable::EdgeTable(const TriangleMesh& mesh)
+EdgeTable::EdgeTable(const TriangleMesh& mesh) : ends_(mesh.vertices.size() + 1, 0)
 {
     // In buckets by the lower vertex: most hold a few sides, which are soon sorted.
-    std::vector<std::size_t> ends(mesh.vertices.size() + 1, 0);
-    forEachSide(mesh, [&](const EdgeUse& use) { ++ends[use.low + 1]; });
-    std::partial_sum(ends.begin(), ends.end(), ends.begin());
-    uses_.resize(ends.back());
-    forEachSide(mesh, [&](const EdgeUse& use) { uses_[ends[use.low]++] = use; });
-    auto begin = uses_.begin();
-    for (std::size_t vertex = 0; vertex < mesh.vertices.size(); ++vertex)
+    forEachSide(mesh, [&](std::uint32_t low, Side) { ++ends_[low]; });
+    std::partial_sum(ends_.begin(), ends_.end(), ends_.begin());
+    sides_.resize(ends_.back());
+    forEachSide(mesh, [&](std::uint32_t low, Side side) { sides_[--ends_[low]] = side; });
+    for (std::size_t low = 0; low + 1 < ends_.size(); ++low)
     {
-        const auto end = uses_.begin() + static_cast<std::ptrdiff_t>(ends[vertex]);
-        std::sort(begin, end,
-                  [](const EdgeUse& a, const EdgeUse& b)
-                  { return std::tie(a.high, a.triangle) < std::tie(b.high, b.triangle); });
-        begin = end;
+        std::sort(sides_.begin() + ends_[low], sides_.begin() + ends_[low + 1]);
     }
 }
 
-std::size_t EdgeTable::endOfEdge(std::size_t begin) const
-{
-    std::size_t end = begin + 1;
-    while (end < uses_.size() && uses_[end].low == uses_[begin].low &&
-           uses_[end].high == uses_[begin].high)
-    {
-        ++end;
-    }
-    return end;
-}
-
-std::span<const EdgeUse> EdgeTable::find(std::uint32_t a, std::uint32_t b) const
+std::vector<EdgeUse> EdgeTable::find(std::uint32_t a, std::uint32_t b) const
 {
     const auto [low, high] = std::minmax(a, b);
-    const auto first = std::lower_bound(uses_.begin(), uses_.end(), std::pair(low, high),
-                                        [](const EdgeUse& use, const auto& edge)
-                                        { return std::pair(use.low, use.high) < edge; });
-    if (first == uses_.end() || first->low != low || first->high != high)
+    const auto end = sides_.begin() + ends_[low + 1];
+    std::vector<EdgeUse> uses;
+    for (auto side = std::lower_bound(sides_.begin() + ends_[low], end, Side{high} << 32);
+         side != end && highOf(*side) == high; ++side)
     {
-        return {};
+        uses.push_back(unpacked(low, *side));
     }
-    const auto begin = static_cast<std::size_t>(first - uses_.begin());
-    return {uses_.data() + begin, endOfEdge(begin) - begin};
+    return uses;
 }
 
 std::size_t EdgeTable::badEdges() const

@@ -34,24 +34,44 @@ public:
     template <typename Visit>
     void forEach(Visit&& visit) const
     {
-        for (std::size_t begin = 0; begin < uses_.size();)
+        std::vector<EdgeUse> uses;
+        for (std::uint32_t low = 0; low + 1 < ends_.size(); ++low)
         {
-            const std::size_t end = endOfEdge(begin);
-            visit(std::span<const EdgeUse>(uses_.data() + begin, end - begin));
-            begin = end;
+            for (std::size_t side = ends_[low]; side < ends_[low + 1];)
+            {
+                uses.clear();
+                do
+                {
+                    uses.push_back(unpacked(low, sides_[side++]));
+                } while (side < ends_[low + 1] && highOf(sides_[side]) == uses[0].high);
+                visit(std::span<const EdgeUse>(uses));
+            }
         }
     }
 
     /// Uses of the edge between two vertices; empty if there is no such edge.
-    [[nodiscard]] std::span<const EdgeUse> find(std::uint32_t a, std::uint32_t b) const;
+    [[nodiscard]] std::vector<EdgeUse> find(std::uint32_t a, std::uint32_t b) const;
 
     /// Number of edges that do not have exactly two triangles.
     [[nodiscard]] std::size_t badEdges() const;
 
 private:
-    [[nodiscard]] std::size_t endOfEdge(std::size_t begin) const;
+    /// A side in 64 bits: its higher vertex, its number 3 x triangle + corner, and whether it runs
+    /// forward. In this order they sort as they have to. A mesh of scans has millions.
+    using Side = std::uint64_t;
+    [[nodiscard]] static std::uint32_t highOf(Side side)
+    {
+        return static_cast<std::uint32_t>(side >> 32);
+    }
+    [[nodiscard]] static EdgeUse unpacked(std::uint32_t low, Side side)
+    {
+        const auto number = static_cast<std::uint32_t>(side) >> 1;
+        return {low, highOf(side), number / 3, static_cast<std::uint8_t>(number % 3),
+                (side & 1) != 0};
+    }
 
-    std::vector<EdgeUse> uses_;
+    std::vector<std::uint32_t> ends_; ///< [#V + 1] where the sides of each lower vertex begin
+    std::vector<Side> sides_;         ///< by lower vertex, sorted
 };
 
 } // namespace frostfill

@@ -84,10 +84,11 @@ public:
         {
             boxes_.push_back(boxOf(triangle));
         }
-        nodes_.reserve(tree_.nodes().size());
-        for (const TriangleTree::Node& node : tree_.nodes())
+        // What is below a node stands behind it.
+        nodes_.resize(tree_.nodes().size());
+        for (std::size_t node = nodes_.size(); node-- > 0;)
         {
-            nodes_.push_back(describe(node));
+            nodes_[node] = tree_.isLeaf(node) ? ofLeaf(tree_.nodes()[node]) : ofInner(node);
         }
     }
 
@@ -117,7 +118,19 @@ private:
         return box;
     }
 
-    [[nodiscard]] Node describe(const TriangleTree::Node& node) const
+    [[nodiscard]] std::size_t secondChild(std::size_t node) const
+    {
+        return tree_.nodes()[node + 1].skip;
+    }
+
+    [[nodiscard]] Node ofInner(std::size_t node) const
+    {
+        const Node& one = nodes_[node + 1];
+        const Node& other = nodes_[secondChild(node)];
+        return {one.box.merged(other.box), commonOf(one.common, other.common)};
+    }
+
+    [[nodiscard]] Node ofLeaf(const TriangleTree::Node& node) const
     {
         Node result{{}, mesh_.triangles[tree_.order()[node.first]]};
         for (std::uint32_t place = node.first; place < node.end; ++place)
@@ -154,32 +167,43 @@ private:
         }
     }
 
-    // All other pairs. The nodes behind a leaf have what comes after it, so each pair comes up
-    // once.
+    // All other pairs: those within a node are those within its children and those between them.
     void searchTree()
     {
-        for (std::size_t leaf = 0; leaf < nodes_.size(); ++leaf)
+        for (std::size_t node = 0; node < nodes_.size(); ++node)
         {
-            if (!tree_.isLeaf(leaf))
+            if (tree_.isLeaf(node))
             {
-                continue;
+                compare(node, node);
             }
-            compare(leaf, leaf);
-            for (std::size_t node = leaf + 1; node < nodes_.size();)
+            else
             {
-                if (!nodes_[leaf].box.intersects(nodes_[node].box) ||
-                    haveCommon(nodes_[leaf].common, nodes_[node].common))
-                {
-                    node = tree_.nodes()[node].skip;
-                    continue;
-                }
-                if (tree_.isLeaf(node))
-                {
-                    compare(leaf, node);
-                }
-                ++node;
+                searchBetween(node + 1, secondChild(node));
             }
         }
+    }
+
+    // The larger node is opened first. As deep as both halves of the tree at most.
+    void searchBetween(std::size_t one, std::size_t other)
+    {
+        if (!nodes_[one].box.intersects(nodes_[other].box) ||
+            haveCommon(nodes_[one].common, nodes_[other].common))
+        {
+            return;
+        }
+        if (tree_.isLeaf(one) && tree_.isLeaf(other))
+        {
+            compare(one, other);
+            return;
+        }
+        const auto sizeOf = [&](std::size_t node)
+        { return tree_.nodes()[node].end - tree_.nodes()[node].first; };
+        const bool opensOne =
+            !tree_.isLeaf(one) && (tree_.isLeaf(other) || sizeOf(one) >= sizeOf(other));
+        const std::size_t opened = opensOne ? one : other;
+        const std::size_t kept = opensOne ? other : one;
+        searchBetween(opened + 1, kept);
+        searchBetween(secondChild(opened), kept);
     }
 
     void compare(std::size_t leaf, std::size_t other)

@@ -2,55 +2,61 @@
 #include "mesh/interior/triangle_tree.hpp"
 
 #include <algorithm>
-#include <numeric>
-#include <utility>
+#include <cstddef>
 
 namespace frostfill
 {
 
 TriangleTree::TriangleTree(const TriangleMesh& mesh, std::uint32_t leafSize)
-    : order_(mesh.triangles.size())
 {
-    std::iota(order_.begin(), order_.end(), std::uint32_t{0});
-    std::vector<Eigen::Vector3d> centroids;
-    centroids.reserve(mesh.triangles.size());
+    std::vector<Item> items;
+    items.reserve(mesh.triangles.size());
     for (const auto& t : mesh.triangles)
     {
-        centroids.emplace_back((mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]) /
-                               3);
+        const Eigen::Vector3d centroid =
+            (mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]) / 3;
+        items.push_back({centroid, static_cast<std::uint32_t>(items.size())});
     }
-    if (!order_.empty())
+    if (!items.empty())
     {
-        split(centroids, 0, static_cast<std::uint32_t>(order_.size()), leafSize);
+        split(items, 0, leafSize);
+    }
+    order_.reserve(items.size());
+    for (const Item& item : items)
+    {
+        order_.push_back(item.triangle);
     }
 }
 
 // Each call halves its triangles, so a million of them take 20 nested calls, however they lie.
-void TriangleTree::split(std::span<const Eigen::Vector3d> centroids, std::uint32_t first,
-                         std::uint32_t end, std::uint32_t leafSize)
+void TriangleTree::split(std::span<Item> items, std::uint32_t first, std::uint32_t leafSize)
 {
     const std::size_t node = nodes_.size();
-    nodes_.push_back({first, end, 0});
-    const auto begin = order_.begin() + first;
-    if (end - first <= leafSize)
+    nodes_.push_back({first, first + static_cast<std::uint32_t>(items.size()), 0});
+    if (items.size() <= leafSize)
     {
-        std::sort(begin, order_.begin() + end);
+        std::sort(items.begin(), items.end(),
+                  [](const Item& a, const Item& b) { return a.triangle < b.triangle; });
     }
     else
     {
         Eigen::AlignedBox3d box;
-        std::for_each(begin, order_.begin() + end,
-                      [&](std::uint32_t triangle) { box.extend(centroids[triangle]); });
+        std::for_each(items.begin(), items.end(),
+                      [&](const Item& item) { box.extend(item.centroid); });
         Eigen::Index axis = 0;
         box.sizes().maxCoeff(&axis);
-        const std::uint32_t middle = first + (end - first) / 2;
+        const std::size_t middle = items.size() / 2;
         // Equal centroids are told apart by their number, so the halves depend on no library.
-        std::nth_element(
-            begin, order_.begin() + middle, order_.begin() + end,
-            [&](std::uint32_t a, std::uint32_t b)
-            { return std::pair(centroids[a][axis], a) < std::pair(centroids[b][axis], b); });
-        split(centroids, first, middle, leafSize);
-        split(centroids, middle, end, leafSize);
+        std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(middle),
+                         items.end(),
+                         [axis](const Item& a, const Item& b)
+                         {
+                             const double one = a.centroid[axis];
+                             const double other = b.centroid[axis];
+                             return one < other || (one == other && a.triangle < b.triangle);
+                         });
+        split(items.first(middle), first, leafSize);
+        split(items.subspan(middle), first + static_cast<std::uint32_t>(middle), leafSize);
     }
     nodes_[node].skip = static_cast<std::uint32_t>(nodes_.size());
 }

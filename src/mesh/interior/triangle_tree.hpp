@@ -38,8 +38,14 @@ public:
     }
 
 private:
-    void split(std::span<const Eigen::Vector3d> centroids, std::uint32_t first, std::uint32_t end,
-               std::uint32_t leafSize);
+    struct Item
+    {
+        Eigen::Vector3d centroid;
+        std::uint32_t triangle;
+    };
+
+    /// `first`: the place of the first item in order().
+    void split(std::span<Item> items, std::uint32_t first, std::uint32_t leafSize);
 
     std::vector<Node> nodes_;
     std::vector<std::uint32_t> order_;

@@ -24,7 +24,7 @@ bool lidsHelp(TriangleMesh mesh)
     {
         return false;
     }
-    turnPiecesOutward(mesh);
+    turnPiecesOutward(mesh, false);
     const MeshReport report = inspectMesh(mesh);
     return report.degenerateTriangles == 0 && hasVolume(mesh, report);
 }

@@ -39,8 +39,8 @@ std::vector<std::vector<std::uint32_t>> connectedPieces(const TriangleMesh& mesh
     return pieces;
 }
 
-void joinCorners(DisjointSets& corners, const TriangleMesh& mesh, const EdgeUse& a,
-                 const EdgeUse& b)
+std::size_t joinCorners(DisjointSets& corners, const TriangleMesh& mesh, const EdgeUse& a,
+                        const EdgeUse& b)
 {
     const auto cornerAt = [&](const EdgeUse& use, std::uint32_t vertex)
     {
@@ -48,8 +48,9 @@ void joinCorners(DisjointSets& corners, const TriangleMesh& mesh, const EdgeUse&
         const bool starts = mesh.triangles[use.triangle][use.corner] == vertex;
         return 3 * std::size_t{use.triangle} + (starts ? use.corner : next);
     };
-    corners.join(cornerAt(a, a.low), cornerAt(b, a.low));
-    corners.join(cornerAt(a, a.high), cornerAt(b, a.high));
+    const bool low = corners.join(cornerAt(a, a.low), cornerAt(b, a.low));
+    const bool high = corners.join(cornerAt(a, a.high), cornerAt(b, a.high));
+    return (low ? 1U : 0U) + (high ? 1U : 0U);
 }
 
 } // namespace frostfill

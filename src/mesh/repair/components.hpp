@@ -14,27 +14,30 @@ class DisjointSets
 public:
     explicit DisjointSets(std::size_t count) : parent_(count)
     {
-        std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+        std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
     }
 
     std::size_t find(std::size_t i)
     {
         while (parent_[i] != i)
         {
-            i = parent_[i] = parent_[parent_[i]];
+            parent_[i] = parent_[parent_[i]];
+            i = parent_[i];
         }
         return i;
     }
 
-    void join(std::size_t i, std::size_t j)
+    /// Whether the two were apart.
+    bool join(std::size_t i, std::size_t j)
     {
         i = find(i);
         j = find(j);
-        parent_[i < j ? j : i] = i < j ? i : j;
+        parent_[i < j ? j : i] = static_cast<std::uint32_t>(i < j ? i : j);
+        return i != j;
     }
 
 private:
-    std::vector<std::size_t> parent_;
+    std::vector<std::uint32_t> parent_;
 };
 
 /// The triangles of each piece. Shared edges connect the triangles of a piece. Pieces are in the
@@ -42,8 +45,9 @@ private:
 [[nodiscard]] std::vector<std::vector<std::uint32_t>> connectedPieces(const TriangleMesh& mesh,
                                                                       const EdgeTable& edges);
 
-/// Joins the corners (3 x triangle + corner) of two triangles that meet along an edge.
-void joinCorners(DisjointSets& corners, const TriangleMesh& mesh, const EdgeUse& a,
-                 const EdgeUse& b);
+/// Joins the corners (3 x triangle + corner) of two triangles that meet along an edge. Returns how
+/// many of the two pairs were apart.
+std::size_t joinCorners(DisjointSets& corners, const TriangleMesh& mesh, const EdgeUse& a,
+                        const EdgeUse& b);
 
 } // namespace frostfill

@@ -11,20 +11,29 @@ namespace frostfill
 namespace
 {
 
-std::size_t countDuplicates(const TriangleMesh& mesh)
+/// Triangles with the corners of one before them. They share all edges, so it is enough to look at
+/// the edge of the two lowest corners.
+std::size_t countDuplicates(const TriangleMesh& mesh, const EdgeTable& edges)
 {
-    std::vector<Triangle> sorted;
-    sorted.reserve(mesh.triangles.size());
-    for (const Triangle& t : mesh.triangles)
-    {
-        if (!repeatsCorner(t))
+    std::size_t count = 0;
+    std::vector<std::uint32_t> thirds;
+    edges.forEach(
+        [&](std::span<const EdgeUse> uses)
         {
-            sorted.push_back(sortedCorners(t));
-        }
-    }
-    std::sort(sorted.begin(), sorted.end());
-    const auto end = std::unique(sorted.begin(), sorted.end());
-    return static_cast<std::size_t>(sorted.end() - end);
+            thirds.clear();
+            for (const EdgeUse& use : uses)
+            {
+                const std::uint32_t third = mesh.triangles[use.triangle][(use.corner + 2U) % 3U];
+                if (third > use.high)
+                {
+                    thirds.push_back(third);
+                }
+            }
+            std::sort(thirds.begin(), thirds.end());
+            count +=
+                static_cast<std::size_t>(thirds.end() - std::unique(thirds.begin(), thirds.end()));
+        });
+    return count;
 }
 
 std::size_t countUnused(const TriangleMesh& mesh)
@@ -62,36 +71,31 @@ void inspectEdges(MeshReport& report, const TriangleMesh& mesh, const EdgeTable&
     report.firstDefect = firstDefect.value_or(Eigen::Vector3d::Zero());
 }
 
-/// The genus by Euler's formula over all pieces. A vertex where several fans of triangles meet
-/// counts once for each fan, as if the surface were cut there.
-int countHandles(const TriangleMesh& mesh, const EdgeTable& edges, std::size_t pieces)
+/// Pieces that edges connect, and the genus by Euler's formula over all of them. A vertex where
+/// several fans of triangles meet counts once for each fan, as if the surface were cut there.
+void countPieces(MeshReport& report, const TriangleMesh& mesh, const EdgeTable& edges)
 {
+    const auto faces = static_cast<std::size_t>(
+        std::count_if(mesh.triangles.begin(), mesh.triangles.end(),
+                      [](const Triangle& t) { return !repeatsCorner(t); }));
+    DisjointSets triangles(mesh.triangles.size());
     DisjointSets corners(3 * mesh.triangles.size());
-    long edgeCount = 0;
+    report.components = faces;
+    std::size_t fans = 3 * faces;
+    std::size_t edgeCount = 0;
     edges.forEach(
         [&](std::span<const EdgeUse> uses)
         {
             ++edgeCount;
             for (const EdgeUse& use : uses.subspan(1))
             {
-                joinCorners(corners, mesh, uses[0], use);
+                report.components -= triangles.join(uses[0].triangle, use.triangle) ? 1 : 0;
+                fans -= joinCorners(corners, mesh, uses[0], use);
             }
         });
-    long vertexCount = 0;
-    long faceCount = 0;
-    for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle)
-    {
-        if (repeatsCorner(mesh.triangles[triangle]))
-        {
-            continue;
-        }
-        ++faceCount;
-        for (std::size_t corner = 3 * triangle; corner < 3 * triangle + 3; ++corner)
-        {
-            vertexCount += corners.find(corner) == corner ? 1 : 0;
-        }
-    }
-    return static_cast<int>(static_cast<long>(pieces) - (vertexCount - edgeCount + faceCount) / 2);
+    const auto euler =
+        static_cast<long>(fans) - static_cast<long>(edgeCount) + static_cast<long>(faces);
+    report.genus = static_cast<int>(static_cast<long>(report.components) - euler / 2);
 }
 
 } // namespace
@@ -104,13 +108,12 @@ MeshReport inspectMesh(const TriangleMesh& mesh)
     report.degenerateTriangles =
         static_cast<std::size_t>(std::count_if(mesh.triangles.begin(), mesh.triangles.end(),
                                                [&](const Triangle& t) { return isFlat(mesh, t); }));
-    report.duplicateTriangles = countDuplicates(mesh);
     report.unusedVertices = countUnused(mesh);
 
     const EdgeTable edges(mesh);
+    report.duplicateTriangles = countDuplicates(mesh, edges);
     inspectEdges(report, mesh, edges);
-    report.components = connectedPieces(mesh, edges).size();
-    report.genus = countHandles(mesh, edges, report.components);
+    countPieces(report, mesh, edges);
     report.volume = signedVolume(mesh);
     report.area = surfaceArea(mesh);
     report.box = boundingBox(mesh);

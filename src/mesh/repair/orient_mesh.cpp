@@ -6,6 +6,7 @@
 #include "mesh/triangle_shape.hpp"
 
 #include <cmath>
+#include <numeric>
 
 namespace frostfill
 {
@@ -26,10 +27,20 @@ struct Piece
     double volume = 0;
 };
 
-std::vector<Piece> describePieces(const TriangleMesh& mesh)
+/// All triangles, as one piece.
+std::vector<std::vector<std::uint32_t>> onePiece(const TriangleMesh& mesh)
+{
+    std::vector<std::vector<std::uint32_t>> pieces = {
+        std::vector<std::uint32_t>(mesh.triangles.size())};
+    std::iota(pieces[0].begin(), pieces[0].end(), std::uint32_t{0});
+    return pieces;
+}
+
+std::vector<Piece> describePieces(const TriangleMesh& mesh, bool isOne)
 {
     std::vector<Piece> pieces;
-    for (std::vector<std::uint32_t>& triangles : connectedPieces(mesh, EdgeTable(mesh)))
+    for (std::vector<std::uint32_t>& triangles :
+         isOne ? onePiece(mesh) : connectedPieces(mesh, EdgeTable(mesh)))
     {
         Piece piece;
         const Eigen::Vector3d origin = mesh.vertices[mesh.triangles[triangles[0]][0]];
@@ -135,9 +146,9 @@ std::size_t makeWindingConsistent(TriangleMesh& mesh)
     return turned;
 }
 
-std::size_t turnPiecesOutward(TriangleMesh& mesh)
+std::size_t turnPiecesOutward(TriangleMesh& mesh, bool isOne)
 {
-    const std::vector<Piece> pieces = describePieces(mesh);
+    const std::vector<Piece> pieces = describePieces(mesh, isOne);
     std::vector<bool> turns(pieces.size(), false);
     for (std::size_t i = 0; i < pieces.size(); ++i)
     {

@@ -11,8 +11,9 @@ namespace frostfill
 std::size_t makeWindingConsistent(TriangleMesh& mesh);
 
 /// Turns whole pieces of a closed, consistent mesh: outer surfaces outwards, and cavities (surfaces
-/// wholly inside another one) inwards, by the depth of nesting. Returns the number of turned
+/// wholly inside another one) inwards, by the depth of nesting. `isOne`: it is known to be one
+/// piece. Returns the number of turned
 /// pieces.
-std::size_t turnPiecesOutward(TriangleMesh& mesh);
+std::size_t turnPiecesOutward(TriangleMesh& mesh, bool isOne);
 
 } // namespace frostfill

@@ -258,6 +258,14 @@ Hole mend(TriangleMesh& mesh, bool isOpen, bool lid, std::string_view name,
     return largestLeft;
 }
 
+/// Whether mending without lids would find nothing to do.
+bool isSound(const MeshReport& report)
+{
+    return report.boundaryEdges == 0 && report.nonManifoldEdges == 0 &&
+           report.inconsistentEdges == 0 && report.degenerateTriangles == 0 &&
+           report.duplicateTriangles == 0 && report.unusedVertices == 0;
+}
+
 } // namespace
 
 LoadedMesh repairMesh(TriangleMesh mesh, std::string_view name, const LoadMeshOptions& options)
@@ -274,11 +282,13 @@ LoadedMesh repairMesh(TriangleMesh mesh, std::string_view name, const LoadMeshOp
         }
         putSkinAround(mesh, *options.wrap, name, result.repairs);
     }
-    const Hole largestLeft = mend(mesh, isOpen && !options.wrap, options.lid, name, result.repairs);
+    const bool isAsRead = !options.wrap && !options.lid && isSound(result.asRead);
+    const Hole largestLeft =
+        isAsRead ? Hole() : mend(mesh, isOpen && !options.wrap, options.lid, name, result.repairs);
     // Each repair has a sentence. Without one the mesh is as it was read.
     result.report = result.repairs.empty() ? result.asRead : inspectMesh(mesh);
     refuseDefects(mesh, result.report, largestLeft, name, options);
-    const std::size_t turned = turnPiecesOutward(mesh);
+    const std::size_t turned = turnPiecesOutward(mesh, result.report.components == 1);
     if (turned > 0)
     {
         result.repairs.push_back(fmt::format("turned {} that {} wound the wrong way round",

@@ -41,22 +41,30 @@ Cell bitsOf(const Eigen::Vector3d& position)
 
 } // namespace
 
+// With open addressing: a table of numbers, in which a vertex stands where its hash says or behind.
 void weldEqualVertices(TriangleMesh& mesh)
 {
-    std::unordered_map<Cell, std::uint32_t, CellHash> known;
+    constexpr std::uint32_t kFree = 0xffffffff;
+    const std::size_t mask = std::bit_ceil(2 * mesh.vertices.size() + 1) - 1;
+    std::vector<std::uint32_t> table(mask + 1, kFree);
     std::vector<std::uint32_t> place;
-    std::vector<Eigen::Vector3d> kept;
     place.reserve(mesh.vertices.size());
+    std::uint32_t kept = 0;
     for (const Eigen::Vector3d& vertex : mesh.vertices)
     {
-        const auto [entry, isNew] =
-            known.try_emplace(bitsOf(vertex), static_cast<std::uint32_t>(kept.size()));
-        if (isNew)
+        std::size_t slot = CellHash()(bitsOf(vertex)) & mask;
+        while (table[slot] != kFree && mesh.vertices[table[slot]] != vertex)
         {
-            kept.push_back(vertex);
+            slot = (slot + 1) & mask;
         }
-        place.push_back(entry->second);
+        if (table[slot] == kFree)
+        {
+            mesh.vertices[kept] = vertex;
+            table[slot] = kept++;
+        }
+        place.push_back(table[slot]);
     }
+    mesh.vertices.resize(kept);
     for (auto& triangle : mesh.triangles)
     {
         for (std::uint32_t& corner : triangle)
@@ -64,7 +72,6 @@ void weldEqualVertices(TriangleMesh& mesh)
             corner = place[corner];
         }
     }
-    mesh.vertices = std::move(kept);
 }
 
 std::vector<bool> verticesOnRims(const TriangleMesh& mesh, const EdgeTable& edges)
