@@ -65,7 +65,7 @@ struct EglLibrary
     std::string failure; ///< empty when the library is usable
 };
 
-EglLibrary openLibrary()
+EglLibrary openEglLibrary()
 {
     keepCompiledShaders();
     EglLibrary egl;
@@ -110,7 +110,7 @@ EglLibrary openLibrary()
 
 const EglLibrary& eglLibrary()
 {
-    static const EglLibrary library = openLibrary();
+    static const EglLibrary library = openEglLibrary();
     return library;
 }
 

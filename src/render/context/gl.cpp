@@ -7,15 +7,22 @@
 
 #include <fmt/core.h>
 
+#include <cctype>
+#include <string>
+#include <type_traits>
+
 namespace frostfill
 {
 
 GlFunctions loadGlFunctions(const Context& context)
 {
     GlFunctions gl;
-    const auto load = [&](const char* name)
+    const auto load = [&](std::string name)
     {
-        const GlProcedure procedure = context.procedure(name);
+        // The member `clear` is glClear.
+        name.front() = static_cast<char>(std::toupper(name.front()));
+        name.insert(0, "gl");
+        const GlProcedure procedure = context.procedure(name.c_str());
         if (procedure == nullptr)
         {
             throw Error(ErrorCode::noOpenGl,
@@ -23,7 +30,8 @@ GlFunctions loadGlFunctions(const Context& context)
         }
         return procedure;
     };
-#define FROSTFILL_GL_LOAD(member, type, name) gl.member = reinterpret_cast<type>(load(name));
+#define FROSTFILL_GL_LOAD(member, type)                                                            \
+    gl.member = reinterpret_cast<std::add_pointer_t<type>>(load(#member));
     FROSTFILL_GL_FUNCTIONS(FROSTFILL_GL_LOAD)
 #undef FROSTFILL_GL_LOAD
     return gl;

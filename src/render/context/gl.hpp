@@ -1,93 +1,94 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <GL/glcorearb.h>
+#include "render/context/gl_registry.hpp"
 
 #include <cstddef>
+#include <type_traits>
 
 namespace frostfill
 {
 
 class Context;
 
-/// Every function of OpenGL that we call, as X(member, type, name). Loaded by hand, because the
-/// usual loaders fail on OSMesa contexts. Tried on OSMesa and on EGL's surfaceless and device
-/// platforms: libepoxy 1.5.10 aborts on the first ("Couldn't find current GLX or EGL context"), and
-/// glbinding 2.1.1 (4.6 MB, linked with libGL) resolves nulls and draws nothing there. Both draw on
-/// EGL.
+/// Every function of OpenGL that we call, as X(member, type): the member `clear` is glClear. Loaded
+/// by hand, because the usual loaders fail on OSMesa contexts. Tried on OSMesa and on EGL's
+/// surfaceless and device platforms: libepoxy 1.5.10 aborts on the first ("Couldn't find current
+/// GLX or EGL context"), and glbinding 2.1.1 (4.6 MB, linked with libGL) resolves nulls and draws
+/// nothing there. Both draw on EGL.
 #define FROSTFILL_GL_FUNCTIONS(X)                                                                  \
-    X(attachShader, PFNGLATTACHSHADERPROC, "glAttachShader")                                       \
-    X(bindBuffer, PFNGLBINDBUFFERPROC, "glBindBuffer")                                             \
-    X(bindFramebuffer, PFNGLBINDFRAMEBUFFERPROC, "glBindFramebuffer")                              \
-    X(bindRenderbuffer, PFNGLBINDRENDERBUFFERPROC, "glBindRenderbuffer")                           \
-    X(bindVertexArray, PFNGLBINDVERTEXARRAYPROC, "glBindVertexArray")                              \
-    X(blendFuncSeparate, PFNGLBLENDFUNCSEPARATEPROC, "glBlendFuncSeparate")                        \
-    X(blitFramebuffer, PFNGLBLITFRAMEBUFFERPROC, "glBlitFramebuffer")                              \
-    X(bufferData, PFNGLBUFFERDATAPROC, "glBufferData")                                             \
-    X(bufferSubData, PFNGLBUFFERSUBDATAPROC, "glBufferSubData")                                    \
-    X(checkFramebufferStatus, PFNGLCHECKFRAMEBUFFERSTATUSPROC, "glCheckFramebufferStatus")         \
-    X(clear, PFNGLCLEARPROC, "glClear")                                                            \
-    X(clearColor, PFNGLCLEARCOLORPROC, "glClearColor")                                             \
-    X(clearStencil, PFNGLCLEARSTENCILPROC, "glClearStencil")                                       \
-    X(compileShader, PFNGLCOMPILESHADERPROC, "glCompileShader")                                    \
-    X(createProgram, PFNGLCREATEPROGRAMPROC, "glCreateProgram")                                    \
-    X(createShader, PFNGLCREATESHADERPROC, "glCreateShader")                                       \
-    X(cullFace, PFNGLCULLFACEPROC, "glCullFace")                                                   \
-    X(deleteBuffers, PFNGLDELETEBUFFERSPROC, "glDeleteBuffers")                                    \
-    X(deleteFramebuffers, PFNGLDELETEFRAMEBUFFERSPROC, "glDeleteFramebuffers")                     \
-    X(deleteProgram, PFNGLDELETEPROGRAMPROC, "glDeleteProgram")                                    \
-    X(deleteRenderbuffers, PFNGLDELETERENDERBUFFERSPROC, "glDeleteRenderbuffers")                  \
-    X(deleteShader, PFNGLDELETESHADERPROC, "glDeleteShader")                                       \
-    X(deleteVertexArrays, PFNGLDELETEVERTEXARRAYSPROC, "glDeleteVertexArrays")                     \
-    X(depthMask, PFNGLDEPTHMASKPROC, "glDepthMask")                                                \
-    X(disable, PFNGLDISABLEPROC, "glDisable")                                                      \
-    X(drawArrays, PFNGLDRAWARRAYSPROC, "glDrawArrays")                                             \
-    X(drawArraysInstanced, PFNGLDRAWARRAYSINSTANCEDPROC, "glDrawArraysInstanced")                  \
-    X(drawBuffers, PFNGLDRAWBUFFERSPROC, "glDrawBuffers")                                          \
-    X(drawElements, PFNGLDRAWELEMENTSPROC, "glDrawElements")                                       \
-    X(drawElementsBaseVertex, PFNGLDRAWELEMENTSBASEVERTEXPROC, "glDrawElementsBaseVertex")         \
-    X(enable, PFNGLENABLEPROC, "glEnable")                                                         \
-    X(enableVertexAttribArray, PFNGLENABLEVERTEXATTRIBARRAYPROC, "glEnableVertexAttribArray")      \
-    X(finish, PFNGLFINISHPROC, "glFinish")                                                         \
-    X(framebufferRenderbuffer, PFNGLFRAMEBUFFERRENDERBUFFERPROC, "glFramebufferRenderbuffer")      \
-    X(genBuffers, PFNGLGENBUFFERSPROC, "glGenBuffers")                                             \
-    X(genFramebuffers, PFNGLGENFRAMEBUFFERSPROC, "glGenFramebuffers")                              \
-    X(genRenderbuffers, PFNGLGENRENDERBUFFERSPROC, "glGenRenderbuffers")                           \
-    X(genVertexArrays, PFNGLGENVERTEXARRAYSPROC, "glGenVertexArrays")                              \
-    X(getIntegerv, PFNGLGETINTEGERVPROC, "glGetIntegerv")                                          \
-    X(getMultisamplefv, PFNGLGETMULTISAMPLEFVPROC, "glGetMultisamplefv")                           \
-    X(getProgramInfoLog, PFNGLGETPROGRAMINFOLOGPROC, "glGetProgramInfoLog")                        \
-    X(getProgramiv, PFNGLGETPROGRAMIVPROC, "glGetProgramiv")                                       \
-    X(getShaderInfoLog, PFNGLGETSHADERINFOLOGPROC, "glGetShaderInfoLog")                           \
-    X(getShaderiv, PFNGLGETSHADERIVPROC, "glGetShaderiv")                                          \
-    X(getString, PFNGLGETSTRINGPROC, "glGetString")                                                \
-    X(getUniformLocation, PFNGLGETUNIFORMLOCATIONPROC, "glGetUniformLocation")                     \
-    X(linkProgram, PFNGLLINKPROGRAMPROC, "glLinkProgram")                                          \
-    X(pixelStorei, PFNGLPIXELSTOREIPROC, "glPixelStorei")                                          \
-    X(readBuffer, PFNGLREADBUFFERPROC, "glReadBuffer")                                             \
-    X(readPixels, PFNGLREADPIXELSPROC, "glReadPixels")                                             \
-    X(renderbufferStorageMultisample, PFNGLRENDERBUFFERSTORAGEMULTISAMPLEPROC,                     \
-      "glRenderbufferStorageMultisample")                                                          \
-    X(scissor, PFNGLSCISSORPROC, "glScissor")                                                      \
-    X(shaderSource, PFNGLSHADERSOURCEPROC, "glShaderSource")                                       \
-    X(stencilFunc, PFNGLSTENCILFUNCPROC, "glStencilFunc")                                          \
-    X(stencilOp, PFNGLSTENCILOPPROC, "glStencilOp")                                                \
-    X(uniform1f, PFNGLUNIFORM1FPROC, "glUniform1f")                                                \
-    X(uniform1i, PFNGLUNIFORM1IPROC, "glUniform1i")                                                \
-    X(uniform2fv, PFNGLUNIFORM2FVPROC, "glUniform2fv")                                             \
-    X(uniform3fv, PFNGLUNIFORM3FVPROC, "glUniform3fv")                                             \
-    X(uniform4fv, PFNGLUNIFORM4FVPROC, "glUniform4fv")                                             \
-    X(uniformMatrix4fv, PFNGLUNIFORMMATRIX4FVPROC, "glUniformMatrix4fv")                           \
-    X(useProgram, PFNGLUSEPROGRAMPROC, "glUseProgram")                                             \
-    X(vertexAttribDivisor, PFNGLVERTEXATTRIBDIVISORPROC, "glVertexAttribDivisor")                  \
-    X(vertexAttribIPointer, PFNGLVERTEXATTRIBIPOINTERPROC, "glVertexAttribIPointer")               \
-    X(vertexAttribPointer, PFNGLVERTEXATTRIBPOINTERPROC, "glVertexAttribPointer")                  \
-    X(viewport, PFNGLVIEWPORTPROC, "glViewport")
+    X(attachShader, void(GLuint, GLuint))                                                          \
+    X(bindBuffer, void(GLenum, GLuint))                                                            \
+    X(bindFramebuffer, void(GLenum, GLuint))                                                       \
+    X(bindRenderbuffer, void(GLenum, GLuint))                                                      \
+    X(bindVertexArray, void(GLuint))                                                               \
+    X(blendFuncSeparate, void(GLenum, GLenum, GLenum, GLenum))                                     \
+    X(blitFramebuffer,                                                                             \
+      void(GLint, GLint, GLint, GLint, GLint, GLint, GLint, GLint, GLbitfield, GLenum))            \
+    X(bufferData, void(GLenum, GLsizeiptr, const void*, GLenum))                                   \
+    X(bufferSubData, void(GLenum, GLintptr, GLsizeiptr, const void*))                              \
+    X(checkFramebufferStatus, GLenum(GLenum))                                                      \
+    X(clear, void(GLbitfield))                                                                     \
+    X(clearColor, void(GLfloat, GLfloat, GLfloat, GLfloat))                                        \
+    X(clearStencil, void(GLint))                                                                   \
+    X(compileShader, void(GLuint))                                                                 \
+    X(createProgram, GLuint())                                                                     \
+    X(createShader, GLuint(GLenum))                                                                \
+    X(cullFace, void(GLenum))                                                                      \
+    X(deleteBuffers, void(GLsizei, const GLuint*))                                                 \
+    X(deleteFramebuffers, void(GLsizei, const GLuint*))                                            \
+    X(deleteProgram, void(GLuint))                                                                 \
+    X(deleteRenderbuffers, void(GLsizei, const GLuint*))                                           \
+    X(deleteShader, void(GLuint))                                                                  \
+    X(deleteVertexArrays, void(GLsizei, const GLuint*))                                            \
+    X(depthMask, void(GLboolean))                                                                  \
+    X(disable, void(GLenum))                                                                       \
+    X(drawArrays, void(GLenum, GLint, GLsizei))                                                    \
+    X(drawArraysInstanced, void(GLenum, GLint, GLsizei, GLsizei))                                  \
+    X(drawBuffers, void(GLsizei, const GLenum*))                                                   \
+    X(drawElements, void(GLenum, GLsizei, GLenum, const void*))                                    \
+    X(drawElementsBaseVertex, void(GLenum, GLsizei, GLenum, const void*, GLint))                   \
+    X(enable, void(GLenum))                                                                        \
+    X(enableVertexAttribArray, void(GLuint))                                                       \
+    X(finish, void())                                                                              \
+    X(framebufferRenderbuffer, void(GLenum, GLenum, GLenum, GLuint))                               \
+    X(genBuffers, void(GLsizei, GLuint*))                                                          \
+    X(genFramebuffers, void(GLsizei, GLuint*))                                                     \
+    X(genRenderbuffers, void(GLsizei, GLuint*))                                                    \
+    X(genVertexArrays, void(GLsizei, GLuint*))                                                     \
+    X(getIntegerv, void(GLenum, GLint*))                                                           \
+    X(getMultisamplefv, void(GLenum, GLuint, GLfloat*))                                            \
+    X(getProgramInfoLog, void(GLuint, GLsizei, GLsizei*, GLchar*))                                 \
+    X(getProgramiv, void(GLuint, GLenum, GLint*))                                                  \
+    X(getShaderInfoLog, void(GLuint, GLsizei, GLsizei*, GLchar*))                                  \
+    X(getShaderiv, void(GLuint, GLenum, GLint*))                                                   \
+    X(getString, const GLubyte*(GLenum))                                                           \
+    X(getUniformLocation, GLint(GLuint, const GLchar*))                                            \
+    X(linkProgram, void(GLuint))                                                                   \
+    X(pixelStorei, void(GLenum, GLint))                                                            \
+    X(readBuffer, void(GLenum))                                                                    \
+    X(readPixels, void(GLint, GLint, GLsizei, GLsizei, GLenum, GLenum, void*))                     \
+    X(renderbufferStorageMultisample, void(GLenum, GLsizei, GLenum, GLsizei, GLsizei))             \
+    X(scissor, void(GLint, GLint, GLsizei, GLsizei))                                               \
+    X(shaderSource, void(GLuint, GLsizei, const GLchar* const*, const GLint*))                     \
+    X(stencilFunc, void(GLenum, GLint, GLuint))                                                    \
+    X(stencilOp, void(GLenum, GLenum, GLenum))                                                     \
+    X(uniform1f, void(GLint, GLfloat))                                                             \
+    X(uniform1i, void(GLint, GLint))                                                               \
+    X(uniform2fv, void(GLint, GLsizei, const GLfloat*))                                            \
+    X(uniform3fv, void(GLint, GLsizei, const GLfloat*))                                            \
+    X(uniform4fv, void(GLint, GLsizei, const GLfloat*))                                            \
+    X(uniformMatrix4fv, void(GLint, GLsizei, GLboolean, const GLfloat*))                           \
+    X(useProgram, void(GLuint))                                                                    \
+    X(vertexAttribDivisor, void(GLuint, GLuint))                                                   \
+    X(vertexAttribIPointer, void(GLuint, GLint, GLenum, GLsizei, const void*))                     \
+    X(vertexAttribPointer, void(GLuint, GLint, GLenum, GLboolean, GLsizei, const void*))           \
+    X(viewport, void(GLint, GLint, GLsizei, GLsizei))
 
 /// The functions of one context, to be called while it is current.
 struct GlFunctions
 {
-#define FROSTFILL_GL_MEMBER(member, type, name) type member = nullptr;
+#define FROSTFILL_GL_MEMBER(member, type) std::add_pointer_t<type> member = nullptr;
     FROSTFILL_GL_FUNCTIONS(FROSTFILL_GL_MEMBER)
 #undef FROSTFILL_GL_MEMBER
 };

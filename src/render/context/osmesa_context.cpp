@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 // OSMesa: Mesa's software renderer, drawing to memory.
 #include "render/context/context.hpp"
+#include "render/context/gl_registry.hpp"
 
 #include <frostfill/error.hpp>
 
-#include <fmt/core.h>
-
-// For constants and types; the functions are looked up in the opened library.
-#include <GL/osmesa.h>
 #include <dlfcn.h>
+#include <fmt/core.h>
 
 #include <array>
 #include <cstdlib>
@@ -19,6 +17,14 @@ namespace frostfill
 namespace
 {
 
+// What we use of OSMesa, so that no headers of it are needed to build. Values are GL/osmesa.h's.
+struct OsmesaHandle; // of a context
+constexpr int kFormat = 0x22;
+constexpr int kProfile = 0x33;
+constexpr int kCoreProfile = 0x34;
+constexpr int kContextMajorVersion = 0x36;
+constexpr int kContextMinorVersion = 0x37;
+
 /// OSMesa insists on a buffer of its own. We draw to framebuffer objects, so the smallest will do.
 constexpr int kOwnBufferSize = 4;
 
@@ -27,10 +33,10 @@ constexpr int kOwnBufferSize = 4;
 /// give null functions, without any error, wherever libGL came before it.
 struct OsmesaLibrary
 {
-    decltype(&OSMesaCreateContextAttribs) create = nullptr;
-    decltype(&OSMesaDestroyContext) destroy = nullptr;
-    decltype(&OSMesaMakeCurrent) makeCurrent = nullptr;
-    decltype(&OSMesaGetProcAddress) procedure = nullptr;
+    OsmesaHandle* (*create)(const int*, OsmesaHandle*) = nullptr;
+    void (*destroy)(OsmesaHandle*) = nullptr;
+    GLboolean (*makeCurrent)(OsmesaHandle*, void*, GLenum, GLsizei, GLsizei) = nullptr;
+    GlProcedure (*procedure)(const char*) = nullptr;
     std::string failure; ///< empty when the library is usable
 };
 
@@ -44,7 +50,7 @@ void resolve(void* library, const char* name, OsmesaLibrary& result, Function& f
     }
 }
 
-OsmesaLibrary openLibrary()
+OsmesaLibrary openOsmesaLibrary()
 {
     keepCompiledShaders();
     OsmesaLibrary result;
@@ -70,7 +76,7 @@ OsmesaLibrary openLibrary()
 
 const OsmesaLibrary& osmesaLibrary()
 {
-    static const OsmesaLibrary library = openLibrary();
+    static const OsmesaLibrary library = openOsmesaLibrary();
     return library;
 }
 
@@ -84,13 +90,13 @@ public:
             throw Error(ErrorCode::noOpenGl, "osmesa: " + library_.failure);
         }
         // Asked for 3.3 it gives the newest core context it has; asked for its newest, nothing.
-        constexpr std::array kAttributes = {OSMESA_FORMAT,
-                                            OSMESA_RGBA,
-                                            OSMESA_PROFILE,
-                                            OSMESA_CORE_PROFILE,
-                                            OSMESA_CONTEXT_MAJOR_VERSION,
+        constexpr std::array kAttributes = {kFormat,
+                                            static_cast<int>(GL_RGBA),
+                                            kProfile,
+                                            kCoreProfile,
+                                            kContextMajorVersion,
                                             3,
-                                            OSMESA_CONTEXT_MINOR_VERSION,
+                                            kContextMinorVersion,
                                             3,
                                             0};
         context_ = library_.create(kAttributes.data(), nullptr);
@@ -130,7 +136,7 @@ private:
     void unbind() override { library_.makeCurrent(nullptr, nullptr, 0, 0, 0); }
 
     const OsmesaLibrary& library_;
-    OSMesaContext context_ = nullptr;
+    OsmesaHandle* context_ = nullptr;
     std::array<unsigned char, std::size_t{kOwnBufferSize} * kOwnBufferSize * 4> buffer_{};
 };
 
