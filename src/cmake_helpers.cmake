@@ -39,6 +39,27 @@ function(frostfill_let_ccache_read target)
     endif()
 endfunction()
 
+# Compiles the sources of each folder together, where FROSTFILL_UNITY says so: headers are read and
+# their templates compiled once a folder. The sources of base took some 6 s of processor time one by
+# one, and take 2.6 s together. Names in nameless namespaces are unique in their folder therefore.
+function(frostfill_join_folders)
+    if(NOT FROSTFILL_UNITY)
+        return()
+    endif()
+    foreach(target IN LISTS ARGN)
+        get_target_property(sources ${target} SOURCES)
+        get_target_property(home ${target} SOURCE_DIR)
+        set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+        foreach(source IN LISTS sources)
+            cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${home})
+            cmake_path(GET source PARENT_PATH folder)
+            cmake_path(RELATIVE_PATH folder BASE_DIRECTORY ${PROJECT_SOURCE_DIR})
+            string(MAKE_C_IDENTIFIER "${folder}" folder)
+            set_source_files_properties(${source} TARGET_DIRECTORY ${target} PROPERTIES UNITY_GROUP ${folder})
+        endforeach()
+    endforeach()
+endfunction()
+
 # Compiles files into a target, byte for byte, and writes the header that declares them:
 #   frostfill_embed(TARGET ROOM/HEADER.hpp NAME FILE NAME FILE ...)
 # In C++, with #include "ROOM/HEADER.hpp":
@@ -98,6 +119,6 @@ std::string_view @name@() { return {&begin, static_cast<std::size_t>(&end - &beg
 } // namespace frostfill::embedded
 ]=])
     set_source_files_properties(${source} TARGET_DIRECTORY ${target} PROPERTIES
-        OBJECT_DEPENDS ${file} SKIP_PRECOMPILE_HEADERS ON)
+        OBJECT_DEPENDS ${file} SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)
     target_sources(${target} PRIVATE ${source})
 endfunction()

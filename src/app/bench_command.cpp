@@ -24,7 +24,7 @@ namespace frostfill
 namespace
 {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kBenchExamples = R"(Examples:
   frostfill bench operations                counted tests against the paper's lemmas
   frostfill bench operations --quick --out output/bench
   frostfill bench error                     run time against error
@@ -260,12 +260,12 @@ Command addBenchCommand(CLI::App& program)
     const auto arguments = std::make_shared<BenchArguments>();
     CLI::App* command =
         program.add_subcommand("bench", "Measure one claim and report whether it holds");
-    command->footer(kExamples);
+    command->footer(kBenchExamples);
     command->require_subcommand(1);
     for (const Named& bench : kBenches)
     {
         CLI::App* one = command->add_subcommand(bench.name, bench.text);
-        one->footer(kExamples);
+        one->footer(kBenchExamples);
         one->add_flag("--quick", arguments->quick, bench.quick);
         one->add_option("--out", arguments->directory, "Directory of the results (output/bench)")
             ->type_name("DIR");

@@ -22,7 +22,7 @@ namespace frostfill
 namespace
 {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kCheckExamples = R"(Examples:
   frostfill check output/torus                                a run of our own, against its mesh
   frostfill check packing.csv --mesh part.stl --up z --max-overlap 0.01
   frostfill check dump.lammpstrj --mesh box.stl --json
@@ -161,7 +161,7 @@ Command addCheckCommand(CLI::App& program)
     const auto arguments = std::make_shared<CheckArguments>();
     CLI::App* command = program.add_subcommand(
         "check", "Judge a packing from any program: overlaps, walls, centres outside, support");
-    command->footer(kExamples);
+    command->footer(kCheckExamples);
     command->add_option("FILE", arguments->file, "The packing")->required();
     command
         ->add_option("--mesh", arguments->mesh,

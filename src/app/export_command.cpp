@@ -17,7 +17,7 @@ namespace frostfill
 namespace
 {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kExportExamples = R"(Examples:
   frostfill export output/torus --to vtp                 for ParaView: open output/torus/export/run.pvd
   frostfill export output/torus --to glb --frames 0..600:10
   frostfill export output/torus --to csv,lammps-data --out tables
@@ -68,7 +68,7 @@ Command addExportCommand(CLI::App& program)
     const auto arguments = std::make_shared<ExportArguments>();
     CLI::App* command =
         program.add_subcommand("export", "Write a kept run in the formats of other programs");
-    command->footer(describeFormats() + kExamples);
+    command->footer(describeFormats() + kExportExamples);
     command->add_option("RUN", arguments->run, "The folder of a run, or its run.frost")->required();
     command
         ->add_option("--to", arguments->formats,

@@ -20,7 +20,7 @@ namespace frostfill
 namespace
 {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kFiguresExamples = R"(Examples:
   frostfill figures                          all figures into docs/figures, with recorded times
   frostfill figures --measure                with new times; use an idle machine
   frostfill figures --only operations --out output/figures
@@ -135,7 +135,7 @@ Command addFiguresCommand(CLI::App& program)
     const auto arguments = std::make_shared<FiguresArguments>();
     CLI::App* command = program.add_subcommand(
         "figures", "Make the figures of the documentation: SVG, PNG, data and script");
-    command->footer(kExamples);
+    command->footer(kFiguresExamples);
     command->add_option("--only", arguments->only, "Only these figures; see --list")
         ->delimiter(',')
         ->type_name("NAME,...");

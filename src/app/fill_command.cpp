@@ -31,7 +31,7 @@ namespace frostfill
 namespace
 {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kFillExamples = R"(Examples:
   frostfill fill torus                           the paper's run, with frames
   frostfill fill human --frames none             tables, no pictures
   frostfill fill part.stl --up z --units mm --count 500
@@ -235,7 +235,7 @@ Command addFillCommand(CLI::App& program)
     const auto arguments = std::make_shared<FillArguments>();
     CLI::App* command = program.add_subcommand(
         "fill", "Fill a mesh with spheres; write frames, tables and a summary");
-    command->footer(kExamples);
+    command->footer(kFillExamples);
     command->add_option("MESH", arguments->mesh, "torus, sphere, cube, human, or a mesh file");
     command
         ->add_option("--scene", arguments->sceneFile,

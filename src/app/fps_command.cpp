@@ -19,7 +19,7 @@ namespace frostfill
 namespace
 {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kFpsExamples = R"(Examples:
   frostfill fps                                 the four objects, the paper's times beside ours
   frostfill fps torus --searches loop,tree --no-render
   frostfill fps --json > before.json            a baseline for --compare
@@ -212,7 +212,7 @@ Command addFpsCommand(CLI::App& program)
     const auto arguments = std::make_shared<FpsArguments>();
     CLI::App* command = program.add_subcommand(
         "fps", "Measure frames per second as the paper does, beside its figures");
-    command->footer(kExamples);
+    command->footer(kFpsExamples);
     command->add_option("SCENE", arguments->scenes,
                         "torus, sphere, cube, human, mesh files or scenes (TOML); by default the "
                         "four objects");

@@ -18,7 +18,7 @@ namespace frostfill
 namespace
 {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kImportExamples = R"(Examples:
   frostfill import dump.lammpstrj --mesh hopper.stl --up z --timestep 1e-6
   frostfill import frames.xyz --radius 0.5                the box of the file is drawn
   frostfill render output/dump --style studio             then as a run of our own
@@ -116,7 +116,7 @@ Command addImportCommand(CLI::App& program)
     const auto arguments = std::make_shared<ImportArguments>();
     CLI::App* command = program.add_subcommand(
         "import", "Turn the simulation of another program into a run, to render and export it");
-    command->footer(kExamples);
+    command->footer(kImportExamples);
     command->add_option("FILE", arguments->file, "The dump or the XYZ file")->required();
     ImportRequest& request = arguments->request;
     command

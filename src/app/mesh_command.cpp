@@ -19,7 +19,7 @@ namespace frostfill
 namespace
 {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kMeshExamples = R"(Examples:
   frostfill mesh torus
   frostfill mesh human --radius 0.05           parts that such spheres cannot reach
   frostfill mesh bunny.obj --repair bunny.ply
@@ -130,7 +130,7 @@ Command addMeshCommand(CLI::App& program)
     const auto arguments = std::make_shared<MeshArguments>();
     CLI::App* command = program.add_subcommand(
         "mesh", "Inspect a mesh: whether it can be filled, and what is repaired");
-    command->footer(kExamples);
+    command->footer(kMeshExamples);
     command->add_option("FILE", arguments->mesh, "A mesh file, or torus, sphere, cube, human")
         ->required();
     command

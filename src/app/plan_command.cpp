@@ -21,7 +21,7 @@ namespace frostfill
 namespace
 {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kPlanExamples = R"(Examples:
   frostfill plan sweep.toml                     runs, time, memory and bytes of a sweep
   frostfill plan output/torus --frames 0..600   pictures, time and bytes of a rendering
 )";
@@ -155,7 +155,7 @@ Command addPlanCommand(CLI::App& program)
     const auto arguments = std::make_shared<PlanArguments>();
     CLI::App* command = program.add_subcommand(
         "plan", "Estimate what a sweep or a rendering takes, and which job array to request");
-    command->footer(kExamples);
+    command->footer(kPlanExamples);
     command->add_option("WHAT", arguments->what, "A sweep (FILE.toml), or the directory of a run")
         ->required();
     command->add_option("--tasks", arguments->tasks, "Tasks of the job array (several choices)")

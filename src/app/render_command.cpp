@@ -24,7 +24,7 @@ namespace frostfill
 namespace
 {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kRenderExamples = R"(Examples:
   frostfill render output/torus                            the same pictures, in output/torus/render
   frostfill render output/torus --frames last --size 3840x2160 --style studio --out poster
   frostfill render output/torus --frames 100..200 --turntable 8 --video turn.mp4
@@ -228,7 +228,7 @@ Command addRenderCommand(CLI::App& program)
     const auto arguments = std::make_shared<RenderArguments>();
     CLI::App* command = program.add_subcommand(
         "render", "Draw a kept run again; settings that are not given are those of the run");
-    command->footer(kExamples);
+    command->footer(kRenderExamples);
     command->add_option("RUN", arguments->run, "Directory of a run that was kept, or its run.frost")
         ->required();
     addPictureOptions(*command, arguments->given);

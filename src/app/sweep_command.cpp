@@ -22,7 +22,7 @@ namespace frostfill
 namespace
 {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kSweepExamples = R"(Examples:
   frostfill sweep sweep.toml                    every run that is not done, in output/sweep
   frostfill sweep sweep.toml --dry-run          what would be done
   frostfill sweep sweep.toml --shard 3/16       the third of sixteen parts
@@ -265,7 +265,7 @@ Command addSweepCommand(CLI::App& program)
     const auto arguments = std::make_shared<SweepArguments>();
     CLI::App* command = program.add_subcommand(
         "sweep", "Fill once for each combination of values; on one machine or many");
-    command->footer(kExamples);
+    command->footer(kSweepExamples);
     command->add_option("FILE", arguments->file, "Scene file with lists of values (TOML)")
         ->required();
     command

@@ -16,7 +16,7 @@ namespace frostfill
 namespace
 {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kViewExamples = R"(Examples:
   frostfill view output/torus                      open output/torus/view.html in a browser
   frostfill view output/torus --output torus.html --max-size 5
 )";
@@ -50,7 +50,7 @@ Command addViewCommand(CLI::App& program)
     const auto arguments = std::make_shared<ViewArguments>();
     CLI::App* command =
         program.add_subcommand("view", "Write a kept run as one HTML page for any browser");
-    command->footer(kExamples);
+    command->footer(kViewExamples);
     command->add_option("RUN", arguments->run, "Directory of a run that was kept, or its run.frost")
         ->required();
     command

@@ -26,7 +26,7 @@ constexpr int kDeflateLevel = 1;
 
 /// The PNG filter "up": a pixel minus the pixel above. A fixed filter needs no search, and pictures
 /// of spheres on a plain background gain nothing from the other filters.
-constexpr int kFilterUp = 2;
+constexpr int kStbFilterUp = 2;
 
 /// Size of the signature and the header chunk. Text chunks may follow them.
 constexpr std::size_t kTextOffset = 8 + 4 + 4 + 13 + 4;
@@ -81,7 +81,7 @@ std::vector<std::uint8_t> encodePng(const Image& image, const PngText& text)
     // The filter is a global variable of stb. It is set once, so encoders can run in several
     // threads.
     static std::once_flag filterSet;
-    std::call_once(filterSet, [] { stbi_write_force_png_filter = kFilterUp; });
+    std::call_once(filterSet, [] { stbi_write_force_png_filter = kStbFilterUp; });
 
     std::vector<std::uint8_t> png;
     if (stbi_write_png_to_func(&append, &png, image.width, image.height, image.channels,

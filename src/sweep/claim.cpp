@@ -17,7 +17,7 @@ namespace frostfill
 namespace
 {
 
-constexpr const char* kFile = "sweep.lock";
+constexpr const char* kLockFile = "sweep.lock";
 
 /// Of the whole file.
 struct flock wholeFile()
@@ -33,7 +33,7 @@ struct flock wholeFile()
 Claim::Claim(const std::filesystem::path& folder)
 {
     createDirectory(folder);
-    const std::filesystem::path file = folder / kFile;
+    const std::filesystem::path file = folder / kLockFile;
     descriptor_ = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
     if (descriptor_ < 0)
     {
@@ -51,7 +51,7 @@ Claim::~Claim()
 
 bool isClaimed(const std::filesystem::path& folder)
 {
-    const int descriptor = open((folder / kFile).c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW);
+    const int descriptor = open((folder / kLockFile).c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW);
     if (descriptor < 0)
     {
         return false;

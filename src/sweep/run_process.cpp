@@ -25,7 +25,7 @@ namespace frostfill
 namespace
 {
 
-using Json = nlohmann::json;
+using PlainJson = nlohmann::json;
 
 constexpr int kPatience = 100; // between two looks whether to stop [ms]
 
@@ -74,11 +74,11 @@ RunReport noProcess()
         _exit(static_cast<int>(ErrorCode::stoppedEarly));
     }
     const RunReport report = runHere(request, observer);
-    const std::string text = Json{
+    const std::string text = PlainJson{
         {"status", static_cast<int>(report.status)},
         {"exit_code", report.exitCode},
         {"message",
-         report.message}}.dump(-1, ' ', false, Json::error_handler_t::replace);
+         report.message}}.dump(-1, ' ', false, PlainJson::error_handler_t::replace);
     std::ignore = write(pipe, text.data(), text.size());
     std::fflush(nullptr);
     _exit(0);
@@ -153,7 +153,7 @@ RunReport runApart(const FillRequest& request, const FillObserver& observer)
     while (waitpid(child, &status, 0) < 0 && errno == EINTR)
     {
     }
-    const Json json = Json::parse(text, nullptr, false);
+    const PlainJson json = PlainJson::parse(text, nullptr, false);
     return json.is_object()
                ? RunReport{static_cast<RunStatus>(json.at("status").get<int>()),
                            json.at("exit_code").get<int>(), json.at("message").get<std::string>()}

@@ -17,7 +17,7 @@ namespace
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kFile = "sweep.json";
+constexpr const char* kRecordFile = "sweep.json";
 
 std::string hostName()
 {
@@ -48,14 +48,14 @@ void writeNote(const std::filesystem::path& folder, const RunNote& note)
                        {"seconds", note.seconds},
                        {"host", hostName()},
                        {"process", getpid()}};
-    AtomicFile file(folder / kFile);
+    AtomicFile file(folder / kRecordFile);
     file.write(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
     file.commit();
 }
 
 std::optional<RunNote> readNote(const std::filesystem::path& folder)
 {
-    std::ifstream in(folder / kFile);
+    std::ifstream in(folder / kRecordFile);
     const Json json = Json::parse(in, nullptr, false);
     if (!json.is_object())
     {

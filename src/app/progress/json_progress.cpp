@@ -21,7 +21,7 @@ namespace
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kSecondsPerLine = 0.25;
+constexpr double kSecondsPerObject = 0.25;
 
 const char* resultOf(int code)
 {
@@ -90,7 +90,7 @@ void JsonProgress::show(const char* stage, std::size_t done, std::size_t total, 
         began_ = now;
         first_ = done;
     }
-    else if (seconds(now - shown_) < kSecondsPerLine)
+    else if (seconds(now - shown_) < kSecondsPerObject)
     {
         return;
     }

@@ -17,7 +17,7 @@ namespace frostfill
 namespace
 {
 
-constexpr std::uint32_t kLeafSize = 4; // triangles
+constexpr std::uint32_t kCrossingLeafSize = 4; // triangles
 
 TrianglePair::Corners cornersOf(const TriangleMesh& mesh, std::uint32_t triangle)
 {
@@ -77,7 +77,7 @@ class CrossingSearch
 {
 public:
     explicit CrossingSearch(const TriangleMesh& mesh)
-        : mesh_(mesh), tree_(mesh, kLeafSize), crossed_(mesh.triangles.size(), false)
+        : mesh_(mesh), tree_(mesh, kCrossingLeafSize), crossed_(mesh.triangles.size(), false)
     {
         boxes_.reserve(mesh.triangles.size());
         for (const std::uint32_t triangle : tree_.order())

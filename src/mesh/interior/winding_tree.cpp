@@ -23,11 +23,11 @@ constexpr double kFar = 2.5;
 /// quotient is no number.
 constexpr double kLeastSquare = 1e-180;
 
-constexpr std::uint32_t kLeafSize = 8; // triangles
+constexpr std::uint32_t kWindingLeafSize = 8; // triangles
 
 } // namespace
 
-WindingTree::WindingTree(const TriangleMesh& mesh) : mesh_(&mesh), tree_(mesh, kLeafSize)
+WindingTree::WindingTree(const TriangleMesh& mesh) : mesh_(&mesh), tree_(mesh, kWindingLeafSize)
 {
     dipoles_.reserve(tree_.nodes().size());
     for (const TriangleTree::Node& node : tree_.nodes())

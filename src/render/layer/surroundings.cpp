@@ -24,7 +24,7 @@ constexpr float kReach = 1.6F;
 constexpr float kLampReach = 7;
 
 /// See forAll.
-constexpr std::size_t kSpheresATask = 64;
+constexpr std::size_t kSurroundedATask = 64;
 
 /// By how much the lamp's light spreads on the way: it is as soft as it is large.
 constexpr float kSoftness = 0.3F;
@@ -279,7 +279,7 @@ const SphereLight& Surroundings::ofResting(std::size_t index)
 
 void Surroundings::ask(std::span<const std::uint32_t> indices)
 {
-    forAll(indices.size(), kSpheresATask, [&](std::size_t i) { ofResting(indices[i]); });
+    forAll(indices.size(), kSurroundedATask, [&](std::size_t i) { ofResting(indices[i]); });
 }
 
 std::span<const std::uint32_t>

@@ -17,13 +17,13 @@ namespace
 {
 
 /// Around a triangle, so that a pixel of which only a sample is covered counts. [pixel]
-constexpr double kMargin = 1.5;
+constexpr double kTileMargin = 1.5;
 
 /// OpenGL moves corners to a grid of 1/256 of a pixel before it looks which way a triangle faces.
 constexpr double kSnapping = 1.0 / 64;
 
 /// What single precision may do to a window depth.
-constexpr double kDepthSlack = 1e-5;
+constexpr double kTileDepthSlack = 1e-5;
 
 } // namespace
 
@@ -45,8 +45,8 @@ TriangleTiles::Bounds TriangleTiles::boundsOf(const std::array<glm::vec3, 3>& co
         points[i] = (glm::dvec2(clip) / clip.w + 1.0) / 2.0 * glm::dvec2(size.width, size.height);
         low = glm::min(low, points[i]);
         high = glm::max(high, points[i]);
-        bounds.nearest =
-            std::min(bounds.nearest, static_cast<float>(clip.z / clip.w / 2 + 0.5 - kDepthSlack));
+        bounds.nearest = std::min(bounds.nearest,
+                                  static_cast<float>(clip.z / clip.w / 2 + 0.5 - kTileDepthSlack));
     }
     const glm::dvec2 a = points[1] - points[0];
     const glm::dvec2 b = points[2] - points[0];
@@ -57,10 +57,10 @@ TriangleTiles::Bounds TriangleTiles::boundsOf(const std::array<glm::vec3, 3>& co
     const glm::dvec2 limit(4.0 * size.width, 4.0 * size.height);
     low = glm::clamp(low, -limit, limit);
     high = glm::clamp(high, -limit, limit);
-    bounds.pixels = common({static_cast<int>(std::floor(low.x - kMargin)),
-                            static_cast<int>(std::floor(low.y - kMargin)),
-                            static_cast<int>(std::ceil(high.x + kMargin)),
-                            static_cast<int>(std::ceil(high.y + kMargin))},
+    bounds.pixels = common({static_cast<int>(std::floor(low.x - kTileMargin)),
+                            static_cast<int>(std::floor(low.y - kTileMargin)),
+                            static_cast<int>(std::ceil(high.x + kTileMargin)),
+                            static_cast<int>(std::ceil(high.y + kTileMargin))},
                            picture);
     if (bounds.pixels.empty())
     {

@@ -27,7 +27,7 @@ struct SweptKey
     FileValue values;
 };
 
-[[noreturn]] void refuse(std::string_view file, std::uint32_t line, const std::string& what)
+[[noreturn]] void refuseSweep(std::string_view file, std::uint32_t line, const std::string& what)
 {
     throw Error(ErrorCode::badData, fmt::format("{}, line {}: {}", file, line, what));
 }
@@ -52,10 +52,11 @@ void refuseOtherTables(const FileValues& values, std::string_view file)
     {
         if (!key.starts_with("scene.") && !key.starts_with("sweep."))
         {
-            refuse(file, value.line,
-                   fmt::format("'{}' is in neither table of a sweep: put the settings of all runs "
-                               "in [scene] and lists of values in [sweep]",
-                               key));
+            refuseSweep(
+                file, value.line,
+                fmt::format("'{}' is in neither table of a sweep: put the settings of all runs "
+                            "in [scene] and lists of values in [sweep]",
+                            key));
         }
     }
 }
@@ -70,10 +71,11 @@ std::vector<SweptKey> axesOf(const FileValues& swept, std::string_view file)
         {
             if (found->second.list.empty())
             {
-                refuse(file, found->second.line,
-                       fmt::format("'{0}' must be a list of values, such as {0} = [ ... ]; put a "
-                                   "single value in [scene]",
-                                   option.key));
+                refuseSweep(
+                    file, found->second.line,
+                    fmt::format("'{0}' must be a list of values, such as {0} = [ ... ]; put a "
+                                "single value in [scene]",
+                                option.key));
             }
             axes.push_back({&option, found->second});
         }
@@ -177,15 +179,15 @@ std::vector<SweepRun> parseSweep(std::string_view toml, std::string_view nameFor
     {
         if (base.contains(key))
         {
-            refuse(nameForMessages, value.line,
-                   fmt::format("'{}' is in [scene] and in [sweep]: omit one of them", key));
+            refuseSweep(nameForMessages, value.line,
+                        fmt::format("'{}' is in [scene] and in [sweep]: omit one of them", key));
         }
         both[key] = value.list.empty() ? value : value.list.front();
         count *= std::max<std::size_t>(1, value.list.size());
         if (count > kMostRuns)
         {
-            refuse(nameForMessages, value.line,
-                   fmt::format("the sweep has more than {} runs", kMostRuns));
+            refuseSweep(nameForMessages, value.line,
+                        fmt::format("the sweep has more than {} runs", kMostRuns));
         }
     }
     (void)sceneFromValues(both, nameForMessages); // for keys that no scene has
@@ -205,10 +207,11 @@ std::vector<SweepRun> parseSweep(std::string_view toml, std::string_view nameFor
         runs.push_back(runAt(places, axes, base, nameForMessages));
         if (!names.insert(runs.back().name).second)
         {
-            refuse(nameForMessages, axes.front().values.line,
-                   fmt::format("two runs have the name '{}': a list has a value twice, or two that "
-                               "differ only in characters that a file name cannot have",
-                               runs.back().name));
+            refuseSweep(
+                nameForMessages, axes.front().values.line,
+                fmt::format("two runs have the name '{}': a list has a value twice, or two that "
+                            "differ only in characters that a file name cannot have",
+                            runs.back().name));
         }
     } while (nextPlaces(places, axes));
     return runs;

@@ -152,10 +152,10 @@ private:
 };
 
 /// Those of the sphere's cell of a uniform grid.
-class ByGrid final : public PolygonSearchPart
+class PolygonsByGrid final : public PolygonSearchPart
 {
 public:
-    explicit ByGrid(const SearchedPolygons& polygons)
+    explicit PolygonsByGrid(const SearchedPolygons& polygons)
         : states_(polygons.states), grid_(*polygons.grid)
     {
         update();
@@ -207,8 +207,8 @@ void PolygonVisitor::meet(std::uint32_t polygon, bool mayTouch)
 
 PartTable<PolygonSearch, MakePolygonSearch>& polygonSearches()
 {
-    static PartTable<PolygonSearch, MakePolygonSearch> table = {make<Loop>, make<List>,
-                                                                make<Quadtree>, make<ByGrid>};
+    static PartTable<PolygonSearch, MakePolygonSearch> table = {
+        make<Loop>, make<List>, make<Quadtree>, make<PolygonsByGrid>};
     return table;
 }
 

@@ -27,10 +27,10 @@ private:
 };
 
 /// Those in the cells near the sphere, in the order of all pairs: the same bits.
-class ByGrid final : public SphereSearchPart
+class SpheresByGrid final : public SphereSearchPart
 {
 public:
-    explicit ByGrid(const SphereGrid& resting) : resting_(resting) {}
+    explicit SpheresByGrid(const SphereGrid& resting) : resting_(resting) {}
     [[nodiscard]] std::span<const IdRange> near(const Spheres& spheres, std::uint32_t i,
                                                 IdRange frozen) override
     {
@@ -70,7 +70,7 @@ PartTable<SphereSearch, MakeSphereSearch>& sphereSearches()
 {
     static PartTable<SphereSearch, MakeSphereSearch> table = {
         [](const SphereGrid&) { return std::make_unique<AllPairs>(); },
-        [](const SphereGrid& resting) { return std::make_unique<ByGrid>(resting); },
+        [](const SphereGrid& resting) { return std::make_unique<SpheresByGrid>(resting); },
     };
     return table;
 }

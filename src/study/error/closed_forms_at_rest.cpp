@@ -17,7 +17,7 @@ namespace
 
 constexpr double kNotFrozen = 1e-9; // from its place, of a sphere at rest that still runs [r]
 // The paper's method rests as well as its step lets it; nothing is promised.
-constexpr double kNoClaim = std::numeric_limits<double>::infinity();
+constexpr double kNoClaimAtRest = std::numeric_limits<double>::infinity();
 
 // The places that our own engine freezes at, and those of the paper's.
 double restingError(Preset preset, const TriangleMesh& mesh, const Eigen::Vector3d& start,
@@ -118,7 +118,7 @@ void measureGrooves(ClosedFormPoints& points)
         const double degrees = angle * 180 / std::numbers::pi;
         addFast(points, "groove", "half angle", degrees, mesh, start, expected);
         points.add("groove", "paper", "half angle", degrees,
-                   restingError(Preset::paper, mesh, start, expected), kNoClaim);
+                   restingError(Preset::paper, mesh, start, expected), kNoClaimAtRest);
     }
 }
 
@@ -134,7 +134,7 @@ void measureCorner(ClosedFormPoints& points)
     const Eigen::Vector3d start(0.3, -2, 0.2);
     addFast(points, "corner", "cuts", 3, mesh, start, expected);
     points.add("corner", "paper", "cuts", 3, restingError(Preset::paper, mesh, start, expected),
-               kNoClaim);
+               kNoClaimAtRest);
 }
 
 void measureThreeSpheres(ClosedFormPoints& points)

@@ -18,7 +18,7 @@ namespace
 
 constexpr double kStepsToRest = 10; // whose bounces are lost at the end of a bouncing
 // The paper's method bounces as well as its step lets it; nothing is promised.
-constexpr double kNoClaim = std::numeric_limits<double>::infinity();
+constexpr double kNoClaimOfMotion = std::numeric_limits<double>::infinity();
 
 /// After the first bounce. advance() returns height above rest and vertical speed.
 double apexOf(const std::function<std::pair<double, double>()>& advance)
@@ -182,7 +182,7 @@ void measureBounce(ClosedFormPoints& points, double dt)
                                  hallOfPaper->spheres.velocity(0).y());
             });
         points.add("bounce", isExplicit ? "explicit Euler" : "semi-implicit Euler", "step", dt,
-                   apex / expected - 1, kNoClaim);
+                   apex / expected - 1, kNoClaimOfMotion);
     }
 }
 

@@ -17,9 +17,9 @@ namespace
 {
 
 /// Pictures that are drawn for one time; the least counts.
-constexpr int kPictures = 5;
+constexpr int kShellPictures = 5;
 /// The reference: so many times as many pixels each way, with 4 samples each.
-constexpr int kReference = 8;
+constexpr int kShellReference = 8;
 
 /// A torus with so many quads along its tube, and a quarter of that around it.
 TriangleMesh torusOf(std::uint32_t along)
@@ -64,7 +64,7 @@ ErrorPoint shellRun(std::uint32_t along, int samples, bool quick)
     settings.style.legend = false;
     settings.staticLayer = false;
     RenderSettings fine = settings;
-    fine.supersample = kReference;
+    fine.supersample = kShellReference;
     Image reference;
     Renderer(mesh, fine).render(snapshot, reference);
 
@@ -74,7 +74,7 @@ ErrorPoint shellRun(std::uint32_t along, int samples, bool quick)
     Image image;
     renderer.render(snapshot, image); // uploads, compiles
     double seconds = std::numeric_limits<double>::infinity();
-    for (int k = 0; k < kPictures; ++k)
+    for (int k = 0; k < kShellPictures; ++k)
     {
         const ProcessorClock clock;
         renderer.render(snapshot, image);

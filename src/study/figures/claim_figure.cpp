@@ -11,8 +11,8 @@ namespace
 {
 
 constexpr std::size_t kPoints = 50;
-constexpr std::uint64_t kSpheres = 10000;
-constexpr std::uint64_t kQuickSpheres = 400;
+constexpr std::uint64_t kClaimSpheres = 10000;
+constexpr std::uint64_t kQuickClaimSpheres = 400;
 
 Scene torusScene(Preset preset, std::uint64_t spheres)
 {
@@ -52,13 +52,13 @@ void addPoints(Table& points, Table& growth, const char* method,
     growth.rows.push_back(row);
 }
 
-void makeData(const FigureFolder& folder)
+void makeClaimData(const FigureFolder& folder)
 {
     if (folder.reuse("claim.csv") && folder.reuse("claim-growth.csv"))
     {
         return;
     }
-    const std::uint64_t spheres = folder.quick() ? kQuickSpheres : kSpheres;
+    const std::uint64_t spheres = folder.quick() ? kQuickClaimSpheres : kClaimSpheres;
     const TriangleMesh mesh = builtInMesh("torus");
     Scene freezing = torusScene(Preset::paper, spheres);
     Scene discards = freezing;
@@ -94,9 +94,9 @@ void makeData(const FigureFolder& folder)
 
 Figure claimFigure()
 {
-    return {"claim",  "time and tests a frame while the spheres grow in number",
-            true,     110,
-            makeData, embedded::figure_claim};
+    return {"claim",       "time and tests a frame while the spheres grow in number",
+            true,          110,
+            makeClaimData, embedded::figure_claim};
 }
 
 } // namespace frostfill

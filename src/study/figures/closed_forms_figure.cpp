@@ -8,7 +8,7 @@ namespace frostfill
 namespace
 {
 
-void makeData(const FigureFolder& folder)
+void makeClosedFormsData(const FigureFolder& folder)
 {
     folder.write("closed-forms.csv", closedFormsCsv(measureClosedForms(folder.quick())));
 }
@@ -17,8 +17,8 @@ void makeData(const FigureFolder& folder)
 
 Figure closedFormsFigure()
 {
-    return {"closed-forms", "errors against closed forms", false, 1,
-            makeData,       embedded::figure_closed_forms};
+    return {"closed-forms",      "errors against closed forms", false, 1,
+            makeClosedFormsData, embedded::figure_closed_forms};
 }
 
 } // namespace frostfill

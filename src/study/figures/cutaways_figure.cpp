@@ -10,14 +10,14 @@ namespace frostfill
 namespace
 {
 
-constexpr int kSide = 210; // pixels; cutaways.gp has both
-constexpr int kStrip = 26;
+constexpr int kCutawaysSide = 210; // pixels; cutaways.gp has both
+constexpr int kCutawaysStrip = 26;
 
 Scene sceneOf(const std::string& object, bool quick)
 {
     Scene scene = presetScene(Preset::fast, object);
     scene.spheres.count = quick ? 60 : 1500;
-    makePanel(scene, kSide);
+    makePanel(scene, kCutawaysSide);
     // The quarter that is nearest to the camera.
     scene.style.cutaway.kind = Cutaway::Kind::wedge;
     constexpr double kAzimuth = 30;
@@ -27,7 +27,7 @@ Scene sceneOf(const std::string& object, bool quick)
     return scene;
 }
 
-void makeData(const FigureFolder& folder)
+void makeCutawaysData(const FigureFolder& folder)
 {
     Table table;
     table.headings = {"object", "column", "spheres", "frozen", "discarded", "polygons_discarded"};
@@ -49,14 +49,15 @@ void makeData(const FigureFolder& folder)
     }
     byState.insert(byState.end(), bySet.begin(), bySet.end());
     folder.write("cutaways.csv", table);
-    folder.write("cutaways-panels.png", joinPanels(byState, bySet.size(), kStrip));
+    folder.write("cutaways-panels.png", joinPanels(byState, bySet.size(), kCutawaysStrip));
 }
 
 } // namespace
 
 Figure cutawaysFigure()
 {
-    return {"cutaways", "the four objects cut open", false, 3, makeData, embedded::figure_cutaways};
+    return {"cutaways",       "the four objects cut open", false, 3,
+            makeCutawaysData, embedded::figure_cutaways};
 }
 
 } // namespace frostfill

@@ -48,7 +48,7 @@ double packing(const Part& part, std::uint32_t setSize, std::uint64_t seed, std:
     return 100 * quality.sphereVolume / quality.meshVolume;
 }
 
-void makeData(const FigureFolder& folder)
+void makeDensityData(const FigureFolder& folder)
 {
     const TriangleMesh mesh = builtInMesh("cube");
     const MeshReport report = inspectMesh(mesh);
@@ -80,9 +80,9 @@ void makeData(const FigureFolder& folder)
 
 Figure densityFigure()
 {
-    return {"density", "share of the volume that is filled, against the size of a set",
-            false,     13,
-            makeData,  embedded::figure_density};
+    return {"density",       "share of the volume that is filled, against the size of a set",
+            false,           13,
+            makeDensityData, embedded::figure_density};
 }
 
 } // namespace frostfill

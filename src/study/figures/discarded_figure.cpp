@@ -11,8 +11,8 @@ namespace frostfill
 namespace
 {
 
-constexpr std::uint64_t kSpheres = 2000;
-constexpr std::uint64_t kQuickSpheres = 60;
+constexpr std::uint64_t kDiscardedSpheres = 2000;
+constexpr std::uint64_t kQuickDiscardedSpheres = 60;
 
 Scene sceneOf(const std::string& object, Preset preset, std::uint64_t spheres)
 {
@@ -49,7 +49,7 @@ void addRun(Table& table, const std::string& object, Preset preset, std::uint64_
     }
 }
 
-void makeData(const FigureFolder& folder)
+void makeDiscardedData(const FigureFolder& folder)
 {
     Table table;
     table.headings = {"object",
@@ -62,7 +62,8 @@ void makeData(const FigureFolder& folder)
     {
         for (const Preset preset : {Preset::paper, Preset::fast})
         {
-            addRun(table, object, preset, folder.quick() ? kQuickSpheres : kSpheres);
+            addRun(table, object, preset,
+                   folder.quick() ? kQuickDiscardedSpheres : kDiscardedSpheres);
         }
     }
     folder.write("discarded.csv", table);
@@ -72,9 +73,12 @@ void makeData(const FigureFolder& folder)
 
 Figure discardedFigure()
 {
-    return {"discarded", "share of discarded spheres and polygons over the run",
-            false,       4,
-            makeData,    embedded::figure_discarded};
+    return {"discarded",
+            "share of discarded spheres and polygons over the run",
+            false,
+            4,
+            makeDiscardedData,
+            embedded::figure_discarded};
 }
 
 } // namespace frostfill

@@ -17,7 +17,7 @@ std::string fileOf(const ErrorStudyInfo& study)
     return fmt::format("error-{}.csv", study.name);
 }
 
-void makeData(const FigureFolder& folder)
+void makeErrorData(const FigureFolder& folder)
 {
     const auto recorded = [&](const ErrorStudyInfo& study) { return folder.reuse(fileOf(study)); };
     if (std::all_of(errorStudies().begin(), errorStudies().end(), recorded))
@@ -37,7 +37,7 @@ void makeData(const FigureFolder& folder)
 
 Figure errorFigure()
 {
-    return {"error", "run time against error", true, 350, makeData, embedded::figure_error};
+    return {"error", "run time against error", true, 350, makeErrorData, embedded::figure_error};
 }
 
 } // namespace frostfill

@@ -11,10 +11,10 @@ namespace
 {
 
 constexpr std::size_t kColumns = 5;
-constexpr int kSide = 190; // pixels; filling.gp has both
-constexpr int kStrip = 26;
+constexpr int kFillingSide = 190; // pixels; filling.gp has both
+constexpr int kFillingStrip = 26;
 
-void makeData(const FigureFolder& folder)
+void makeFillingData(const FigureFolder& folder)
 {
     Table table;
     table.headings = {"object",  "column", "row",       "spheres",
@@ -29,7 +29,7 @@ void makeData(const FigureFolder& folder)
         {
             scene.spheres.count = 40;
         }
-        makePanel(scene, kSide);
+        makePanel(scene, kFillingSide);
         std::vector<std::size_t> spheres;
         for (std::size_t column = 1; column < kColumns; ++column)
         {
@@ -54,16 +54,16 @@ void makeData(const FigureFolder& folder)
         ++row;
     }
     folder.write("filling.csv", table);
-    folder.write("filling-panels.png", joinPanels(panels, kColumns, kStrip));
+    folder.write("filling-panels.png", joinPanels(panels, kColumns, kFillingStrip));
 }
 
 } // namespace
 
 Figure fillingFigure()
 {
-    return {"filling", "the four objects while they fill",
-            false,     3,
-            makeData,  embedded::figure_filling};
+    return {"filling",       "the four objects while they fill",
+            false,           3,
+            makeFillingData, embedded::figure_filling};
 }
 
 } // namespace frostfill

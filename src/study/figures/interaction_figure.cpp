@@ -94,7 +94,7 @@ void writeSections(const FigureFolder& folder, const Scene& scene, const Triangl
     folder.write("interaction-rays.csv", raysOf(surface, polygon, edge, plane, unit));
 }
 
-void makeData(const FigureFolder& folder)
+void makeInteractionData(const FigureFolder& folder)
 {
     Scene scene = presetScene(Preset::paper, "torus");
     scene.search = {SphereSearch::grid, PolygonSearch::grid};
@@ -120,10 +120,12 @@ void makeData(const FigureFolder& folder)
 
 Figure interactionFigure()
 {
-    return {
-        "interaction", "PAPER, Figure 2: spheres and polygons, a covered polygon, sets of groups",
-        false,         0.5,
-        makeData,      embedded::figure_interaction};
+    return {"interaction",
+            "PAPER, Figure 2: spheres and polygons, a covered polygon, sets of groups",
+            false,
+            0.5,
+            makeInteractionData,
+            embedded::figure_interaction};
 }
 
 } // namespace frostfill

@@ -19,13 +19,13 @@ namespace frostfill
 namespace
 {
 
-constexpr std::uint64_t kSpheres = 2000;
-constexpr std::uint64_t kQuickSpheres = 60;
+constexpr std::uint64_t kObjectSpheres = 2000;
+constexpr std::uint64_t kQuickObjectSpheres = 60;
 
 constexpr std::size_t kStages = 4;
 constexpr int kStageSide = 300; // pixels; object-stages.gp and object-cutaways.gp have these too
 constexpr int kCutSide = 380;
-constexpr int kStrip = 30;
+constexpr int kObjectStrip = 30;
 
 /// Of the wedge that is taken away, where the camera looks [degree].
 constexpr double kHalfWedge = 45;
@@ -39,7 +39,7 @@ struct Subject
 Subject subjectOf(const FigureFolder& folder, int side)
 {
     Subject subject{presetScene(Preset::fast, folder.object()), {}};
-    subject.scene.spheres.count = folder.quick() ? kQuickSpheres : kSpheres;
+    subject.scene.spheres.count = folder.quick() ? kQuickObjectSpheres : kObjectSpheres;
     makePanel(subject.scene, side);
     subject.scene.style.look = Look::clean; // hatches suit the paper's coarse meshes only
     subject.scene.style.palette = paletteOf(Look::clean);
@@ -68,8 +68,8 @@ void makeStages(const FigureFolder& folder)
                               fmt::format("{}", state.discardedPolygons)});
     }
     folder.write("stages.csv", table);
-    folder.write("stages-panels.png",
-                 joinPanels(drawMoments(subject.scene, subject.mesh, moments), kStages, kStrip));
+    folder.write("stages-panels.png", joinPanels(drawMoments(subject.scene, subject.mesh, moments),
+                                                 kStages, kObjectStrip));
 }
 
 void makeCutaways(const FigureFolder& folder)
@@ -94,7 +94,7 @@ void makeCutaways(const FigureFolder& folder)
         panels.push_back(drawMoments(scene, subject.mesh, end).front());
     }
     folder.write("cutaways.csv", table);
-    folder.write("cutaways-panels.png", joinPanels(panels, panels.size(), kStrip));
+    folder.write("cutaways-panels.png", joinPanels(panels, panels.size(), kObjectStrip));
 }
 
 /// A row for each set of a run.

@@ -11,7 +11,7 @@ namespace
 constexpr std::uint64_t kGroups = 200;
 constexpr std::uint64_t kQuickGroups = 20;
 
-void makeData(const FigureFolder& folder)
+void makeOperationsData(const FigureFolder& folder)
 {
     std::vector<OperationsResult> results;
     for (const bool discards : {false, true})
@@ -29,9 +29,12 @@ void makeData(const FigureFolder& folder)
 
 Figure operationsFigure()
 {
-    return {"operations", "operations against spheres: the lemmas and what is counted",
-            false,        5,
-            makeData,     embedded::figure_operations};
+    return {"operations",
+            "operations against spheres: the lemmas and what is counted",
+            false,
+            5,
+            makeOperationsData,
+            embedded::figure_operations};
 }
 
 } // namespace frostfill

@@ -8,7 +8,7 @@ namespace frostfill
 namespace
 {
 
-void makeData(const FigureFolder& folder)
+void makePeersData(const FigureFolder& folder)
 {
     if (folder.reuse("peers.csv"))
     {
@@ -24,7 +24,9 @@ void makeData(const FigureFolder& folder)
 
 Figure peersFigure()
 {
-    return {"peers", "other engines on the same cube", true, 200, makeData, embedded::figure_peers};
+    return {"peers",       "other engines on the same cube",
+            true,          200,
+            makePeersData, embedded::figure_peers};
 }
 
 } // namespace frostfill

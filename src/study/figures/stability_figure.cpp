@@ -10,7 +10,7 @@ namespace frostfill
 namespace
 {
 
-void makeData(const FigureFolder& folder)
+void makeStabilityData(const FigureFolder& folder)
 {
     // A matter of minutes, so it is taken from the record like measured times.
     if (folder.reuse("stability.csv"))
@@ -26,9 +26,12 @@ void makeData(const FigureFolder& folder)
 
 Figure stabilityFigure()
 {
-    return {"stability", "the stress matrix: where which method breaks",
-            true,        200,
-            makeData,    embedded::figure_stability};
+    return {"stability",
+            "the stress matrix: where which method breaks",
+            true,
+            200,
+            makeStabilityData,
+            embedded::figure_stability};
 }
 
 } // namespace frostfill

@@ -69,7 +69,7 @@ Table timesTable(const FpsResult& result)
     return table;
 }
 
-void makeData(const FigureFolder& folder)
+void makeTimesData(const FigureFolder& folder)
 {
     if (folder.reuse("times.csv") && folder.reuse("fps.csv") && folder.reuse("fps.md"))
     {
@@ -106,9 +106,9 @@ void makeData(const FigureFolder& folder)
 
 Figure timesFigure()
 {
-    return {"times",  "PAPER, Figure 3: sphere-polygon time a frame of the four objects",
-            true,     70,
-            makeData, embedded::figure_times};
+    return {"times",       "PAPER, Figure 3: sphere-polygon time a frame of the four objects",
+            true,          70,
+            makeTimesData, embedded::figure_times};
 }
 
 } // namespace frostfill

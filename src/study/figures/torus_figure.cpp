@@ -10,7 +10,7 @@ namespace
 {
 
 /// A picture as `frostfill fill torus` draws it, a little past the middle of the run.
-void makeData(const FigureFolder& folder)
+void makeTorusData(const FigureFolder& folder)
 {
     Scene scene = presetScene(Preset::fast, "torus");
     const std::array<std::size_t, 1> spheres = {folder.quick() ? 40UL : 200UL};
@@ -42,7 +42,8 @@ Figure studioFigure()
 
 Figure torusFigure()
 {
-    return {"torus", "the torus while it fills, as a run draws it", false, 1, makeData, nullptr};
+    return {"torus", "the torus while it fills, as a run draws it", false, 1, makeTorusData,
+            nullptr};
 }
 
 } // namespace frostfill

@@ -11,9 +11,9 @@ namespace frostfill
 namespace
 {
 
-constexpr int kSide = 340; // pixels; volume.gp has it too
+constexpr int kVolumeSide = 340; // pixels; volume.gp has it too
 
-void makeData(const FigureFolder& folder)
+void makeVolumeData(const FigureFolder& folder)
 {
     Scene scene = presetScene(Preset::paper, "torus");
     scene.search = {SphereSearch::allPairs, PolygonSearch::grid};
@@ -22,7 +22,7 @@ void makeData(const FigureFolder& folder)
     {
         scene.spheres.count = 60;
     }
-    makePanel(scene, kSide);
+    makePanel(scene, kVolumeSide);
     const TriangleMesh mesh = builtInMesh("torus");
     const std::size_t spheres[] = {*scene.spheres.count * 3 / 4};
 
@@ -53,10 +53,12 @@ void makeData(const FigureFolder& folder)
 
 Figure volumeFigure()
 {
-    return {
-        "volume", "PAPER, Figure 1: a filled volume, frozen, discarded, and which pairs are tested",
-        false,    1,
-        makeData, embedded::figure_volume};
+    return {"volume",
+            "PAPER, Figure 1: a filled volume, frozen, discarded, and which pairs are tested",
+            false,
+            1,
+            makeVolumeData,
+            embedded::figure_volume};
 }
 
 } // namespace frostfill
