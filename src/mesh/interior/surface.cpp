@@ -102,7 +102,7 @@ void setEdges(const TriangleMesh& mesh, std::vector<SurfaceTriangle>& triangles)
 } // namespace
 
 Surface::Surface(const TriangleMesh& mesh, const Walls& walls)
-    : mesh_(mesh), triangles_(mesh.triangles.size()), bounds_(mesh.triangles.size())
+    : mesh_(mesh), triangles_(mesh.triangles.size()), bounds_(mesh.triangles.size()), tree_(mesh)
 {
     for (std::size_t t = 0; t < triangles_.size(); ++t)
     {
@@ -170,6 +170,49 @@ SignedDistance nearestDistance(const Surface& surface, std::span<const std::uint
         }
     }
     return nearest;
+}
+
+// Of those that may be nearest but for rounding, the list decides, as it would among all.
+SignedDistance nearestDistance(const Surface& surface, const Eigen::Vector3d& p, double distance)
+{
+    // Beyond the nearest by this share of the distance and of the coordinates, another is nearer
+    // for sure. [1]
+    constexpr double kShare = 1e-9;
+    const double rounding = 1e-13 * (p.cwiseAbs().maxCoeff() + surface.box().sizes().maxCoeff());
+    const auto beyond = [&](double its) { return its * (1 + kShare) + rounding; };
+    struct Candidate
+    {
+        double distance;
+        std::uint32_t id;
+    };
+    std::vector<Candidate> candidates;
+    double limit = beyond(distance);
+    surface.tree().forEachNear(p, limit,
+                               [&](std::span<const std::uint32_t> ids)
+                               {
+                                   for (const std::uint32_t id : ids)
+                                   {
+                                       if (surface.bound(id).mayBeWithin(limit, p))
+                                       {
+                                           const double its =
+                                               std::abs(distanceTo(surface[id], p).value);
+                                           if (its <= limit)
+                                           {
+                                               candidates.push_back({its, id});
+                                               limit = std::min(limit, beyond(its));
+                                           }
+                                       }
+                                   }
+                                   return limit;
+                               });
+    std::erase_if(candidates, [&](const Candidate& each) { return each.distance > limit; });
+    std::vector<std::uint32_t> ids;
+    for (const Candidate& each : candidates)
+    {
+        ids.push_back(each.id);
+    }
+    std::sort(ids.begin(), ids.end());
+    return nearestDistance(surface, ids, p);
 }
 
 } // namespace frostfill

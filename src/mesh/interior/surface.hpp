@@ -4,6 +4,7 @@
 #pragma once
 
 #include "geometry/closest_point.hpp"
+#include "mesh/interior/triangle_bvh.hpp"
 #include "mesh/interior/walls.hpp"
 
 #include <frostfill/mesh.hpp>
@@ -76,6 +77,7 @@ public:
     [[nodiscard]] const Eigen::AlignedBox3d& box() const { return box_; }
     [[nodiscard]] const TriangleMesh& mesh() const { return mesh_; }
     [[nodiscard]] bool anyTwoSided() const { return anyTwoSided_; }
+    [[nodiscard]] const TriangleBvh& tree() const { return tree_; }
 
     /// Angle-weighted unit normal of a vertex, into the object.
     [[nodiscard]] const Eigen::Vector3d& vertexNormal(std::size_t vertex) const
@@ -89,6 +91,7 @@ private:
     std::vector<TriangleBound> bounds_;
     std::vector<Eigen::Vector3d> vertexNormals_;
     Eigen::AlignedBox3d box_;
+    TriangleBvh tree_;
     bool anyTwoSided_ = false;
 };
 
@@ -108,5 +111,9 @@ struct SignedDistance
 [[nodiscard]] SignedDistance nearestDistance(const Surface& surface,
                                              std::span<const std::uint32_t> ids,
                                              const Eigen::Vector3d& p);
+
+/// The same of all triangles; its value is infinite where none is within `distance` of p.
+[[nodiscard]] SignedDistance nearestDistance(const Surface& surface, const Eigen::Vector3d& p,
+                                             double distance);
 
 } // namespace frostfill

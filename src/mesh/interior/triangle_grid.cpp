@@ -8,7 +8,7 @@ namespace frostfill
 {
 
 TriangleGrid::TriangleGrid(const Surface& surface, const GridFrame& frame, double reach)
-    : frame_(frame), reach_(reach), blocksFrame_(frame)
+    : surface_(&surface), frame_(frame), reach_(reach), blocksFrame_(frame)
 {
     blocksFrame_.cell *= kSide;
     for (int& count : blocksFrame_.count)

@@ -17,6 +17,10 @@ namespace frostfill
 class TriangleGrid
 {
 public:
+    /// Of a cell, above which the tree is quicker. [triangles]
+    static constexpr std::size_t kShortList = 32;
+
+    /// `surface` must outlive this object.
     TriangleGrid(const Surface& surface, const GridFrame& frame, double reach);
 
     /// Ascending triangles, including all that are closer to `p` than the reach. `p` lies within
@@ -25,6 +29,27 @@ public:
     {
         const auto c = frame_.coordinates(p);
         return cell(c[0], c[1], c[2]);
+    }
+    /// Ascending triangles, including all within `distance` of `p`, which is at most the reach.
+    /// Where a cell has many, as in scans, the surface's tree finds fewer; they are put into
+    /// `found`.
+    [[nodiscard]] std::span<const std::uint32_t> near(const Eigen::Vector3d& p, double distance,
+                                                      std::vector<std::uint32_t>& found) const
+    {
+        const std::span<const std::uint32_t> all = near(p);
+        if (all.size() <= kShortList)
+        {
+            return all;
+        }
+        surface_->tree().findNear(p, distance, found);
+        return found;
+    }
+    /// As nearestDistance of near(p), which is not empty; where that is within the reach.
+    [[nodiscard]] SignedDistance nearest(const Eigen::Vector3d& p) const
+    {
+        const std::span<const std::uint32_t> all = near(p);
+        return all.size() <= kShortList ? nearestDistance(*surface_, all, p)
+                                        : nearestDistance(*surface_, p, reach_);
     }
     [[nodiscard]] std::span<const std::uint32_t> cell(int x, int y, int z) const
     {
@@ -92,6 +117,7 @@ public:
     }
 
 private:
+    const Surface* surface_;
     GridFrame frame_;
     double reach_;
     GridFrame blocksFrame_;             ///< of the blocks

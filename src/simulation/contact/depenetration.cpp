@@ -26,12 +26,15 @@ struct Push
 // Returns false where p is outside the object.
 bool pushOffWalls(const World& world, const Eigen::Vector3d& p, double radius, Push& push)
 {
-    const auto triangles = world.triangles.near(p);
-    if (triangles.empty())
+    if (world.triangles.near(p).empty())
     {
         return world.inside.contains(p);
     }
-    const SignedDistance wall = nearestDistance(world.surface, triangles, p);
+    const SignedDistance wall = world.triangles.nearest(p);
+    if (std::isinf(wall.value))
+    {
+        return world.inside.contains(p);
+    }
     if (wall.value == 0 || wall.value < -radius ||
         (world.surface.anyTwoSided() && !world.inside.contains(p)))
     {

@@ -3,6 +3,9 @@
 
 #include "simulation/contact/contact.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 namespace frostfill
 {
 
@@ -34,15 +37,19 @@ void NeighbourList::ensure(const World& world, const Eigen::Vector3d& p, double 
                                 reach.push_back(contact);
                             }
                         });
-    triangles_.clear();
-    for (const std::uint32_t triangle : world.triangles.near(p))
+    const auto isNear = [&](std::uint32_t triangle)
     {
-        if (world.polygons[triangle] == PolygonState::active &&
-            world.surface.bound(triangle).mayBeWithin(radius + kSkin, p))
-        {
-            triangles_.push_back(triangle);
-        }
+        return world.polygons[triangle] == PolygonState::active &&
+               world.surface.bound(triangle).mayBeWithin(radius + kSkin, p);
+    };
+    triangles_.clear();
+    const auto nearby = world.triangles.near(p, radius + kSkin, triangles_);
+    if (nearby.data() == triangles_.data())
+    {
+        std::erase_if(triangles_, [&](std::uint32_t triangle) { return !isNear(triangle); });
+        return;
     }
+    std::copy_if(nearby.begin(), nearby.end(), std::back_inserter(triangles_), isNear);
 }
 
 bool NeighbourList::add(const Eigen::Vector3d& p, double radius)

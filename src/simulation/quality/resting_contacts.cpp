@@ -75,7 +75,8 @@ std::uint32_t wallsBeside(const World& world, std::uint32_t id, const Eigen::Vec
     const double reach = world.spheres.radius(id) * (1 + kContactGap);
     std::size_t triangles = 0;
     std::vector<std::pair<Edge, std::size_t>> edges;
-    for (const std::uint32_t t : world.triangles.near(p))
+    std::vector<std::uint32_t> nearby;
+    for (const std::uint32_t t : world.triangles.near(p, reach, nearby))
     {
         if (!world.surface.bound(t).mayBeWithin(reach, p))
         {

@@ -12,9 +12,10 @@ namespace frostfill
 void ClearSearch::gather(const Eigen::Vector3d& middle, double edge)
 {
     walls_.clear();
-    for (const std::uint32_t id : triangles_.near(middle))
+    const double distance = probe_ + kHalfDiagonal * edge;
+    for (const std::uint32_t id : triangles_.near(middle, distance, nearby_))
     {
-        if (surface_.bound(id).mayBeWithin(probe_ + kHalfDiagonal * edge, middle))
+        if (surface_.bound(id).mayBeWithin(distance, middle))
         {
             walls_.push_back(id);
         }

@@ -78,6 +78,7 @@ private:
     std::uint32_t ignored_ = kNone;
     std::vector<Exclusion> balls_;     ///< of the cube, then of the part of it in hand, and so on
     std::vector<std::uint32_t> walls_; ///< triangles near the cube
+    std::vector<std::uint32_t> nearby_;
 };
 
 } // namespace frostfill

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/interior/triangle_bvh.hpp"
+
+#include "mesh/interior/triangle_tree.hpp"
+
+namespace frostfill
+{
+
+/// Takes every second level of the binary tree.
+class TriangleBvh::Builder
+{
+public:
+    Builder(const TriangleMesh& mesh, const TriangleTree& tree, TriangleBvh& bvh)
+        : tree_(tree), bvh_(bvh), boxes_(tree.nodes().size())
+    {
+        // What is below a node stands behind it.
+        for (std::size_t node = boxes_.size(); node-- > 0;)
+        {
+            if (!tree.isLeaf(node))
+            {
+                boxes_[node] = boxes_[node + 1].merged(boxes_[second(node)]);
+                continue;
+            }
+            for (const std::uint32_t triangle : tree.triangles(tree.nodes()[node]))
+            {
+                for (const std::uint32_t corner : mesh.triangles[triangle])
+                {
+                    boxes_[node].extend(mesh.vertices[corner]);
+                }
+            }
+        }
+    }
+
+    /// Returns the node's number among those of four.
+    std::uint32_t build(std::size_t node)
+    {
+        const auto number = static_cast<std::uint32_t>(bvh_.nodes_.size());
+        bvh_.nodes_.emplace_back(); // and its children behind it, which may move it
+        Node built;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+            built.low[axis].fill(std::numeric_limits<double>::infinity());
+            built.high[axis].fill(-std::numeric_limits<double>::infinity());
+        }
+        std::size_t count = 0;
+        const auto take = [&](std::size_t below)
+        {
+            for (std::size_t axis = 0; axis < 3; ++axis)
+            {
+                built.low[axis][count] = boxes_[below].min()[static_cast<Eigen::Index>(axis)];
+                built.high[axis][count] = boxes_[below].max()[static_cast<Eigen::Index>(axis)];
+            }
+            const TriangleTree::Node& its = tree_.nodes()[below];
+            built.child[count++] = tree_.isLeaf(below) ? Child{its.first, its.end - its.first}
+                                                       : Child{build(below), 0};
+        };
+        if (tree_.isLeaf(node))
+        {
+            take(node);
+        }
+        else
+        {
+            for (const std::size_t half : {node + 1, second(node)})
+            {
+                if (tree_.isLeaf(half))
+                {
+                    take(half);
+                    continue;
+                }
+                take(half + 1);
+                take(second(half));
+            }
+        }
+        bvh_.nodes_[number] = built;
+        return number;
+    }
+
+private:
+    [[nodiscard]] std::size_t second(std::size_t node) const
+    {
+        return tree_.nodes()[node + 1].skip;
+    }
+
+    const TriangleTree& tree_;
+    TriangleBvh& bvh_;
+    std::vector<Eigen::AlignedBox3d> boxes_; ///< [#nodes of tree_]
+};
+
+TriangleBvh::TriangleBvh(const TriangleMesh& mesh)
+{
+    if (mesh.triangles.empty())
+    {
+        return;
+    }
+    const TriangleTree tree(mesh, kLeaf);
+    order_.assign(tree.order().begin(), tree.order().end());
+    Builder(mesh, tree, *this).build(0);
+}
+
+void TriangleBvh::findNear(const Eigen::Vector3d& p, double distance,
+                           std::vector<std::uint32_t>& found) const
+{
+    found.clear();
+    forEachNear(p, distance,
+                [&](std::span<const std::uint32_t> triangles)
+                {
+                    found.insert(found.end(), triangles.begin(), triangles.end());
+                    return distance;
+                });
+    std::sort(found.begin(), found.end());
+}
+
+} // namespace frostfill

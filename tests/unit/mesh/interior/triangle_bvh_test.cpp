@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/interior/triangle_bvh.hpp"
+
+#include "base/random.hpp"
+#include "mesh/interior/triangle_grid.hpp"
+#include "support/shapes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace frostfill
+{
+namespace
+{
+
+std::vector<std::uint32_t> allOf(const Surface& surface)
+{
+    std::vector<std::uint32_t> all(surface.size());
+    std::iota(all.begin(), all.end(), 0U);
+    return all;
+}
+
+/// Points all over the box and around it, then corners, middles of sides and of triangles.
+std::vector<Eigen::Vector3d> pointsFor(const Surface& surface, std::size_t count)
+{
+    std::vector<Eigen::Vector3d> points;
+    for (std::uint64_t k = 0; k < count; ++k)
+    {
+        const auto draw = [&](std::uint64_t n) { return 1.4 * uniformRandom(3, k, n) - 0.2; };
+        points.emplace_back(surface.box().min() + surface.box().sizes().cwiseProduct(
+                                                      Eigen::Vector3d(draw(0), draw(1), draw(2))));
+        const auto t = static_cast<std::size_t>(k * surface.size() / count);
+        const auto& [a, b, c] = surface[t].corner;
+        points.insert(points.end(),
+                      {a, (a + b) / 2, (a + b + c) / 3, a + 0.01 * surface[t].normal});
+    }
+    points.emplace_back(surface.box().center()); // as far from many triangles
+    return points;
+}
+
+/// The list of all triangles is the oracle.
+void expectNearest(const Surface& surface, std::size_t count)
+{
+    const std::vector<std::uint32_t> all = allOf(surface);
+    for (const Eigen::Vector3d& p : pointsFor(surface, count))
+    {
+        const SignedDistance expected = nearestDistance(surface, all, p);
+        for (const double within : {std::numeric_limits<double>::infinity(), 0.05, 1e-3})
+        {
+            const SignedDistance found = nearestDistance(surface, p, within);
+            if (std::abs(expected.value) > within * (1 + 1e-8))
+            {
+                EXPECT_EQ(found.value, std::numeric_limits<double>::infinity());
+                continue;
+            }
+            EXPECT_EQ(found.value, expected.value);
+            EXPECT_EQ(found.closest, expected.closest);
+            EXPECT_EQ(found.feature, expected.feature);
+        }
+    }
+}
+
+TEST(TriangleBvh, FindsTheNearestTriangleToTheLastBit)
+{
+    expectNearest(Surface(shapes::torus(1, 0.4, 120, 40), Walls()), 300);
+    expectNearest(Surface(shapes::box({-1, -1, -1}, {1, 1, 1}, 20), Walls()), 300);
+}
+
+TEST(TriangleBvh, FindsTheNearestOfFewAndOfManyAtOnePlace)
+{
+    for (const std::size_t count : {1, 2, 3, 5, 9, 17, 300})
+    {
+        TriangleMesh mesh;
+        mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+        for (std::size_t k = 0; k < count; ++k)
+        {
+            mesh.triangles.push_back(k % 2 == 0 ? std::array{0U, 1U, 2U} : std::array{0U, 3U, 1U});
+        }
+        expectNearest(Surface(mesh, Walls()), 20);
+    }
+}
+
+TEST(TriangleBvh, FindsAllThatAreNearAndLeavesMostOut)
+{
+    const Surface surface(shapes::torus(1, 0.4, 120, 40), Walls());
+    std::vector<std::uint32_t> found;
+    std::size_t sum = 0;
+    const auto points = pointsFor(surface, 200);
+    for (const Eigen::Vector3d& p : points)
+    {
+        constexpr double kNear = 0.1;
+        surface.tree().findNear(p, kNear, found);
+        EXPECT_TRUE(std::is_sorted(found.begin(), found.end()));
+        EXPECT_EQ(std::adjacent_find(found.begin(), found.end()), found.end());
+        for (std::uint32_t id = 0; id < surface.size(); ++id)
+        {
+            const bool isNear = std::abs(signedDistance(surface[id], p).value) <= kNear;
+            ASSERT_TRUE(!isNear || std::binary_search(found.begin(), found.end(), id)) << id;
+        }
+        sum += found.size();
+    }
+    EXPECT_LT(sum, points.size() * surface.size() / 20);
+}
+
+TEST(TriangleBvh, OfAMeshWithoutTrianglesFindsNone)
+{
+    std::vector<std::uint32_t> found = {7};
+    TriangleBvh(TriangleMesh()).findNear({0, 0, 0}, 1, found);
+    EXPECT_TRUE(found.empty());
+}
+
+// A grid asks the tree where its lists are long, and answers alike.
+TEST(TriangleBvh, AnswersForAGridWhoseCellsHaveMany)
+{
+    const Surface surface(shapes::torus(1, 0.4, 240, 80), Walls());
+    const TriangleGrid grid(surface, GridFrame::cover(surface.box(), 0.2, 0.5), 0.25);
+    std::vector<std::uint32_t> found;
+    std::size_t asked = 0;
+    for (const Eigen::Vector3d& p : pointsFor(surface, 500))
+    {
+        const auto all = grid.near(p);
+        if (all.empty())
+        {
+            continue;
+        }
+        const SignedDistance expected = nearestDistance(surface, all, p);
+        const SignedDistance nearest = grid.nearest(p);
+        EXPECT_EQ(nearest.value,
+                  std::abs(expected.value) > grid.reach() && all.size() > TriangleGrid::kShortList
+                      ? std::numeric_limits<double>::infinity()
+                      : expected.value);
+        asked += grid.near(p, 0.1, found).data() == found.data() ? 1 : 0;
+        const auto some = grid.near(p, 0.1, found);
+        for (const std::uint32_t id : all)
+        {
+            const bool isNear = std::abs(signedDistance(surface[id], p).value) <= 0.1;
+            ASSERT_TRUE(!isNear || std::binary_search(some.begin(), some.end(), id)) << id;
+        }
+    }
+    EXPECT_GT(asked, 1000U);
+}
+
+} // namespace
+} // namespace frostfill
