@@ -6,7 +6,7 @@ namespace frostfill
 namespace
 {
 
-constexpr const char* kTypes[] = {"uchar", "uint", "float", "double"};
+constexpr const char* kPlyTypes[] = {"uchar", "uint", "float", "double"};
 
 /// A PLY file whose vertices are the centres of the spheres, binary and little-endian.
 class PlyExporter : public Exporter
@@ -27,7 +27,7 @@ public:
         std::size_t bytes = 0;
         for (const Column* column : columns)
         {
-            head += fmt::format("property {} {}\n", typeName(*column, kTypes), column->name);
+            head += fmt::format("property {} {}\n", typeName(*column, kPlyTypes), column->name);
             bytes += bytesOf(*column);
         }
         ByteWriter rows;

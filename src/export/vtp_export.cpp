@@ -58,7 +58,7 @@ private:
     std::size_t offset_ = 0;         ///< where the next one begins
 };
 
-constexpr const char* kTypes[] = {"UInt8", "UInt32", "Float32", "Float64"};
+constexpr const char* kVtkTypes[] = {"UInt8", "UInt32", "Float32", "Float64"};
 
 /// Spheres are points with arrays; each point is a vertex cell too, so that it is drawn.
 void writeSpheres(const ExportedRun& run, const ExportedFrame& frame,
@@ -85,7 +85,7 @@ void writeSpheres(const ExportedRun& run, const ExportedFrame& frame,
     file.open("PointData Scalars=\"state\"");
     for (const Column* column : without(exportedColumns(state), isCoordinate))
     {
-        file.array(typeName(*column, kTypes), column->name.c_str(), count * bytesOf(*column),
+        file.array(typeName(*column, kVtkTypes), column->name.c_str(), count * bytesOf(*column),
                    [&](ByteWriter& data)
                    {
                        for (std::size_t i = 0; i < count; ++i)

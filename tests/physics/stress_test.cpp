@@ -176,8 +176,8 @@ TEST(Stress, EnergyGainOfExplicitEulerIsMeasuredExactly)
     {
         engine->step();
     }
-    EXPECT_NEAR(world.energy.largestGain(), oracle::eulerGain(0.01) / 16, 1e-15);
-    EXPECT_NEAR(world.energy.excess(), 100 * oracle::eulerGain(0.01) / 16, 1e-13);
+    EXPECT_NEAR(world.counts.energy.largestGain(), oracle::eulerGain(0.01) / 16, 1e-15);
+    EXPECT_NEAR(world.counts.energy.excess(), 100 * oracle::eulerGain(0.01) / 16, 1e-13);
 }
 
 // A floor that gives back more than it takes; relative to the fall through the object.
@@ -195,8 +195,8 @@ TEST(Stress, EnergyGainOfABounceThatIsTooLivelyIsMeasured)
         ASSERT_TRUE(engine->step());
     }
     const double gain = (oracle::bounceApex(2, 1.2) - 2) / 16;
-    EXPECT_NEAR(world.energy.largestGain(), gain, 1e-3 * gain);
-    EXPECT_NEAR(world.energy.excess(), gain, 1e-3 * gain);
+    EXPECT_NEAR(world.counts.energy.largestGain(), gain, 1e-3 * gain);
+    EXPECT_NEAR(world.counts.energy.excess(), gain, 1e-3 * gain);
 }
 
 } // namespace

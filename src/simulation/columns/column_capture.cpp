@@ -13,7 +13,7 @@ SphereRecord recordOf(const World& world, std::size_t id)
 {
     return {world.frame.toMesh(world.spheres.position(id)),
             world.spheres.radius(id) * world.frame.length, world.spheres.group(id),
-            world.spheres.state(id), world.stray && world.stray->sphere == id};
+            world.spheres.state(id), world.clock.stray && world.clock.stray->sphere == id};
 }
 
 void ColumnCapture::fill(Snapshot& snapshot)

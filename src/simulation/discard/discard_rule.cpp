@@ -20,7 +20,7 @@ PartTable<DiscardRule, MakeDiscard>& discardRules()
 
 std::unique_ptr<DiscardPart> makeDiscard(World& world)
 {
-    const StageTimer timer(world.times, Stage::discarding);
+    const StageTimer timer(world.counts.times, Stage::discarding);
     return discardRules()[world.scene.discard.rule](world);
 }
 

@@ -18,7 +18,7 @@ DropAndRollEngine::DropAndRollEngine(World& world)
     setSize_ = std::max<std::size_t>(groupSize(world) * spheres.groupsPerSet,
                                      expectedCount(world) / kMostSets);
     stepSize_ = std::max<std::size_t>(1, expectedCount(world) / kMostSets);
-    world.dt = kTimeOfSet * static_cast<double>(stepSize_) / static_cast<double>(setSize_);
+    world.clock.dt = kTimeOfSet * static_cast<double>(stepSize_) / static_cast<double>(setSize_);
     if (!followers_.release->any())
     {
         refuseTooLarge(world);
@@ -27,7 +27,7 @@ DropAndRollEngine::DropAndRollEngine(World& world)
 
 bool DropAndRollEngine::step()
 {
-    if (world_.finished)
+    if (world_.clock.finished)
     {
         return false;
     }
@@ -42,26 +42,26 @@ bool DropAndRollEngine::step()
     }
     std::size_t placed = 0;
     {
-        const StageTimer timer(world_.times, Stage::motion);
+        const StageTimer timer(world_.counts.times, Stage::motion);
         bool stopped = false;
-        while (placed < wanted && !(stopped = world_.stops()) && placeOne())
+        while (placed < wanted && !(stopped = world_.stop.isAsked()) && placeOne())
         {
             ++placed;
         }
         inSet_ += placed;
-        world_.sets.back().spheres = inSet_;
-        world_.full = placed < wanted && !stopped;
+        world_.counts.sets.back().spheres = inSet_;
+        world_.clock.full = placed < wanted && !stopped;
     }
-    ++world_.steps;
-    world_.finished = world_.full || world_.spheres.size() == world_.targetCount;
+    ++world_.clock.steps;
+    world_.clock.finished = world_.clock.full || world_.spheres.size() == world_.targetCount;
     if (DiscardPart* discard = followers_.discard.get())
     {
-        const StageTimer timer(world_.times, Stage::discarding);
+        const StageTimer timer(world_.counts.times, Stage::discarding);
         discard->afterFreezing();
-        world_.finished ? discard->finish(world_.full) : (void)discard->afterStep();
+        world_.clock.finished ? discard->finish(world_.clock.full) : (void)discard->afterStep();
     }
-    world_.time += kTimeOfSet * static_cast<double>(placed) / static_cast<double>(setSize_);
-    if (world_.finished || inSet_ == setSize_ || world_.stops())
+    world_.clock.time += kTimeOfSet * static_cast<double>(placed) / static_cast<double>(setSize_);
+    if (world_.clock.finished || inSet_ == setSize_ || world_.stop.isAsked())
     {
         clock_.close(world_);
         inSet_ = 0;

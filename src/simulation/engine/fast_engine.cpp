@@ -63,18 +63,18 @@ FastEngine::FastEngine(World& world)
     {
         refuseTooLarge(world);
     }
-    world.dt = timeStep(world);
-    windowSteps_ = std::max(1u, static_cast<std::uint32_t>(std::lround(kWindow / world.dt)));
+    world.clock.dt = timeStep(world);
+    windowSteps_ = std::max(1u, static_cast<std::uint32_t>(std::lround(kWindow / world.clock.dt)));
 }
 
 bool FastEngine::step()
 {
-    if (world_.finished)
+    if (world_.clock.finished)
     {
         return false;
     }
     releaseWhenDue();
-    if (world_.stops())
+    if (world_.stop.isAsked())
     {
         return true; // what found no place may only not have been looked for
     }
@@ -96,7 +96,7 @@ void FastEngine::releaseWhenDue()
     {
         return;
     }
-    const StageTimer timer(world_.times, Stage::releasing);
+    const StageTimer timer(world_.counts.times, Stage::releasing);
     sets_.endSearch(release(sets_.startSearch(running_.size())));
 }
 
@@ -120,7 +120,7 @@ std::size_t FastEngine::release(std::size_t wanted)
     grid_.rebuild(running_);
     followers_.release->forgetAhead();
     std::size_t found = 0;
-    while (found < wanted && !world_.stops())
+    while (found < wanted && !world_.stop.isAsked())
     {
         const auto next = followers_.release->next(query);
         if (!next)
@@ -189,15 +189,15 @@ void FastEngine::advance()
     }
     // While the pull changes, nothing is due to be at rest.
     const bool ages = !waker_.pullChanges();
-    const StageTimer timer(world_.times, Stage::motion);
+    const StageTimer timer(world_.counts.times, Stage::motion);
     threads_.forEach(running_.size(),
                      [&](std::size_t i)
                      {
                          const auto row = static_cast<std::uint32_t>(i);
-                         flight_.advance(row, world_.dt);
+                         flight_.advance(row, world_.clock.dt);
                          if (ages)
                          {
-                             freezer_.age(row, world_.dt);
+                             freezer_.age(row, world_.clock.dt);
                          }
                      });
 }
@@ -206,17 +206,17 @@ void FastEngine::advance()
 void FastEngine::solve()
 {
     {
-        const StageTimer timer(world_.times, Stage::sphereSphere);
-        solver_.resolve(world_.dt);
+        const StageTimer timer(world_.counts.times, Stage::sphereSphere);
+        solver_.resolve(world_.clock.dt);
         sets_.observeSolver(1e3 * timer.seconds());
     }
     countTests();
     observeEnergy();
-    ++world_.steps;
-    world_.time += world_.dt;
+    ++world_.clock.steps;
+    world_.clock.time += world_.clock.dt;
     if (waker_.isMoving())
     {
-        world_.pull = world_.motion.pullAt(world_.time - world_.motionStart);
+        world_.pull = world_.motion.pullAt(world_.clock.time - world_.motionStart);
     }
 }
 
@@ -226,7 +226,7 @@ void FastEngine::freezeAndWake()
     {
         return;
     }
-    const StageTimer timer(world_.times, Stage::freezing);
+    const StageTimer timer(world_.counts.times, Stage::freezing);
     stepsInWindow_ = 0;
     energy_.reset();
     freezer_.freeze(sets_);
@@ -247,7 +247,7 @@ void FastEngine::discard()
 {
     if (followers_.discard)
     {
-        const StageTimer timer(world_.times, Stage::discarding);
+        const StageTimer timer(world_.counts.times, Stage::discarding);
         if (followers_.discard->afterStep())
         {
             flight_.forgetNeighbours();
@@ -257,8 +257,8 @@ void FastEngine::discard()
 
 void FastEngine::finish()
 {
-    world_.full = world_.targetCount == 0 || world_.spheres.size() < world_.targetCount;
-    world_.finished = true;
+    world_.clock.full = world_.targetCount == 0 || world_.spheres.size() < world_.targetCount;
+    world_.clock.finished = true;
     if (waker_.phase() == Waker::Phase::over)
     {
         followers_.discard = makeDiscard(world_);
@@ -269,8 +269,8 @@ void FastEngine::finish()
     }
     if (followers_.discard)
     {
-        const StageTimer timer(world_.times, Stage::discarding);
-        followers_.discard->finish(world_.full);
+        const StageTimer timer(world_.counts.times, Stage::discarding);
+        followers_.discard->finish(world_.clock.full);
     }
     sets_.closeRecord();
 }
@@ -280,11 +280,11 @@ void FastEngine::countTests()
     std::uint64_t pairs = 0;
     for (std::uint32_t row = 0; row < running_.size(); ++row)
     {
-        world_.operations.runningFrozenTests += flight_.around(row).spheres();
-        world_.operations.spherePolygonTests += flight_.around(row).triangles().size();
+        world_.counts.operations.runningFrozenTests += flight_.around(row).spheres();
+        world_.counts.operations.spherePolygonTests += flight_.around(row).triangles().size();
         pairs += solver_.pairs().nearby(row).size();
     }
-    world_.operations.runningRunningTests += pairs / 2;
+    world_.counts.operations.runningRunningTests += pairs / 2;
 }
 
 // A moving object does work on the spheres, which is not counted.
@@ -300,7 +300,7 @@ void FastEngine::observeEnergy()
         mass += massOf(radius);
     }
     const double after = energyOf(running_, world_.frame.gravity);
-    world_.energy.enter(*energy_, after, mass * world_.height);
+    world_.counts.energy.enter(*energy_, after, mass * world_.height);
     energy_ = after;
 }
 

@@ -58,9 +58,9 @@ void Guard::check()
 
 void Guard::report(std::uint32_t id, StrayKind kind)
 {
-    world_.stray = StraySphere{kind, id, world_.frame.toMesh(world_.spheres.position(id)),
-                               world_.time * world_.frame.time};
-    world_.finished = true;
+    world_.clock.stray = StraySphere{kind, id, world_.frame.toMesh(world_.spheres.position(id)),
+                                     world_.clock.time * world_.frame.time};
+    world_.clock.finished = true;
 }
 
 } // namespace frostfill

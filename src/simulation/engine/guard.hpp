@@ -15,7 +15,7 @@ public:
     explicit Guard(World& world);
 
     /// After a step: the first sphere that is where none can be, or that moves as none can, goes
-    /// into world.stray, and the run is over.
+    /// into world.clock.stray, and the run is over.
     void check();
 
 private:

@@ -108,27 +108,27 @@ bool Simulation::step()
 }
 void Simulation::stopWhen(std::function<bool()> requested)
 {
-    implementation_->world.stopRequested = std::move(requested);
+    implementation_->world.stop.asked = std::move(requested);
 }
 const std::optional<StraySphere>& Simulation::stray() const
 {
-    return implementation_->world.stray;
+    return implementation_->world.clock.stray;
 }
 bool Simulation::finished() const
 {
-    return implementation_->world.finished;
+    return implementation_->world.clock.finished;
 }
 bool Simulation::full() const
 {
-    return implementation_->world.full;
+    return implementation_->world.clock.full;
 }
 double Simulation::time() const
 {
-    return implementation_->world.time * implementation_->world.frame.time;
+    return implementation_->world.clock.time * implementation_->world.frame.time;
 }
 double Simulation::timeStep() const
 {
-    return implementation_->world.dt * implementation_->world.frame.time;
+    return implementation_->world.clock.dt * implementation_->world.frame.time;
 }
 double Simulation::radius() const
 {
@@ -140,12 +140,12 @@ double Simulation::smallestRadius() const
 }
 std::uint64_t Simulation::steps() const
 {
-    return implementation_->world.steps;
+    return implementation_->world.clock.steps;
 }
 std::uint64_t Simulation::revision() const
 {
     const World& world = implementation_->world;
-    return world.steps + world.spheres.changes().size() + world.polygonChanges;
+    return world.clock.steps + world.spheres.changes().size() + world.counts.polygonChanges;
 }
 std::size_t Simulation::sphereCount() const
 {
@@ -187,15 +187,15 @@ std::vector<PolygonState> Simulation::polygonStates() const
 }
 const OperationCounts& Simulation::operations() const
 {
-    return implementation_->world.operations;
+    return implementation_->world.counts.operations;
 }
 const StageTimes& Simulation::times() const
 {
-    return implementation_->world.times;
+    return implementation_->world.counts.times;
 }
 const std::vector<SetRecord>& Simulation::sets() const
 {
-    return implementation_->world.sets;
+    return implementation_->world.counts.sets;
 }
 std::size_t Simulation::groupSize() const
 {
@@ -284,12 +284,13 @@ void Simulation::capture(Snapshot& snapshot) const
         snapshot.polygons = world.polygons;
     }
     snapshot.origin = world.frame.origin;
-    snapshot.pose = poseOf(world, std::max(0.0, world.time - world.motionStart));
+    snapshot.pose = poseOf(world, std::max(0.0, world.clock.time - world.motionStart));
     snapshot.stateChangesSeen = changes.size();
     snapshot.time = time();
-    snapshot.step = world.steps;
+    snapshot.step = world.clock.steps;
     snapshot.revision = revision();
-    snapshot.set = world.sets.empty() ? 0 : static_cast<std::uint32_t>(world.sets.size() - 1);
+    snapshot.set =
+        world.counts.sets.empty() ? 0 : static_cast<std::uint32_t>(world.counts.sets.size() - 1);
     snapshot.running = world.spheres.runningCount();
     snapshot.frozen = world.spheres.frozenCount();
     snapshot.discarded = world.spheres.discardedCount();

@@ -201,7 +201,7 @@ void Freezer::tryFreeze(std::uint32_t row, bool insist)
     {
         stale_[moved] = 1;
     }
-    world_.overdue += tooOld ? 1 : 0;
+    world_.counts.overdue += tooOld ? 1 : 0;
     // Its id may have changed: one that was withdrawn has left its own to the last sphere.
     followers_.add(world_.spheres.resting().id(atRest), resting.place, resting.radius);
     tell(resting.place, resting.radius);

@@ -18,7 +18,7 @@ bool Waker::begin()
     }
     phase_ = Phase::moving;
     lookedAt_ = directionsAtCorners();
-    world_.motionStart = world_.time;
+    world_.motionStart = world_.clock.time;
     return true;
 }
 
@@ -142,7 +142,7 @@ bool Waker::isSupported(std::uint32_t id)
                                 normals_.push_back(contact->normal);
                             }
                         });
-    for (const std::uint32_t t : world_.triangles.near(place))
+    for (const std::uint32_t t : world_.triangles.near(place, radius + gap, nearby_))
     {
         if (const auto contact = frontContact(world_.surface, t, place, radius, gap))
         {

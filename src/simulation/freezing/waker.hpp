@@ -52,7 +52,7 @@ public:
 private:
     [[nodiscard]] bool timeIsUp() const
     {
-        return world_.time - world_.motionStart >= world_.motion.duration();
+        return world_.clock.time - world_.motionStart >= world_.motion.duration();
     }
     bool wake();
     [[nodiscard]] std::array<Eigen::Vector3d, 8> directionsAtCorners() const;
@@ -65,6 +65,7 @@ private:
     std::array<Eigen::Vector3d, 8> lookedAt_; ///< the pull's direction at the box's corners when
                                               ///< all at rest were last looked at
     std::vector<Eigen::Vector3d> normals_;    ///< scratch of isSupported
+    std::vector<std::uint32_t> nearby_;       ///< the same
 };
 
 } // namespace frostfill

@@ -54,7 +54,7 @@ PaperEngine::PaperEngine(World& world)
       rest_(restMonitor(world)),
       setTimeLimit_(world.scene.freezing.setTimeLimit + 2 * fallTime(world.height))
 {
-    world.dt = chooseTimeStep(world);
+    world.clock.dt = chooseTimeStep(world);
     if (!release_->any())
     {
         refuseTooLarge(world);
@@ -63,22 +63,22 @@ PaperEngine::PaperEngine(World& world)
 
 bool PaperEngine::step()
 {
-    if (world_.finished)
+    if (world_.clock.finished)
     {
         return false;
     }
     if (setIsOver_ && !startNextSet())
     {
-        world_.finished = true;
+        world_.clock.finished = true;
         return false;
     }
     const double energyBefore = energyOf(running_, world_.frame.gravity);
     integrate();
     collide();
-    world_.energy.enter(energyBefore, energyOf(running_, world_.frame.gravity), fallEnergy_);
-    ++world_.steps;
-    world_.time += world_.dt;
-    setTime_ += world_.dt;
+    world_.counts.energy.enter(energyBefore, energyOf(running_, world_.frame.gravity), fallEnergy_);
+    ++world_.clock.steps;
+    world_.clock.time += world_.clock.dt;
+    setTime_ += world_.clock.dt;
     observeRest();
     return true;
 }
@@ -101,7 +101,7 @@ bool PaperEngine::startNextSet()
     {
         return true;
     }
-    world_.full = world_.targetCount == 0 || world_.spheres.size() < world_.targetCount;
+    world_.clock.full = world_.targetCount == 0 || world_.spheres.size() < world_.targetCount;
     clock_.close(world_);
     return false;
 }
@@ -120,7 +120,7 @@ bool PaperEngine::releaseSet()
     }
     const std::size_t before = world_.spheres.size();
     {
-        const StageTimer timer(world_.times, Stage::releasing);
+        const StageTimer timer(world_.counts.times, Stage::releasing);
         const ReleaseQuery query = {.suits = [this](const Eigen::Vector3d& place, double radius)
                                     { return clearOfRunning(place, radius); }};
         while (world_.spheres.size() - before < wanted)
@@ -183,7 +183,7 @@ bool PaperEngine::clearOfRunning(const Eigen::Vector3d& place, double radius) co
 void PaperEngine::freezeAndDiscard()
 {
     {
-        const StageTimer timer(world_.times, Stage::freezing);
+        const StageTimer timer(world_.counts.times, Stage::freezing);
         for (std::uint32_t row = 0; row < running_.size(); ++row)
         {
             const std::uint32_t id = running_.id[row];
@@ -199,7 +199,7 @@ void PaperEngine::freezeAndDiscard()
     }
     if (discard_)
     {
-        const StageTimer timer(world_.times, Stage::discarding);
+        const StageTimer timer(world_.counts.times, Stage::discarding);
         discard_->afterFreezing();
         const auto isDiscarded = [this](std::size_t id)
         { return world_.spheres.state(id) == SphereState::discarded; };
@@ -213,10 +213,10 @@ void PaperEngine::freezeAndDiscard()
 
 void PaperEngine::integrate()
 {
-    const StageTimer timer(world_.times, Stage::motion);
+    const StageTimer timer(world_.counts.times, Stage::motion);
     const std::span<const Eigen::Vector3d> positions = running_.position.all();
     before_.assign(positions.begin(), positions.end());
-    integrator_->advance(running_, world_.frame.gravity, world_.dt);
+    integrator_->advance(running_, world_.frame.gravity, world_.clock.dt);
     predicted_.assign(positions.begin(), positions.end());
 }
 
@@ -227,15 +227,15 @@ void PaperEngine::collide()
     double sphereSphere = 0;
     double spherePolygon = 0;
     {
-        const StageTimer timer(world_.times, Stage::sphereSphere);
-        algorithm1_.runningRunning(world_.operations);
-        algorithm1_.runningFrozen(firstFrozen_, world_.operations);
+        const StageTimer timer(world_.counts.times, Stage::sphereSphere);
+        algorithm1_.runningRunning(world_.counts.operations);
+        algorithm1_.runningFrozen(firstFrozen_, world_.counts.operations);
         limitPushes();
         sphereSphere = timer.seconds();
     }
     {
-        const StageTimer timer(world_.times, Stage::spherePolygon);
-        algorithm1_.runningPolygons(before_, world_.operations);
+        const StageTimer timer(world_.counts.times, Stage::spherePolygon);
+        algorithm1_.runningPolygons(before_, world_.counts.operations);
         spherePolygon = timer.seconds();
     }
     clock_.observe(1e3 * sphereSphere, 1e3 * spherePolygon);
@@ -257,14 +257,14 @@ void PaperEngine::limitPushes()
 
 void PaperEngine::observeRest()
 {
-    const StageTimer timer(world_.times, Stage::motion);
+    const StageTimer timer(world_.counts.times, Stage::motion);
     const bool atRest = rest_.observe(running_, algorithm1_.touched(),
                                       [this](std::uint32_t row) { return isLost(row); });
     const bool timedOut = !atRest && setTime_ > setTimeLimit_;
     if (timedOut)
     {
         clock_.markTimedOut();
-        world_.overdue += running_.size();
+        world_.counts.overdue += running_.size();
     }
     if (atRest || timedOut)
     {

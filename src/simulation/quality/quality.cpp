@@ -75,9 +75,9 @@ public:
     QualityReport report()
     {
         report_.meanOverlap = pairs_ > 0 ? overlapSum_ / static_cast<double>(pairs_) : 0;
-        report_.energyGain = world_.energy.largestGain();
-        report_.energyExcess = world_.energy.excess();
-        report_.restoredDiscards = world_.restoredDiscards;
+        report_.energyGain = world_.counts.energy.largestGain();
+        report_.energyExcess = world_.counts.energy.excess();
+        report_.restoredDiscards = world_.counts.restoredDiscards;
         estimateVolume();
         return report_;
     }
@@ -138,7 +138,8 @@ private:
     void meetWalls(std::uint32_t id, const Eigen::Vector3d& p)
     {
         const double radius = world_.spheres.radius(id);
-        for (const std::uint32_t t : world_.triangles.near(p))
+        for (const std::uint32_t t :
+             world_.triangles.near(p, radius + kContactGap * radius, nearby_))
         {
             const auto& [a, b, c] = world_.surface[t].corner;
             const Eigen::Vector3d away = p - closestPointOnTriangle(p, a, b, c).point;
@@ -166,7 +167,7 @@ private:
         const double unit = std::pow(world_.frame.length, 3);
         report_.meshVolume = world_.report.volume;
         report_.sphereVolume = 4.0 / 3.0 * std::numbers::pi * sumOfCubes_ * unit;
-        if (!world_.full || !world_.radii.equal())
+        if (!world_.clock.full || !world_.radii.equal())
         {
             // The fit is for objects into which no more equal spheres fit.
             report_.volumeEstimate = std::numeric_limits<double>::quiet_NaN();
@@ -188,6 +189,7 @@ private:
     const WindingColumns& winding_;
     QualityReport report_;
     std::vector<Eigen::Vector3d> normals_;
+    std::vector<std::uint32_t> nearby_; ///< triangles
     double overlapSum_ = 0;
     std::size_t pairs_ = 0;
     double sumOfCubes_ = 0;

@@ -33,7 +33,7 @@ double radiusThatFits(const World& world, const ThickParts& parts, std::size_t c
     const RelativeRadii radii{world.radii.meanPower(1), world.radii.meanPower(3)};
     double share = kShareOfEstimate;
     const double expected = parts.count(1, radii);
-    if (world.full && expected > 0)
+    if (world.clock.full && expected > 0)
     {
         const auto fitted = static_cast<double>(std::max<std::size_t>(1, world.spheres.size()));
         share = std::min(share, kShareOfFitted * fitted / expected);

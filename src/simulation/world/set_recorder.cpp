@@ -16,16 +16,16 @@ void SetRecorder::open(World& world, std::size_t spheres)
 {
     isOpen_ = true;
     timedOut_ = false;
-    timesAtStart_ = world.times;
-    operationsAtStart_ = world.operations;
-    stepsAtStart_ = world.steps;
-    timeAtStart_ = world.time;
+    timesAtStart_ = world.counts.times;
+    operationsAtStart_ = world.counts.operations;
+    stepsAtStart_ = world.clock.steps;
+    timeAtStart_ = world.clock.time;
     sphereSphereMs_.clear();
     spherePolygonMs_.clear();
     SetRecord record;
-    record.set = static_cast<std::uint32_t>(world.sets.size());
+    record.set = static_cast<std::uint32_t>(world.counts.sets.size());
     record.spheres = spheres;
-    world.sets.push_back(record);
+    world.counts.sets.push_back(record);
 }
 
 void SetRecorder::observe(double sphereSphereMs, double spherePolygonMs)
@@ -41,23 +41,24 @@ void SetRecorder::close(World& world)
         return;
     }
     isOpen_ = false;
-    SetRecord& record = world.sets.back();
-    record.steps = world.steps - stepsAtStart_;
-    record.simulatedSeconds = (world.time - timeAtStart_) * world.frame.time;
+    SetRecord& record = world.counts.sets.back();
+    record.steps = world.clock.steps - stepsAtStart_;
+    record.simulatedSeconds = (world.clock.time - timeAtStart_) * world.frame.time;
     record.meanSphereSphereMs = mean(sphereSphereMs_);
     record.p95SphereSphereMs = percentile(sphereSphereMs_, kHigh);
     record.meanSpherePolygonMs = mean(spherePolygonMs_);
     record.p95SpherePolygonMs = percentile(spherePolygonMs_, kHigh);
     for (std::size_t stage = 0; stage < kStageCount; ++stage)
     {
-        record.times.seconds[stage] = world.times.seconds[stage] - timesAtStart_.seconds[stage];
+        record.times.seconds[stage] =
+            world.counts.times.seconds[stage] - timesAtStart_.seconds[stage];
     }
     record.running = world.spheres.runningCount();
     record.frozen = world.spheres.frozenCount();
     record.discarded = world.spheres.discardedCount();
     record.discardedPolygons = world.discardedPolygons;
     record.timedOut = timedOut_;
-    record.operations = world.operations - operationsAtStart_;
+    record.operations = world.counts.operations - operationsAtStart_;
 }
 
 } // namespace frostfill

@@ -92,8 +92,8 @@ World::World(const Scene& sceneOfRun, const TriangleMesh& mesh)
 void World::restoreDiscarded()
 {
     spheres.restoreDiscarded();
-    ++restoredDiscards;
-    ++polygonChanges;
+    ++counts.restoredDiscards;
+    ++counts.polygonChanges;
     std::fill(polygons.begin(), polygons.end(), PolygonState::active);
     discardedPolygons = 0;
 }
@@ -102,7 +102,7 @@ void World::discardPolygon(std::uint32_t polygon)
 {
     polygons[polygon] = PolygonState::discarded;
     ++discardedPolygons;
-    ++polygonChanges;
+    ++counts.polygonChanges;
 }
 
 std::size_t groupSize(const World& world)

@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: MIT
-// Room: what there is: the object, the spheres, the grids and the counters. Engines change it;
-// all other code only reads it.
+// Room: what there is (the object, the spheres, the grids), how far the run has come, and what was
+// counted. Engines change it; all other code only reads it.
 #pragma once
 
 #include "mesh/interior/inside_test.hpp"
 #include "mesh/interior/triangle_grid.hpp"
 #include "scene/radius_distribution.hpp"
-#include "simulation/world/energy_balance.hpp"
 #include "simulation/world/frame_of_run.hpp"
 #include "simulation/world/object_motion.hpp"
+#include "simulation/world/run_clock.hpp"
+#include "simulation/world/run_counts.hpp"
 #include "simulation/world/spheres.hpp"
+#include "simulation/world/stop_request.hpp"
 
 #include <frostfill/simulation.hpp>
 
-#include <functional>
 #include <limits>
 #include <memory>
 #include <span>
@@ -22,8 +23,8 @@
 namespace frostfill
 {
 
-/// The state of a run: the object, the spheres and the counters. An Engine changes it,
-/// all other code only reads it. Coordinates of the run.
+/// The object and the spheres, in coordinates of the run; and by name what is none of both: the
+/// clock, the counts and who may stop the run. An Engine changes it, all other code only reads it.
 struct World
 {
     World(const Scene& sceneOfRun, const TriangleMesh& mesh);
@@ -48,29 +49,12 @@ struct World
     Spheres spheres;
     std::vector<PolygonState> polygons;
     std::size_t discardedPolygons = 0;
-    std::size_t restoredDiscards = 0; ///< times that all discards were taken back
-    std::size_t overdue = 0; ///< spheres frozen only because they would not come to rest in time
-
-    // How far the run has come.
-    double dt = 0;
-    double time = 0;
-    std::uint64_t steps = 0;
-    bool finished = false;
-    bool full = false;
-    std::optional<StraySphere> stray; ///< why the run was stopped
-    /// Asked within steps that take long: whether to end the step early.
-    std::function<bool()> stopRequested;
     std::size_t targetCount = 0; ///< spheres after which no set appears any more; 0: until full
 
-    // What it took.
-    OperationCounts operations;
-    StageTimes times;
-    std::vector<SetRecord> sets;
-    EnergyBalance energy; ///< of the spheres that run; stays empty with Motion::descend
+    RunClock clock;
+    RunCounts counts;
+    StopRequest stop;
 
-    std::uint64_t polygonChanges = 0; ///< times that a polygon changed its state
-
-    [[nodiscard]] bool stops() const { return stopRequested && stopRequested(); }
     void discardPolygon(std::uint32_t polygon);
     /// Takes all discards back.
     void restoreDiscarded();

@@ -94,7 +94,7 @@ Finished finishRun(const Scene& scene, const TriangleMesh& mesh, double lookEver
     double nextLook = lookEvery;
     while (engine->step())
     {
-        if (lookEvery > 0 && run.world->time >= nextLook)
+        if (lookEvery > 0 && run.world->clock.time >= nextLook)
         {
             const double before = ProcessorClock::now();
             overlaps.look(*run.world);

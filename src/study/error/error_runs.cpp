@@ -88,7 +88,7 @@ ErrorPoint layerRun(bool bySet, std::uint32_t setSize, double diameters)
             run.seconds,
             kRandomClose - bulk.fraction,
             {layers, bulk.fraction, bulk.contacts, static_cast<double>(bulk.spheres),
-             run.quality.maxOverlap, static_cast<double>(run.world->overdue),
+             run.quality.maxOverlap, static_cast<double>(run.world->counts.overdue),
              static_cast<double>(run.quality.unsupported) /
                  static_cast<double>(run.world->spheres.size())},
             false,

@@ -45,7 +45,7 @@ ErrorPoint stepRun(const StepMethod& method, double factor, int sweeps, std::uin
     {
         World world(scene, mesh);
         (void)makeEngine(world); // chooses the default step
-        step = factor * world.dt;
+        step = factor * world.clock.dt;
         if (factor != 1)
         {
             scene.motion.dt = step * world.frame.time;

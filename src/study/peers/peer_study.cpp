@@ -77,8 +77,8 @@ PeerPoint ours(const PeerTask& task, Motion motion)
     point.engine = "Frostfill";
     point.setting = motion == Motion::fall ? "fall" : motion == Motion::skip ? "skip" : "descend";
     point.seconds = clock.seconds();
-    point.simulated = world.time;
-    point.atRest = world.finished;
+    point.simulated = world.clock.time;
+    point.atRest = world.clock.finished;
     point.missing = task.count - world.spheres.size();
     std::vector<Eigen::Vector3d> places;
     for (std::uint32_t id = 0; id < world.spheres.size(); ++id)

@@ -90,15 +90,15 @@ void runWorld(const StressRun& run, StressOutcome& outcome)
     Watch watch(world);
     while (watch.finite() && secondsOfThread() - start < run.secondsLimit && engine->step())
     {
-        if (world.steps % kStepsPerLook == 1)
+        if (world.clock.steps % kStepsPerLook == 1)
         {
             watch.look();
         }
     }
     watch.look();
     outcome.spheres = world.spheres.size();
-    outcome.steps = world.steps;
-    outcome.overdue = world.overdue;
+    outcome.steps = world.clock.steps;
+    outcome.overdue = world.counts.overdue;
     outcome.outside = watch.outside();
     bool finite = watch.finite();
     if (finite)
@@ -113,7 +113,7 @@ void runWorld(const StressRun& run, StressOutcome& outcome)
         outcome.energyExcess = quality.energyExcess;
     }
     outcome.hash = hashState(world.spheres);
-    outcome.verdict = judge(run, outcome, world.finished, finite);
+    outcome.verdict = judge(run, outcome, world.clock.finished, finite);
     outcome.seconds = secondsOfThread() - start;
 }
 

@@ -179,7 +179,7 @@ protected:
 TEST_F(FullBox, OnlyTheNeighboursOfTheHoleAreKept)
 {
     dropAroundTheHole();
-    EXPECT_EQ(world_->restoredDiscards, 0u);
+    EXPECT_EQ(world_->counts.restoredDiscards, 0u);
     EXPECT_EQ(world_->spheres.discardedCount(), ids_.size() - 12);
     EXPECT_EQ(world_->discardedPolygons, world_->polygons.size());
     for (const std::uint32_t id : ids_)
@@ -200,7 +200,7 @@ TEST_F(FullBox, EverythingComesBackWhenASphereIsWhereNoneCanBe)
     around.ensure(*world_, place, 1, 0);
     EXPECT_EQ(around.spheres(), 0u) << "the neighbours are dropped";
     EXPECT_TRUE(discard_.afterStep());
-    EXPECT_GT(world_->restoredDiscards, 0u);
+    EXPECT_GT(world_->counts.restoredDiscards, 0u);
     EXPECT_EQ(world_->spheres.discardedCount(), 0u);
     EXPECT_EQ(world_->discardedPolygons, 0u);
     EXPECT_EQ(std::count(world_->polygons.begin(), world_->polygons.end(), PolygonState::discarded),
@@ -211,7 +211,7 @@ TEST_F(FullBox, EverythingComesBackWhenASphereIsWhereNoneCanBe)
     // And it carries on.
     (void)discard_.afterStep();
     discard_.finish(false);
-    EXPECT_LE(world_->restoredDiscards, 2u);
+    EXPECT_LE(world_->counts.restoredDiscards, 2u);
 }
 
 // An overlap that the wider margins allow for: the rule goes on with these.
@@ -219,22 +219,22 @@ TEST_F(FullBox, DropsAgainWithWiderMarginsAfterASmallOverlap)
 {
     dropAroundTheHole();
     // Beside the hole, into a cube that only several spheres cover together.
-    for (double away = 0.1; world_->restoredDiscards == 0 && away < 1; away += 0.1)
+    for (double away = 0.1; world_->counts.restoredDiscards == 0 && away < 1; away += 0.1)
     {
-        for (int side = 0; side < 6 && world_->restoredDiscards == 0; ++side)
+        for (int side = 0; side < 6 && world_->counts.restoredDiscards == 0; ++side)
         {
             runnerInTheHole().setZero();
             runnerInTheHole()[side / 2] = side % 2 == 0 ? away : -away;
             const bool cameBack = discard_.afterStep();
-            EXPECT_EQ(cameBack, world_->restoredDiscards > 0);
+            EXPECT_EQ(cameBack, world_->counts.restoredDiscards > 0);
         }
     }
-    ASSERT_EQ(world_->restoredDiscards, 1u);
+    ASSERT_EQ(world_->counts.restoredDiscards, 1u);
     EXPECT_EQ(world_->spheres.discardedCount(), 0u);
     runnerInTheHole().setZero();
     EXPECT_FALSE(discard_.afterStep());
     discard_.finish(false);
-    EXPECT_EQ(world_->restoredDiscards, 1u);
+    EXPECT_EQ(world_->counts.restoredDiscards, 1u);
     EXPECT_GT(world_->spheres.discardedCount(), ids_.size() / 3);
 }
 
@@ -247,7 +247,7 @@ TEST_F(FullBox, NothingIsDroppedTwiceOrLostWhenASphereIsRenumbered)
     world_->spheres.closeRanks();
     EXPECT_FALSE(discard_.afterStep());
     discard_.finish(false);
-    EXPECT_EQ(world_->restoredDiscards, 0u);
+    EXPECT_EQ(world_->counts.restoredDiscards, 0u);
     EXPECT_EQ(world_->spheres.discardedCount(), ids_.size() + 1) << "nothing fits in any more";
     for (std::size_t id = 0; id < world_->spheres.size(); ++id)
     {

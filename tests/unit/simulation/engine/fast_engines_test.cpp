@@ -208,7 +208,7 @@ TEST(FastEngine, DividesAStepThatIsTooLongIntoTheFewestEqualParts)
         scene.motion.dt = asked * std::sqrt(0.05 / scene.motion.gravity);
         World world(scene, shapes::torus());
         const auto engine = makeEngine(world);
-        const double step = world.dt * world.frame.time;
+        const double step = world.clock.dt * world.frame.time;
         const double parts = *scene.motion.dt / step;
         EXPECT_EQ(std::lround(parts), std::lround(std::ceil(asked / kLongestStep - 1e-9))) << asked;
         EXPECT_NEAR(parts, std::round(parts), 1e-12) << asked;

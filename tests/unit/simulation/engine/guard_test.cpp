@@ -24,7 +24,7 @@ protected:
     std::optional<StraySphere> found()
     {
         guard.check();
-        return world->stray;
+        return world->clock.stray;
     }
 };
 
@@ -35,28 +35,28 @@ TEST_F(GuardTest, LetsSpheresInsideRunAndRest)
     world->spheres.add({-9.5, 0, 0}, 1, 0);
     addResting(*world, {4, -9, 4});
     EXPECT_FALSE(found());
-    EXPECT_FALSE(world->finished);
+    EXPECT_FALSE(world->clock.finished);
 }
 
 TEST_F(GuardTest, StopsTheRunForASphereThatHasLeftTheObject)
 {
     world->spheres.add({0, 0, 0}, 1, 0);
     world->spheres.add({0, 14, 0}, 1, 0);
-    world->time = 2;
+    world->clock.time = 2;
     const auto stray = found();
     ASSERT_TRUE(stray);
     EXPECT_EQ(stray->kind, StrayKind::outside);
     EXPECT_EQ(stray->sphere, 1u);
     EXPECT_NEAR((stray->centre - world->frame.toMesh({0, 14, 0})).norm(), 0, 1e-12);
     EXPECT_DOUBLE_EQ(stray->time, 2 * world->frame.time);
-    EXPECT_TRUE(world->finished);
+    EXPECT_TRUE(world->clock.finished);
 }
 
 TEST_F(GuardTest, StopsTheRunForASphereFarBeyondTheGrid)
 {
     world->spheres.add({1e9, 0, 0}, 1, 0);
     ASSERT_TRUE(found());
-    EXPECT_EQ(world->stray->kind, StrayKind::outside);
+    EXPECT_EQ(world->clock.stray->kind, StrayKind::outside);
 }
 
 TEST(Guard, StopsTheRunForASphereInACavity)
@@ -77,11 +77,11 @@ TEST(Guard, StopsTheRunForASphereInACavity)
     Guard guard(*world);
     world->spheres.add({7.5, 0, 0}, 1, 0);
     guard.check();
-    EXPECT_FALSE(world->stray);
+    EXPECT_FALSE(world->clock.stray);
     world->spheres.add({0, 1, 0}, 1, 0);
     guard.check();
-    ASSERT_TRUE(world->stray);
-    EXPECT_EQ(world->stray->sphere, 1u);
+    ASSERT_TRUE(world->clock.stray);
+    EXPECT_EQ(world->clock.stray->sphere, 1u);
 }
 
 TEST_F(GuardTest, StopsTheRunForASphereThatComesToRestBehindAWall)
@@ -90,8 +90,8 @@ TEST_F(GuardTest, StopsTheRunForASphereThatComesToRestBehindAWall)
     EXPECT_FALSE(found());
     addResting(*world, {0, -10.25, 0});
     ASSERT_TRUE(found());
-    EXPECT_EQ(world->stray->kind, StrayKind::outside);
-    EXPECT_EQ(world->stray->sphere, 1u);
+    EXPECT_EQ(world->clock.stray->kind, StrayKind::outside);
+    EXPECT_EQ(world->clock.stray->sphere, 1u);
 }
 
 TEST_F(GuardTest, StopsTheRunForASphereFasterThanAnyFall)
@@ -99,7 +99,7 @@ TEST_F(GuardTest, StopsTheRunForASphereFasterThanAnyFall)
     world->spheres.add({0, 0, 0}, 1, 0);
     world->spheres.running().velocity[0] = {90, 0, 0}; // a fall through the box gives 8.3
     ASSERT_TRUE(found());
-    EXPECT_EQ(world->stray->kind, StrayKind::tooFast);
+    EXPECT_EQ(world->clock.stray->kind, StrayKind::tooFast);
 }
 
 TEST_F(GuardTest, StopsTheRunForWhatIsNoNumber)
@@ -107,7 +107,7 @@ TEST_F(GuardTest, StopsTheRunForWhatIsNoNumber)
     world->spheres.add({0, 0, 0}, 1, 0);
     world->spheres.running().velocity[0] = {0, std::numeric_limits<double>::quiet_NaN(), 0};
     ASSERT_TRUE(found());
-    EXPECT_EQ(world->stray->kind, StrayKind::notFinite);
+    EXPECT_EQ(world->clock.stray->kind, StrayKind::notFinite);
 }
 
 TEST_F(GuardTest, AFallWithNothingBelowEndsWhereItBegan)

@@ -155,9 +155,9 @@ TEST(Examine, LeavesOutNoneOfThousands)
 TEST(Examine, ReportsWhatTheRunHasCounted)
 {
     const auto world = smallWorld(room());
-    world->energy.enter(10, 10.5, 100); // gains half a per cent of a fall
-    world->energy.enter(10.5, 9, 100);
-    world->energy.enter(9, 11, 100);
+    world->counts.energy.enter(10, 10.5, 100); // gains half a per cent of a fall
+    world->counts.energy.enter(10.5, 9, 100);
+    world->counts.energy.enter(9, 11, 100);
     world->restoreDiscarded();
     const QualityReport report = examine(*world);
     EXPECT_NEAR(report.energyGain, 0.02, 1e-15);
@@ -186,7 +186,7 @@ TEST(Examine, EstimatesTheVolumeOfAFullObjectWithinItsUncertainty)
     {
         addResting(*world, {0, 0, 0});
     }
-    world->full = true;
+    world->clock.full = true;
     const QualityReport report = examine(*world);
     const double taken = 1000 * 4.0 / 3.0 * M_PI / 0.5951;
     EXPECT_NEAR(report.volumeEstimate, taken + 0.3620 * 2400, 1e-9);

@@ -273,7 +273,7 @@ TEST(Pile, OfAThousandSpheresFreezesWithoutOverlapsOrGaps)
         }
         const QualityReport quality = examine(world);
         EXPECT_EQ(world.spheres.size(), 1000u);
-        EXPECT_EQ(world.overdue, 0u);
+        EXPECT_EQ(world.counts.overdue, 0u);
         EXPECT_LE(quality.maxOverlap, 1e-7);
         EXPECT_LE(quality.maxWallOverlap, 1e-6);
         EXPECT_EQ(quality.centresOutside, 0u);

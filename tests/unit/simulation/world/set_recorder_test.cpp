@@ -14,18 +14,18 @@ namespace
 TEST(SetRecorder, RecordsWhatCountersGainedWhileTheSetWasTheNewest)
 {
     const auto world = smallWorld(shapes::box({-10, -10, -10}, {10, 10, 10}));
-    world->operations.runningFrozenTests = 1000;
-    world->times[Stage::freezing] = 5;
-    world->steps = 70;
+    world->counts.operations.runningFrozenTests = 1000;
+    world->counts.times[Stage::freezing] = 5;
+    world->clock.steps = 70;
     SetRecorder recorder;
     recorder.open(*world, 4);
     for (int k = 1; k <= 20; ++k)
     {
         recorder.observe(k, 100 * k);
     }
-    world->operations.runningFrozenTests += 30;
-    world->times[Stage::freezing] += 0.25;
-    world->steps += 20;
+    world->counts.operations.runningFrozenTests += 30;
+    world->counts.times[Stage::freezing] += 0.25;
+    world->clock.steps += 20;
     addResting(*world, {0, 0, 0});
     world->spheres.discard(addResting(*world, {3, 0, 0}));
     world->spheres.add({6, 0, 0}, 1, 0);
@@ -33,8 +33,8 @@ TEST(SetRecorder, RecordsWhatCountersGainedWhileTheSetWasTheNewest)
     recorder.markTimedOut();
     recorder.close(*world);
 
-    ASSERT_EQ(world->sets.size(), 1u);
-    const SetRecord& set = world->sets[0];
+    ASSERT_EQ(world->counts.sets.size(), 1u);
+    const SetRecord& set = world->counts.sets[0];
     EXPECT_EQ(set.set, 0u);
     EXPECT_EQ(set.spheres, 4u);
     EXPECT_EQ(set.steps, 20u);
@@ -63,11 +63,11 @@ TEST(SetRecorder, StartsEachSetAnew)
     recorder.observe(1, 2);
     recorder.close(*world);
     recorder.close(*world); // closed twice: nothing happens
-    ASSERT_EQ(world->sets.size(), 2u);
-    EXPECT_EQ(world->sets[1].set, 1u);
-    EXPECT_EQ(world->sets[1].meanSphereSphereMs, 1);
-    EXPECT_EQ(world->sets[1].p95SpherePolygonMs, 2);
-    EXPECT_FALSE(world->sets[1].timedOut);
+    ASSERT_EQ(world->counts.sets.size(), 2u);
+    EXPECT_EQ(world->counts.sets[1].set, 1u);
+    EXPECT_EQ(world->counts.sets[1].meanSphereSphereMs, 1);
+    EXPECT_EQ(world->counts.sets[1].p95SpherePolygonMs, 2);
+    EXPECT_FALSE(world->counts.sets[1].timedOut);
 }
 
 } // namespace
