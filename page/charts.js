@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The table of sets, sets.csv, and charts of it.
 
-const kMostPoints = 120; // of a chart; neighbouring sets share a point
+const kMaxPoints = 120; // of a chart; neighbouring sets share a point
 
 /** Rows of CSV as objects of numbers. */
 function readTable(text) {
@@ -35,9 +35,9 @@ function roundUp(value) {
   return [1, 2, 5, 10].map((digit) => digit * power).find((round) => round >= value * (1 - 1e-9));
 }
 
-/** Rows in at most kMostPoints groups, each the mean of some neighbours. */
+/** Rows in at most kMaxPoints groups, each the mean of some neighbours. */
 function thinned(rows, value) {
-  const each = Math.ceil(rows.length / kMostPoints);
+  const each = Math.ceil(rows.length / kMaxPoints);
   const points = [];
   for (let i = 0; i < rows.length; i += each) {
     const group = rows.slice(i, i + each);

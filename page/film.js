@@ -9,7 +9,7 @@ const kWaits = 3; // for its fall to begin: not drawn
 const kHasPose = 1; // in the flags of a frame
 const kIsRepeated = 2;
 const kStill = [1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0];
-const kMarks = 16;
+const kCheckpoints = 16;
 
 /** An array as long as that, with what was in it. */
 function grown(array, length) {
@@ -45,8 +45,8 @@ class Film {
     }
     this.polygons = new Uint8Array(facts.triangles);
     this.renewed = {}; // x, y, z and values of the last one that was
-    this.marks = [];
-    this.markEvery = Math.max(8, Math.ceil(this.frames / kMarks));
+    this.checkpoints = [];
+    this.checkpointEvery = Math.max(8, Math.ceil(this.frames / kCheckpoints));
   }
 
   /** Of each frame its time, its pose, its counts and whether it shows the state of the one before. */
@@ -91,9 +91,9 @@ class Film {
   }
 
   seek(frame) {
-    const mark = Math.min(Math.floor(frame / this.markEvery), this.marks.length - 1);
-    if (frame < this.at || this.at < mark * this.markEvery) {
-      this.restore(this.marks[mark]);
+    const checkpoint = Math.min(Math.floor(frame / this.checkpointEvery), this.checkpoints.length - 1);
+    if (frame < this.at || this.at < checkpoint * this.checkpointEvery) {
+      this.restore(this.checkpoints[checkpoint]);
     }
     while (this.at < frame) {
       this.next();
@@ -104,8 +104,8 @@ class Film {
     if (!this.repeats[++this.at]) {
       this.readState(this.cursors.changes);
     }
-    if (this.at % this.markEvery === 0 && this.at / this.markEvery === this.marks.length) {
-      this.marks.push(this.kept());
+    if (this.at % this.checkpointEvery === 0 && this.at / this.checkpointEvery === this.checkpoints.length) {
+      this.checkpoints.push(this.kept());
     }
   }
 
@@ -189,18 +189,18 @@ class Film {
   }
 
   kept() {
-    const mark = { cursors: {} };
+    const checkpoint = { cursors: {} };
     for (const name of ["at", "spheres", "places", "gone", "states", "values", "polygons", "renewed"]) {
-      mark[name] = structuredClone(this[name]);
+      checkpoint[name] = structuredClone(this[name]);
     }
     for (const [name, cursor] of Object.entries(this.cursors)) {
-      mark.cursors[name] = cursor.at;
+      checkpoint.cursors[name] = cursor.at;
     }
-    return mark;
+    return checkpoint;
   }
 
-  restore(mark) {
-    const { cursors, ...rest } = mark;
+  restore(checkpoint) {
+    const { cursors, ...rest } = checkpoint;
     Object.assign(this, structuredClone(rest));
     for (const [name, at] of Object.entries(cursors)) {
       this.cursors[name].at = at;

@@ -16,7 +16,7 @@ namespace
 {
 
 /// Ten times as many as fit into any run. NumPy can describe more than any memory holds.
-constexpr py::ssize_t kMostRows = 300'000'000;
+constexpr py::ssize_t kMaxRows = 300'000'000;
 
 [[noreturn]] void refuse(const char* name, const std::string& fault, const char* wanted)
 {
@@ -41,7 +41,7 @@ py::array arrayOf(py::handle value, const char* name, const char* kinds, const c
     {
         refuse(name, fmt::format("has the type {}", std::string(py::str(array.dtype()))), wanted);
     }
-    if (array.ndim() > 0 && array.shape(0) > kMostRows)
+    if (array.ndim() > 0 && array.shape(0) > kMaxRows)
     {
         refuse(name, fmt::format("has {} rows", array.shape(0)), "shorter: at most 300,000,000");
     }

@@ -41,10 +41,10 @@ struct GivenMesh
 }
 
 /// Keeps a second thread out of what the first one uses without holding the interpreter.
-class Busy
+class ExclusiveUse
 {
 public:
-    explicit Busy(std::atomic<bool>& flag) : flag_(flag)
+    explicit ExclusiveUse(std::atomic<bool>& flag) : flag_(flag)
     {
         if (flag_.exchange(true))
         {
@@ -52,9 +52,9 @@ public:
                                           "give each thread its own");
         }
     }
-    ~Busy() { flag_ = false; }
-    Busy(const Busy&) = delete;
-    Busy& operator=(const Busy&) = delete;
+    ~ExclusiveUse() { flag_ = false; }
+    ExclusiveUse(const ExclusiveUse&) = delete;
+    ExclusiveUse& operator=(const ExclusiveUse&) = delete;
 
 private:
     std::atomic<bool>& flag_;

@@ -79,7 +79,7 @@ py::tuple inspect(const py::object& mesh, const py::object& vertices, const py::
         const py::gil_scoped_release release;
         const TriangleMesh read = given.mesh                  ? *given.mesh
                                   : isBuiltInMesh(given.name) ? builtInMesh(given.name)
-                                                              : readMeshInCage(given.name);
+                                                              : readMeshSandboxed(given.name);
         asRead = inspectMesh(read);
         if (asRead.closed())
         {

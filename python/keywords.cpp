@@ -154,7 +154,7 @@ Scene GivenKeywords::sceneFor(const std::string& mesh) const
     applyOne(*findOption("preset"), chosen);
     Scene scene = presetScene(chosen.preset, mesh);
     apply(scene);
-    fillUntilFullForARadiusAlone(values_, scene);
+    impliesUntilFull(values_, scene);
     return scene;
 }
 

@@ -100,7 +100,7 @@ public:
 private:
     std::shared_ptr<State> seek(std::size_t index)
     {
-        const Busy busy(busy_);
+        const ExclusiveUse busy(busy_);
         const py::gil_scoped_release release;
         auto state = std::make_shared<State>();
         state->snapshot = reader_.seek(index);

@@ -37,7 +37,7 @@ public:
 
     bool step()
     {
-        const Busy busy(busy_);
+        const ExclusiveUse busy(busy_);
         const py::gil_scoped_release release;
         return simulation_.step();
     }
@@ -50,7 +50,7 @@ public:
             throw Error(ErrorCode::usage,
                         fmt::format("steps is {}, but it must be at least 0", most));
         }
-        const Busy busy(busy_);
+        const ExclusiveUse busy(busy_);
         Interrupts interrupts;
         const std::uint64_t before = simulation_.steps();
         {
@@ -65,7 +65,7 @@ public:
 
     std::shared_ptr<State> snapshot()
     {
-        const Busy busy(busy_);
+        const ExclusiveUse busy(busy_);
         const std::shared_ptr<State> state = freeState();
         const py::gil_scoped_release release;
         capture(*state);
@@ -79,7 +79,7 @@ public:
         {
             throw py::stop_iteration();
         }
-        const Busy busy(busy_);
+        const ExclusiveUse busy(busy_);
         const std::shared_ptr<State> state = freeState();
         const py::gil_scoped_release release;
         simulation_.step();
@@ -93,7 +93,7 @@ public:
         GivenKeywords(keywords, OptionUse::pictures, "Simulation.render").apply(scene);
         validateScene(scene);
         const std::shared_ptr<State> state = snapshot();
-        const Busy busy(busy_);
+        const ExclusiveUse busy(busy_);
         return drawPicture(*mesh_, pictureSettings(simulation_, scene), state->snapshot);
     }
 
@@ -101,13 +101,13 @@ public:
     template <class Get>
     auto ask(Get get)
     {
-        const Busy busy(busy_);
+        const ExclusiveUse busy(busy_);
         return std::invoke(get, simulation_);
     }
     template <class Get>
     auto askSlowly(Get get)
     {
-        const Busy busy(busy_);
+        const ExclusiveUse busy(busy_);
         const py::gil_scoped_release release;
         return std::invoke(get, simulation_);
     }

@@ -107,9 +107,9 @@ std::optional<std::string> textOf(const Option& option, py::handle value)
         return path && py::isinstance<py::str>(*path) ? std::optional(path->cast<std::string>())
                                                       : std::nullopt;
     }
-    constexpr std::size_t kMostParts = 100000;
+    constexpr std::size_t kMaxParts = 100000;
     if (!isSequence(value) || !option.texts().empty() || py::len(value) == 0 ||
-        py::len(value) > kMostParts)
+        py::len(value) > kMaxParts)
     {
         return std::nullopt;
     }
@@ -155,7 +155,7 @@ std::optional<OptionValue> asValue(const std::optional<T>& value)
 
 std::string shown(py::handle value)
 {
-    constexpr std::size_t kMost = 60;
+    constexpr std::size_t kMax = 60;
     std::string text;
     try
     {
@@ -167,7 +167,7 @@ std::string shown(py::handle value)
     }
     std::replace_if(
         text.begin(), text.end(), [](unsigned char letter) { return letter < ' '; }, ' ');
-    return text.size() > kMost ? text.substr(0, kMost) + "..." : text;
+    return text.size() > kMax ? text.substr(0, kMax) + "..." : text;
 }
 
 std::optional<OptionValue> valueOf(const Option& option, py::handle value)

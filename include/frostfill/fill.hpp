@@ -50,11 +50,12 @@ struct FillPlan
     double videoSeconds = 0;   ///< [s] of video, of all frames
     double pictureRate = 0;    ///< pictures per second with which they play like the video
     double fallSeconds = 0;    ///< [s] of video, of a fall through the object as it is drawn
-    bool fallsLeftOut = false; ///< spheres appear where they land: there are too many to rehearse
-    std::size_t frames = 0;    ///< pictures to expect: within a tenth, as the run was rehearsed
-    double frameBytes = 0;     ///< of all pictures: a rough estimate
-    double volume = 0;         ///< [unit^3] of the object
-    ReachInspection reach;     ///< of the smallest radius
+    bool fallsLeftOut =
+        false;              ///< spheres appear where they land: there are too many for a trial run
+    std::size_t frames = 0; ///< pictures to expect: within a tenth, as there was a trial run
+    double frameBytes = 0;  ///< of all pictures: a rough estimate
+    double volume = 0;      ///< [unit^3] of the object
+    ReachInspection reach;  ///< of the smallest radius
 };
 
 /// How far a run is.

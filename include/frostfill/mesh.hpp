@@ -102,7 +102,7 @@ struct LoadMeshOptions
 
 /// readMesh in a child process. Its limits on memory, processor time and files grow with the file's
 /// size. A file on which the reader crashes, hangs or fills the memory is an Error badData.
-[[nodiscard]] TriangleMesh readMeshInCage(const std::filesystem::path& file);
+[[nodiscard]] TriangleMesh readMeshSandboxed(const std::filesystem::path& file);
 
 /// Repairs a mesh for filling: joins seams and cracks, drops what encloses nothing (fins, sheets,
 /// small open pieces), turns windings outward (inward for cavities), closes holes of up to 5 % of
@@ -112,7 +112,7 @@ struct LoadMeshOptions
 [[nodiscard]] LoadedMesh repairMesh(TriangleMesh mesh, std::string_view name,
                                     const LoadMeshOptions& options = {});
 
-/// Loads a built-in object by its name, or reads and repairs a file (readMeshInCage,
+/// Loads a built-in object by its name, or reads and repairs a file (readMeshSandboxed,
 /// repairMesh).
 [[nodiscard]] LoadedMesh loadMesh(const std::string& nameOrFile,
                                   const LoadMeshOptions& options = {});

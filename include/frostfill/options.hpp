@@ -128,7 +128,7 @@ std::vector<const Option*> ignoredOptions(const Given& given, Preset preset)
 /// A radius without a count asks to be filled until no sphere fits, whatever count the preset has.
 /// `given`: a map from the keys that the user gave.
 template <class Given>
-void fillUntilFullForARadiusAlone(const Given& given, Scene& scene)
+void impliesUntilFull(const Given& given, Scene& scene)
 {
     if (given.contains("spheres.radius") && !given.contains("spheres.count"))
     {

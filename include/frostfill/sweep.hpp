@@ -80,7 +80,7 @@ struct SweepObserver
 std::vector<RunReport> runSweep(const SweepRequest& request, const SweepObserver& observer = {});
 
 /// Reports on all runs, whatever the shard, from what lies in their folders. Writes nothing.
-[[nodiscard]] std::vector<RunReport> lookAtSweep(const SweepRequest& request);
+[[nodiscard]] std::vector<RunReport> inspectSweep(const SweepRequest& request);
 
 /// Writes table.csv and table.json into the directory: a row for each run with its status, what was
 /// swept, and all numbers and words of its summary.json but the scene and the machine. Throws Error

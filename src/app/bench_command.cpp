@@ -34,8 +34,8 @@ constexpr const char* kBenchExamples = R"(Examples:
 
 constexpr std::uint64_t kGroups = 200;
 constexpr std::uint64_t kQuickGroups = 20;
-constexpr double kLeastPeerRatio = 50; // claimed: time of the fastest other engine over ours
-constexpr double kMostOverlap = 1e-7;  // claimed: of our spheres at rest [r]
+constexpr double kMinPeerRatio = 50; // claimed: time of the fastest other engine over ours
+constexpr double kMaxOverlap = 1e-7; // claimed: of our spheres at rest [r]
 
 struct BenchArguments
 {
@@ -185,15 +185,15 @@ void comparePeers(const BenchArguments& arguments, std::vector<std::string>& bro
     }
     fmt::print("\n");
     const double ratio = peerRatio(points, "skip");
-    if (!arguments.quick && ratio < kLeastPeerRatio)
+    if (!arguments.quick && ratio < kMinPeerRatio)
     {
         broken.push_back(fmt::format("{:.0f} times as fast as the fastest other engine, but {:.0f} "
                                      "times is claimed",
-                                     ratio, kLeastPeerRatio));
+                                     ratio, kMinPeerRatio));
     }
     for (const PeerPoint& point : points)
     {
-        if (point.ours && (point.missing + point.outside > 0 || point.worst() > kMostOverlap))
+        if (point.ours && (point.missing + point.outside > 0 || point.worst() > kMaxOverlap))
         {
             broken.push_back(fmt::format("ours, {}: {} lost or outside, overlap {:.1e}",
                                          point.setting, point.missing + point.outside,

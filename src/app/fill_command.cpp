@@ -88,7 +88,7 @@ std::optional<Error> writePageOf(const FillResult& result, const FillArguments& 
     page.overwrite = true;
     try
     {
-        writePageAloud(page, arguments.quiet || arguments.json);
+        writePageWithProgress(page, arguments.quiet || arguments.json);
     }
     catch (const Error& error)
     {

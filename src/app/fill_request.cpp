@@ -47,7 +47,7 @@ Scene requestedScene(const FillArguments& arguments)
     applyGivenOptions(arguments.given, scene);
     if (arguments.sceneFile.empty())
     {
-        fillUntilFullForARadiusAlone(arguments.given, scene);
+        impliesUntilFull(arguments.given, scene);
     }
     return scene;
 }

@@ -81,7 +81,7 @@ void printReport(const std::string& name, const MeshReport& report)
 int inspect(const MeshArguments& arguments)
 {
     TriangleMesh mesh = isBuiltInMesh(arguments.mesh) ? builtInMesh(arguments.mesh)
-                                                      : readMeshInCage(arguments.mesh);
+                                                      : readMeshSandboxed(arguments.mesh);
     MeshReport asRead = inspectMesh(mesh);
     if (asRead.closed())
     {

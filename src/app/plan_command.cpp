@@ -28,8 +28,8 @@ constexpr const char* kPlanExamples = R"(Examples:
 
 /// Machines of a cluster differ, and so do seeds: what is asked for is so many times the estimate.
 constexpr double kMargin = 2;
-constexpr double kSecondsMore = 120;     ///< for what begins slowly on a cluster
-constexpr std::size_t kMostTasks = 1000; ///< that clusters usually allow in an array
+constexpr double kSecondsMore = 120;    ///< for what begins slowly on a cluster
+constexpr std::size_t kMaxTasks = 1000; ///< that clusters usually allow in an array
 
 struct PlanArguments
 {
@@ -76,7 +76,7 @@ void printArrays(std::size_t asked, std::size_t most, double memory,
     fmt::print("for sbatch, with {} times the estimate:\n", kMargin);
     for (const std::size_t tasks : sizes)
     {
-        if (tasks <= std::min(most, kMostTasks) || tasks == asked)
+        if (tasks <= std::min(most, kMaxTasks) || tasks == asked)
         {
             fmt::print(
                 "  --array=0-{} --cpus-per-task=1 --time={} --mem={}   # {} a task at most\n",

@@ -10,7 +10,7 @@ namespace frostfill
 namespace
 {
 
-constexpr std::size_t kMostParts = 5;
+constexpr std::size_t kMaxParts = 5;
 
 } // namespace
 
@@ -38,7 +38,7 @@ std::string reachText(const ReachInspection& reach, double radius, double volume
                     "{:.5g}, {} {} larger than a sphere\n",
                     100 * reach.unreachable / volume, radius, reach.parts.size(),
                     reach.parts.size() == 1 ? "part" : "parts");
-    for (std::size_t k = 0; k < std::min(kMostParts, reach.parts.size()); ++k)
+    for (std::size_t k = 0; k < std::min(kMaxParts, reach.parts.size()); ++k)
     {
         const UnreachableVolume& part = reach.parts[k];
         const Eigen::Vector3d size = part.box.sizes();
@@ -47,9 +47,9 @@ std::string reachText(const ReachInspection& reach, double radius, double volume
                             part.volume, part.centre.x(), part.centre.y(), part.centre.z(),
                             size.x(), size.y(), size.z());
     }
-    if (reach.parts.size() > kMostParts)
+    if (reach.parts.size() > kMaxParts)
     {
-        text += fmt::format("  and {} more\n", reach.parts.size() - kMostParts);
+        text += fmt::format("  and {} more\n", reach.parts.size() - kMaxParts);
     }
     return text;
 }

@@ -81,13 +81,13 @@ void printResult(const RenderArguments& arguments, const RenderResult& result)
 /// Throws Error badData unless all pictures are there, and no others.
 void requireAll(const RenderResult& result)
 {
-    constexpr std::size_t kMostNamed = 10;
+    constexpr std::size_t kMaxNamed = 10;
     if (!result.missing.empty())
     {
         const std::vector<std::size_t> named(
             result.missing.begin(),
             result.missing.begin() +
-                static_cast<std::ptrdiff_t>(std::min(kMostNamed, result.missing.size())));
+                static_cast<std::ptrdiff_t>(std::min(kMaxNamed, result.missing.size())));
         throw Error(ErrorCode::badData,
                     fmt::format("{} of the {} pictures in {} are missing or wrong: {}{}; draw them "
                                 "with the same options and --skip-existing",

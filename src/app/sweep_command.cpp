@@ -102,7 +102,7 @@ int exitCodeOf(const std::vector<RunReport>& reports)
 
 int gather(const SweepArguments& arguments, const SweepRequest& request)
 {
-    const std::vector<RunReport> reports = lookAtSweep(request);
+    const std::vector<RunReport> reports = inspectSweep(request);
     if (countOf(RunStatus::done, reports) < reports.size() && !arguments.allowIncomplete)
     {
         for (std::size_t k = 0; k < reports.size(); ++k)
@@ -132,7 +132,7 @@ struct DryReport
     bool fails = false;
 };
 
-/// What fill would do with a run, without pictures, so that nothing is rehearsed.
+/// What fill would do with a run, without pictures, so that there is no trial run.
 DryReport dryReport(const SweepRequest& sweep, const SweepRun& run, const RunReport& report)
 {
     if (report.status == RunStatus::done || report.status == RunStatus::running)
@@ -162,7 +162,7 @@ DryReport dryReport(const SweepRequest& sweep, const SweepRun& run, const RunRep
 
 int printDryRun(const SweepRequest& request)
 {
-    const std::vector<RunReport> reports = lookAtSweep(request);
+    const std::vector<RunReport> reports = inspectSweep(request);
     bool fails = false;
     for (const std::size_t k : runsOf(request))
     {

@@ -39,7 +39,7 @@ int runView(const ViewArguments& arguments)
     request.overwrite = arguments.overwrite;
     catchStopSignals();
     runHasBegun();
-    writePageAloud(request, arguments.quiet);
+    writePageWithProgress(request, arguments.quiet);
     return 0;
 }
 

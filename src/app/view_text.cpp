@@ -33,7 +33,7 @@ std::string withoutMotion(const PageRequest& request, const PageResult& result)
 
 } // namespace
 
-void writePageAloud(const PageRequest& request, bool quiet)
+void writePageWithProgress(const PageRequest& request, bool quiet)
 {
     TaskBar bar;
     const PageResult result = writePage(request, bar.untilStopped("frames", quiet));

@@ -7,6 +7,6 @@ namespace frostfill
 {
 
 /// Writes a page, with a bar on standard error and what came of it on standard output.
-void writePageAloud(const PageRequest& request, bool quiet);
+void writePageWithProgress(const PageRequest& request, bool quiet);
 
 } // namespace frostfill

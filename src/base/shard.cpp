@@ -14,7 +14,7 @@ namespace frostfill
 namespace
 {
 
-constexpr std::size_t kMostParts = 1000000;
+constexpr std::size_t kMaxParts = 1000000;
 
 std::optional<std::size_t> readWhole(std::string_view text)
 {
@@ -72,7 +72,7 @@ Shard parseShard(std::string_view text)
     const auto index = readWhole(text.substr(0, slash));
     const auto count =
         slash == std::string_view::npos ? std::nullopt : readWhole(text.substr(slash + 1));
-    if (!index || !count || *index < 1 || *index > *count || *count > kMostParts)
+    if (!index || !count || *index < 1 || *index > *count || *count > kMaxParts)
     {
         throw Error(ErrorCode::usage,
                     fmt::format("--shard is '{}', but it must be I/N, such as 1/16 for the first "

@@ -17,8 +17,8 @@ namespace
 constexpr int kPartBits = 12;
 constexpr std::uint64_t kPartMask = (std::uint64_t{1} << kPartBits) - 1;
 constexpr std::size_t kPartsPerThread = 8; // so that one that is slow does not hold up the loop
-constexpr int kLooks = 20000;              // for work before a thread sleeps: some 200 us
-constexpr int kLooksAtOnce = 100;          // before others may have the core
+constexpr int kSpins = 20000;              // for work before a thread sleeps: some 200 us
+constexpr int kSpinsBeforeYield = 100;     // before others may have the core
 
 std::uint64_t atFront(std::uint64_t state)
 {
@@ -37,9 +37,9 @@ bool allTaken(std::uint64_t state)
     return atFront(state) + atBack(state) == parts(state);
 }
 
-void pauseAfter(int look)
+void pauseAfter(int spin)
 {
-    if (look % kLooksAtOnce == kLooksAtOnce - 1)
+    if (spin % kSpinsBeforeYield == kSpinsBeforeYield - 1)
     {
         std::this_thread::yield();
         return;
@@ -93,9 +93,9 @@ void Threads::share(std::size_t count, Run run, const void* body)
     while (takePart(true))
     {
     }
-    for (int look = 0; partsDone_.load(std::memory_order_acquire) != wanted; ++look)
+    for (int spin = 0; partsDone_.load(std::memory_order_acquire) != wanted; ++spin)
     {
-        pauseAfter(look % kLooks);
+        pauseAfter(spin % kSpins);
     }
     if (failure_)
     {
@@ -113,9 +113,9 @@ void Threads::help()
             continue;
         }
         seen = state_.load(std::memory_order_acquire);
-        for (int look = 0; look < kLooks && allTaken(seen) && !over_; ++look)
+        for (int spin = 0; spin < kSpins && allTaken(seen) && !over_; ++spin)
         {
-            pauseAfter(look);
+            pauseAfter(spin);
             seen = state_.load(std::memory_order_acquire);
         }
         if (allTaken(seen) && !over_)

@@ -125,7 +125,7 @@ ExportResult exportRun(const ExportRequest& request, const ExportProgress& progr
         selectedFrames(reader, request.frames.empty() ? format.frames : request.frames);
     // Readers want ascending times.
     const std::vector<std::size_t> chosen =
-        selected.size() > 1 ? KeptFrames(reader).oneAMoment(selected) : selected;
+        selected.size() > 1 ? KeptFrames(reader).onePerTime(selected) : selected;
     ExportedRun run{reader.mesh(), boundingBox(reader.mesh())};
     readScene(reader, file.string(), run);
     for (const std::size_t index : chosen)

@@ -18,7 +18,7 @@ constexpr std::uint16_t kVersion = 20;
 constexpr std::uint16_t kSizesFollow = 8;
 constexpr std::uint16_t kNotCompressed = 0;
 constexpr std::uint32_t kJanuary1980 = 33U << 16; // the same bytes at any time
-constexpr std::uint64_t kMost = 0xFFFFFFFF;
+constexpr std::uint64_t kMax = 0xFFFFFFFF;
 
 } // namespace
 
@@ -73,7 +73,7 @@ void NpzFile::write(std::string_view bytes)
 void NpzFile::end()
 {
     const Entry& entry = entries_.back();
-    if (written_ > kMost)
+    if (written_ > kMax)
     {
         throw Error(ErrorCode::badData,
                     "the arrays take more than 4 GiB, which an .npz file cannot "

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "import/moment_sequence.hpp"
 #include "import/sphere_numbers.hpp"
 #include "import/survey.hpp"
+#include "import/timestep_sequence.hpp"
 #include "run/frame_timing.hpp"
 #include "run/run_directory.hpp"
 #include "run/run_head.hpp"
@@ -41,7 +41,7 @@ TriangleMesh meshOf(const ImportRequest& request, const Survey& survey)
     if (!request.mesh.empty())
     {
         return isBuiltInMesh(request.mesh) ? builtInMesh(request.mesh)
-                                           : readMeshInCage(request.mesh);
+                                           : readMeshSandboxed(request.mesh);
     }
     if (!survey.box || !(survey.box->sizes().minCoeff() > 0))
     {
@@ -76,7 +76,7 @@ RunHead headOf(const ImportRequest& request, const Survey& survey, const Triangl
     return head;
 }
 
-/// Turns one moment after the other into what a run file takes.
+/// Turns one timestep after the other into what a run file takes.
 class Frames
 {
 public:
@@ -86,7 +86,7 @@ public:
         snapshot_.polygons.assign(mesh.triangles.size(), PolygonState::active);
         snapshot_.columns = survey.columns;
     }
-    void put(const Moment& moment, std::size_t step, RunFileWriter& file);
+    void put(const Timestep& timestep, std::size_t step, RunFileWriter& file);
     [[nodiscard]] std::size_t atRest() const
     {
         return static_cast<std::size_t>(
@@ -100,8 +100,9 @@ private:
         std::size_t step = 0;
         Eigen::Vector3d place;
     };
-    [[nodiscard]] SphereState stateOf(const Moment& moment, std::size_t k, std::size_t step) const;
-    [[nodiscard]] double speedOf(const Moment& moment, std::size_t k, std::size_t step) const;
+    [[nodiscard]] SphereState stateOf(const Timestep& timestep, std::size_t k,
+                                      std::size_t step) const;
+    [[nodiscard]] double speedOf(const Timestep& timestep, std::size_t k, std::size_t step) const;
 
     const Survey& survey_;
     SphereNumbers numbers_;
@@ -109,72 +110,73 @@ private:
     std::unordered_map<std::uint64_t, Seen> seen_; ///< by id
 };
 
-SphereState Frames::stateOf(const Moment& moment, std::size_t k, std::size_t step) const
+SphereState Frames::stateOf(const Timestep& timestep, std::size_t k, std::size_t step) const
 {
-    if (!moment.states.empty())
+    if (!timestep.states.empty())
     {
-        return moment.states[k];
+        return timestep.states[k];
     }
-    const bool rests = !survey_.statesGiven && survey_.rests(survey_.lives.at(moment.ids[k]), step);
+    const bool rests =
+        !survey_.statesGiven && survey_.rests(survey_.lives.at(timestep.ids[k]), step);
     return rests ? SphereState::frozen : SphereState::running;
 }
 
 /// As the file says, or from the place in the step before. [unit/s]
-double Frames::speedOf(const Moment& moment, std::size_t k, std::size_t step) const
+double Frames::speedOf(const Timestep& timestep, std::size_t k, std::size_t step) const
 {
-    if (!moment.speeds.empty())
+    if (!timestep.speeds.empty())
     {
-        return moment.speeds[k];
+        return timestep.speeds[k];
     }
-    const auto before = seen_.find(moment.ids[k]);
+    const auto before = seen_.find(timestep.ids[k]);
     if (before == seen_.end() || before->second.step + 1 != step ||
         !(survey_.times[step] > survey_.times[step - 1]))
     {
         return 0;
     }
-    return (moment.centres[k] - before->second.place).norm() /
+    return (timestep.centres[k] - before->second.place).norm() /
            (survey_.times[step] - survey_.times[step - 1]);
 }
 
-void Frames::put(const Moment& moment, std::size_t step, RunFileWriter& file)
+void Frames::put(const Timestep& timestep, std::size_t step, RunFileWriter& file)
 {
-    numbers_.update(moment.ids);
+    numbers_.update(timestep.ids);
     const std::size_t count = numbers_.count();
     snapshot_.resize(count);
     for (std::size_t number = 0; number < count; ++number)
     {
         const std::size_t k = numbers_.index(number);
-        const std::uint32_t group = survey_.lives.at(moment.ids[k]).group;
-        snapshot_.centres[number] = (moment.centres[k] - snapshot_.origin).cast<float>();
-        snapshot_.radii[number] = static_cast<float>(moment.radii[k]);
-        snapshot_.states[number] = stateOf(moment, k, step);
+        const std::uint32_t group = survey_.lives.at(timestep.ids[k]).group;
+        snapshot_.centres[number] = (timestep.centres[k] - snapshot_.origin).cast<float>();
+        snapshot_.radii[number] = static_cast<float>(timestep.radii[k]);
+        snapshot_.states[number] = stateOf(timestep, k, step);
         snapshot_.groups[number] = group;
         snapshot_.speeds[number] = snapshot_.states[number] == SphereState::running
-                                       ? static_cast<float>(speedOf(moment, k, step))
+                                       ? static_cast<float>(speedOf(timestep, k, step))
                                        : 0;
         snapshot_.set = std::max(snapshot_.set, group);
-        seen_[moment.ids[k]] = {step, moment.centres[k]};
+        seen_[timestep.ids[k]] = {step, timestep.centres[k]};
     }
     snapshot_.changed.resize(count);
     std::iota(snapshot_.changed.begin(), snapshot_.changed.end(), 0U);
     snapshot_.time = survey_.times[step];
-    snapshot_.step = moment.step.value_or(step);
+    snapshot_.step = timestep.step.value_or(step);
     const auto record = [&](std::uint32_t number)
     {
         const std::size_t k = numbers_.index(number);
         SphereRecord sphere;
-        sphere.centre = moment.centres[k];
-        sphere.radius = moment.radii[k];
+        sphere.centre = timestep.centres[k];
+        sphere.radius = timestep.radii[k];
         sphere.group = snapshot_.groups[number];
         sphere.state = snapshot_.states[number];
         return sphere;
     };
     for (ColumnValues& values : snapshot_.columns)
     {
-        const auto given = moment.carried.find(&values.column());
+        const auto given = timestep.carried.find(&values.column());
         for (const std::uint32_t number : snapshot_.changed)
         {
-            values.set(number, given != moment.carried.end()
+            values.set(number, given != timestep.carried.end()
                                    ? given->second[numbers_.index(number)]
                                    : values.column().compute(number, record(number)));
         }
@@ -196,7 +198,7 @@ std::string summaryOf(const RunHead& head, const ImportResult& result)
 
 ImportResult importRun(const ImportRequest& request, const ImportProgress& progress)
 {
-    const Survey survey = surveyMoments(request);
+    const Survey survey = surveyTimesteps(request);
     const TriangleMesh mesh = meshOf(request, survey);
     const RunHead head = headOf(request, survey, mesh);
     RunDirectory place(request.directory,
@@ -204,10 +206,10 @@ ImportResult importRun(const ImportRequest& request, const ImportProgress& progr
     place.begin();
     RunFileWriter file(request.directory / kRunFile, headText(head), mesh, survey.smallestRadius);
     Frames frames(survey, mesh);
-    MomentSequence sequence(request);
-    for (Moment moment; sequence.next(moment);)
+    TimestepSequence sequence(request);
+    for (Timestep timestep; sequence.next(timestep);)
     {
-        frames.put(moment, sequence.index(), file);
+        frames.put(timestep, sequence.index(), file);
         if (progress && !progress(sequence.index() + 1, survey.times.size()))
         {
             throw Error(ErrorCode::stoppedEarly,

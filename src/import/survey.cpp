@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "import/survey.hpp"
 
-#include "import/moment_sequence.hpp"
+#include "import/timestep_sequence.hpp"
 
 #include <frostfill/error.hpp>
 
@@ -18,15 +18,15 @@ namespace
 /// rest. Smaller: what trembles in its contacts, as in most discrete-element codes, never does.
 constexpr double kRestsWithin = 1e-3;
 
-void follow(const Moment& moment, std::size_t step, Survey& survey)
+void follow(const Timestep& timestep, std::size_t step, Survey& survey)
 {
     bool appeared = false;
-    for (std::size_t k = 0; k < moment.centres.size(); ++k)
+    for (std::size_t k = 0; k < timestep.centres.size(); ++k)
     {
-        const auto [at, isNew] = survey.lives.try_emplace(moment.ids[k]);
+        const auto [at, isNew] = survey.lives.try_emplace(timestep.ids[k]);
         Life& life = at->second;
-        const Eigen::Vector3d& place = moment.centres[k];
-        if (isNew || (place - life.place).norm() > kRestsWithin * moment.radii[k])
+        const Eigen::Vector3d& place = timestep.centres[k];
+        if (isNew || (place - life.place).norm() > kRestsWithin * timestep.radii[k])
         {
             life.place = place;
             life.restsSince = step;
@@ -36,40 +36,40 @@ void follow(const Moment& moment, std::size_t step, Survey& survey)
             life.group = survey.groups;
             appeared = true;
         }
-        if (!moment.groups.empty())
+        if (!timestep.groups.empty())
         {
-            life.group = moment.groups[k];
+            life.group = timestep.groups[k];
         }
         life.lastStep = step;
         survey.smallestRadius = survey.smallestRadius > 0
-                                    ? std::min(survey.smallestRadius, moment.radii[k])
-                                    : moment.radii[k];
-        survey.largestRadius = std::max(survey.largestRadius, moment.radii[k]);
+                                    ? std::min(survey.smallestRadius, timestep.radii[k])
+                                    : timestep.radii[k];
+        survey.largestRadius = std::max(survey.largestRadius, timestep.radii[k]);
     }
     survey.groups += appeared ? 1 : 0;
 }
 
 } // namespace
 
-Survey surveyMoments(const ImportRequest& request)
+Survey surveyTimesteps(const ImportRequest& request)
 {
-    MomentSequence sequence(request);
+    TimestepSequence sequence(request);
     Survey survey;
-    for (Moment moment; sequence.next(moment);)
+    for (Timestep timestep; sequence.next(timestep);)
     {
         survey.times.push_back(sequence.time());
-        follow(moment, sequence.index(), survey);
-        if (moment.box && !survey.box)
+        follow(timestep, sequence.index(), survey);
+        if (timestep.box && !survey.box)
         {
-            survey.box.emplace(*moment.box);
+            survey.box.emplace(*timestep.box);
         }
-        else if (moment.box)
+        else if (timestep.box)
         {
-            survey.box->extend(*moment.box);
+            survey.box->extend(*timestep.box);
         }
-        survey.statesGiven = survey.statesGiven || !moment.states.empty();
-        survey.spheres = moment.centres.size();
-        if (moment.centres.empty())
+        survey.statesGiven = survey.statesGiven || !timestep.states.empty();
+        survey.spheres = timestep.centres.size();
+        if (timestep.centres.empty())
         {
             continue;
         }
@@ -77,7 +77,7 @@ Survey surveyMoments(const ImportRequest& request)
                       [&](const ColumnValues& values)
                       {
                           const Column& column = values.column();
-                          return !column.compute && !moment.carried.contains(&column);
+                          return !column.compute && !timestep.carried.contains(&column);
                       });
     }
     survey.torn = sequence.reader().torn();

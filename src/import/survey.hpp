@@ -49,6 +49,6 @@ struct Survey
 };
 
 /// Reads the whole file. Throws Error as importRun.
-[[nodiscard]] Survey surveyMoments(const ImportRequest& request);
+[[nodiscard]] Survey surveyTimesteps(const ImportRequest& request);
 
 } // namespace frostfill

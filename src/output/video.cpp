@@ -55,7 +55,7 @@ std::vector<std::string> encoderArguments(const std::string& ending, bool withAl
 
 /// GIF: one palette for the whole video, which has to be known first, so that only what changes
 /// is stored. Fifteen frames a second are smooth enough, and half the size.
-constexpr double kMostGifFrames = 15;
+constexpr double kMaxGifFrames = 15;
 
 /// Makes a GIF from all frames. Returns what ffmpeg says when it fails.
 std::optional<std::string> makeGif(const VideoLog& log, double framesPerSecond)
@@ -65,7 +65,7 @@ std::optional<std::string> makeGif(const VideoLog& log, double framesPerSecond)
     const std::string filter =
         fmt::format("[0:v]fps={0},palettegen=stats_mode=full[p];[1:v]fps={0}[v];"
                     "[v][p]paletteuse=dither=none:diff_mode=rectangle",
-                    std::min(framesPerSecond, kMostGifFrames));
+                    std::min(framesPerSecond, kMaxGifFrames));
     const ProgramRun run = runProgram(".", {"ffmpeg", "-hide_banner", "-loglevel", "error", "-y",
                                             "-i", raw, "-i", raw, "-filter_complex", filter, part});
     if (run.error == 0 && run.code == 0)

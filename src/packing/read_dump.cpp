@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Dumps of LAMMPS (dump custom) and of LIGGGHTS, which has the same form and repeats columns.
-#include "packing/moment.hpp"
+#include "packing/timestep.hpp"
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@ constexpr std::string_view kItem = "ITEM: ";
 constexpr std::string_view kAtoms = "ATOMS";
 constexpr std::string_view kBox = "BOX BOUNDS";
 
-SphereColumns columnsOf(std::string_view names, const TextLines& lines, const Moment& moment)
+SphereColumns columnsOf(std::string_view names, const TextLines& lines, const Timestep& timestep)
 {
     SphereColumns columns;
     int index = 0;
@@ -24,7 +24,7 @@ SphereColumns columnsOf(std::string_view names, const TextLines& lines, const Mo
     const bool scaled = (columns.x < 0 && columns.scaledX >= 0) ||
                         (columns.y < 0 && columns.scaledY >= 0) ||
                         (columns.z < 0 && columns.scaledZ >= 0);
-    if (scaled && !moment.box)
+    if (scaled && !timestep.box)
     {
         lines.refuse("places as fractions (xs ys zs) of a box that is tilted or not given; dump "
                      "x y z instead");
@@ -58,9 +58,9 @@ std::optional<Eigen::AlignedBox3d> boxOf(TextLines& lines)
 }
 
 void readSpheres(TextLines& lines, std::string_view names, std::size_t count, double radius,
-                 Moment& moment)
+                 Timestep& timestep)
 {
-    const SphereColumns columns = columnsOf(names, lines, moment);
+    const SphereColumns columns = columnsOf(names, lines, timestep);
     columns.requireAll(lines, radius);
     for (std::size_t k = 0; k < count; ++k)
     {
@@ -69,15 +69,15 @@ void readSpheres(TextLines& lines, std::string_view names, std::size_t count, do
         {
             lines.refuse(fmt::format("the next part begins after {} of {} spheres", k, count));
         }
-        addSphere(wordsOf(sphere), columns, radius, lines, moment);
+        addSphere(wordsOf(sphere), columns, radius, lines, timestep);
     }
 }
 
 } // namespace
 
-bool readDumpMoment(TextLines& lines, double radius, Moment& moment)
+bool readDumpTimestep(TextLines& lines, double radius, Timestep& timestep)
 {
-    moment = {};
+    timestep = {};
     std::size_t count = 0;
     for (std::string_view line; lines.next(line);)
     {
@@ -92,19 +92,19 @@ bool readDumpMoment(TextLines& lines, double radius, Moment& moment)
         }
         else if (line == "TIMESTEP")
         {
-            moment.step = wholeNumberOf(firstWord(lines, "the number of the step"), lines);
+            timestep.step = wholeNumberOf(firstWord(lines, "the number of the step"), lines);
         }
         else if (line == "TIME")
         {
-            moment.time = numberOf(firstWord(lines, "the time"), lines);
+            timestep.time = numberOf(firstWord(lines, "the time"), lines);
         }
         else if (line.starts_with(kBox))
         {
-            moment.box = boxOf(lines);
+            timestep.box = boxOf(lines);
         }
         else if (line.starts_with(kAtoms))
         {
-            readSpheres(lines, line.substr(kAtoms.size()), count, radius, moment);
+            readSpheres(lines, line.substr(kAtoms.size()), count, radius, timestep);
             return true;
         }
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "packing/moment_reader.hpp"
+#include "packing/timestep_reader.hpp"
 #include "run_file/file_of_run.hpp"
 #include "simulation/quality/quality.hpp"
 
@@ -74,17 +74,17 @@ Packing lastOfRun(const std::filesystem::path& file)
 }
 
 /// A file that says nothing of states is one of spheres at rest.
-Packing packingOf(Moment moment, const char* format)
+Packing packingOf(Timestep timestep, const char* format)
 {
     Packing packing;
     packing.format = format;
-    packing.atRest.assign(moment.centres.size(), true);
-    for (std::size_t k = 0; k < moment.states.size(); ++k)
+    packing.atRest.assign(timestep.centres.size(), true);
+    for (std::size_t k = 0; k < timestep.states.size(); ++k)
     {
-        packing.atRest[k] = moment.states[k] != SphereState::running;
+        packing.atRest[k] = timestep.states[k] != SphereState::running;
     }
-    packing.centres = std::move(moment.centres);
-    packing.radii = std::move(moment.radii);
+    packing.centres = std::move(timestep.centres);
+    packing.radii = std::move(timestep.radii);
     return packing;
 }
 
@@ -112,11 +112,11 @@ Packing readText(const std::filesystem::path& file, double radius)
     {
         return packingOf(readTable(lines, radius), "a table");
     }
-    const auto readMoment = isDump(text) ? readDumpMoment : readXyzMoment;
-    Moment last;
-    for (Moment moment; readMoment(lines, radius, moment);)
+    const auto readTimestep = isDump(text) ? readDumpTimestep : readXyzTimestep;
+    Timestep last;
+    for (Timestep timestep; readTimestep(lines, radius, timestep);)
     {
-        last = std::move(moment);
+        last = std::move(timestep);
     }
     return packingOf(std::move(last), isDump(text) ? "a LAMMPS dump" : "XYZ");
 }

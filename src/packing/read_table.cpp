@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "packing/moment.hpp"
+#include "packing/timestep.hpp"
 
 namespace frostfill
 {
@@ -26,7 +26,7 @@ bool isComment(std::string_view line)
 
 } // namespace
 
-Moment readTable(TextLines lines, double radius)
+Timestep readTable(TextLines lines, double radius)
 {
     std::string_view heading = lines.need("its heading");
     if (heading.starts_with("\xEF\xBB\xBF"))
@@ -46,15 +46,15 @@ Moment readTable(TextLines lines, double radius)
     }
     columns.keepPlacesOnly(); // the others may be words
     columns.requireAll(lines, radius);
-    Moment moment;
+    Timestep timestep;
     for (std::string_view line; lines.next(line);)
     {
         if (!isComment(line))
         {
-            addSphere(wordsOf(line, separator), columns, radius, lines, moment);
+            addSphere(wordsOf(line, separator), columns, radius, lines, timestep);
         }
     }
-    return moment;
+    return timestep;
 }
 
 } // namespace frostfill

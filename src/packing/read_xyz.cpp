@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // XYZ, plain or extended (Lattice="..." Properties=... Time=...), as ASE and OVITO write it.
-#include "packing/moment.hpp"
+#include "packing/timestep.hpp"
 
 #include <fmt/format.h>
 
@@ -99,27 +99,27 @@ std::optional<Eigen::AlignedBox3d> boxOf(std::string_view comment, const TextLin
     return box;
 }
 
-void readHeading(std::string_view comment, const TextLines& lines, Moment& moment)
+void readHeading(std::string_view comment, const TextLines& lines, Timestep& timestep)
 {
     if (const auto time = valueOf(comment, "Time"))
     {
-        moment.time = numberOf(*time, lines);
+        timestep.time = numberOf(*time, lines);
     }
     for (const char* key : {"Timestep", "step"})
     {
-        if (const auto step = valueOf(comment, key); step && !moment.step)
+        if (const auto step = valueOf(comment, key); step && !timestep.step)
         {
-            moment.step = wholeNumberOf(*step, lines);
+            timestep.step = wholeNumberOf(*step, lines);
         }
     }
-    moment.box = boxOf(comment, lines);
+    timestep.box = boxOf(comment, lines);
 }
 
 } // namespace
 
-bool readXyzMoment(TextLines& lines, double radius, Moment& moment)
+bool readXyzTimestep(TextLines& lines, double radius, Timestep& timestep)
 {
-    moment = {};
+    timestep = {};
     for (std::string_view line; lines.next(line);)
     {
         const auto words = wordsOf(line);
@@ -131,11 +131,11 @@ bool readXyzMoment(TextLines& lines, double radius, Moment& moment)
         const std::string_view comment = lines.need("its second line");
         const SphereColumns columns = columnsOf(comment, lines);
         columns.requireAll(lines, radius);
-        readHeading(comment, lines, moment);
+        readHeading(comment, lines, timestep);
         for (std::size_t k = 0; k < count; ++k)
         {
             const std::string_view sphere = lines.need(fmt::format("its {} spheres", count));
-            addSphere(wordsOf(sphere), columns, radius, lines, moment);
+            addSphere(wordsOf(sphere), columns, radius, lines, timestep);
         }
         return true;
     }

@@ -14,7 +14,7 @@ namespace
 {
 
 /// More than any packing has; a count in a file may be anything.
-constexpr std::size_t kMostSpheres = 1'000'000'000;
+constexpr std::size_t kMaxSpheres = 1'000'000'000;
 
 std::string_view withoutQuotes(std::string_view word)
 {
@@ -104,7 +104,7 @@ std::size_t countOf(std::string_view word, const TextLines& lines)
 {
     std::size_t value = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc() || end != word.data() + word.size() || value > kMostSpheres)
+    if (error != std::errc() || end != word.data() + word.size() || value > kMaxSpheres)
     {
         lines.refuse(fmt::format("'{}' is no number of spheres", word));
     }

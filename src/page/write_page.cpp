@@ -25,7 +25,7 @@ namespace
 
 /// Frames that are longer than so many pages before they are packed are not worth packing: they
 /// shrink to a third or so.
-constexpr double kHopeless = 12;
+constexpr double kGiveUpFactor = 12;
 
 /// Steps of the grid in the smallest radius, at least: an error of a thousandth of it is a pixel
 /// where a sphere is two thousand pixels wide.
@@ -123,7 +123,7 @@ private:
             revision = reader_.revision();
             reader_.forgetChanges();
             if (static_cast<double>(film.bytes()) >
-                    kHopeless * static_cast<double>(request_.maxBytes) &&
+                    kGiveUpFactor * static_cast<double>(request_.maxBytes) &&
                 last > first)
             {
                 return {};

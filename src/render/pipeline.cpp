@@ -101,17 +101,17 @@ const std::vector<PixelRectangle>& Pipeline::draw(const Snapshot& snapshot)
 {
     context_->makeCurrent();
     follow(snapshot);
-    renewMarks();
-    const SphereLedger::Changes& changes =
-        ledger_.update(snapshot, framing(), viewpoint_.colours());
+    renewStencil();
+    const SphereDrawList::Changes& changes =
+        drawList_.update(snapshot, framing(), viewpoint_.colours());
     const auto polygonParts = painter_.setPolygons(snapshot.polygons);
     const bool startAgain = stale_ || changes.everything;
-    if (startAgain && ledger_.resting().size() >= kSortFrom)
+    if (startAgain && drawList_.resting().size() >= kSortFrom)
     {
-        ledger_.sortFrontToBack(framing());
+        drawList_.sortFrontToBack(framing());
     }
     stale_ = false;
-    renewSurroundings(changes, startAgain);
+    updateSphereOcclusion(changes, startAgain);
     dirty_.clear();
     if (layer_)
     {
@@ -128,11 +128,11 @@ const std::vector<PixelRectangle>& Pipeline::draw(const Snapshot& snapshot)
     return parts;
 }
 
-void Pipeline::renewSurroundings(const SphereLedger::Changes& changes, bool startAgain)
+void Pipeline::updateSphereOcclusion(const SphereDrawList::Changes& changes, bool startAgain)
 {
-    if (Surroundings* surroundings = painter_.surroundings())
+    if (SphereOcclusion* sphereOcclusion = painter_.sphereOcclusion())
     {
-        surroundings->follow(ledger_.resting(), startAgain ? 0 : changes.firstArrival);
+        sphereOcclusion->follow(drawList_.resting(), startAgain ? 0 : changes.firstArrival);
     }
 }
 
@@ -141,19 +141,19 @@ void Pipeline::drawEverything()
     framebuffer_.bind();
     painter_.clear();
     painter_.paintGround();
-    painter_.paintSpheres(ledger_.resting());
-    painter_.paintSpheres(ledger_.running());
+    painter_.paintSpheres(drawList_.resting());
+    painter_.paintSpheres(drawList_.running());
     painter_.paintShell();
     painter_.paintLegend();
     dirty_.addAll();
 }
 
-void Pipeline::updateLayer(const SphereLedger::Changes& changes,
+void Pipeline::updateLayer(const SphereDrawList::Changes& changes,
                            std::span<const PixelRectangle> polygonParts, bool startAgain)
 {
     if (startAgain)
     {
-        layer_->rebuild(painter_, projector_, ledger_.resting());
+        layer_->rebuild(painter_, projector_, drawList_.resting());
         dirty_.addAll();
         return;
     }
@@ -161,26 +161,27 @@ void Pipeline::updateLayer(const SphereLedger::Changes& changes,
     covered_.add(polygonParts);
     for (const std::size_t index : changes.recoloured)
     {
-        covered_.add(layer_->whereSeen(index));
+        covered_.add(layer_->visiblePart(index));
     }
-    if (Surroundings* surroundings = painter_.surroundings())
+    if (SphereOcclusion* sphereOcclusion = painter_.sphereOcclusion())
     {
         // What comes to rest takes light from what lies there.
-        const auto isSeen = [&](std::uint32_t index) { return !layer_->whereSeen(index).empty(); };
-        for (const std::uint32_t index : surroundings->askAgain(isSeen))
+        const auto isSeen = [&](std::uint32_t index)
+        { return !layer_->visiblePart(index).empty(); };
+        for (const std::uint32_t index : sphereOcclusion->refresh(isSeen))
         {
-            covered_.add(layer_->whereSeen(index));
+            covered_.add(layer_->visiblePart(index));
         }
     }
     dirty_.add(running_);
     if (!covered_.empty())
     {
-        layer_->repaint(painter_, ledger_.resting().first(changes.firstArrival), covered_.joined(),
-                        framebuffer_, dirty_);
+        layer_->repaint(painter_, drawList_.resting().first(changes.firstArrival),
+                        covered_.joined(), framebuffer_, dirty_);
     }
-    if (changes.firstArrival < ledger_.resting().size())
+    if (changes.firstArrival < drawList_.resting().size())
     {
-        layer_->add(painter_, projector_, ledger_.resting(), changes.firstArrival, dirty_);
+        layer_->add(painter_, projector_, drawList_.resting(), changes.firstArrival, dirty_);
     }
 }
 
@@ -190,7 +191,7 @@ void Pipeline::drawOverLayer()
     running_.clear();
     spheres_.clear();
     parts_.clear();
-    for (const SphereInstance& sphere : ledger_.running())
+    for (const SphereInstance& sphere : drawList_.running())
     {
         const ProjectedSphere seen = projector_.project(sphere);
         if (!layer_->hides(seen))
@@ -205,19 +206,19 @@ void Pipeline::drawOverLayer()
     dirty_.add(running_);
 }
 
-void Pipeline::renewMarks()
+void Pipeline::renewStencil()
 {
     // For what comes to rest, and for what runs.
-    constexpr int kMarksOfAPicture = 2;
-    if (!layer_ || !painter_.outOfMarks(kMarksOfAPicture))
+    constexpr int kStencilValuesPerPicture = 2;
+    if (!layer_ || !painter_.stencilIsFull(kStencilValuesPerPicture))
     {
         return;
     }
     layer_->framebuffer().bind();
-    painter_.clearMarks();
+    painter_.resetStencil();
     framebuffer_.bind();
-    painter_.clearMarks();
-    painter_.startMarks();
+    painter_.resetStencil();
+    painter_.restartStencil();
 }
 
 void Pipeline::readColour(Image& image, std::span<const PixelRectangle> parts)

@@ -8,7 +8,7 @@
 #include "render/layer/dirty_rectangles.hpp"
 #include "render/layer/projected_sphere.hpp"
 #include "render/layer/scene_painter.hpp"
-#include "render/layer/sphere_ledger.hpp"
+#include "render/layer/sphere_draw_list.hpp"
 #include "render/layer/static_layer.hpp"
 #include "render/overlay/viewpoint.hpp"
 #include "render/passes/surface_pass.hpp"
@@ -53,19 +53,19 @@ public:
     [[nodiscard]] const Legend& legend() const { return viewpoint_.legend(); }
     [[nodiscard]] const std::string& description() const { return description_; }
     /// Of the last picture, in the order in which they were drawn.
-    [[nodiscard]] const SphereLedger& spheres() const { return ledger_; }
+    [[nodiscard]] const SphereDrawList& spheres() const { return drawList_; }
 
 private:
     [[nodiscard]] std::vector<glm::vec2> samplePositions() const;
     void useFraming();
     /// Looks at the object where it is in the snapshot.
     void follow(const Snapshot& snapshot);
-    void renewSurroundings(const SphereLedger::Changes& changes, bool startAgain);
+    void updateSphereOcclusion(const SphereDrawList::Changes& changes, bool startAgain);
     void drawEverything();
-    void updateLayer(const SphereLedger::Changes& changes,
+    void updateLayer(const SphereDrawList::Changes& changes,
                      std::span<const PixelRectangle> polygonParts, bool startAgain);
     void drawOverLayer();
-    void renewMarks();
+    void renewStencil();
 
     Viewpoint viewpoint_;
     std::unique_ptr<Context> context_;
@@ -75,7 +75,7 @@ private:
     ScenePainter painter_;
     std::optional<StaticLayer> layer_;
     SphereProjector projector_;
-    SphereLedger ledger_;
+    SphereDrawList drawList_;
     bool stale_ = true;                   ///< nothing of the picture before can be kept
     DirtyRectangles dirty_;               ///< parts of the picture that differ from the one before
     DirtyRectangles covered_;             ///< parts of the layer that are drawn anew

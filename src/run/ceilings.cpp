@@ -11,7 +11,7 @@ namespace
 {
 
 constexpr double kTrianglesPerCell = 4;
-constexpr int kMostCells = 1024; // along an axis
+constexpr int kMaxCells = 1024; // along an axis
 
 } // namespace
 
@@ -22,7 +22,7 @@ Ceilings::Ceilings(const TriangleMesh& mesh, const Eigen::Vector3d& up)
     ground_[0] = (up_ + 1) % 3;
     ground_[1] = (up_ + 2) % 3;
     const double cells = std::sqrt(static_cast<double>(mesh.triangles.size()) / kTrianglesPerCell);
-    count_ = std::clamp(static_cast<int>(cells), 1, kMostCells);
+    count_ = std::clamp(static_cast<int>(cells), 1, kMaxCells);
 
     // Count, sum up, and put in place.
     const auto forEachCell = [&](std::uint32_t t, auto&& visit)

@@ -14,7 +14,7 @@ namespace frostfill
 namespace
 {
 
-constexpr std::size_t kMostTiles = 12;
+constexpr std::size_t kMaxTiles = 12;
 constexpr int kColumns = 4;
 constexpr int kTileWidth = 480; // [pixel]
 constexpr int kMargin = 24;
@@ -95,7 +95,7 @@ Image makeContactSheet(const ContactSheetRequest& request)
     {
         ground = {255, 255, 255, 255};
     }
-    const auto tiles = static_cast<int>(std::min(kMostTiles, request.count));
+    const auto tiles = static_cast<int>(std::min(kMaxTiles, request.count));
     const int columns = std::clamp(tiles, 1, kColumns);
     const int rows = (tiles + columns - 1) / columns;
     const Crop& crop = request.crop;

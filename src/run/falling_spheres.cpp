@@ -34,7 +34,7 @@ FallingSpheres::FallingSpheres(std::vector<Landing> landings, const TriangleMesh
     pull_ = std::max(2 * highest / (lag * lag), std::numeric_limits<double>::min());
 }
 
-std::size_t FallingSpheres::landedBy(double time) const
+std::size_t FallingSpheres::landedUntil(double time) const
 {
     const auto later = [](double t, const Landing& landing) { return t < landing.time; };
     return static_cast<std::size_t>(
@@ -48,8 +48,8 @@ void FallingSpheres::takeFrom(Snapshot& snapshot, std::size_t real)
 
 std::size_t FallingSpheres::addTo(Snapshot& snapshot, double now) const
 {
-    const std::size_t landed = std::min(landedBy(now), snapshot.centres.size());
-    const std::size_t end = std::max(landed, landedBy(now + lag_));
+    const std::size_t landed = std::min(landedUntil(now), snapshot.centres.size());
+    const std::size_t end = std::max(landed, landedUntil(now + lag_));
     for (std::size_t id = landed; id < snapshot.centres.size(); ++id)
     {
         --snapshot.count(snapshot.states[id]);

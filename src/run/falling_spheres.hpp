@@ -42,7 +42,7 @@ public:
     [[nodiscard]] SphereRecord sphere(std::size_t id) const;
 
 private:
-    [[nodiscard]] std::size_t landedBy(double time) const;
+    [[nodiscard]] std::size_t landedUntil(double time) const;
     void put(Snapshot& snapshot, std::size_t id, double now) const;
 
     std::vector<Landing> landings_;

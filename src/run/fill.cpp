@@ -80,7 +80,7 @@ FillPlan makePlan(const Scene& scene, const LoadedMesh& mesh, const Simulation& 
 }
 
 /// Sums up what the spheres take, as they appear.
-class TakenVolume
+class SphereVolume
 {
 public:
     /// [unit^3]
@@ -113,7 +113,7 @@ End simulate(Simulation& simulation, FrameRecorder* recorder, const FillRequest&
     const std::size_t expected = simulation.expectedSpheres();
     const bool untilFull = !request.scene.spheres.count || request.scene.spheres.untilFull;
     const double capacity = simulation.object().volume;
-    TakenVolume taken;
+    SphereVolume taken;
     if (recorder)
     {
         recorder->record(simulation);
@@ -260,7 +260,7 @@ FillResult fill(const FillRequest& request, const FillObserver& observer)
     {
         observer.planned(makePlan(request.scene, mesh, simulation, frames, result.reach));
     }
-    clock.end("rehearsing");
+    clock.end("estimating");
 
     result.directory = request.directory;
     const End end = simulate(simulation, recorder.get(), request, observer);

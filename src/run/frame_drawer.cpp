@@ -194,7 +194,7 @@ void FrameDrawer::finish()
     drawn_.videoFailure = sideOutputs_.finish();
     drawn_.times = renderer_->times();
     renderer_.reset();
-    lookForSpheres();
+    checkForBlank();
     writer_.finish();
     drawn_.times += writer_.times();
     const auto& encoding = writer_.milliseconds();
@@ -205,7 +205,7 @@ void FrameDrawer::finish()
     }
 }
 
-void FrameDrawer::lookForSpheres()
+void FrameDrawer::checkForBlank()
 {
     if (state_ == nullptr || state_->centres.empty())
     {

@@ -97,7 +97,7 @@ private:
     [[nodiscard]] double cameraAt(std::size_t frame) const;
     [[nodiscard]] bool leavesOut(const PicturePlan::Picture& picture, const PngText& text);
     void render(const Snapshot& state, bool isNew);
-    void lookForSpheres();
+    void checkForBlank();
 
     PaintRequest request_;
     RenderSettings settings_;

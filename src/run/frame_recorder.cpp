@@ -64,7 +64,7 @@ void FrameRecorder::takeNext(const Simulation& simulation)
     const bool draws = painter_ && painter_->wants(next_);
     if (draws || (file_ && !lastOnly_))
     {
-        look(simulation, std::min(timeAt(next_), simulation.time()));
+        observe(simulation, std::min(timeAt(next_), simulation.time()));
     }
     if (draws)
     {
@@ -83,7 +83,7 @@ FramePainter::State FrameRecorder::state()
     return {&snapshots_[newest_], revision_};
 }
 
-void FrameRecorder::look(const Simulation& simulation, double time)
+void FrameRecorder::observe(const Simulation& simulation, double time)
 {
     if (seen_ == simulation.revision() && (!falls_ || over_))
     {
@@ -130,7 +130,7 @@ void FrameRecorder::finish(const Simulation& simulation)
     }
     over_ = true;
     next_ = lastOnly_ ? 0 : next_;
-    look(simulation, simulation.time());
+    observe(simulation, simulation.time());
     if (painter_)
     {
         painter_->finish(next_, state());

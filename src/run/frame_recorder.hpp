@@ -53,7 +53,7 @@ public:
 private:
     [[nodiscard]] double timeAt(std::size_t frame) const;
     void takeNext(const Simulation& simulation);
-    void look(const Simulation& simulation, double time);
+    void observe(const Simulation& simulation, double time);
     void capture(const Simulation& simulation, double time);
     [[nodiscard]] FramePainter::State state();
 

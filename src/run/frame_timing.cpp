@@ -17,7 +17,7 @@ constexpr double kSlowestFall = 3; // [s] of video, through the object, unless a
 constexpr double kMoreThanModel = 1.25;
 // What a picture takes as a PNG: the mean over runs of torus and human at 1280x720.
 constexpr double kBytesPerPixel = 0.33;
-constexpr double kMostFrames = 9e15; // exact and in range
+constexpr double kMaxFrames = 9e15; // exact and in range
 
 /// Pictures that remain of so many frames. The last state is kept whatever its number.
 std::size_t keptOf(std::size_t frames, std::size_t stride, bool last)
@@ -90,7 +90,7 @@ std::size_t heldFrames(const Scene& scene, double path)
     {
         seconds = path > 0 ? path : scene.camera.turntable.value_or(0);
     }
-    return static_cast<std::size_t>(std::min(std::round(seconds * scene.frames.fps), kMostFrames));
+    return static_cast<std::size_t>(std::min(std::round(seconds * scene.frames.fps), kMaxFrames));
 }
 
 FramePlan planFrames(const Scene& scene, const MeshReport& mesh, const RunLength& length,
@@ -112,7 +112,7 @@ FramePlan planFrames(const Scene& scene, const MeshReport& mesh, const RunLength
     else
     {
         const double shown = (length.seconds + plan.timing.lag) / plan.timing.interval;
-        plan.all = static_cast<std::size_t>(std::min(std::floor(shown + 1e-6) + 1, kMostFrames));
+        plan.all = static_cast<std::size_t>(std::min(std::floor(shown + 1e-6) + 1, kMaxFrames));
         selected = selection->hasLast() ? selection->countOf(plan.all) + plan.held
                                         : selection->countOf(plan.all + plan.held);
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "run/rehearsal.hpp"
+#include "run/run_length.hpp"
 #include "scene/frame_selection.hpp"
 
 #include <frostfill/mesh.hpp>

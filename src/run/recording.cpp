@@ -42,9 +42,9 @@ FramePlan planPictures(const Scene& all, const LoadedMesh& mesh, const Simulatio
                        const FillObserver& observer, FrameRecorder* recorder, double path)
 {
     const Scene scene = sceneWithFrames(all);
-    const RunLength length = lengthMatters(scene)
-                                 ? rehearse(scene, mesh.mesh, simulation, observer.stopRequested)
-                                 : RunLength{};
+    const RunLength length = lengthMatters(scene) ? estimateRunLength(scene, mesh.mesh, simulation,
+                                                                      observer.stopRequested)
+                                                  : RunLength{};
     const FramePlan plan = planFrames(scene, mesh.report, length, path);
     if (all.frames.enabled && plan.kept == 0)
     {

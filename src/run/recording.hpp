@@ -22,7 +22,7 @@ namespace frostfill
                                                           const Simulation& simulation,
                                                           const std::optional<CameraPath>& path);
 
-/// Which times become frames. Rehearses the run where that depends on its length, and tells the
+/// Which times become frames. Makes a trial run where they depend on its length, and tells the
 /// recorder, if there is one. `path` [s] is the duration of the camera's. Throws Error usage when
 /// no picture is left of those asked for.
 [[nodiscard]] FramePlan planPictures(const Scene& scene, const LoadedMesh& mesh,

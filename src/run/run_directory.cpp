@@ -100,7 +100,7 @@ RunDirectory::RunDirectory(std::filesystem::path directory, EarlierRun earlier)
     : path_(std::move(directory)), earlier_(earlier), writes_(earlier != EarlierRun::share)
 {
     createDirectory(path_);
-    look();
+    survey();
     if (writes_)
     {
         // Whether files can be written is better known before the simulation than after it.
@@ -108,10 +108,10 @@ RunDirectory::RunDirectory(std::filesystem::path directory, EarlierRun earlier)
     }
 }
 
-RunDirectory::RunDirectory(std::filesystem::path directory, EarlierRun earlier, OnlyLook)
+RunDirectory::RunDirectory(std::filesystem::path directory, EarlierRun earlier, SurveyOnly)
     : path_(std::move(directory)), earlier_(earlier), writes_(false)
 {
-    look();
+    survey();
 }
 
 void RunDirectory::check(const std::filesystem::path& directory, EarlierRun earlier)
@@ -130,25 +130,25 @@ void RunDirectory::check(const std::filesystem::path& directory, EarlierRun earl
     }
     if (std::filesystem::is_directory(directory, none))
     {
-        const RunDirectory looked(directory, earlier, OnlyLook{});
+        const RunDirectory looked(directory, earlier, SurveyOnly{});
     }
 }
 
-void RunDirectory::look()
+void RunDirectory::survey()
 {
     lock();
     try
     {
-        lookAtFiles();
+        surveyFiles();
         for (const char* folder : kFrameFolders)
         {
             if (writes_)
             {
                 restore(path_ / folder);
             }
-            lookAtFrames(path_ / folder);
-            lookAtHalf(path_ / (std::string(folder) + ".part"));
-            lookAtHalf(path_ / (std::string(folder) + ".part.old"));
+            surveyFrames(path_ / folder);
+            surveyUnfinishedThinning(path_ / (std::string(folder) + ".part"));
+            surveyUnfinishedThinning(path_ / (std::string(folder) + ".part.old"));
         }
     }
     catch (const std::filesystem::filesystem_error& error)
@@ -203,7 +203,7 @@ void RunDirectory::lock()
     }
 }
 
-void RunDirectory::lookAtFiles()
+void RunDirectory::surveyFiles()
 {
     for (const KnownFile& known : kFiles)
     {
@@ -231,7 +231,7 @@ void RunDirectory::lookAtFiles()
 
 // Half of the pictures, or all of them, of a run that was killed while it thinned them out. They
 // are links to those in the folder, or these are to them.
-void RunDirectory::lookAtHalf(const std::filesystem::path& folder)
+void RunDirectory::surveyUnfinishedThinning(const std::filesystem::path& folder)
 {
     if (std::filesystem::symlink_status(folder).type() != std::filesystem::file_type::directory)
     {
@@ -248,7 +248,7 @@ void RunDirectory::lookAtHalf(const std::filesystem::path& folder)
     halves_.push_back(folder);
 }
 
-void RunDirectory::lookAtFrames(const std::filesystem::path& folder)
+void RunDirectory::surveyFrames(const std::filesystem::path& folder)
 {
     const std::filesystem::file_status status = std::filesystem::symlink_status(folder);
     if (status.type() == std::filesystem::file_type::not_found)

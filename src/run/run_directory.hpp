@@ -38,15 +38,15 @@ public:
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
 private:
-    struct OnlyLook
+    struct SurveyOnly
     {
     };
-    RunDirectory(std::filesystem::path directory, EarlierRun earlier, OnlyLook);
-    void look();
+    RunDirectory(std::filesystem::path directory, EarlierRun earlier, SurveyOnly);
+    void survey();
     void lock();
-    void lookAtFiles();
-    void lookAtFrames(const std::filesystem::path& folder);
-    void lookAtHalf(const std::filesystem::path& folder);
+    void surveyFiles();
+    void surveyFrames(const std::filesystem::path& folder);
+    void surveyUnfinishedThinning(const std::filesystem::path& folder);
     void takeOver(const std::filesystem::path& file, bool isOurs);
 
     std::filesystem::path path_;

@@ -24,7 +24,7 @@ KeptFrames::KeptFrames(RunFileReader& reader)
 {
 }
 
-std::vector<std::size_t> KeptFrames::oneAMoment(const std::vector<std::size_t>& indices)
+std::vector<std::size_t> KeptFrames::onePerTime(const std::vector<std::size_t>& indices)
 {
     std::vector<std::size_t> chosen;
     double time = 0;
@@ -32,12 +32,12 @@ std::vector<std::size_t> KeptFrames::oneAMoment(const std::vector<std::size_t>& 
     for (const std::size_t index : indices)
     {
         const double now = reader_.seek(index).time;
-        const bool sameMoment = !chosen.empty() && now == time;
-        if (sameMoment && reader_.revision() != revision)
+        const bool sameTime = !chosen.empty() && now == time;
+        if (sameTime && reader_.revision() != revision)
         {
             chosen.back() = index;
         }
-        else if (!sameMoment)
+        else if (!sameTime)
         {
             chosen.push_back(index);
         }

@@ -32,7 +32,7 @@ public:
     /// Of these frames, ascending, one for each moment: the first that shows its last state. Steps
     /// longer than the time between frames make several show one state, and the end of a run may
     /// change states without taking time. Reads all of them.
-    [[nodiscard]] std::vector<std::size_t> oneAMoment(const std::vector<std::size_t>& indices);
+    [[nodiscard]] std::vector<std::size_t> onePerTime(const std::vector<std::size_t>& indices);
 
 private:
     RunFileReader& reader_;

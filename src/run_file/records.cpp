@@ -64,7 +64,7 @@ std::string packRecord(RecordKind kind, std::span<const std::uint32_t> frames,
 std::vector<Record> wholeRecords(std::string_view file)
 {
     std::vector<Record> records;
-    file.remove_prefix(std::min(file.size(), kRunFileMark.size()));
+    file.remove_prefix(std::min(file.size(), kRunFileMagic.size()));
     while (file.size() >= sizeof(RecordHeader))
     {
         Record record;

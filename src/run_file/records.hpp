@@ -12,7 +12,7 @@ namespace frostfill
 {
 
 /// The first bytes of a run file: a name and the version of the format.
-inline constexpr std::string_view kRunFileMark{"frostrun\2\0\0\0", 12};
+inline constexpr std::string_view kRunFileMagic{"frostrun\2\0\0\0", 12};
 inline constexpr std::size_t kRunFileVersionAt = 8; ///< in the mark
 
 enum class RecordKind : std::uint32_t

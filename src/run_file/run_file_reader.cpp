@@ -30,7 +30,7 @@ std::uint64_t newSource()
 
 [[noreturn]] void refuseAsNoRunFile(std::string_view bytes)
 {
-    const std::string_view name = kRunFileMark.substr(0, kRunFileVersionAt);
+    const std::string_view name = kRunFileMagic.substr(0, kRunFileVersionAt);
     if (bytes.size() <= kRunFileVersionAt || !bytes.starts_with(name))
     {
         throw DamagedBytes("is no run file (run.frost)");
@@ -39,7 +39,7 @@ std::uint64_t newSource()
         fmt::format("is a run file of version {}, and this Frostfill reads version {}: fill "
                     "again, or use the Frostfill that wrote it",
                     static_cast<unsigned char>(bytes[kRunFileVersionAt]),
-                    static_cast<unsigned char>(kRunFileMark[kRunFileVersionAt])));
+                    static_cast<unsigned char>(kRunFileMagic[kRunFileVersionAt])));
 }
 
 } // namespace
@@ -68,12 +68,12 @@ struct RunFileReader::Implementation
     void read()
     {
         const std::string_view bytes = mapped.bytes();
-        if (!bytes.starts_with(kRunFileMark))
+        if (!bytes.starts_with(kRunFileMagic))
         {
             refuseAsNoRunFile(bytes);
         }
         std::vector<Record> all = wholeRecords(bytes);
-        whole = kRunFileMark.size();
+        whole = kRunFileMagic.size();
         for (const Record& each : all)
         {
             whole += sizeof each.header + each.bytes.size();

@@ -21,8 +21,8 @@ namespace
 
 /// A record is written once it has so many frames or bytes. Fewer: it packs less well. More: a kill
 /// loses more.
-constexpr std::size_t kFramesInARecord = 32;
-constexpr std::size_t kBytesInARecord = std::size_t{1} << 20;
+constexpr std::size_t kFramesPerRecord = 32;
+constexpr std::size_t kBytesPerRecord = std::size_t{1} << 20;
 
 } // namespace
 
@@ -127,7 +127,7 @@ struct RunFileWriter::Implementation
     void add(std::size_t frame)
     {
         numbers.push_back(static_cast<std::uint32_t>(frame));
-        if (numbers.size() == kFramesInARecord || encoder.bytes() >= kBytesInARecord)
+        if (numbers.size() == kFramesPerRecord || encoder.bytes() >= kBytesPerRecord)
         {
             writeFrames();
         }
@@ -162,7 +162,7 @@ RunFileWriter::RunFileWriter(const std::filesystem::path& file, std::string_view
         numbers.raw(origin[axis]);
     }
     numbers.bytes() += head;
-    const std::string start = std::string(kRunFileMark) +
+    const std::string start = std::string(kRunFileMagic) +
                               packRecord(RecordKind::head, {}, numbers.bytes()) +
                               packRecord(RecordKind::mesh, {}, plyBytes(mesh));
     implementation_->file = file;

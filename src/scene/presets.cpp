@@ -29,7 +29,7 @@ struct Closeness
 };
 /// The first look, which sees too many thin parts, saves most objects the second. Of 26 lattices,
 /// shells and machine parts one with 1.06 took 298 spheres of 300.
-constexpr Closeness kLooks[] = {{100, 1.04}, {1000, 1.08}};
+constexpr Closeness kThicknessLevels[] = {{100, 1.04}, {1000, 1.08}};
 
 struct PaperObject
 {
@@ -135,10 +135,10 @@ double sphereRadius(const Scene& scene, const MeshReport& report, const Triangle
     }
     const auto count = static_cast<double>(*scene.spheres.count);
     double radius = compact;
-    for (const Closeness& look : kLooks)
+    for (const Closeness& level : kThicknessLevels)
     {
-        const ThickParts parts(report, mesh, look.samples);
-        if (parts.count(compact) >= look.enough * count)
+        const ThickParts parts(report, mesh, level.samples);
+        if (parts.count(compact) >= level.enough * count)
         {
             return compact;
         }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "base/processor_time.hpp"
-#include "run/rehearsal.hpp"
+#include "run/run_length.hpp"
 
 #include <frostfill/plan.hpp>
 #include <frostfill/plan_fill.hpp>
@@ -25,7 +25,7 @@ constexpr double kTried = 2000;
 /// The larger model has this many times as many spheres as the smaller one.
 constexpr double kApart = 4;
 /// Time goes with the number of spheres to a power between these.
-constexpr double kLeastPower = 0.9;
+constexpr double kMinPower = 0.9;
 constexpr double kLargestPower = 1.7;
 /// Pictures of a trial. More: plans take longer.
 constexpr std::size_t kPictures = 24;
@@ -141,7 +141,7 @@ Cost costOf(const Scene& scene)
         const Trial less = tryRun(modelOf(scene, simulation, factor * std::cbrt(kApart)));
         const double power = std::log(trial.seconds / less.seconds) /
                              std::log(std::max(1.1, trial.spheres / less.spheres));
-        seconds *= std::pow(spheres / trial.spheres, std::clamp(power, kLeastPower, kLargestPower));
+        seconds *= std::pow(spheres / trial.spheres, std::clamp(power, kMinPower, kLargestPower));
     }
     Cost cost;
     const auto pictures = static_cast<double>(plan.frames);

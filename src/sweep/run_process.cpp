@@ -96,8 +96,8 @@ std::string readAll(int pipe, pid_t child, const std::function<bool()>& stopRequ
             kill(child, SIGTERM);
             told = true;
         }
-        pollfd look = {pipe, POLLIN, 0};
-        if (poll(&look, 1, kPatience) <= 0)
+        pollfd request = {pipe, POLLIN, 0};
+        if (poll(&request, 1, kPatience) <= 0)
         {
             continue;
         }

@@ -134,21 +134,21 @@ bool isComplete(const Scene& scene, const std::string& runHash, const std::files
            hasItsFiles(summary, scene, folder);
 }
 
-Remains remainsIn(const Scene& scene, const std::string& runHash,
-                  const std::filesystem::path& folder)
+FolderContent contentOf(const Scene& scene, const std::string& runHash,
+                        const std::filesystem::path& folder)
 {
     std::error_code none;
     const Json summary = summaryIn(folder);
     if (summary.is_object() && !isOf(summary, scene, runHash))
     {
-        return Remains::other;
+        return FolderContent::other;
     }
     if (!std::filesystem::exists(folder / kRunFile, none))
     {
-        return summary.is_object() ? Remains::partial : Remains::nothing;
+        return summary.is_object() ? FolderContent::partial : FolderContent::nothing;
     }
     const auto same = isRunFileOf(folder / kRunFile, scene, runHash);
-    return !same ? Remains::partial : *same ? Remains::resumable : Remains::other;
+    return !same ? FolderContent::partial : *same ? FolderContent::resumable : FolderContent::other;
 }
 
 RunReport lookAt(const Scene& scene, const std::string& runHash,
@@ -175,7 +175,7 @@ RunReport lookAt(const Scene& scene, const std::string& runHash,
         }
     }
     return {RunStatus::missing, 0,
-            remainsIn(scene, runHash, folder) == Remains::other
+            contentOf(scene, runHash, folder) == FolderContent::other
                 ? fmt::format("{} holds another run", folder.string())
                 : ""};
 }

@@ -29,15 +29,15 @@ private:
                               const std::filesystem::path& folder);
 
 /// What a folder holds in place of a complete run.
-enum class Remains
+enum class FolderContent
 {
     nothing,   ///< or what is not worth keeping
     resumable, ///< this run, which can be resumed
     partial,   ///< this run, without a file to resume it from
     other,     ///< another run
 };
-[[nodiscard]] Remains remainsIn(const Scene& scene, const std::string& runHash,
-                                const std::filesystem::path& folder);
+[[nodiscard]] FolderContent contentOf(const Scene& scene, const std::string& runHash,
+                                      const std::filesystem::path& folder);
 
 /// What is known of a run from its folder.
 [[nodiscard]] RunReport lookAt(const Scene& scene, const std::string& runHash,

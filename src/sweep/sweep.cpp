@@ -21,15 +21,15 @@ FillRequest fillRequest(const SweepRequest& sweep, const SweepRun& run, const st
     FillRequest request;
     request.scene = run.scene;
     request.directory = sweep.directory / run.name;
-    const Remains remains = remainsIn(run.scene, runHash, request.directory);
-    if (remains == Remains::other && !sweep.overwrite)
+    const FolderContent content = contentOf(run.scene, runHash, request.directory);
+    if (content == FolderContent::other && !sweep.overwrite)
     {
         throw Error(ErrorCode::cannotCreate,
                     fmt::format("{} holds another run; give --overwrite to replace it, or another "
                                 "directory with --out",
                                 request.directory.string()));
     }
-    request.resume = remains == Remains::resumable;
+    request.resume = content == FolderContent::resumable;
     request.overwrite = !request.resume;
     return request;
 }
@@ -156,7 +156,7 @@ std::vector<RunReport> runSweep(const SweepRequest& request, const SweepObserver
     return reports;
 }
 
-std::vector<RunReport> lookAtSweep(const SweepRequest& request)
+std::vector<RunReport> inspectSweep(const SweepRequest& request)
 {
     RunHashes hashes;
     std::vector<RunReport> reports;

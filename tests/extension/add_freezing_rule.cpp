@@ -23,7 +23,7 @@ public:
             }
         }
     }
-    [[nodiscard]] bool letsMoreAppear(const SetProgress& set) const override
+    [[nodiscard]] bool allowsRelease(const SetProgress& set) const override
     {
         return set.running == 0;
     }

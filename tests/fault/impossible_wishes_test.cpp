@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the program is asked for cannot be: names, sizes, views, values. Rows F16, F19 and F21 of
 // docs/reliability.md.
-#include "fault/surroundings.hpp"
+#include "fault/environment.hpp"
 
 #include <unistd.h>
 
@@ -15,14 +15,14 @@ namespace
 {
 
 using test::Answer;
+using test::Environment;
 using test::kLong;
 using test::kSmall;
-using test::Surroundings;
 using test::writeFile;
 namespace fs = std::filesystem;
 
 // Each of these would simulate for minutes if it began.
-TEST_F(Surroundings, NamesThatCannotBeWrittenAreRefusedBeforeTheSimulation)
+TEST_F(Environment, NamesThatCannotBeWrittenAreRefusedBeforeTheSimulation)
 {
     fs::create_directories(folder_ / "b/frames/frame_00000.png");
     writeFile(folder_ / "c", "a file");
@@ -40,7 +40,7 @@ TEST_F(Surroundings, NamesThatCannotBeWrittenAreRefusedBeforeTheSimulation)
     }
 }
 
-TEST_F(Surroundings, SizesThatCannotBeDrawnAreRefusedAndTheSmallestIsDrawn)
+TEST_F(Environment, SizesThatCannotBeDrawnAreRefusedAndTheSmallestIsDrawn)
 {
     for (const char* size : {"20000x20000", "0x0", "-5x5", "-5", "16385x1", "1e3x1e3"})
     {
@@ -59,7 +59,7 @@ TEST_F(Surroundings, SizesThatCannotBeDrawnAreRefusedAndTheSmallestIsDrawn)
     }
 }
 
-TEST_F(Surroundings, PicturesThatShowNothingAreTold)
+TEST_F(Environment, PicturesThatShowNothingAreTold)
 {
     for (const char* view : {"--target 1e6,0,0", "--azimuth 0 --target 0,0,50 --distance 1"})
     {
@@ -72,7 +72,7 @@ TEST_F(Surroundings, PicturesThatShowNothingAreTold)
     EXPECT_EQ(run(kSmall + "--quiet --overwrite --out a --distance 0.01").code, 0);
 }
 
-TEST_F(Surroundings, ValuesBeyondTheirRangeAreRefusedBeforeTheSimulation)
+TEST_F(Environment, ValuesBeyondTheirRangeAreRefusedBeforeTheSimulation)
 {
     for (const char* option : {"--slow-motion 1e9",
                                "--slow-motion 1e-300",

@@ -16,7 +16,7 @@ namespace
 constexpr std::array kNames = {"fuzzed.obj", "fuzzed.off",  "fuzzed.ply", "fuzzed.stl",
                                "fuzzed.glb", "fuzzed.gltf", "fuzzed"};
 // Some steps of the repair take quadratic time on purpose. Small meshes find what large ones find.
-constexpr std::size_t kMostTriangles = 3000;
+constexpr std::size_t kMaxTriangles = 3000;
 
 void require(bool condition)
 {
@@ -45,7 +45,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                 require(corner < mesh.vertices.size());
             }
         }
-        if (mesh.triangles.size() > kMostTriangles)
+        if (mesh.triangles.size() > kMaxTriangles)
         {
             return 0;
         }

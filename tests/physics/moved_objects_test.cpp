@@ -18,7 +18,7 @@ namespace
 
 /// A movement costs at most so many times what the filling does [1], by fall also where the scene
 /// skips the falls: nothing can be skipped while the object moves.
-constexpr double kMostWork = 10;
+constexpr double kMaxWork = 10;
 
 /// Random numbers of one scene, in their order.
 class Draws
@@ -91,7 +91,7 @@ void expectToEndSoon(std::uint64_t first, std::uint64_t scenes)
         still.motion.mode = Motion::fall;
         bool ended = false;
         const double filling = workOf(still, 1e12, ended);
-        const double moving = workOf(moved, kMostWork * filling, ended);
+        const double moving = workOf(moved, kMaxWork * filling, ended);
         EXPECT_TRUE(ended) << "scene " << number << ": " << moved.object.mesh << ", "
                            << *moved.spheres.count << " spheres, tilt " << moved.move.tilt
                            << ", turn " << moved.move.turn << ", shake " << moved.move.shake

@@ -125,7 +125,7 @@ TEST(Stress, SpheresReleasedInOnePlaceEndApartAndGainNothing)
 
 TEST(Stress, ACrowdReleasedOverlappingIsTakenApartBeforeItMoves)
 {
-    std::vector<PlacedSphere> crowd;
+    std::vector<PlacedSphere> paired;
     for (std::uint64_t k = 0; k < 40; ++k)
     {
         Eigen::Vector3d p;
@@ -133,9 +133,9 @@ TEST(Stress, ACrowdReleasedOverlappingIsTakenApartBeforeItMoves)
         {
             p[axis] = 3 * (2 * uniformRandom(5, k, static_cast<std::uint64_t>(axis)) - 1);
         }
-        crowd.push_back({p, 1});
+        paired.push_back({p, 1});
     }
-    Released released(Preset::fast, crowd);
+    Released released(Preset::fast, paired);
     EXPECT_LE(examine(released.world).maxOverlap, 1e-6);
     released.run();
     const QualityReport quality = examine(released.world);

@@ -115,8 +115,8 @@ int JsonProgress::endWith(const std::function<int()>& work)
 {
     if (wanted())
     {
-        setLastWords(descriptor_, endLine(static_cast<int>(ErrorCode::stoppedEarly),
-                                          "stopped before the run began; nothing was written"));
+        setExitLine(descriptor_, endLine(static_cast<int>(ErrorCode::stoppedEarly),
+                                         "stopped before the run began; nothing was written"));
     }
     try
     {

@@ -80,7 +80,7 @@ void catchStopSignals()
     }
 }
 
-void setLastWords(int descriptor, const std::string& line)
+void setExitLine(int descriptor, const std::string& line)
 {
     lastWords = line;
     lastWordsTo = descriptor;

@@ -11,7 +11,7 @@ namespace frostfill
 void catchStopSignals();
 
 /// Also writes this line to a descriptor when a signal ends the process before runHasBegun().
-void setLastWords(int descriptor, const std::string& line);
+void setExitLine(int descriptor, const std::string& line);
 
 /// From now on there is something that a stop could lose.
 void runHasBegun();

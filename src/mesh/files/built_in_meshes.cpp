@@ -65,7 +65,7 @@ TriangleMesh builtInMesh(std::string_view name)
 LoadedMesh loadMesh(const std::string& nameOrFile, const LoadMeshOptions& options)
 {
     return repairMesh(isBuiltInMesh(nameOrFile) ? builtInMesh(nameOrFile)
-                                                : readMeshInCage(nameOrFile),
+                                                : readMeshSandboxed(nameOrFile),
                       nameOrFile, options);
 }
 

@@ -14,13 +14,13 @@ namespace
 
 constexpr std::size_t kLooksAhead = 512; // [byte] for what no text holds
 
-struct Stranger
+struct ForeignFormat
 {
     std::string_view begin; ///< of the file
     std::string_view name;
 };
 
-constexpr std::array<Stranger, 14> kStrangers = {{
+constexpr std::array<ForeignFormat, 14> kForeignFormats = {{
     {"PK\x03\x04", "a ZIP archive, as 3MF files are"},
     {"\x1f\x8b", "compressed (gzip)"},
     {"Kaydara FBX Binary", "an FBX file"},
@@ -112,9 +112,9 @@ FileKind kindOf(std::string_view bytes, std::string_view ending)
         return *byContent;
     }
     const auto* const stranger =
-        std::find_if(kStrangers.begin(), kStrangers.end(),
-                     [&](const Stranger& other) { return bytes.starts_with(other.begin); });
-    if (stranger != kStrangers.end())
+        std::find_if(kForeignFormats.begin(), kForeignFormats.end(),
+                     [&](const ForeignFormat& other) { return bytes.starts_with(other.begin); });
+    if (stranger != kForeignFormats.end())
     {
         throw Unreadable(fmt::format("it is {}; convert the mesh to OBJ, STL, PLY, OFF or glTF",
                                      stranger->name));

@@ -84,7 +84,7 @@ double PolygonCutter::turnAt(const Corner& corner) const
 }
 
 /// Looks anew whether a corner is reflex.
-void PolygonCutter::look(std::uint32_t at)
+void PolygonCutter::updateReflex(std::uint32_t at)
 {
     Corner& corner = ring_[at];
     reflex_ -= corner.isReflex ? 1 : 0;
@@ -141,8 +141,8 @@ void PolygonCutter::remove(std::uint32_t at)
     ring_[gone.next].previous = gone.previous;
     reflex_ -= gone.isReflex ? 1 : 0;
     --left_;
-    look(gone.previous);
-    look(gone.next);
+    updateReflex(gone.previous);
+    updateReflex(gone.next);
 }
 
 bool PolygonCutter::cut(std::span<const std::uint32_t> corners,
@@ -163,7 +163,7 @@ bool PolygonCutter::cut(std::span<const std::uint32_t> corners,
     reflex_ = 0;
     for (std::uint32_t i = 0; i < corners.size(); ++i)
     {
-        look(i);
+        updateReflex(i);
     }
     std::uint32_t at = 0;
     std::size_t misses = 0;

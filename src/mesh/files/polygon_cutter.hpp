@@ -35,7 +35,7 @@ private:
     void layOut(std::span<const std::uint32_t> corners);
     [[nodiscard]] bool isFan() const;
     [[nodiscard]] double turnAt(const Corner& corner) const;
-    void look(std::uint32_t at);
+    void updateReflex(std::uint32_t at);
     [[nodiscard]] bool isEar(std::uint32_t at, int leniency);
     [[nodiscard]] bool blocks(const Corner& corner, const Corner& tip, bool onlyInside) const;
     void remove(std::uint32_t at);

@@ -3,7 +3,7 @@
 #include "mesh/files/parse_mesh.hpp"
 #include "mesh/files/readers.hpp"
 #include "mesh/files/text_scanner.hpp"
-#include "mesh/repair/find_nonsense.hpp"
+#include "mesh/repair/find_invalid_data.hpp"
 #include "mesh/repair/weld.hpp"
 
 #include <frostfill/error.hpp>
@@ -84,9 +84,9 @@ TriangleMesh parseMesh(std::string bytes, const std::filesystem::path& file)
     try
     {
         TriangleMesh mesh = parse(bytes, kindOf(bytes, endingOf(file)), file);
-        if (const auto nonsense = findNonsense(mesh))
+        if (const auto fault = findInvalidData(mesh))
         {
-            throw Unreadable(*nonsense + "; export the mesh again");
+            throw Unreadable(*fault + "; export the mesh again");
         }
         weldEqualVertices(mesh);
         return mesh;

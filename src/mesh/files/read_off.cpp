@@ -9,8 +9,8 @@ namespace
 {
 
 // What a vertex and a face take at least: "0 0 0\n" and "0\n". [byte]
-constexpr std::uint64_t kLeastVertex = 6;
-constexpr std::uint64_t kLeastFace = 2;
+constexpr std::uint64_t kMinVertex = 6;
+constexpr std::uint64_t kMinFace = 2;
 
 struct Counts
 {
@@ -76,11 +76,11 @@ Counts readHead(TextScanner& scanner)
     counts.vertices = takeCount(scanner, skipKeyword(scanner));
     counts.faces = takeCount(scanner, scanner.wordAnywhere());
     const std::uint64_t left = scanner.bytesLeft() + 1; // the last line may lack its end
-    if (counts.vertices > left / kLeastVertex)
+    if (counts.vertices > left / kMinVertex)
     {
         refuseCount(scanner.place(), counts.vertices, "vertices", left - 1);
     }
-    if (counts.faces > (left - kLeastVertex * counts.vertices) / kLeastFace)
+    if (counts.faces > (left - kMinVertex * counts.vertices) / kMinFace)
     {
         refuseCount(scanner.place(), counts.faces, "faces", left - 1);
     }

@@ -42,13 +42,13 @@ std::optional<Eigen::Vector3d> NearestPoint::find(const Eigen::Vector3d& p, doub
     Found found{within * within, std::nullopt};
     if (!boxes_.empty() && boxes_[0].squaredExteriorDistance(p) < found.square)
     {
-        look(0, p, found);
+        searchNode(0, p, found);
     }
     return found.point;
 }
 
 // The nearer child first: the other one is then mostly too far away.
-void NearestPoint::look(std::size_t node, const Eigen::Vector3d& p, Found& found) const
+void NearestPoint::searchNode(std::size_t node, const Eigen::Vector3d& p, Found& found) const
 {
     if (tree_.isLeaf(node))
     {
@@ -79,7 +79,7 @@ void NearestPoint::look(std::size_t node, const Eigen::Vector3d& p, Found& found
     {
         if (square[k] < found.square)
         {
-            look(child[k], p, found);
+            searchNode(child[k], p, found);
         }
     }
 }

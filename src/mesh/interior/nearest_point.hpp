@@ -26,7 +26,7 @@ private:
         double square; ///< [unit^2] of the distance
         std::optional<Eigen::Vector3d> point;
     };
-    void look(std::size_t node, const Eigen::Vector3d& p, Found& found) const;
+    void searchNode(std::size_t node, const Eigen::Vector3d& p, Found& found) const;
 
     const TriangleMesh* mesh_;
     TriangleTree tree_;

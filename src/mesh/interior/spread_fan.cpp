@@ -10,7 +10,7 @@ namespace frostfill
 namespace
 {
 
-constexpr std::size_t kMost = 16; // triangles; beyond, all against all costs more than a sweep
+constexpr std::size_t kMax = 16; // triangles; beyond, all against all costs more than a sweep
 
 /// [1] Share of the product of the lengths by which a determinant must differ from 0. Larger: more
 /// fans are tested pair by pair. Below some 10 roundings of 1e-16: a fold is taken for a fan.
@@ -57,11 +57,11 @@ bool areClosed(std::span<const Wedge> wedges)
 bool isSpreadFan(const TriangleMesh& mesh, std::uint32_t vertex,
                  std::span<const std::uint32_t> triangles)
 {
-    if (triangles.empty() || triangles.size() > kMost)
+    if (triangles.empty() || triangles.size() > kMax)
     {
         return false;
     }
-    std::array<Wedge, kMost> all;
+    std::array<Wedge, kMax> all;
     Eigen::Vector3d axis = Eigen::Vector3d::Zero();
     for (std::size_t i = 0; i < triangles.size(); ++i)
     {

@@ -187,7 +187,7 @@ SignedDistance nearestDistance(const Surface& surface, const Eigen::Vector3d& p,
     };
     std::vector<Candidate> candidates;
     double limit = beyond(distance);
-    surface.tree().forEachNear(p, limit,
+    surface.tree().forEachNear(Eigen::AlignedBox3d(p), limit,
                                [&](std::span<const std::uint32_t> ids)
                                {
                                    for (const std::uint32_t id : ids)

@@ -17,11 +17,11 @@ namespace
 /// pass for thicker. Smaller: rounding keeps a ball shrinking.
 constexpr double kDepth = 1e-6;
 /// Balls that a sample tries at most; seven are the rule.
-constexpr int kMostBalls = 60;
+constexpr int kMaxBalls = 60;
 /// Growth of the first ball from the last place's, and until it meets the surface again [1].
 constexpr double kGrowth = 3;
 /// What the first ball is at least. [largest ball]
-constexpr double kLeastGuess = 1e-3;
+constexpr double kMinGuess = 1e-3;
 /// A ball covers what is at most so far outside of it. [its radius] Smaller: the facets of a coarse
 /// round wall pass for thin parts, for a ball that touches one near its edge is small. Larger: thin
 /// parts beside thick ones pass for thick.
@@ -100,7 +100,7 @@ public:
         {
             radius = std::min(largest_, kGrowth * radius);
         }
-        for (int k = 0; deepest && k < kMostBalls; ++k)
+        for (int k = 0; deepest && k < kMaxBalls; ++k)
         {
             const Eigen::Vector3d chord = *deepest - p;
             const double height = chord.dot(inward);
@@ -110,7 +110,7 @@ public:
                          : 0;
             deepest = deepestIn(p + radius * inward, radius);
         }
-        guess_ = std::max(radius, largest_ * kLeastGuess);
+        guess_ = std::max(radius, largest_ * kMinGuess);
         return {p + radius * inward, radius};
     }
 

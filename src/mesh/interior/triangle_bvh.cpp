@@ -101,7 +101,7 @@ void TriangleBvh::findNear(const Eigen::Vector3d& p, double distance,
                            std::vector<std::uint32_t>& found) const
 {
     found.clear();
-    forEachNear(p, distance,
+    forEachNear(Eigen::AlignedBox3d(p), distance,
                 [&](std::span<const std::uint32_t> triangles)
                 {
                     found.insert(found.end(), triangles.begin(), triangles.end());

@@ -22,9 +22,9 @@ public:
     explicit TriangleBvh(const TriangleMesh& mesh);
 
     /// Calls `limit = visit(triangles)` with the triangles of each leaf whose box may be within
-    /// `limit` of p, a distance [unit]; what seems nearest first.
+    /// `limit` of a box, a distance [unit]; what seems nearest first.
     template <class Visit>
-    void forEachNear(const Eigen::Vector3d& p, double limit, Visit&& visit) const;
+    void forEachNear(const Eigen::AlignedBox3d& box, double limit, Visit&& visit) const;
 
     /// The triangles whose leaf's box comes within `distance` of p, ascending, in place of what
     /// `found` had.
@@ -56,7 +56,7 @@ private:
     };
 
     using Squares = std::array<double, kWidth>;
-    [[nodiscard]] static Squares squaresTo(const Node& node, const Eigen::Vector3d& p);
+    [[nodiscard]] static Squares squaresTo(const Node& node, const Eigen::AlignedBox3d& box);
     /// Finite, so that what is not there is beyond it.
     [[nodiscard]] static double squareOf(double limit)
     {
@@ -69,16 +69,17 @@ private:
     std::vector<std::uint32_t> order_;
 };
 
-inline TriangleBvh::Squares TriangleBvh::squaresTo(const Node& node, const Eigen::Vector3d& p)
+inline TriangleBvh::Squares TriangleBvh::squaresTo(const Node& node, const Eigen::AlignedBox3d& box)
 {
     Squares squares{};
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-        const double at = p[static_cast<Eigen::Index>(axis)];
+        const double low = box.min()[static_cast<Eigen::Index>(axis)];
+        const double high = box.max()[static_cast<Eigen::Index>(axis)];
         for (std::size_t k = 0; k < kWidth; ++k)
         {
-            const double below = node.low[axis][k] - at;
-            const double above = at - node.high[axis][k];
+            const double below = node.low[axis][k] - high;
+            const double above = low - node.high[axis][k];
             const double apart = below > above ? below : above;
             squares[k] += apart > 0 ? apart * apart : 0;
         }
@@ -87,7 +88,7 @@ inline TriangleBvh::Squares TriangleBvh::squaresTo(const Node& node, const Eigen
 }
 
 template <class Visit>
-void TriangleBvh::forEachNear(const Eigen::Vector3d& p, double limit, Visit&& visit) const
+void TriangleBvh::forEachNear(const Eigen::AlignedBox3d& box, double limit, Visit&& visit) const
 {
     std::array<Pending, kDeepest> pending;
     std::size_t count = 0;
@@ -110,7 +111,7 @@ void TriangleBvh::forEachNear(const Eigen::Vector3d& p, double limit, Visit&& vi
             continue;
         }
         const Node& node = nodes_[next.child.first];
-        const Squares squares = squaresTo(node, p);
+        const Squares squares = squaresTo(node, box);
         const std::size_t begin = count;
         for (std::size_t k = 0; k < kWidth; ++k)
         {

@@ -15,7 +15,7 @@ namespace
 /// Columns for each triangle, and at most in each direction. Larger: fewer triangles a column, and
 /// memory where triangles are large.
 constexpr double kColumnsPerTriangle = 0.5;
-constexpr double kMostColumns = 512;
+constexpr double kMaxColumns = 512;
 
 /// orient2d for a ray that passes by p as if moved by an infinitely small (e, e^2), so that it
 /// meets no corner and no edge [Edelsbrunner & Muecke 1990].
@@ -47,7 +47,7 @@ WindingColumns::WindingColumns(const TriangleMesh& mesh) : mesh_(&mesh), box_(bo
     across_ = {(along + 1) % 3, (along + 2) % 3};
     const double columns =
         std::sqrt(kColumnsPerTriangle * static_cast<double>(mesh.triangles.size()));
-    count_.fill(static_cast<int>(std::clamp(columns, 1.0, kMostColumns)));
+    count_.fill(static_cast<int>(std::clamp(columns, 1.0, kMaxColumns)));
 
     // Count, sum up the ends of the columns, and fill each from its end.
     starts_.assign(static_cast<std::size_t>(count_[0]) * static_cast<std::size_t>(count_[1]) + 1,

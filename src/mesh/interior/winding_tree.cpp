@@ -21,7 +21,7 @@ constexpr double kFar = 2.5;
 
 /// [unit^2] Smallest squared distance of a dipole. Smaller: its third power underflows, and the
 /// quotient is no number.
-constexpr double kLeastSquare = 1e-180;
+constexpr double kMinSquare = 1e-180;
 
 constexpr std::uint32_t kWindingLeafSize = 8; // triangles
 
@@ -64,7 +64,7 @@ WindingTree::Dipole WindingTree::dipoleOf(const TriangleTree::Node& node) const
                 std::max(squaredRadius, (mesh_->vertices[corner] - dipole.centre).squaredNorm());
         }
     }
-    dipole.farSquared = std::max(kFar * kFar * squaredRadius, kLeastSquare);
+    dipole.farSquared = std::max(kFar * kFar * squaredRadius, kMinSquare);
     return dipole;
 }
 

@@ -11,7 +11,7 @@ namespace frostfill
 namespace
 {
 
-constexpr int kMostPasses = 20;       // a chain of flat triangles takes one for each triangle
+constexpr int kMaxPasses = 20;        // a chain of flat triangles takes one for each triangle
 constexpr double kTinyEdge = 1e-9;    // [1] of the longest edge: two corners are really one
 constexpr Triangle kGone = {0, 0, 0}; // repeats a corner
 
@@ -183,7 +183,7 @@ void cancelWalls(SingleTriangles& single)
 std::size_t dropFlatTriangles(TriangleMesh& mesh)
 {
     const std::size_t before = countFlat(mesh);
-    for (int pass = 0; pass < kMostPasses; ++pass)
+    for (int pass = 0; pass < kMaxPasses; ++pass)
     {
         eraseGone(mesh);
         const EdgeTable edges(mesh);

@@ -28,7 +28,7 @@ std::vector<Hole> closeHoles(TriangleMesh& mesh)
         hole.ofSheet = sheets.has(edges.find(rim[0], rim[1])[0].triangle);
         hole.edges = rim.size();
         hole.middle = middleOf(mesh, rim);
-        if (rim.size() <= kMostEdgesOfLeastLid)
+        if (rim.size() <= kMaxEdgesOfLeastLid)
         {
             const std::vector<Triangle> lid = leastLid(mesh, edges, rim);
             for (const Triangle& t : lid)

@@ -15,7 +15,7 @@ namespace
 
 /// [1] of the surface that may be removed as a part that encloses nothing. Larger: the object
 /// itself goes, and what lies within it is filled.
-constexpr double kLeastPart = 1.0 / 3;
+constexpr double kMinPart = 1.0 / 3;
 
 using Flags = std::vector<bool>; ///< [#T]
 
@@ -27,7 +27,7 @@ std::size_t remove(TriangleMesh& mesh, const Flags& flags)
     {
         removed += flags[i] ? areaOf(mesh, mesh.triangles[i]) : 0;
     }
-    if (!(removed < kLeastPart * surfaceArea(mesh)))
+    if (!(removed < kMinPart * surfaceArea(mesh)))
     {
         return 0;
     }

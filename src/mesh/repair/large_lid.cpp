@@ -11,7 +11,7 @@ namespace
 {
 
 /// Longer rims get a fan: cutting ears takes seconds.
-constexpr std::size_t kMostClippedEdges = 20000;
+constexpr std::size_t kMaxClippedEdges = 20000;
 
 /// Twice the area vector of a closed path.
 Eigen::Vector3d normalOf(const TriangleMesh& mesh, const Rim& rim)
@@ -232,11 +232,11 @@ std::vector<Triangle> fanLid(TriangleMesh& mesh, const Rim& rim)
 std::vector<Triangle> largeLid(TriangleMesh& mesh, const EdgeTable& edges, const Rim& rim)
 {
     std::vector<Triangle> lid;
-    if (rim.size() <= kMostEdgesOfLeastLid)
+    if (rim.size() <= kMaxEdgesOfLeastLid)
     {
         lid = leastLid(mesh, edges, rim);
     }
-    if (lid.empty() && rim.size() <= kMostClippedEdges)
+    if (lid.empty() && rim.size() <= kMaxClippedEdges)
     {
         lid = clippedLid(mesh, edges, rim);
     }

@@ -143,7 +143,7 @@ void measure(Patch& patch, const TriangleMesh& mesh)
         add(mesh.triangles[triangle]);
     }
     std::for_each(patch.lids.begin(), patch.lids.end(), add);
-    patch.isSheet = !patch.lids.empty() && enclosesNothing(patch.volume, surface, box);
+    patch.isSheet = !patch.lids.empty() && isEnvelope(patch.volume, surface, box);
 }
 
 std::vector<Patch> patchesWithLids(TriangleMesh& mesh)

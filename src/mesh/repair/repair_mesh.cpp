@@ -3,7 +3,7 @@
 #include "mesh/repair/advice.hpp"
 #include "mesh/repair/clean_mesh.hpp"
 #include "mesh/repair/close_holes.hpp"
-#include "mesh/repair/find_nonsense.hpp"
+#include "mesh/repair/find_invalid_data.hpp"
 #include "mesh/repair/fins.hpp"
 #include "mesh/repair/openings.hpp"
 #include "mesh/repair/orient_mesh.hpp"
@@ -25,7 +25,7 @@ namespace frostfill
 namespace
 {
 
-constexpr std::size_t kMostHolesListed = 10;
+constexpr std::size_t kMaxHolesListed = 10;
 
 /// Coordinates for a message; rounding errors are shown as 0.
 std::string place(Eigen::Vector3d p)
@@ -51,9 +51,9 @@ void refuseNonsense(const TriangleMesh& mesh, std::string_view name)
     {
         refuse(name, "it has no triangles");
     }
-    if (const auto nonsense = findNonsense(mesh))
+    if (const auto fault = findInvalidData(mesh))
     {
-        refuse(name, *nonsense + "; export the mesh again");
+        refuse(name, *fault + "; export the mesh again");
     }
 }
 
@@ -96,16 +96,15 @@ Hole closeAndReport(TriangleMesh& mesh, std::vector<std::string>& repairs)
         {
             largestLeft = hole.edges > largestLeft.edges ? hole : largestLeft;
         }
-        else if (++closed <= kMostHolesListed)
+        else if (++closed <= kMaxHolesListed)
         {
             repairs.push_back(
                 fmt::format("closed a hole of {} edges near {}", hole.edges, place(hole.middle)));
         }
     }
-    if (closed > kMostHolesListed)
+    if (closed > kMaxHolesListed)
     {
-        repairs.push_back(
-            fmt::format("closed {} more", counted(closed - kMostHolesListed, "hole")));
+        repairs.push_back(fmt::format("closed {} more", counted(closed - kMaxHolesListed, "hole")));
     }
     return largestLeft;
 }
@@ -131,7 +130,7 @@ void lidAndReport(TriangleMesh& mesh, std::vector<std::string>& repairs)
                         counted(closed.turnedPatches, "patch") +
                             (closed.turnedPatches == 1 ? " that was" : "es that were")));
     }
-    for (std::size_t i = 0; i < std::min(closed.lids.size(), kMostHolesListed); ++i)
+    for (std::size_t i = 0; i < std::min(closed.lids.size(), kMaxHolesListed); ++i)
     {
         const LidReport& lid = closed.lids[i];
         repairs.push_back(fmt::format("put a lid on an opening of {} edges near {}: area {:.4g}, "
@@ -139,10 +138,10 @@ void lidAndReport(TriangleMesh& mesh, std::vector<std::string>& repairs)
                                       lid.edges, place(lid.middle), lid.area,
                                       100 * lid.area / surface));
     }
-    if (closed.lids.size() > kMostHolesListed)
+    if (closed.lids.size() > kMaxHolesListed)
     {
         repairs.push_back(fmt::format("put lids on {} more",
-                                      counted(closed.lids.size() - kMostHolesListed, "opening")));
+                                      counted(closed.lids.size() - kMaxHolesListed, "opening")));
     }
 }
 
@@ -280,7 +279,7 @@ LoadedMesh repairMesh(TriangleMesh mesh, std::string_view name, const LoadMeshOp
         {
             mend(mesh, isOpen, true, name, result.repairs);
         }
-        putSkinAround(mesh, *options.wrap, name, result.repairs);
+        wrapMesh(mesh, *options.wrap, name, result.repairs);
     }
     const bool isAsRead = !options.wrap && !options.lid && isSound(result.asRead);
     const Hole largestLeft =

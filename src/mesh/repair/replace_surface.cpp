@@ -27,8 +27,8 @@ double automaticAlpha(const TriangleMesh& mesh)
     return boundingBox(mesh).diagonal().norm() / 50;
 }
 
-void putSkinAround(TriangleMesh& mesh, double alpha, std::string_view name,
-                   std::vector<std::string>& repairs)
+void wrapMesh(TriangleMesh& mesh, double alpha, std::string_view name,
+              std::vector<std::string>& repairs)
 {
     alpha = alpha > 0 ? alpha : automaticAlpha(mesh);
     const double offset = kOffsetOverAlpha * alpha;

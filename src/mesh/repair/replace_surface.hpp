@@ -18,8 +18,8 @@ inline constexpr double kOffsetOverAlpha = 1.0 / 30;
 
 /// Replaces any triangles by a skin around them (makeSkin) and adds a sentence to the repairs.
 /// `alpha` 0: automatic. Throws Error badData if the skin encloses little more than itself, too.
-void putSkinAround(TriangleMesh& mesh, double alpha, std::string_view name,
-                   std::vector<std::string>& repairs);
+void wrapMesh(TriangleMesh& mesh, double alpha, std::string_view name,
+              std::vector<std::string>& repairs);
 
 /// Replaces a closed mesh by the boundary of its interior (makeUnion) and adds a sentence to the
 /// repairs. A mesh that does not meet itself stays as it is.

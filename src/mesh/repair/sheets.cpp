@@ -53,12 +53,12 @@ bool isThin(const TriangleMesh& mesh, const std::vector<std::uint32_t>& piece,
             box.extend(mesh.vertices[corner]);
         }
     }
-    return enclosesNothing(volume, surface, box);
+    return isEnvelope(volume, surface, box);
 }
 
 } // namespace
 
-bool enclosesNothing(double volume, double surface, const Eigen::AlignedBox3d& box)
+bool isEnvelope(double volume, double surface, const Eigen::AlignedBox3d& box)
 {
     constexpr double kThinnest = 1e-6; // [1] below what any format's rounding makes of a flat sheet
     return !(std::abs(volume) > kThinnest * surface * box.diagonal().norm());

@@ -23,7 +23,7 @@ private:
 };
 
 /// Whether a piece with lids is a mere envelope: its volume over its area times its size.
-[[nodiscard]] bool enclosesNothing(double volume, double surface, const Eigen::AlignedBox3d& box);
+[[nodiscard]] bool isEnvelope(double volume, double surface, const Eigen::AlignedBox3d& box);
 
 /// Removes open pieces that would enclose nothing with lids, sheets, from beside pieces that are
 /// none. Returns the number of removed triangles; 0 if there is nothing but sheets.

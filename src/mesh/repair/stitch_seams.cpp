@@ -16,7 +16,7 @@ namespace
 
 // [1] of the diagonal of the box: the rounding of file formats, and the cracks of careless export.
 constexpr std::array<double, 4> kSeamDistances = {1e-6, 1e-5, 1e-4, 1e-3};
-constexpr std::size_t kMostStitches = 8;  // a triangle is split at one of its sides in each
+constexpr std::size_t kMaxStitches = 8;   // a triangle is split at one of its sides in each
 constexpr std::size_t kSplitsPerEdge = 4; // more are no seam
 constexpr std::size_t kSplitsAtLeast = 1000;
 
@@ -149,7 +149,7 @@ std::size_t splitAtTJunctions(TriangleMesh& mesh, double distance)
     const std::size_t most = kSplitsAtLeast + kSplitsPerEdge * opennessOf(mesh).open;
     TriangleMesh split = mesh;
     std::size_t sum = 0;
-    for (std::size_t pass = 0; pass < kMostStitches; ++pass)
+    for (std::size_t pass = 0; pass < kMaxStitches; ++pass)
     {
         const auto count = splitOnce(split, distance, most - sum);
         if (!count)

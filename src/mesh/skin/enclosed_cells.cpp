@@ -12,9 +12,9 @@ namespace
 {
 
 /// A byte each. Seventy times those of the default alpha.
-constexpr double kMostCells = 16e6;
+constexpr double kMaxCells = 16e6;
 /// Cubes looked at, for all triangles: a second.
-constexpr std::size_t kMostLooks = 100'000'000;
+constexpr std::size_t kMaxLooks = 100'000'000;
 
 class Cells
 {
@@ -22,7 +22,7 @@ public:
     Cells(const Eigen::AlignedBox3d& box, double edge) : low_(box.min()), edge_(edge)
     {
         const Eigen::Vector3d counts = (box.sizes() / edge).array().ceil() + 2 * kMargin;
-        if (counts.prod() > kMostCells)
+        if (counts.prod() > kMaxCells)
         {
             return;
         }
@@ -44,7 +44,7 @@ public:
         const Eigen::Array3i first = cell(low).max(0);
         const Eigen::Array3i last = cell(high).min(counts_ - 1);
         looks_ += static_cast<std::size_t>((last - first + 1).cast<double>().prod());
-        if (looks_ > kMostLooks)
+        if (looks_ > kMaxLooks)
         {
             return false;
         }

@@ -44,7 +44,7 @@ enum class Place
 };
 
 /// More devices than any machine has.
-constexpr Int kMostDevices = 64;
+constexpr Int kMaxDevices = 64;
 
 /// Opened when it is first asked for and kept until the process ends, as are its displays: closing
 /// one would take the contexts of other renderers with it.
@@ -163,10 +163,10 @@ private:
     /// The first device of the wanted kind that gives a context.
     void createOnDevice()
     {
-        std::array<Device, kMostDevices> devices{};
+        std::array<Device, kMaxDevices> devices{};
         Int count = 0;
         if (egl_.queryDevices == nullptr || egl_.queryDeviceString == nullptr ||
-            egl_.queryDevices(kMostDevices, devices.data(), &count) == 0)
+            egl_.queryDevices(kMaxDevices, devices.data(), &count) == 0)
         {
             throw failure("the library cannot list devices");
         }

@@ -13,7 +13,7 @@ namespace
 {
 
 /// Less than this, over half the largest edge of the object's box, is no leaning.
-constexpr double kLeast = 0.25;
+constexpr double kMin = 0.25;
 
 /// Cosine of the angle between view and leaning from which on it is the back that is seen.
 constexpr double kBehind = -0.8;
@@ -47,7 +47,7 @@ double frontAzimuth(const TriangleMesh& mesh, const Eigen::Vector3d& up)
     const Eigen::Vector3d between = sums[1] / areas[1] - sums[0] / areas[0];
     const Eigen::Vector3d lean = between - up.dot(between) * up;
     const glm::dvec3 view = horizontalDirection(up, kUsualAzimuth);
-    const bool leans = lean.norm() > kLeast * box.sizes().maxCoeff() / 2;
+    const bool leans = lean.norm() > kMin * box.sizes().maxCoeff() / 2;
     const bool behind = lean.dot(Eigen::Vector3d(view.x, view.y, view.z)) < kBehind * lean.norm();
     return leans && behind ? kUsualAzimuth + 180 : kUsualAzimuth;
 }

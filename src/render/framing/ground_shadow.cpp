@@ -14,13 +14,13 @@ namespace frostfill
 namespace
 {
 
-constexpr int kCells = 56;                 ///< of the shadow, along each edge of its square
-constexpr float kAround = 0.8F;            ///< of free ground around what may throw a shadow
-constexpr float kNearest = 0.02F;          ///< height below which things count as touching
-constexpr float kSoftness = 0.3F;          ///< of the lamp, as in sphere.frag
-constexpr float kSkyShare = 0.62F;         ///< of the light, where all of the sky is hidden
-constexpr float kLampShare = 0.2F;         ///< the shell is clear
-constexpr float kLeastShadow = 1.0F / 512; ///< less is not seen
+constexpr int kCells = 56;               ///< of the shadow, along each edge of its square
+constexpr float kAround = 0.8F;          ///< of free ground around what may throw a shadow
+constexpr float kNearest = 0.02F;        ///< height below which things count as touching
+constexpr float kSoftness = 0.3F;        ///< of the lamp, as in sphere.frag
+constexpr float kSkyShare = 0.62F;       ///< of the light, where all of the sky is hidden
+constexpr float kLampShare = 0.2F;       ///< the shell is clear
+constexpr float kMinShadow = 1.0F / 512; ///< less is not seen
 
 /// A square grid on the ground: the lowest height above each cell, infinite where there is nothing.
 struct Heights
@@ -176,7 +176,7 @@ GroundShadow groundShadow(const TriangleMesh& mesh, std::span<const glm::vec3> p
         {
             const std::array quad = {at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y + 1)};
             if (std::any_of(quad.begin(), quad.end(),
-                            [&](std::uint32_t i) { return ground.places[i].w > kLeastShadow; }))
+                            [&](std::uint32_t i) { return ground.places[i].w > kMinShadow; }))
             {
                 ground.corners.insert(ground.corners.end(),
                                       {quad[0], quad[1], quad[2], quad[0], quad[2], quad[3]});

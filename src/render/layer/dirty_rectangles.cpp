@@ -12,7 +12,7 @@ namespace
 constexpr std::int64_t kCallCost = 2500;
 
 /// With more rectangles than this, looking for pairs costs more than it saves.
-constexpr std::size_t kMostRectangles = 256;
+constexpr std::size_t kMaxRectangles = 256;
 
 bool worthJoining(const PixelRectangle& a, const PixelRectangle& b)
 {
@@ -67,7 +67,7 @@ void DirtyRectangles::addAll()
 
 const std::vector<PixelRectangle>& DirtyRectangles::joined()
 {
-    if (rectangles_.size() > kMostRectangles)
+    if (rectangles_.size() > kMaxRectangles)
     {
         PixelRectangle all;
         for (const PixelRectangle& rectangle : rectangles_)

@@ -59,7 +59,7 @@ std::size_t OccluderGrid::indexOf(const SphereInstance& sphere) const
 {
     std::size_t found = spheres_.size();
     const glm::vec3 centre(sphere.x, sphere.y, sphere.z);
-    const auto look = [&](std::uint32_t i)
+    const auto test = [&](std::uint32_t i)
     {
         const SphereInstance& other = spheres_[i];
         if (other.x == sphere.x && other.y == sphere.y && other.z == sphere.z &&
@@ -70,7 +70,7 @@ std::size_t OccluderGrid::indexOf(const SphereInstance& sphere) const
     };
     if (!spheres_.empty())
     {
-        visitCell(placeOf(centre), look);
+        visitCell(placeOf(centre), test);
     }
     return found;
 }

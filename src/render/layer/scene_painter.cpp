@@ -42,7 +42,7 @@ ScenePainter::ScenePainter(const GlFunctions& gl, const TriangleMesh& mesh,
     studio_ = studioOf(mesh, positions, settings, framing);
     if (studio_)
     {
-        surroundings_.emplace(studio_->lamp, cutPlanes_);
+        sphereOcclusion_.emplace(studio_->lamp, cutPlanes_);
     }
     if (studio_ && studio_->ground)
     {
@@ -174,7 +174,7 @@ void ScenePainter::paintGround()
     }
 }
 
-void ScenePainter::clearMarks()
+void ScenePainter::resetStencil()
 {
     gl_.clearStencil(0);
     gl_.clear(GL_STENCIL_BUFFER_BIT);
@@ -186,7 +186,7 @@ void ScenePainter::confine(const PixelRectangle& part)
     gl_.scissor(part.left, part.bottom, part.width(), part.height());
 }
 
-void ScenePainter::confineNoMore()
+void ScenePainter::endConfinement()
 {
     gl_.disable(GL_SCISSOR_TEST);
 }
@@ -196,12 +196,12 @@ void ScenePainter::paintSpheres(std::span<const SphereInstance> spheres)
     if (!spheres.empty())
     {
         spheres_.update(spheres);
-        if (surroundings_)
+        if (sphereOcclusion_)
         {
             lights_.clear();
             for (const SphereInstance& sphere : spheres)
             {
-                lights_.push_back(surroundings_->of(sphere));
+                lights_.push_back(sphereOcclusion_->of(sphere));
             }
             spheres_.light(lights_);
         }
@@ -259,7 +259,7 @@ void ScenePainter::paintShellPerRegion(std::span<const TriangleTiles::Part> part
     }
     // A triangle reaches far beyond a sphere that it covers a piece of, and with several samples
     // Mesa shades it there too before it finds no mark. The regions are disjoint, so that no pixel
-    // gets the film twice.
+    // gets the surface twice.
     regions_.clear();
     for (const TriangleTiles::Part& part : parts)
     {
@@ -273,7 +273,7 @@ void ScenePainter::paintShellPerRegion(std::span<const TriangleTiles::Part> part
         confine(region);
         paintShell(regionParts_);
     }
-    confineNoMore();
+    endConfinement();
 }
 
 void ScenePainter::paintLegend()
@@ -298,13 +298,13 @@ void ScenePainter::addSpheres(std::span<const SphereInstance> spheres,
     {
         return;
     }
-    ++mark_;
+    ++stencilValue_;
     gl_.enable(GL_STENCIL_TEST);
-    gl_.stencilFunc(GL_ALWAYS, mark_, 0xff);
+    gl_.stencilFunc(GL_ALWAYS, stencilValue_, 0xff);
     gl_.stencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
     paintSpheres(spheres);
-    // Only what shows a new sphere has lost the film over it; elsewhere it must not lie twice.
-    gl_.stencilFunc(GL_EQUAL, mark_, 0xff);
+    // Only what shows a new sphere has lost the surface over it; elsewhere it must not lie twice.
+    gl_.stencilFunc(GL_EQUAL, stencilValue_, 0xff);
     gl_.stencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
     paintShellPerRegion(parts);
     const PixelRectangle legend = {0,

@@ -6,8 +6,8 @@
 #include "render/framing/pixel_rectangle.hpp"
 #include "render/layer/dirty_rectangles.hpp"
 #include "render/layer/projected_sphere.hpp"
+#include "render/layer/sphere_occlusion.hpp"
 #include "render/layer/studio.hpp"
-#include "render/layer/surroundings.hpp"
 #include "render/layer/triangle_tiles.hpp"
 #include "render/overlay/colour_scale.hpp"
 #include "render/overlay/legend.hpp"
@@ -50,7 +50,7 @@ public:
     void paintGround();
     /// Everything that is painted from now on, clearing too, is confined to the rectangle.
     void confine(const PixelRectangle& part);
-    void confineNoMore();
+    void endConfinement();
 
     void paintSpheres(std::span<const SphereInstance> spheres);
     /// Depth only, and only where a sphere covers a whole pixel and all around it; for a
@@ -61,7 +61,10 @@ public:
     void paintLegend();
 
     /// In the studio: what is at rest, which keeps light from what is painted. Else none.
-    [[nodiscard]] Surroundings* surroundings() { return surroundings_ ? &*surroundings_ : nullptr; }
+    [[nodiscard]] SphereOcclusion* sphereOcclusion()
+    {
+        return sphereOcclusion_ ? &*sphereOcclusion_ : nullptr;
+    }
 
     [[nodiscard]] const SphereUniforms& uniforms() const { return uniforms_; }
     [[nodiscard]] const ShaderVariant& variant() const { return variant_; }
@@ -71,10 +74,11 @@ public:
     void addSpheres(std::span<const SphereInstance> spheres,
                     std::span<const TriangleTiles::Part> parts);
     /// addSpheres marks what it has painted with a new number each time. When so many more are too
-    /// many, clearMarks has to be called on every framebuffer that it was used on, then startMarks.
-    [[nodiscard]] bool outOfMarks(int wanted) const { return mark_ + wanted > 255; }
-    void clearMarks();
-    void startMarks() { mark_ = 0; }
+    /// many, resetStencil has to be called on every framebuffer that it was used on, then
+    /// restartStencil.
+    [[nodiscard]] bool stencilIsFull(int wanted) const { return stencilValue_ + wanted > 255; }
+    void resetStencil();
+    void restartStencil() { stencilValue_ = 0; }
 
 private:
     /// The legend's swatches, drawn by the same programs as the scene.
@@ -98,7 +102,7 @@ private:
     ShaderVariant variant_;
     std::optional<CutPlanes> cutPlanes_;
     std::optional<Studio> studio_;
-    std::optional<Surroundings> surroundings_;
+    std::optional<SphereOcclusion> sphereOcclusion_;
     std::unique_ptr<GroundPass> ground_;
     std::vector<SphereLight> lights_;
     Framing framing_;
@@ -119,7 +123,7 @@ private:
     float occluderShrink_ = 0; ///< [pixel]
     DirtyRectangles regions_;
     std::vector<TriangleTiles::Part> regionParts_;
-    int mark_ = 0;
+    int stencilValue_ = 0;
 };
 
 } // namespace frostfill

@@ -28,8 +28,9 @@ StaticLayer::StaticLayer(const GlFunctions& gl, const PictureSize& size, int sam
     }
 }
 
-void StaticLayer::look(const SphereProjector& projector, std::span<const SphereInstance> resting,
-                       std::size_t first, std::size_t end)
+void StaticLayer::projectSpheres(const SphereProjector& projector,
+                                 std::span<const SphereInstance> resting, std::size_t first,
+                                 std::size_t end)
 {
     spheres_.clear();
     parts_.clear();
@@ -80,7 +81,7 @@ void StaticLayer::rebuild(ScenePainter& painter, const SphereProjector& projecto
     for (std::size_t first = 0; first < resting.size();)
     {
         const std::size_t end = std::min(first + batch, resting.size());
-        look(projector, resting, first, end);
+        projectSpheres(projector, resting, first, end);
         painter.paintSpheres(spheres_);
         first = end;
         batch += batch / 2;
@@ -98,7 +99,7 @@ void StaticLayer::add(ScenePainter& painter, const SphereProjector& projector,
                       std::span<const SphereInstance> resting, std::size_t first,
                       DirtyRectangles& dirty)
 {
-    look(projector, resting, first, resting.size());
+    projectSpheres(projector, resting, first, resting.size());
     framebuffer_.bind();
     painter.addSpheres(spheres_, parts_);
     for (const TriangleTiles::Part& part : parts_)
@@ -149,12 +150,12 @@ void StaticLayer::repaint(ScenePainter& painter, std::span<const SphereInstance>
         const TriangleTiles::Part all{part};
         painter.paintShell({&all, 1});
         painter.paintLegend();
-        painter.confineNoMore();
+        painter.endConfinement();
         framebuffer_.restore(scratch, {&wanted, 1});
     }
 }
 
-PixelRectangle StaticLayer::whereSeen(std::size_t resting) const
+PixelRectangle StaticLayer::visiblePart(std::size_t resting) const
 {
     const auto place =
         std::lower_bound(seen_.begin(), seen_.end(), resting,

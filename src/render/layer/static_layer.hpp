@@ -8,7 +8,7 @@
 #include "render/layer/occlusion_map.hpp"
 #include "render/layer/projected_sphere.hpp"
 #include "render/layer/scene_painter.hpp"
-#include "render/layer/sphere_ledger.hpp"
+#include "render/layer/sphere_draw_list.hpp"
 
 #include <optional>
 #include <span>
@@ -38,7 +38,7 @@ public:
                  DirtyRectangles& dirty);
 
     /// Where one of the spheres at rest may be seen; empty when it is hidden or out of view.
-    [[nodiscard]] PixelRectangle whereSeen(std::size_t resting) const;
+    [[nodiscard]] PixelRectangle visiblePart(std::size_t resting) const;
     /// Hidden by what is at rest, and out of view for as long as the camera is still.
     [[nodiscard]] bool hides(const ProjectedSphere& sphere) const
     {
@@ -55,8 +55,8 @@ private:
         PixelRectangle pixels;
     };
 
-    void look(const SphereProjector& projector, std::span<const SphereInstance> resting,
-              std::size_t first, std::size_t end);
+    void projectSpheres(const SphereProjector& projector, std::span<const SphereInstance> resting,
+                        std::size_t first, std::size_t end);
     void findHidden(ScenePainter& painter, const SphereProjector& projector);
     void forgetHidden(ScenePainter& painter, const SphereProjector& projector,
                       std::span<const SphereInstance> resting);

@@ -127,7 +127,7 @@ void Legend::layOut()
     addRow("active", 3);
     addRow("discarded", 4);
     // What is drawn here is known only with the snapshot.
-    firstOfMoment_ = rows_.size();
+    firstOfPicture_ = rows_.size();
     addRow("", kHeading);
     addRow("", kPlain);
     if (colours_)
@@ -177,9 +177,9 @@ std::vector<Legend::Piece> Legend::pieces(const Snapshot& snapshot) const
         const double room = font_->measure(kWidestNumber);
         write(right - std::min(room, font_->measure(number)), row.baseline, number);
     }
-    write(left, rows_[firstOfMoment_].baseline,
+    write(left, rows_[firstOfPicture_].baseline,
           fmt::format("set {}  step {}", snapshot.set, snapshot.step));
-    write(left, rows_[firstOfMoment_ + 1].baseline, fmt::format("{:.3f} s", snapshot.time));
+    write(left, rows_[firstOfPicture_ + 1].baseline, fmt::format("{:.3f} s", snapshot.time));
     if (colours_)
     {
         addScale(pieces);

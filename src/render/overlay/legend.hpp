@@ -97,7 +97,7 @@ private:
     double width_ = 0;
     double height_ = 0;
     std::vector<Row> rows_;
-    std::size_t firstOfMoment_ = 0; ///< the row of set and step; that of the time follows
+    std::size_t firstOfPicture_ = 0; ///< the row of set and step; that of the time follows
     std::vector<Swatch> spheres_;
     std::vector<Swatch> polygons_;
 };

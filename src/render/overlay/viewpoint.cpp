@@ -14,16 +14,16 @@ namespace
 {
 
 /// More samples a pixel than this are not to be had from OSMesa.
-constexpr int kMostSamples = 4;
+constexpr int kMaxSamples = 4;
 
 /// Refuses what cannot be drawn, and finds the front of the object.
 RenderSettings checked(const RenderSettings& wanted, const TriangleMesh& mesh)
 {
     RenderSettings settings = wanted;
-    if (settings.samples < 1 || settings.samples > kMostSamples)
+    if (settings.samples < 1 || settings.samples > kMaxSamples)
     {
         throw Error(ErrorCode::usage,
-                    fmt::format("samples per pixel must be between 1 and {}, not {}", kMostSamples,
+                    fmt::format("samples per pixel must be between 1 and {}, not {}", kMaxSamples,
                                 settings.samples));
     }
     if (settings.size.width < 1 || settings.size.height < 1)

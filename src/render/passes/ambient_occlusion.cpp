@@ -30,8 +30,8 @@ constexpr float kDarkest = 0.22F;
 constexpr float kGain = 5.0F;
 
 /// Samples are spread over at most so many pixels; further away it is one shade.
-constexpr double kMostPixels = 160;
-constexpr double kFewestPixels = 1.5;
+constexpr double kMaxPixels = 160;
+constexpr double kMinPixels = 1.5;
 
 class Occlusion
 {
@@ -51,8 +51,8 @@ public:
             return 1;
         }
         const double pixels = std::min(
-            kMostPixels, reach_ * pixelScale_ / (framing_.orthographic ? 1 : double{distance}));
-        if (pixels < kFewestPixels)
+            kMaxPixels, reach_ * pixelScale_ / (framing_.orthographic ? 1 : double{distance}));
+        if (pixels < kMinPixels)
         {
             return 1;
         }

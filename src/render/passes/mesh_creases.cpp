@@ -21,7 +21,7 @@ constexpr float kShortestCrease = 0.08F;
 /// rim that is round, but too narrow for its mesh.
 constexpr float kFine = 0.03F;
 constexpr float kShortestFineCrease = 0.3F;
-constexpr float kLeastOfFine = 0.5F * (line_strength::kPlain + line_strength::kStrong);
+constexpr float kMinOfFine = 0.5F * (line_strength::kPlain + line_strength::kStrong);
 
 /// Sets of vertices that are joined step by step.
 class Joined
@@ -157,7 +157,7 @@ void findStrayCreases(const std::vector<glm::vec3>& positions, ShadedMesh& shade
             const Chain& chain = chains[joined.find(edge.ends[0])];
             const bool fine = chain.length < kFine * chain.edges;
             edge.stray = chain.length < (fine ? kShortestFineCrease : kShortestCrease) ||
-                         (fine && chain.strength < kLeastOfFine * chain.length);
+                         (fine && chain.strength < kMinOfFine * chain.length);
         }
     }
 }

@@ -48,16 +48,16 @@ FROSTFILL_INLINE void store(const From& from, To* to)
     std::memcpy(to, &from, sizeof(from));
 }
 
-FROSTFILL_INLINE Words chosen(Mask mask, Words a, Words b)
+FROSTFILL_INLINE Words select(Mask mask, Words a, Words b)
 {
     const auto bits = reinterpret_cast<Words>(mask);
     return (a & bits) | (b & ~bits);
 }
 
-FROSTFILL_INLINE Floats chosen(Mask mask, Floats a, Floats b)
+FROSTFILL_INLINE Floats select(Mask mask, Floats a, Floats b)
 {
     return reinterpret_cast<Floats>(
-        chosen(mask, reinterpret_cast<Words>(a), reinterpret_cast<Words>(b)));
+        select(mask, reinterpret_cast<Words>(a), reinterpret_cast<Words>(b)));
 }
 
 FROSTFILL_INLINE bool any(Mask mask)
@@ -67,29 +67,29 @@ FROSTFILL_INLINE bool any(Mask mask)
     return (words[0] | words[1] | words[2] | words[3]) != 0;
 }
 
-FROSTFILL_INLINE Floats least(Floats a, Floats b)
+FROSTFILL_INLINE Floats min(Floats a, Floats b)
 {
-    return chosen(a < b, a, b);
+    return select(a < b, a, b);
 }
 
-FROSTFILL_INLINE Floats most(Floats a, Floats b)
+FROSTFILL_INLINE Floats max(Floats a, Floats b)
 {
-    return chosen(a > b, a, b);
+    return select(a > b, a, b);
 }
 
-FROSTFILL_INLINE Floats least(Floats a, float b)
+FROSTFILL_INLINE Floats min(Floats a, float b)
 {
-    return least(a, all(b));
+    return min(a, all(b));
 }
 
-FROSTFILL_INLINE Floats most(Floats a, float b)
+FROSTFILL_INLINE Floats max(Floats a, float b)
 {
-    return most(a, all(b));
+    return max(a, all(b));
 }
 
 FROSTFILL_INLINE Floats clamped(Floats value)
 {
-    return least(most(value, 0), 1);
+    return min(max(value, 0), 1);
 }
 
 FROSTFILL_INLINE Floats root(Floats value)
@@ -112,12 +112,11 @@ FROSTFILL_INLINE Floats smoothstep(float from, float to, Floats value)
 /// To the nearest number in 0..255.
 FROSTFILL_INLINE Words byteOf(Floats value)
 {
-    return reinterpret_cast<Words>(
-        __builtin_convertvector(least(most(value, 0), 255) + 0.5F, Mask));
+    return reinterpret_cast<Words>(__builtin_convertvector(min(max(value, 0), 255) + 0.5F, Mask));
 }
 
 /// 0, 1 and so on.
-FROSTFILL_INLINE Floats counted()
+FROSTFILL_INLINE Floats iota()
 {
     return Floats{0, 1, 2, 3, 4, 5, 6, 7};
 }
@@ -126,7 +125,7 @@ FROSTFILL_INLINE Floats counted()
 template <class Up, class Key, class Fill, class Back>
 FROSTFILL_INLINE Floats lightOf(const Up& up, const Key& key, const Fill& fill, const Back& back)
 {
-    return 0.56F + 0.13F * up + 0.50F * most(key, 0) + 0.16F * most(fill, 0) + 0.5F * most(back, 0);
+    return 0.56F + 0.13F * up + 0.50F * max(key, 0) + 0.16F * max(fill, 0) + 0.5F * max(back, 0);
 }
 
 } // namespace frostfill::lanes

@@ -28,7 +28,7 @@ void RestingTile::paintGround(SampleTile& tile, const PixelRectangle& pixels) co
         for (int y = pixels.bottom; y < pixels.top; ++y)
         {
             const int first = y * kTileEdge + pixels.left;
-            std::fill_n(tile.nearness[k].begin() + first, pixels.width(), kNothing);
+            std::fill_n(tile.inverseDepth[k].begin() + first, pixels.width(), kNothing);
             if (ground_)
             {
                 std::copy_n(ground_->begin() + first, pixels.width(),
@@ -74,7 +74,7 @@ void RestingTile::findFurthestOf(std::size_t block)
     {
         for (std::size_t y = 0; y < kBlock; ++y)
         {
-            const float* row = samples_->nearness[k].data() + first + y * kTileEdge;
+            const float* row = samples_->inverseDepth[k].data() + first + y * kTileEdge;
             for (std::size_t x = 0; x < kBlock; ++x)
             {
                 least[x] = row[x] < least[x] ? row[x] : least[x];
@@ -203,8 +203,8 @@ void RestingTile::copyTo(SampleTile& tile, const PixelRectangle& pixels) const
         for (int y = pixels.bottom; y < pixels.top; ++y)
         {
             const int first = y * kTileEdge + pixels.left;
-            std::memcpy(tile.nearness[k].data() + first, samples_->nearness[k].data() + first,
-                        bytes);
+            std::memcpy(tile.inverseDepth[k].data() + first,
+                        samples_->inverseDepth[k].data() + first, bytes);
             std::memcpy(tile.colour[k].data() + first, samples_->colour[k].data() + first, bytes);
         }
     }

@@ -24,7 +24,7 @@ inline constexpr int kTilePixels = kTileEdge * kTileEdge;
 /// tiles begin and end at multiples of it.
 inline constexpr int kLanes = 8;
 
-inline constexpr int kMostTileSamples = 4;
+inline constexpr int kMaxTileSamples = 4;
 
 /// How near a surface is: 1 over the distance ahead of the eye, or without perspective its height
 /// above the eye's plane; it is linear over the picture. Larger hides smaller, nothing hides least.
@@ -45,8 +45,8 @@ inline constexpr float kNothing = std::numeric_limits<float>::lowest();
 /// premultiplied RGBA with red in the lowest byte.
 struct SampleTile
 {
-    alignas(64) std::array<std::array<float, kTilePixels>, kMostTileSamples> nearness;
-    alignas(64) std::array<std::array<std::uint32_t, kTilePixels>, kMostTileSamples> colour;
+    alignas(64) std::array<std::array<float, kTilePixels>, kMaxTileSamples> inverseDepth;
+    alignas(64) std::array<std::array<std::uint32_t, kTilePixels>, kMaxTileSamples> colour;
 };
 
 /// A sample's place from the middle of its pixel [pixel], y upwards.
@@ -57,7 +57,7 @@ struct SampleOffset
 };
 
 /// Those of Mesa.
-inline constexpr std::array<SampleOffset, kMostTileSamples> kFourSamples = {
+inline constexpr std::array<SampleOffset, kMaxTileSamples> kFourSamples = {
     {{-0.125F, -0.375F}, {0.375F, -0.125F}, {-0.375F, 0.125F}, {0.125F, 0.375F}}};
 
 /// Where in the picture a tile lies, and the part of it that is drawn to.

@@ -33,7 +33,7 @@ constexpr float kFlat = 0.96F;
 constexpr int kSmall = 160; // [pixel]
 
 /// That one core sets up before another may take more.
-constexpr std::uint32_t kTrianglesATask = 256;
+constexpr std::uint32_t kTrianglesPerTask = 256;
 
 /// What single precision may do to how near a corner is.
 constexpr float kNearer = 1e-5F;
@@ -106,7 +106,7 @@ PixelRectangle ShellRaster::bounds(std::uint32_t triangle)
 void ShellRaster::setUpAll()
 {
     tbb::parallel_for(tbb::blocked_range<std::uint32_t>(
-                          0, static_cast<std::uint32_t>(setups_.size()), kTrianglesATask),
+                          0, static_cast<std::uint32_t>(setups_.size()), kTrianglesPerTask),
                       [&](const auto& range)
                       {
                           for (std::uint32_t t = range.begin(); t < range.end(); ++t)

@@ -57,7 +57,7 @@ public:
         std::array<float, 3> least; ///< the distance has to be more; of two triangles at an edge
                                     ///< one has what lies exactly on it
         std::array<float, 3> share; ///< barycentric coordinate = share * distance / sum of all
-        std::array<float, 3> near;  ///< nearness = sum of near * distance
+        std::array<float, 3> near;  ///< inverse depth = sum of near * distance
         std::array<glm::vec3, 3> normals; ///< towards the viewer [eye space]
         bool flat = false;                ///< light and angle are those of the corners, mixed
         std::array<float, 3> light;       ///< on the corners

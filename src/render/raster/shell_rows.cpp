@@ -52,25 +52,25 @@ FROSTFILL_INLINE std::array<int, 2> columnsOf(const Setup& s,
                       : std::array{0, 0};
 }
 
-struct Film
+struct SurfaceSample
 {
     Floats share;
     Floats light;
 };
 
-/// The light on a point of the film, and how far it faces the viewer, from the normal there.
+/// The light on a point of the surface, and how far it faces the viewer, from the normal there.
 FROSTFILL_INLINE Floats curved(const Setup& s, const Frame& f, Floats x, float y, Floats b0,
                                Floats b1, Floats b2, Floats& facing)
 {
     const Floats nx = b0 * s.normals[0].x + b1 * s.normals[1].x + b2 * s.normals[2].x;
     const Floats ny = b0 * s.normals[0].y + b1 * s.normals[1].y + b2 * s.normals[2].y;
     const Floats nz = b0 * s.normals[0].z + b1 * s.normals[1].z + b2 * s.normals[2].z;
-    const Floats length = 1 / root(most(nx * nx + ny * ny + nz * nz, 1e-12F));
+    const Floats length = 1 / root(max(nx * nx + ny * ny + nz * nz, 1e-12F));
     const Floats rayX = f.left + f.perColumn * x;
     const float rayY = f.bottom + f.perRow * y;
     const Floats towards =
         (nz - nx * rayX - ny * rayY) * length / root(rayX * rayX + (1 + rayY * rayY));
-    facing = most(towards, -towards);
+    facing = max(towards, -towards);
     const auto along = [&](float ofX, float ofY, float ofZ) __attribute__((always_inline))
     {
         return (nx * ofX + ny * ofY + nz * ofZ) * length;
@@ -79,39 +79,39 @@ FROSTFILL_INLINE Floats curved(const Setup& s, const Frame& f, Floats x, float y
                                    along(0.802F, 0.134F, 0.582F), along(0.258F, 0.602F, -0.756F));
 }
 
-/// Of the film: how much it covers and the light on it; and how much its lines cover.
+/// Of the surface: how much it covers and the light on it; and how much its lines cover.
 template <bool lines>
-FROSTFILL_INLINE std::pair<Film, Floats> filmAndLine(const Setup& s, const Frame& f, Floats x,
-                                                     float y, Floats d0, Floats d1, Floats d2)
+FROSTFILL_INLINE std::pair<SurfaceSample, Floats>
+surfaceAndLine(const Setup& s, const Frame& f, Floats x, float y, Floats d0, Floats d1, Floats d2)
 {
     const Floats l0 = s.share[0] * d0;
     const Floats l1 = s.share[1] * d1;
     const Floats l2 = s.share[2] * d2;
-    const Floats over = 1 / most(l0 + l1 + l2, 1e-12F);
+    const Floats over = 1 / max(l0 + l1 + l2, 1e-12F);
     const Floats b0 = l0 * over;
     const Floats b1 = l1 * over;
     const Floats b2 = l2 * over;
-    Film film;
+    SurfaceSample surface;
     Floats facing;
     if (s.flat)
     {
         facing = b0 * s.facing[0] + b1 * s.facing[1] + b2 * s.facing[2];
-        facing = most(facing, -facing);
-        film.light = b0 * s.light[0] + b1 * s.light[1] + b2 * s.light[2];
+        facing = max(facing, -facing);
+        surface.light = b0 * s.light[0] + b1 * s.light[1] + b2 * s.light[2];
     }
     else
     {
-        film.light = curved(s, f, x, y, b0, b1, b2, facing);
+        surface.light = curved(s, f, x, y, b0, b1, b2, facing);
     }
-    film.share = least(s.density + s.rimDensity * ((1 - facing) * (1 - facing)), 0.85F);
+    surface.share = min(s.density + s.rimDensity * ((1 - facing) * (1 - facing)), 0.85F);
     if constexpr (!lines)
     {
-        return {film, Floats{}};
+        return {surface, Floats{}};
     }
     const float reach = f.lineWidth + 0.5F;
     Floats line =
-        most(s.strength[0] * clamped(reach - d0),
-             most(s.strength[1] * clamped(reach - d1), s.strength[2] * clamped(reach - d2)));
+        max(s.strength[0] * clamped(reach - d0),
+            max(s.strength[1] * clamped(reach - d1), s.strength[2] * clamped(reach - d2)));
     if (s.contour > 0 || s.crease > 0)
     {
         const Floats contour = s.contour * (1 - smoothstep(0.3F, 0.5F, facing)) *
@@ -120,10 +120,10 @@ FROSTFILL_INLINE std::pair<Film, Floats> filmAndLine(const Setup& s, const Frame
             b0 * s.creaseDistance[0] + b1 * s.creaseDistance[1] + b2 * s.creaseDistance[2];
         const Floats creased =
             s.crease * (1 - smoothstep(0.6F, 0.9F, off)) * clamped(reach - off * s.pixelsOfCrease);
-        line = most(line, most(contour, creased));
+        line = max(line, max(contour, creased));
     }
-    film.share *= 1 - line;
-    return {film, line};
+    surface.share *= 1 - line;
+    return {surface, line};
 }
 
 template <int samples, bool lines>
@@ -159,7 +159,7 @@ FROSTFILL_INLINE void drawRows(const Setup& setup, const Frame& frame, const Pix
             columnsOf(s, overAcross, static_cast<float>(part.left), yAt, rows.left, rows.right);
         for (int x = from & ~(kLanes - 1); x < to; x += kLanes)
         {
-            const Floats xAt = static_cast<float>(part.left + x) + 0.5F + counted();
+            const Floats xAt = static_cast<float>(part.left + x) + 0.5F + iota();
             const Floats d0 = s.across[0] * xAt + (s.upwards[0] * yAt + s.from[0]);
             const Floats d1 = s.across[1] * xAt + (s.upwards[1] * yAt + s.from[1]);
             const Floats d2 = s.across[2] * xAt + (s.upwards[2] * yAt + s.from[2]);
@@ -169,10 +169,10 @@ FROSTFILL_INLINE void drawRows(const Setup& setup, const Frame& frame, const Pix
             Mask seenAtAll{};
             for (std::size_t k = 0; k < samples; ++k)
             {
-                const Mask is = (d0 + edgeAt[0][k] > s.least[0]) &
-                                (d1 + edgeAt[1][k] > s.least[1]) &
-                                (d2 + edgeAt[2][k] > s.least[2]) &
-                                (isNear + nearAt[k] > load<Floats>(tile.nearness[k].data() + at));
+                const Mask is =
+                    (d0 + edgeAt[0][k] > s.least[0]) & (d1 + edgeAt[1][k] > s.least[1]) &
+                    (d2 + edgeAt[2][k] > s.least[2]) &
+                    (isNear + nearAt[k] > load<Floats>(tile.inverseDepth[k].data() + at));
                 seen[k] = reinterpret_cast<Words>(is);
                 seenAtAll |= is;
             }
@@ -180,15 +180,15 @@ FROSTFILL_INLINE void drawRows(const Setup& setup, const Frame& frame, const Pix
             {
                 continue;
             }
-            const auto filmWithLine = filmAndLine<lines>(s, f, xAt, yAt, d0, d1, d2);
-            const Film& film = filmWithLine.first;
-            const Floats line = filmWithLine.second;
-            const Words alpha = byteOf(255 * (film.share + line));
+            const auto surfaceWithLine = surfaceAndLine<lines>(s, f, xAt, yAt, d0, d1, d2);
+            const SurfaceSample& surface = surfaceWithLine.first;
+            const Floats line = surfaceWithLine.second;
+            const Words alpha = byteOf(255 * (surface.share + line));
             const Floats limit = __builtin_convertvector(reinterpret_cast<Mask>(alpha), Floats);
-            const Floats lit = film.share * film.light;
+            const Floats lit = surface.share * surface.light;
             const auto channel = [&](float base, float ink) __attribute__((always_inline))
             {
-                return byteOf(least(base * lit + ink * line, limit));
+                return byteOf(min(base * lit + ink * line, limit));
             };
             const Words redBlue = channel(s.base.r, s.ink.r) | channel(s.base.b, s.ink.b) << 16;
             const Words greenAlpha = channel(s.base.g, s.ink.g) | alpha << 16;
@@ -211,8 +211,8 @@ FROSTFILL_INLINE void drawAny(int samples, const Setup& setup, const Frame& fram
 {
     if (samples > 1)
     {
-        setup.lines ? drawRows<kMostTileSamples, true>(setup, frame, rows, part, tile)
-                    : drawRows<kMostTileSamples, false>(setup, frame, rows, part, tile);
+        setup.lines ? drawRows<kMaxTileSamples, true>(setup, frame, rows, part, tile)
+                    : drawRows<kMaxTileSamples, false>(setup, frame, rows, part, tile);
     }
     else
     {

@@ -26,7 +26,7 @@ FROSTFILL_INLINE Floats stripes(Floats phase, float share, float width)
     // Truncating serves for floor: phases are above -4.
     const Floats fraction =
         phase - (__builtin_convertvector(__builtin_convertvector(phase + 4, Mask), Floats) - 4);
-    const Floats fromMiddle = most(fraction - 0.5F, 0.5F - fraction);
+    const Floats fromMiddle = max(fraction - 0.5F, 0.5F - fraction);
     const Floats crisp =
         clamped((fromMiddle - 0.5F * (1 - share)) * (1 / std::max(width, 1e-4F)) + 0.5F);
     const float mean = std::clamp(2.5F * width - 0.75F, 0.0F, 1.0F);
@@ -86,11 +86,11 @@ struct InClean
     {
         Floats light = lightOf(dot(normals, s.up), dot(normals, s.key), dot(normals, s.fill),
                                dot(normals, s.back)) *
-                       (0.64F + 0.36F * least(1.7F * at.w, 1));
+                       (0.64F + 0.36F * min(1.7F * at.w, 1));
         Floats gloss{};
         if constexpr (marked)
         {
-            gloss = power32(most(dot(normals, s.highlight), 0)) * s.gloss;
+            gloss = power32(max(dot(normals, s.highlight), 0)) * s.gloss;
             light *= unmarked(s, at);
         }
         return inBytes(s.tint[0] * light + s.haze[0] + gloss, s.tint[1] * light + s.haze[1] + gloss,
@@ -119,10 +119,10 @@ struct InStudio
             if (o.ahead > -1)
             {
                 const Floats ahead = o.ahead - facing;
-                const Floats beside = root(most(squared - ahead * ahead, 0));
+                const Floats beside = root(max(squared - ahead * ahead, 0));
                 const Floats hidden =
-                    clamped(0.5F + (o.radius - beside) / (2 * kSoftness * most(ahead, 0) + 0.04F));
-                lamp *= chosen(ahead > 0, 1 - hidden, all(1));
+                    clamped(0.5F + (o.radius - beside) / (2 * kSoftness * max(ahead, 0) + 0.04F));
+                lamp *= select(ahead > 0, 1 - hidden, all(1));
             }
         }
     }
@@ -135,14 +135,14 @@ struct InStudio
         const Floats facing = dot(normals, l.towardsLamp);
         takeLight(normals, facing, sky, lamp);
         const Floats fromSky = (0.5F + 0.16F * dot(normals, l.up)) * sky;
-        const Floats key = 0.74F * most(facing, 0) * lamp;
-        const Floats shine = power16(most(dot(normals, l.gloss), 0)) * (25.5F * lamp);
+        const Floats key = 0.74F * max(facing, 0) * lamp;
+        const Floats shine = power16(max(dot(normals, l.gloss), 0)) * (25.5F * lamp);
         const Floats returned = 0.25F * (1 - sky) * (1.0F / 255);
         Floats left = all(1);
         Floats gloss{};
         if constexpr (marked)
         {
-            gloss = power32(most(dot(normals, s.highlight), 0)) * s.gloss;
+            gloss = power32(max(dot(normals, s.highlight), 0)) * s.gloss;
             left = unmarked(s, at);
         }
         const auto channel = [&](std::size_t c) __attribute__((always_inline))
@@ -196,7 +196,7 @@ FROSTFILL_INLINE void drawRows(const Setup& s, const Look& look, const PixelRect
             columnsOf(s, aboveRow, alongRow, rows, static_cast<float>(part.left));
         for (int x = from & ~(kLanes - 1); x < to; x += kLanes)
         {
-            const Floats dx = static_cast<float>(part.left + x) + 0.5F - s.x + counted();
+            const Floats dx = static_cast<float>(part.left + x) + 0.5F - s.x + iota();
             const Floats acrossK = s.acrossX * dx;
             const Floats aboveK = aboveRow + s.aboveX * dx;
             const Floats along = alongRow + s.alongX * dx;
@@ -204,9 +204,9 @@ FROSTFILL_INLINE void drawRows(const Setup& s, const Look& look, const PixelRect
             const Floats across = acrossK * over;
             const Floats above = aboveK * over;
             const Floats rhoSquared = across * across + above * above;
-            const Floats w = root(most(1 - rhoSquared, 0));
+            const Floats w = root(max(1 - rhoSquared, 0));
             const Floats q = along * s.nearScale;
-            const Floats isNear = q + (q * s.steepness + s.rise) * w;
+            const Floats isNear = q + (q * s.radiusOverDistance + s.rise) * w;
             const int first = y * kTileEdge + x;
             const auto at = static_cast<std::size_t>(first);
             std::array<Mask, samples> seen;
@@ -216,24 +216,24 @@ FROSTFILL_INLINE void drawRows(const Setup& s, const Look& look, const PixelRect
                 const Floats a = acrossK + s.acrossAt[k];
                 const Floats b = aboveK + s.aboveAt[k];
                 const Floats c = along + s.alongAt[k];
-                float* held = tile.nearness[k].data() + at;
+                float* held = tile.inverseDepth[k].data() + at;
                 const auto before = load<Floats>(held);
                 seen[k] = (a * a + b * b < c * c) & (c > 0) & (isNear > before);
                 seenAtAll |= seen[k];
-                store(chosen(seen[k], isNear, before), held);
+                store(select(seen[k], isNear, before), held);
             }
             if (!any(seenAtAll))
             {
                 continue;
             }
-            const Floats t = 1 / (1 + s.steepness * w);
-            const Words rgba =
-                look.template shaded<marked>(Normals{(s.steepness + w) * t, across * t, above * t},
-                                             Places{across, above, rhoSquared, w});
+            const Floats t = 1 / (1 + s.radiusOverDistance * w);
+            const Words rgba = look.template shaded<marked>(
+                Normals{(s.radiusOverDistance + w) * t, across * t, above * t},
+                Places{across, above, rhoSquared, w});
             for (std::size_t k = 0; k < samples; ++k)
             {
                 std::uint32_t* shown = tile.colour[k].data() + at;
-                store(chosen(seen[k], rgba, load<Words>(shown)), shown);
+                store(select(seen[k], rgba, load<Words>(shown)), shown);
             }
         }
     }
@@ -274,7 +274,7 @@ FROSTFILL_INLINE void drawSamples(int samples, const Setup& setup, const Lightin
 {
     if (samples > 1)
     {
-        drawAny<kMostTileSamples>(setup, lighting, rows, part, tile);
+        drawAny<kMaxTileSamples>(setup, lighting, rows, part, tile);
     }
     else
     {

@@ -32,7 +32,7 @@ public:
     /// Share of the hatch that is dark, as in common.glsl.
     static constexpr float kHatchShare = 0.34F;
 
-    /// `background` is the palette's. `front` is added to the nearness without perspective.
+    /// `background` is the palette's. `front` is added to the inverse depth without perspective.
     /// `avx2` as lanes::hasAvx2().
     SphereRaster(const SphereUniforms& uniforms, bool orthographic, const PictureSize& size,
                  const Colour& background, int samples, bool avx2, float front = 0);
@@ -41,7 +41,7 @@ public:
     void draw(const SphereInstance& sphere, const PixelRectangle& pixels, const TilePart& part,
               SampleTile& tile, const SphereLight* light = nullptr) const;
 
-    /// An upper bound of the nearness of the sphere's points; see kNothing.
+    /// An upper bound of the inverse depth of the sphere's points; see kNothing.
     [[nodiscard]] float nearest(const SphereInstance& sphere) const;
 
     /// What is constant over one sphere. Let dx, dy be pixels from its middle, D the ray, C the
@@ -52,8 +52,8 @@ public:
         float acrossX;               ///< K D.R = acrossX dx
         float aboveX, aboveY;        ///< K D.A = aboveX dx + aboveY dy
         float along, alongX, alongY; ///< D.C = along + alongX dx + alongY dy
-        float steepness;             ///< e; 0 without perspective
-        float nearScale, rise;       ///< nearness = q + (q e + rise) w, q = D.C nearScale
+        float radiusOverDistance;    ///< e; 0 without perspective
+        float nearScale, rise;       ///< inverse depth = q + (q e + rise) w, q = D.C nearScale
         /// Coefficients of the dot product of the normal with a direction: of (e + w) t, and of the
         /// two coordinates in the outline times t, where t = 1 / (1 + e w).
         struct Slope
@@ -61,11 +61,11 @@ public:
             float axis, right, above;
         };
         Slope up, key, fill, back, highlight;
-        std::array<float, 3> tint;                                      ///< [0..255]
-        std::array<float, 3> haze;                                      ///< [0..255]
-        float gloss, ring, hatch;                                       ///< strengths of the marks
-        float pixel;                                                    ///< in its radius
-        std::array<float, kMostTileSamples> acrossAt, aboveAt, alongAt; ///< from a pixel's middle
+        std::array<float, 3> tint;                                     ///< [0..255]
+        std::array<float, 3> haze;                                     ///< [0..255]
+        float gloss, ring, hatch;                                      ///< strengths of the marks
+        float pixel;                                                   ///< in its radius
+        std::array<float, kMaxTileSamples> acrossAt, aboveAt, alongAt; ///< from a pixel's middle
     };
 
     /// What the studio adds. Lengths are in its radius.

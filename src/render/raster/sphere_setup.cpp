@@ -23,7 +23,7 @@ const glm::vec3 kFillLight(0.802F, 0.134F, 0.582F);
 const glm::vec3 kBackLight(0.258F, 0.602F, -0.756F);
 const glm::vec3 kHighlight(-0.234F, 0.351F, 0.907F);
 /// Strength of gloss, ring and hatch for each SphereState.
-constexpr std::array<std::array<float, 3>, 3> kMarks = {
+constexpr std::array<std::array<float, 3>, 3> kStateMarks = {
     {{0.65F, 0.8F, 0}, {0, 0, 0}, {0, 0, 0.42F}}};
 
 /// As OpenGL takes a signed byte for -1..1.
@@ -66,7 +66,7 @@ void SphereRaster::setColours(const SphereInstance& sphere, const glm::vec3& cen
         uniforms_.haze * glm::clamp(glm::dot(uniforms_.distancePlane, point), 0.0F, 1.0F);
     const float distance = grid_.orthographic ? 1 : -centre.z;
     setup.pixel = distance / (uniforms_.pixelScale * sphere.radius);
-    const auto& [gloss, ring, ofHatch] = kMarks[sphere.state];
+    const auto& [gloss, ring, ofHatch] = kStateMarks[sphere.state];
     const float hatch = lit ? 0 : ofHatch;
     setup.gloss = 255 * gloss;
     setup.ring = ring;
@@ -97,7 +97,7 @@ bool SphereRaster::setUp(const SphereInstance& sphere, bool lit, Axes& axes, Set
         setup.aboveY = grid_.perRow / radius;
         setup.along = 1;
         setup.alongX = setup.alongY = 0;
-        setup.steepness = 0;
+        setup.radiusOverDistance = 0;
         setup.nearScale = centre.z + front_;
         setup.rise = radius;
     }
@@ -105,15 +105,15 @@ bool SphereRaster::setUp(const SphereInstance& sphere, bool lit, Axes& axes, Set
     {
         const float squared = glm::dot(centre, centre);
         const float distance = std::sqrt(squared);
-        const float steepness = radius / distance;
-        if (steepness >= 1 || centre.z >= 0)
+        const float radiusOverDistance = radius / distance;
+        if (radiusOverDistance >= 1 || centre.z >= 0)
         {
             return false; // the eye is in the sphere or past it
         }
         axis = centre / distance;
         right = glm::normalize(glm::vec3(-centre.z, 0, centre.x));
         above = glm::cross(centre, right) / -distance;
-        shrink = std::sqrt(1 - steepness * steepness);
+        shrink = std::sqrt(1 - radiusOverDistance * radiusOverDistance);
         const float scale = squared * shrink / radius; // K
         setup.x = (centre.x / -centre.z - grid_.left) / grid_.perColumn;
         setup.y = (centre.y / -centre.z - grid_.bottom) / grid_.perRow;
@@ -123,7 +123,7 @@ bool SphereRaster::setUp(const SphereInstance& sphere, bool lit, Axes& axes, Set
         setup.along = squared / -centre.z;
         setup.alongX = grid_.perColumn * centre.x;
         setup.alongY = grid_.perRow * centre.y;
-        setup.steepness = steepness;
+        setup.radiusOverDistance = radiusOverDistance;
         setup.nearScale = 1 / (squared - radius * radius);
         setup.rise = 0;
     }
@@ -132,7 +132,7 @@ bool SphereRaster::setUp(const SphereInstance& sphere, bool lit, Axes& axes, Set
     setup.fill = axes.slope(kFillLight);
     setup.back = axes.slope(kBackLight);
     setup.highlight = axes.slope(kHighlight);
-    for (std::size_t k = 0; k < kMostTileSamples; ++k)
+    for (std::size_t k = 0; k < kMaxTileSamples; ++k)
     {
         const SampleOffset at = samples_ > 1 ? kFourSamples[k] : SampleOffset{};
         setup.acrossAt[k] = setup.acrossX * at.x;

@@ -13,7 +13,7 @@ namespace
 {
 
 /// Spheres that one task of forAll places in the picture.
-constexpr std::size_t kSpheresATask = 4096;
+constexpr std::size_t kSpheresPerTask = 4096;
 
 } // namespace
 
@@ -29,7 +29,7 @@ TileLayer::TileLayer(const TileGrid& grid, const RenderSettings& settings, int s
     }
     if (studio_)
     {
-        surroundings_.emplace(studio_->lamp, std::nullopt);
+        sphereOcclusion_.emplace(studio_->lamp, std::nullopt);
     }
 }
 
@@ -67,16 +67,16 @@ void TileLayer::lookFrom(const TileView& view, const Framing& framing,
 void TileLayer::follow(std::span<const SphereInstance> resting, std::size_t first)
 {
     resting_ = resting;
-    if (surroundings_)
+    if (sphereOcclusion_)
     {
-        surroundings_->follow(resting, first);
+        sphereOcclusion_->follow(resting, first);
     }
 }
 
 RestingSpheres TileLayer::restingSpheres() const
 {
     return {resting_, placed_,
-            surroundings_ ? surroundings_->lights() : std::span<const SphereLight>()};
+            sphereOcclusion_ ? sphereOcclusion_->lights() : std::span<const SphereLight>()};
 }
 
 void TileLayer::rebuild(bool cull, std::span<PixelRectangle> dirty)
@@ -86,21 +86,21 @@ void TileLayer::rebuild(bool cull, std::span<PixelRectangle> dirty)
         tile.clear();
     }
     placed_.resize(resting_.size());
-    forAll(resting_.size(), kSpheresATask,
+    forAll(resting_.size(), kSpheresPerTask,
            [&](std::size_t i) { placed_[i] = view_->place(resting_[i]); });
     for (std::uint32_t i = 0; i < resting_.size(); ++i)
     {
         const SphereBounds& placed = placed_[i];
         grid_.each(placed.pixels, [&](std::size_t tile) { tiles_[tile].list(i, placed.nearest); });
     }
-    if (surroundings_)
+    if (sphereOcclusion_)
     {
         if (cull)
         {
             // Only their shapes, to see which spheres need light.
             repaintTiles({resting_, placed_, {}}, cull);
         }
-        lightWhatIsSeen();
+        updateVisibleLight();
     }
     repaintTiles(restingSpheres(), cull);
     for (std::size_t tile = 0; tile < tiles_.size(); ++tile)
@@ -116,7 +116,7 @@ void TileLayer::repaintTiles(const RestingSpheres& resting, bool cull)
                       { tiles_[tile].repaint(view_->raster, resting, grid_.part(tile), cull); });
 }
 
-void TileLayer::lightWhatIsSeen()
+void TileLayer::updateVisibleLight()
 {
     std::vector<bool> seen(resting_.size());
     for (const RestingTile& tile : tiles_)
@@ -131,7 +131,7 @@ void TileLayer::lightWhatIsSeen()
             spheres.push_back(i);
         }
     }
-    surroundings_->ask(spheres);
+    sphereOcclusion_->ask(spheres);
 }
 
 bool TileLayer::isSeen(std::uint32_t resting, std::size_t tile) const
@@ -170,7 +170,7 @@ void TileLayer::repaint(std::span<const std::size_t> recoloured, std::span<Pixel
     {
         note(static_cast<std::uint32_t>(sphere));
     }
-    if (surroundings_)
+    if (sphereOcclusion_)
     {
         const auto isSeenAnywhere = [&](std::uint32_t sphere)
         {
@@ -179,7 +179,7 @@ void TileLayer::repaint(std::span<const std::size_t> recoloured, std::span<Pixel
                        [&](std::size_t tile) { seen = seen || isSeen(sphere, tile); });
             return seen;
         };
-        for (const std::uint32_t sphere : surroundings_->askAgain(isSeenAnywhere))
+        for (const std::uint32_t sphere : sphereOcclusion_->refresh(isSeenAnywhere))
         {
             note(sphere);
         }
@@ -198,9 +198,9 @@ void TileLayer::add(std::size_t first, std::span<PixelRectangle> dirty)
     {
         placed_.push_back(view_->place(resting_[i]));
         const SphereBounds& placed = placed_.back();
-        if (surroundings_ && !isHidden(placed))
+        if (sphereOcclusion_ && !isHidden(placed))
         {
-            surroundings_->ofResting(i);
+            sphereOcclusion_->ofResting(i);
         }
         const RestingSpheres resting = restingSpheres();
         grid_.each(
@@ -219,11 +219,11 @@ void TileLayer::add(std::size_t first, std::span<PixelRectangle> dirty)
 std::optional<SphereLight> TileLayer::lightOn(const SphereInstance& sphere,
                                               const SphereBounds& placed)
 {
-    if (!surroundings_)
+    if (!sphereOcclusion_)
     {
         return {};
     }
-    return isHidden(placed) ? SphereLight{} : surroundings_->of(sphere);
+    return isHidden(placed) ? SphereLight{} : sphereOcclusion_->of(sphere);
 }
 
 } // namespace frostfill

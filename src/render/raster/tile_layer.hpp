@@ -2,8 +2,8 @@
 #pragma once
 
 #include "render/layer/projected_sphere.hpp"
+#include "render/layer/sphere_occlusion.hpp"
 #include "render/layer/studio.hpp"
-#include "render/layer/surroundings.hpp"
 #include "render/raster/ground_raster.hpp"
 #include "render/raster/resting_tile.hpp"
 #include "render/raster/sphere_raster.hpp"
@@ -65,7 +65,7 @@ public:
 private:
     [[nodiscard]] RestingSpheres restingSpheres() const;
     void repaintTiles(const RestingSpheres& resting, bool cull);
-    void lightWhatIsSeen();
+    void updateVisibleLight();
     [[nodiscard]] bool isSeen(std::uint32_t resting, std::size_t tile) const;
     /// In every tile.
     [[nodiscard]] bool isHidden(const SphereBounds& sphere) const;
@@ -74,7 +74,7 @@ private:
     PictureSize size_;
     Colour background_;
     std::optional<Studio> studio_;
-    std::optional<Surroundings> surroundings_; ///< in the studio
+    std::optional<SphereOcclusion> sphereOcclusion_; ///< in the studio
     const TileView* view_ = nullptr;
     std::span<const SphereInstance> resting_;
     std::vector<SphereBounds> placed_;      ///< [resting]

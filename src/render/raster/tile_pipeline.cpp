@@ -31,7 +31,7 @@ bool TilePipeline::draws(const RenderSettings& settings)
 
 TilePipeline::TilePipeline(const TriangleMesh& mesh, const RenderSettings& settings, bool avx2)
     : viewpoint_(mesh, settings), size_(settings.size),
-      samples_(settings.samples > 1 ? kMostTileSamples : 1), avx2_(avx2), grid_(size_)
+      samples_(settings.samples > 1 ? kMaxTileSamples : 1), avx2_(avx2), grid_(size_)
 {
     if (size_.width > kLongestEdge || size_.height > kLongestEdge)
     {
@@ -107,12 +107,12 @@ const std::vector<PixelRectangle>& TilePipeline::draw(const Snapshot& snapshot, 
     {
         useFraming();
     }
-    const SphereLedger::Changes& changes =
-        ledger_.update(snapshot, viewpoint_.framing(), viewpoint_.colours());
+    const SphereDrawList::Changes& changes =
+        drawList_.update(snapshot, viewpoint_.framing(), viewpoint_.colours());
     const bool startAgain = stale_ || changes.everything;
-    if (startAgain && ledger_.resting().size() >= kSortFrom)
+    if (startAgain && drawList_.resting().size() >= kSortFrom)
     {
-        ledger_.sortFrontToBack(viewpoint_.framing());
+        drawList_.sortFrontToBack(viewpoint_.framing());
     }
     if (shell_)
     {
@@ -123,7 +123,7 @@ const std::vector<PixelRectangle>& TilePipeline::draw(const Snapshot& snapshot, 
         }
     }
     stale_ = false;
-    layer_->follow(ledger_.resting(), startAgain ? 0 : changes.firstArrival);
+    layer_->follow(drawList_.resting(), startAgain ? 0 : changes.firstArrival);
     if (startAgain || !viewpoint_.settings().staticLayer)
     {
         layer_->rebuild(viewpoint_.settings().staticLayer, dirty_);
@@ -163,7 +163,7 @@ void TilePipeline::placeRunning()
     }
     running_.clear();
     runningLights_.clear();
-    for (const SphereInstance& sphere : ledger_.running())
+    for (const SphereInstance& sphere : drawList_.running())
     {
         const auto index = static_cast<std::uint32_t>(running_.size());
         const SphereBounds now = view_->place(sphere);
@@ -221,7 +221,7 @@ PixelRectangle TilePipeline::compose(std::size_t tile, SampleTile& work, Image& 
     for (const std::uint32_t sphere : runningIn_[tile])
     {
         const auto& light = runningLights_[sphere];
-        view_->raster.draw(ledger_.running()[sphere], running_[sphere].pixels, dirty, work,
+        view_->raster.draw(drawList_.running()[sphere], running_[sphere].pixels, dirty, work,
                            light ? &*light : nullptr);
     }
     if (shell_)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "render/layer/sphere_ledger.hpp"
+#include "render/layer/sphere_draw_list.hpp"
 #include "render/layer/triangle_tiles.hpp"
 #include "render/overlay/viewpoint.hpp"
 #include "render/raster/has_avx2.hpp"
@@ -65,7 +65,7 @@ private:
     std::optional<TileView> view_;
     std::optional<TileLayer> layer_;
     std::unique_ptr<SwatchRaster> swatches_;
-    SphereLedger ledger_;
+    SphereDrawList drawList_;
     std::vector<SphereBounds> running_;                     ///< [running]
     std::vector<std::optional<SphereLight>> runningLights_; ///< [running] none but in the studio
     std::vector<std::vector<std::uint32_t>> runningIn_;     ///< [tiles] those that may be seen

@@ -13,7 +13,7 @@ namespace
 constexpr double kLargestZoom = 1e4;
 constexpr double kSlowestMotion = 1e6;
 constexpr double kLongestTurn = 1e6;
-constexpr double kFewestPerSecond = 1e-3;
+constexpr double kMinPerSecond = 1e-3;
 constexpr double kShortestVideo = 0.01;
 
 void addKeepRun(TableBuilder& table)
@@ -69,18 +69,18 @@ void addFrames(TableBuilder& table)
                          return true;
                      }});
     table.add("frames.fps", "--fps", "Frames per second of video", FROSTFILL_FIELD(frames.fps))
-        .range(kFewestPerSecond, 10000);
+        .range(kMinPerSecond, 10000);
     table
         .add("frames.slow_motion", "--slow-motion",
              "Video time over simulated time; auto: follows from the duration",
              FROSTFILL_FIELD(frames.slowMotion))
-        .orNothing("auto")
+        .orUnset("auto")
         .range(1 / kSlowestMotion, kSlowestMotion);
     table
         .add("frames.duration", "--duration",
              "Length of the animation [s of video]; auto: 20 s, less for a few spheres",
              FROSTFILL_FIELD(frames.duration))
-        .orNothing("auto")
+        .orUnset("auto")
         .range(kShortestVideo, kLongestTurn);
     table
         .add("frames.limit", "--max-frames",
@@ -158,7 +158,7 @@ void addPicture(TableBuilder& table)
         .add("picture.shell_opacity", "--shell-opacity",
              "How much the shell hides, 0 to 1; auto: that of its colour",
              FROSTFILL_FIELD(style.shellOpacity))
-        .orNothing("auto")
+        .orUnset("auto")
         .range(0, 1);
     table.add("picture.ground", "--ground",
               "With the style studio: show a ground with the shadow of the object",
@@ -192,7 +192,7 @@ void addCamera(TableBuilder& table)
              "Angle of the view about the up axis [degree]; auto: 30, or 210 where that would show "
              "the back of an object whose upper half leans to the other side",
              FROSTFILL_FIELD(camera.azimuth))
-        .orNothing("auto")
+        .orUnset("auto")
         .range(-3600, 3600);
     table
         .add("camera.elevation", "--elevation", "Angle of the view above the horizon [degree]",
@@ -213,21 +213,21 @@ void addCamera(TableBuilder& table)
         .add("camera.target", "--target",
              "Point in the middle of the picture [mesh unit]; auto: the middle of the object",
              FROSTFILL_FIELD(camera.target))
-        .orNothing("auto")
+        .orUnset("auto")
         .range(-kLargestLength, kLargestLength);
     table
         .add("camera.distance", "--distance",
              "Distance of the eye from the target [mesh unit], perspective only; auto: the object "
              "fits",
              FROSTFILL_FIELD(camera.distance))
-        .orNothing("auto")
+        .orUnset("auto")
         .range(kSmallestLength, kLargestLength);
     table
         .add("camera.turntable", "--turntable",
              "Time in which the camera circles the object once [s of video]; with --frames last, "
              "the full object turns once",
              FROSTFILL_FIELD(camera.turntable))
-        .orNothing("none")
+        .orUnset("none")
         .range(1 / kLongestTurn, kLongestTurn);
 }
 

@@ -7,8 +7,8 @@ namespace
 {
 
 constexpr double kLargestGroup = 1e6;
-constexpr double kMostThreads = 1024;
-constexpr double kMostSweeps = 1000;
+constexpr double kMaxThreads = 1024;
+constexpr double kMaxSweeps = 1000;
 // What no run needs, and what would overflow, underflow or go on for ever in it.
 constexpr double kLargestNumber = 1e9;
 constexpr double kLargestGravity = 1e6;
@@ -39,7 +39,7 @@ void addObject(TableBuilder& table)
              "Wrap a skin around the mesh; it enters openings wider than twice this length [mesh "
              "unit]; auto: 1/50 of the box's diagonal; needs frostfill-wrap",
              FROSTFILL_FIELD(object.load.wrap))
-        .orNothing("none")
+        .orUnset("none")
         .range(0, kLargestNumber)
         .words({{"auto", 0}})
         .implied("auto");
@@ -56,13 +56,13 @@ void addSpheres(TableBuilder& table)
              "Radius [mesh unit], range of radii, or file of radii; without --count, fill until "
              "full",
              FROSTFILL_FIELD(spheres.radius))
-        .orNothing("auto")
+        .orUnset("auto")
         .range(kSmallestLength, kLargestLength);
     table
         .add("spheres.count", "--count",
              "Number of spheres; without --radius, a radius is chosen at which they fit",
              FROSTFILL_FIELD(spheres.count))
-        .orNothing("none")
+        .orUnset("none")
         .range(1, kLargestWhole);
     table.add("spheres.until_full", "--until-full", "Continue after the count until no sphere fits",
               FROSTFILL_FIELD(spheres.untilFull));
@@ -99,7 +99,7 @@ void addMotion(TableBuilder& table)
         .add("motion.dt", "--dt",
              "Time step [s]; the preset fast divides steps above 0.33 sqrt(r/g)",
              FROSTFILL_FIELD(motion.dt))
-        .orNothing("auto")
+        .orUnset("auto")
         .range(kSmallestLength, kLongestWait);
     table
         .add("motion.restitution", "--restitution",
@@ -110,7 +110,7 @@ void addMotion(TableBuilder& table)
         .add("motion.sweeps", "--sweeps",
              "Largest number of sweeps of the contact solver in a step",
              FROSTFILL_FIELD(motion.sweeps))
-        .range(1, kMostSweeps)
+        .range(1, kMaxSweeps)
         .of(Preset::fast);
 }
 
@@ -136,14 +136,14 @@ void addMove(TableBuilder& table)
         .add("move.frequency", "--shake-frequency",
              "Frequency of shaking [1/s]; auto: the peak acceleration is half of gravity",
              FROSTFILL_FIELD(move.frequency))
-        .orNothing("auto")
+        .orUnset("auto")
         .range(1 / kLongestWait, kLongestWait)
         .of(Preset::fast);
     table
         .add("move.duration", "--move-for",
              "Duration of the movement [s]; auto: eight falls through the object's height",
              FROSTFILL_FIELD(move.duration))
-        .orNothing("auto")
+        .orUnset("auto")
         .range(1 / kLongestWait, kLongestMove)
         .of(Preset::fast);
 }
@@ -165,7 +165,7 @@ void addFreezing(TableBuilder& table)
     table
         .add("freezing.rule", "", "When spheres freeze; auto: freezing.by_set decides",
              FROSTFILL_FIELD(freezing.rule))
-        .orNothing("auto")
+        .orUnset("auto")
         .of(Preset::fast);
     table
         .add("freezing.rest_speed", "--rest-speed",
@@ -192,7 +192,7 @@ void addDiscards(TableBuilder& table)
     table
         .add("threads", "--threads", "Threads of the preset fast; 0: one for each core",
              FROSTFILL_FIELD(threads))
-        .range(0, kMostThreads);
+        .range(0, kMaxThreads);
     table.heading("Discarding and searches");
     table.add("discard.rule", "--discard",
               "Rule for what is no longer tested; exact changes no bit, paper is heuristic",

@@ -157,7 +157,7 @@ std::string tomlValue(const Option& option, const OptionValue& value)
 /// itself for each part, and the stack ends.
 std::uint32_t lineOfEndlessKey(std::string_view toml)
 {
-    constexpr std::size_t kMostParts = 256;
+    constexpr std::size_t kMaxParts = 256;
     std::uint32_t line = 1;
     std::size_t dots = 0;
     for (const char c : toml)
@@ -171,7 +171,7 @@ std::uint32_t lineOfEndlessKey(std::string_view toml)
         {
             dots = 0; // not within a key
         }
-        if (dots > kMostParts)
+        if (dots > kMaxParts)
         {
             return line;
         }
@@ -211,7 +211,7 @@ Scene sceneFromValues(const FileValues& values, std::string_view file)
     {
         apply(option.key, values, scene, file);
     }
-    fillUntilFullForARadiusAlone(values, scene);
+    impliesUntilFull(values, scene);
     return scene;
 }
 

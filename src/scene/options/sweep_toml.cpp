@@ -17,7 +17,7 @@ namespace frostfill
 namespace
 {
 
-constexpr std::size_t kMostRuns = 1000000;
+constexpr std::size_t kMaxRuns = 1000000;
 constexpr std::size_t kLongestName = 200; // file systems take 255 bytes, and parts get endings
 
 /// A key of scenes with the values that it takes in turn.
@@ -184,10 +184,10 @@ std::vector<SweepRun> parseSweep(std::string_view toml, std::string_view nameFor
         }
         both[key] = value.list.empty() ? value : value.list.front();
         count *= std::max<std::size_t>(1, value.list.size());
-        if (count > kMostRuns)
+        if (count > kMaxRuns)
         {
             refuseSweep(nameForMessages, value.line,
-                        fmt::format("the sweep has more than {} runs", kMostRuns));
+                        fmt::format("the sweep has more than {} runs", kMaxRuns));
         }
     }
     (void)sceneFromValues(both, nameForMessages); // for keys that no scene has

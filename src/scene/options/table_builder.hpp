@@ -27,7 +27,7 @@ public:
         table_.push_back(std::move(option));
         return *this;
     }
-    TableBuilder& orNothing(const char* word)
+    TableBuilder& orUnset(const char* word)
     {
         table_.back().nothing = word;
         return *this;

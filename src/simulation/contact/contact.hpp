@@ -62,7 +62,7 @@ struct Contact
 }
 
 /// The way on which a sphere leaves a contact: its normal, or up where the two centres are one.
-[[nodiscard]] inline Eigen::Vector3d wayOut(const Contact& contact)
+[[nodiscard]] inline Eigen::Vector3d separationDirection(const Contact& contact)
 {
     return contact.normal.isZero(0) ? Eigen::Vector3d::UnitY() : contact.normal;
 }

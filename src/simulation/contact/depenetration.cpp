@@ -19,7 +19,7 @@ struct Push
     void take(const Contact& contact)
     {
         depth = contact.depth;
-        out = wayOut(contact) * (depth + kClearance);
+        out = separationDirection(contact) * (depth + kClearance);
     }
 };
 

@@ -87,7 +87,7 @@ Eigen::Vector3d contactNormals(const Surface& surface, const NeighbourList& arou
                                const Eigen::Vector3d& p, double radius, double gap,
                                std::vector<Eigen::Vector3d>& normals)
 {
-    Eigen::Vector3d wayOut = Eigen::Vector3d::Zero();
+    Eigen::Vector3d pushOut = Eigen::Vector3d::Zero();
     double deepest = kCrept * radius;
     normals.clear();
     for (std::size_t k = 0; k < around.spheres(); ++k)
@@ -106,11 +106,11 @@ Eigen::Vector3d contactNormals(const Surface& surface, const NeighbourList& arou
             if (contact->depth > deepest)
             {
                 deepest = contact->depth;
-                wayOut = deepest * contact->normal;
+                pushOut = deepest * contact->normal;
             }
         }
     }
-    return wayOut;
+    return pushOut;
 }
 
 } // namespace frostfill

@@ -85,7 +85,7 @@ bool ExactDiscard::afterStep()
 }
 
 // Cubes of which the coarse search said that they may hold a place are then asked once more.
-void ExactDiscard::lookCloserNearTheEnd()
+void ExactDiscard::refineNearTheEnd()
 {
     const bool untilFull = world_.targetCount == 0;
     const auto resting = static_cast<double>(world_.spheres.discardedCount() + kept_.size());
@@ -99,7 +99,7 @@ void ExactDiscard::lookCloserNearTheEnd()
 
 void ExactDiscard::updateWithoutTheNewest()
 {
-    lookCloserNearTheEnd();
+    refineNearTheEnd();
     const std::size_t before = violations_;
     const std::uint32_t newest = pending_.back();
     pending_.pop_back();

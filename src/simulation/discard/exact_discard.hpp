@@ -63,7 +63,7 @@ private:
     [[nodiscard]] bool polygonDroppable(std::uint32_t triangle);
     [[nodiscard]] bool holdsPlace(int x, int y, int z);
     [[nodiscard]] bool stands(Cube witness);
-    void lookCloserNearTheEnd();
+    void refineNearTheEnd();
     void restoreAll();
 
     World& world_;

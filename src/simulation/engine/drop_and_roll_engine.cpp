@@ -11,15 +11,15 @@ namespace frostfill
 {
 
 DropAndRollEngine::DropAndRollEngine(World& world)
-    : world_(world), threads_(world.scene.threads), followers_(world, world.height, threads_),
-      dropAndRoll_(world, followers_.falls)
+    : world_(world), threads_(world.scene.threads), observers_(world, world.height, threads_),
+      dropAndRoll_(world, observers_.falls)
 {
     const SphereSettings& spheres = world.scene.spheres;
     setSize_ = std::max<std::size_t>(groupSize(world) * spheres.groupsPerSet,
-                                     expectedCount(world) / kMostSets);
-    stepSize_ = std::max<std::size_t>(1, expectedCount(world) / kMostSets);
+                                     expectedCount(world) / kMaxSets);
+    stepSize_ = std::max<std::size_t>(1, expectedCount(world) / kMaxSets);
     world.clock.dt = kTimeOfSet * static_cast<double>(stepSize_) / static_cast<double>(setSize_);
-    if (!followers_.release->any())
+    if (!observers_.release->any())
     {
         refuseTooLarge(world);
     }
@@ -54,7 +54,7 @@ bool DropAndRollEngine::step()
     }
     ++world_.clock.steps;
     world_.clock.finished = world_.clock.full || world_.spheres.size() == world_.targetCount;
-    if (DiscardPart* discard = followers_.discard.get())
+    if (DiscardPart* discard = observers_.discard.get())
     {
         const StageTimer timer(world_.counts.times, Stage::discarding);
         discard->afterFreezing();
@@ -73,13 +73,13 @@ bool DropAndRollEngine::step()
 bool DropAndRollEngine::placeOne()
 {
     const ReleaseQuery anywhere = {.suits = [](const Eigen::Vector3d&, double) { return true; }};
-    while (const auto found = followers_.release->next(anywhere))
+    while (const auto found = observers_.release->next(anywhere))
     {
         if (settle(found->place, found->radius))
         {
             return true;
         }
-        followers_.release->giveUp();
+        observers_.release->giveUp();
     }
     return false;
 }
@@ -92,7 +92,7 @@ bool DropAndRollEngine::settle(Eigen::Vector3d place, double radius)
         return false;
     }
     const auto group = static_cast<std::uint32_t>(world_.spheres.size() / groupSize(world_));
-    followers_.add(world_.spheres.addResting(place, radius, group), place, radius);
+    observers_.add(world_.spheres.addResting(place, radius, group), place, radius);
     return true;
 }
 
@@ -104,7 +104,7 @@ void DropAndRollEngine::releaseAt(std::span<const PlacedSphere> spheres)
         Eigen::Vector3d place = one.place;
         if (!depenetrate(world_, place, one.radius, kFarRelease) || !settle(place, one.radius))
         {
-            refuseCrowdedPlace(world_, one);
+            refuseOverlap(world_, one);
         }
     }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "simulation/freezing/rest_followers.hpp"
+#include "simulation/freezing/rest_observers.hpp"
 #include "simulation/motion/drop_and_roll.hpp"
 #include "simulation/world/set_recorder.hpp"
 #include "simulation/world/world.hpp"
@@ -25,7 +25,7 @@ private:
 
     World& world_;
     Threads threads_;
-    RestFollowers followers_;
+    RestObservers observers_;
     DropAndRoll dropAndRoll_;
     SetRecorder clock_;
     std::size_t setSize_ = 1;

@@ -33,7 +33,7 @@ double ageLimit(const World& world)
 {
     const double fall = std::sqrt(2 * world.height);
     const double e = std::min(world.scene.motion.restitution, kLiveliest);
-    return world.scene.freezing.setTimeLimit + fall * std::max(kFewestFalls, (1 + e) / (1 - e));
+    return world.scene.freezing.setTimeLimit + fall * std::max(kMinFalls, (1 + e) / (1 - e));
 }
 
 double releaseBand(const World& world)
@@ -51,15 +51,15 @@ int sweeps(const World& world)
 
 FastEngine::FastEngine(World& world)
     : world_(world), running_(world.spheres.running()), threads_(world.scene.threads),
-      grid_(world.spheres.resting().frame()), followers_(world, releaseBand(world), threads_),
-      flight_(world, {{world.scene.motion.restitution}}), dropAndRoll_(world, followers_.falls),
+      grid_(world.spheres.resting().frame()), observers_(world, releaseBand(world), threads_),
+      flight_(world, {{world.scene.motion.restitution}}), dropAndRoll_(world, observers_.falls),
       sets_(world, ageLimit(world)), solver_(running_, grid_, flight_, threads_,
                                              {.restitution = {world.scene.motion.restitution},
                                               .sweeps = sweeps(world),
                                               .stiff = !sets_.keepsSets()}),
-      freezer_(world, grid_, followers_, flight_, solver_, threads_, ageLimit(world)), waker_(world)
+      freezer_(world, grid_, observers_, flight_, solver_, threads_, ageLimit(world)), waker_(world)
 {
-    if (!followers_.release->any())
+    if (!observers_.release->any())
     {
         refuseTooLarge(world);
     }
@@ -118,11 +118,11 @@ std::size_t FastEngine::release(std::size_t wanted)
         };
     }
     grid_.rebuild(running_);
-    followers_.release->forgetAhead();
+    observers_.release->clearLookahead();
     std::size_t found = 0;
     while (found < wanted && !world_.stop.isAsked())
     {
-        const auto next = followers_.release->next(query);
+        const auto next = observers_.release->next(query);
         if (!next)
         {
             break;
@@ -144,7 +144,7 @@ void FastEngine::releaseAt(std::span<const PlacedSphere> spheres)
         Eigen::Vector3d place = one.place;
         if (!depenetrate(world_, place, one.radius, kFarRelease))
         {
-            refuseCrowdedPlace(world_, one);
+            refuseOverlap(world_, one);
         }
         world_.spheres.add(place, one.radius, sets_.groupOf(0));
     }
@@ -165,13 +165,13 @@ bool FastEngine::anythingMoves()
     {
         beginMotion();
     }
-    return waker_.goOn();
+    return waker_.wakeAgain();
 }
 
 // What was out of reach need not stay so.
 void FastEngine::beginMotion()
 {
-    followers_.discard.reset();
+    observers_.discard.reset();
     world_.restoreDiscarded();
     sets_.openRecord(0);
 }
@@ -234,7 +234,7 @@ void FastEngine::freezeAndWake()
     {
         // Places were closed for good where something has been at rest; now they are looked for
         // anew, for spheres that find no room where they are.
-        followers_.release = makeRelease(world_, -1, threads_);
+        observers_.release = makeRelease(world_, -1, threads_);
     }
     if (waker_.wakeWhenDue())
     {
@@ -245,10 +245,10 @@ void FastEngine::freezeAndWake()
 
 void FastEngine::discard()
 {
-    if (followers_.discard)
+    if (observers_.discard)
     {
         const StageTimer timer(world_.counts.times, Stage::discarding);
-        if (followers_.discard->afterStep())
+        if (observers_.discard->afterStep())
         {
             flight_.forgetNeighbours();
         }
@@ -261,16 +261,16 @@ void FastEngine::finish()
     world_.clock.finished = true;
     if (waker_.phase() == Waker::Phase::over)
     {
-        followers_.discard = makeDiscard(world_);
-        for (std::uint32_t id = 0; followers_.discard && id < world_.spheres.size(); ++id)
+        observers_.discard = makeDiscard(world_);
+        for (std::uint32_t id = 0; observers_.discard && id < world_.spheres.size(); ++id)
         {
-            followers_.discard->addResting(id);
+            observers_.discard->addResting(id);
         }
     }
-    if (followers_.discard)
+    if (observers_.discard)
     {
         const StageTimer timer(world_.counts.times, Stage::discarding);
-        followers_.discard->finish(world_.clock.full);
+        observers_.discard->finish(world_.clock.full);
     }
     sets_.closeRecord();
 }

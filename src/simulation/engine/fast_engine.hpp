@@ -5,8 +5,8 @@
 
 #include "base/threads.hpp"
 #include "simulation/freezing/freezer.hpp"
-#include "simulation/freezing/rest_followers.hpp"
-#include "simulation/freezing/set_keeper.hpp"
+#include "simulation/freezing/rest_observers.hpp"
+#include "simulation/freezing/set_schedule.hpp"
 #include "simulation/freezing/waker.hpp"
 #include "simulation/motion/drop_and_roll.hpp"
 #include "simulation/motion/free_flight.hpp"
@@ -46,10 +46,10 @@ private:
     RunningSpheres& running_;
     Threads threads_;
     RunnerGrid grid_;
-    RestFollowers followers_; ///< where falls end, where spheres can appear, what is discarded
+    RestObservers observers_; ///< where falls end, where spheres can appear, what is discarded
     FreeFlight flight_;
     DropAndRoll dropAndRoll_;
-    SetKeeper sets_;
+    SetSchedule sets_;
     PositionSolver solver_;
     Freezer freezer_;
     Waker waker_;

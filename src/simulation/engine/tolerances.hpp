@@ -32,7 +32,7 @@ inline constexpr double kWindow = 0.33;
 inline constexpr double kLiveliest = 0.95;
 /// Falls through the height that a sphere is given at least. Smaller: spheres are overdue on a long
 /// way down. Larger: what never comes to rest runs longer.
-inline constexpr double kFewestFalls = 4;
+inline constexpr double kMinFalls = 4;
 
 // When a run is stopped.
 
@@ -58,7 +58,7 @@ inline constexpr double kFarRelease = 4;
 // Without dynamics (Motion::descend).
 
 /// A run is recorded as at most so many sets. Larger: more pictures than anyone looks at.
-inline constexpr std::size_t kMostSets = 200;
+inline constexpr std::size_t kMaxSets = 200;
 /// Nothing moves in time there; a set counts as this [sqrt(r/g)], so that pictures show the object
 /// fill up.
 inline constexpr double kTimeOfSet = 1;

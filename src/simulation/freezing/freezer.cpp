@@ -11,11 +11,11 @@
 namespace frostfill
 {
 
-Freezer::Freezer(World& world, RunnerGrid& grid, RestFollowers& followers, FreeFlight& flight,
+Freezer::Freezer(World& world, RunnerGrid& grid, RestObservers& observers, FreeFlight& flight,
                  PositionSolver& solver, Threads& threads, double ageLimit)
-    : world_(world), running_(world.spheres.running()), grid_(grid), followers_(followers),
-      flight_(flight), solver_(solver), threads_(threads), dropAndRoll_(world, followers.falls),
-      island_(running_, flight, solver.pairs(), threads), room_(world, grid, flight, followers),
+    : world_(world), running_(world.spheres.running()), grid_(grid), observers_(observers),
+      flight_(flight), solver_(solver), threads_(threads), dropAndRoll_(world, observers.falls),
+      island_(running_, flight, solver.pairs(), threads), resolver_(world, grid, flight, observers),
       ageLimit_(ageLimit), layer_(spheresInLayer(world)),
       watch_(running_, [this](std::uint32_t row, RestWatch& watch)
              { watch = {.start = running_.position[row]}; })
@@ -41,7 +41,7 @@ void Freezer::startWindow()
     }
 }
 
-void Freezer::freeze(SetKeeper& sets)
+void Freezer::freeze(SetSchedule& sets)
 {
     findSleepy();
     sets.endWindow(watch_.all(), sleepy_);
@@ -58,9 +58,9 @@ void Freezer::freeze(SetKeeper& sets)
     }
     freezeOneByOne();
     world_.spheres.closeRanks();
-    if (followers_.discard)
+    if (observers_.discard)
     {
-        followers_.discard->afterFreezing();
+        observers_.discard->afterFreezing();
     }
 }
 
@@ -187,7 +187,7 @@ void Freezer::tryFreeze(std::uint32_t row, bool insist)
     const bool tooOld = isOverdue(row);
     const std::uint32_t stillWindows = watch_[row].stillWindows;
     const bool blocked = insist || tooOld || stillWindows > kBlocked;
-    const bool room = room_.makeRoom(row, resting, blocked ? kFarRoom : kNearRoom);
+    const bool room = resolver_.moveAside(row, resting, blocked ? kFarRoom : kNearRoom);
     if (!room && !insist && !tooOld && stillWindows <= kBlockedForGood)
     {
         return;
@@ -195,15 +195,15 @@ void Freezer::tryFreeze(std::uint32_t row, bool insist)
     const std::uint32_t atRest = world_.spheres.freeze(running_.id[row], resting.place);
     if (!room)
     {
-        room_.evict();
+        resolver_.evict();
     }
-    for (const std::uint32_t moved : room_.overlapped())
+    for (const std::uint32_t moved : resolver_.overlapped())
     {
         stale_[moved] = 1;
     }
     world_.counts.overdue += tooOld ? 1 : 0;
     // Its id may have changed: one that was withdrawn has left its own to the last sphere.
-    followers_.add(world_.spheres.resting().id(atRest), resting.place, resting.radius);
+    observers_.add(world_.spheres.resting().id(atRest), resting.place, resting.radius);
     tell(resting.place, resting.radius);
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "simulation/freezing/rest_followers.hpp"
-#include "simulation/freezing/room_maker.hpp"
-#include "simulation/freezing/set_keeper.hpp"
+#include "simulation/freezing/overlap_resolver.hpp"
+#include "simulation/freezing/rest_observers.hpp"
+#include "simulation/freezing/set_schedule.hpp"
 #include "simulation/motion/drop_and_roll.hpp"
 #include "simulation/motion/free_flight.hpp"
 #include "simulation/solver/position_solver.hpp"
@@ -23,7 +23,7 @@ class Freezer
 {
 public:
     /// Everything given outlives this. `ageLimit`: see SetProgress.
-    Freezer(World& world, RunnerGrid& grid, RestFollowers& followers, FreeFlight& flight,
+    Freezer(World& world, RunnerGrid& grid, RestObservers& observers, FreeFlight& flight,
             PositionSolver& solver, Threads& threads, double ageLimit);
 
     /// To be called in each step for each runner after its flight, on any thread: it is older by
@@ -32,7 +32,7 @@ public:
     /// Windows begin where the runners are now.
     void startWindow();
     /// To be called at the end of each window.
-    void freeze(SetKeeper& sets);
+    void freeze(SetSchedule& sets);
 
 private:
     void findSleepy();
@@ -49,13 +49,13 @@ private:
     World& world_;
     RunningSpheres& running_;
     RunnerGrid& grid_;
-    RestFollowers& followers_;
+    RestObservers& observers_;
     FreeFlight& flight_;
     PositionSolver& solver_;
     Threads& threads_;
     DropAndRoll dropAndRoll_;
     SupportIsland island_;
-    RoomMaker room_;
+    OverlapResolver resolver_;
     double ageLimit_;
     double layer_; ///< spheres that cover the object's cross-section
     RunningColumn<RestWatch> watch_;

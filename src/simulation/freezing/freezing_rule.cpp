@@ -15,7 +15,7 @@ class OneByOne final : public FreezingPart
 {
 public:
     void select(const SetProgress&, std::span<RestWatch>, std::vector<std::uint32_t>&) override {}
-    [[nodiscard]] bool letsMoreAppear(const SetProgress& set) const override
+    [[nodiscard]] bool allowsRelease(const SetProgress& set) const override
     {
         const double few = kStillRunning * static_cast<double>(set.size);
         return set.running <= static_cast<std::size_t>(few);
@@ -49,7 +49,7 @@ public:
             sleepy.clear();
         }
     }
-    [[nodiscard]] bool letsMoreAppear(const SetProgress& set) const override
+    [[nodiscard]] bool allowsRelease(const SetProgress& set) const override
     {
         return !set.complete && !sleeps_;
     }

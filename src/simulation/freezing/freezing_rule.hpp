@@ -48,7 +48,7 @@ public:
                         std::vector<std::uint32_t>& sleepy) = 0;
 
     /// Whether spheres are to appear while others run.
-    [[nodiscard]] virtual bool letsMoreAppear(const SetProgress& set) const = 0;
+    [[nodiscard]] virtual bool allowsRelease(const SetProgress& set) const = 0;
     /// They are looked for.
     virtual void moreAppear() {}
 

@@ -90,7 +90,7 @@ inline constexpr std::uint32_t kWindowsToFall = 9;
 /// Times that what nothing carries is woken after the object has stopped. Larger: a sphere that is
 /// frozen without support each time, for want of room, runs in vain for longer. Smaller: what the
 /// last ones carried is left hanging.
-inline constexpr int kMostLooks = 10;
+inline constexpr int kMaxLooks = 10;
 /// Change of the pull's direction that is not worth a look at all spheres at rest [1]. Larger: what
 /// a slow motion lets go wakes late, several layers at once. Smaller: time.
 inline constexpr double kSameDirection = 0.005;

@@ -22,11 +22,11 @@ bool Waker::begin()
     return true;
 }
 
-bool Waker::goOn()
+bool Waker::wakeAgain()
 {
     if (isMoving() && timeIsUp())
     {
-        if (looks_++ < kMostLooks)
+        if (looks_++ < kMaxLooks)
         {
             wake(); // by the pull as it stays, whatever was looked at before
         }

@@ -42,7 +42,7 @@ public:
     /// To be called when nothing runs while it moves. Returns false when it has come to rest with
     /// all in it, or when spheres that nothing carries have come to rest again and again: the judge
     /// counts those.
-    bool goOn();
+    bool wakeAgain();
     /// To be called at the end of each window. Returns whether the object has just stopped.
     bool stop();
     /// To be called at the end of each window: wakes what nothing carries any more, when the pull's

@@ -20,8 +20,8 @@ bool DropAndRoll::settle(Eigen::Vector3d& p, double radius, NeighbourList& aroun
     thread_local std::vector<Eigen::Vector3d> normals; // keeps its memory
     // A path loses height with every step, so it ends; the bound is for wedges that Newton's method
     // enters ever more slowly.
-    const auto bound =
-        static_cast<std::uint64_t>(kStepsOfAPath + kStepsForARadius * world_.height / radius);
+    const auto bound = static_cast<std::uint64_t>(kStepsPerPath +
+                                                  kStepsPerRadiusOfHeight * world_.height / radius);
     for (std::uint64_t step = 0; step < bound; ++step)
     {
         around.ensure(world_, p, radius, kShortestLook);

@@ -43,7 +43,7 @@ void FreeFlight::advance(std::uint32_t row, double dt)
     const double strength = std::max(1.0, gravity.norm());
     double left = dt;
     const double longest = dt * (velocity.norm() + strength * dt);
-    const int mostParts = kMostParts + static_cast<int>(longest / kLookAhead);
+    const int mostParts = kMaxParts + static_cast<int>(longest / kLookAhead);
     for (int part = 0; part < mostParts && left > kNoTimeLeft * dt; ++part)
     {
         const double ahead = left * (velocity.norm() + strength * left);
@@ -63,7 +63,7 @@ void FreeFlight::advance(std::uint32_t row, double dt)
             way = freeWay(velocity, time, gravity, normals);
         }
         const double length = way.norm();
-        if (length < kStandsStill)
+        if (length < kMinDisplacement)
         {
             velocity = projectToFree(velocity + time * gravity, normals);
             left -= time;
@@ -123,10 +123,10 @@ void FreeFlight::shift(std::uint32_t row, const Eigen::Vector3d& displacement)
     NeighbourList& around = around_[row];
     std::vector<Eigen::Vector3d>& normals = normals_[row];
     Eigen::Vector3d left = displacement;
-    for (int part = 0; part < kMostShifts; ++part)
+    for (int part = 0; part < kMaxShifts; ++part)
     {
         const double length = left.norm();
-        if (length < kStandsStill)
+        if (length < kMinDisplacement)
         {
             return;
         }

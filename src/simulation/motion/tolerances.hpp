@@ -11,16 +11,16 @@ namespace frostfill
 
 /// A displacement that is not worth following. [r] Larger: slow spheres stop on slopes. Smaller:
 /// directions are computed from rounding.
-inline constexpr double kStandsStill = 1e-12;
+inline constexpr double kMinDisplacement = 1e-12;
 /// Share of a step's time that is not worth following. Larger: a step may be cut short. Smaller:
 /// rounding adds parts to a path.
 inline constexpr double kNoTimeLeft = 1e-12;
 /// Parts of one step's path, besides those that a long path needs anyway: it ends there if it still
 /// meets contacts. Larger: spheres that rattle in a wedge take their time. Smaller: spheres lose
 /// time of flight, and so energy.
-inline constexpr int kMostParts = 12;
+inline constexpr int kMaxParts = 12;
 /// Straight parts of one displacement by the position solver, for the same reason.
-inline constexpr int kMostShifts = 3;
+inline constexpr int kMaxShifts = 3;
 /// Share of the skin of a neighbour list that a renewed list has ahead of it; the rest is left for
 /// the next step. Larger: lists are renewed in every step. Smaller: in several parts of one.
 inline constexpr double kShareOfSkin = 0.5;
@@ -51,8 +51,8 @@ inline constexpr double kRegain = 0.2;
 inline constexpr double kBeyondTheBottom = 1.5;
 /// Steps of a path at most: so many, and so many for each radius of the object's height. A path
 /// loses height in each, so it ends by itself except in wedges. Smaller: long slides are given up.
-inline constexpr double kStepsOfAPath = 2000;
-inline constexpr double kStepsForARadius = 200;
+inline constexpr double kStepsPerPath = 2000;
+inline constexpr double kStepsPerRadiusOfHeight = 200;
 
 // Vertical drop.
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace frostfill
 {
@@ -64,13 +65,27 @@ double fallInCell(const World& world, const std::array<int, 3>& cell, const Eige
                   double radius, double end)
 {
     double path = here.y() - end;
-    for (const std::uint32_t id : world.triangles.cell(cell[0], cell[1], cell[2]))
+    const auto castAt = [&](std::span<const std::uint32_t> triangles)
     {
-        if (world.polygons[id] == PolygonState::active &&
-            world.surface.bound(id).mayBeWithin(radius + path, here))
+        for (const std::uint32_t id : triangles)
         {
-            path = castAtTriangle(world.surface[id], here, radius, {0, -1, 0}, path);
+            if (world.polygons[id] == PolygonState::active &&
+                world.surface.bound(id).mayBeWithin(radius + path, here))
+            {
+                path = castAtTriangle(world.surface[id], here, radius, {0, -1, 0}, path);
+            }
         }
+        return radius;
+    };
+    const auto ofCell = world.triangles.cell(cell[0], cell[1], cell[2]);
+    if (ofCell.size() <= TriangleGrid::kShortList)
+    {
+        castAt(ofCell);
+    }
+    else
+    {
+        const Eigen::Vector3d last(here.x(), end, here.z());
+        world.surface.tree().forEachNear(Eigen::AlignedBox3d(last, here), radius, castAt);
     }
     return path;
 }

@@ -106,7 +106,7 @@ void Algorithm1::runningRunning(OperationCounts& counts)
                 continue;
             }
             const Contact contact = contactOfSpheres({dx, dy, dz}, squared, reach);
-            const Eigen::Vector3d normal = wayOut(contact);
+            const Eigen::Vector3d normal = separationDirection(contact);
             const double mj = massInPaper(radius[j]);
             const double shareOfI = mj / (massInPaper(radius[i]) + mj);
             p[i] += normal * (contact.depth * shareOfI);
@@ -194,7 +194,7 @@ std::uint64_t Algorithm1::respondToAllFrozen(std::uint32_t i, std::size_t begin,
 
 void Algorithm1::respond(std::uint32_t i, const Contact& contact)
 {
-    const Eigen::Vector3d normal = wayOut(contact);
+    const Eigen::Vector3d normal = separationDirection(contact);
     running_.position[i] += normal * contact.depth;
     reflect(i, normal);
 }

@@ -25,7 +25,7 @@ namespace
 constexpr double kUnsupported = 0.1;  // [1] of the weight that may remain uncarried
 constexpr std::size_t kInPart = 4096; // spheres that one thread looks at in one go
 /// Up to so many spheres the judge sorts them itself; beyond it the memory for that is missed.
-constexpr std::size_t kMostSorted = 100'000;
+constexpr std::size_t kMaxSorted = 100'000;
 
 /// Of the spheres at rest and of those that run.
 SphereGrid gatherAll(const World& world)
@@ -201,7 +201,7 @@ private:
 QualityReport examine(const World& world)
 {
     std::optional<SphereGrid> gathered;
-    if (world.spheres.runningCount() > 0 || world.spheres.size() <= kMostSorted)
+    if (world.spheres.runningCount() > 0 || world.spheres.size() <= kMaxSorted)
     {
         gathered = gatherAll(world);
     }

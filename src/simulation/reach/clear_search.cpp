@@ -47,8 +47,8 @@ bool ClearSearch::search(const Eigen::Vector3d& middle, double edge, int halving
         here.end = balls_.size();
         found = halvings == 0 || state.clear;
         // The part first that lies the way out, the opposite one last.
-        const int first = (state.wayOut.x() < 0 ? 1 : 0) | (state.wayOut.y() < 0 ? 2 : 0) |
-                          (state.wayOut.z() < 0 ? 4 : 0);
+        const int first = (state.escape.x() < 0 ? 1 : 0) | (state.escape.y() < 0 ? 2 : 0) |
+                          (state.escape.z() < 0 ? 4 : 0);
         for (int k = 0; k < 8 && !found; ++k)
         {
             const int part = first ^ k;
@@ -77,7 +77,7 @@ bool ClearSearch::select(const Eigen::Vector3d& middle, double half, const Obsta
         if (square < ball.square)
         {
             state.clear = false;
-            state.wayOut += middle - ball.centre;
+            state.escape += middle - ball.centre;
         }
         if (square < (ball.radius + reach) * (ball.radius + reach))
         {
@@ -107,7 +107,7 @@ bool ClearSearch::walled(const Eigen::Vector3d& middle, double edge, Middle& sta
         if (square < exclusion * exclusion)
         {
             state.clear = false;
-            state.wayOut += apart;
+            state.escape += apart;
         }
     }
     return false;

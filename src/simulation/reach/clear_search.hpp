@@ -58,7 +58,7 @@ private:
     struct Middle
     {
         bool clear = true;
-        Eigen::Vector3d wayOut = Eigen::Vector3d::Zero(); ///< of all that excludes it
+        Eigen::Vector3d escape = Eigen::Vector3d::Zero(); ///< of all that excludes it
     };
 
     void gather(const Eigen::Vector3d& middle, double edge);

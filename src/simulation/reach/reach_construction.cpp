@@ -30,7 +30,7 @@ std::optional<VoxelLayout> chooseLayout(const Surface& surface, double margin, d
         return count.prod() * (kSetsOfCubes / 8.0);
     };
     for (; voxel <= largest;
-         voxel = std::min(voxel * kGrowth, std::max(largest, voxel * kLeastGrowth)))
+         voxel = std::min(voxel * kGrowth, std::max(largest, voxel * kMinGrowth)))
     {
         if (size(voxel) <= static_cast<double>(bytes))
         {

@@ -21,8 +21,7 @@ bool isIn(const VoxelLayout& layout, const VoxelBits& set, const Cube& cube)
 
 // Breadth first: the cubes from `start` to the nearest one at the border. The way back is kept as
 // one direction a cube.
-std::vector<Cube> shortestWayOut(const VoxelLayout& layout, const VoxelBits& open,
-                                 const Cube& start)
+std::vector<Cube> shortestExit(const VoxelLayout& layout, const VoxelBits& open, const Cube& start)
 {
     constexpr std::uint8_t kUnseen = 6;
     constexpr std::uint8_t kStart = 7;
@@ -78,7 +77,7 @@ std::optional<Eigen::Vector3d> findLeak(const Surface& surface, const InsideTest
             continue;
         }
         // On the way out the winding number falls from one to nothing; a hole is where it is half.
-        for (const Cube& cube : shortestWayOut(layout, outer, start))
+        for (const Cube& cube : shortestExit(layout, outer, start))
         {
             if (windingNumber(surface.mesh(), centreOf(cube)) < kInsideFrom)
             {

@@ -47,7 +47,7 @@ bool ReachMap::flood(std::span<const Eigen::Vector3d> running)
         }
     }
     open_ = std::move(reached);
-    search_.giveMemoryBack();
+    search_.releaseMemory();
     flooded_ = true;
     return trusted;
 }

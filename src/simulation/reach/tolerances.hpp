@@ -22,7 +22,7 @@ inline constexpr int kSetsOfCubes = 4;
 /// needed. Smaller: more tries.
 inline constexpr double kGrowth = 1.02;
 /// And by this one where even the largest cubes allowed are reached at once, so that it ends.
-inline constexpr double kLeastGrowth = 1.0001;
+inline constexpr double kMinGrowth = 1.0001;
 /// How often ClearSearch halves a cube: parts that small count as clear. Larger: eight times the
 /// time for each, for hardly a cube more. Smaller: more is kept.
 inline constexpr int kHalvings = 2;

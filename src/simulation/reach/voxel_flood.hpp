@@ -95,7 +95,7 @@ public:
     }
 
     /// To be called after a flood of everything: what follows needs far less memory.
-    void giveMemoryBack()
+    void releaseMemory()
     {
         stack_.shrink_to_fit();
         touched_.shrink_to_fit();

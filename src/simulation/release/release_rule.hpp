@@ -50,7 +50,7 @@ public:
     virtual void giveUp() {}
 
     /// To be called before the first search after something has come to rest.
-    virtual void forgetAhead() {}
+    virtual void clearLookahead() {}
 };
 
 /// `band`: how far below the highest ceiling spheres may appear while there is room at it [r];

@@ -35,7 +35,7 @@ public:
     {
         for (const bool highOnly : {true, false})
         {
-            for (int misses = 0; misses < kMostMisses && !ceilings_.empty();)
+            for (int misses = 0; misses < kMaxMisses && !ceilings_.empty();)
             {
                 const std::size_t among = highOnly ? window_ : ceilings_.size();
                 auto place = take(nextDraw(among, prepare, ahead), among);
@@ -54,7 +54,7 @@ public:
         sweep_ = sites_.nextOpen(sweep_);
         int misses = 0;
         for (std::size_t site = nextFree(sweep_);
-             site < sites_.lattice().size() && (!givesUp || misses < kMostMisses);
+             site < sites_.lattice().size() && (!givesUp || misses < kMaxMisses);
              site = nextFree(site + 1))
         {
             const Eigen::Vector3d place = prepare(place_);
@@ -70,7 +70,7 @@ public:
 
     /// To be called when something has come to rest, or does not rest any more, since `find` looked
     /// ahead.
-    void forgetAhead() { ahead_.clear(); }
+    void clearLookahead() { ahead_.clear(); }
 
     /// Whether a single place is free now.
     [[nodiscard]] bool any()

@@ -15,14 +15,14 @@ namespace
 /// The largest radius of each class, ascending: the smallest of all, then by a constant ratio.
 std::vector<double> classLimits(const RadiusDistribution& radii)
 {
-    std::vector<double> limits = radii.distinct(kMostClasses);
+    std::vector<double> limits = radii.distinct(kMaxClasses);
     if (!limits.empty())
     {
         return limits;
     }
     const double octaves = std::log(radii.largest() / radii.smallest());
     const auto steps = static_cast<std::size_t>(std::clamp(
-        std::ceil(octaves / std::log(kWidestClass)), 1.0, static_cast<double>(kMostClasses - 1)));
+        std::ceil(octaves / std::log(kWidestClass)), 1.0, static_cast<double>(kMaxClasses - 1)));
     limits.push_back(radii.smallest());
     for (std::size_t k = 1; k < steps; ++k)
     {

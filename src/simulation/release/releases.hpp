@@ -29,7 +29,7 @@ public:
     void close(const Eigen::Vector3d& centre, double radius) override;
     /// Gives up the site of the last place found.
     void giveUp() override { classes_[lastClass_].sites.giveUp(); }
-    void forgetAhead() override { classes_.front().sites.forgetAhead(); }
+    void clearLookahead() override { classes_.front().sites.clearLookahead(); }
 
 private:
     struct Class

@@ -17,7 +17,7 @@ namespace
 double cellFor(const Eigen::Vector3d& size, double radius)
 {
     double cell = kSiteCell * radius;
-    while ((size.array() / cell + 1).prod() > kMostSites)
+    while ((size.array() / cell + 1).prod() > kMaxSites)
     {
         cell *= kCellGrowth;
     }

@@ -16,7 +16,7 @@ namespace frostfill
 /// the inverse cube.
 inline constexpr double kSiteCell = 0.5;
 /// Sites at most, whose numbers fit 32 bits; beyond it cells are larger. Not to be increased.
-inline constexpr double kMostSites = 4e9;
+inline constexpr double kMaxSites = 4e9;
 /// Factor by which cells grow until there are few enough. Larger: coarser than need be.
 inline constexpr double kCellGrowth = 1.02;
 /// What rounding may add to the change of a distance from one site to the next [r]. Smaller: a site
@@ -26,7 +26,7 @@ inline constexpr double kDistanceSlack = 1e-9;
 /// Places in a row that others run through, after which a search gives up for now [1]: most do.
 /// Larger: time, when the object is crowded. Smaller: sets appear with fewer spheres than they
 /// could.
-inline constexpr int kMostMisses = 64;
+inline constexpr int kMaxMisses = 64;
 /// Draws that are looked ahead at once, on all threads. The answer is the same for any. Larger:
 /// more of them are void when a ceiling is forgotten. Smaller: threads wait for each other.
 inline constexpr std::size_t kDrawsAhead = 128;
@@ -35,7 +35,7 @@ inline constexpr int kSlabThickness = 8;
 
 /// Classes of radii at most, each of which has sites of its own. Larger: memory. Smaller: a radius
 /// is released only where a much larger one fits, and the object is not as full.
-inline constexpr std::size_t kMostClasses = 8;
+inline constexpr std::size_t kMaxClasses = 8;
 /// Ratio of the largest to the smallest radius of a class [1], unless that makes too many classes.
 /// Larger and smaller as above.
 inline constexpr double kWidestClass = 1.1;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace frostfill
 {
@@ -14,12 +15,12 @@ void PositionSolver::resolve(double dt)
 {
     down_ = flight_.down();
     findPairs();
-    for (const std::uint32_t row : crowd_)
+    for (const std::uint32_t row : paired_)
     {
         flown_[row] = running_.position[row];
         velocityBefore_[row] = running_.velocity[row];
     }
-    velocitySolver_.resolve(crowd_, rank_, down_, dt);
+    velocitySolver_.resolve(paired_, rank_, down_, dt);
     const int mutual = settings_.stiff ? settings_.sweeps / 4 : settings_.sweeps * 3 / 4;
     for (int k = 0; k < settings_.sweeps; ++k)
     {
@@ -28,12 +29,12 @@ void PositionSolver::resolve(double dt)
             break;
         }
     }
-    payForLifts();
+    removeLiftEnergy();
 }
 
 void PositionSolver::separate()
 {
-    for (int k = 0; k < kMostSeparations; ++k)
+    for (int k = 0; k < kMaxSeparations; ++k)
     {
         findPairs();
         if (sweep(k % 2, 0) < kApart)
@@ -46,9 +47,9 @@ void PositionSolver::separate()
 void PositionSolver::separate(std::span<const std::uint32_t> some)
 {
     rank_.assign(running_.size(), kNotInCrowd);
-    crowd_.assign(some.begin(), some.end());
-    orderFromBelow();
-    for (int k = 0; k < kMostSeparations; ++k)
+    paired_.assign(some.begin(), some.end());
+    sortByHeight();
+    for (int k = 0; k < kMaxSeparations; ++k)
     {
         if (sweep(k % 2, kDeep) < kApart)
         {
@@ -61,45 +62,45 @@ void PositionSolver::separate(std::span<const std::uint32_t> some)
 void PositionSolver::findPairs()
 {
     pairs_.findPairs();
-    crowd_.clear();
+    paired_.clear();
     for (std::uint32_t row = 0; row < running_.size(); ++row)
     {
         if (!pairs_.nearby(row).empty())
         {
-            crowd_.push_back(row);
+            paired_.push_back(row);
         }
     }
-    orderFromBelow();
+    sortByHeight();
 }
 
-void PositionSolver::orderFromBelow()
+void PositionSolver::sortByHeight()
 {
     height_.resize(running_.size());
     rank_.resize(running_.size());
     flown_.resize(running_.size());
     velocityBefore_.resize(running_.size());
-    for (const std::uint32_t row : crowd_)
+    for (const std::uint32_t row : paired_)
     {
         height_[row] = -running_.position[row].dot(down_);
     }
-    std::sort(crowd_.begin(), crowd_.end(),
+    std::sort(paired_.begin(), paired_.end(),
               [&](std::uint32_t a, std::uint32_t b)
               { return height_[a] < height_[b] || (height_[a] == height_[b] && a < b); });
-    for (std::uint32_t rank = 0; rank < crowd_.size(); ++rank)
+    for (std::uint32_t rank = 0; rank < paired_.size(); ++rank)
     {
-        rank_[crowd_[rank]] = rank;
+        rank_[paired_[rank]] = rank;
     }
 }
 
 // From below: a runner gives way by its share to those above it, whose turn is yet to come, and
 // takes what is left of the overlap with those below, so that one sweep lifts a whole pile off its
 // floor. Returns the deepest penetration that it found.
-double PositionSolver::sweep(double giveWay, double climbFrom)
+double PositionSolver::sweep(double yieldShare, double liftDepth)
 {
     double deepest = 0;
-    for (const std::uint32_t row : crowd_)
+    for (const std::uint32_t row : paired_)
     {
-        const Eigen::Vector3d push = pushOff(row, giveWay, climbFrom, deepest);
+        const Eigen::Vector3d push = pushOff(row, yieldShare, liftDepth, deepest);
         if (!push.isZero(0))
         {
             flight_.shift(row, push);
@@ -108,42 +109,47 @@ double PositionSolver::sweep(double giveWay, double climbFrom)
     return deepest;
 }
 
-Eigen::Vector3d PositionSolver::pushOff(std::uint32_t row, double giveWay, double climbFrom,
+Eigen::Vector3d PositionSolver::pushOff(std::uint32_t row, double yieldShare, double liftDepth,
                                         double& deepest) const
 {
-    const double radius = running_.radius[row];
-    Eigen::Vector3d place = running_.position[row];
+    const std::span<const Eigen::Vector3d> positions = std::as_const(running_.position).all();
+    const std::span<const double> radii = std::as_const(running_.radius).all();
+    const double radius = radii[row];
+    const std::uint32_t rank = rank_[row];
+    Eigen::Vector3d place = positions[row];
+    double deepestHere = deepest;
     for (const std::uint32_t other : pairs_.nearby(row))
     {
-        const auto contact =
-            sphereContact(place - running_.position[other], radius + running_.radius[other]);
+        const auto contact = sphereContact(place - positions[other], radius + radii[other]);
         if (!contact || rank_[other] == kNotInCrowd)
         {
             continue;
         }
         const double depth = contact->depth;
-        deepest = std::max(deepest, depth);
-        const bool takesRest = rank_[other] < rank_[row] &&
-                               (velocitySolver_.yields(row) || !velocitySolver_.yields(other));
-        const double share = takesRest ? 1 : giveWay * velocitySolver_.shareOf(row, other, down_);
+        deepestHere = std::max(deepestHere, depth);
+        const bool takesRest =
+            rank_[other] < rank && (velocitySolver_.yields(row) || !velocitySolver_.yields(other));
+        const double share =
+            takesRest ? 1 : yieldShare * velocitySolver_.shareOf(row, other, down_);
         Eigen::Vector3d away = contact->normal;
-        if (takesRest && depth > climbFrom * radius)
+        if (takesRest && depth > liftDepth * radius)
         {
             // Spheres pressed into a row on the floor or in a corner leave it upwards.
-            away = (away - down_ * (depth / radius - climbFrom)).normalized();
+            away = (away - down_ * (depth / radius - liftDepth)).normalized();
         }
         place += away * (share * depth);
     }
-    const Eigen::Vector3d push = place - running_.position[row];
+    deepest = deepestHere;
+    const Eigen::Vector3d push = place - positions[row];
     const double length = push.norm();
     const double longest = kLongestPush * radius;
     return length > longest ? Eigen::Vector3d(push * (longest / length)) : push;
 }
 
 // What is lifted is slowed down by as much energy.
-void PositionSolver::payForLifts()
+void PositionSolver::removeLiftEnergy()
 {
-    for (const std::uint32_t row : crowd_)
+    for (const std::uint32_t row : paired_)
     {
         Eigen::Vector3d& velocity = running_.velocity[row];
         const double fall = (running_.position[row] - flown_[row])

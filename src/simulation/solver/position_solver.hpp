@@ -39,13 +39,13 @@ private:
     static constexpr std::uint32_t kNotInCrowd = 0xffffffff;
 
     void findPairs();
-    void orderFromBelow();
-    /// `giveWay`: part of its share by which one gives way to those above it; `climbFrom`:
+    void sortByHeight();
+    /// `yieldShare`: part of its share by which one gives way to those above it; `liftDepth`:
     /// penetration depth from which one climbs the other [own radius].
-    double sweep(double giveWay, double climbFrom);
-    [[nodiscard]] Eigen::Vector3d pushOff(std::uint32_t row, double giveWay, double climbFrom,
+    double sweep(double yieldShare, double liftDepth);
+    [[nodiscard]] Eigen::Vector3d pushOff(std::uint32_t row, double yieldShare, double liftDepth,
                                           double& deepest) const;
-    void payForLifts();
+    void removeLiftEnergy();
 
     RunningSpheres& running_;
     BroadPhase pairs_;
@@ -53,7 +53,7 @@ private:
     SolverSettings settings_;
     VelocitySolver velocitySolver_;
     Eigen::Vector3d down_ = {0, -1, 0}; ///< the pull's direction in this step
-    std::vector<std::uint32_t> crowd_;  ///< runners that are in a pair, by row, lowest first
+    std::vector<std::uint32_t> paired_; ///< runners that are in a pair, by row, lowest first
     // By row, of those in the crowd, in the step in hand.
     std::vector<double> height_;                  ///< against the pull [r]
     std::vector<std::uint32_t> rank_;             ///< in the crowd

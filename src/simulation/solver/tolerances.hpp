@@ -30,7 +30,7 @@ inline constexpr double kDeep = 0.1;
 /// overlaps. Smaller: more sweeps.
 inline constexpr double kApart = 1e-8;
 /// Sweeps at most that take spheres apart. Piles need a few hundred; what is wedged never ends.
-inline constexpr int kMostSeparations = 1000;
+inline constexpr int kMaxSeparations = 1000;
 
 // Velocity solver.
 

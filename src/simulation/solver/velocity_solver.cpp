@@ -12,8 +12,13 @@ namespace frostfill
 // Approach to what is at rest is lost.
 void VelocitySolver::stopAtRest(std::uint32_t row)
 {
-    Eigen::Vector3d& velocity = running_.velocity[row];
-    for (const Eigen::Vector3d& normal : flight_.normals(row))
+    const std::vector<Eigen::Vector3d>& normals = flight_.normals(row);
+    if (normals.empty())
+    {
+        return;
+    }
+    Eigen::Vector3d velocity = running_.velocity[row];
+    for (const Eigen::Vector3d& normal : normals)
     {
         const double approach = normal.dot(velocity);
         if (approach < 0)
@@ -21,6 +26,7 @@ void VelocitySolver::stopAtRest(std::uint32_t row)
             velocity -= approach * normal;
         }
     }
+    running_.velocity[row] = velocity;
 }
 
 double VelocitySolver::shareOf(std::uint32_t a, std::uint32_t b, const Eigen::Vector3d& down) const
@@ -35,18 +41,19 @@ double VelocitySolver::shareOf(std::uint32_t a, std::uint32_t b, const Eigen::Ve
         const double yb = -running_.position[b].dot(down);
         return ya < yb || (ya == yb && running_.id[a] < running_.id[b]) ? 0 : 1;
     }
-    const double mb = massOf(running_.radius[b]);
-    return mb / (massOf(running_.radius[a]) + mb);
+    const double ra = running_.radius[a];
+    const double rb = running_.radius[b];
+    return ra == rb ? 0.5 : massOf(rb) / (massOf(ra) + massOf(rb));
 }
 
 // One pair after another, the lowest first, and each with what is at rest. A few rounds carry the
 // floor's reaction up a pile.
-void VelocitySolver::resolve(std::span<const std::uint32_t> crowd,
+void VelocitySolver::resolve(std::span<const std::uint32_t> paired,
                              std::span<const std::uint32_t> rank, const Eigen::Vector3d& down,
                              double dt)
 {
     down_ = down;
-    findContacts(crowd, rank, dt);
+    findContacts(paired, rank, dt);
     for (int round = 0; round < kRounds; ++round)
     {
         for (const ContactPair& contact : contacts_)
@@ -97,11 +104,11 @@ void VelocitySolver::stopOnLower()
 }
 
 // Of those that overlap or soon will, the lowest first.
-void VelocitySolver::findContacts(std::span<const std::uint32_t> crowd,
+void VelocitySolver::findContacts(std::span<const std::uint32_t> paired,
                                   std::span<const std::uint32_t> rank, double dt)
 {
     contacts_.clear();
-    for (const std::uint32_t upper : crowd)
+    for (const std::uint32_t upper : paired)
     {
         const Eigen::Vector3d position = running_.position[upper];
         const double radius = running_.radius[upper];

@@ -39,7 +39,7 @@ public:
 
     /// `crowd`: runners that are in a pair, by row, the lowest first; `rank`: where in it each is,
     /// by row; `down`: the direction of the pull.
-    void resolve(std::span<const std::uint32_t> crowd, std::span<const std::uint32_t> rank,
+    void resolve(std::span<const std::uint32_t> paired, std::span<const std::uint32_t> rank,
                  const Eigen::Vector3d& down, double dt);
 
     /// Whether it gives way to other runners. One that nothing at rest has carried for long stops
@@ -59,7 +59,7 @@ private:
         double allowed;             ///< approach that only closes the gap [sqrt(g r)]
     };
 
-    void findContacts(std::span<const std::uint32_t> crowd, std::span<const std::uint32_t> rank,
+    void findContacts(std::span<const std::uint32_t> paired, std::span<const std::uint32_t> rank,
                       double dt);
     void collide(const ContactPair& contact);
     void stopOnLower();

@@ -14,13 +14,13 @@ namespace
 {
 
 /// For each sphere: position, velocity, states, grid [bytes]. Runs of a million take 171.
-constexpr double kBytesASphere = 150;
+constexpr double kMemoryPerSphere = 150;
 
 } // namespace
 
 double memoryNeed(double spheres)
 {
-    return kBytesASphere * spheres;
+    return kMemoryPerSphere * spheres;
 }
 
 void requireMemory(const Scene& scene, const MeshReport& object, double radius, double spheres,
@@ -31,7 +31,7 @@ void requireMemory(const Scene& scene, const MeshReport& object, double radius, 
         return;
     }
     // What a full object of the smallest spheres that there is memory for would take.
-    const double full = kBytesASphere * object.volume;
+    const double full = kMemoryPerSphere * object.volume;
     throw Error(ErrorCode::outOfMemory,
                 fmt::format("spheres of radius {:.3g} in {} take more than the {:.3g} GB of memory "
                             "here; take a --radius of {:.2g} or more",

@@ -95,7 +95,7 @@ private:
 /// The running part of the table of spheres, by row: the only home of where they are and how fast.
 struct RunningSpheres : RunningRows
 {
-    static constexpr std::uint32_t kNobody = 0xffffffff; ///< id in a row whose sphere is gone
+    static constexpr std::uint32_t kNoSphere = 0xffffffff; ///< id in a row whose sphere is gone
 
     RunningColumn<std::uint32_t> id{*this};
     RunningColumn<Eigen::Vector3d> position{*this};
@@ -103,7 +103,7 @@ struct RunningSpheres : RunningRows
     RunningColumn<double> radius{*this};
 
     /// See Spheres::closeRanks.
-    [[nodiscard]] bool isGone(std::uint32_t row) const { return id[row] == kNobody; }
+    [[nodiscard]] bool isGone(std::uint32_t row) const { return id[row] == kNoSphere; }
     /// Lets the sphere begin anew elsewhere, without speed.
     void restart(std::uint32_t row, const Eigen::Vector3d& place)
     {

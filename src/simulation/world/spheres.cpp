@@ -57,14 +57,14 @@ std::uint32_t Spheres::addResting(const Eigen::Vector3d& place, double radius, s
 std::uint32_t Spheres::freeze(std::uint32_t id, const Eigen::Vector3d& place)
 {
     const std::uint32_t row = where_[id] >> 1;
-    running_.id[row] = RunningSpheres::kNobody;
+    running_.id[row] = RunningSpheres::kNoSphere;
     gaps_ = true;
     return rest(id, place, running_.radius[row]);
 }
 
 std::uint32_t Spheres::withdraw(std::uint32_t id)
 {
-    running_.id[row(id)] = RunningSpheres::kNobody;
+    running_.id[row(id)] = RunningSpheres::kNoSphere;
     gaps_ = true;
     const auto last = static_cast<std::uint32_t>(size() - 1);
     if (last != id)

@@ -30,7 +30,7 @@ inline constexpr double kWorthMoving = 8;
 /// next part. Larger: cells without anything.
 inline constexpr double kGapOfParts = 8;
 /// An object with more cells is refused: its grids take two bytes a cell, and minutes.
-inline constexpr double kMostCells = 1e9;
+inline constexpr double kMaxCells = 1e9;
 /// Memory is set aside for so many times the spheres that fit by the estimate. Smaller: arrays of a
 /// large run are copied. Larger: unused memory.
 inline constexpr double kRoomForSpheres = 1.1;

@@ -45,14 +45,14 @@ GridFrame gridOver(const Surface& surface, double cell)
 GridFrame checkedGrid(const Surface& surface, const FrameOfRun& frame, const Scene& scene)
 {
     const double cells = (surface.box().sizes().array() + 2 * kGridMargin).prod();
-    if (!(cells <= kMostCells))
+    if (!(cells <= kMaxCells))
     {
         throw Error(
             ErrorCode::badData,
             fmt::format("{} is too large for spheres of radius {:g}: the box around it has "
                         "room for {:.1g} cubes of that edge, and {:.1g} is the most; choose "
                         "a larger --radius or a smaller --count",
-                        scene.object.mesh, frame.length, cells, kMostCells));
+                        scene.object.mesh, frame.length, cells, kMaxCells));
     }
     return gridOver(surface, kTriangleCell);
 }
@@ -153,7 +153,7 @@ void requireInside(const World& world, std::span<const PlacedSphere> spheres)
     }
 }
 
-void refuseCrowdedPlace(const World& world, const PlacedSphere& sphere)
+void refuseOverlap(const World& world, const PlacedSphere& sphere)
 {
     const Eigen::Vector3d p = world.frame.toMesh(sphere.place);
     throw Error(ErrorCode::badData,

@@ -84,7 +84,7 @@ struct PlacedSphere
 /// Throws Error badData, naming the first, when a centre is not inside the object.
 void requireInside(const World& world, std::span<const PlacedSphere> spheres);
 /// Throws Error badData: there is no room for the sphere near its place.
-[[noreturn]] void refuseCrowdedPlace(const World& world, const PlacedSphere& sphere);
+[[noreturn]] void refuseOverlap(const World& world, const PlacedSphere& sphere);
 
 /// Moves a world. One time step of the paper's method, or of ours.
 class Engine

@@ -146,7 +146,7 @@ ErrorPoint defaultEstimate(const std::string& object)
 void addVolumeRuns(std::vector<ErrorTask>& tasks, const std::vector<std::string>& more, bool quick)
 {
     constexpr double kCoarsest = 0.6;
-    constexpr double kMostWhenQuick = 6e4;
+    constexpr double kMaxWhenQuick = 6e4;
     const double most = quick ? 8e3 : 1.1e5;
     const double mostInCube = quick ? most : 1.7e6;
     const auto fillings = std::make_shared<Fillings>();
@@ -167,7 +167,7 @@ void addVolumeRuns(std::vector<ErrorTask>& tasks, const std::vector<std::string>
             addFilling(tasks, fillings, object, x, Fillings::expected(object, x / 2) <= limit);
         }
         // It takes a run with half of a fifth of V/S.
-        if (!quick || Fillings::expected(object, 0.1) <= kMostWhenQuick)
+        if (!quick || Fillings::expected(object, 0.1) <= kMaxWhenQuick)
         {
             tasks.emplace_back([=] { return defaultEstimate(object); });
         }

@@ -37,15 +37,15 @@ void makeCutawaysData(const FigureFolder& folder)
     {
         Scene scene = sceneOf(object, folder.quick());
         const TriangleMesh mesh = builtInMesh(object);
-        const std::vector<FigureMoment> end = {endOf(scene, mesh)};
+        const std::vector<FigureState> end = {endOf(scene, mesh)};
         const Snapshot& state = end.front().snapshot;
         table.rows.push_back({object, fmt::format("{}", byState.size()),
                               fmt::format("{}", state.states.size()),
                               fmt::format("{}", state.frozen), fmt::format("{}", state.discarded),
                               fmt::format("{}", state.discardedPolygons)});
-        byState.push_back(drawMoments(scene, mesh, end).front());
+        byState.push_back(drawStates(scene, mesh, end).front());
         scene.style.colourBy = "set";
-        bySet.push_back(drawMoments(scene, mesh, end).front());
+        bySet.push_back(drawStates(scene, mesh, end).front());
     }
     byState.insert(byState.end(), bySet.begin(), bySet.end());
     folder.write("cutaways.csv", table);

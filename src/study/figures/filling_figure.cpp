@@ -36,7 +36,7 @@ void makeFillingData(const FigureFolder& folder)
             spheres.push_back(*scene.spheres.count * column / kColumns);
         }
         const TriangleMesh mesh = builtInMesh(object);
-        std::vector<FigureMoment> moments = momentsOf(scene, mesh, spheres);
+        std::vector<FigureState> moments = statesOf(scene, mesh, spheres);
         moments.push_back(endOf(scene, mesh));
         for (std::size_t column = 0; column < moments.size(); ++column)
         {
@@ -47,7 +47,7 @@ void makeFillingData(const FigureFolder& folder)
                                   fmt::format("{}", state.discarded),
                                   fmt::format("{}", state.discardedPolygons)});
         }
-        for (Image& image : drawMoments(scene, mesh, moments))
+        for (Image& image : drawStates(scene, mesh, moments))
         {
             panels.push_back(std::move(image));
         }

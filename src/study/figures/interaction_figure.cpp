@@ -76,7 +76,7 @@ Table raysOf(const Surface& surface, std::uint32_t polygon, std::size_t edge,
 void writeSections(const FigureFolder& folder, const Scene& scene, const TriangleMesh& mesh)
 {
     const std::size_t spheres[] = {*scene.spheres.count * 3 / 5};
-    const FigureMoment moment = momentsOf(scene, mesh, spheres).front();
+    const FigureState moment = statesOf(scene, mesh, spheres).front();
     const double unit = moment.snapshot.radii.front();
     // The torus stands upright: its middle plane is that of x and y.
     const SectionPlane middle = {boundingBox(mesh).center(), {1, 0, 0}, {0, 1, 0}};
@@ -84,7 +84,7 @@ void writeSections(const FigureFolder& folder, const Scene& scene, const Triangl
     folder.write("interaction-polygons.csv",
                  tracesOf(mesh, moment.snapshot.polygons, middle, unit));
 
-    const FigureMoment end = endOf(scene, mesh);
+    const FigureState end = endOf(scene, mesh);
     const Surface surface(mesh);
     // Even where none is covered there is something to draw: the lowest polygon.
     const std::uint32_t polygon = lowestCovered(surface, end.snapshot.polygons).value_or(0);
@@ -113,7 +113,7 @@ void makeInteractionData(const FigureFolder& folder)
     sets.discard.rule = DiscardRule::none;
     const std::size_t third[] = {std::size_t{9} * sets.spheres.groupSize};
     sets.spheres.count = third[0];
-    folder.write("interaction-pairs.csv", pairTable(momentsOf(sets, mesh, third).front().snapshot));
+    folder.write("interaction-pairs.csv", pairTable(statesOf(sets, mesh, third).front().snapshot));
 }
 
 } // namespace

@@ -55,7 +55,7 @@ void makeStages(const FigureFolder& folder)
     {
         spheres.push_back(*subject.scene.spheres.count * stage / kStages);
     }
-    std::vector<FigureMoment> moments = momentsOf(subject.scene, subject.mesh, spheres);
+    std::vector<FigureState> moments = statesOf(subject.scene, subject.mesh, spheres);
     moments.push_back(endOf(subject.scene, subject.mesh));
     Table table;
     table.headings = {"column", "spheres", "running", "frozen", "discarded", "polygons_discarded"};
@@ -68,7 +68,7 @@ void makeStages(const FigureFolder& folder)
                               fmt::format("{}", state.discardedPolygons)});
     }
     folder.write("stages.csv", table);
-    folder.write("stages-panels.png", joinPanels(drawMoments(subject.scene, subject.mesh, moments),
+    folder.write("stages-panels.png", joinPanels(drawStates(subject.scene, subject.mesh, moments),
                                                  kStages, kObjectStrip));
 }
 
@@ -81,7 +81,7 @@ void makeCutaways(const FigureFolder& folder)
     scene.style.cutaway.kind = Cutaway::Kind::wedge;
     scene.style.cutaway.from = azimuth - kHalfWedge;
     scene.style.cutaway.to = azimuth + kHalfWedge;
-    const std::vector<FigureMoment> end = {endOf(scene, subject.mesh)};
+    const std::vector<FigureState> end = {endOf(scene, subject.mesh)};
     Table table;
     table.headings = {"column", "label"};
     std::vector<Image> panels;
@@ -91,7 +91,7 @@ void makeCutaways(const FigureFolder& folder)
     {
         scene.style.colourBy = by;
         table.rows.push_back({fmt::format("{}", panels.size()), label});
-        panels.push_back(drawMoments(scene, subject.mesh, end).front());
+        panels.push_back(drawStates(scene, subject.mesh, end).front());
     }
     folder.write("cutaways.csv", table);
     folder.write("cutaways-panels.png", joinPanels(panels, panels.size(), kObjectStrip));

@@ -20,10 +20,10 @@ std::uint64_t sphereTests(const OperationCounts& counts)
 }
 
 /// Sets as large as the scale of colours by set has to be.
-ColourRange rangeOf(std::span<const FigureMoment> moments)
+ColourRange rangeOf(std::span<const FigureState> moments)
 {
     double last = 1;
-    for (const FigureMoment& moment : moments)
+    for (const FigureState& moment : moments)
     {
         last = std::max(last, static_cast<double>(moment.snapshot.set));
     }
@@ -32,15 +32,15 @@ ColourRange rangeOf(std::span<const FigureMoment> moments)
 
 } // namespace
 
-std::vector<FigureMoment> momentsOf(const Scene& scene, const TriangleMesh& mesh,
-                                    std::span<const std::size_t> spheres)
+std::vector<FigureState> statesOf(const Scene& scene, const TriangleMesh& mesh,
+                                  std::span<const std::size_t> spheres)
 {
     const double wait = fallTime(scene, inspectMesh(mesh)) / 2;
     Simulation simulation(scene, mesh);
-    std::vector<FigureMoment> moments;
+    std::vector<FigureState> moments;
     double reached = -1;
     OperationCounts before;
-    FigureMoment now;
+    FigureState now;
     const auto take = [&]
     {
         simulation.capture(now.snapshot);
@@ -67,19 +67,19 @@ std::vector<FigureMoment> momentsOf(const Scene& scene, const TriangleMesh& mesh
     return moments;
 }
 
-FigureMoment endOf(const Scene& scene, const TriangleMesh& mesh)
+FigureState endOf(const Scene& scene, const TriangleMesh& mesh)
 {
     Simulation simulation(scene, mesh);
     while (simulation.step())
     {
     }
-    FigureMoment moment;
+    FigureState moment;
     simulation.capture(moment.snapshot);
     return moment;
 }
 
-std::vector<Image> drawMoments(const Scene& scene, const TriangleMesh& mesh,
-                               std::span<const FigureMoment> moments)
+std::vector<Image> drawStates(const Scene& scene, const TriangleMesh& mesh,
+                              std::span<const FigureState> moments)
 {
     Renderer renderer(mesh, renderSettings(scene, rangeOf(moments)));
     std::vector<Image> images(moments.size());

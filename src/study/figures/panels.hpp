@@ -14,7 +14,7 @@ namespace frostfill
 {
 
 /// A state of a run, and how many tests the step that led to it made.
-struct FigureMoment
+struct FigureState
 {
     Snapshot snapshot;
     std::uint64_t sphereTests = 0;
@@ -22,16 +22,16 @@ struct FigureMoment
 
 /// The run's states when so many spheres (ascending) are present and the newest have been falling
 /// for half the time of a fall through the object; the last state where the run ends before.
-[[nodiscard]] std::vector<FigureMoment> momentsOf(const Scene& scene, const TriangleMesh& mesh,
-                                                  std::span<const std::size_t> spheres);
+[[nodiscard]] std::vector<FigureState> statesOf(const Scene& scene, const TriangleMesh& mesh,
+                                                std::span<const std::size_t> spheres);
 
 /// The end of a run.
-[[nodiscard]] FigureMoment endOf(const Scene& scene, const TriangleMesh& mesh);
+[[nodiscard]] FigureState endOf(const Scene& scene, const TriangleMesh& mesh);
 
 /// Draws one state after another as the scene says. With OSMesa wherever there is one, so that
 /// pictures are the same with and without a graphics card. Throws Error noOpenGl.
-[[nodiscard]] std::vector<Image> drawMoments(const Scene& scene, const TriangleMesh& mesh,
-                                             std::span<const FigureMoment> moments);
+[[nodiscard]] std::vector<Image> drawStates(const Scene& scene, const TriangleMesh& mesh,
+                                            std::span<const FigureState> moments);
 
 /// Puts pictures of one size side by side, row by row, each above a white strip so many pixels
 /// high, where a script may write something.

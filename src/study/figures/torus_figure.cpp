@@ -15,7 +15,7 @@ void makeTorusData(const FigureFolder& folder)
     Scene scene = presetScene(Preset::fast, "torus");
     const std::array<std::size_t, 1> spheres = {folder.quick() ? 40UL : 200UL};
     const TriangleMesh mesh = builtInMesh("torus");
-    folder.write("torus.png", drawMoments(scene, mesh, momentsOf(scene, mesh, spheres)).front());
+    folder.write("torus.png", drawStates(scene, mesh, statesOf(scene, mesh, spheres)).front());
 }
 
 /// The same with smaller spheres in the style for covers.
@@ -29,7 +29,7 @@ void makeStudio(const FigureFolder& folder)
     scene.style.palette = paletteOf(Look::studio);
     const std::array<std::size_t, 1> spheres = {*scene.spheres.count * 5 / 8};
     const TriangleMesh mesh = builtInMesh("torus");
-    folder.write("studio.png", drawMoments(scene, mesh, momentsOf(scene, mesh, spheres)).front());
+    folder.write("studio.png", drawStates(scene, mesh, statesOf(scene, mesh, spheres)).front());
 }
 
 } // namespace

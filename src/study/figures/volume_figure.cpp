@@ -28,16 +28,16 @@ void makeVolumeData(const FigureFolder& folder)
 
     Scene kept = scene;
     kept.discard.rule = DiscardRule::none;
-    const std::vector<FigureMoment> frozen = momentsOf(kept, mesh, spheres);
-    const std::vector<FigureMoment> discarded = momentsOf(scene, mesh, spheres);
-    const std::vector<Image> panels = {drawMoments(kept, mesh, frozen).front(),
-                                       drawMoments(scene, mesh, discarded).front()};
+    const std::vector<FigureState> frozen = statesOf(kept, mesh, spheres);
+    const std::vector<FigureState> discarded = statesOf(scene, mesh, spheres);
+    const std::vector<Image> panels = {drawStates(kept, mesh, frozen).front(),
+                                       drawStates(scene, mesh, discarded).front()};
     folder.write("volume-panels.png", joinPanels(panels, 2, 0));
     folder.write("volume-pairs.csv", pairTable(discarded.front().snapshot));
 
     Table table;
     table.headings = {"panel", "spheres", "running", "frozen", "discarded", "tests_a_step"};
-    for (const FigureMoment* moment : {&frozen.front(), &discarded.front()})
+    for (const FigureState* moment : {&frozen.front(), &discarded.front()})
     {
         table.rows.push_back({moment == &frozen.front() ? "frozen" : "discarded",
                               fmt::format("{}", moment->snapshot.states.size()),

@@ -27,20 +27,21 @@ constexpr double kPoisson = 0.3;
 constexpr double kShareOfRayleigh = 0.2; // as its own manual advises
 
 /// A folder of its own that goes away.
-class Workplace
+class TemporaryFolder
 {
 public:
-    Workplace() : folder_(fs::temp_directory_path() / fmt::format("frostfill_peer_{}", ::getpid()))
+    TemporaryFolder()
+        : folder_(fs::temp_directory_path() / fmt::format("frostfill_peer_{}", ::getpid()))
     {
         fs::create_directories(folder_);
     }
-    ~Workplace()
+    ~TemporaryFolder()
     {
         std::error_code ignored;
         fs::remove_all(folder_, ignored);
     }
-    Workplace(const Workplace&) = delete;
-    Workplace& operator=(const Workplace&) = delete;
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
     [[nodiscard]] const fs::path& folder() const { return folder_; }
     void write(const char* name, const std::string& text) const
     {
@@ -184,14 +185,14 @@ double secondsOfChildren()
 
 bool hasLiggghts()
 {
-    const Workplace workplace;
+    const TemporaryFolder workplace;
     workplace.write("empty.in", "print hello\n");
     return runProgram(workplace.folder(), {"liggghts", "-in", "empty.in"}).error == 0;
 }
 
 PeerResult runLiggghts(const PeerTask& task, double stiffness)
 {
-    const Workplace workplace;
+    const TemporaryFolder workplace;
     workplace.write("object.stl", stlOf(task.mesh));
     workplace.write("script.in", scriptOf(task, stiffness));
     const double before = secondsOfChildren();

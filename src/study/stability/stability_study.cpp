@@ -16,11 +16,11 @@ namespace
 
 /// More spheres at once than this would take the paper's method, which tests all against all,
 /// hours.
-constexpr std::size_t kMostAllPairs = 1000;
+constexpr std::size_t kMaxAllPairs = 1000;
 
 StressOutcome outcomeOf(const StressCell& cell, const StressMethod& method)
 {
-    if (method.preset == Preset::paper && cell.atOnce > kMostAllPairs)
+    if (method.preset == Preset::paper && cell.atOnce > kMaxAllPairs)
     {
         StressOutcome none;
         none.verdict = Verdict::notRun;

@@ -33,7 +33,7 @@ class Watch
 public:
     explicit Watch(const World& world) : world_(world) {}
 
-    void look()
+    void observe()
     {
         std::size_t outside = 0;
         const RunningSpheres& running = world_.spheres.running();
@@ -92,10 +92,10 @@ void runWorld(const StressRun& run, StressOutcome& outcome)
     {
         if (world.clock.steps % kStepsPerLook == 1)
         {
-            watch.look();
+            watch.observe();
         }
     }
-    watch.look();
+    watch.observe();
     outcome.spheres = world.spheres.size();
     outcome.steps = world.clock.steps;
     outcome.overdue = world.counts.overdue;

@@ -71,8 +71,8 @@ TEST(ShapeSections, TellHowFarEachPointIsFromTheNearestCrease)
     std::set<int> seen;
     for (std::size_t k = 0; k < creases.size(); ++k)
     {
-        // 255 stands for a fiftieth of unit space and more. Rims are lines too: the ends of all rows, and
-        // the last row.
+        // 255 stands for a fiftieth of unit space and more. Rims are lines too: the ends of all
+        // rows, and the last row.
         const double row = std::max(points[3 * k + 1], points[3 * k + 2]);
         const double distance = std::min({row, 0.5 - row, 1 - std::abs(double{points[3 * k]})});
         const int expected = static_cast<int>(std::lround(255 * std::min(1.0, distance / 0.02)));

@@ -70,14 +70,14 @@ TEST(FillRun, DividesItsTimeIntoPartsWithoutAGap)
     const auto time = nlohmann::json::parse(result.summary)["time"];
     double sum = 0;
     for (const char* phase :
-         {"loading", "preparing", "rehearsing", "simulating", "drawing_the_rest", "judging"})
+         {"loading", "preparing", "estimating", "simulating", "drawing_the_rest", "judging"})
     {
         ASSERT_TRUE(time["phases"].contains(phase)) << phase;
         sum += time["phases"][phase].get<double>();
     }
     EXPECT_EQ(time["phases"].size(), 6u);
     EXPECT_GE(time["phases"]["preparing"].get<double>(), 0.2);
-    EXPECT_GE(time["phases"]["rehearsing"].get<double>(), 0.3);
+    EXPECT_GE(time["phases"]["estimating"].get<double>(), 0.3);
     EXPECT_GE(time["phases"]["simulating"].get<double>(), 0.4);
     EXPECT_NEAR(time["wall"].get<double>(), sum, 1e-5 * sum);
     EXPECT_LE(sum, outside);

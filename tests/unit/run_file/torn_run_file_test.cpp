@@ -93,7 +93,7 @@ TEST_F(TornRunFile, ShowsEachOfTenThousandFlippedBits)
     std::mt19937 random(9); // NOLINT(cert-msc32-c,cert-msc51-cpp): the same bits every time
     const auto wholeBytes = [](std::string_view file)
     {
-        std::size_t whole = file.starts_with(kRunFileMark) ? kRunFileMark.size() : 0;
+        std::size_t whole = file.starts_with(kRunFileMagic) ? kRunFileMagic.size() : 0;
         for (const Record& record : wholeRecords(file))
         {
             whole += sizeof record.header + record.bytes.size();

@@ -41,7 +41,7 @@ TEST_F(SweepResults, NotesHowARunHasEndedAndHowLongItTook)
     EXPECT_EQ(note->report.message, message);
     EXPECT_GE(note->seconds, 0.02);
     EXPECT_LT(note->seconds, 60);
-    const std::vector<RunReport> reports = lookAtSweep(sweep);
+    const std::vector<RunReport> reports = inspectSweep(sweep);
     EXPECT_EQ(reports.at(0).status, RunStatus::failed);
     writeSweepTable(sweep, reports);
     // A quote in quotes is there twice (RFC 4180).
@@ -69,7 +69,7 @@ seed = [1, 2, 3]
     auto summary = nlohmann::ordered_json::parse(readFile(file));
     summary["outcome"] = "stopped"; // as fill says when it was asked to stop
     writeFile(file, summary.dump(2));
-    const std::vector<RunReport> reports = lookAtSweep(sweep);
+    const std::vector<RunReport> reports = inspectSweep(sweep);
     EXPECT_EQ(statusesOf(reports),
               (std::vector<RunStatus>{RunStatus::missing, RunStatus::done, RunStatus::missing}));
     // What half a run has found out is no result.
@@ -113,7 +113,7 @@ TEST_F(SweepResults, KnowTheNoteOfAnotherRun)
     note.report = {RunStatus::failed, 65, "it leaks"};
     note.runHash = "of another run";
     writeNote(folder, note);
-    EXPECT_EQ(statusesOf(lookAtSweep(sweep)), std::vector<RunStatus>{RunStatus::missing});
+    EXPECT_EQ(statusesOf(inspectSweep(sweep)), std::vector<RunStatus>{RunStatus::missing});
 }
 
 TEST_F(SweepResults, GathersARowForEachRunWithItsStatusValuesAndResults)
@@ -121,7 +121,7 @@ TEST_F(SweepResults, GathersARowForEachRunWithItsStatusValuesAndResults)
     SweepRequest sweep = request();
     sweep.shard = {0, 2};
     (void)runSweep(sweep);
-    const std::vector<RunReport> reports = lookAtSweep(sweep);
+    const std::vector<RunReport> reports = inspectSweep(sweep);
     EXPECT_EQ(statusesOf(reports),
               (std::vector<RunStatus>{RunStatus::done, RunStatus::missing, RunStatus::done,
                                       RunStatus::missing, RunStatus::done, RunStatus::missing}));

@@ -49,7 +49,7 @@ TEST_F(Sweep, DoesInShardsWhatOneProcessDoes)
         (void)runSweep(sweep);
     }
     EXPECT_EQ(results(sweep), alone);
-    EXPECT_EQ(statusesOf(lookAtSweep(sweep)), std::vector<RunStatus>(6, RunStatus::done));
+    EXPECT_EQ(statusesOf(inspectSweep(sweep)), std::vector<RunStatus>(6, RunStatus::done));
 }
 
 TEST_F(Sweep, SkipsOnlyWhatItsOwnFilesSayIsThisRunAndDone)
@@ -78,7 +78,7 @@ TEST_F(Sweep, LeavesAnotherRunAloneUnlessToldToReplaceIt)
     other.runs = parseSweep(std::string(kSweep).replace(std::string(kSweep).find("0.4"), 3, "0.3"),
                             "sweep.toml");
     ASSERT_EQ(other.runs[0].name, sweep.runs[0].name);
-    EXPECT_EQ(lookAtSweep(other)[0].status, RunStatus::missing);
+    EXPECT_EQ(inspectSweep(other)[0].status, RunStatus::missing);
     const RunReport report = runSweep(other)[0];
     EXPECT_EQ(report.status, RunStatus::failed);
     EXPECT_EQ(report.exitCode, static_cast<int>(ErrorCode::cannotCreate));
@@ -102,7 +102,7 @@ TEST_F(Sweep, GoesOnWhenARunFailsAndSaysWhy)
     EXPECT_EQ(reports[2].exitCode, static_cast<int>(ErrorCode::inputMissing));
     EXPECT_EQ(reports[4].status, RunStatus::done);
     // Another process learns the same from the folders.
-    const std::vector<RunReport> seen = lookAtSweep(sweep);
+    const std::vector<RunReport> seen = inspectSweep(sweep);
     for (std::size_t k = 0; k < reports.size(); ++k)
     {
         EXPECT_EQ(seen[k].status, reports[k].status) << k;
@@ -131,7 +131,7 @@ TEST_F(Sweep, SurvivesARunWhoseProcessIsKilled)
     EXPECT_EQ(reports[2].status, RunStatus::done);
     sweep.runOnce = &runApart;
     EXPECT_EQ(doneAnew(sweep), (std::vector<std::size_t>{1, 4}));
-    EXPECT_EQ(statusesOf(lookAtSweep(sweep)), std::vector<RunStatus>(6, RunStatus::done));
+    EXPECT_EQ(statusesOf(inspectSweep(sweep)), std::vector<RunStatus>(6, RunStatus::done));
 }
 
 TEST_F(Sweep, LeavesARunThatAnotherProcessHasClaimedAndDoesTheOthers)
@@ -148,7 +148,7 @@ TEST_F(Sweep, LeavesARunThatAnotherProcessHasClaimedAndDoesTheOthers)
                                 [](const RunReport& report)
                                 { return report.status == RunStatus::done; }),
                   5);
-        EXPECT_EQ(lookAtSweep(sweep)[1].status, RunStatus::running);
+        EXPECT_EQ(inspectSweep(sweep)[1].status, RunStatus::running);
     }
     EXPECT_EQ(doneAnew(sweep), (std::vector<std::size_t>{1}));
 }
@@ -162,10 +162,10 @@ TEST_F(Sweep, ToldToStopLeavesTheRestForAnotherTime)
     const std::vector<RunReport> reports = runSweep(sweep, observer);
     EXPECT_EQ(reports.back().status, RunStatus::stopped);
     EXPECT_EQ(reports.back().exitCode, static_cast<int>(ErrorCode::stoppedEarly));
-    const std::vector<RunStatus> seen = statusesOf(lookAtSweep(sweep));
+    const std::vector<RunStatus> seen = statusesOf(inspectSweep(sweep));
     EXPECT_NE(std::count(seen.begin(), seen.end(), RunStatus::stopped), 0);
     (void)runSweep(sweep);
-    EXPECT_EQ(statusesOf(lookAtSweep(sweep)), std::vector<RunStatus>(6, RunStatus::done));
+    EXPECT_EQ(statusesOf(inspectSweep(sweep)), std::vector<RunStatus>(6, RunStatus::done));
 }
 
 TEST_F(Sweep, GoesOnWithARunThatWasKilledToTheSameFiles)
@@ -206,7 +206,7 @@ TEST_F(Sweep, KnowsARunThatWasKilledBeforeItCouldSaySo)
     ASSERT_TRUE(note);
     writeNote(folderOf(sweep.runs[0]), {{RunStatus::running, 0, ""}, note->runHash, 0});
     std::filesystem::remove(folderOf(sweep.runs[0]) / "summary.json");
-    const RunReport report = lookAtSweep(sweep)[0];
+    const RunReport report = inspectSweep(sweep)[0];
     EXPECT_EQ(report.status, RunStatus::stopped);
     EXPECT_NE(report.message.find("killed"), std::string::npos);
 }

@@ -41,7 +41,7 @@ std::string damaged(std::string text, std::uint64_t seed)
 
 void expectReadOrRefused(const std::filesystem::path& file)
 {
-    const auto error = test::errorOf([&] { (void)readMeshInCage(file); });
+    const auto error = test::errorOf([&] { (void)readMeshSandboxed(file); });
     if (error)
     {
         EXPECT_EQ(error->code(), ErrorCode::badData) << file << ": " << error->what();
@@ -137,13 +137,13 @@ TEST(DamagedMeshes, OurOwnFileCutOffIsRefused)
 {
     const std::string whole = plyBytes(builtInMesh("torus"));
     const auto file = test::writeFile("cut.ply", whole.substr(0, 20000));
-    test::expectRefused(ErrorCode::badData, "cut.ply", [&] { (void)readMeshInCage(file); });
+    test::expectRefused(ErrorCode::badData, "cut.ply", [&] { (void)readMeshSandboxed(file); });
 }
 
 TEST(DamagedMeshes, AHeaderWithoutAnEndIsRefused)
 {
     const auto file = test::writeFile("header.ply", "ply\nformat ascii 1.0\n");
-    test::expectRefused(ErrorCode::badData, "header.ply", [&] { (void)readMeshInCage(file); });
+    test::expectRefused(ErrorCode::badData, "header.ply", [&] { (void)readMeshSandboxed(file); });
 }
 
 TEST(DamagedMeshes, IndicesThatNameNothingAreRefusedBeforeTheyAreUsed)
@@ -156,7 +156,7 @@ TEST(DamagedMeshes, IndicesThatNameNothingAreRefusedBeforeTheyAreUsed)
     }
 }
 
-TEST(ReadMeshInCage, GivesTheBitsOfReadMesh)
+TEST(ReadMeshSandboxed, GivesTheBitsOfReadMesh)
 {
     const TriangleMesh torus = builtInMesh("torus");
     for (const auto& [name, text] :
@@ -166,7 +166,7 @@ TEST(ReadMeshInCage, GivesTheBitsOfReadMesh)
     {
         const auto file = test::writeFile(name, text);
         const TriangleMesh free = readMesh(file);
-        const TriangleMesh caged = readMeshInCage(file);
+        const TriangleMesh caged = readMeshSandboxed(file);
         EXPECT_EQ(free.vertices, caged.vertices) << name;
         EXPECT_EQ(free.triangles, caged.triangles) << name;
     }

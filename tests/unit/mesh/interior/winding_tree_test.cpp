@@ -11,7 +11,7 @@ namespace
 {
 
 /// A fifth of the margin between the value of a side, 0 or 1, and the bound 1/2.
-constexpr double kMostError = 0.1;
+constexpr double kMaxError = 0.1;
 
 class Draws
 {
@@ -73,7 +73,7 @@ TEST(WindingTree, IsNearlyTheWindingNumberAroundTheBuiltInMeshes)
 {
     for (const std::string& name : builtInMeshNames())
     {
-        EXPECT_LT(largestError(builtInMesh(name), 4000), kMostError) << name;
+        EXPECT_LT(largestError(builtInMesh(name), 4000), kMaxError) << name;
     }
 }
 
@@ -82,7 +82,7 @@ TEST(WindingTree, IsNearlyTheWindingNumberAmongTetrahedraThatCross)
     for (const double size : {0.02, 0.1, 0.3, 1.0})
     {
         const TriangleMesh soup = test::tetrahedra(400, size, 11);
-        EXPECT_LT(largestError(soup, 1500), kMostError) << size;
+        EXPECT_LT(largestError(soup, 1500), kMaxError) << size;
     }
 }
 
@@ -127,7 +127,7 @@ TEST(WindingTree, IsFiniteBesideTrianglesThatArePoints)
         EXPECT_TRUE(std::isfinite(tree.at(vertex))) << vertex.transpose();
         EXPECT_TRUE(std::isfinite(tree.at(vertex + Eigen::Vector3d(0, 0, 1e-160))));
     }
-    EXPECT_NEAR(tree.at({0.5, 0.4, 0.3}), 1, kMostError);
+    EXPECT_NEAR(tree.at({0.5, 0.4, 0.3}), 1, kMaxError);
 }
 
 TEST(WindingTree, WithoutTheTriangleOfThePointIsTheMeanOfBothSides)
@@ -141,7 +141,7 @@ TEST(WindingTree, WithoutTheTriangleOfThePointIsTheMeanOfBothSides)
             const auto& t = mesh.triangles[triangle];
             const Eigen::Vector3d centroid =
                 (mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]) / 3;
-            EXPECT_NEAR(tree.at(centroid, triangle), 0.5, kMostError) << name << " " << triangle;
+            EXPECT_NEAR(tree.at(centroid, triangle), 0.5, kMaxError) << name << " " << triangle;
         }
     }
 }

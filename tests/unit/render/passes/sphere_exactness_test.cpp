@@ -140,7 +140,7 @@ Drawn drawInTiles(const TriangleMesh& mesh, const RenderSettings& settings,
     Viewpoint viewpoint(mesh, settings);
     viewpoint.follow(snapshot);
     const Framing& framing = viewpoint.framing();
-    SphereLedger ledger;
+    SphereDrawList ledger;
     ledger.update(snapshot, framing, viewpoint.colours());
     const auto spheres = ledger.resting();
     Drawn drawn{framing, {spheres.begin(), spheres.end()}, {}};
@@ -155,7 +155,7 @@ Drawn drawInTiles(const TriangleMesh& mesh, const RenderSettings& settings,
     for (std::size_t t = 0; t < grid.count(); ++t)
     {
         const TilePart part = grid.part(t);
-        tile.nearness[0].fill(kNothing);
+        tile.inverseDepth[0].fill(kNothing);
         for (const SphereInstance& sphere : spheres)
         {
             raster.draw(sphere, projector.project(sphere).pixels, part, tile);
@@ -165,7 +165,7 @@ Drawn drawInTiles(const TriangleMesh& mesh, const RenderSettings& settings,
         {
             for (int x = inside.left; x < inside.right; ++x)
             {
-                const double near = tile.nearness[0][static_cast<std::size_t>(
+                const double near = tile.inverseDepth[0][static_cast<std::size_t>(
                     (y - part.bottom) * kTileEdge + x - part.left)];
                 if (near > kNothing)
                 {

@@ -38,8 +38,8 @@ TEST(SphereContact, OfTwoInOnePlaceStopsNothingAndLeadsUp)
     ASSERT_TRUE(contact);
     EXPECT_EQ(contact->normal, Vector3d(0, 0, 0));
     EXPECT_EQ(contact->depth, 2);
-    EXPECT_EQ(wayOut(*contact), Vector3d(0, 1, 0));
-    EXPECT_EQ(wayOut({{1, 0, 0}, 0.1}), Vector3d(1, 0, 0));
+    EXPECT_EQ(separationDirection(*contact), Vector3d(0, 1, 0));
+    EXPECT_EQ(separationDirection({{1, 0, 0}, 0.1}), Vector3d(1, 0, 0));
 }
 
 /// A box about the origin, in which a sphere of radius 1 is.

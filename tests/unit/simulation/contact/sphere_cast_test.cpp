@@ -60,15 +60,15 @@ TEST(SphereCast, TellsTheWayOutOfAWallIntoWhichASphereHasCrept)
 {
     const auto world = smallWorld(shapes::box({-5, -5, -5}, {5, 5, 5}, 3));
     std::vector<Eigen::Vector3d> normals;
-    const auto wayOut = [&](double depth)
+    const auto pushOut = [&](double depth)
     {
         const Eigen::Vector3d p(0.3, -4 - depth, 0.2);
         NeighbourList around;
         around.ensure(*world, p, 1, 0);
         return contactNormals(world->surface, around, p, 1, kTouch, normals);
     };
-    EXPECT_EQ(wayOut(0.9 * kCrept), Eigen::Vector3d(0, 0, 0));
-    EXPECT_LT((wayOut(3 * kCrept) - Eigen::Vector3d(0, 3 * kCrept, 0)).norm(), 1e-14);
+    EXPECT_EQ(pushOut(0.9 * kCrept), Eigen::Vector3d(0, 0, 0));
+    EXPECT_LT((pushOut(3 * kCrept) - Eigen::Vector3d(0, 3 * kCrept, 0)).norm(), 1e-14);
     EXPECT_EQ(normals.size(), 1u);
 }
 

@@ -115,7 +115,7 @@ TEST(PairTable, HoldsAsManyTestsAsAStepMakes)
     scene.freezing.everySets = 1;
     scene.search = {SphereSearch::allPairs, PolygonSearch::grid};
     const std::size_t spheres[] = {40, 100};
-    for (const FigureMoment& moment : momentsOf(scene, builtInMesh("torus"), spheres))
+    for (const FigureState& moment : statesOf(scene, builtInMesh("torus"), spheres))
     {
         EXPECT_GT(moment.snapshot.running, 0u);
         EXPECT_EQ(testsIn(pairTable(moment.snapshot)), moment.sphereTests);

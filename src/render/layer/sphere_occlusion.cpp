@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/layer/surroundings.hpp"
+#include "render/layer/sphere_occlusion.hpp"
 
 #include "render/layer/for_all.hpp"
 
@@ -77,12 +77,13 @@ std::int8_t toByte(float share)
 
 } // namespace
 
-Surroundings::Surroundings(const glm::vec3& towardsLamp, const std::optional<CutPlanes>& cut)
+SphereOcclusion::SphereOcclusion(const glm::vec3& towardsLamp, const std::optional<CutPlanes>& cut)
     : lamp_(towardsLamp), cut_(cut)
 {
 }
 
-std::vector<std::size_t> Surroundings::placesBefore(std::span<const SphereInstance> resting) const
+std::vector<std::size_t>
+SphereOcclusion::placesBefore(std::span<const SphereInstance> resting) const
 {
     std::vector<std::size_t> places;
     const std::size_t count = grid_.spheres().size();
@@ -100,7 +101,7 @@ std::vector<std::size_t> Surroundings::placesBefore(std::span<const SphereInstan
     return noneHasGone ? places : std::vector(resting.size(), count);
 }
 
-void Surroundings::start(std::span<const SphereInstance> resting)
+void SphereOcclusion::start(std::span<const SphereInstance> resting)
 {
     const std::vector<std::size_t> before = placesBefore(resting);
     const std::vector<SphereLight> lights = std::exchange(lights_, {});
@@ -127,7 +128,7 @@ void Surroundings::start(std::span<const SphereInstance> resting)
     }
 }
 
-void Surroundings::add(const SphereInstance& sphere)
+void SphereOcclusion::add(const SphereInstance& sphere)
 {
     push(sphere);
     if (!cutAway_.back())
@@ -136,7 +137,7 @@ void Surroundings::add(const SphereInstance& sphere)
     }
 }
 
-void Surroundings::follow(std::span<const SphereInstance> resting, std::size_t first)
+void SphereOcclusion::follow(std::span<const SphereInstance> resting, std::size_t first)
 {
     if (first == 0)
     {
@@ -149,7 +150,7 @@ void Surroundings::follow(std::span<const SphereInstance> resting, std::size_t f
     }
 }
 
-void Surroundings::push(const SphereInstance& sphere)
+void SphereOcclusion::push(const SphereInstance& sphere)
 {
     const glm::dvec4 centre(sphere.x, sphere.y, sphere.z, 1);
     cutAway_.push_back(cut_ && glm::dot((*cut_)[0], centre) > 0 &&
@@ -159,7 +160,7 @@ void Surroundings::push(const SphereInstance& sphere)
     grid_.add(sphere);
 }
 
-void Surroundings::forgetLightAround(const SphereInstance& arrival)
+void SphereOcclusion::forgetLightAround(const SphereInstance& arrival)
 {
     // The other way round than in neighboursOf: who would find this one there.
     const glm::vec3 centre(arrival.x, arrival.y, arrival.z);
@@ -177,7 +178,8 @@ void Surroundings::forgetLightAround(const SphereInstance& arrival)
               });
 }
 
-std::vector<Surroundings::Neighbour> Surroundings::neighboursOf(const SphereInstance& sphere) const
+std::vector<SphereOcclusion::Neighbour>
+SphereOcclusion::neighboursOf(const SphereInstance& sphere) const
 {
     std::vector<Neighbour> near;
     const glm::vec3 centre(sphere.x, sphere.y, sphere.z);
@@ -224,7 +226,7 @@ std::vector<Surroundings::Neighbour> Surroundings::neighboursOf(const SphereInst
     return near;
 }
 
-SphereLight Surroundings::lightOn(const SphereInstance& sphere) const
+SphereLight SphereOcclusion::lightOn(const SphereInstance& sphere) const
 {
     SphereLight light;
     if (grid_.spheres().empty())
@@ -261,13 +263,13 @@ SphereLight Surroundings::lightOn(const SphereInstance& sphere) const
     return light;
 }
 
-SphereLight Surroundings::of(const SphereInstance& sphere)
+SphereLight SphereOcclusion::of(const SphereInstance& sphere)
 {
     const std::size_t own = grid_.indexOf(sphere);
     return own == grid_.spheres().size() ? lightOn(sphere) : ofResting(own);
 }
 
-const SphereLight& Surroundings::ofResting(std::size_t index)
+const SphereLight& SphereOcclusion::ofResting(std::size_t index)
 {
     if (known_[index] == 0)
     {
@@ -277,13 +279,13 @@ const SphereLight& Surroundings::ofResting(std::size_t index)
     return lights_[index];
 }
 
-void Surroundings::ask(std::span<const std::uint32_t> indices)
+void SphereOcclusion::ask(std::span<const std::uint32_t> indices)
 {
     forAll(indices.size(), kSurroundedATask, [&](std::size_t i) { ofResting(indices[i]); });
 }
 
 std::span<const std::uint32_t>
-Surroundings::askAgain(const std::function<bool(std::uint32_t)>& isSeen)
+SphereOcclusion::refresh(const std::function<bool(std::uint32_t)>& isSeen)
 {
     changed_.clear();
     for (const std::uint32_t index : reached_)
@@ -301,7 +303,7 @@ Surroundings::askAgain(const std::function<bool(std::uint32_t)>& isSeen)
     return changed_;
 }
 
-bool Surroundings::reaches(const SphereInstance& from, const SphereInstance& to) const
+bool SphereOcclusion::reaches(const SphereInstance& from, const SphereInstance& to) const
 {
     const glm::vec3 way(from.x - to.x, from.y - to.y, from.z - to.z);
     const float squared = glm::dot(way, way);

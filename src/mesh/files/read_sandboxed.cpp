@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Reading a mesh from an untrusted source. Assimp 5.2.5, the reader of glTF in Debian 12,
 // crashes, hangs or fills the memory on damaged files; in a child process that costs a sentence.
-// The other readers are not known to, and are caged nevertheless.
-#include "mesh/files/cage.hpp"
-#include "mesh/repair/find_nonsense.hpp"
+// The other readers are not known to, and are sandboxed nevertheless.
+#include "mesh/files/sandbox.hpp"
+#include "mesh/repair/find_invalid_data.hpp"
 
 #include <frostfill/error.hpp>
 #include <frostfill/mesh.hpp>
@@ -22,15 +22,15 @@ namespace
 constexpr std::size_t kBytesAtLeast = std::size_t{768} << 20;
 constexpr std::size_t kBytesPerByte = 100;
 constexpr std::size_t kSecondsAtLeast = 2;
-constexpr std::size_t kBytesASecond = std::size_t{1} << 20;
+constexpr std::size_t kBytesPerSecond = std::size_t{1} << 20;
 
-CageLimits limitsFor(const std::filesystem::path& file)
+SandboxLimits limitsFor(const std::filesystem::path& file)
 {
     std::error_code ignored; // a file that is not there is told by readMesh
     const std::uintmax_t told = std::filesystem::file_size(file, ignored);
     const std::size_t size = ignored ? 0 : static_cast<std::size_t>(told);
     return {kBytesAtLeast + kBytesPerByte * size,
-            static_cast<unsigned>(kSecondsAtLeast + size / kBytesASecond)};
+            static_cast<unsigned>(kSecondsAtLeast + size / kBytesPerSecond)};
 }
 
 template <class Value>
@@ -67,24 +67,24 @@ bool take(std::string_view& bytes, std::vector<Value>& values)
 
 } // namespace
 
-TriangleMesh readMeshInCage(const std::filesystem::path& file)
+TriangleMesh readMeshSandboxed(const std::filesystem::path& file)
 {
     const std::string subject = fmt::format("'{}' cannot be read as a mesh", file.string());
-    const std::string bytes = runInCage(limitsFor(file), subject,
-                                        [&]
-                                        {
-                                            const TriangleMesh mesh = readMesh(file);
-                                            std::string report;
-                                            append(report, mesh.vertices);
-                                            append(report, mesh.triangles);
-                                            return report;
-                                        });
-    // What came out of the cage is believed no more than the file: a reader that was led astray may
-    // have sent anything.
+    const std::string bytes = runSandboxed(limitsFor(file), subject,
+                                           [&]
+                                           {
+                                               const TriangleMesh mesh = readMesh(file);
+                                               std::string report;
+                                               append(report, mesh.vertices);
+                                               append(report, mesh.triangles);
+                                               return report;
+                                           });
+    // What came out of the sandbox is believed no more than the file: a reader that was led astray
+    // may have sent anything.
     TriangleMesh mesh;
     std::string_view rest = bytes;
     if (!take(rest, mesh.vertices) || !take(rest, mesh.triangles) || !rest.empty() ||
-        findNonsense(mesh))
+        findInvalidData(mesh))
     {
         throw Error(ErrorCode::badData, subject + ": the reader returned an invalid mesh; export "
                                                   "the mesh again, in another format if need be");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/layer/surroundings.hpp"
+#include "render/layer/sphere_occlusion.hpp"
 
 #include "support/pictures.hpp"
 
@@ -42,35 +42,35 @@ bool same(const SphereLight& a, const SphereLight& b)
     return a.occluders == b.occluders && a.open == b.open;
 }
 
-TEST(Surroundings, OfALoneSphereHideNothing)
+TEST(SphereOcclusion, OfALoneSphereHideNothing)
 {
-    Surroundings surroundings(kLamp, {});
+    SphereOcclusion sphereOcclusion(kLamp, {});
     const SphereInstance sphere = sphereAt({0, 0, 0}, 0.1F);
-    EXPECT_TRUE(same(surroundings.of(sphere), SphereLight{}));
-    surroundings.add(sphere);
-    EXPECT_TRUE(same(surroundings.of(sphere), SphereLight{})) << "it does not hide itself";
-    surroundings.add(sphereAt({1, 0, 0}, 0.1F));
-    EXPECT_TRUE(same(surroundings.of(sphere), SphereLight{})) << "too far away";
+    EXPECT_TRUE(same(sphereOcclusion.of(sphere), SphereLight{}));
+    sphereOcclusion.add(sphere);
+    EXPECT_TRUE(same(sphereOcclusion.of(sphere), SphereLight{})) << "it does not hide itself";
+    sphereOcclusion.add(sphereAt({1, 0, 0}, 0.1F));
+    EXPECT_TRUE(same(sphereOcclusion.of(sphere), SphereLight{})) << "too far away";
 }
 
-TEST(Surroundings, TellWhereANeighbourIsInTheRadiusOfTheSphere)
+TEST(SphereOcclusion, TellWhereANeighbourIsInTheRadiusOfTheSphere)
 {
-    Surroundings surroundings(kLamp, {});
-    surroundings.add(sphereAt({0.3F, 0, 0}, 0.2F));
-    const SphereLight light = surroundings.of(sphereAt({0, 0, 0}, 0.1F));
+    SphereOcclusion sphereOcclusion(kLamp, {});
+    sphereOcclusion.add(sphereAt({0.3F, 0, 0}, 0.2F));
+    const SphereLight light = sphereOcclusion.of(sphereAt({0, 0, 0}, 0.1F));
     EXPECT_NEAR(light.occluders[0][0] * kOccluderRange / 127, 3, 0.03);
     EXPECT_EQ(light.occluders[0][1], 0);
     EXPECT_NEAR(light.occluders[0][3] * kOccluderRange / 127, 2, 0.03);
     EXPECT_EQ(light.occluders[1][3], 0) << "the only one";
 }
 
-TEST(Surroundings, DoNotDependOnTheOrderInWhichTheyCame)
+TEST(SphereOcclusion, DoNotDependOnTheOrderInWhichTheyCame)
 {
     std::vector<SphereInstance> spheres = cloud(1500);
-    Surroundings forwards(kLamp, {});
+    SphereOcclusion forwards(kLamp, {});
     forwards.start(spheres);
     std::reverse(spheres.begin(), spheres.end());
-    Surroundings backwards(kLamp, {});
+    SphereOcclusion backwards(kLamp, {});
     backwards.start(std::span(spheres).first(700));
     for (const SphereInstance& sphere : std::span(spheres).subspan(700))
     {
@@ -82,11 +82,11 @@ TEST(Surroundings, DoNotDependOnTheOrderInWhichTheyCame)
     }
 }
 
-TEST(Surroundings, ChangeOnlyTheLightOfThoseThatAnArrivalReaches)
+TEST(SphereOcclusion, ChangeOnlyTheLightOfThoseThatAnArrivalReaches)
 {
     const std::vector<SphereInstance> spheres = cloud(1200);
-    Surroundings surroundings(kLamp, {});
-    surroundings.start(std::span(spheres).first(1000));
+    SphereOcclusion sphereOcclusion(kLamp, {});
+    sphereOcclusion.start(std::span(spheres).first(1000));
     int changed = 0;
     int reached = 0;
     for (std::size_t i = 1000; i < spheres.size(); ++i)
@@ -94,13 +94,13 @@ TEST(Surroundings, ChangeOnlyTheLightOfThoseThatAnArrivalReaches)
         std::vector<SphereLight> before;
         for (std::size_t k = 0; k < 1000; ++k)
         {
-            before.push_back(surroundings.of(spheres[k]));
+            before.push_back(sphereOcclusion.of(spheres[k]));
         }
-        surroundings.add(spheres[i]);
+        sphereOcclusion.add(spheres[i]);
         for (std::size_t k = 0; k < 1000; ++k)
         {
-            const bool differs = !same(before[k], surroundings.of(spheres[k]));
-            const bool reaches = surroundings.reaches(spheres[i], spheres[k]);
+            const bool differs = !same(before[k], sphereOcclusion.of(spheres[k]));
+            const bool reaches = sphereOcclusion.reaches(spheres[i], spheres[k]);
             ASSERT_TRUE(reaches || !differs) << i << " on " << k;
             changed += differs ? 1 : 0;
             reached += reaches ? 1 : 0;
@@ -117,7 +117,7 @@ const glm::dvec4 kCut(1, 0, 0, -0.5);
 std::vector<SphereLight> lightOnAll(std::span<const SphereInstance> spheres,
                                     const std::optional<CutPlanes>& cut)
 {
-    Surroundings fresh(kLamp, cut);
+    SphereOcclusion fresh(kLamp, cut);
     fresh.start(spheres);
     std::vector<SphereLight> lights;
     for (std::size_t i = 0; i < spheres.size(); ++i)
@@ -127,23 +127,24 @@ std::vector<SphereLight> lightOnAll(std::span<const SphereInstance> spheres,
     return lights;
 }
 
-TEST(Surroundings, KeepTheLightOfThoseThatAnArrivalDoesNotChange)
+TEST(SphereOcclusion, KeepTheLightOfThoseThatAnArrivalDoesNotChange)
 {
     constexpr std::uint32_t kSeen = 900;
     for (const auto& cut : {std::optional<CutPlanes>(), std::optional(CutPlanes{kCut, kCut})})
     {
         const std::vector<SphereInstance> spheres = cloud(1100);
-        Surroundings surroundings(kLamp, cut);
-        surroundings.follow(std::span(spheres).first(1000), 0);
+        SphereOcclusion sphereOcclusion(kLamp, cut);
+        sphereOcclusion.follow(std::span(spheres).first(1000), 0);
         std::vector<std::uint32_t> all(1000);
         std::iota(all.begin(), all.end(), 0U);
-        surroundings.ask(all);
-        std::vector<SphereLight> before(surroundings.lights().begin(), surroundings.lights().end());
+        sphereOcclusion.ask(all);
+        std::vector<SphereLight> before(sphereOcclusion.lights().begin(),
+                                        sphereOcclusion.lights().end());
         std::size_t changed = 0;
         for (std::size_t end = 1010; end <= spheres.size(); end += 10)
         {
             const auto now = std::span(spheres).first(end);
-            surroundings.follow(now, end - 10);
+            sphereOcclusion.follow(now, end - 10);
             const std::vector<SphereLight> lights = lightOnAll(now, cut);
             std::vector<std::uint32_t> expected;
             for (std::uint32_t k = 0; k < kSeen; ++k)
@@ -153,14 +154,14 @@ TEST(Surroundings, KeepTheLightOfThoseThatAnArrivalDoesNotChange)
                     expected.push_back(k);
                 }
             }
-            const auto told = surroundings.askAgain([](std::uint32_t i) { return i < kSeen; });
+            const auto told = sphereOcclusion.refresh([](std::uint32_t i) { return i < kSeen; });
             std::vector<std::uint32_t> sorted(told.begin(), told.end());
             std::sort(sorted.begin(), sorted.end());
             ASSERT_EQ(sorted, expected) << end;
-            ASSERT_TRUE(surroundings.askAgain([](std::uint32_t) { return true; }).empty());
+            ASSERT_TRUE(sphereOcclusion.refresh([](std::uint32_t) { return true; }).empty());
             for (std::uint32_t k = 0; k < 1000; ++k)
             {
-                ASSERT_TRUE(same(surroundings.ofResting(k), lights[k])) << end << ", " << k;
+                ASSERT_TRUE(same(sphereOcclusion.ofResting(k), lights[k])) << end << ", " << k;
             }
             before = lights;
             changed += expected.size();
@@ -169,44 +170,44 @@ TEST(Surroundings, KeepTheLightOfThoseThatAnArrivalDoesNotChange)
     }
 }
 
-TEST(Surroundings, KeepWhatIsKnownWhenTheyAreStartedInAnotherOrderAndWithArrivals)
+TEST(SphereOcclusion, KeepWhatIsKnownWhenTheyAreStartedInAnotherOrderAndWithArrivals)
 {
     for (const auto& cut : {std::optional<CutPlanes>(), std::optional(CutPlanes{kCut, kCut})})
     {
         std::vector<SphereInstance> spheres = cloud(600);
-        Surroundings surroundings(kLamp, cut);
-        surroundings.start(std::span(spheres).first(500));
+        SphereOcclusion sphereOcclusion(kLamp, cut);
+        sphereOcclusion.start(std::span(spheres).first(500));
         for (std::size_t i = 0; i < 500; ++i)
         {
-            surroundings.ofResting(i);
+            sphereOcclusion.ofResting(i);
         }
         std::reverse(spheres.begin(), spheres.end());
-        surroundings.start(spheres);
+        sphereOcclusion.start(spheres);
         std::vector<SphereLight> lights = lightOnAll(spheres, cut);
         for (std::size_t i = 0; i < spheres.size(); ++i)
         {
-            ASSERT_TRUE(same(surroundings.ofResting(i), lights[i])) << i;
+            ASSERT_TRUE(same(sphereOcclusion.ofResting(i), lights[i])) << i;
         }
         // One has gone, which nothing but a new beginning takes into account.
         spheres.pop_back();
-        surroundings.start(spheres);
+        sphereOcclusion.start(spheres);
         lights = lightOnAll(spheres, cut);
         for (std::size_t i = 0; i < spheres.size(); ++i)
         {
-            ASSERT_TRUE(same(surroundings.ofResting(i), lights[i])) << i;
+            ASSERT_TRUE(same(sphereOcclusion.ofResting(i), lights[i])) << i;
         }
     }
 }
 
-TEST(Surroundings, ForgetWhatACutTakesAway)
+TEST(SphereOcclusion, ForgetWhatACutTakesAway)
 {
     // Everything to the right.
     const glm::dvec4 plane(1, 0, 0, 0);
-    Surroundings surroundings(kLamp, CutPlanes{plane, plane});
-    surroundings.add(sphereAt({0.2F, 0, 0}, 0.1F));
-    EXPECT_TRUE(same(surroundings.of(sphereAt({-0.01F, 0, 0}, 0.1F)), SphereLight{}));
-    surroundings.add(sphereAt({-0.2F, 0, 0}, 0.1F));
-    EXPECT_FALSE(same(surroundings.of(sphereAt({-0.01F, 0, 0}, 0.1F)), SphereLight{}));
+    SphereOcclusion sphereOcclusion(kLamp, CutPlanes{plane, plane});
+    sphereOcclusion.add(sphereAt({0.2F, 0, 0}, 0.1F));
+    EXPECT_TRUE(same(sphereOcclusion.of(sphereAt({-0.01F, 0, 0}, 0.1F)), SphereLight{}));
+    sphereOcclusion.add(sphereAt({-0.2F, 0, 0}, 0.1F));
+    EXPECT_FALSE(same(sphereOcclusion.of(sphereAt({-0.01F, 0, 0}, 0.1F)), SphereLight{}));
 }
 
 } // namespace

@@ -12,9 +12,9 @@ namespace frostfill
 
 /// What depends on the spheres at rest. It is updated for each that comes to rest: where falls
 /// end, where spheres can appear, and what is discarded.
-struct RestFollowers
+struct RestObservers
 {
-    RestFollowers(World& world, double band, Threads& threads)
+    RestObservers(World& world, double band, Threads& threads)
         : falls(world.spheres.resting().frame(), world.triangles),
           release(makeRelease(world, band, threads)), discard(makeDiscard(world))
     {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/files/cage.hpp"
+#include "mesh/files/sandbox.hpp"
 
 #include "base/sanitized.hpp"
 
@@ -30,7 +30,7 @@ namespace
 
 /// The child's end of the pipe; it has no other file open above it.
 constexpr int kReport = 3;
-constexpr rlim_t kMostFiles = 16;
+constexpr rlim_t kMaxFiles = 16;
 /// A child that sleeps uses no processor time: it is killed after its limit times this. [1]
 constexpr unsigned kWaitFactor = 10;
 
@@ -64,7 +64,7 @@ void limit(int what, rlim_t value)
     setrlimit(static_cast<__rlimit_resource>(what), &now);
 }
 
-void lockCage(const CageLimits& limits)
+void enterSandbox(const SandboxLimits& limits)
 {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR1, SIGPIPE, SIGXCPU})
@@ -73,7 +73,7 @@ void lockCage(const CageLimits& limits)
     }
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_FSIZE, 0);
-    limit(RLIMIT_NOFILE, kMostFiles);
+    limit(RLIMIT_NOFILE, kMaxFiles);
     limit(RLIMIT_CPU, limits.seconds);
     if (kLimitsAddresses)
     {
@@ -95,7 +95,7 @@ void writeAll(const char* bytes, std::size_t count)
     }
 }
 
-[[noreturn]] void runAsChild(const CageLimits& limits, int pipe,
+[[noreturn]] void runAsChild(const SandboxLimits& limits, int pipe,
                              const std::function<std::string()>& work)
 {
     dup2(pipe, kReport);
@@ -105,7 +105,7 @@ void writeAll(const char* bytes, std::size_t count)
         // What the reader prints is of no use; what a sanitizer prints is.
         dup2(open("/dev/null", O_WRONLY | O_CLOEXEC), STDERR_FILENO);
     }
-    lockCage(limits);
+    enterSandbox(limits);
     try
     {
         const std::string bytes = work();
@@ -130,7 +130,7 @@ void writeAll(const char* bytes, std::size_t count)
 class Child
 {
 public:
-    Child(const CageLimits& limits, const std::function<std::string()>& work)
+    Child(const SandboxLimits& limits, const std::function<std::string()>& work)
     {
         std::array<int, 2> ends{};
         if (pipe2(ends.data(), O_CLOEXEC) != 0)
@@ -226,7 +226,7 @@ private:
     pid_t id_ = -1;
 };
 
-std::string howItDied(int status, const CageLimits& limits)
+std::string describeExit(int status, const SandboxLimits& limits)
 {
     const std::string anew = "export the mesh again, in another format if need be";
     if (!WIFSIGNALED(status))
@@ -244,8 +244,8 @@ std::string howItDied(int status, const CageLimits& limits)
 
 } // namespace
 
-std::string runInCage(const CageLimits& limits, const std::string& subject,
-                      const std::function<std::string()>& work)
+std::string runSandboxed(const SandboxLimits& limits, const std::string& subject,
+                         const std::function<std::string()>& work)
 {
     Child child(limits, work);
     std::string bytes =
@@ -254,7 +254,8 @@ std::string runInCage(const CageLimits& limits, const std::string& subject,
     const char kind = bytes.empty() ? '\0' : bytes[0];
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || kind == '\0')
     {
-        throw Error(ErrorCode::badData, fmt::format("{}: {}", subject, howItDied(status, limits)));
+        throw Error(ErrorCode::badData,
+                    fmt::format("{}: {}", subject, describeExit(status, limits)));
     }
     if (kind == kRefused)
     {

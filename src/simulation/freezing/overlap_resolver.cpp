@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "simulation/freezing/room_maker.hpp"
+#include "simulation/freezing/overlap_resolver.hpp"
 
 #include "simulation/contact/contact.hpp"
 #include "simulation/contact/depenetration.hpp"
@@ -10,7 +10,7 @@
 namespace frostfill
 {
 
-void RoomMaker::findOverlapped(std::uint32_t row, const PlacedSphere& resting)
+void OverlapResolver::findOverlapped(std::uint32_t row, const PlacedSphere& resting)
 {
     overlapped_.clear();
     grid_.forEachNear(resting.place, resting.radius + 1,
@@ -26,7 +26,7 @@ void RoomMaker::findOverlapped(std::uint32_t row, const PlacedSphere& resting)
     std::sort(overlapped_.begin(), overlapped_.end());
 }
 
-bool RoomMaker::makeRoom(std::uint32_t row, const PlacedSphere& resting, double farthest)
+bool OverlapResolver::moveAside(std::uint32_t row, const PlacedSphere& resting, double farthest)
 {
     findOverlapped(row, resting);
     moved_.clear();
@@ -47,7 +47,7 @@ bool RoomMaker::makeRoom(std::uint32_t row, const PlacedSphere& resting, double 
     return true;
 }
 
-void RoomMaker::evict()
+void OverlapResolver::evict()
 {
     const ReleaseQuery query = {.suits = [this](const Eigen::Vector3d& place, double radius)
                                 { return grid_.isClear(place, radius); }};
@@ -59,7 +59,7 @@ void RoomMaker::evict()
         {
             put(k, clear);
         }
-        else if (const auto elsewhere = followers_.release->place(radius, query))
+        else if (const auto elsewhere = observers_.release->place(radius, query))
         {
             running_.restart(k, *elsewhere);
             grid_.move(k, *elsewhere);
@@ -71,20 +71,20 @@ void RoomMaker::evict()
     }
 }
 
-void RoomMaker::put(std::uint32_t row, const Eigen::Vector3d& place)
+void OverlapResolver::put(std::uint32_t row, const Eigen::Vector3d& place)
 {
     running_.position[row] = place;
     flight_.around(row).invalidate(); // what comes to rest is told where it is now
     grid_.move(row, place);
 }
 
-void RoomMaker::withdraw(std::uint32_t row)
+void OverlapResolver::withdraw(std::uint32_t row)
 {
     const std::uint32_t id = running_.id[row];
     const std::uint32_t renumbered = world_.spheres.withdraw(id);
-    if (followers_.discard)
+    if (observers_.discard)
     {
-        followers_.discard->renumber(renumbered, id);
+        observers_.discard->renumber(renumbered, id);
     }
 }
 

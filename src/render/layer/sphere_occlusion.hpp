@@ -19,11 +19,11 @@ namespace frostfill
 
 /// What keeps light from spheres: all that are at rest, in a grid. The answer for a sphere depends
 /// on which others are there and not on the order in which they came. [unit space]
-class Surroundings
+class SphereOcclusion
 {
 public:
     /// `towardsLamp` is a unit vector. What a cut takes away keeps no light off.
-    Surroundings(const glm::vec3& towardsLamp, const std::optional<CutPlanes>& cut);
+    SphereOcclusion(const glm::vec3& towardsLamp, const std::optional<CutPlanes>& cut);
 
     /// Takes these and no others, which have indices in this order from now on. What is known of
     /// those that were there before is kept where none has gone.
@@ -42,7 +42,7 @@ public:
     [[nodiscard]] std::span<const SphereLight> lights() const { return lights_; }
     /// Asks again for those that spheres that were added have reached since, as far as they are
     /// seen. Returns those that have changed, until the next call.
-    std::span<const std::uint32_t> askAgain(const std::function<bool(std::uint32_t)>& isSeen);
+    std::span<const std::uint32_t> refresh(const std::function<bool(std::uint32_t)>& isSeen);
 
     /// Whether a sphere's light may depend on another one's being there.
     [[nodiscard]] bool reaches(const SphereInstance& from, const SphereInstance& to) const;
@@ -71,7 +71,7 @@ private:
     std::vector<SphereLight> lights_;    ///< [spheres] when last asked for
     std::vector<std::uint8_t> known_;    ///< [spheres] 1: none has come since that reaches it
     std::vector<std::uint32_t> reached_; ///< that were known until others came
-    std::vector<std::uint32_t> changed_; ///< what askAgain has returned
+    std::vector<std::uint32_t> changed_; ///< what refresh has returned
     std::vector<bool> cutAway_;          ///< [spheres] and so keep no light off
 };
 

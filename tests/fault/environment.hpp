@@ -18,7 +18,7 @@ inline const std::string kSmall =
 inline const std::string kLong =
     "fill cube --count 200000 --size 64x48 --max-frames 4 --threads 1 ";
 
-class Surroundings : public ::testing::Test
+class Environment : public ::testing::Test
 {
 protected:
     [[nodiscard]] Answer run(const std::string& arguments,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/repair/find_nonsense.hpp"
+#include "mesh/repair/find_invalid_data.hpp"
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@ constexpr double kLargestCoordinate = 1e70;
 
 } // namespace
 
-std::optional<std::string> findNonsense(const TriangleMesh& mesh)
+std::optional<std::string> findInvalidData(const TriangleMesh& mesh)
 {
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
     {

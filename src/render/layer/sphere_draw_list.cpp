@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/layer/sphere_ledger.hpp"
+#include "render/layer/sphere_draw_list.hpp"
 
 #include "render/layer/for_all.hpp"
 
@@ -17,13 +17,13 @@ namespace
 constexpr int kKeyBits = 22;
 constexpr int kDigitBits = 11;
 /// See forAll.
-constexpr std::size_t kSpheresATask = 4096;
+constexpr std::size_t kSpheresPerTask = 4096;
 
 /// The mesh lies within 1 of unit space's origin, so that steps are a millionth of its size.
 std::uint32_t sortKey(float distance)
 {
-    constexpr float kMost = (1 << kKeyBits) - 1;
-    return static_cast<std::uint32_t>(std::clamp((distance + 2) * 0.25F * kMost, 0.0F, kMost));
+    constexpr float kMax = (1 << kKeyBits) - 1;
+    return static_cast<std::uint32_t>(std::clamp((distance + 2) * 0.25F * kMax, 0.0F, kMax));
 }
 
 /// A key, and below it where it belongs.
@@ -54,13 +54,13 @@ void sortByKey(std::vector<Keyed>& keyed)
 
 } // namespace
 
-bool SphereLedger::knowsWhatChanged(const Snapshot& snapshot) const
+bool SphereDrawList::knowsWhatChanged(const Snapshot& snapshot) const
 {
     return snapshot.source != 0 && snapshot.source == source_ &&
            snapshot.changedSince <= revision_ && snapshot.centres.size() >= places_.size();
 }
 
-SphereInstance SphereLedger::instance(const Snapshot& snapshot, std::uint32_t id) const
+SphereInstance SphereDrawList::instance(const Snapshot& snapshot, std::uint32_t id) const
 {
     const Eigen::Vector3f centre = snapshot.centres[id] * scale_ + offset_;
     return {centre.x(),
@@ -71,7 +71,7 @@ SphereInstance SphereLedger::instance(const Snapshot& snapshot, std::uint32_t id
             colours_->of(snapshot, id)};
 }
 
-void SphereLedger::lookAt(const Snapshot& snapshot, std::uint32_t id)
+void SphereDrawList::lookAt(const Snapshot& snapshot, std::uint32_t id)
 {
     const bool runs = snapshot.states[id] == SphereState::running;
     const bool isNew = id >= places_.size();
@@ -108,7 +108,7 @@ void SphereLedger::lookAt(const Snapshot& snapshot, std::uint32_t id)
     resting_.push_back(instance(snapshot, id));
 }
 
-void SphereLedger::startAgain(const Snapshot& snapshot)
+void SphereDrawList::startAgain(const Snapshot& snapshot)
 {
     places_.clear();
     restingIds_.clear();
@@ -125,8 +125,9 @@ void SphereLedger::startAgain(const Snapshot& snapshot)
     changes_.everything = true;
 }
 
-const SphereLedger::Changes& SphereLedger::update(const Snapshot& snapshot, const Framing& framing,
-                                                  const SphereColours& colours)
+const SphereDrawList::Changes& SphereDrawList::update(const Snapshot& snapshot,
+                                                      const Framing& framing,
+                                                      const SphereColours& colours)
 {
     colours.requireIn(snapshot);
     colours_ = &colours;
@@ -176,13 +177,13 @@ const SphereLedger::Changes& SphereLedger::update(const Snapshot& snapshot, cons
     return changes_;
 }
 
-void SphereLedger::sortFrontToBack(const Framing& framing)
+void SphereDrawList::sortFrontToBack(const Framing& framing)
 {
     // The eye is a point, or without perspective a direction.
     const glm::vec3 eye(framing.eye);
     const float eyeDistance = glm::length(eye);
     std::vector<Keyed> order(resting_.size());
-    forAll(order.size(), kSpheresATask,
+    forAll(order.size(), kSpheresPerTask,
            [&](std::size_t i)
            {
                const glm::vec3 centre(resting_[i].x, resting_[i].y, resting_[i].z);
@@ -194,7 +195,7 @@ void SphereLedger::sortFrontToBack(const Framing& framing)
     sortByKey(order);
     std::vector<SphereInstance> spheres(order.size());
     std::vector<std::uint32_t> ids(order.size());
-    forAll(order.size(), kSpheresATask,
+    forAll(order.size(), kSpheresPerTask,
            [&](std::size_t i)
            {
                const auto from = static_cast<std::uint32_t>(order[i]);

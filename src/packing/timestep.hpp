@@ -17,9 +17,9 @@
 namespace frostfill
 {
 
-/// What a file says of its spheres at one moment. Sphere k is entry k of each list; a list is empty
-/// where the file says nothing.
-struct Moment
+/// What a file says of its spheres at one timestep. Sphere k is entry k of each list; a list is
+/// empty where the file says nothing.
+struct Timestep
 {
     std::optional<double> time;             ///< [s]
     std::optional<std::uint64_t> step;      ///< number of the time step
@@ -59,13 +59,13 @@ struct SphereColumns
 
 /// Adds the sphere of a line. `radius` is taken where the file has none.
 void addSphere(const std::vector<std::string_view>& words, const SphereColumns& columns,
-               double radius, const TextLines& lines, Moment& moment);
+               double radius, const TextLines& lines, Timestep& timestep);
 
-/// Reads the next moment of a LAMMPS or LIGGGHTS dump, or of XYZ; false after the last. Throws
+/// Reads the next timestep of a LAMMPS or LIGGGHTS dump, or of XYZ; false after the last. Throws
 /// Error badData.
-[[nodiscard]] bool readDumpMoment(TextLines& lines, double radius, Moment& moment);
-[[nodiscard]] bool readXyzMoment(TextLines& lines, double radius, Moment& moment);
-/// Reads a table, which is one moment.
-[[nodiscard]] Moment readTable(TextLines lines, double radius);
+[[nodiscard]] bool readDumpTimestep(TextLines& lines, double radius, Timestep& timestep);
+[[nodiscard]] bool readXyzTimestep(TextLines& lines, double radius, Timestep& timestep);
+/// Reads a table, which is one timestep.
+[[nodiscard]] Timestep readTable(TextLines lines, double radius);
 
 } // namespace frostfill

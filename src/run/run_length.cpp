@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "run/rehearsal.hpp"
+#include "run/run_length.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,11 +9,11 @@ namespace frostfill
 namespace
 {
 
-/// Spheres of a run that is rehearsed itself, and of the model of a larger one. Larger: runs start
+/// Spheres of a run that is its own trial, and of the model of a larger one. Larger: runs start
 /// later. Smaller: more runs whose length is known only roughly.
-constexpr double kRehearsed = 12000;
-constexpr double kRehearsedPaper = 2000;
-constexpr double kRehearsedDescent = 50000; // quick
+constexpr double kTrialSpheres = 12000;
+constexpr double kTrialSpheresPaper = 2000;
+constexpr double kTrialSpheresDescent = 50000; // quick
 /// Steps of the motion descend, however many spheres; see DropAndRollEngine.
 constexpr double kStepsOfDescent = 200;
 constexpr double kModel = 3000;
@@ -109,14 +109,15 @@ Scene modelOf(const Scene& scene, const Simulation& simulation, double factor)
     return model;
 }
 
-RunLength rehearse(const Scene& scene, const TriangleMesh& mesh, const Simulation& simulation,
-                   const std::function<bool()>& stopRequested)
+RunLength estimateRunLength(const Scene& scene, const TriangleMesh& mesh,
+                            const Simulation& simulation,
+                            const std::function<bool()>& stopRequested)
 {
     const auto spheres = static_cast<double>(simulation.expectedSpheres());
     const bool paper = scene.preset == Preset::paper;
     const bool falls = paper || scene.motion.mode == Motion::fall;
     const bool descends = !paper && scene.motion.mode == Motion::descend;
-    if (spheres <= (paper ? kRehearsedPaper : descends ? kRehearsedDescent : kRehearsed))
+    if (spheres <= (paper ? kTrialSpheresPaper : descends ? kTrialSpheresDescent : kTrialSpheres))
     {
         Simulation same(withoutExtras(scene), mesh);
         RunLength length = {0, true, {}};

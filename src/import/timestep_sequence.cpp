@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "import/moment_sequence.hpp"
+#include "import/timestep_sequence.hpp"
 
 #include <frostfill/error.hpp>
 
@@ -20,31 +20,31 @@ namespace
 
 } // namespace
 
-MomentSequence::MomentSequence(const ImportRequest& request)
+TimestepSequence::TimestepSequence(const ImportRequest& request)
     : request_(request), reader_(request.file, request.radius.value_or(0))
 {
 }
 
-double MomentSequence::timeOf(const Moment& moment) const
+double TimestepSequence::timeOf(const Timestep& timestep) const
 {
     if (request_.timeStep)
     {
-        const auto steps = static_cast<double>(moment.step.value_or(count_));
+        const auto steps = static_cast<double>(timestep.step.value_or(count_));
         return steps * *request_.timeStep;
     }
-    if (!moment.time && count_ > 0)
+    if (!timestep.time && count_ > 0)
     {
         refuse(request_, ErrorCode::usage,
                "has several steps and no times: give the seconds between two steps with "
                "--timestep");
     }
-    return moment.time.value_or(0);
+    return timestep.time.value_or(0);
 }
 
 // Without ids, the order of the lines is all there is. XYZ keeps it; parallel dumps do not.
-void MomentSequence::nameSpheres(Moment& moment) const
+void TimestepSequence::nameSpheres(Timestep& timestep) const
 {
-    if (!moment.ids.empty() || moment.centres.empty())
+    if (!timestep.ids.empty() || timestep.centres.empty())
     {
         return;
     }
@@ -53,21 +53,21 @@ void MomentSequence::nameSpheres(Moment& moment) const
         refuse(request_, ErrorCode::badData,
                "has several steps but no column id, which tells the spheres apart; dump id too");
     }
-    moment.ids.resize(moment.centres.size());
-    std::iota(moment.ids.begin(), moment.ids.end(), std::uint64_t{1});
+    timestep.ids.resize(timestep.centres.size());
+    std::iota(timestep.ids.begin(), timestep.ids.end(), std::uint64_t{1});
 }
 
-bool MomentSequence::next(Moment& moment)
+bool TimestepSequence::next(Timestep& timestep)
 {
-    while (reader_.next(moment))
+    while (reader_.next(timestep))
     {
-        if (count_ > 0 && moment.step && step_ && *moment.step == *step_)
+        if (count_ > 0 && timestep.step && step_ && *timestep.step == *step_)
         {
             ++repeats_;
             continue;
         }
-        nameSpheres(moment);
-        const double time = timeOf(moment);
+        nameSpheres(timestep);
+        const double time = timeOf(timestep);
         if (!std::isfinite(time))
         {
             refuse(request_, ErrorCode::badData,
@@ -81,7 +81,7 @@ bool MomentSequence::next(Moment& moment)
                                time_, time));
         }
         time_ = time;
-        step_ = moment.step;
+        step_ = timestep.step;
         ++count_;
         return true;
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "packing/moment.hpp"
+#include "packing/timestep.hpp"
 #include "run_file/mapped_file.hpp"
 
 #include <cstddef>
@@ -16,28 +16,28 @@ namespace frostfill
 /// Whether a text is a dump of LAMMPS or LIGGGHTS.
 [[nodiscard]] bool isDump(std::string_view text);
 
-/// Goes through the moments of a simulation: a dump or extended XYZ. What a writer that
-/// was interrupted has left of its last moment does not count, not even a last line without its
+/// Goes through the timesteps of a simulation: a dump or extended XYZ. What a writer that
+/// was interrupted has left of its last timestep does not count, not even a last line without its
 /// end: a number may lack its last digits.
-class MomentReader
+class TimestepReader
 {
 public:
     /// `radius` [mesh unit] is that of all spheres where the file has none. Throws Error
     /// inputMissing, or badData for a file that is neither.
-    MomentReader(const std::filesystem::path& file, double radius);
+    TimestepReader(const std::filesystem::path& file, double radius);
 
-    /// The next moment; false after the last. Throws Error badData with file and line for a moment
-    /// that cannot be read, has an id twice, or numbers that no sphere has.
-    [[nodiscard]] bool next(Moment& moment);
-    /// Why the end of the file was left out; empty if it was not. Known after the last moment.
+    /// The next timestep; false after the last. Throws Error badData with file and line for a
+    /// timestep that cannot be read, has an id twice, or numbers that no sphere has.
+    [[nodiscard]] bool next(Timestep& timestep);
+    /// Why the end of the file was left out; empty if it was not. Known after the last timestep.
     [[nodiscard]] const std::string& torn() const { return torn_; }
     /// In a few words.
     [[nodiscard]] const char* format() const { return isDump_ ? "a LAMMPS dump" : "XYZ"; }
     [[nodiscard]] bool isDump() const { return isDump_; }
 
 private:
-    [[nodiscard]] bool read(Moment& moment);
-    void examine(const Moment& moment) const;
+    [[nodiscard]] bool read(Timestep& timestep);
+    void examine(const Timestep& timestep) const;
 
     std::string name_;
     MappedFile mapped_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "packing/moment_reader.hpp"
+#include "packing/timestep_reader.hpp"
 
 #include "unit/import/imported_run.hpp"
 
@@ -12,63 +12,63 @@ namespace
 
 using test::dumpStep;
 
-class MomentReaderTest : public ::testing::Test
+class TimestepReaderTest : public ::testing::Test
 {
 protected:
-    [[nodiscard]] std::vector<Moment> read(const std::string& text)
+    [[nodiscard]] std::vector<Timestep> read(const std::string& text)
     {
         test::writeFile(folder_ / "file", text);
-        MomentReader reader(folder_ / "file", 0);
-        std::vector<Moment> moments;
-        for (Moment moment; reader.next(moment);)
+        TimestepReader reader(folder_ / "file", 0);
+        std::vector<Timestep> timesteps;
+        for (Timestep timestep; reader.next(timestep);)
         {
-            moments.push_back(moment);
+            timesteps.push_back(timestep);
         }
         torn_ = reader.torn();
-        return moments;
+        return timesteps;
     }
     test::TemporaryFolder folder_;
     std::string torn_;
 };
 
-TEST_F(MomentReaderTest, GivesWhatTheFileSays)
+TEST_F(TimestepReaderTest, GivesWhatTheFileSays)
 {
-    const auto moments =
+    const auto timesteps =
         read("ITEM: UNITS\nsi\nITEM: TIME\n0.25\n" +
              dumpStep(7, "id x y z radius state group", {"5 0 1 2 0.5 discarded 3"}));
-    ASSERT_EQ(moments.size(), 1U);
-    EXPECT_EQ(moments[0].time, 0.25);
-    EXPECT_EQ(moments[0].step, 7U);
-    EXPECT_EQ(moments[0].ids, (std::vector<std::uint64_t>{5}));
-    EXPECT_EQ(moments[0].states, (std::vector<SphereState>{SphereState::discarded}));
-    EXPECT_EQ(moments[0].groups, (std::vector<std::uint32_t>{3}));
-    ASSERT_TRUE(moments[0].box);
-    EXPECT_EQ(moments[0].box->max(), Eigen::Vector3d(1, 1, 1));
+    ASSERT_EQ(timesteps.size(), 1U);
+    EXPECT_EQ(timesteps[0].time, 0.25);
+    EXPECT_EQ(timesteps[0].step, 7U);
+    EXPECT_EQ(timesteps[0].ids, (std::vector<std::uint64_t>{5}));
+    EXPECT_EQ(timesteps[0].states, (std::vector<SphereState>{SphereState::discarded}));
+    EXPECT_EQ(timesteps[0].groups, (std::vector<std::uint32_t>{3}));
+    ASSERT_TRUE(timesteps[0].box);
+    EXPECT_EQ(timesteps[0].box->max(), Eigen::Vector3d(1, 1, 1));
     EXPECT_EQ(torn_, "");
 }
 
-TEST_F(MomentReaderTest, KnowsStatesByNameAndByNumber)
+TEST_F(TimestepReaderTest, KnowsStatesByNameAndByNumber)
 {
-    const auto moments =
+    const auto timesteps =
         read(dumpStep(7, "id x y z radius state",
                       {"1 0 0 0 1 running", "2 0 0 0 1 frozen", "3 0 0 0 1 discarded",
                        "4 0 0 0 1 0", "5 0 0 0 1 1", "6 0 0 0 1 2"}));
     const std::vector<SphereState> states = {SphereState::running, SphereState::frozen,
                                              SphereState::discarded};
-    ASSERT_EQ(moments.size(), 1U);
+    ASSERT_EQ(timesteps.size(), 1U);
     for (std::size_t k = 0; k < 6; ++k)
     {
-        EXPECT_EQ(moments[0].states.at(k), states[k % 3]) << k;
+        EXPECT_EQ(timesteps[0].states.at(k), states[k % 3]) << k;
     }
 }
 
-TEST_F(MomentReaderTest, MeasuresSpeedAlongAllThreeAxes)
+TEST_F(TimestepReaderTest, MeasuresSpeedAlongAllThreeAxes)
 {
-    const auto moments = read(dumpStep(7, "id x y z radius vx vy vz", {"1 0 0 0 1 2 3 6"}));
-    EXPECT_EQ(moments.at(0).speeds, (std::vector<double>{7}));
+    const auto timesteps = read(dumpStep(7, "id x y z radius vx vy vz", {"1 0 0 0 1 2 3 6"}));
+    EXPECT_EQ(timesteps.at(0).speeds, (std::vector<double>{7}));
 }
 
-TEST_F(MomentReaderTest, LeavesOutALastLineWithoutItsEnd)
+TEST_F(TimestepReaderTest, LeavesOutALastLineWithoutItsEnd)
 {
     const std::string step = dumpStep(7, "id x y z radius", {"5 0 1 2 0.5", "6 0 1 2 0.25"});
     EXPECT_EQ(read(step + step).size(), 2U);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "packing/moment.hpp"
+#include "packing/timestep.hpp"
 
 #include <fmt/format.h>
 
@@ -92,7 +92,7 @@ std::size_t SphereColumns::width() const
 }
 
 void addSphere(const std::vector<std::string_view>& words, const SphereColumns& columns,
-               double radius, const TextLines& lines, Moment& moment)
+               double radius, const TextLines& lines, Timestep& timestep)
 {
     if (words.size() < columns.width())
     {
@@ -102,44 +102,45 @@ void addSphere(const std::vector<std::string_view>& words, const SphereColumns& 
     const auto number = [&](int column) { return numberOf(word(column), lines); };
     const auto place = [&](int plain, int scaled, int axis)
     {
-        return plain >= 0 ? number(plain)
-                          : moment.box->min()[axis] + number(scaled) * moment.box->sizes()[axis];
+        return plain >= 0
+                   ? number(plain)
+                   : timestep.box->min()[axis] + number(scaled) * timestep.box->sizes()[axis];
     };
-    moment.centres.emplace_back(place(columns.x, columns.scaledX, 0),
-                                place(columns.y, columns.scaledY, 1),
-                                place(columns.z, columns.scaledZ, 2));
-    moment.radii.push_back(columns.radius >= 0     ? number(columns.radius)
-                           : columns.diameter >= 0 ? number(columns.diameter) / 2
-                                                   : radius);
+    timestep.centres.emplace_back(place(columns.x, columns.scaledX, 0),
+                                  place(columns.y, columns.scaledY, 1),
+                                  place(columns.z, columns.scaledZ, 2));
+    timestep.radii.push_back(columns.radius >= 0     ? number(columns.radius)
+                             : columns.diameter >= 0 ? number(columns.diameter) / 2
+                                                     : radius);
     if (columns.id >= 0)
     {
-        moment.ids.push_back(wholeNumberOf(word(columns.id), lines));
+        timestep.ids.push_back(wholeNumberOf(word(columns.id), lines));
     }
     if (columns.state >= 0)
     {
-        moment.states.push_back(stateOf(word(columns.state)));
+        timestep.states.push_back(stateOf(word(columns.state)));
     }
     if (columns.group >= 0)
     {
-        moment.groups.push_back(
+        timestep.groups.push_back(
             static_cast<std::uint32_t>(wholeNumberOf(word(columns.group), lines)));
     }
     for (const auto& [column, index] : columns.carried)
     {
-        moment.carried[column].push_back(
+        timestep.carried[column].push_back(
             column->isWhole() ? static_cast<double>(wholeNumberOf(word(index), lines))
                               : number(index));
     }
     if (columns.speed >= 0)
     {
-        moment.speeds.push_back(number(columns.speed));
+        timestep.speeds.push_back(number(columns.speed));
     }
     else if (columns.velocityX >= 0 && columns.velocityY >= 0 && columns.velocityZ >= 0)
     {
-        moment.speeds.push_back(Eigen::Vector3d(number(columns.velocityX),
-                                                number(columns.velocityY),
-                                                number(columns.velocityZ))
-                                    .norm());
+        timestep.speeds.push_back(Eigen::Vector3d(number(columns.velocityX),
+                                                  number(columns.velocityY),
+                                                  number(columns.velocityZ))
+                                      .norm());
     }
 }
 

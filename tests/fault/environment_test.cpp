@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What is around the program goes wrong: signals, streams, libraries, programs, locales, clocks.
 // Rows F2, F12, F14, F15, F17 and F18 of docs/reliability.md.
-#include "fault/surroundings.hpp"
+#include "fault/environment.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -22,10 +22,10 @@ namespace
 {
 
 using test::Answer;
+using test::Environment;
 using test::kLong;
 using test::kSmall;
 using test::readFile;
-using test::Surroundings;
 using test::writeFile;
 namespace fs = std::filesystem;
 
@@ -44,7 +44,7 @@ constexpr double kPatience = 60;
 constexpr double kPatience = 15;
 #endif
 
-TEST_F(Surroundings, ASignalAtAnyMomentEndsTheRunSoonAndWhole)
+TEST_F(Environment, ASignalAtAnyMomentEndsTheRunSoonAndWhole)
 {
     int moment = 0;
     for (const char* signal : {"USR1", "TERM", "INT", "HUP", "USR1", "TERM"})
@@ -70,7 +70,7 @@ TEST_F(Surroundings, ASignalAtAnyMomentEndsTheRunSoonAndWhole)
     }
 }
 
-TEST_F(Surroundings, WithoutOsmesaEglDrawsTheSamePictures)
+TEST_F(Environment, WithoutOsmesaEglDrawsTheSamePictures)
 {
     if (!hasShim())
     {
@@ -89,7 +89,7 @@ TEST_F(Surroundings, WithoutOsmesaEglDrawsTheSamePictures)
     EXPECT_EQ(doctor.output.find("all is well"), std::string::npos) << doctor.output;
 }
 
-TEST_F(Surroundings, WithoutAnyOpenGlItSaysWhatToInstall)
+TEST_F(Environment, WithoutAnyOpenGlItSaysWhatToInstall)
 {
     if (!hasShim())
     {
@@ -104,7 +104,7 @@ TEST_F(Surroundings, WithoutAnyOpenGlItSaysWhatToInstall)
     EXPECT_EQ(run(kSmall + "--quiet --out c", none).code, 0) << "the default style needs none";
 }
 
-TEST_F(Surroundings, WithTooLittleMemoryForOpenGlItSaysSoAndDoesNotHang)
+TEST_F(Environment, WithTooLittleMemoryForOpenGlItSaysSoAndDoesNotHang)
 {
     if (!hasShim())
     {
@@ -119,7 +119,7 @@ TEST_F(Surroundings, WithTooLittleMemoryForOpenGlItSaysSoAndDoesNotHang)
     }
 }
 
-TEST_F(Surroundings, WithoutAPlaceForCompiledShadersItDrawsTheSamePictures)
+TEST_F(Environment, WithoutAPlaceForCompiledShadersItDrawsTheSamePictures)
 {
     ASSERT_EQ(run(kSmall + "--style paper --quiet --out none", "XDG_CACHE_HOME=/dev/null/x").code,
               0);
@@ -135,7 +135,7 @@ TEST_F(Surroundings, WithoutAPlaceForCompiledShadersItDrawsTheSamePictures)
     }
 }
 
-TEST_F(Surroundings, AClosedOutputIsAFailedWriteAndHarmsNoFile)
+TEST_F(Environment, AClosedOutputIsAFailedWriteAndHarmsNoFile)
 {
     ASSERT_EQ(run(kSmall + "--quiet --out whole").code, 0);
     EXPECT_EQ(run(kSmall + "--out closed >&-").code, 74);
@@ -152,7 +152,7 @@ TEST_F(Surroundings, AClosedOutputIsAFailedWriteAndHarmsNoFile)
     }
 }
 
-TEST_F(Surroundings, AReaderThatGoesAwayOrIsSlowLosesNoRun)
+TEST_F(Environment, AReaderThatGoesAwayOrIsSlowLosesNoRun)
 {
     EXPECT_EQ(
         run(kSmall + "--out gone 2>&1 | head -c 1 >/dev/null; test -s gone/summary.json").code, 0);
@@ -160,7 +160,7 @@ TEST_F(Surroundings, AReaderThatGoesAwayOrIsSlowLosesNoRun)
     EXPECT_EQ(slow.output, readFile(folder_ / "slow/summary.json"));
 }
 
-TEST_F(Surroundings, AVideoNeedsFfmpegAndAFfmpegThatDiesCostsTheVideoOnly)
+TEST_F(Environment, AVideoNeedsFfmpegAndAFfmpegThatDiesCostsTheVideoOnly)
 {
     EXPECT_EQ(run(kSmall + "--quiet --out none --video film.mp4", "PATH=/nowhere").code, 73);
     EXPECT_FALSE(fs::exists(folder_ / "none/summary.json"));
@@ -174,7 +174,7 @@ TEST_F(Surroundings, AVideoNeedsFfmpegAndAFfmpegThatDiesCostsTheVideoOnly)
               readFile(folder_ / "whole/frames/frame_00001.png"));
 }
 
-TEST_F(Surroundings, TheNextRunClearsAwayTheVideoOfAKilledOne)
+TEST_F(Environment, TheNextRunClearsAwayTheVideoOfAKilledOne)
 {
     makeFfmpeg("for last; do :; done\ncat >\"${last#file:}\"\n");
     const std::string path = "PATH='" + (folder_ / "bin").string() + "':/bin:/usr/bin";
@@ -197,7 +197,7 @@ TEST_F(Surroundings, TheNextRunClearsAwayTheVideoOfAKilledOne)
     EXPECT_EQ(readFile(folder_ / "film.2024.log"), "mine");
 }
 
-TEST_F(Surroundings, LocaleTimeZoneAndClockChangeNoByte)
+TEST_F(Environment, LocaleTimeZoneAndClockChangeNoByte)
 {
     ASSERT_EQ(run(kSmall + "--quiet --out plain").code, 0);
     const auto expectSame = [&](const std::string& directory)
@@ -230,7 +230,7 @@ TEST_F(Surroundings, LocaleTimeZoneAndClockChangeNoByte)
     }
 }
 
-TEST_F(Surroundings, EveryFrameTakesAsManyHandlesThreadsAndBytesAsTheOneBefore)
+TEST_F(Environment, EveryFrameTakesAsManyHandlesThreadsAndBytesAsTheOneBefore)
 {
 #ifdef FROSTFILL_SANITIZED
     GTEST_SKIP() << "a sanitizer keeps what was freed";

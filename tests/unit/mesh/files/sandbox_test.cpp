@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/files/cage.hpp"
+#include "mesh/files/sandbox.hpp"
 
 #include "base/sanitized.hpp"
 #include "support/expect_error.hpp"
@@ -18,21 +18,21 @@ namespace
 
 using test::expectError;
 
-constexpr CageLimits kSmall = {std::size_t{256} << 20, 1};
+constexpr SandboxLimits kSmall = {std::size_t{256} << 20, 1};
 
 std::string run(const std::function<std::string()>& work)
 {
-    return runInCage(kSmall, "'x.ply' cannot be read", work);
+    return runSandboxed(kSmall, "'x.ply' cannot be read", work);
 }
 
-TEST(Cage, ReturnsWhatTheWorkReturns)
+TEST(Sandbox, ReturnsWhatTheWorkReturns)
 {
     const std::string bytes(300'000, '\x7f'); // more than a pipe holds
     EXPECT_EQ(run([&] { return bytes; }), bytes);
     EXPECT_EQ(run([] { return std::string(); }), "");
 }
 
-TEST(Cage, ThrowsWhatTheWorkThrows)
+TEST(Sandbox, ThrowsWhatTheWorkThrows)
 {
     expectError(
         ErrorCode::inputMissing,
@@ -40,7 +40,7 @@ TEST(Cage, ThrowsWhatTheWorkThrows)
         "no file");
 }
 
-TEST(Cage, TellsACrashInASentence)
+TEST(Sandbox, TellsACrashInASentence)
 {
     expectError(
         ErrorCode::badData, [] { (void)run([]() -> std::string { std::abort(); }); },
@@ -49,7 +49,7 @@ TEST(Cage, TellsACrashInASentence)
         ErrorCode::badData, [] { (void)run([]() -> std::string { _exit(3); }); }, "gave up");
 }
 
-TEST(Cage, EndsWhatNeverEnds)
+TEST(Sandbox, EndsWhatNeverEnds)
 {
     expectError(
         ErrorCode::badData,
@@ -68,7 +68,7 @@ TEST(Cage, EndsWhatNeverEnds)
         "more than 1 s of processor time");
 }
 
-TEST(Cage, RefusesWhatTakesAllMemory)
+TEST(Sandbox, RefusesWhatTakesAllMemory)
 {
 #ifdef FROSTFILL_SANITIZED
     GTEST_SKIP() << "sanitizers map more memory than any limit allows";
@@ -79,7 +79,7 @@ TEST(Cage, RefusesWhatTakesAllMemory)
         "more than 256 MB of memory");
 }
 
-TEST(Cage, WritesToNoFileAndOpensFew)
+TEST(Sandbox, WritesToNoFileAndOpensFew)
 {
     const test::TemporaryFolder folder;
     EXPECT_THROW((void)run(
@@ -105,7 +105,7 @@ TEST(Cage, WritesToNoFileAndOpensFew)
     EXPECT_GT(std::stoi(opened), 0);
 }
 
-TEST(Cage, LeavesNothingBehind)
+TEST(Sandbox, LeavesNothingBehind)
 {
     const std::string own = "parent";
     std::string seen = own;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "simulation/freezing/room_maker.hpp"
+#include "simulation/freezing/overlap_resolver.hpp"
 
 #include "simulation/freezing/tolerances.hpp"
 #include "support/shapes.hpp"
@@ -32,11 +32,11 @@ TriangleMesh twoChambers()
 
 // In one chamber the second sphere comes to rest on the first, which can go nowhere, as the third
 // runs in the other chamber.
-TEST(RoomMaker, GivesTheNumberOfASphereThatIsWithdrawnToTheLastOne)
+TEST(OverlapResolver, GivesTheNumberOfASphereThatIsWithdrawnToTheLastOne)
 {
     const auto world = smallWorld(twoChambers());
     Threads threads(1);
-    RestFollowers followers(*world, world->height, threads);
+    RestObservers observers(*world, world->height, threads);
     RunnerGrid grid(world->spheres.resting().frame());
     FreeFlight flight(*world, {});
     RunningSpheres& running = world->spheres.running();
@@ -47,8 +47,8 @@ TEST(RoomMaker, GivesTheNumberOfASphereThatIsWithdrawnToTheLastOne)
     }
     grid.rebuild(running);
 
-    RoomMaker room(*world, grid, flight, followers);
-    ASSERT_FALSE(room.makeRoom(1, {places[1], 1}, kFarRoom));
+    OverlapResolver room(*world, grid, flight, observers);
+    ASSERT_FALSE(room.moveAside(1, {places[1], 1}, kFarRoom));
     world->spheres.freeze(1);
     room.evict();
 
@@ -64,11 +64,11 @@ TEST(RoomMaker, GivesTheNumberOfASphereThatIsWithdrawnToTheLastOne)
     EXPECT_EQ(running.id[0], 0u);
 }
 
-TEST(RoomMaker, LetsASphereThatHasToLeaveAppearWhereThereIsRoom)
+TEST(OverlapResolver, LetsASphereThatHasToLeaveAppearWhereThereIsRoom)
 {
     const auto world = smallWorld(twoChambers());
     Threads threads(1);
-    RestFollowers followers(*world, world->height, threads);
+    RestObservers observers(*world, world->height, threads);
     RunnerGrid grid(world->spheres.resting().frame());
     FreeFlight flight(*world, {});
     RunningSpheres& running = world->spheres.running();
@@ -79,8 +79,8 @@ TEST(RoomMaker, LetsASphereThatHasToLeaveAppearWhereThereIsRoom)
     }
     grid.rebuild(running);
 
-    RoomMaker room(*world, grid, flight, followers);
-    ASSERT_FALSE(room.makeRoom(1, {places[1], 1}, kFarRoom));
+    OverlapResolver room(*world, grid, flight, observers);
+    ASSERT_FALSE(room.moveAside(1, {places[1], 1}, kFarRoom));
     EXPECT_EQ(running.position[0], places[0]) << "none is moved";
     world->spheres.freeze(1);
     room.evict();

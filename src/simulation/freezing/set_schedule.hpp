@@ -11,10 +11,10 @@ namespace frostfill
 
 /// Keeps the sets: which one is the newest, when spheres are due to appear, and how many. When they
 /// freeze is the freezing rule's to say.
-class SetKeeper
+class SetSchedule
 {
 public:
-    SetKeeper(World& world, double ageLimit);
+    SetSchedule(World& world, double ageLimit);
 
     /// Whether a set, or the rest of one, is due to appear.
     [[nodiscard]] bool isDue(std::size_t running) const;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "simulation/contact/runner_grid.hpp"
-#include "simulation/freezing/rest_followers.hpp"
+#include "simulation/freezing/rest_observers.hpp"
 #include "simulation/motion/free_flight.hpp"
 
 #include <vector>
@@ -12,22 +12,22 @@ namespace frostfill
 
 /// Clears the place at which a sphere is to come to rest of the runners that it would overlap
 /// there.
-class RoomMaker
+class OverlapResolver
 {
 public:
-    RoomMaker(World& world, RunnerGrid& grid, FreeFlight& flight, RestFollowers& followers)
+    OverlapResolver(World& world, RunnerGrid& grid, FreeFlight& flight, RestObservers& observers)
         : world_(world), running_(world.spheres.running()), grid_(grid), flight_(flight),
-          followers_(followers)
+          observers_(observers)
     {
     }
 
     /// Moves the runners that a sphere at this place, itself in this row, would overlap to clear
     /// places at most `farthest` [own radius] away. Returns false, and moves none, when one of them
     /// cannot be moved.
-    [[nodiscard]] bool makeRoom(std::uint32_t row, const PlacedSphere& resting, double farthest);
+    [[nodiscard]] bool moveAside(std::uint32_t row, const PlacedSphere& resting, double farthest);
 
-    /// The last resort after makeRoom has failed and the sphere is at rest all the same: the others
-    /// appear again elsewhere, or are withdrawn when the object is full.
+    /// The last resort after moveAside has failed and the sphere is at rest all the same: the
+    /// others appear again elsewhere, or are withdrawn when the object is full.
     void evict();
 
     /// Rows of those that were in the way at last, ascending.
@@ -42,7 +42,7 @@ private:
     RunningSpheres& running_;
     RunnerGrid& grid_;
     FreeFlight& flight_;
-    RestFollowers& followers_;
+    RestObservers& observers_;
     std::vector<std::uint32_t> overlapped_;
     std::vector<Eigen::Vector3d> moved_; ///< where they are put
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "simulation/freezing/set_keeper.hpp"
+#include "simulation/freezing/set_schedule.hpp"
 
 #include "simulation/freezing/tolerances.hpp"
 #include "simulation/world/world.hpp"
@@ -9,13 +9,13 @@
 namespace frostfill
 {
 
-SetKeeper::SetKeeper(World& world, double ageLimit)
+SetSchedule::SetSchedule(World& world, double ageLimit)
     : world_(world), rule_(makeFreezing(world)), ageLimit_(ageLimit), groupSize_(groupSize(world)),
       size_(groupSize_ * world.scene.spheres.groupsPerSet)
 {
 }
 
-SetProgress SetKeeper::progress(std::size_t running) const
+SetProgress SetSchedule::progress(std::size_t running) const
 {
     const std::size_t target = world_.targetCount;
     return {.size = size_,
@@ -25,12 +25,12 @@ SetProgress SetKeeper::progress(std::size_t running) const
             .ageLimit = ageLimit_};
 }
 
-bool SetKeeper::isDue(std::size_t running) const
+bool SetSchedule::isDue(std::size_t running) const
 {
-    return running == 0 || (!noRoom_ && rule_->letsMoreAppear(progress(running)));
+    return running == 0 || (!noRoom_ && rule_->allowsRelease(progress(running)));
 }
 
-std::size_t SetKeeper::startSearch(std::size_t running)
+std::size_t SetSchedule::startSearch(std::size_t running)
 {
     rule_->moreAppear();
     // What of a set that is kept together finds no room at once comes later.
@@ -46,12 +46,12 @@ std::size_t SetKeeper::startSearch(std::size_t running)
     return wanted;
 }
 
-std::uint32_t SetKeeper::groupOf(std::size_t n) const
+std::uint32_t SetSchedule::groupOf(std::size_t n) const
 {
     return nextGroup_ + static_cast<std::uint32_t>(n / groupSize_);
 }
 
-void SetKeeper::endSearch(std::size_t found)
+void SetSchedule::endSearch(std::size_t found)
 {
     noRoom_ = found == 0;
     if (found > 0)
@@ -61,19 +61,19 @@ void SetKeeper::endSearch(std::size_t found)
     }
 }
 
-void SetKeeper::placed(std::size_t spheres)
+void SetSchedule::placed(std::size_t spheres)
 {
     nextGroup_ = world_.spheres.group(world_.spheres.size() - 1) + 1;
     openRecord(spheres);
 }
 
-void SetKeeper::openRecord(std::size_t spheres)
+void SetSchedule::openRecord(std::size_t spheres)
 {
     record_.close(world_);
     record_.open(world_, spheres);
 }
 
-void SetKeeper::endWindow(std::span<RestWatch> running, std::vector<std::uint32_t>& sleepy)
+void SetSchedule::endWindow(std::span<RestWatch> running, std::vector<std::uint32_t>& sleepy)
 {
     rule_->select(progress(running.size()), running, sleepy);
     // What is to complete a set waits until those before it have fallen out of the way.

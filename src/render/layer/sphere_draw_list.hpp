@@ -21,7 +21,7 @@ inline constexpr std::size_t kSortFrom = 2000;
 /// the order in which they came to rest, then those that run, by id. Where two surfaces have the
 /// same depth the one that is drawn first stays, so that pictures depend on the order; and it has
 /// to be one in which what came to rest later can be added to what is drawn already.
-class SphereLedger
+class SphereDrawList
 {
 public:
     /// What is different from the snapshot before.

@@ -9,7 +9,7 @@ namespace frostfill
 {
 
 /// What a child process may use.
-struct CageLimits
+struct SandboxLimits
 {
     std::size_t bytes = std::size_t{1} << 30; ///< of address space, beyond what the parent has
     unsigned seconds = 30;                    ///< of processor time
@@ -21,7 +21,7 @@ struct CageLimits
 ///
 /// Throws Error as `work` throws it, and badData when the child dies or exceeds a limit; `subject`
 /// begins those sentences: "'a.ply' cannot be read".
-[[nodiscard]] std::string runInCage(const CageLimits& limits, const std::string& subject,
-                                    const std::function<std::string()>& work);
+[[nodiscard]] std::string runSandboxed(const SandboxLimits& limits, const std::string& subject,
+                                       const std::function<std::string()>& work);
 
 } // namespace frostfill

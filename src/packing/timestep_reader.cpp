@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "packing/moment_reader.hpp"
+#include "packing/timestep_reader.hpp"
 
 #include <frostfill/error.hpp>
 
@@ -25,7 +25,7 @@ bool isDump(std::string_view text)
     return text.starts_with("ITEM: ");
 }
 
-MomentReader::MomentReader(const std::filesystem::path& file, double radius)
+TimestepReader::TimestepReader(const std::filesystem::path& file, double radius)
     : name_(file.string()), mapped_(file), lines_(mapped_.bytes(), name_), radius_(radius),
       isDump_(frostfill::isDump(mapped_.bytes()))
 {
@@ -36,11 +36,11 @@ MomentReader::MomentReader(const std::filesystem::path& file, double radius)
     }
 }
 
-bool MomentReader::read(Moment& moment)
+bool TimestepReader::read(Timestep& timestep)
 {
-    const bool found =
-        isDump_ ? readDumpMoment(lines_, radius_, moment) : readXyzMoment(lines_, radius_, moment);
-    if (found ? lines_.cut() : moment.step || moment.time)
+    const bool found = isDump_ ? readDumpTimestep(lines_, radius_, timestep)
+                               : readXyzTimestep(lines_, radius_, timestep);
+    if (found ? lines_.cut() : timestep.step || timestep.time)
     {
         torn_ = found ? "its last line is incomplete" : "it ends within a heading";
         return false;
@@ -48,11 +48,11 @@ bool MomentReader::read(Moment& moment)
     return found;
 }
 
-bool MomentReader::next(Moment& moment)
+bool TimestepReader::next(Timestep& timestep)
 {
     try
     {
-        if (!read(moment))
+        if (!read(timestep))
         {
             return false;
         }
@@ -66,34 +66,34 @@ bool MomentReader::next(Moment& moment)
         torn_ = error.what();
         return false;
     }
-    examine(moment);
+    examine(timestep);
     return true;
 }
 
-void MomentReader::examine(const Moment& moment) const
+void TimestepReader::examine(const Timestep& timestep) const
 {
     const auto name = [&](std::size_t k)
     {
-        return moment.ids.empty() ? fmt::format("sphere {} of this step", k + 1)
-                                  : fmt::format("sphere {}", moment.ids[k]);
+        return timestep.ids.empty() ? fmt::format("sphere {} of this step", k + 1)
+                                    : fmt::format("sphere {}", timestep.ids[k]);
     };
-    for (std::size_t k = 0; k < moment.centres.size(); ++k)
+    for (std::size_t k = 0; k < timestep.centres.size(); ++k)
     {
-        if (!moment.centres[k].allFinite())
+        if (!timestep.centres[k].allFinite())
         {
             lines_.refuse(fmt::format("the position of {} is not a number", name(k)));
         }
-        if (!(moment.radii[k] > 0) || !std::isfinite(moment.radii[k]))
+        if (!(timestep.radii[k] > 0) || !std::isfinite(timestep.radii[k]))
         {
             lines_.refuse(
-                fmt::format("the radius of {} is {}, not above 0", name(k), moment.radii[k]));
+                fmt::format("the radius of {} is {}, not above 0", name(k), timestep.radii[k]));
         }
-        if (!moment.speeds.empty() && !std::isfinite(moment.speeds[k]))
+        if (!timestep.speeds.empty() && !std::isfinite(timestep.speeds[k]))
         {
             lines_.refuse(fmt::format("the velocity of {} is not a number", name(k)));
         }
     }
-    std::vector<std::uint64_t> ids = moment.ids;
+    std::vector<std::uint64_t> ids = timestep.ids;
     std::sort(ids.begin(), ids.end());
     if (const auto twice = std::adjacent_find(ids.begin(), ids.end()); twice != ids.end())
     {

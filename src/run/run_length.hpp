@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "run/falling_spheres.hpp"
+
+#include <frostfill/scene.hpp>
+#include <frostfill/simulation.hpp>
+
+#include <functional>
+#include <vector>
+
+namespace frostfill
+{
+
+/// How long a run will last, found by a trial run without pictures.
+struct RunLength
+{
+    double seconds = 0; ///< simulated
+    bool exact = false; ///< the trial was the run itself, not a smaller model of it
+    /// Where spheres appear in a run whose motion leaves out the falls; only when exact.
+    std::vector<Landing> landings;
+};
+
+/// The scene with its spheres `factor` times as large, and as many fewer. `simulation` is that of
+/// the scene, and has not begun.
+[[nodiscard]] Scene modelOf(const Scene& scene, const Simulation& simulation, double factor);
+
+/// Makes a trial of the run of `simulation`, which has not begun: a run of up to some ten thousand
+/// spheres itself, a larger one by a model of the same object with fewer and larger spheres.
+/// Nothing is written, and `simulation` stays as it is. Ends early once `stopRequested` is true; it
+/// may be empty. The time is that of a run without pictures, at most a few seconds.
+[[nodiscard]] RunLength estimateRunLength(const Scene& scene, const TriangleMesh& mesh,
+                                          const Simulation& simulation,
+                                          const std::function<bool()>& stopRequested);
+
+} // namespace frostfill
