@@ -62,14 +62,18 @@ std::optional<CameraPath::Key> CameraPath::readKey(const std::string& word)
 {
     std::string_view text = word;
     const auto time = takeNumber(text);
-    const auto azimuth = takeSign(text, ':') ? takeNumber(text) : std::nullopt;
-    const auto elevation = takeSign(text, ',') ? takeNumber(text) : std::nullopt;
-    std::optional<double> zoom = 1;
-    if (takeSign(text, ','))
+    if (!time || !takeSign(text, ':'))
     {
-        zoom = takeNumber(text);
+        return std::nullopt;
     }
-    if (!time || !azimuth || !elevation || !zoom || !text.empty())
+    const auto azimuth = takeNumber(text);
+    if (!azimuth || !takeSign(text, ','))
+    {
+        return std::nullopt;
+    }
+    const auto elevation = takeNumber(text);
+    const auto zoom = takeSign(text, ',') ? takeNumber(text) : std::optional(1.0);
+    if (!elevation || !zoom || !text.empty())
     {
         return std::nullopt;
     }

@@ -105,15 +105,16 @@ std::string csvText(const Json& rows)
     std::string text;
     for (const std::string& column : columns)
     {
-        text += (text.empty() ? "" : ",") + csvCell(column);
+        text += text.empty() ? "" : ",";
+        text += csvCell(column);
     }
     for (const Json& row : rows)
     {
         text += "\n";
         for (std::size_t i = 0; i < columns.size(); ++i)
         {
-            text +=
-                (i == 0 ? "" : ",") + csvCell(row.contains(columns[i]) ? row[columns[i]] : Json());
+            text += i == 0 ? "" : ",";
+            text += csvCell(row.contains(columns[i]) ? row[columns[i]] : Json());
         }
     }
     return text + "\n";
