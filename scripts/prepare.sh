@@ -71,7 +71,7 @@ configure_release()
 {
     has_targets test_support || set -- -DFROSTFILL_TESTS=OFF "$@"
     say "Configuring ..."
-    (cd "$root" && cmake --preset release -DFROSTFILL_UNITY=ON "$@" >&2) || {
+    (cd "$root" && cmake --preset release "$@" >&2) || {
         say "Configuring failed; see above."
         exit 70
     }
