@@ -208,7 +208,7 @@ double InsideTest::distance(const Eigen::Vector3d& p) const
         return isCellInside(grid_->frame().coordinates(p)) ? reach : -reach;
     }
     // The nearest triangle of the list is the nearest of all if it is within the reach of the list.
-    const double nearest = grid_->nearest(p).value;
+    const double nearest = grid_->nearest(p, triangles).value;
     if (std::abs(nearest) > reach)
     {
         return isInsideFarFromSurface(p) ? reach : -reach;

@@ -26,11 +26,12 @@ struct Push
 // Returns false where p is outside the object.
 bool pushOffWalls(const World& world, const Eigen::Vector3d& p, double radius, Push& push)
 {
-    if (world.triangles.near(p).empty())
+    const auto triangles = world.triangles.near(p);
+    if (triangles.empty())
     {
         return world.inside.contains(p);
     }
-    const SignedDistance wall = world.triangles.nearest(p);
+    const SignedDistance wall = world.triangles.nearest(p, triangles);
     if (std::isinf(wall.value))
     {
         return world.inside.contains(p);

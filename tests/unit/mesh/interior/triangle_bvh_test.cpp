@@ -128,7 +128,7 @@ TEST(TriangleBvh, AnswersForAGridWhoseCellsHaveMany)
             continue;
         }
         const SignedDistance expected = nearestDistance(surface, all, p);
-        const SignedDistance nearest = grid.nearest(p);
+        const SignedDistance nearest = grid.nearest(p, all);
         EXPECT_EQ(nearest.value,
                   std::abs(expected.value) > grid.reach() && all.size() > TriangleGrid::kShortList
                       ? std::numeric_limits<double>::infinity()
