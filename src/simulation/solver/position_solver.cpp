@@ -79,6 +79,7 @@ void PositionSolver::sortByHeight()
     rank_.resize(running_.size());
     flown_.resize(running_.size());
     velocityBefore_.resize(running_.size());
+    clear_.assign(running_.size(), 0);
     for (const std::uint32_t row : paired_)
     {
         height_[row] = -running_.position[row].dot(down_);
@@ -100,17 +101,26 @@ double PositionSolver::sweep(double yieldShare, double liftDepth)
     double deepest = 0;
     for (const std::uint32_t row : paired_)
     {
-        const Eigen::Vector3d push = pushOff(row, yieldShare, liftDepth, deepest);
-        if (!push.isZero(0))
+        if (clear_[row] != 0)
         {
-            flight_.shift(row, push);
+            continue;
+        }
+        const auto push = pushOff(row, yieldShare, liftDepth, deepest);
+        clear_[row] = push ? 0 : 1;
+        if (push && !push->isZero(0))
+        {
+            flight_.shift(row, *push);
+            for (const std::uint32_t other : pairs_.nearby(row))
+            {
+                clear_[other] = 0;
+            }
         }
     }
     return deepest;
 }
 
-Eigen::Vector3d PositionSolver::pushOff(std::uint32_t row, double yieldShare, double liftDepth,
-                                        double& deepest) const
+std::optional<Eigen::Vector3d> PositionSolver::pushOff(std::uint32_t row, double yieldShare,
+                                                       double liftDepth, double& deepest) const
 {
     const std::span<const Eigen::Vector3d> positions = std::as_const(running_.position).all();
     const std::span<const double> radii = std::as_const(running_.radius).all();
@@ -118,6 +128,7 @@ Eigen::Vector3d PositionSolver::pushOff(std::uint32_t row, double yieldShare, do
     const std::uint32_t rank = rank_[row];
     Eigen::Vector3d place = positions[row];
     double deepestHere = deepest;
+    bool touches = false;
     for (const std::uint32_t other : pairs_.nearby(row))
     {
         const auto contact = sphereContact(place - positions[other], radius + radii[other]);
@@ -125,6 +136,7 @@ Eigen::Vector3d PositionSolver::pushOff(std::uint32_t row, double yieldShare, do
         {
             continue;
         }
+        touches = true;
         const double depth = contact->depth;
         deepestHere = std::max(deepestHere, depth);
         const bool takesRest =
@@ -138,6 +150,10 @@ Eigen::Vector3d PositionSolver::pushOff(std::uint32_t row, double yieldShare, do
             away = (away - down_ * (depth / radius - liftDepth)).normalized();
         }
         place += away * (share * depth);
+    }
+    if (!touches)
+    {
+        return std::nullopt;
     }
     deepest = deepestHere;
     const Eigen::Vector3d push = place - positions[row];

@@ -5,6 +5,7 @@
 #include "simulation/solver/broad_phase.hpp"
 #include "simulation/solver/velocity_solver.hpp"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -43,8 +44,9 @@ private:
     /// `yieldShare`: part of its share by which one gives way to those above it; `liftDepth`:
     /// penetration depth from which one climbs the other [own radius].
     double sweep(double yieldShare, double liftDepth);
-    [[nodiscard]] Eigen::Vector3d pushOff(std::uint32_t row, double yieldShare, double liftDepth,
-                                          double& deepest) const;
+    /// `deepest` starts at that of the rows before. Returns no push for what touches no other.
+    [[nodiscard]] std::optional<Eigen::Vector3d> pushOff(std::uint32_t row, double yieldShare,
+                                                         double liftDepth, double& deepest) const;
     void removeLiftEnergy();
 
     RunningSpheres& running_;
@@ -59,6 +61,9 @@ private:
     std::vector<std::uint32_t> rank_;             ///< in the crowd
     std::vector<Eigen::Vector3d> flown_;          ///< position after this step's flight
     std::vector<Eigen::Vector3d> velocityBefore_; ///< at the end of that flight
+    /// Whether it touched none of those near it, none of which has been pushed since: it need not
+    /// be looked at.
+    std::vector<char> clear_;
 };
 
 } // namespace frostfill
