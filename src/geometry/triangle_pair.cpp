@@ -19,7 +19,7 @@ using Corners = TrianglePair::Corners;
 
 /// [1] Share of the size of two triangles by which their shadows on an axis must be apart. Larger:
 /// more pairs need the exact test. Below the 10 roundings of 1e-16 of a shadow: misses crossings.
-constexpr double kSurely = 1e-14;
+constexpr double kShadowRounding = 1e-14;
 
 std::size_t next(std::size_t corner)
 {
@@ -146,7 +146,7 @@ bool surelyApart(const Corners& a, const Corners& b)
     {
         const auto [uLow, uHigh] = std::minmax({axis.dot(u[0]), axis.dot(u[1]), axis.dot(u[2])});
         const auto [vLow, vHigh] = std::minmax({axis.dot(v[0]), axis.dot(v[1]), axis.dot(v[2])});
-        const double margin = kSurely * size * axis.lpNorm<1>();
+        const double margin = kShadowRounding * size * axis.lpNorm<1>();
         return vLow > uHigh + margin || uLow > vHigh + margin;
     };
     const Eigen::Vector3d uNormal = u[1].cross(u[2]);
@@ -173,7 +173,7 @@ bool surelyFanned(const Corners& a, const Corners& b)
     const Eigen::Vector3d b1 = b[1] - a[0], b2 = b[2] - a[0];
     const Eigen::Vector3d axis = (a1 + a2).normalized() - (b1 + b2).normalized();
     const auto beyond = [&](const Eigen::Vector3d& p, double sign)
-    { return sign * axis.dot(p) > kSurely * p.lpNorm<1>(); };
+    { return sign * axis.dot(p) > kShadowRounding * p.lpNorm<1>(); };
     return beyond(a1, 1) && beyond(a2, 1) && beyond(b1, -1) && beyond(b2, -1);
 }
 

@@ -15,7 +15,7 @@ namespace
 {
 
 /// Higher levels make a run file a tenth smaller and take several times as long.
-constexpr int kLevel = 3;
+constexpr int kZstdLevel = 3;
 
 std::uint32_t sumOf(std::string_view bytes)
 {
@@ -40,7 +40,7 @@ std::string packRecord(RecordKind kind, std::span<const std::uint32_t> frames,
     const std::size_t start = sizeof(RecordHeader) + frames.size_bytes();
     std::string record(start + ZSTD_compressBound(bytes.size()), '\0');
     const std::size_t packed = ZSTD_compress(record.data() + start, record.size() - start,
-                                             bytes.data(), bytes.size(), kLevel);
+                                             bytes.data(), bytes.size(), kZstdLevel);
     if (ZSTD_isError(packed) != 0 || bytes.size() > std::numeric_limits<std::uint32_t>::max())
     {
         throw std::length_error("a record of more than 4 GB");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/files/sandbox.hpp"
 
+#include "base/posix_file.hpp"
 #include "base/sanitized.hpp"
 
 #include <frostfill/error.hpp>
@@ -22,6 +23,7 @@
 #include <cstring>
 #include <fstream>
 #include <new>
+#include <string_view>
 
 namespace frostfill
 {
@@ -81,17 +83,13 @@ void enterSandbox(const SandboxLimits& limits)
     }
 }
 
-void writeAll(const char* bytes, std::size_t count)
+void report(std::string_view bytes)
 {
-    while (count > 0)
+    const int failure =
+        writeAll(kReport, {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+    if (failure != 0)
     {
-        const ssize_t written = write(kReport, bytes, count);
-        if (written < 0 && errno != EINTR)
-        {
-            _exit(1);
-        }
-        bytes += std::max<ssize_t>(written, 0);
-        count -= static_cast<std::size_t>(std::max<ssize_t>(written, 0));
+        _exit(1);
     }
 }
 
@@ -109,18 +107,18 @@ void writeAll(const char* bytes, std::size_t count)
     try
     {
         const std::string bytes = work();
-        writeAll(&kDone, 1);
-        writeAll(bytes.data(), bytes.size());
+        report({&kDone, 1});
+        report(bytes);
     }
     catch (const Error& error)
     {
         const std::array<char, 2> head = {kRefused, static_cast<char>(error.code())};
-        writeAll(head.data(), head.size());
-        writeAll(error.what(), std::strlen(error.what()));
+        report({head.data(), head.size()});
+        report(error.what());
     }
     catch (const std::bad_alloc&)
     {
-        writeAll(&kOutOfMemory, 1);
+        report({&kOutOfMemory, 1});
     }
     // Nothing of the parent's is to be flushed or destroyed twice.
     _exit(0);

@@ -11,12 +11,12 @@ namespace frostfill
 namespace
 {
 
-constexpr std::uint32_t kLeafSize = 4; // triangles
+constexpr std::uint32_t kTrianglesPerLeaf = 4;
 
 } // namespace
 
 NearestPoint::NearestPoint(const TriangleMesh& mesh)
-    : mesh_(&mesh), tree_(mesh, kLeafSize), boxes_(tree_.nodes().size())
+    : mesh_(&mesh), tree_(mesh, kTrianglesPerLeaf), boxes_(tree_.nodes().size())
 {
     // Nodes are in preorder: what is below a node is known when the walk back comes to it.
     for (std::size_t i = boxes_.size(); i-- > 0;)

@@ -29,7 +29,7 @@ constexpr double kSlack = 0.05;
 /// Plastic numbers: multiples of them fill a square evenly [Roberts 2018].
 constexpr double kEvenly[2] = {0.7548776662466927, 0.5698402909980532};
 
-struct Place
+struct SurfaceSample
 {
     Eigen::Vector3d point;
     Eigen::Vector3d outward; ///< unit normal
@@ -37,7 +37,7 @@ struct Place
 };
 
 /// A ball that touches the surface from inside.
-struct Ball
+struct InscribedBall
 {
     Eigen::Vector3d centre;
     double radius = 0;
@@ -50,9 +50,9 @@ Eigen::Vector3d twiceArea(const TriangleMesh& mesh, std::size_t triangle)
 }
 
 /// Evenly over the area, in the order of the triangles.
-std::vector<Place> spread(const TriangleMesh& mesh, std::size_t count)
+std::vector<SurfaceSample> spread(const TriangleMesh& mesh, std::size_t count)
 {
-    std::vector<Place> places;
+    std::vector<SurfaceSample> places;
     const double each = surfaceArea(mesh) / static_cast<double>(count);
     double left = each / 2; // area until the next place
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
@@ -91,7 +91,7 @@ public:
     }
 
     /// The one that touches the surface at p, with its centre along `inward`.
-    [[nodiscard]] Ball shrink(const Eigen::Vector3d& p, const Eigen::Vector3d& inward)
+    [[nodiscard]] InscribedBall shrink(const Eigen::Vector3d& p, const Eigen::Vector3d& inward)
     {
         // What is far away is not asked for its distance: most balls are like the last one.
         double radius = std::min(largest_, kGrowth * guess_);
@@ -126,7 +126,7 @@ private:
     double guess_; ///< radius of the last ball
 };
 
-/// Calls visit(Place, inward) for each side on which the interior is.
+/// Calls visit(SurfaceSample, inward) for each side on which the interior is.
 template <class Visit>
 void forEachSide(const TriangleMesh& mesh, std::size_t samples, bool onlyBehind, Visit&& visit)
 {
@@ -135,7 +135,7 @@ void forEachSide(const TriangleMesh& mesh, std::size_t samples, bool onlyBehind,
     {
         winding.emplace(mesh);
     }
-    for (const Place& place : spread(mesh, samples))
+    for (const SurfaceSample& place : spread(mesh, samples))
     {
         // Of both sides: that in front has 1/2 less, that behind 1/2 more.
         const double mean = winding ? winding->at(place.point, place.triangle) : 0.5;
@@ -156,18 +156,18 @@ std::vector<ThicknessSample> sampleThickness(const TriangleMesh& mesh, std::size
                                              bool onlyBehind)
 {
     BallShrinker shrinker(mesh);
-    std::vector<Ball> balls;
+    std::vector<InscribedBall> balls;
     forEachSide(mesh, samples, onlyBehind,
-                [&](const Place& place, const Eigen::Vector3d& inward)
+                [&](const SurfaceSample& place, const Eigen::Vector3d& inward)
                 { balls.push_back(shrinker.shrink(place.point, inward)); });
     std::sort(balls.begin(), balls.end(),
-              [](const Ball& a, const Ball& b) { return a.radius > b.radius; });
+              [](const InscribedBall& a, const InscribedBall& b) { return a.radius > b.radius; });
     const double each = surfaceArea(mesh) / static_cast<double>(samples);
     std::vector<ThicknessSample> result;
     result.reserve(balls.size());
-    for (const Ball& ball : balls)
+    for (const InscribedBall& ball : balls)
     {
-        const auto covers = [&](const Ball& other)
+        const auto covers = [&](const InscribedBall& other)
         {
             const double reach = (1 + kSlack) * other.radius;
             return (other.centre - ball.centre).squaredNorm() <= reach * reach;

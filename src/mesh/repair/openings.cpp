@@ -15,7 +15,7 @@ namespace
 {
 
 /// A part of the surface within which windings cancel at every edge but at its rims.
-struct Patch
+struct OpenPatch
 {
     std::vector<std::uint32_t> triangles;
     NextVertices rims; ///< edges of its lids
@@ -65,7 +65,7 @@ public:
             });
     }
 
-    std::vector<Patch> all;
+    std::vector<OpenPatch> all;
 
 private:
     static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
@@ -86,7 +86,7 @@ private:
             {
                 all[number].rims.emplace(from, to);
             }
-            Patch& patch = all[number];
+            OpenPatch& patch = all[number];
             patch.touchesOthers = patch.touchesOthers || uses.size() > 1;
             patch.hasFreeEdge = patch.hasFreeEdge || uses.size() == 1;
         }
@@ -104,7 +104,7 @@ bool isOneSided(const EdgeTable& edges)
     return found;
 }
 
-void putLidsOn(Patch& patch, TriangleMesh& mesh, const EdgeTable& edges)
+void putLidsOn(OpenPatch& patch, TriangleMesh& mesh, const EdgeTable& edges)
 {
     for (const Rim& rim : closedPaths(std::move(patch.rims)))
     {
@@ -121,7 +121,7 @@ void putLidsOn(Patch& patch, TriangleMesh& mesh, const EdgeTable& edges)
     }
 }
 
-void measure(Patch& patch, const TriangleMesh& mesh)
+void measure(OpenPatch& patch, const TriangleMesh& mesh)
 {
     const Eigen::Vector3d origin = mesh.vertices[mesh.triangles[patch.triangles[0]][0]];
     double surface = 0;
@@ -146,11 +146,11 @@ void measure(Patch& patch, const TriangleMesh& mesh)
     patch.isSheet = !patch.lids.empty() && isEnvelope(patch.volume, surface, box);
 }
 
-std::vector<Patch> patchesWithLids(TriangleMesh& mesh)
+std::vector<OpenPatch> patchesWithLids(TriangleMesh& mesh)
 {
     const EdgeTable edges(mesh);
-    std::vector<Patch> patches = Patches(mesh, edges).all;
-    for (Patch& patch : patches)
+    std::vector<OpenPatch> patches = Patches(mesh, edges).all;
+    for (OpenPatch& patch : patches)
     {
         putLidsOn(patch, mesh, edges);
         measure(patch, mesh);
@@ -158,19 +158,19 @@ std::vector<Patch> patchesWithLids(TriangleMesh& mesh)
     return patches;
 }
 
-bool isSheet(const Patch& patch)
+bool isSheet(const OpenPatch& patch)
 {
     return patch.isSheet;
 }
 
 /// Takes the triangles of sheets out of the mesh. Those that others hold all around are walls
 /// within: they are returned.
-std::vector<Triangle> takeSheets(TriangleMesh& mesh, const std::vector<Patch>& patches,
+std::vector<Triangle> takeSheets(TriangleMesh& mesh, const std::vector<OpenPatch>& patches,
                                  std::size_t& removed)
 {
     std::vector<Triangle> kept;
     std::vector<Triangle> walls;
-    for (const Patch& patch : patches)
+    for (const OpenPatch& patch : patches)
     {
         const bool isWall = patch.isSheet && !patch.hasFreeEdge;
         removed += patch.isSheet && !isWall ? patch.triangles.size() : 0;
@@ -188,7 +188,7 @@ std::vector<Triangle> takeSheets(TriangleMesh& mesh, const std::vector<Patch>& p
 
 /// Turns a patch that is wound against those that it touches: which way it is wound says nothing
 /// where it meets others at an edge that does not cancel.
-bool turnIfInverted(TriangleMesh& mesh, Patch& patch)
+bool turnIfInverted(TriangleMesh& mesh, OpenPatch& patch)
 {
     if (!patch.touchesOthers || patch.lids.empty() || patch.volume >= 0)
     {
@@ -216,7 +216,7 @@ ClosedOpenings closeOpenings(TriangleMesh& mesh)
     ClosedOpenings closed;
     TriangleMesh whole = mesh;
     std::vector<Triangle> walls;
-    std::vector<Patch> patches = patchesWithLids(whole);
+    std::vector<OpenPatch> patches = patchesWithLids(whole);
     while (std::any_of(patches.begin(), patches.end(), isSheet))
     {
         if (std::all_of(patches.begin(), patches.end(), isSheet))
@@ -230,7 +230,7 @@ ClosedOpenings closeOpenings(TriangleMesh& mesh)
         whole.vertices.resize(mesh.vertices.size());
         patches = patchesWithLids(whole);
     }
-    for (Patch& patch : patches)
+    for (OpenPatch& patch : patches)
     {
         closed.turnedPatches += turnIfInverted(whole, patch) ? 1 : 0;
         whole.triangles.insert(whole.triangles.end(), patch.lids.begin(), patch.lids.end());

@@ -9,7 +9,7 @@ namespace frostfill
 namespace
 {
 
-constexpr std::uint32_t kLeafSize = 8;
+constexpr std::uint32_t kVerticesPerLeaf = 8;
 
 std::vector<Triangle> trianglesOfRims(const TriangleMesh& mesh, const EdgeTable& edges)
 {
@@ -28,7 +28,7 @@ std::vector<Triangle> trianglesOfRims(const TriangleMesh& mesh, const EdgeTable&
 } // namespace
 
 RimVertices::RimVertices(const TriangleMesh& mesh, const EdgeTable& edges)
-    : points_{mesh.vertices, trianglesOfRims(mesh, edges)}, tree_(points_, kLeafSize)
+    : points_{mesh.vertices, trianglesOfRims(mesh, edges)}, tree_(points_, kVerticesPerLeaf)
 {
     for (const TriangleTree::Node& node : tree_.nodes())
     {

@@ -11,7 +11,7 @@ namespace frostfill
 namespace
 {
 
-constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+constexpr std::size_t kNoPiece = static_cast<std::size_t>(-1);
 
 /// Of a tetrahedron.
 double volumeOf(const Eigen::Vector3d& origin, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
@@ -65,7 +65,7 @@ bool isEnvelope(double volume, double surface, const Eigen::AlignedBox3d& box)
 }
 
 Sheets::Sheets(const TriangleMesh& mesh, const EdgeTable& edges, const std::vector<Rim>& rims)
-    : pieceOf_(mesh.triangles.size(), kNone)
+    : pieceOf_(mesh.triangles.size(), kNoPiece)
 {
     const auto pieces = connectedPieces(mesh, edges);
     std::vector<std::size_t> openEdges(pieces.size(), 0);
@@ -98,7 +98,7 @@ Sheets::Sheets(const TriangleMesh& mesh, const EdgeTable& edges, const std::vect
 
 bool Sheets::has(std::uint32_t triangle) const
 {
-    return pieceOf_[triangle] != kNone && isSheet_[pieceOf_[triangle]];
+    return pieceOf_[triangle] != kNoPiece && isSheet_[pieceOf_[triangle]];
 }
 
 bool Sheets::areAll() const

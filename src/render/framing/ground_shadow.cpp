@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "render/framing/ground_shadow.hpp"
 
+#include "render/framing/lamp.hpp"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
@@ -17,7 +19,6 @@ namespace
 constexpr int kCells = 56;               ///< of the shadow, along each edge of its square
 constexpr float kAround = 0.8F;          ///< of free ground around what may throw a shadow
 constexpr float kNearest = 0.02F;        ///< height below which things count as touching
-constexpr float kSoftness = 0.3F;        ///< of the lamp, as in sphere.frag
 constexpr float kSkyShare = 0.62F;       ///< of the light, where all of the sky is hidden
 constexpr float kLampShare = 0.2F;       ///< the shell is clear
 constexpr float kMinShadow = 1.0F / 512; ///< less is not seen
@@ -106,7 +107,7 @@ float lampHidden(const Heights& thrown, const glm::vec2& place)
     {
         if (std::isfinite(thrown.lowest[i]))
         {
-            const float radius = 1.5F * thrown.cell + kSoftness * thrown.lowest[i];
+            const float radius = 1.5F * thrown.cell + kLampSoftness * thrown.lowest[i];
             const glm::vec2 way = thrown.middle(i) - place;
             const float inside = 1 - glm::dot(way, way) / (radius * radius);
             sum += inside > 0 ? 2 * inside / (static_cast<float>(M_PI) * radius * radius) : 0;

@@ -9,6 +9,9 @@
 namespace frostfill
 {
 
+/// Work of a few nanoseconds a sphere: so many are a task.
+inline constexpr std::size_t kSpheresPerTask = 4096;
+
 /// Calls visit(i) for all below `count`; cores share the work. One takes `aTask` before another may
 /// take more. More: cores wait for each other at the end. Fewer: handing them out costs more.
 template <typename Visit>

@@ -15,7 +15,7 @@ namespace
 constexpr float kDepthSlack = 2e-6F;
 
 /// Added around the outline, so that a pixel of which only a sample is covered counts. [pixel]
-constexpr float kMargin = 1.5F;
+constexpr float kPixelMargin = 1.5F;
 
 /// Where the two tangents from the eye to a circle at (across, -ahead) pass, over the distance
 /// ahead. With t the length of a tangent: (across ahead -+ r t) / (ahead^2 - r^2).
@@ -51,10 +51,11 @@ PixelRectangle SphereProjector::pixels(float left, float right, float bottom, fl
         const float limit = 4.0F * static_cast<float>(size);
         return std::clamp((clip + 1) * 0.5F * static_cast<float>(size), -limit, limit);
     };
-    const PixelRectangle bounds = {static_cast<int>(std::floor(toPixel(left, width_) - kMargin)),
-                                   static_cast<int>(std::floor(toPixel(bottom, height_) - kMargin)),
-                                   static_cast<int>(std::ceil(toPixel(right, width_) + kMargin)),
-                                   static_cast<int>(std::ceil(toPixel(top, height_) + kMargin))};
+    const PixelRectangle bounds = {
+        static_cast<int>(std::floor(toPixel(left, width_) - kPixelMargin)),
+        static_cast<int>(std::floor(toPixel(bottom, height_) - kPixelMargin)),
+        static_cast<int>(std::ceil(toPixel(right, width_) + kPixelMargin)),
+        static_cast<int>(std::ceil(toPixel(top, height_) + kPixelMargin))};
     const PixelRectangle inside = common(bounds, wholePicture());
     return inside.empty() ? PixelRectangle{} : inside;
 }

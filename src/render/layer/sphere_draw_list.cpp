@@ -16,8 +16,6 @@ namespace
 
 constexpr int kKeyBits = 22;
 constexpr int kDigitBits = 11;
-/// See forAll.
-constexpr std::size_t kSpheresPerTask = 4096;
 
 /// The mesh lies within 1 of unit space's origin, so that steps are a millionth of its size.
 std::uint32_t sortKey(float distance)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/layer/sphere_occlusion.hpp"
 
+#include "render/framing/lamp.hpp"
 #include "render/layer/for_all.hpp"
 
 #include <glm/common.hpp>
@@ -26,14 +27,11 @@ constexpr float kLampReach = 7;
 /// See forAll.
 constexpr std::size_t kSurroundedATask = 64;
 
-/// By how much the lamp's light spreads on the way: it is as soft as it is large.
-constexpr float kSoftness = 0.3F;
-
 /// Of the lamp that a neighbour hides, seen from the sphere as a whole. `ahead`: towards the lamp;
 /// `beside`: from the ray through the sphere's centre.
 float lampHidden(float ahead, float beside, float radius)
 {
-    const float spread = 1 + kSoftness * ahead;
+    const float spread = 1 + kLampSoftness * ahead;
     return std::clamp((radius + spread - beside) / (2 * spread), 0.0F, 1.0F) *
            std::min(radius * radius / (spread * spread) * 1.5F, 1.0F);
 }
@@ -53,7 +51,7 @@ struct Zone
         const glm::vec3 way = point - middle;
         const float squared = glm::dot(way, way);
         const float ahead = glm::dot(way, ray);
-        const float beside = wide + kSoftness * (ahead + slack) + slack;
+        const float beside = wide + kLampSoftness * (ahead + slack) + slack;
         return squared < (close + slack) * (close + slack) ||
                (ahead > -slack && ahead < farthest + slack &&
                 squared - ahead * ahead < beside * beside);
@@ -63,7 +61,7 @@ struct Zone
     void each(const OccluderGrid& grid, Visit visit) const
     {
         const glm::vec3 end = middle + farthest * ray;
-        const float atEnd = wide + kSoftness * farthest;
+        const float atEnd = wide + kLampSoftness * farthest;
         grid.eachIn(
             glm::min(middle - close, end - atEnd), glm::max(middle + close, end + atEnd),
             [&](const glm::vec3& point, float slack) { return mayHold(point, slack); }, visit);
@@ -197,7 +195,7 @@ SphereOcclusion::neighboursOf(const SphereInstance& sphere) const
         float weight = squared < (1 + kReach + radius) * (1 + kReach + radius)
                            ? radius * radius / squared
                            : 0.0F;
-        const float wide = 1 + radius + kSoftness * std::max(ahead, 0.0F);
+        const float wide = 1 + radius + kLampSoftness * std::max(ahead, 0.0F);
         if (ahead > 0 && ahead < kLampReach && besideSquared < wide * wide)
         {
             weight += 0.5F * radius * radius / (1 + ahead);
@@ -313,7 +311,7 @@ bool SphereOcclusion::reaches(const SphereInstance& from, const SphereInstance& 
         return true;
     }
     const float ahead = glm::dot(way, lamp_);
-    const float wide = to.radius + from.radius + kSoftness * ahead;
+    const float wide = to.radius + from.radius + kLampSoftness * ahead;
     return ahead > 0 && ahead < kLampReach * to.radius * 1.0001F &&
            squared - ahead * ahead < wide * wide * 1.0001F;
 }

@@ -14,7 +14,7 @@ namespace
 {
 
 // Lengths are in the font's size, so that the legend looks the same in a picture of any size.
-constexpr double kMargin = 0.9;
+constexpr double kLegendMargin = 0.9;
 constexpr double kLine = 1.45;
 constexpr double kGap = 0.55; ///< above a heading
 constexpr double kTitleSize = 1.2;
@@ -43,7 +43,7 @@ constexpr int kPolygonRow = 3;
 
 /// In the place of a number: a row without one, with and without a gap above.
 constexpr int kHeading = -1;
-constexpr int kPlain = -2;
+constexpr int kNoSwatch = -2;
 
 /// Around text. Where the background is clear it is the text's opposite, so that the text can be
 /// read on whatever the picture is laid on.
@@ -78,7 +78,7 @@ Legend::Legend(const RenderSettings& settings, std::size_t triangles, const Sphe
     {
         colours_ = colours;
     }
-    title_ = titleFont_->shorten(settings.title, size_.width - 2 * kMargin * size);
+    title_ = titleFont_->shorten(settings.title, size_.width - 2 * kLegendMargin * size);
     layOut();
     visible_ = width_ <= kLargestWidth * size_.width && height_ <= kLargestHeight * size_.height;
     if (!visible_)
@@ -90,7 +90,7 @@ Legend::Legend(const RenderSettings& settings, std::size_t triangles, const Sphe
 
 double Legend::titleHeight() const
 {
-    return visible_ && !title_.empty() ? (kMargin + kTitleSize * kLine) * font_->size() : 0;
+    return visible_ && !title_.empty() ? (kLegendMargin + kTitleSize * kLine) * font_->size() : 0;
 }
 
 void Legend::addRow(const std::string& label, int number)
@@ -107,7 +107,7 @@ void Legend::addRow(const std::string& label, int number)
     {
         // Swatches are centred on the small letters. Halves of pixels keep them symmetrical.
         const double y = std::round(baseline - 0.3 * size);
-        const double x = std::round((kMargin + 0.5) * size);
+        const double x = std::round((kLegendMargin + 0.5) * size);
         auto& swatches = number < kPolygonRow ? spheres_ : polygons_;
         swatches.push_back(
             {x, y, kSwatchRadius * size, number < kPolygonRow ? number : number - kPolygonRow});
@@ -118,7 +118,7 @@ void Legend::addRow(const std::string& label, int number)
 void Legend::layOut()
 {
     const double size = font_->size();
-    height_ = kMargin * size + (title_.empty() ? 0 : (kTitleSize * kLine + kGap) * size);
+    height_ = kLegendMargin * size + (title_.empty() ? 0 : (kTitleSize * kLine + kGap) * size);
     addRow("Spheres", kHeading);
     addRow("running", 0);
     addRow("frozen", 1);
@@ -129,22 +129,22 @@ void Legend::layOut()
     // What is drawn here is known only with the snapshot.
     firstOfPicture_ = rows_.size();
     addRow("", kHeading);
-    addRow("", kPlain);
+    addRow("", kNoSwatch);
     if (colours_)
     {
         addRow(colours_->title(), kHeading);
         scaleTop_ = height_;
         height_ += (kScaleHeight + kLine) * size;
     }
-    height_ += (kMargin - kGap) * size;
+    height_ += (kLegendMargin - kGap) * size;
 
     double label = 0;
     for (const Row& row : rows_)
     {
         label = std::max(label, font_->measure(row.label));
     }
-    width_ =
-        (2 * kMargin + kLabelIndent + kNumberGap) * size + label + font_->measure(kWidestNumber);
+    width_ = (2 * kLegendMargin + kLabelIndent + kNumberGap) * size + label +
+             font_->measure(kWidestNumber);
 }
 
 std::vector<Legend::Piece> Legend::pieces(const Snapshot& snapshot) const
@@ -155,12 +155,12 @@ std::vector<Legend::Piece> Legend::pieces(const Snapshot& snapshot) const
         return pieces;
     }
     const double size = font_->size();
-    const double left = kMargin * size;
+    const double left = kLegendMargin * size;
     const auto write = [&](double x, double baseline, std::string text) {
         pieces.push_back({Piece::Kind::text, x, baseline, std::move(text)});
     };
 
-    pieces.push_back({Piece::Kind::title, left, (kMargin + kTitleSize * 0.9) * size, title_});
+    pieces.push_back({Piece::Kind::title, left, (kLegendMargin + kTitleSize * 0.9) * size, title_});
     const std::array<std::size_t, 5> counts = {
         snapshot.running, snapshot.frozen, snapshot.discarded,
         triangles_ - std::min(triangles_, snapshot.discardedPolygons), snapshot.discardedPolygons};
@@ -173,7 +173,7 @@ std::vector<Legend::Piece> Legend::pieces(const Snapshot& snapshot) const
         }
         write(left + kLabelIndent * size, row.baseline, row.label);
         const std::string number = fmt::format("{}", counts[static_cast<std::size_t>(row.number)]);
-        const double right = width_ - kMargin * size;
+        const double right = width_ - kLegendMargin * size;
         const double room = font_->measure(kWidestNumber);
         write(right - std::min(room, font_->measure(number)), row.baseline, number);
     }
@@ -234,8 +234,9 @@ void Legend::draw(Image& image, const Piece& piece) const
 std::array<int, 4> Legend::barBounds() const
 {
     const double size = font_->size();
-    return {static_cast<int>(std::lround(kMargin * size)), static_cast<int>(std::lround(scaleTop_)),
-            static_cast<int>(std::lround(width_ - kMargin * size)),
+    return {static_cast<int>(std::lround(kLegendMargin * size)),
+            static_cast<int>(std::lround(scaleTop_)),
+            static_cast<int>(std::lround(width_ - kLegendMargin * size)),
             static_cast<int>(std::lround(scaleTop_ + kScaleHeight * size))};
 }
 

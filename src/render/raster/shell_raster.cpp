@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/raster/shell_raster.hpp"
 
+#include "render/passes/mesh_shading.hpp"
 #include "render/raster/shell_rows.hpp"
 
 #include <glm/common.hpp>
@@ -18,9 +19,9 @@ namespace frostfill
 namespace
 {
 
+constexpr float kPlainLine = line_strength::kPlain / 255.0F;
+constexpr float kStrongLine = line_strength::kStrong / 255.0F;
 // The numbers of common.glsl and mesh.frag.
-constexpr float kPlain = 60.0F / 255;
-constexpr float kStrong = 190.0F / 255;
 constexpr float kOutlineFrom = 1;
 constexpr float kOutlineTo = 2.5F;
 constexpr float kCreaseFade = 6;
@@ -251,12 +252,12 @@ void ShellRaster::setStrokes(std::uint32_t triangle, Setup& setup) const
     {
         const float strength = static_cast<float>(edges_[triangle][i]) / 255;
         float shown = 1;
-        shown = strength < kPlain + 0.002F ? edges : shown;
-        shown = strength > kStrong + 0.002F ? outline : shown;
-        setup.strength[i] = ofLine * shown * std::min(strength, kStrong);
+        shown = strength < kPlainLine + 0.002F ? edges : shown;
+        shown = strength > kStrongLine + 0.002F ? outline : shown;
+        setup.strength[i] = ofLine * shown * std::min(strength, kStrongLine);
         setup.lines = setup.lines || setup.strength[i] > 0;
     }
-    setup.contour = ofLine * kStrong * (1 - outline);
+    setup.contour = ofLine * kStrongLine * (1 - outline);
     setup.pixelsOfFacing = pixelsOf(combined(facing));
     setup.crease = 0;
     setup.pixelsOfCrease = 0;
@@ -267,7 +268,7 @@ void ShellRaster::setStrokes(std::uint32_t triangle, Setup& setup) const
         setup.pixelsOfCrease = pixelsOf(combined(setup.creaseDistance));
         const float fade =
             1 - glm::smoothstep(0.5F * kCreaseFade, kCreaseFade, size / strokes_.lineWidth);
-        setup.crease = setup.pixelsOfCrease < 1e5F ? ofLine * kStrong * fade : 0;
+        setup.crease = setup.pixelsOfCrease < 1e5F ? ofLine * kStrongLine * fade : 0;
     }
     setup.lines = setup.lines || setup.contour > 0 || setup.crease > 0;
     setup.seen = setup.lines || setup.density > 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/raster/sphere_raster.hpp"
 
+#include "render/framing/lamp.hpp"
 #include "render/raster/lanes.hpp"
 
 #include <glm/common.hpp>
@@ -108,7 +109,6 @@ struct InStudio
     FROSTFILL_INLINE void takeLight(const Normals& normals, Floats facing, Floats& sky,
                                     Floats& lamp) const
     {
-        constexpr float kSoftness = 0.3F;
         for (std::size_t i = 0; i < l.count; ++i)
         {
             const Lighting::Occluder& o = l.occluders[i];
@@ -120,8 +120,8 @@ struct InStudio
             {
                 const Floats ahead = o.ahead - facing;
                 const Floats beside = root(max(squared - ahead * ahead, 0));
-                const Floats hidden =
-                    clamped(0.5F + (o.radius - beside) / (2 * kSoftness * max(ahead, 0) + 0.04F));
+                const Floats hidden = clamped(
+                    0.5F + (o.radius - beside) / (2 * kLampSoftness * max(ahead, 0) + 0.04F));
                 lamp *= select(ahead > 0, 1 - hidden, all(1));
             }
         }

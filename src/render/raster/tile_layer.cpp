@@ -9,13 +9,6 @@
 
 namespace frostfill
 {
-namespace
-{
-
-/// Spheres that one task of forAll places in the picture.
-constexpr std::size_t kSpheresPerTask = 4096;
-
-} // namespace
 
 TileLayer::TileLayer(const TileGrid& grid, const RenderSettings& settings, int samples,
                      std::optional<Studio> studio)

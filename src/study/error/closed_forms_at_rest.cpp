@@ -126,7 +126,7 @@ void measureGrooves(ClosedFormPoints& points)
 void measureCorner(ClosedFormPoints& points)
 {
     const Eigen::Matrix3d stand =
-        Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d(1, 1, 1), Eigen::Vector3d::UnitY())
+        Eigen::AngleAxisd(std::acos(1 / std::sqrt(3.0)), Eigen::Vector3d(-1, 0, 1).normalized())
             .toRotationMatrix();
     const TriangleMesh mesh =
         moved(boxMesh({-5, -5, -5}, {5, 5, 5}, 3), 1, stand, Eigen::Vector3d::Zero());

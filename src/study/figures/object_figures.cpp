@@ -30,15 +30,15 @@ constexpr int kObjectStrip = 30;
 /// Of the wedge that is taken away, where the camera looks [degree].
 constexpr double kHalfWedge = 45;
 
-struct Subject
+struct ObjectPanel
 {
     Scene scene;
     TriangleMesh mesh;
 };
 
-Subject subjectOf(const FigureFolder& folder, int side)
+ObjectPanel objectPanel(const FigureFolder& folder, int side)
 {
-    Subject subject{presetScene(Preset::fast, folder.object()), {}};
+    ObjectPanel subject{presetScene(Preset::fast, folder.object()), {}};
     subject.scene.spheres.count = folder.quick() ? kQuickObjectSpheres : kObjectSpheres;
     makePanel(subject.scene, side);
     subject.scene.style.look = Look::clean; // hatches suit the paper's coarse meshes only
@@ -49,7 +49,7 @@ Subject subjectOf(const FigureFolder& folder, int side)
 
 void makeStages(const FigureFolder& folder)
 {
-    const Subject subject = subjectOf(folder, kStageSide);
+    const ObjectPanel subject = objectPanel(folder, kStageSide);
     std::vector<std::size_t> spheres;
     for (std::size_t stage = 1; stage < kStages; ++stage)
     {
@@ -74,7 +74,7 @@ void makeStages(const FigureFolder& folder)
 
 void makeCutaways(const FigureFolder& folder)
 {
-    Subject subject = subjectOf(folder, kCutSide);
+    ObjectPanel subject = objectPanel(folder, kCutSide);
     Scene& scene = subject.scene;
     const double azimuth =
         frontAzimuth(subject.mesh, renderSettings(scene, ColourRange{}).up.normalized());
@@ -101,7 +101,7 @@ void makeCutaways(const FigureFolder& folder)
 template <typename Row>
 Table tableOfSets(const FigureFolder& folder, Row row)
 {
-    Subject subject = subjectOf(folder, kStageSide);
+    ObjectPanel subject = objectPanel(folder, kStageSide);
     subject.scene.spheres.untilFull = true;
     Simulation simulation(subject.scene, subject.mesh);
     while (simulation.step())
