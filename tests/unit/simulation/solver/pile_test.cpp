@@ -178,6 +178,25 @@ TEST(PositionSolver, SpheresOfUnlikeMassAreTakenApartAboutTheirCentreOfMass)
     }
 }
 
+// Three in a line, in the air and level: the first touches the second, which is deep in the third.
+// Sweeps skip who was clear; the second is pushed into the first, which must then give way as well.
+TEST(PositionSolver, WhoWasClearGivesWayOnceItsNeighbourIsPushedIntoIt)
+{
+    const double depth = 0.1;
+    Pile pile({{-2, 0, 0}, {0, 0, 0}, {2 - depth, 0, 0}});
+    for (int k = 0; k < 2; ++k)
+    {
+        pile.positionSolver.resolve(kDt);
+        const auto& x = pile.running.position;
+        EXPECT_LT(x[0].x(), -2 - 0.1 * depth) << k;
+        EXPECT_GT(x[1].x() - x[0].x(), 2 - 0.05 * depth) << k;
+        EXPECT_GT(x[2].x() - x[1].x(), 2 - 0.05 * depth) << k;
+        pile.running.position[0] = {-2, 0, 0};
+        pile.running.position[1] = {0, 0, 0};
+        pile.running.position[2] = {2 - depth, 0, 0};
+    }
+}
+
 // A sphere on another, a twentieth of a radius deep in it, slides over it: taking them apart lifts
 // it, and its speed pays for that to the last bit of energy.
 TEST(PositionSolver, ALiftCostsAsMuchSpeedAsItGivesHeight)
