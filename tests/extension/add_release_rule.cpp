@@ -8,10 +8,10 @@ namespace
 {
 
 /// Spheres appear on the vertical line through the middle of the object's box, the highest first.
-class Column final : public ReleasePart
+class CentreLine final : public ReleasePart
 {
 public:
-    explicit Column(const World& world) : world_(world) {}
+    explicit CentreLine(const World& world) : world_(world) {}
 
     [[nodiscard]] std::optional<PlacedSphere> next(const ReleaseQuery& query) override
     {
@@ -52,7 +52,7 @@ private:
 
 [[maybe_unused]] const ReleaseRule kColumn =
     releaseRules().add("column", [](const World& world, double /*band*/, Threads& /*threads*/)
-                       { return std::make_unique<Column>(world); });
+                       { return std::make_unique<CentreLine>(world); });
 
 } // namespace
 } // namespace frostfill

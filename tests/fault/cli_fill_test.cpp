@@ -16,7 +16,7 @@ using test::readFile;
 using test::writeFile;
 
 // A run of a moment: two sets of four spheres.
-const std::string kSmall = "fill cube --radius 0.3 --count 8 --group-size 2 --groups-per-set 2 ";
+const std::string kEightInTwos = "fill cube --radius 0.3 --count 8 --group-size 2 --groups-per-set 2 ";
 
 class FillCommand : public ::testing::Test
 {
@@ -30,7 +30,7 @@ protected:
 
 TEST_F(FillCommand, WritesEveryFileIntoItsDirectoryByDefault)
 {
-    const Answer answer = run(kSmall + "--size 64x48 --max-frames 4");
+    const Answer answer = run(kEightInTwos + "--size 64x48 --max-frames 4");
     EXPECT_EQ(answer.code, 0) << answer.errors;
     for (const char* file : {"spheres.csv", "polygons.csv", "sets.csv", "summary.json", "mesh.ply",
                              "frames/frame_00000.png"})
@@ -40,8 +40,8 @@ TEST_F(FillCommand, WritesEveryFileIntoItsDirectoryByDefault)
     EXPECT_NE(answer.output.find("frames/s"), std::string::npos) << answer.output;
     EXPECT_NE(answer.errors.find("expecting about"), std::string::npos) << answer.errors;
 
-    EXPECT_EQ(run(kSmall + "--frames none").code, 73);
-    EXPECT_EQ(run(kSmall + "--frames none --overwrite").code, 0);
+    EXPECT_EQ(run(kEightInTwos + "--frames none").code, 73);
+    EXPECT_EQ(run(kEightInTwos + "--frames none --overwrite").code, 0);
     EXPECT_FALSE(std::filesystem::exists(folder_ / "output/cube/frames"));
 }
 
@@ -55,7 +55,7 @@ TEST_F(FillCommand, TakesOptionsInAnyOrder)
 
 TEST_F(FillCommand, SaysWhichGivenOptionsThePresetDoesNotUse)
 {
-    const std::string none = kSmall + "--frames none --overwrite ";
+    const std::string none = kEightInTwos + "--frames none --overwrite ";
     const auto linesOfWarning = [](const Answer& answer)
     {
         EXPECT_EQ(answer.code, 0) << answer.errors;
@@ -81,7 +81,7 @@ TEST_F(FillCommand, SaysWhichGivenOptionsThePresetDoesNotUse)
 
 TEST_F(FillCommand, PrintsOneJsonDocumentOnStandardOutput)
 {
-    const Answer answer = run(kSmall + "--frames none --json");
+    const Answer answer = run(kEightInTwos + "--frames none --json");
     ASSERT_EQ(answer.code, 0) << answer.errors;
     const auto summary = nlohmann::json::parse(answer.output, nullptr, false);
     ASSERT_TRUE(summary.is_object()) << answer.output;
@@ -93,7 +93,7 @@ TEST_F(FillCommand, PrintsOneJsonDocumentOnStandardOutput)
 
 TEST_F(FillCommand, RepeatsARunFromItsSummaryOrASceneFile)
 {
-    ASSERT_EQ(run(kSmall + "--seed 7 --frames none --quiet --out a").code, 0);
+    ASSERT_EQ(run(kEightInTwos + "--seed 7 --frames none --quiet --out a").code, 0);
     ASSERT_EQ(run("fill --scene a/summary.json --quiet --out b").code, 0);
     EXPECT_EQ(readFile(folder_ / "a/spheres.csv"), readFile(folder_ / "b/spheres.csv"));
 
@@ -114,15 +114,15 @@ TEST_F(FillCommand, FillsUntilFullWhenOnlyARadiusIsGiven)
 TEST_F(FillCommand, TellsThatItsDirectoryCannotBeCreated)
 {
     writeFile(folder_ / "file", "");
-    EXPECT_EQ(run(kSmall + "--frames none --out file").code, 73);
-    EXPECT_EQ(run(kSmall + "--frames none --out file/inner").code, 73);
-    EXPECT_EQ(run(kSmall + "--frames none --out /proc/no").code, 73);
+    EXPECT_EQ(run(kEightInTwos + "--frames none --out file").code, 73);
+    EXPECT_EQ(run(kEightInTwos + "--frames none --out file/inner").code, 73);
+    EXPECT_EQ(run(kEightInTwos + "--frames none --out /proc/no").code, 73);
     if (geteuid() != 0)
     {
         std::filesystem::create_directory(folder_ / "locked");
         std::filesystem::permissions(folder_ / "locked", std::filesystem::perms::owner_read |
                                                              std::filesystem::perms::owner_exec);
-        EXPECT_EQ(run(kSmall + "--frames none --out locked").code, 73);
+        EXPECT_EQ(run(kEightInTwos + "--frames none --out locked").code, 73);
         std::filesystem::permissions(folder_ / "locked", std::filesystem::perms::owner_all);
     }
 }
@@ -131,15 +131,15 @@ TEST_F(FillCommand, TellsThatTheDiskIsFull)
 {
     std::filesystem::create_directory(folder_ / "full");
     std::filesystem::create_symlink("/dev/full", folder_ / "full/sets.csv.part");
-    const Answer answer = run(kSmall + "--frames none --quiet --overwrite --out full");
+    const Answer answer = run(kEightInTwos + "--frames none --quiet --overwrite --out full");
     EXPECT_EQ(answer.code, 0) << "the part of an earlier run is replaced: " << answer.errors;
-    EXPECT_EQ(run(kSmall + "--frames none --out b >/dev/full").code, 74);
-    EXPECT_EQ(run(kSmall + "--frames none --out c --json >/dev/full").code, 74);
+    EXPECT_EQ(run(kEightInTwos + "--frames none --out b >/dev/full").code, 74);
+    EXPECT_EQ(run(kEightInTwos + "--frames none --out c --json >/dev/full").code, 74);
 }
 
 TEST_F(FillCommand, BlankPicturesFailWith70AndKeepTheFiles)
 {
-    const Answer answer = run(kSmall + "--size 64x48 --max-frames 2 --target 1e6,0,0 --quiet");
+    const Answer answer = run(kEightInTwos + "--size 64x48 --max-frames 2 --target 1e6,0,0 --quiet");
     EXPECT_EQ(answer.code, 70);
     EXPECT_NE(answer.errors.find("blank"), std::string::npos) << answer.errors;
     EXPECT_TRUE(std::filesystem::exists(folder_ / "output/cube/spheres.csv"));
@@ -161,7 +161,7 @@ TEST_F(FillCommand, StopsWith75WhenAskedToAndWritesEverything)
 
 TEST_F(FillCommand, MakesPassesSheetAndTurntableOfTheSameFrames)
 {
-    const Answer answer = run(kSmall + "--size 64x48 --max-frames 3 --hold 0.2 --turntable 1 "
+    const Answer answer = run(kEightInTwos + "--size 64x48 --max-frames 3 --hold 0.2 --turntable 1 "
                                        "--passes all --contact-sheet --background transparent "
                                        "--style dark --color-by speed --cutaway wedge:0,90 "
                                        "--ambient-occlusion --supersample 2 --backend osmesa");
@@ -182,7 +182,7 @@ TEST_F(FillCommand, MakesPassesSheetAndTurntableOfTheSameFrames)
         EXPECT_EQ(frames(folder), frames("frames")) << folder;
     }
     EXPECT_TRUE(std::filesystem::exists(folder_ / "output/cube/contact_sheet.png"));
-    EXPECT_EQ(run(kSmall + "--size 64x48 --max-frames 2 --overwrite").code, 0);
+    EXPECT_EQ(run(kEightInTwos + "--size 64x48 --max-frames 2 --overwrite").code, 0);
     EXPECT_FALSE(std::filesystem::exists(folder_ / "output/cube/depth"));
     EXPECT_FALSE(std::filesystem::exists(folder_ / "output/cube/contact_sheet.png"));
 }
@@ -194,7 +194,7 @@ TEST_F(FillCommand, LosesNoFrameWhenTheVideoFails)
     std::filesystem::permissions(folder_ / "bin/ffmpeg", std::filesystem::perms::owner_all);
     const std::string path = std::getenv("PATH");
     ::setenv("PATH", ((folder_ / "bin").string() + ":" + path).c_str(), 1);
-    const Answer broken = run(kSmall + "--size 64x48 --max-frames 4 --video film.mp4");
+    const Answer broken = run(kEightInTwos + "--size 64x48 --max-frames 4 --video film.mp4");
     ::setenv("PATH", path.c_str(), 1);
     EXPECT_EQ(broken.code, 74) << broken.errors;
     EXPECT_NE(broken.errors.find("broken"), std::string::npos) << broken.errors;
@@ -202,9 +202,9 @@ TEST_F(FillCommand, LosesNoFrameWhenTheVideoFails)
     EXPECT_TRUE(std::filesystem::exists(folder_ / "output/cube/frames/frame_00001.png"));
     EXPECT_TRUE(std::filesystem::exists(folder_ / "output/cube/summary.json"));
 
-    EXPECT_EQ(run(kSmall + "--frames none --video film.mp4 --overwrite").code, 64);
-    EXPECT_EQ(run(kSmall + "--video film.avi --overwrite").code, 64);
-    EXPECT_EQ(run(kSmall + "--backend vulkan --overwrite").code, 64);
+    EXPECT_EQ(run(kEightInTwos + "--frames none --video film.mp4 --overwrite").code, 64);
+    EXPECT_EQ(run(kEightInTwos + "--video film.avi --overwrite").code, 64);
+    EXPECT_EQ(run(kEightInTwos + "--backend vulkan --overwrite").code, 64);
 }
 
 } // namespace

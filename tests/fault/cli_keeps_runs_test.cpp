@@ -19,7 +19,7 @@ namespace
 using test::Answer;
 using test::readFile;
 
-const std::string kSmall = "fill cube --radius 0.3 --count 8 --group-size 2 --size 64x48 ";
+const std::string kEightSpheres = "fill cube --radius 0.3 --count 8 --group-size 2 --size 64x48 ";
 
 // A shell's words that wait until a run has made its directory, just before it locks it.
 std::string waitFor(const std::string& directory)
@@ -28,7 +28,7 @@ std::string waitFor(const std::string& directory)
 }
 
 // Takes far longer than any test waits.
-const std::string kLong = "fill cube --count 200000 --frames none --quiet --threads 1 ";
+const std::string kLongWithoutPictures = "fill cube --count 200000 --frames none --quiet --threads 1 ";
 
 class KeepsRuns : public ::testing::Test
 {
@@ -42,11 +42,11 @@ protected:
 
 TEST_F(KeepsRuns, ARunThatCannotBeginLeavesTheOldOneAsItIs)
 {
-    ASSERT_EQ(run(kSmall + "--out keep --max-frames 2").code, 0);
+    ASSERT_EQ(run(kEightSpheres + "--out keep --max-frames 2").code, 0);
     const std::string before = readFile(folder_ / "keep/summary.json");
     const std::string picture = readFile(folder_ / "keep/frames/frame_00000.png");
     ASSERT_FALSE(picture.empty());
-    const std::string again = kSmall + "--out keep --overwrite ";
+    const std::string again = kEightSpheres + "--out keep --overwrite ";
     EXPECT_EQ(run(again + "--samples 64").code, 64);
     EXPECT_EQ(run(again + "--size 16384x16384 --supersample 8").code, 64);
     EXPECT_EQ(run(again + "--video /nonexistent/a.mp4").code, 73);
@@ -63,7 +63,7 @@ TEST_F(KeepsRuns, SignalsThatComeTogetherStopTheRunAndLoseNothing)
         const Answer answer = run(
             fmt::format("{0}--out {1} & process=$!; {2}kill -{1} $process; kill -TERM $process; "
                         "kill -{1} $process; wait $process",
-                        kLong, signal, waitFor(signal)));
+                        kLongWithoutPictures, signal, waitFor(signal)));
         EXPECT_EQ(answer.code, 75) << signal << answer.errors;
         const auto summary =
             nlohmann::json::parse(readFile(folder_ / signal / "summary.json"), nullptr, false);
@@ -75,7 +75,7 @@ TEST_F(KeepsRuns, SignalsThatComeTogetherStopTheRunAndLoseNothing)
 TEST_F(KeepsRuns, ASecondRunInTheSameDirectoryIsRefused)
 {
     const Answer answer =
-        run(kLong + "--out a & process=$!; " + waitFor("a") +
+        run(kLongWithoutPictures + "--out a & process=$!; " + waitFor("a") +
             "'" FROSTFILL_PROGRAM "' fill cube --count 4 --frames none --overwrite --out a; "
             "second=$?; kill -TERM $process; wait $process; "
             "test $? -eq 75 && exit $second");

@@ -21,12 +21,12 @@ using test::readFile;
 using test::writeFile;
 
 const std::string kLonger = "fill cube --radius 0.3 --count 8 --quiet --out run ";
-const std::string kSmall = kLonger + "--size 64x48 --duration 0.5 ";
+const std::string kShort = kLonger + "--size 64x48 --duration 0.5 ";
 
 class RenderCommand : public ::testing::Test
 {
 protected:
-    RenderCommand() { EXPECT_EQ(run(kSmall).code, 0); }
+    RenderCommand() { EXPECT_EQ(run(kShort).code, 0); }
     [[nodiscard]] Answer run(const std::string& arguments) const
     {
         return test::runProgram(arguments, folder_.path());

@@ -45,7 +45,7 @@ TEST_P(FreeFall, HasExactlyTheErrorOfItsIntegrator)
     }
 }
 
-std::string nameOf(const ::testing::TestParamInfo<Integrator>& info)
+std::string nameOfIntegrator(const ::testing::TestParamInfo<Integrator>& info)
 {
     return info.param == Integrator::explicitEuler ? "ExplicitEuler" : "SemiImplicitEuler";
 }
@@ -53,7 +53,7 @@ std::string nameOf(const ::testing::TestParamInfo<Integrator>& info)
 INSTANTIATE_TEST_SUITE_P(BothIntegrators, FreeFall,
                          ::testing::Values(Integrator::explicitEuler,
                                            Integrator::semiImplicitEuler),
-                         nameOf);
+                         nameOfIntegrator);
 
 } // namespace
 } // namespace frostfill

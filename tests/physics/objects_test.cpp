@@ -85,12 +85,12 @@ std::vector<Run> everyRun()
     return runs;
 }
 
-std::string nameOf(const ::testing::TestParamInfo<Run>& info)
+std::string nameOfRun(const ::testing::TestParamInfo<Run>& info)
 {
     return info.param.object + (info.param.preset == Preset::paper ? "Paper" : "Fast");
 }
 
-INSTANTIATE_TEST_SUITE_P(BothPresets, EveryObject, ::testing::ValuesIn(everyRun()), nameOf);
+INSTANTIATE_TEST_SUITE_P(BothPresets, EveryObject, ::testing::ValuesIn(everyRun()), nameOfRun);
 
 } // namespace
 } // namespace frostfill

@@ -22,7 +22,7 @@ namespace
 constexpr double kEnergyTolerance = 1e-9;
 
 /// A scene whose every number is drawn from a seed.
-Scene randomScene(std::uint64_t seed)
+Scene randomRun(std::uint64_t seed)
 {
     auto draw = [&, k = std::uint64_t{0}](double low, double high) mutable
     { return low + (high - low) * uniformRandom(seed, 77, ++k); };
@@ -63,7 +63,7 @@ TEST(Stress, WhateverTheSceneNothingLeaksGainsEnergyOrDiffersFromOneRunToTheNext
     for (std::uint64_t seed = 1; seed <= 12; ++seed)
     {
         SCOPED_TRACE("seed " + std::to_string(seed));
-        Scene scene = randomScene(seed);
+        Scene scene = randomRun(seed);
         QualityReport quality;
         scene.threads = 1;
         const std::string hash = runToItsEnd(scene, mesh, quality);

@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <string>
 
@@ -48,6 +49,21 @@ inline std::string readFile(const std::filesystem::path& file)
     std::ostringstream text;
     text << std::ifstream(file, std::ios::binary).rdbuf();
     return text.str();
+}
+
+/// What is in each file of a folder and of those in it, by its name within the folder.
+inline std::map<std::string, std::string> filesIn(const std::filesystem::path& folder)
+{
+    std::map<std::string, std::string> files;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+    {
+        if (entry.is_regular_file())
+        {
+            files[std::filesystem::relative(entry.path(), folder).string()] =
+                readFile(entry.path());
+        }
+    }
+    return files;
 }
 
 inline void writeFile(const std::filesystem::path& file, const std::string& text)

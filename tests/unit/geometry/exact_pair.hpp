@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -17,6 +19,11 @@ using WholePoint = std::array<std::int64_t, 3>;
 using WholeTriangle = std::array<WholePoint, 3>;
 using WideVector = std::array<Wide, 3>;
 using Polygon = std::vector<WideVector>;
+
+inline Eigen::Vector3d real(const WholePoint& p)
+{
+    return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
+}
 
 inline WideVector minus(const WideVector& a, const WideVector& b)
 {

@@ -2,6 +2,7 @@
 #include "geometry/exact_predicates.hpp"
 
 #include "base/random.hpp"
+#include "unit/geometry/exact_pair.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,8 +16,9 @@ namespace frostfill
 namespace
 {
 
-__extension__ using Wide = __int128;
-using Integers = std::array<std::int64_t, 3>;
+using test::real;
+using test::Wide;
+using Integers = test::WholePoint;
 
 int signOf(Wide value)
 {
@@ -34,11 +36,6 @@ int exactSide(const Integers& a, const Integers& b, const Integers& c, const Int
     const auto minor = [&](std::size_t i, std::size_t j)
     { return Wide{v[i]} * w[j] - Wide{v[j]} * w[i]; };
     return signOf(u[0] * minor(1, 2) + u[1] * minor(2, 0) + u[2] * minor(0, 1));
-}
-
-Eigen::Vector3d real(const Integers& p)
-{
-    return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
 }
 
 class Draws

@@ -14,19 +14,15 @@ namespace frostfill
 namespace
 {
 
+using test::real;
 using Corners = TrianglePair::Corners;
-
-Eigen::Vector3d real(const test::WholePoint& p)
-{
-    return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
-}
 
 Corners real(const test::WholeTriangle& t)
 {
     return {real(t[0]), real(t[1]), real(t[2])};
 }
 
-class Draws
+class TriangleDraws
 {
 public:
     test::WholeTriangle triangle(std::int64_t below)
@@ -64,7 +60,7 @@ bool crossing(const Corners& a, const Corners& b, int shared)
 
 TEST(TrianglePair, CrossesAsSeparatingPlanesOfWholeNumbersSay)
 {
-    Draws draws;
+    TriangleDraws draws;
     for (int shared = 0; shared < 3; ++shared)
     {
         for (const std::int64_t below : {2, 3, 5, 12})
@@ -133,7 +129,7 @@ TEST(TrianglePair, ThatOverlapsAlongAnEdgeFromASharedCornerCrosses)
 
 TEST(TrianglePair, CrossesTheSameAfterAMoveAndAScaleWithoutRounding)
 {
-    Draws draws;
+    TriangleDraws draws;
     for (int trial = 0; trial < 3000; ++trial)
     {
         const test::WholeTriangle a = draws.triangle(9);

@@ -80,7 +80,7 @@ inline std::filesystem::path outputFile(const std::string& name)
     return folder / name;
 }
 
-inline std::filesystem::path writeFile(const std::string& name, const std::string& content)
+inline std::filesystem::path writtenMesh(const std::string& name, const std::string& content)
 {
     const std::filesystem::path file = outputFile(name);
     std::ofstream(file, std::ios::binary) << content;

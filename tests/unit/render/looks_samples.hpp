@@ -3,6 +3,7 @@
 
 #include "support/drawn_with.hpp"
 #include "support/pictures.hpp"
+#include "unit/render/draw.hpp"
 
 #include <frostfill/renderer.hpp>
 
@@ -56,14 +57,6 @@ inline void advance(Snapshot& snapshot, int frame)
     snapshot.polygons[static_cast<std::size_t>(frame) % snapshot.polygons.size()] =
         PolygonState::discarded;
     ++snapshot.step;
-}
-
-inline Image draw(const TriangleMesh& mesh, const RenderSettings& settings,
-                  const Snapshot& snapshot)
-{
-    Image image;
-    Renderer(mesh, settings).render(snapshot, image);
-    return image;
 }
 
 inline Image over(const Image& image, int ground)

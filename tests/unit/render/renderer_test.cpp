@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/drawn_with.hpp"
 #include "support/pictures.hpp"
+#include "unit/render/draw.hpp"
 
 #include <frostfill/error.hpp>
 #include <frostfill/renderer.hpp>
@@ -15,6 +16,7 @@ namespace
 {
 
 using namespace testing_support;
+using test::draw;
 
 Snapshot packOf(const TriangleMesh& mesh, int count)
 {
@@ -37,13 +39,6 @@ RenderSettings smallSettings()
     settings.size = {480, 270};
     settings.title = "torus";
     return settings;
-}
-
-Image draw(const TriangleMesh& mesh, const RenderSettings& settings, const Snapshot& snapshot)
-{
-    Image image;
-    Renderer(mesh, settings).render(snapshot, image);
-    return image;
 }
 
 bool isColour(const Image& image, int x, int y, const Colour& colour)

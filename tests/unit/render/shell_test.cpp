@@ -2,6 +2,7 @@
 // The shell: clean lines however small its triangles are in the picture.
 #include "support/drawn_with.hpp"
 #include "support/pictures.hpp"
+#include "unit/render/draw.hpp"
 
 #include <frostfill/renderer.hpp>
 
@@ -15,6 +16,7 @@ namespace
 {
 
 using namespace testing_support;
+using test::draw;
 
 RenderSettings shellSettings()
 {
@@ -23,13 +25,6 @@ RenderSettings shellSettings()
     settings.size = {320, 180};
     settings.style.legend = false;
     return settings;
-}
-
-Image draw(const TriangleMesh& mesh, const RenderSettings& settings, const Snapshot& snapshot = {})
-{
-    Image image;
-    Renderer(mesh, settings).render(snapshot, image);
-    return image;
 }
 
 int brightness(const Image& image, int x, int y)

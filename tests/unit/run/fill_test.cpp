@@ -39,7 +39,7 @@ std::size_t rowsOf(const std::filesystem::path& file)
     return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) - 1;
 }
 
-std::size_t filesIn(const std::filesystem::path& directory)
+std::size_t entriesIn(const std::filesystem::path& directory)
 {
     std::size_t count = 0;
     for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(directory))
@@ -95,7 +95,7 @@ TEST(FillRun, WritesEveryFileOfARun)
     EXPECT_EQ(rowsOf(folder / "run/sets.csv"), result.sets.size());
     EXPECT_TRUE(std::filesystem::exists(folder / "run/mesh.ply"));
     EXPECT_EQ(readFile(folder / "run/summary.json"), result.summary);
-    EXPECT_EQ(filesIn(folder / "run"), 5u);
+    EXPECT_EQ(entriesIn(folder / "run"), 5u);
 }
 
 TEST(FillRun, SummarisesWhatRepeatsTheRun)
@@ -130,7 +130,7 @@ TEST(FillRun, WritesEverythingWhenItIsStopped)
     const FillResult result = fill(smallRequest(folder / "run"), observer);
     EXPECT_TRUE(result.stopped);
     EXPECT_EQ(steps, 5);
-    EXPECT_EQ(filesIn(folder / "run"), 5u);
+    EXPECT_EQ(entriesIn(folder / "run"), 5u);
     EXPECT_EQ(nlohmann::json::parse(result.summary)["outcome"], "stopped");
 }
 
@@ -159,7 +159,7 @@ TEST(FillRun, SimulatesTheSameWithAndWithoutFrames)
     EXPECT_FALSE(with.failure) << *with.failure;
     EXPECT_GE(with.frames, 3u);
     EXPECT_LE(with.frames, 6u);
-    EXPECT_EQ(filesIn(folder / "b/frames"), with.frames);
+    EXPECT_EQ(entriesIn(folder / "b/frames"), with.frames);
     EXPECT_TRUE(std::filesystem::exists(folder / "b/frames/frame_00000.png"));
     EXPECT_EQ(nlohmann::json::parse(with.summary)["frames"], with.frames);
 }
@@ -182,7 +182,7 @@ TEST(FillRun, FailsWhenACentreEndsOutsideButKeepsTheFiles)
     const auto summary = nlohmann::json::parse(result.summary);
     EXPECT_EQ(summary["outcome"], "failed");
     EXPECT_EQ(summary["error"]["centres_outside"], result.quality.centresOutside);
-    EXPECT_EQ(filesIn(folder / "run"), 5u);
+    EXPECT_EQ(entriesIn(folder / "run"), 5u);
 }
 
 // There is always room for another, as they leave.
@@ -201,7 +201,7 @@ TEST(FillRun, UntilFullEndsWhenTheSpheresTakeMoreThanTheObject)
     ASSERT_TRUE(result.failure);
     EXPECT_NE(result.failure->find("more than the object's volume"), std::string::npos)
         << *result.failure;
-    EXPECT_EQ(filesIn(folder / "run"), 5u);
+    EXPECT_EQ(entriesIn(folder / "run"), 5u);
 }
 
 /// Leads the newest sphere to no place at all.
@@ -230,7 +230,7 @@ TEST(FillRun, FailsWhenAPositionIsNoNumberButKeepsTheFiles)
     ASSERT_TRUE(result.failure);
     EXPECT_NE(result.failure->find("not numbers"), std::string::npos) << *result.failure;
     EXPECT_EQ(nlohmann::json::parse(result.summary)["outcome"], "failed");
-    EXPECT_EQ(filesIn(folder / "run"), 5u);
+    EXPECT_EQ(entriesIn(folder / "run"), 5u);
 }
 
 TEST(FillRun, RefusesBlankPicturesButKeepsTheFiles)
@@ -244,7 +244,7 @@ TEST(FillRun, RefusesBlankPicturesButKeepsTheFiles)
     const FillResult result = fill(request);
     ASSERT_TRUE(result.failure);
     EXPECT_NE(result.failure->find("blank"), std::string::npos);
-    EXPECT_EQ(filesIn(folder / "run"), 7u);
+    EXPECT_EQ(entriesIn(folder / "run"), 7u);
 }
 
 } // namespace

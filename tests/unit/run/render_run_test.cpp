@@ -21,21 +21,11 @@ namespace
 {
 
 using test::expectError;
+using test::filesIn;
 using test::readFile;
 using test::TemporaryFolder;
 
 using Files = std::map<std::string, std::string>;
-
-/// The files of a folder by their names.
-Files filesIn(const std::filesystem::path& folder)
-{
-    Files files;
-    for (const auto& entry : std::filesystem::directory_iterator(folder))
-    {
-        files[entry.path().filename().string()] = readFile(entry.path());
-    }
-    return files;
-}
 
 /// Which of the files differ, or are in one folder only.
 std::string difference(const Files& a, const Files& b)

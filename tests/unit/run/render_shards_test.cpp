@@ -10,7 +10,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <map>
 #include <random>
 
 namespace frostfill
@@ -19,22 +18,8 @@ namespace
 {
 
 using test::expectError;
+using test::filesIn;
 using test::readFile;
-
-/// The bytes of the files below a folder, by their paths.
-std::map<std::string, std::string> filesIn(const std::filesystem::path& folder)
-{
-    std::map<std::string, std::string> files;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
-    {
-        if (entry.is_regular_file())
-        {
-            files[std::filesystem::relative(entry.path(), folder).string()] =
-                readFile(entry.path());
-        }
-    }
-    return files;
-}
 
 class RenderShards : public ::testing::Test
 {

@@ -16,7 +16,7 @@ namespace
 
 using test::expectError;
 
-constexpr const char* kSweep = R"(
+constexpr const char* kTwelveRuns = R"(
 [scene]
 preset = "fast"
 [scene.frames]
@@ -39,7 +39,7 @@ std::vector<std::string> namesOf(const std::vector<SweepRun>& runs)
 
 TEST(SweepFile, HasARunForEachCombinationInTheOrderOfTheOptions)
 {
-    const std::vector<SweepRun> runs = parseSweep(kSweep, "sweep.toml");
+    const std::vector<SweepRun> runs = parseSweep(kTwelveRuns, "sweep.toml");
     ASSERT_EQ(runs.size(), 12U);
     EXPECT_EQ(runs[0].name, "mesh=cube,radius=0.25,seed=1");
     EXPECT_EQ(runs[1].name, "mesh=cube,radius=0.25,seed=2");
@@ -56,7 +56,7 @@ TEST(SweepFile, HasARunForEachCombinationInTheOrderOfTheOptions)
 
 TEST(SweepFile, GivesEachRunTheSceneOfASceneFileWithItsValues)
 {
-    const std::vector<SweepRun> runs = parseSweep(kSweep, "sweep.toml");
+    const std::vector<SweepRun> runs = parseSweep(kTwelveRuns, "sweep.toml");
     const Scene alone =
         parseScene("preset = \"fast\"\nseed = 2\n[frames]\nwhich = \"none\"\n"
                    "[spheres]\nradius = \"0.2..0.3\"\n[object]\nmesh = \"sphere\"\n",
@@ -66,7 +66,7 @@ TEST(SweepFile, GivesEachRunTheSceneOfASceneFileWithItsValues)
 
 TEST(SweepFile, KeepsTheNamesOfRunsWhenOthersAreAddedOrLinesChangePlaces)
 {
-    const std::vector<std::string> before = namesOf(parseSweep(kSweep, "sweep.toml"));
+    const std::vector<std::string> before = namesOf(parseSweep(kTwelveRuns, "sweep.toml"));
     const std::vector<std::string> after =
         namesOf(parseSweep("[sweep]\nobject.mesh = [\"torus\", \"sphere\", \"cube\"]\n"
                            "spheres.radius = [\"0.2..0.3\", 0.1, 0.25]\nseed = [3, 2, 1, 9]\n",

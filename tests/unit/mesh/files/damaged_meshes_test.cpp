@@ -61,7 +61,7 @@ TEST(DamagedMeshes, AreReadOrRefusedInASentence)
         for (std::uint64_t seed = 0; seed < 12; ++seed)
         {
             const auto file =
-                test::writeFile("damaged." + std::string(extension), damaged(text, seed));
+                test::writtenMesh("damaged." + std::string(extension), damaged(text, seed));
             expectReadOrRefused(file);
         }
     }
@@ -136,13 +136,13 @@ TEST(DamagedMeshes, CutOffAnywhereAreReadOrRefused)
 TEST(DamagedMeshes, OurOwnFileCutOffIsRefused)
 {
     const std::string whole = plyBytes(builtInMesh("torus"));
-    const auto file = test::writeFile("cut.ply", whole.substr(0, 20000));
+    const auto file = test::writtenMesh("cut.ply", whole.substr(0, 20000));
     test::expectRefused(ErrorCode::badData, "cut.ply", [&] { (void)readMeshSandboxed(file); });
 }
 
 TEST(DamagedMeshes, AHeaderWithoutAnEndIsRefused)
 {
-    const auto file = test::writeFile("header.ply", "ply\nformat ascii 1.0\n");
+    const auto file = test::writtenMesh("header.ply", "ply\nformat ascii 1.0\n");
     test::expectRefused(ErrorCode::badData, "header.ply", [&] { (void)readMeshSandboxed(file); });
 }
 
@@ -151,7 +151,7 @@ TEST(DamagedMeshes, IndicesThatNameNothingAreRefusedBeforeTheyAreUsed)
     const std::string text = test::objText(test::box(0, 1));
     for (const char* face : {"f 1 2 99\n", "f 1 2 3 4 4000000000\n", "f -1 -2 -300\n", "f 0 1 2\n"})
     {
-        const auto file = test::writeFile("indices.obj", text + face);
+        const auto file = test::writtenMesh("indices.obj", text + face);
         expectReadOrRefused(file);
     }
 }
@@ -164,7 +164,7 @@ TEST(ReadMeshSandboxed, GivesTheBitsOfReadMesh)
           {"cage.ply", test::asciiPly(torus)},
           {"cage.off", test::exactOff(torus)}})
     {
-        const auto file = test::writeFile(name, text);
+        const auto file = test::writtenMesh(name, text);
         const TriangleMesh free = readMesh(file);
         const TriangleMesh caged = readMeshSandboxed(file);
         EXPECT_EQ(free.vertices, caged.vertices) << name;

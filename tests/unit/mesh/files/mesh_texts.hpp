@@ -26,6 +26,16 @@ inline void expectUnreadable(const std::string& bytes, const std::string& name,
 
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
+/// The bytes are the unit square in two triangles, whatever freedom the text takes.
+inline void expectSquare(const std::string& name, const std::string& bytes)
+{
+    SCOPED_TRACE(bytes);
+    const TriangleMesh mesh = parse(bytes, name);
+    EXPECT_EQ(mesh.vertices,
+              (std::vector<Eigen::Vector3d>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}));
+    EXPECT_EQ(mesh.triangles, (Triangles{{0, 1, 2}, {0, 2, 3}}));
+}
+
 /// A number with all its digits.
 inline std::string exact(double value)
 {

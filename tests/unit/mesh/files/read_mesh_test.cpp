@@ -50,7 +50,7 @@ std::string gltfBuffer()
 TEST(ReadMesh, WeldsTheLooseTrianglesOfStl)
 {
     const LoadedMesh loaded =
-        loadMesh(test::writeFile("cube.stl", binaryStl(builtInMesh("cube"))).string());
+        loadMesh(test::writtenMesh("cube.stl", binaryStl(builtInMesh("cube"))).string());
     EXPECT_TRUE(loaded.repairs.empty());
     EXPECT_EQ(loaded.report.vertices, 386U);
     EXPECT_EQ(loaded.report.volume, 8.0);
@@ -58,7 +58,7 @@ TEST(ReadMesh, WeldsTheLooseTrianglesOfStl)
 
 TEST(ReadMesh, ReadsOffWithPolygons)
 {
-    const auto file = test::writeFile("box.off", "OFF\n8 6 12\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n"
+    const auto file = test::writtenMesh("box.off", "OFF\n8 6 12\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n"
                                                  "1 0 1\n0 1 1\n1 1 1\n4 0 2 3 1\n4 4 5 7 6\n"
                                                  "4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n4 1 3 7 5\n");
     const LoadedMesh loaded = loadMesh(file.string());
@@ -68,7 +68,7 @@ TEST(ReadMesh, ReadsOffWithPolygons)
 
 TEST(ReadMesh, WeldsVerticesThatNormalsAndGroupsHaveSplit)
 {
-    const auto file = test::writeFile(
+    const auto file = test::writtenMesh(
         "split.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\nv 1 1 1\n"
                      "vn 0 0 -1\nvn 0 0 1\nvn 0 -1 0\nvn 0 1 0\nvn -1 0 0\nvn 1 0 0\n"
                      "g low\nf 1//1 3//1 4//1 2//1\nf 5//2 6//2 8//2 7//2\n"
@@ -124,27 +124,27 @@ TEST(ReadMesh, ReadsTheBuiltInObjectsAsTheyAreBuiltIn)
 
 TEST(ReadMesh, NamesTheExtensionsOfGltfThatItCannotRead)
 {
-    test::writeFile("box.bin", gltfBuffer());
+    test::writtenMesh("box.bin", gltfBuffer());
     for (const char* name : {"KHR_draco_mesh_compression", "EXT_meshopt_compression",
                              "KHR_mesh_quantization", "EXT_mesh_gpu_instancing"})
     {
         const std::string with =
             std::string(R"({"extensionsRequired": ["KHR_materials_unlit", ")") + name + R"("],)" +
             gltf("", "box.bin").substr(1);
-        const auto file = test::writeFile("extension.gltf", with);
+        const auto file = test::writtenMesh("extension.gltf", with);
         test::expectRefused(ErrorCode::badData, name, [&] { (void)readMesh(file); });
     }
     const auto file =
-        test::writeFile("unlit.gltf", R"({"extensionsRequired":["KHR_materials_unlit"],)" +
+        test::writtenMesh("unlit.gltf", R"({"extensionsRequired":["KHR_materials_unlit"],)" +
                                           gltf("", "box.bin").substr(1));
     EXPECT_EQ(readMesh(file).triangles.size(), 12U);
 }
 
 TEST(ReadMesh, PlacesTheNodesOfGltf)
 {
-    test::writeFile("box.bin", gltfBuffer());
+    test::writtenMesh("box.bin", gltfBuffer());
     const auto file =
-        test::writeFile("box.gltf", gltf(R"(,"translation":[10,0,0],"scale":[2,-1,1])", "box.bin"));
+        test::writtenMesh("box.gltf", gltf(R"(,"translation":[10,0,0],"scale":[2,-1,1])", "box.bin"));
     const LoadedMesh loaded = loadMesh(file.string());
     EXPECT_TRUE(loaded.repairs.empty()); // mirrored by the node, and turned back
     EXPECT_DOUBLE_EQ(loaded.report.volume, 2.0);
@@ -165,7 +165,7 @@ TEST(ReadMesh, SaysWhatIsWrongWithAGlbWhoseJsonIsNotFilledUp)
         }
         return bytes;
     };
-    const auto file = test::writeFile("odd.glb", "glTF" + number(2) + number(20 + json.size()) +
+    const auto file = test::writtenMesh("odd.glb", "glTF" + number(2) + number(20 + json.size()) +
                                                      number(json.size()) + "JSON" + json);
     test::expectRefused(ErrorCode::badData, "its JSON takes 27 bytes",
                         [&] { (void)readMesh(file); });
@@ -173,12 +173,12 @@ TEST(ReadMesh, SaysWhatIsWrongWithAGlbWhoseJsonIsNotFilledUp)
 
 TEST(ReadMesh, PlacesTheChildrenOfAGltfWithinTheirParents)
 {
-    test::writeFile("box.bin", gltfBuffer());
+    test::writtenMesh("box.bin", gltfBuffer());
     std::string text =
         gltf(R"(,"translation":[10,0,0]},{"children":[0],"scale":[2,3,4])", "box.bin");
     const std::string root = R"({"nodes":[0]})";
     text.replace(text.find(root), root.size(), R"({"nodes":[1]})");
-    const Eigen::AlignedBox3d box = boundingBox(readMesh(test::writeFile("nested.gltf", text)));
+    const Eigen::AlignedBox3d box = boundingBox(readMesh(test::writtenMesh("nested.gltf", text)));
     EXPECT_EQ(box.min(), Eigen::Vector3d(20, 0, 0));
     EXPECT_EQ(box.max(), Eigen::Vector3d(22, 3, 4));
 }
@@ -186,16 +186,16 @@ TEST(ReadMesh, PlacesTheChildrenOfAGltfWithinTheirParents)
 TEST(ReadMesh, OpensNoBufferOutsideTheFolderOfAGltf)
 {
     std::filesystem::create_directories(test::outputFile("inner"));
-    test::writeFile("outer.bin", gltfBuffer());
-    const auto file = test::writeFile("inner/box.gltf", gltf("", "../outer.bin"));
+    test::writtenMesh("outer.bin", gltfBuffer());
+    const auto file = test::writtenMesh("inner/box.gltf", gltf("", "../outer.bin"));
     test::expectRefused(ErrorCode::badData, "box.gltf", [&] { (void)readMesh(file); });
 }
 
 TEST(ReadMesh, OpensNoMaterialLibrary)
 {
-    test::writeFile("fat.mtl", "newmtl red\nKd 1 0 0\n");
+    test::writtenMesh("fat.mtl", "newmtl red\nKd 1 0 0\n");
     const auto file =
-        test::writeFile("material.obj", "mtllib fat.mtl\nmtllib /etc/hostname\nusemtl red\n" +
+        test::writtenMesh("material.obj", "mtllib fat.mtl\nmtllib /etc/hostname\nusemtl red\n" +
                                             test::objText(test::box(0, 1)));
     EXPECT_EQ(readMesh(file).triangles.size(), 12U);
 }
@@ -205,7 +205,7 @@ TEST(ReadMesh, ChangesNothingButEqualVertices)
     TriangleMesh mesh = test::box(0, 1);
     mesh.triangles.pop_back();
     test::flip(mesh.triangles[0]);
-    const TriangleMesh read = readMesh(test::writeFile("torn.obj", test::objText(mesh)));
+    const TriangleMesh read = readMesh(test::writtenMesh("torn.obj", test::objText(mesh)));
     EXPECT_EQ(inspectMesh(read).boundaryEdges, 3U);
     EXPECT_GT(inspectMesh(read).inconsistentEdges, 0U);
 }
@@ -220,11 +220,11 @@ TEST(ReadMesh, SaysThatAFileIsMissing)
 
 TEST(ReadMesh, RefusesFormatsThatAreNotAllowed)
 {
-    const auto file = test::writeFile("model.fbx", "something");
+    const auto file = test::writtenMesh("model.fbx", "something");
     test::expectRefused(ErrorCode::badData, ".obj, .stl", [&] { (void)readMesh(file); });
     // Another format in disguise has no reader either.
     const auto disguised =
-        test::writeFile("disguised.obj", "<?xml version=\"1.0\"?>\n<COLLADA/>\n");
+        test::writtenMesh("disguised.obj", "<?xml version=\"1.0\"?>\n<COLLADA/>\n");
     test::expectRefused(ErrorCode::badData, "disguised.obj", [&] { (void)readMesh(disguised); });
 }
 
@@ -236,7 +236,7 @@ TEST(ReadMesh, RefusesFilesThatAreNoMesh)
         for (const std::string& content :
              {std::string(), std::string("hello there, no mesh here\n"), std::string(300, '\x7f')})
         {
-            const auto file = test::writeFile(name, content);
+            const auto file = test::writtenMesh(name, content);
             test::expectRefused(ErrorCode::badData, name, [&] { (void)readMesh(file); });
         }
     }
@@ -246,14 +246,14 @@ TEST(ReadMesh, RefusesNumbersThatAreNotFinite)
 {
     TriangleMesh mesh = test::box(0, 1);
     mesh.vertices[3].z() = std::numeric_limits<double>::quiet_NaN();
-    const auto file = test::writeFile("nan.stl", binaryStl(mesh));
+    const auto file = test::writtenMesh("nan.stl", binaryStl(mesh));
     test::expectRefused(ErrorCode::badData, "not a number", [&] { (void)readMesh(file); });
 }
 
 TEST(ReadMesh, RefusesAFileOfPointsAndLines)
 {
     const auto file =
-        test::writeFile("lines.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2\nl 2 3\np 1\n");
+        test::writtenMesh("lines.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2\nl 2 3\np 1\n");
     test::expectRefused(ErrorCode::badData, "lines.obj", [&] { (void)readMesh(file); });
 }
 

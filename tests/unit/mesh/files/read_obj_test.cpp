@@ -6,21 +6,12 @@ namespace frostfill
 namespace
 {
 
+using test::expectSquare;
 using test::expectUnreadable;
 using test::parse;
 using test::Triangles;
 
 const std::string kSquare = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
-
-/// Both triangles of the square, whatever freedom the text takes.
-void expectSquare(const std::string& text)
-{
-    SCOPED_TRACE(text);
-    const TriangleMesh mesh = parse(text, "square.obj");
-    EXPECT_EQ(mesh.vertices,
-              (std::vector<Eigen::Vector3d>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}));
-    EXPECT_EQ(mesh.triangles, (Triangles{{0, 1, 2}, {0, 2, 3}}));
-}
 
 TEST(ReadObj, TakesFacesInAllTheirForms)
 {
@@ -30,32 +21,32 @@ TEST(ReadObj, TakesFacesInAllTheirForms)
           "f 1 2 3 4", "f\t1 \t2\t3   4 \t\n", "f 1 2 \\\n 3 4\n", "f \\\r\n1 2 3\\\r\n4\n",
           "f 1 2 3 4 # one\n", "fo 1 2 3 4\n", "  f 1 2 3 4\n"})
     {
-        expectSquare(kSquare + face);
+        expectSquare("square.obj", kSquare + face);
     }
 }
 
 TEST(ReadObj, SkipsAllThatIsNoSurface)
 {
-    expectSquare("# made by hand \\\nmtllib C:\\absent\\\no thing\n\n" + kSquare +
+    expectSquare("square.obj", "# made by hand \\\nmtllib C:\\absent\\\no thing\n\n" + kSquare +
                  "vt 0.5 0.5\nvn 0 0 1\nvp 1\ng a b\nusemtl none\ns off\np 1 2\nl 1 2 3\n"
                  "cstype bezier\ndeg 3\ncurv 0 1 1 2 3 4\nparm u 0 1\nend\nf 1 2 3 4\n");
-    expectSquare("v 0 0 0 1\nv 1 0 0 0.5\nv 1 1 0 1 0 0\nv 0 1 0 0.1 0.2 0.3\nf 1 2 3 4\n");
+    expectSquare("square.obj", "v 0 0 0 1\nv 1 0 0 0.5\nv 1 1 0 1 0 0\nv 0 1 0 0.1 0.2 0.3\nf 1 2 3 4\n");
 }
 
 TEST(ReadObj, TakesFacesBeforeTheirVertices)
 {
-    expectSquare("f 1 2 3 4\n" + kSquare);
+    expectSquare("square.obj", "f 1 2 3 4\n" + kSquare);
 }
 
 TEST(ReadObj, TakesEveryEncodingAndEndOfLine)
 {
     const std::string text = "# \xc3\xa4\n" + kSquare + "f 1 2 3 4\n";
-    expectSquare("\xef\xbb\xbf" + text);
-    expectSquare(test::utf16(text, false));
-    expectSquare(test::utf16(text, true));
-    expectSquare(test::replaced(text, "\n", "\r\n"));
-    expectSquare(test::replaced(text, "\n", "\r"));
-    expectSquare(test::utf16(test::replaced(text, "\n", "\r\n"), true));
+    expectSquare("square.obj", "\xef\xbb\xbf" + text);
+    expectSquare("square.obj", test::utf16(text, false));
+    expectSquare("square.obj", test::utf16(text, true));
+    expectSquare("square.obj", test::replaced(text, "\n", "\r\n"));
+    expectSquare("square.obj", test::replaced(text, "\n", "\r"));
+    expectSquare("square.obj", test::utf16(test::replaced(text, "\n", "\r\n"), true));
 }
 
 TEST(ReadObj, TakesNumbersAsCWritesThem)

@@ -6,18 +6,10 @@ namespace frostfill
 namespace
 {
 
+using test::expectSquare;
 using test::expectUnreadable;
 using test::parse;
 using test::Triangles;
-
-void expectSquare(const std::string& text)
-{
-    SCOPED_TRACE(text);
-    const TriangleMesh mesh = parse(text, "square.off");
-    EXPECT_EQ(mesh.vertices,
-              (std::vector<Eigen::Vector3d>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}));
-    EXPECT_EQ(mesh.triangles, (Triangles{{0, 1, 2}, {0, 2, 3}}));
-}
 
 /// The square, with words behind each vertex and each face.
 std::string square(const std::string& head, const std::string& vertex = "",
@@ -35,30 +27,30 @@ TEST(ReadOff, TakesItsHeadInAllItsForms)
           "OFF\n4\n1\n0", "# before\nOFF # here\n\n# a comment\n4 1 0 # counts\n\n# vertices",
           "OFF\r\n4 1 0\r"})
     {
-        expectSquare(square(head));
+        expectSquare("square.off", square(head));
     }
-    expectSquare(test::replaced(square("OFF\n4 1 0"), "\n", "\r"));
-    expectSquare("\xef\xbb\xbf" + square("OFF\n4 1 0"));
-    expectSquare(test::utf16(square("OFF\n4 1 0"), true));
+    expectSquare("square.off", test::replaced(square("OFF\n4 1 0"), "\n", "\r"));
+    expectSquare("square.off", "\xef\xbb\xbf" + square("OFF\n4 1 0"));
+    expectSquare("square.off", test::utf16(square("OFF\n4 1 0"), true));
 }
 
 TEST(ReadOff, TakesItsRelativesAndTheirColours)
 {
-    expectSquare(square("COFF\n4 1 0", " 255 0 0 255"));
-    expectSquare(square("COFF\n4 1 0", " 0.1 0.2 0.3"));
-    expectSquare(square("NOFF\n4 1 0", " 0 0 1"));
-    expectSquare(square("STOFF\n4 1 0", " 0.5 0.5"));
-    expectSquare(square("CNOFF\n4 1 0", " 0 0 1 1 0 0 1"));
-    expectSquare(square("STCNOFF\n4 1 0", " 0 0 1 1 0 0 1 0 0"));
-    expectSquare(square("OFF\n4 1 0", "", " 3 0.5 0.5 0.5"));
-    expectSquare(square("OFF\n4 1 0", " # a vertex", " # a face"));
+    expectSquare("square.off", square("COFF\n4 1 0", " 255 0 0 255"));
+    expectSquare("square.off", square("COFF\n4 1 0", " 0.1 0.2 0.3"));
+    expectSquare("square.off", square("NOFF\n4 1 0", " 0 0 1"));
+    expectSquare("square.off", square("STOFF\n4 1 0", " 0.5 0.5"));
+    expectSquare("square.off", square("CNOFF\n4 1 0", " 0 0 1 1 0 0 1"));
+    expectSquare("square.off", square("STCNOFF\n4 1 0", " 0 0 1 1 0 0 1 0 0"));
+    expectSquare("square.off", square("OFF\n4 1 0", "", " 3 0.5 0.5 0.5"));
+    expectSquare("square.off", square("OFF\n4 1 0", " # a vertex", " # a face"));
 }
 
 TEST(ReadOff, TakesFacesThatAreBrokenOverLines)
 {
     const std::string vertices = "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
-    expectSquare(vertices + "3 0 1\n2\n3 0\n2 3\n");
-    expectSquare(vertices + "3\n0\n1 # a comment\n\n2 255 0 0\n3 0 2 3\n");
+    expectSquare("square.off", vertices + "3 0 1\n2\n3 0\n2 3\n");
+    expectSquare("square.off", vertices + "3\n0\n1 # a comment\n\n2 255 0 0\n3 0 2 3\n");
     expectUnreadable(vertices + "3 0 1\n3 0 2 3\n", "a.off", "the file ends after 1 of 2 faces");
     expectUnreadable(vertices + "3 0 1 2\n3 0\n\n2\n", "a.off",
                      "line 8: the face has too few numbers");

@@ -10,6 +10,7 @@ namespace
 {
 
 using test::appendBytes;
+using test::expectSquare;
 using test::expectUnreadable;
 using test::parse;
 using test::Triangles;
@@ -20,27 +21,18 @@ const std::string kVertices = "element vertex 4\nproperty float x\nproperty floa
 const std::string kFaces = "element face 1\nproperty list uchar int vertex_indices\n";
 const std::string kPoints = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
 
-void expectSquare(const std::string& bytes)
-{
-    SCOPED_TRACE(bytes);
-    const TriangleMesh mesh = parse(bytes, "square.ply");
-    EXPECT_EQ(mesh.vertices,
-              (std::vector<Eigen::Vector3d>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}));
-    EXPECT_EQ(mesh.triangles, (Triangles{{0, 1, 2}, {0, 2, 3}}));
-}
-
 TEST(ReadPly, TakesTextInAllItsForms)
 {
     const std::string plain =
         kHead + "comment hello\nobj_info there\n" + kVertices + kFaces + "end_header\n";
-    expectSquare(plain + kPoints + "4 0 1 2 3\n");
-    expectSquare(plain + kPoints + "4 0 1 2 3");
-    expectSquare(plain + "\n" + kPoints + "\n4 0 1 2 3\n\n");
-    expectSquare(test::replaced(plain + kPoints + "4 0 1 2 3\n", "\n", "\r\n"));
-    expectSquare(test::replaced(plain + kPoints + "4 0 1 2 3\n", "\n", "\r"));
-    expectSquare("\xef\xbb\xbf" + plain + kPoints + "4 0 1 2 3\n");
-    expectSquare(test::utf16(plain + kPoints + "4 0 1 2 3\n", false));
-    expectSquare(test::replaced(plain, "vertex_indices", "vertex_index") + kPoints + "4 0 1 2 3\n");
+    expectSquare("square.ply", plain + kPoints + "4 0 1 2 3\n");
+    expectSquare("square.ply", plain + kPoints + "4 0 1 2 3");
+    expectSquare("square.ply", plain + "\n" + kPoints + "\n4 0 1 2 3\n\n");
+    expectSquare("square.ply", test::replaced(plain + kPoints + "4 0 1 2 3\n", "\n", "\r\n"));
+    expectSquare("square.ply", test::replaced(plain + kPoints + "4 0 1 2 3\n", "\n", "\r"));
+    expectSquare("square.ply", "\xef\xbb\xbf" + plain + kPoints + "4 0 1 2 3\n");
+    expectSquare("square.ply", test::utf16(plain + kPoints + "4 0 1 2 3\n", false));
+    expectSquare("square.ply", test::replaced(plain, "vertex_indices", "vertex_index") + kPoints + "4 0 1 2 3\n");
 }
 
 TEST(ReadPly, TakesPropertiesInAnyOrderAndSkipsTheRest)
@@ -52,17 +44,17 @@ TEST(ReadPly, TakesPropertiesInAnyOrderAndSkipsTheRest)
     const std::string faces = "element face 1\nproperty uchar flags\n"
                               "property list uchar int vertex_indices\n"
                               "property list int float texcoord\n";
-    expectSquare(kHead + vertices + faces + "end_header\n" + points + "7 4 0 1 2 3 1 0.5\n");
+    expectSquare("square.ply", kHead + vertices + faces + "end_header\n" + points + "7 4 0 1 2 3 1 0.5\n");
 }
 
 TEST(ReadPly, SkipsElementsThatItDoesNotKnow)
 {
-    expectSquare(kHead + "element camera 2\nproperty float view\nproperty list uchar int ids\n" +
+    expectSquare("square.ply", kHead + "element camera 2\nproperty float view\nproperty list uchar int ids\n" +
                  kVertices + "element edge 1\nproperty int a\nproperty int b\n" + kFaces +
                  "element void 4000000000\nelement material 1\nproperty float shine\nend_header\n"
                  "0.5 2 7 8\n1 0\n" +
                  kPoints + "0 1\n4 0 1 2 3\n0.5\n");
-    expectSquare(kHead + kFaces + kVertices + "end_header\n4 0 1 2 3\n" + kPoints);
+    expectSquare("square.ply", kHead + kFaces + kVertices + "end_header\n4 0 1 2 3\n" + kPoints);
 }
 
 /// The square with coordinates, count and indices of these types.
@@ -97,20 +89,20 @@ TEST(ReadPly, TakesEveryTypeInBothByteOrders)
 {
     for (const bool big : {false, true})
     {
-        expectSquare(binarySquare<float, std::uint8_t, std::int32_t>("float", "uchar", "int", big));
-        expectSquare(
+        expectSquare("square.ply", binarySquare<float, std::uint8_t, std::int32_t>("float", "uchar", "int", big));
+        expectSquare("square.ply", 
             binarySquare<double, std::int8_t, std::uint32_t>("float64", "char", "uint32", big));
-        expectSquare(binarySquare<std::int16_t, std::uint16_t, std::int16_t>("short", "ushort",
+        expectSquare("square.ply", binarySquare<std::int16_t, std::uint16_t, std::int16_t>("short", "ushort",
                                                                              "int16", big));
-        expectSquare(
+        expectSquare("square.ply", 
             binarySquare<std::uint8_t, std::int16_t, std::uint8_t>("uint8", "int16", "uchar", big));
-        expectSquare(
+        expectSquare("square.ply", 
             binarySquare<std::int8_t, std::int32_t, std::uint16_t>("int8", "int32", "uint16", big));
-        expectSquare(
+        expectSquare("square.ply", 
             binarySquare<std::uint32_t, std::uint32_t, std::int8_t>("uint", "uint32", "char", big));
-        expectSquare(
+        expectSquare("square.ply", 
             binarySquare<std::int64_t, std::uint64_t, float>("int64", "uint64", "float32", big));
-        expectSquare(
+        expectSquare("square.ply", 
             binarySquare<std::uint16_t, std::int64_t, double>("uint16", "long", "double", big));
     }
 }
@@ -209,7 +201,7 @@ TEST(ReadPly, BelievesNoCount)
 
 TEST(ReadPly, TakesALineOfTheHeadThatItDoesNotKnowForAComment)
 {
-    expectSquare(kHead + "Created by a program 2.47, with no word before\n" + kVertices + kFaces +
+    expectSquare("square.ply", kHead + "Created by a program 2.47, with no word before\n" + kVertices + kFaces +
                  "end_header\n" + kPoints + "4 0 1 2 3\n");
 }
 

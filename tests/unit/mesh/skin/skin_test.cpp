@@ -16,7 +16,7 @@ const Eigen::Vector3d kLow = Eigen::Vector3d::Constant(-1);
 const Eigen::Vector3d kHigh = Eigen::Vector3d::Constant(1);
 
 /// A cube of edge 2 without its top.
-TriangleMesh openBox(int n = 8)
+TriangleMesh boxWithoutLid(int n = 8)
 {
     TriangleMesh mesh = shapes::box(kLow, kHigh, n);
     std::erase_if(mesh.triangles,
@@ -49,7 +49,7 @@ TEST(EnclosedCells, AreInAClosedBoxAndBehindASlit)
 
 TEST(EnclosedCells, AreNotInAnOpenBoxOrOnASheet)
 {
-    EXPECT_FALSE(enclosesRoom(openBox(), 0.1));
+    EXPECT_FALSE(enclosesRoom(boxWithoutLid(), 0.1));
     const TriangleMesh sheet = {{{0, 0, 0}, {1, 0, 0.3}, {1, 1, 0}, {0, 1, 0.3}},
                                 {{0, 1, 2}, {0, 2, 3}}};
     EXPECT_FALSE(enclosesRoom(sheet, 0.02));
@@ -145,9 +145,9 @@ TEST_F(WithCgal, ASkinOfASoupHasItsVolumeWithinTheOffset)
 TEST_F(WithCgal, ASkinGoesIntoAWideOpeningAndNotIntoOneWithALid)
 {
     test::expectRefused(ErrorCode::badData, "give --lid too, or a larger --wrap",
-                        [] { (void)repairMesh(openBox(), "box", {.wrap = 0.0}); });
-    EXPECT_GT(repairMesh(openBox(), "box", {.lid = true, .wrap = 0.0}).report.volume, 8);
-    EXPECT_GT(repairMesh(openBox(), "box", {.wrap = 2.0}).report.volume, 6);
+                        [] { (void)repairMesh(boxWithoutLid(), "box", {.wrap = 0.0}); });
+    EXPECT_GT(repairMesh(boxWithoutLid(), "box", {.lid = true, .wrap = 0.0}).report.volume, 8);
+    EXPECT_GT(repairMesh(boxWithoutLid(), "box", {.wrap = 2.0}).report.volume, 6);
 }
 
 TEST_F(WithCgal, ASheetGetsNoSkin)

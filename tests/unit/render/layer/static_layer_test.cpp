@@ -35,10 +35,10 @@ std::ostream& operator<<(std::ostream& out, const Case& value)
     return out << value.name;
 }
 
-class StaticLayer : public testing::TestWithParam<Case>
+class StaticLayerTest : public testing::TestWithParam<Case>
 {
 protected:
-    StaticLayer()
+    StaticLayerTest()
     {
         settings.size = {300, 200};
         settings.samples = GetParam().samples;
@@ -87,7 +87,7 @@ protected:
     std::unique_ptr<Renderer> off;
 };
 
-TEST_P(StaticLayer, GivesTheBytesOfDrawingEverything)
+TEST_P(StaticLayerTest, GivesTheBytesOfDrawingEverything)
 {
     MadeUpRun run(mesh, GetParam().radius);
     open();
@@ -110,7 +110,7 @@ TEST_P(StaticLayer, GivesTheBytesOfDrawingEverything)
     expectSame(run.snapshot, "many are discarded");
 }
 
-TEST_P(StaticLayer, IsDrawnAnewForAnotherCamera)
+TEST_P(StaticLayerTest, IsDrawnAnewForAnotherCamera)
 {
     MadeUpRun run(mesh, GetParam().radius);
     open();
@@ -129,7 +129,7 @@ TEST_P(StaticLayer, IsDrawnAnewForAnotherCamera)
     }
 }
 
-TEST_P(StaticLayer, StartsAgainWhenWhatIsAtRestMovesOrGoes)
+TEST_P(StaticLayerTest, StartsAgainWhenWhatIsAtRestMovesOrGoes)
 {
     MadeUpRun run(mesh, GetParam().radius);
     open();
@@ -147,7 +147,7 @@ TEST_P(StaticLayer, StartsAgainWhenWhatIsAtRestMovesOrGoes)
     expectSame(other.snapshot, "another run");
 }
 
-TEST_P(StaticLayer, OutlastsItsMarks)
+TEST_P(StaticLayerTest, OutlastsItsMarks)
 {
     MadeUpRun run(mesh, GetParam().radius);
     open();
@@ -161,7 +161,7 @@ TEST_P(StaticLayer, OutlastsItsMarks)
     expectSame(run.snapshot, "after 300 frames");
 }
 
-TEST_P(StaticLayer, WritesOnlyTextThatReadsDifferently)
+TEST_P(StaticLayerTest, WritesOnlyTextThatReadsDifferently)
 {
     MadeUpRun run(mesh, GetParam().radius);
     open();
@@ -214,7 +214,7 @@ TEST(StaticLayerMarks, LastWhereverThePictureFallsThatTakesTwo)
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Renderer, StaticLayer,
+    Renderer, StaticLayerTest,
     testing::Values(Case{"OneSample", 1, false, true, 60, 0.1},
                     Case{"FourSamples", 4, false, true, 60, 0.1},
                     Case{"Parallel", 1, true, true, 60, 0.1},

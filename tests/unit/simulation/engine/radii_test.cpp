@@ -16,13 +16,13 @@ namespace frostfill
 namespace
 {
 
-struct Case
+struct RadiiCase
 {
     Motion motion;
     double smallest; ///< the largest is 0.2
 };
 
-class RadiiThatDiffer : public ::testing::TestWithParam<Case>
+class RadiiThatDiffer : public ::testing::TestWithParam<RadiiCase>
 {
 protected:
     [[nodiscard]] static Scene scene(std::uint64_t seed)
@@ -125,7 +125,7 @@ TEST_P(RadiiThatDiffer, FollowTheSeed)
     }
 }
 
-std::string nameOf(const ::testing::TestParamInfo<Case>& info)
+std::string nameOfCase(const ::testing::TestParamInfo<RadiiCase>& info)
 {
     const char* motions[] = {"Fall", "Skip", "Descend"};
     return motions[static_cast<std::size_t>(info.param.motion)] +
@@ -133,11 +133,11 @@ std::string nameOf(const ::testing::TestParamInfo<Case>& info)
 }
 
 INSTANTIATE_TEST_SUITE_P(FromThousandths, RadiiThatDiffer,
-                         ::testing::Values(Case{Motion::fall, 0.1}, Case{Motion::fall, 0.04},
-                                           Case{Motion::skip, 0.1}, Case{Motion::skip, 0.04},
-                                           Case{Motion::descend, 0.15}, Case{Motion::descend, 0.1},
-                                           Case{Motion::descend, 0.04}),
-                         nameOf);
+                         ::testing::Values(RadiiCase{Motion::fall, 0.1}, RadiiCase{Motion::fall, 0.04},
+                                           RadiiCase{Motion::skip, 0.1}, RadiiCase{Motion::skip, 0.04},
+                                           RadiiCase{Motion::descend, 0.15}, RadiiCase{Motion::descend, 0.1},
+                                           RadiiCase{Motion::descend, 0.04}),
+                         nameOfCase);
 
 TEST(RadiiOfThePaper, DifferAndStayInsideAndApartByTheirRadii)
 {
