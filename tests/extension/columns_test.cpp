@@ -179,7 +179,8 @@ TEST(Columns, AreChoicesOfColours)
     EXPECT_EQ(colourColumns(), expected);
     expectError(
         ErrorCode::badData,
-        [] { parseScene("preset = \"fast\"\n[picture]\ncolor_by = \"contact\"\n", "the test"); },
+        []
+        { (void)parseScene("preset = \"fast\"\n[picture]\ncolor_by = \"contact\"\n", "the test"); },
         "contacts");
 }
 

@@ -16,7 +16,8 @@ using test::readFile;
 using test::writeFile;
 
 // A run of a moment: two sets of four spheres.
-const std::string kEightInTwos = "fill cube --radius 0.3 --count 8 --group-size 2 --groups-per-set 2 ";
+const std::string kEightInTwos =
+    "fill cube --radius 0.3 --count 8 --group-size 2 --groups-per-set 2 ";
 
 class FillCommand : public ::testing::Test
 {
@@ -139,7 +140,8 @@ TEST_F(FillCommand, TellsThatTheDiskIsFull)
 
 TEST_F(FillCommand, BlankPicturesFailWith70AndKeepTheFiles)
 {
-    const Answer answer = run(kEightInTwos + "--size 64x48 --max-frames 2 --target 1e6,0,0 --quiet");
+    const Answer answer =
+        run(kEightInTwos + "--size 64x48 --max-frames 2 --target 1e6,0,0 --quiet");
     EXPECT_EQ(answer.code, 70);
     EXPECT_NE(answer.errors.find("blank"), std::string::npos) << answer.errors;
     EXPECT_TRUE(std::filesystem::exists(folder_ / "output/cube/spheres.csv"));
@@ -161,10 +163,11 @@ TEST_F(FillCommand, StopsWith75WhenAskedToAndWritesEverything)
 
 TEST_F(FillCommand, MakesPassesSheetAndTurntableOfTheSameFrames)
 {
-    const Answer answer = run(kEightInTwos + "--size 64x48 --max-frames 3 --hold 0.2 --turntable 1 "
-                                       "--passes all --contact-sheet --background transparent "
-                                       "--style dark --color-by speed --cutaway wedge:0,90 "
-                                       "--ambient-occlusion --supersample 2 --backend osmesa");
+    const Answer answer =
+        run(kEightInTwos + "--size 64x48 --max-frames 3 --hold 0.2 --turntable 1 "
+                           "--passes all --contact-sheet --background transparent "
+                           "--style dark --color-by speed --cutaway wedge:0,90 "
+                           "--ambient-occlusion --supersample 2 --backend osmesa");
     ASSERT_EQ(answer.code, 0) << answer.errors;
     const auto frames = [&](const char* folder)
     {

@@ -28,7 +28,8 @@ std::string waitFor(const std::string& directory)
 }
 
 // Takes far longer than any test waits.
-const std::string kLongWithoutPictures = "fill cube --count 200000 --frames none --quiet --threads 1 ";
+const std::string kLongWithoutPictures =
+    "fill cube --count 200000 --frames none --quiet --threads 1 ";
 
 class KeepsRuns : public ::testing::Test
 {

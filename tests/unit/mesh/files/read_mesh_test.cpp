@@ -58,9 +58,10 @@ TEST(ReadMesh, WeldsTheLooseTrianglesOfStl)
 
 TEST(ReadMesh, ReadsOffWithPolygons)
 {
-    const auto file = test::writtenMesh("box.off", "OFF\n8 6 12\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n"
-                                                 "1 0 1\n0 1 1\n1 1 1\n4 0 2 3 1\n4 4 5 7 6\n"
-                                                 "4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n4 1 3 7 5\n");
+    const auto file =
+        test::writtenMesh("box.off", "OFF\n8 6 12\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n"
+                                     "1 0 1\n0 1 1\n1 1 1\n4 0 2 3 1\n4 4 5 7 6\n"
+                                     "4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n4 1 3 7 5\n");
     const LoadedMesh loaded = loadMesh(file.string());
     EXPECT_EQ(loaded.report.triangles, 12U);
     EXPECT_EQ(loaded.report.volume, 1.0);
@@ -136,15 +137,15 @@ TEST(ReadMesh, NamesTheExtensionsOfGltfThatItCannotRead)
     }
     const auto file =
         test::writtenMesh("unlit.gltf", R"({"extensionsRequired":["KHR_materials_unlit"],)" +
-                                          gltf("", "box.bin").substr(1));
+                                            gltf("", "box.bin").substr(1));
     EXPECT_EQ(readMesh(file).triangles.size(), 12U);
 }
 
 TEST(ReadMesh, PlacesTheNodesOfGltf)
 {
     test::writtenMesh("box.bin", gltfBuffer());
-    const auto file =
-        test::writtenMesh("box.gltf", gltf(R"(,"translation":[10,0,0],"scale":[2,-1,1])", "box.bin"));
+    const auto file = test::writtenMesh(
+        "box.gltf", gltf(R"(,"translation":[10,0,0],"scale":[2,-1,1])", "box.bin"));
     const LoadedMesh loaded = loadMesh(file.string());
     EXPECT_TRUE(loaded.repairs.empty()); // mirrored by the node, and turned back
     EXPECT_DOUBLE_EQ(loaded.report.volume, 2.0);
@@ -166,7 +167,7 @@ TEST(ReadMesh, SaysWhatIsWrongWithAGlbWhoseJsonIsNotFilledUp)
         return bytes;
     };
     const auto file = test::writtenMesh("odd.glb", "glTF" + number(2) + number(20 + json.size()) +
-                                                     number(json.size()) + "JSON" + json);
+                                                       number(json.size()) + "JSON" + json);
     test::expectRefused(ErrorCode::badData, "its JSON takes 27 bytes",
                         [&] { (void)readMesh(file); });
 }
@@ -196,7 +197,7 @@ TEST(ReadMesh, OpensNoMaterialLibrary)
     test::writtenMesh("fat.mtl", "newmtl red\nKd 1 0 0\n");
     const auto file =
         test::writtenMesh("material.obj", "mtllib fat.mtl\nmtllib /etc/hostname\nusemtl red\n" +
-                                            test::objText(test::box(0, 1)));
+                                              test::objText(test::box(0, 1)));
     EXPECT_EQ(readMesh(file).triangles.size(), 12U);
 }
 

@@ -27,10 +27,12 @@ TEST(ReadObj, TakesFacesInAllTheirForms)
 
 TEST(ReadObj, SkipsAllThatIsNoSurface)
 {
-    expectSquare("square.obj", "# made by hand \\\nmtllib C:\\absent\\\no thing\n\n" + kSquare +
-                 "vt 0.5 0.5\nvn 0 0 1\nvp 1\ng a b\nusemtl none\ns off\np 1 2\nl 1 2 3\n"
-                 "cstype bezier\ndeg 3\ncurv 0 1 1 2 3 4\nparm u 0 1\nend\nf 1 2 3 4\n");
-    expectSquare("square.obj", "v 0 0 0 1\nv 1 0 0 0.5\nv 1 1 0 1 0 0\nv 0 1 0 0.1 0.2 0.3\nf 1 2 3 4\n");
+    expectSquare("square.obj",
+                 "# made by hand \\\nmtllib C:\\absent\\\no thing\n\n" + kSquare +
+                     "vt 0.5 0.5\nvn 0 0 1\nvp 1\ng a b\nusemtl none\ns off\np 1 2\nl 1 2 3\n"
+                     "cstype bezier\ndeg 3\ncurv 0 1 1 2 3 4\nparm u 0 1\nend\nf 1 2 3 4\n");
+    expectSquare("square.obj",
+                 "v 0 0 0 1\nv 1 0 0 0.5\nv 1 1 0 1 0 0\nv 0 1 0 0.1 0.2 0.3\nf 1 2 3 4\n");
 }
 
 TEST(ReadObj, TakesFacesBeforeTheirVertices)

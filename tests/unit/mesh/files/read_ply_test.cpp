@@ -19,20 +19,21 @@ const std::string kHead = "ply\nformat ascii 1.0\n";
 const std::string kVertices = "element vertex 4\nproperty float x\nproperty float y\n"
                               "property float z\n";
 const std::string kFaces = "element face 1\nproperty list uchar int vertex_indices\n";
-const std::string kPoints = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+const std::string kCornersText = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
 
 TEST(ReadPly, TakesTextInAllItsForms)
 {
     const std::string plain =
         kHead + "comment hello\nobj_info there\n" + kVertices + kFaces + "end_header\n";
-    expectSquare("square.ply", plain + kPoints + "4 0 1 2 3\n");
-    expectSquare("square.ply", plain + kPoints + "4 0 1 2 3");
-    expectSquare("square.ply", plain + "\n" + kPoints + "\n4 0 1 2 3\n\n");
-    expectSquare("square.ply", test::replaced(plain + kPoints + "4 0 1 2 3\n", "\n", "\r\n"));
-    expectSquare("square.ply", test::replaced(plain + kPoints + "4 0 1 2 3\n", "\n", "\r"));
-    expectSquare("square.ply", "\xef\xbb\xbf" + plain + kPoints + "4 0 1 2 3\n");
-    expectSquare("square.ply", test::utf16(plain + kPoints + "4 0 1 2 3\n", false));
-    expectSquare("square.ply", test::replaced(plain, "vertex_indices", "vertex_index") + kPoints + "4 0 1 2 3\n");
+    expectSquare("square.ply", plain + kCornersText + "4 0 1 2 3\n");
+    expectSquare("square.ply", plain + kCornersText + "4 0 1 2 3");
+    expectSquare("square.ply", plain + "\n" + kCornersText + "\n4 0 1 2 3\n\n");
+    expectSquare("square.ply", test::replaced(plain + kCornersText + "4 0 1 2 3\n", "\n", "\r\n"));
+    expectSquare("square.ply", test::replaced(plain + kCornersText + "4 0 1 2 3\n", "\n", "\r"));
+    expectSquare("square.ply", "\xef\xbb\xbf" + plain + kCornersText + "4 0 1 2 3\n");
+    expectSquare("square.ply", test::utf16(plain + kCornersText + "4 0 1 2 3\n", false));
+    expectSquare("square.ply", test::replaced(plain, "vertex_indices", "vertex_index") +
+                                   kCornersText + "4 0 1 2 3\n");
 }
 
 TEST(ReadPly, TakesPropertiesInAnyOrderAndSkipsTheRest)
@@ -44,17 +45,21 @@ TEST(ReadPly, TakesPropertiesInAnyOrderAndSkipsTheRest)
     const std::string faces = "element face 1\nproperty uchar flags\n"
                               "property list uchar int vertex_indices\n"
                               "property list int float texcoord\n";
-    expectSquare("square.ply", kHead + vertices + faces + "end_header\n" + points + "7 4 0 1 2 3 1 0.5\n");
+    expectSquare("square.ply",
+                 kHead + vertices + faces + "end_header\n" + points + "7 4 0 1 2 3 1 0.5\n");
 }
 
 TEST(ReadPly, SkipsElementsThatItDoesNotKnow)
 {
-    expectSquare("square.ply", kHead + "element camera 2\nproperty float view\nproperty list uchar int ids\n" +
-                 kVertices + "element edge 1\nproperty int a\nproperty int b\n" + kFaces +
-                 "element void 4000000000\nelement material 1\nproperty float shine\nend_header\n"
-                 "0.5 2 7 8\n1 0\n" +
-                 kPoints + "0 1\n4 0 1 2 3\n0.5\n");
-    expectSquare("square.ply", kHead + kFaces + kVertices + "end_header\n4 0 1 2 3\n" + kPoints);
+    expectSquare(
+        "square.ply",
+        kHead + "element camera 2\nproperty float view\nproperty list uchar int ids\n" + kVertices +
+            "element edge 1\nproperty int a\nproperty int b\n" + kFaces +
+            "element void 4000000000\nelement material 1\nproperty float shine\nend_header\n"
+            "0.5 2 7 8\n1 0\n" +
+            kCornersText + "0 1\n4 0 1 2 3\n0.5\n");
+    expectSquare("square.ply",
+                 kHead + kFaces + kVertices + "end_header\n4 0 1 2 3\n" + kCornersText);
 }
 
 /// The square with coordinates, count and indices of these types.
@@ -89,21 +94,22 @@ TEST(ReadPly, TakesEveryTypeInBothByteOrders)
 {
     for (const bool big : {false, true})
     {
-        expectSquare("square.ply", binarySquare<float, std::uint8_t, std::int32_t>("float", "uchar", "int", big));
-        expectSquare("square.ply", 
-            binarySquare<double, std::int8_t, std::uint32_t>("float64", "char", "uint32", big));
-        expectSquare("square.ply", binarySquare<std::int16_t, std::uint16_t, std::int16_t>("short", "ushort",
-                                                                             "int16", big));
-        expectSquare("square.ply", 
-            binarySquare<std::uint8_t, std::int16_t, std::uint8_t>("uint8", "int16", "uchar", big));
-        expectSquare("square.ply", 
-            binarySquare<std::int8_t, std::int32_t, std::uint16_t>("int8", "int32", "uint16", big));
-        expectSquare("square.ply", 
-            binarySquare<std::uint32_t, std::uint32_t, std::int8_t>("uint", "uint32", "char", big));
-        expectSquare("square.ply", 
-            binarySquare<std::int64_t, std::uint64_t, float>("int64", "uint64", "float32", big));
-        expectSquare("square.ply", 
-            binarySquare<std::uint16_t, std::int64_t, double>("uint16", "long", "double", big));
+        expectSquare("square.ply",
+                     binarySquare<float, std::uint8_t, std::int32_t>("float", "uchar", "int", big));
+        expectSquare("square.ply", binarySquare<double, std::int8_t, std::uint32_t>(
+                                       "float64", "char", "uint32", big));
+        expectSquare("square.ply", binarySquare<std::int16_t, std::uint16_t, std::int16_t>(
+                                       "short", "ushort", "int16", big));
+        expectSquare("square.ply", binarySquare<std::uint8_t, std::int16_t, std::uint8_t>(
+                                       "uint8", "int16", "uchar", big));
+        expectSquare("square.ply", binarySquare<std::int8_t, std::int32_t, std::uint16_t>(
+                                       "int8", "int32", "uint16", big));
+        expectSquare("square.ply", binarySquare<std::uint32_t, std::uint32_t, std::int8_t>(
+                                       "uint", "uint32", "char", big));
+        expectSquare("square.ply", binarySquare<std::int64_t, std::uint64_t, float>(
+                                       "int64", "uint64", "float32", big));
+        expectSquare("square.ply", binarySquare<std::uint16_t, std::int64_t, double>(
+                                       "uint16", "long", "double", big));
     }
 }
 
@@ -158,23 +164,25 @@ TEST(ReadPly, TakesTriangleStrips)
     const std::string head =
         kHead + kVertices +
         "element tristrips 1\nproperty list int int vertex_indices\nend_header\n";
-    EXPECT_EQ(parse(head + kPoints + "4 0 1 3 2\n", "a.ply").triangles,
+    EXPECT_EQ(parse(head + kCornersText + "4 0 1 3 2\n", "a.ply").triangles,
               (Triangles{{0, 1, 3}, {3, 1, 2}}));
-    EXPECT_EQ(parse(head + kPoints + "8 0 1 3 -1 1 2 3 -1\n", "a.ply").triangles,
+    EXPECT_EQ(parse(head + kCornersText + "8 0 1 3 -1 1 2 3 -1\n", "a.ply").triangles,
               (Triangles{{0, 1, 3}, {1, 2, 3}}));
     // Repeated corners lead to where the next part begins.
-    EXPECT_EQ(parse(head + kPoints + "8 0 1 2 2 0 0 2 3\n", "a.ply").triangles,
+    EXPECT_EQ(parse(head + kCornersText + "8 0 1 2 2 0 0 2 3\n", "a.ply").triangles,
               (Triangles{{0, 1, 2}, {2, 0, 3}}));
-    expectUnreadable(head + kPoints + "4 0 1 3 4\n", "a.ply", "line 14: the face names vertex 4");
-    expectUnreadable(head + kPoints + "4 0 1 3 -2\n", "a.ply", "line 14: the face names vertex -2");
+    expectUnreadable(head + kCornersText + "4 0 1 3 4\n", "a.ply",
+                     "line 14: the face names vertex 4");
+    expectUnreadable(head + kCornersText + "4 0 1 3 -2\n", "a.ply",
+                     "line 14: the face names vertex -2");
 }
 
 TEST(ReadPly, BelievesNoCount)
 {
     const auto with = [](const std::string& from, const std::string& to)
     {
-        return test::replaced(kHead + kVertices + kFaces + "end_header\n" + kPoints + "4 0 1 2 3\n",
-                              from, to);
+        return test::replaced(
+            kHead + kVertices + kFaces + "end_header\n" + kCornersText + "4 0 1 2 3\n", from, to);
     };
     expectUnreadable(with("vertex 4", "vertex 4000000000"), "a.ply", "line 3: 4000000000");
     expectUnreadable(with("face 1", "face 4000000000"), "a.ply", "line 7: 4000000000");
@@ -201,8 +209,9 @@ TEST(ReadPly, BelievesNoCount)
 
 TEST(ReadPly, TakesALineOfTheHeadThatItDoesNotKnowForAComment)
 {
-    expectSquare("square.ply", kHead + "Created by a program 2.47, with no word before\n" + kVertices + kFaces +
-                 "end_header\n" + kPoints + "4 0 1 2 3\n");
+    expectSquare("square.ply", kHead + "Created by a program 2.47, with no word before\n" +
+                                   kVertices + kFaces + "end_header\n" + kCornersText +
+                                   "4 0 1 2 3\n");
 }
 
 TEST(ReadPly, RefusesHeadsThatMakeNoMesh)
@@ -222,7 +231,7 @@ TEST(ReadPly, RefusesHeadsThatMakeNoMesh)
     expectUnreadable(kHead + kVertices + "element face 1\nproperty list float int vertex_index\n" +
                          end,
                      "a.ply", "a count that is no whole number");
-    expectUnreadable(kHead + kVertices + end + kPoints, "a.ply", "a point cloud");
+    expectUnreadable(kHead + kVertices + end + kCornersText, "a.ply", "a point cloud");
     expectUnreadable("plywood\n", "a.ply", "does not begin with the word 'ply'");
 }
 

@@ -132,12 +132,13 @@ std::string nameOfCase(const ::testing::TestParamInfo<RadiiCase>& info)
            std::to_string(std::lround(1000 * info.param.smallest));
 }
 
-INSTANTIATE_TEST_SUITE_P(FromThousandths, RadiiThatDiffer,
-                         ::testing::Values(RadiiCase{Motion::fall, 0.1}, RadiiCase{Motion::fall, 0.04},
-                                           RadiiCase{Motion::skip, 0.1}, RadiiCase{Motion::skip, 0.04},
-                                           RadiiCase{Motion::descend, 0.15}, RadiiCase{Motion::descend, 0.1},
-                                           RadiiCase{Motion::descend, 0.04}),
-                         nameOfCase);
+INSTANTIATE_TEST_SUITE_P(
+    FromThousandths, RadiiThatDiffer,
+    ::testing::Values(RadiiCase{Motion::fall, 0.1}, RadiiCase{Motion::fall, 0.04},
+                      RadiiCase{Motion::skip, 0.1}, RadiiCase{Motion::skip, 0.04},
+                      RadiiCase{Motion::descend, 0.15}, RadiiCase{Motion::descend, 0.1},
+                      RadiiCase{Motion::descend, 0.04}),
+    nameOfCase);
 
 TEST(RadiiOfThePaper, DifferAndStayInsideAndApartByTheirRadii)
 {
