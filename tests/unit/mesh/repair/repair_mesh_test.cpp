@@ -76,6 +76,17 @@ TEST(RepairMesh, RemovesDuplicateTriangles)
     EXPECT_EQ(loaded.report.triangles, 12U);
 }
 
+// Every edge of the two has two triangles that agree, as in a sound mesh.
+TEST(RepairMesh, RemovesTwoTrianglesBackToBack)
+{
+    TriangleMesh mesh = test::box(0, 1);
+    mesh.vertices.insert(mesh.vertices.end(), {{0.4, 0.4, 0.4}, {0.6, 0.4, 0.4}, {0.5, 0.6, 0.5}});
+    mesh.triangles.insert(mesh.triangles.end(), {{8, 9, 10}, {8, 10, 9}});
+    const LoadedMesh loaded = repairMesh(mesh, "box");
+    EXPECT_EQ(loaded.mesh.triangles, test::box(0, 1).triangles);
+    EXPECT_EQ(loaded.mesh.vertices.size(), 8U);
+}
+
 TEST(RepairMesh, RemovesADuplicateThatFacesTheOtherWay)
 {
     TriangleMesh mesh = test::box(0, 1);
