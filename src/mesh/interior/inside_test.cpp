@@ -213,12 +213,19 @@ double InsideTest::distance(const Eigen::Vector3d& p) const
     {
         return isInsideFarFromSurface(p) ? reach : -reach;
     }
-    const auto isTwoSided = [this](std::uint32_t id) { return (*surface_)[id].twoSided; };
-    if (surface_->anyTwoSided() && std::any_of(triangles.begin(), triangles.end(), isTwoSided))
+    if (surface_->anyTwoSided() && isNearTwoSided(p))
     {
         return isInsideByWinding(p) ? std::abs(nearest) : -std::abs(nearest);
     }
     return nearest;
+}
+
+bool InsideTest::isNearTwoSided(const Eigen::Vector3d& p) const
+{
+    std::vector<std::uint32_t> found;
+    const auto near = grid_->near(p, grid_->reach(), found);
+    return std::any_of(near.begin(), near.end(),
+                       [this](std::uint32_t id) { return (*surface_)[id].twoSided; });
 }
 
 // No surface is within the reach of p, so every point within that distance is on the same side as

@@ -41,6 +41,7 @@ public:
     [[nodiscard]] double reach() const { return grid_->reach(); }
 
 private:
+    [[nodiscard]] bool isNearTwoSided(const Eigen::Vector3d& p) const;
     [[nodiscard]] bool isInsideFarFromSurface(const Eigen::Vector3d& p) const;
     using Cell = std::array<int, 3>;
     class Flood;

@@ -172,14 +172,35 @@ SignedDistance nearestDistance(const Surface& surface, std::span<const std::uint
     return nearest;
 }
 
+namespace
+{
+
+/// By how much something has to be farther than the nearest of p so that rounding does not hide
+/// that it is nearer: a share of the distance and of the coordinates.
+class Beyond
+{
+public:
+    Beyond(const Surface& surface, const Eigen::Vector3d& p)
+        : rounding_(kOfCoordinates * (p.cwiseAbs().maxCoeff() + surface.box().sizes().maxCoeff()))
+    {
+    }
+    [[nodiscard]] double operator()(double distance) const
+    {
+        return distance * (1 + kOfDistance) + rounding_;
+    }
+
+private:
+    static constexpr double kOfDistance = 1e-9;     // [1]
+    static constexpr double kOfCoordinates = 1e-13; // [1]
+    double rounding_;
+};
+
+} // namespace
+
 // Of those that may be nearest but for rounding, the list decides, as it would among all.
 SignedDistance nearestDistance(const Surface& surface, const Eigen::Vector3d& p, double distance)
 {
-    // Beyond the nearest by this share of the distance and of the coordinates, another is nearer
-    // for sure. [1]
-    constexpr double kShare = 1e-9;
-    const double rounding = 1e-13 * (p.cwiseAbs().maxCoeff() + surface.box().sizes().maxCoeff());
-    const auto beyond = [&](double its) { return its * (1 + kShare) + rounding; };
+    const Beyond beyond(surface, p);
     struct Candidate
     {
         double distance;
@@ -213,6 +234,36 @@ SignedDistance nearestDistance(const Surface& surface, const Eigen::Vector3d& p,
     }
     std::sort(ids.begin(), ids.end());
     return nearestDistance(surface, ids, p);
+}
+
+WallPoint nearestWall(const Surface& surface, const Eigen::Vector3d& p, double distance,
+                      double enough)
+{
+    const Beyond beyond(surface, p);
+    WallPoint nearest;
+    double limit = distance;
+    const auto look = [&](std::uint32_t id)
+    {
+        if (nearest.square < enough * enough || !surface.bound(id).mayBeWithin(limit, p))
+        {
+            return;
+        }
+        const auto& [a, b, c] = surface[id].corner;
+        const Eigen::Vector3d point = closestPointOnTriangle(p, a, b, c).point;
+        const double square = (p - point).squaredNorm();
+        if (square < nearest.square)
+        {
+            nearest = {square, point};
+            limit = std::min(distance, beyond(std::sqrt(square)));
+        }
+    };
+    surface.tree().forEachNear(Eigen::AlignedBox3d(p), limit,
+                               [&](std::span<const std::uint32_t> ids)
+                               {
+                                   std::for_each(ids.begin(), ids.end(), look);
+                                   return nearest.square < enough * enough ? 0 : limit;
+                               });
+    return nearest;
 }
 
 } // namespace frostfill

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -115,5 +116,16 @@ struct SignedDistance
 /// The same of all triangles; its value is infinite where none is within `distance` of p.
 [[nodiscard]] SignedDistance nearestDistance(const Surface& surface, const Eigen::Vector3d& p,
                                              double distance);
+
+struct WallPoint
+{
+    double square = std::numeric_limits<double>::infinity(); ///< of the distance
+    Eigen::Vector3d point;
+};
+
+/// The nearest point of all triangles, or any that is nearer than `enough`. Where none is within
+/// `distance` of p, one beyond it, or none.
+[[nodiscard]] WallPoint nearestWall(const Surface& surface, const Eigen::Vector3d& p,
+                                    double distance, double enough);
 
 } // namespace frostfill

@@ -31,6 +31,9 @@ public:
     void findNear(const Eigen::Vector3d& p, double distance,
                   std::vector<std::uint32_t>& found) const;
 
+    /// All triangles, so that those side by side lie near each other.
+    [[nodiscard]] std::span<const std::uint32_t> order() const { return order_; }
+
 private:
     static constexpr std::size_t kWidth = 4;     // children
     static constexpr std::uint32_t kLeaf = 4;    // triangles at most

@@ -6,6 +6,192 @@
 
 namespace frostfill
 {
+namespace
+{
+
+/// By which a distance may be wrong, a thousandfold. [1]
+constexpr double kBallRounding = 1e-9;
+
+} // namespace
+
+/// Lists triangles in cells. A list that is long already does not grow, so what a dense patch costs
+/// follows the cells, not its triangles.
+class TriangleGrid::Builder
+{
+public:
+    Builder(TriangleGrid& grid, const Surface& surface)
+        : grid_(grid), surface_(surface),
+          // Half the diagonal of a cell: the largest distance of its points from the centre.
+          radius_(kHalfDiagonal * grid.frame_.cell + grid.reach_)
+    {
+    }
+
+    void build()
+    {
+        std::span<const std::uint32_t> left = surface_.tree().order();
+        while (!left.empty())
+        {
+            const auto some = left.first(std::min(kTogether, left.size()));
+            left = left.subspan(some.size());
+            const Eigen::AlignedBox3d box = boxOf(some);
+            if (box.sizes().maxCoeff() <= grid_.frame_.cell)
+            {
+                add(some, box);
+                continue;
+            }
+            for (const std::uint32_t t : some)
+            {
+                add(t);
+            }
+        }
+        sort();
+    }
+
+private:
+    /// Triangles that lie side by side and are small look together which cells they are near.
+    static constexpr std::size_t kTogether = 16;
+    struct Entry
+    {
+        std::uint32_t cell;
+        std::uint32_t triangle;
+    };
+
+    [[nodiscard]] Eigen::AlignedBox3d boxOf(std::span<const std::uint32_t> triangles) const
+    {
+        Eigen::AlignedBox3d box;
+        for (const std::uint32_t t : triangles)
+        {
+            for (const Eigen::Vector3d& corner : surface_[t].corner)
+            {
+                box.extend(corner);
+            }
+        }
+        return box;
+    }
+
+    void add(std::uint32_t triangle)
+    {
+        forEachCell(boxOf({&triangle, 1}),
+                    [&](int x, int y, int z)
+                    {
+                        if (isNear(triangle, grid_.frame_.centre(x, y, z)) && !isLong(x, y, z))
+                        {
+                            enter(x, y, z, triangle);
+                        }
+                    });
+    }
+
+    void add(std::span<const std::uint32_t> triangles, const Eigen::AlignedBox3d& box)
+    {
+        const double farthest = (1 + kBallRounding) * radius_;
+        forEachCell(box,
+                    [&](int x, int y, int z)
+                    {
+                        const Eigen::Vector3d centre = grid_.frame_.centre(x, y, z);
+                        if (box.squaredExteriorDistance(centre) > farthest * farthest ||
+                            isLong(x, y, z))
+                        {
+                            return;
+                        }
+                        for (const std::uint32_t t : triangles)
+                        {
+                            if (isNear(t, centre))
+                            {
+                                enter(x, y, z, t);
+                            }
+                        }
+                    });
+    }
+
+    /// Calls visit(x, y, z) for each cell of a box that contains all that are near `box`.
+    template <class Visit>
+    void forEachCell(const Eigen::AlignedBox3d& box, Visit&& visit) const
+    {
+        const auto low = grid_.frame_.coordinates(box.min().array() - grid_.reach_);
+        const auto high = grid_.frame_.coordinates(box.max().array() + grid_.reach_);
+        for (int z = low[2]; z <= high[2]; ++z)
+        {
+            for (int y = low[1]; y <= high[1]; ++y)
+            {
+                for (int x = low[0]; x <= high[0]; ++x)
+                {
+                    visit(x, y, z);
+                }
+            }
+        }
+    }
+
+    [[nodiscard]] bool isLong(int x, int y, int z) const
+    {
+        const std::uint32_t block = grid_.blockOf(x, y, z);
+        return block != kNoTriangles && grid_.starts_[cellIndex(block, x, y, z)] > kShortList;
+    }
+
+    void enter(int x, int y, int z, std::uint32_t triangle)
+    {
+        std::uint32_t& block = grid_.blocks_[grid_.blockIndex(x, y, z)];
+        if (block == kNoTriangles)
+        {
+            block = static_cast<std::uint32_t>(grid_.starts_.size() / kInBlock);
+            grid_.starts_.resize(grid_.starts_.size() + kInBlock, 0);
+        }
+        const std::size_t cell = cellIndex(block, x, y, z);
+        ++grid_.starts_[cell];
+        entries_.push_back({static_cast<std::uint32_t>(cell), triangle});
+    }
+
+    /// The triangle is asked for its nearest point only where the ball around it does not decide.
+    [[nodiscard]] bool isNear(std::uint32_t t, const Eigen::Vector3d& centre) const
+    {
+        const TriangleBound& bound = surface_.bound(t);
+        if (bound.toPlane(centre) > radius_)
+        {
+            return false;
+        }
+        const double square = bound.toCentreSquared(centre);
+        const double surelyIn = (1 - kBallRounding) * radius_ - bound.radius;
+        const double surelyOut = (1 + kBallRounding) * (radius_ + bound.radius);
+        if (square > surelyOut * surelyOut || (surelyIn > 0 && square <= surelyIn * surelyIn))
+        {
+            return square <= surelyOut * surelyOut;
+        }
+        const auto& [a, b, c] = surface_[t].corner;
+        const Eigen::Vector3d closest = closestPointOnTriangle(centre, a, b, c).point;
+        return (centre - closest).squaredNorm() <= radius_ * radius_;
+    }
+
+    /// Sorts by the triangle, then by the cell: sums up the ends, and fills from them.
+    void sort()
+    {
+        std::vector<std::uint32_t> ends(surface_.size() + 1);
+        for (const Entry& each : entries_)
+        {
+            ++ends[each.triangle];
+        }
+        std::partial_sum(ends.begin(), ends.end(), ends.begin());
+        std::vector<std::uint32_t> cells(entries_.size());
+        for (const Entry& each : entries_)
+        {
+            cells[--ends[each.triangle]] = each.cell;
+        }
+        std::vector<std::uint32_t>& starts = grid_.starts_;
+        starts.push_back(0);
+        std::partial_sum(starts.begin(), starts.end(), starts.begin());
+        grid_.ids_.resize(cells.size());
+        for (std::size_t t = surface_.size(); t-- > 0;)
+        {
+            for (std::uint32_t k = ends[t]; k < ends[t + 1]; ++k)
+            {
+                grid_.ids_[--starts[cells[k]]] = static_cast<std::uint32_t>(t);
+            }
+        }
+    }
+
+    TriangleGrid& grid_;
+    const Surface& surface_;
+    double radius_;
+    std::vector<Entry> entries_;
+};
 
 TriangleGrid::TriangleGrid(const Surface& surface, const GridFrame& frame, double reach)
     : surface_(&surface), frame_(frame), reach_(reach), blocksFrame_(frame)
@@ -16,30 +202,7 @@ TriangleGrid::TriangleGrid(const Surface& surface, const GridFrame& frame, doubl
         count = (count + kSide - 1) / kSide;
     }
     blocks_.assign(blocksFrame_.size(), kNoTriangles);
-    // Count, sum up the ends of the cells, and fill each cell from its end.
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs; // cell, triangle
-    for (std::size_t t = 0; t < surface.size(); ++t)
-    {
-        forEachCellNear(frame_, surface[t], reach,
-                        [&](int x, int y, int z)
-                        {
-                            std::uint32_t& block = blocks_[blockIndex(x, y, z)];
-                            if (block == kNoTriangles)
-                            {
-                                block = static_cast<std::uint32_t>(starts_.size() / kInBlock);
-                                starts_.resize(starts_.size() + kInBlock, 0);
-                            }
-                            const std::size_t cell = cellIndex(block, x, y, z);
-                            ++starts_[cell];
-                            pairs.emplace_back(static_cast<std::uint32_t>(cell),
-                                               static_cast<std::uint32_t>(t));
-                        });
-    }
-    starts_.push_back(0);
-    std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
-    ids_.resize(pairs.size());
-    std::for_each(pairs.rbegin(), pairs.rend(),
-                  [this](const auto& pair) { ids_[--starts_[pair.first]] = pair.second; });
+    Builder(*this, surface).build();
 }
 
 } // namespace frostfill

@@ -11,9 +11,9 @@
 namespace frostfill
 {
 
-/// The triangles within `reach` of some point of each cell of a grid. A cell may have any number of
-/// them. Cells are stored in blocks. Most blocks of a fine grid are away from the surface; such a
-/// block takes four bytes.
+/// The triangles within `reach` of some point of each cell of a grid. Of a cell that has many some
+/// are listed; the surface's tree knows all. Cells are stored in blocks. Most blocks of a fine grid
+/// are away from the surface; such a block takes four bytes.
 class TriangleGrid
 {
 public:
@@ -24,8 +24,9 @@ public:
     /// `surface` must outlive this object.
     TriangleGrid(const Surface& surface, const GridFrame& frame, double reach);
 
-    /// Ascending triangles, including all that are closer to `p` than the reach. `p` lies within
-    /// the frame; a point outside gets the triangles of the nearest cell.
+    /// Ascending triangles, including all that are closer to `p` than the reach, unless they are
+    /// more than kShortList. `p` lies within the frame; a point outside gets those of the nearest
+    /// cell.
     [[nodiscard]] std::span<const std::uint32_t> near(const Eigen::Vector3d& p) const
     {
         const auto c = frame_.coordinates(p);
@@ -118,6 +119,8 @@ public:
     }
 
 private:
+    class Builder;
+
     const Surface* surface_;
     GridFrame frame_;
     double reach_;
@@ -126,43 +129,5 @@ private:
     std::vector<std::uint32_t> starts_; ///< [#cells of blocks with triangles + 1]
     std::vector<std::uint32_t> ids_;
 };
-
-/// Calls visit(x, y, z) for each cell of the frame that may be within `reach` of the triangle.
-template <class Visit>
-void forEachCellNear(const GridFrame& frame, const SurfaceTriangle& triangle, double reach,
-                     Visit&& visit)
-{
-    Eigen::AlignedBox3d box;
-    for (const Eigen::Vector3d& corner : triangle.corner)
-    {
-        box.extend(corner);
-    }
-    const auto low = frame.coordinates(box.min().array() - reach);
-    const auto high = frame.coordinates(box.max().array() + reach);
-    // Half the diagonal of a cell: the largest distance of its points from the centre.
-    const double radius = kHalfDiagonal * frame.cell + reach;
-    for (int z = low[2]; z <= high[2]; ++z)
-    {
-        for (int y = low[1]; y <= high[1]; ++y)
-        {
-            for (int x = low[0]; x <= high[0]; ++x)
-            {
-                const Eigen::Vector3d centre = frame.centre(x, y, z);
-                if (std::abs(triangle.normal.dot(centre) - triangle.offset) > radius)
-                {
-                    continue;
-                }
-                const Eigen::Vector3d closest =
-                    closestPointOnTriangle(centre, triangle.corner[0], triangle.corner[1],
-                                           triangle.corner[2])
-                        .point;
-                if ((centre - closest).squaredNorm() <= radius * radius)
-                {
-                    visit(x, y, z);
-                }
-            }
-        }
-    }
-}
 
 } // namespace frostfill

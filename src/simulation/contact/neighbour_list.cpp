@@ -42,14 +42,24 @@ void NeighbourList::ensure(const World& world, const Eigen::Vector3d& p, double 
         return world.polygons[triangle] == PolygonState::active &&
                world.surface.bound(triangle).mayBeWithin(radius + kSkin, p);
     };
+    const auto take = [&](std::span<const std::uint32_t> ids)
+    { std::copy_if(ids.begin(), ids.end(), std::back_inserter(triangles_), isNear); };
     triangles_.clear();
-    const auto nearby = world.triangles.near(p, radius + kSkin, triangles_);
-    if (nearby.data() == triangles_.data())
+    const std::span<const std::uint32_t> nearby = world.triangles.near(p);
+    if (nearby.size() <= TriangleGrid::kShortList)
     {
-        std::erase_if(triangles_, [&](std::uint32_t triangle) { return !isNear(triangle); });
+        take(nearby);
         return;
     }
-    std::copy_if(nearby.begin(), nearby.end(), std::back_inserter(triangles_), isNear);
+    // Where a cell has many, as in scans, the tree finds fewer.
+    const double distance = radius + kSkin;
+    world.surface.tree().forEachNear(Eigen::AlignedBox3d(p), distance,
+                                     [&](std::span<const std::uint32_t> ids)
+                                     {
+                                         take(ids);
+                                         return distance;
+                                     });
+    std::sort(triangles_.begin(), triangles_.end());
 }
 
 bool NeighbourList::add(const Eigen::Vector3d& p, double radius)

@@ -162,7 +162,8 @@ public:
     }
     void search(const Eigen::Vector3d& p, PolygonVisitor& visit) const override
     {
-        const std::span<const std::uint32_t> near = grid_.near(p);
+        std::vector<std::uint32_t> found;
+        const std::span<const std::uint32_t> near = grid_.near(p, grid_.reach(), found);
         if (allActive_)
         {
             visit(near);

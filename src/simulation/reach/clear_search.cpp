@@ -12,8 +12,10 @@ namespace frostfill
 void ClearSearch::gather(const Eigen::Vector3d& middle, double edge)
 {
     walls_.clear();
+    const std::span<const std::uint32_t> nearby = triangles_.near(middle);
+    many_ = nearby.size() > TriangleGrid::kShortList;
     const double distance = probe_ + kHalfDiagonal * edge;
-    for (const std::uint32_t id : triangles_.near(middle, distance, nearby_))
+    for (const std::uint32_t id : many_ ? std::span<const std::uint32_t>{} : nearby)
     {
         if (surface_.bound(id).mayBeWithin(distance, middle))
         {
@@ -91,6 +93,17 @@ bool ClearSearch::walled(const Eigen::Vector3d& middle, double edge, Middle& sta
 {
     const double exclusion = probe_ - overlap_ - kReachRounding;
     const double whole = std::max(0.0, exclusion - kHalfDiagonal * edge);
+    if (many_)
+    {
+        const double limit = state.clear ? exclusion : whole;
+        const WallPoint nearest = nearestWall(surface_, middle, limit, whole);
+        if (nearest.square < exclusion * exclusion)
+        {
+            state.clear = false;
+            state.escape += middle - nearest.point;
+        }
+        return nearest.square < whole * whole;
+    }
     for (const std::uint32_t id : walls_)
     {
         if (!surface_.bound(id).mayBeWithin(state.clear ? exclusion : whole, middle))

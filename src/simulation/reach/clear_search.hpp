@@ -77,8 +77,8 @@ private:
     int halvings_ = kHalvings;
     std::uint32_t ignored_ = kNone;
     std::vector<Exclusion> balls_;     ///< of the cube, then of the part of it in hand, and so on
-    std::vector<std::uint32_t> walls_; ///< triangles near the cube
-    std::vector<std::uint32_t> nearby_;
+    std::vector<std::uint32_t> walls_; ///< triangles near the cube, unless they are many
+    bool many_ = false;                ///< so that the nearest one is found by the surface's tree
 };
 
 } // namespace frostfill

@@ -140,7 +140,7 @@ void requireInside(const World& world, std::span<const PlacedSphere> spheres)
         {
             const auto near = world.triangles.near(p);
             return world.inside.contains(p) &&
-                   (near.empty() || nearestDistance(world.surface, near, p).value > kOnTheWall);
+                   (near.empty() || world.triangles.nearest(p, near).value > kOnTheWall);
         };
         if (!p.allFinite() || !isInside())
         {

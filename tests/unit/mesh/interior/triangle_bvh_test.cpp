@@ -118,23 +118,29 @@ TEST(TriangleBvh, AnswersForAGridWhoseCellsHaveMany)
 {
     const Surface surface(shapes::torus(1, 0.4, 240, 80), Walls());
     const TriangleGrid grid(surface, GridFrame::cover(surface.box(), 0.2, 0.5), 0.25);
+    const std::vector<std::uint32_t> all = allOf(surface);
     std::vector<std::uint32_t> found;
     std::size_t asked = 0;
     for (const Eigen::Vector3d& p : pointsFor(surface, 500))
     {
-        const auto all = grid.near(p);
-        if (all.empty())
+        const auto listed = grid.near(p);
+        const SignedDistance expected = nearestDistance(surface, all, p);
+        ASSERT_TRUE(!listed.empty() || std::abs(expected.value) > grid.reach());
+        if (listed.empty())
         {
             continue;
         }
-        const SignedDistance expected = nearestDistance(surface, all, p);
-        const SignedDistance nearest = grid.nearest(p, all);
-        EXPECT_EQ(nearest.value,
-                  std::abs(expected.value) > grid.reach() && all.size() > TriangleGrid::kShortList
-                      ? std::numeric_limits<double>::infinity()
-                      : expected.value);
-        asked += grid.near(p, 0.1, found).data() == found.data() ? 1 : 0;
+        const SignedDistance nearest = grid.nearest(p, listed);
+        if (std::abs(expected.value) <= grid.reach())
+        {
+            EXPECT_EQ(nearest.value, expected.value);
+        }
+        else
+        {
+            EXPECT_GT(std::abs(nearest.value), grid.reach());
+        }
         const auto some = grid.near(p, 0.1, found);
+        asked += some.data() == found.data() ? 1 : 0;
         for (const std::uint32_t id : all)
         {
             const bool isNear = std::abs(signedDistance(surface[id], p).value) <= 0.1;
@@ -142,6 +148,27 @@ TEST(TriangleBvh, AnswersForAGridWhoseCellsHaveMany)
         }
     }
     EXPECT_GT(asked, 1000U);
+}
+
+TEST(NearestWall, IsThatOfAListOfAllTriangles)
+{
+    const Surface surface(shapes::torus(1, 0.4, 120, 40), Walls());
+    for (const Eigen::Vector3d& p : pointsFor(surface, 300))
+    {
+        double square = std::numeric_limits<double>::infinity();
+        for (const SurfaceTriangle& t : surface.triangles())
+        {
+            const auto& [a, b, c] = t.corner;
+            square = std::min(square, (p - closestPointOnTriangle(p, a, b, c).point).squaredNorm());
+        }
+        const double distance = std::sqrt(square);
+        EXPECT_EQ(nearestWall(surface, p, 1e9, 0).square, square);
+        EXPECT_EQ(nearestWall(surface, p, 1.001 * distance + 1e-6, 0).square, square);
+        EXPECT_GE(nearestWall(surface, p, 0.9 * distance, 0).square, square);
+        const WallPoint any = nearestWall(surface, p, 1e9, 1.1 * distance + 1e-6);
+        EXPECT_LT(std::sqrt(any.square), 1.1 * distance + 1e-6);
+        EXPECT_EQ((p - any.point).squaredNorm(), any.square);
+    }
 }
 
 } // namespace

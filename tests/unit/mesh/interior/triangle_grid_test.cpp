@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 namespace frostfill
 {
@@ -62,6 +64,43 @@ TEST_F(TriangleGridTest, ListsEveryTriangleWithinItsReach)
         }
     }
     EXPECT_GT(listed, 1000u);
+}
+
+// By the distance of each triangle from the centre of each cell. Long lists may be cut short.
+TEST_F(TriangleGridTest, ListsWhatMayBeNearACellAndNothingElse)
+{
+    const Surface dense(scaled(shapes::torus(1, 0.4, 96, 48), 3));
+    for (const Surface* each : {&std::as_const(surface), &dense})
+    {
+        const TriangleGrid its(*each, GridFrame::cover(each->box(), 1, 2), kReach);
+        const GridFrame& frame = its.frame();
+        const double farthest = kReach + kHalfDiagonal * frame.cell;
+        std::size_t cut = 0;
+        for (std::size_t k = 0; k < frame.size(); k += 7)
+        {
+            const int x = static_cast<int>(k) % frame.count[0];
+            const int y = static_cast<int>(k) / frame.count[0] % frame.count[1];
+            const int z = static_cast<int>(k) / frame.count[0] / frame.count[1];
+            const Eigen::Vector3d centre = frame.centre(x, y, z);
+            std::vector<std::uint32_t> expected;
+            for (std::uint32_t t = 0; t < each->size(); ++t)
+            {
+                const auto& [a, b, c] = (*each)[t].corner;
+                const Eigen::Vector3d closest = closestPointOnTriangle(centre, a, b, c).point;
+                if ((centre - closest).squaredNorm() <= farthest * farthest)
+                {
+                    expected.push_back(t);
+                }
+            }
+            const auto listed = its.cell(x, y, z);
+            const bool isLong = expected.size() > TriangleGrid::kShortList;
+            EXPECT_TRUE(isLong || listed.size() <= TriangleGrid::kShortList);
+            EXPECT_TRUE(
+                std::includes(expected.begin(), expected.end(), listed.begin(), listed.end()));
+            cut += isLong && listed.size() < expected.size() ? 1 : 0;
+        }
+        EXPECT_EQ(cut > 10, each == &dense) << cut;
+    }
 }
 
 TEST_F(TriangleGridTest, InsideTestAgreesWithTheWindingNumber)

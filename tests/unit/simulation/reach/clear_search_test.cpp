@@ -79,6 +79,27 @@ TEST(ClearSearch, OverlooksNoClearPointAndFindsNoneWhereAllIsExcluded)
     EXPECT_GT(covered, 20);
 }
 
+// The same cube, whose walls have 16,000 triangles a side.
+TEST(ClearSearch, AnswersAlikeWhereWallsAreDense)
+{
+    Crowd crowd(5);
+    const Object dense(cubeOfSide(10, 90));
+    ClearSearch search(crowd.resting, crowd.object.surface, crowd.object.grid, 1, kOverlap);
+    ClearSearch among(crowd.resting, dense.surface, dense.grid, 1, kOverlap);
+    std::size_t walled = 0;
+    int clear = 0;
+    for (int k = 0; k < 3000; ++k)
+    {
+        const Eigen::Vector3d middle = crowd.random.point(-4.6, 4.6);
+        const bool expected = search.mayBeClear(middle, kEdge);
+        EXPECT_EQ(among.mayBeClear(middle, kEdge), expected) << middle.transpose();
+        clear += expected ? 1 : 0;
+        walled += dense.grid.near(middle).size() > TriangleGrid::kShortList ? 1 : 0;
+    }
+    EXPECT_GT(walled, 1000U);
+    EXPECT_GT(clear, 100);
+}
+
 // Four balls about the corners of a tetrahedron cover a cube that none of them covers alone.
 TEST(ClearSearch, CubeThatOnlySeveralCoverTogetherIsCovered)
 {
