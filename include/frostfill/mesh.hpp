@@ -58,9 +58,10 @@ struct MeshReport
 struct LoadedMesh
 {
     TriangleMesh mesh;
-    MeshReport asRead;                ///< before any repair (after triangulation)
-    MeshReport report;                ///< of `mesh`
-    std::vector<std::string> repairs; ///< one sentence each; empty if the file was clean
+    MeshReport asRead; ///< before any repair (after triangulation)
+    MeshReport report; ///< of `mesh`
+    /// One sentence each, what the reader had to overlook first; empty if the file was clean.
+    std::vector<std::string> repairs;
 };
 
 /// How an open or broken mesh is made one that can be filled. The last two need the program
@@ -96,13 +97,16 @@ struct LoadMeshOptions
 /// Reads OBJ, STL, PLY, OFF, glTF or GLB as triangles, known by content first and then by the
 /// name's ending. Keeps every bit of the file's numbers and the order of its vertices and faces,
 /// cuts polygons into triangles, welds equal vertices, and changes nothing else. Opens no other
-/// file, except for a .bin file of a glTF in the same folder. Throws Error inputMissing if the file
-/// does not exist, badData with the line or byte if it cannot be read.
-[[nodiscard]] TriangleMesh readMesh(const std::filesystem::path& file);
+/// file, except for a .bin file of a glTF in the same folder. What it had to overlook goes to the
+/// end of `remarks`, a sentence each. Throws Error inputMissing if the file does not exist, badData
+/// with the line or byte if it cannot be read.
+[[nodiscard]] TriangleMesh readMesh(const std::filesystem::path& file,
+                                    std::vector<std::string>* remarks = nullptr);
 
 /// readMesh in a child process. Its limits on memory, processor time and files grow with the file's
 /// size. A file on which the reader crashes, hangs or fills the memory is an Error badData.
-[[nodiscard]] TriangleMesh readMeshSandboxed(const std::filesystem::path& file);
+[[nodiscard]] TriangleMesh readMeshSandboxed(const std::filesystem::path& file,
+                                             std::vector<std::string>* remarks = nullptr);
 
 /// Repairs a mesh for filling: joins seams and cracks, drops what encloses nothing (fins, sheets,
 /// small open pieces), turns windings outward (inward for cavities), closes holes of up to 5 % of

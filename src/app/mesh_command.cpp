@@ -80,14 +80,19 @@ void printReport(const std::string& name, const MeshReport& report)
 
 int inspect(const MeshArguments& arguments)
 {
+    std::vector<std::string> remarks;
     TriangleMesh mesh = isBuiltInMesh(arguments.mesh) ? builtInMesh(arguments.mesh)
-                                                      : readMeshSandboxed(arguments.mesh);
+                                                      : readMeshSandboxed(arguments.mesh, &remarks);
     MeshReport asRead = inspectMesh(mesh);
     if (asRead.closed())
     {
         asRead = inspectInterior(mesh);
     }
     printReport(arguments.mesh, asRead);
+    for (const std::string& remark : remarks)
+    {
+        fmt::print("  reading     {}\n", remark);
+    }
     if (arguments.radius > 0 && !asRead.closed() && asRead.triangles > 0)
     {
         fmt::print("before repair, {}", reachText(inspectReach(mesh, arguments.radius),

@@ -64,9 +64,13 @@ TriangleMesh builtInMesh(std::string_view name)
 
 LoadedMesh loadMesh(const std::string& nameOrFile, const LoadMeshOptions& options)
 {
-    return repairMesh(isBuiltInMesh(nameOrFile) ? builtInMesh(nameOrFile)
-                                                : readMeshSandboxed(nameOrFile),
-                      nameOrFile, options);
+    std::vector<std::string> remarks;
+    LoadedMesh loaded =
+        repairMesh(isBuiltInMesh(nameOrFile) ? builtInMesh(nameOrFile)
+                                             : readMeshSandboxed(nameOrFile, &remarks),
+                   nameOrFile, options);
+    loaded.repairs.insert(loaded.repairs.begin(), remarks.begin(), remarks.end());
+    return loaded;
 }
 
 } // namespace frostfill

@@ -7,6 +7,11 @@
 #include "mesh/files/ply_header.hpp"
 #include "mesh/files/text_scanner.hpp"
 
+#include <fmt/format.h>
+
+#include <string>
+#include <vector>
+
 namespace frostfill
 {
 
@@ -31,8 +36,19 @@ public:
     {
         if (!scanner_.word().empty())
         {
-            refuseAt(place(), "the line has more values than the header gives it; export the mesh "
-                              "again");
+            firstLonger_ = longer_ == 0 ? place().number : firstLonger_;
+            ++longer_;
+        }
+    }
+    /// Some writers put values into lines that their header does not name.
+    void remark(std::vector<std::string>& remarks) const
+    {
+        if (longer_ > 0)
+        {
+            remarks.push_back(fmt::format(
+                "ignored what {} more than the header says, the first in "
+                "line {}",
+                longer_ == 1 ? "1 line has" : fmt::format("{} lines have", longer_), firstLonger_));
         }
     }
     void endFile()
@@ -64,6 +80,8 @@ public:
 
 private:
     TextScanner scanner_;
+    std::uint64_t longer_ = 0; ///< lines with more values than properties
+    std::uint64_t firstLonger_ = 0;
 };
 
 /// As bytes, without gaps.
@@ -82,6 +100,7 @@ public:
     [[nodiscard]] bool beginItem() const { return at_ < bytes_.size(); }
     void endItem() const {}
     void endFile() const {} // some writers pad
+    void remark(std::vector<std::string>& /*remarks*/) const {}
 
     double takeCoordinate(PlyType type)
     {

@@ -52,7 +52,8 @@ std::string contentOf(const std::filesystem::path& file)
     return bytes;
 }
 
-TriangleMesh parse(const std::string& bytes, FileKind kind, const std::filesystem::path& file)
+TriangleMesh parse(const std::string& bytes, FileKind kind, const std::filesystem::path& file,
+                   std::vector<std::string>& remarks)
 {
     switch (kind)
     {
@@ -61,7 +62,7 @@ TriangleMesh parse(const std::string& bytes, FileKind kind, const std::filesyste
     case FileKind::off:
         return readOff(bytes);
     case FileKind::ply:
-        return readPly(bytes);
+        return readPly(bytes, remarks);
     case FileKind::asciiStl:
         return readAsciiStl(bytes);
     case FileKind::binaryStl:
@@ -74,7 +75,8 @@ TriangleMesh parse(const std::string& bytes, FileKind kind, const std::filesyste
 
 } // namespace
 
-TriangleMesh parseMesh(std::string bytes, const std::filesystem::path& file)
+TriangleMesh parseMesh(std::string bytes, const std::filesystem::path& file,
+                       std::vector<std::string>* remarks)
 {
     // Not a binary STL, whose free bytes may begin like a mark.
     if (!hasSizeOfBinaryStl(bytes))
@@ -83,12 +85,17 @@ TriangleMesh parseMesh(std::string bytes, const std::filesystem::path& file)
     }
     try
     {
-        TriangleMesh mesh = parse(bytes, kindOf(bytes, endingOf(file)), file);
+        std::vector<std::string> overlooked;
+        TriangleMesh mesh = parse(bytes, kindOf(bytes, endingOf(file)), file, overlooked);
         if (const auto fault = findInvalidData(mesh))
         {
             throw Unreadable(*fault + "; export the mesh again");
         }
         weldEqualVertices(mesh);
+        if (remarks != nullptr)
+        {
+            remarks->insert(remarks->end(), overlooked.begin(), overlooked.end());
+        }
         return mesh;
     }
     catch (const Unreadable& why)
@@ -98,9 +105,9 @@ TriangleMesh parseMesh(std::string bytes, const std::filesystem::path& file)
     }
 }
 
-TriangleMesh readMesh(const std::filesystem::path& file)
+TriangleMesh readMesh(const std::filesystem::path& file, std::vector<std::string>* remarks)
 {
-    return parseMesh(contentOf(file), file);
+    return parseMesh(contentOf(file), file, remarks);
 }
 
 } // namespace frostfill

@@ -58,7 +58,11 @@ public:
         }
     }
 
-    void end() { values_.endFile(); }
+    void end(std::vector<std::string>& remarks)
+    {
+        values_.endFile();
+        values_.remark(remarks);
+    }
 
 private:
     /// A count beyond what the rest of the file can hold would fill the memory, or take for ever.
@@ -204,7 +208,8 @@ void refuseUnusable(const PlyHeader& header)
 }
 
 template <typename Values>
-TriangleMesh readBody(std::string_view bytes, const PlyHeader& header, std::string_view unit)
+TriangleMesh readBody(std::string_view bytes, const PlyHeader& header, std::string_view unit,
+                      std::vector<std::string>& remarks)
 {
     PolygonMesh mesh(unit);
     PlyBody<Values> body(Values(bytes, header), mesh);
@@ -212,18 +217,19 @@ TriangleMesh readBody(std::string_view bytes, const PlyHeader& header, std::stri
     {
         body.read(element);
     }
-    body.end();
+    body.end(remarks);
     return mesh.take();
 }
 
 } // namespace
 
-TriangleMesh readPly(std::string_view bytes)
+TriangleMesh readPly(std::string_view bytes, std::vector<std::string>& remarks)
 {
     const PlyHeader header = readPlyHeader(bytes);
     refuseUnusable(header);
-    return header.format == PlyFormat::ascii ? readBody<AsciiPlyValues>(bytes, header, "line")
-                                             : readBody<BinaryPlyValues>(bytes, header, "byte");
+    return header.format == PlyFormat::ascii
+               ? readBody<AsciiPlyValues>(bytes, header, "line", remarks)
+               : readBody<BinaryPlyValues>(bytes, header, "byte", remarks);
 }
 
 } // namespace frostfill

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstring>
 
 namespace frostfill
@@ -65,29 +66,59 @@ bool take(std::string_view& bytes, std::vector<Value>& values)
     return true;
 }
 
+/// A line each.
+std::vector<char> joined(const std::vector<std::string>& sentences)
+{
+    std::vector<char> text;
+    for (const std::string& sentence : sentences)
+    {
+        text.insert(text.end(), sentence.begin(), sentence.end());
+        text.push_back('\n');
+    }
+    return text;
+}
+
+/// Whole lines of ASCII, which no terminal takes for anything else.
+bool isText(const std::vector<char>& text)
+{
+    return (text.empty() || text.back() == '\n') &&
+           std::all_of(text.begin(), text.end(),
+                       [](char c) { return c == '\n' || (c >= ' ' && c <= '~'); });
+}
+
 } // namespace
 
-TriangleMesh readMeshSandboxed(const std::filesystem::path& file)
+TriangleMesh readMeshSandboxed(const std::filesystem::path& file, std::vector<std::string>* remarks)
 {
     const std::string subject = fmt::format("'{}' cannot be read as a mesh", file.string());
     const std::string bytes = runSandboxed(limitsFor(file), subject,
                                            [&]
                                            {
-                                               const TriangleMesh mesh = readMesh(file);
+                                               std::vector<std::string> overlooked;
+                                               const TriangleMesh mesh =
+                                                   readMesh(file, &overlooked);
                                                std::string report;
                                                append(report, mesh.vertices);
                                                append(report, mesh.triangles);
+                                               append(report, joined(overlooked));
                                                return report;
                                            });
     // What came out of the sandbox is believed no more than the file: a reader that was led astray
     // may have sent anything.
     TriangleMesh mesh;
     std::string_view rest = bytes;
-    if (!take(rest, mesh.vertices) || !take(rest, mesh.triangles) || !rest.empty() ||
-        findInvalidData(mesh))
+    std::vector<char> overlooked;
+    if (!take(rest, mesh.vertices) || !take(rest, mesh.triangles) || !take(rest, overlooked) ||
+        !rest.empty() || !isText(overlooked) || findInvalidData(mesh))
     {
         throw Error(ErrorCode::badData, subject + ": the reader returned an invalid mesh; export "
                                                   "the mesh again, in another format if need be");
+    }
+    for (auto from = overlooked.begin(); remarks != nullptr && from != overlooked.end();)
+    {
+        const auto end = std::find(from, overlooked.end(), '\n');
+        remarks->emplace_back(from, end);
+        from = end + 1;
     }
     return mesh;
 }

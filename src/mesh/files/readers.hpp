@@ -18,7 +18,8 @@ namespace frostfill
 [[nodiscard]] TriangleMesh readOff(std::string_view text);
 
 /// Polygon File Format: ascii, little-endian and big-endian, faces and triangle strips [Turk 1994].
-[[nodiscard]] TriangleMesh readPly(std::string_view bytes);
+/// Lines of text may have more values than the header says; `remarks` gets a sentence then.
+[[nodiscard]] TriangleMesh readPly(std::string_view bytes, std::vector<std::string>& remarks);
 
 [[nodiscard]] TriangleMesh readAsciiStl(std::string_view text);
 [[nodiscard]] TriangleMesh readBinaryStl(std::string_view bytes);
