@@ -227,11 +227,9 @@ SignedDistance nearestDistance(const Surface& surface, const Eigen::Vector3d& p,
                                    return limit;
                                });
     std::erase_if(candidates, [&](const Candidate& each) { return each.distance > limit; });
-    std::vector<std::uint32_t> ids;
-    for (const Candidate& each : candidates)
-    {
-        ids.push_back(each.id);
-    }
+    std::vector<std::uint32_t> ids(candidates.size());
+    std::transform(candidates.begin(), candidates.end(), ids.begin(),
+                   [](const Candidate& each) { return each.id; });
     std::sort(ids.begin(), ids.end());
     return nearestDistance(surface, ids, p);
 }

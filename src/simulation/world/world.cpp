@@ -24,8 +24,7 @@ namespace
 /// Of a run that there is memory for.
 RadiusDistribution radiiOf(const Scene& scene, const MeshReport& report, const TriangleMesh& mesh)
 {
-    const RadiusDistribution radii(
-        scene.spheres.radius.value_or(sphereRadius(scene, report, mesh)));
+    RadiusDistribution radii(scene.spheres.radius.value_or(sphereRadius(scene, report, mesh)));
     const double r = radii.largest();
     const double most = kPackingFraction * report.volume /
                         (4.0 / 3.0 * std::numbers::pi * r * r * r * radii.inLargest().meanPower(3));

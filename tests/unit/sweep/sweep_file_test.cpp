@@ -29,11 +29,9 @@ object.mesh = ["cube", "sphere"]
 
 std::vector<std::string> namesOf(const std::vector<SweepRun>& runs)
 {
-    std::vector<std::string> names;
-    for (const SweepRun& run : runs)
-    {
-        names.push_back(run.name);
-    }
+    std::vector<std::string> names(runs.size());
+    std::transform(runs.begin(), runs.end(), names.begin(),
+                   [](const SweepRun& run) { return run.name; });
     return names;
 }
 
