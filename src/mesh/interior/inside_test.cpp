@@ -199,7 +199,7 @@ bool InsideTest::contains(const Eigen::Vector3d& p) const
     return distance(p) > 0;
 }
 
-double InsideTest::distance(const Eigen::Vector3d& p) const
+double InsideTest::distance(const Eigen::Vector3d& p, double atMost) const
 {
     const double reach = grid_->reach();
     const std::span<const std::uint32_t> triangles = grid_->near(p);
@@ -208,7 +208,7 @@ double InsideTest::distance(const Eigen::Vector3d& p) const
         return isCellInside(grid_->frame().coordinates(p)) ? reach : -reach;
     }
     // The nearest triangle of the list is the nearest of all if it is within the reach of the list.
-    const double nearest = grid_->nearest(p, triangles).value;
+    const double nearest = grid_->nearest(p, triangles, atMost).value;
     if (std::abs(nearest) > reach)
     {
         return isInsideFarFromSurface(p) ? reach : -reach;

@@ -6,6 +6,7 @@
 #include "mesh/interior/winding_number.hpp"
 
 #include <array>
+#include <limits>
 #include <vector>
 
 namespace frostfill
@@ -24,8 +25,10 @@ public:
 
     [[nodiscard]] bool contains(const Eigen::Vector3d& p) const;
 
-    /// Distance to the surface, positive inside, clamped to +- the reach of the grid.
-    [[nodiscard]] double distance(const Eigen::Vector3d& p) const;
+    /// Distance to the surface, positive inside, clamped to +- the reach of the grid. Sooner where
+    /// it is known to be at most so much on either side.
+    [[nodiscard]] double distance(const Eigen::Vector3d& p,
+                                  double atMost = std::numeric_limits<double>::infinity()) const;
 
     /// Whether p is outside and in a cell without triangles: a look at a table.
     [[nodiscard]] bool isFarOutside(const Eigen::Vector3d& p) const

@@ -153,13 +153,14 @@ SignedDistance signedDistance(const SurfaceTriangle& triangle, const Eigen::Vect
 }
 
 SignedDistance nearestDistance(const Surface& surface, std::span<const std::uint32_t> ids,
-                               const Eigen::Vector3d& p)
+                               const Eigen::Vector3d& p, double distance)
 {
     SignedDistance nearest;
     nearest.value = std::numeric_limits<double>::infinity();
+    double limit = distance;
     for (const std::uint32_t id : ids)
     {
-        if (!surface.bound(id).mayBeWithin(std::abs(nearest.value), p))
+        if (!surface.bound(id).mayBeWithin(limit, p))
         {
             continue;
         }
@@ -167,6 +168,7 @@ SignedDistance nearestDistance(const Surface& surface, std::span<const std::uint
         if (std::abs(candidate.value) < std::abs(nearest.value))
         {
             nearest = candidate;
+            limit = std::min(limit, std::abs(candidate.value));
         }
     }
     return nearest;

@@ -109,9 +109,11 @@ struct SignedDistance
 
 /// Signed distance to the nearest of several triangles. Two equally near triangles share an edge or
 /// a corner and have the same pseudonormal there, so both give the right sign. `ids` is not empty.
-[[nodiscard]] SignedDistance nearestDistance(const Surface& surface,
-                                             std::span<const std::uint32_t> ids,
-                                             const Eigen::Vector3d& p);
+/// Its value is infinite where none is within `distance` of p.
+[[nodiscard]] SignedDistance
+nearestDistance(const Surface& surface, std::span<const std::uint32_t> ids,
+                const Eigen::Vector3d& p,
+                double distance = std::numeric_limits<double>::infinity());
 
 /// The same of all triangles; its value is infinite where none is within `distance` of p.
 [[nodiscard]] SignedDistance nearestDistance(const Surface& surface, const Eigen::Vector3d& p,

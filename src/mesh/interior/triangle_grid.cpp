@@ -31,24 +31,15 @@ public:
         std::span<const std::uint32_t> left = surface_.tree().order();
         while (!left.empty())
         {
-            const auto some = left.first(std::min(kTogether, left.size()));
-            left = left.subspan(some.size());
-            const Eigen::AlignedBox3d box = boxOf(some);
-            if (box.sizes().maxCoeff() <= grid_.frame_.cell)
-            {
-                add(some, box);
-                continue;
-            }
-            for (const std::uint32_t t : some)
-            {
-                add(t);
-            }
+            add(left.first(std::min(kTogether, left.size())));
+            left = left.subspan(std::min(kTogether, left.size()));
         }
         sort();
     }
 
 private:
-    /// Triangles that lie side by side and are small look together which cells they are near.
+    /// Triangles that lie side by side and are small look together which cells they are near; where
+    /// they are larger than a cell, fewer of them.
     static constexpr std::size_t kTogether = 16;
     struct Entry
     {
@@ -69,33 +60,29 @@ private:
         return box;
     }
 
-    void add(std::uint32_t triangle)
+    /// Enters those in each cell that they are near.
+    void add(std::span<const std::uint32_t> triangles)
     {
-        forEachCell(boxOf({&triangle, 1}),
-                    [&](int x, int y, int z)
-                    {
-                        if (isNear(triangle, grid_.frame_.centre(x, y, z)) && !isLong(x, y, z))
-                        {
-                            enter(x, y, z, triangle);
-                        }
-                    });
-    }
-
-    void add(std::span<const std::uint32_t> triangles, const Eigen::AlignedBox3d& box)
-    {
-        const double farthest = (1 + kBallRounding) * radius_;
+        const Eigen::AlignedBox3d box = boxOf(triangles);
+        if (triangles.size() > 1 && box.sizes().maxCoeff() > grid_.frame_.cell)
+        {
+            add(triangles.first(triangles.size() / 2));
+            add(triangles.subspan(triangles.size() / 2));
+            return;
+        }
+        const double surelyIn = (1 - kBallRounding) * radius_;
         forEachCell(box,
-                    [&](int x, int y, int z)
+                    [&](int x, int y, int z, double farthestSquare)
                     {
-                        const Eigen::Vector3d centre = grid_.frame_.centre(x, y, z);
-                        if (box.squaredExteriorDistance(centre) > farthest * farthest ||
-                            isLong(x, y, z))
+                        if (isLong(x, y, z))
                         {
                             return;
                         }
+                        const bool all = farthestSquare <= surelyIn * surelyIn;
+                        const Eigen::Vector3d centre = grid_.frame_.centre(x, y, z);
                         for (const std::uint32_t t : triangles)
                         {
-                            if (isNear(t, centre))
+                            if (all || isNear(t, centre))
                             {
                                 enter(x, y, z, t);
                             }
@@ -103,19 +90,50 @@ private:
                     });
     }
 
-    /// Calls visit(x, y, z) for each cell of a box that contains all that are near `box`.
-    template <class Visit>
-    void forEachCell(const Eigen::AlignedBox3d& box, Visit&& visit) const
+    /// The squared distances of a layer of cells to the nearest and the farthest of a box, along
+    /// one axis: those of three axes add up.
+    struct Layer
     {
+        double nearest;
+        double farthest;
+    };
+    [[nodiscard]] Layer layer(const Eigen::AlignedBox3d& box, Eigen::Index axis, int index) const
+    {
+        const double centre = grid_.frame_.origin[axis] + (index + 0.5) * grid_.frame_.cell;
+        const double below = box.min()[axis] - centre;
+        const double above = centre - box.max()[axis];
+        const double outside = std::max({below, above, 0.0});
+        const double across = std::min(below, above);
+        return {outside * outside, across * across};
+    }
+
+    /// Calls visit(x, y, z, farthest) for each cell that may be near `box`, with the squared
+    /// distance of its centre to the farthest point of the box.
+    template <class Visit>
+    void forEachCell(const Eigen::AlignedBox3d& box, Visit&& visit)
+    {
+        const double surelyOut = (1 + kBallRounding) * radius_;
         const auto low = grid_.frame_.coordinates(box.min().array() - grid_.reach_);
         const auto high = grid_.frame_.coordinates(box.max().array() + grid_.reach_);
+        layersOfX_.clear();
+        for (int x = low[0]; x <= high[0]; ++x)
+        {
+            layersOfX_.push_back(layer(box, 0, x));
+        }
         for (int z = low[2]; z <= high[2]; ++z)
         {
+            const Layer atZ = layer(box, 2, z);
             for (int y = low[1]; y <= high[1]; ++y)
             {
-                for (int x = low[0]; x <= high[0]; ++x)
+                const Layer atY = layer(box, 1, y);
+                const double left = surelyOut * surelyOut - (atZ.nearest + atY.nearest);
+                for (int x = left < 0 ? high[0] + 1 : low[0]; x <= high[0]; ++x)
                 {
-                    visit(x, y, z);
+                    const Layer& atX = layersOfX_[static_cast<std::size_t>(x - low[0])];
+                    if (atX.nearest <= left)
+                    {
+                        visit(x, y, z, atX.farthest + (atY.farthest + atZ.farthest));
+                    }
                 }
             }
         }
@@ -149,11 +167,11 @@ private:
             return false;
         }
         const double square = bound.toCentreSquared(centre);
-        const double surelyIn = (1 - kBallRounding) * radius_ - bound.radius;
+        const double surelyIn = (1 - kBallRounding) * radius_; // the centre is of the triangle
         const double surelyOut = (1 + kBallRounding) * (radius_ + bound.radius);
-        if (square > surelyOut * surelyOut || (surelyIn > 0 && square <= surelyIn * surelyIn))
+        if (square > surelyOut * surelyOut || square <= surelyIn * surelyIn)
         {
-            return square <= surelyOut * surelyOut;
+            return square <= surelyIn * surelyIn;
         }
         const auto& [a, b, c] = surface_[t].corner;
         const Eigen::Vector3d closest = closestPointOnTriangle(centre, a, b, c).point;
@@ -191,6 +209,7 @@ private:
     const Surface& surface_;
     double radius_;
     std::vector<Entry> entries_;
+    std::vector<Layer> layersOfX_; ///< of the box that cells are looked up for
 };
 
 TriangleGrid::TriangleGrid(const Surface& surface, const GridFrame& frame, double reach)

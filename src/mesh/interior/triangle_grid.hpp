@@ -4,7 +4,9 @@
 #include "geometry/grid_frame.hpp"
 #include "mesh/interior/surface.hpp"
 
+#include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -19,7 +21,7 @@ class TriangleGrid
 public:
     /// Of a cell, above which the tree is quicker. Smaller: the built-in human takes 16 % more
     /// instructions at 32. Larger: scans take longer. [triangles]
-    static constexpr std::size_t kShortList = 200;
+    static constexpr std::size_t kShortList = 96;
 
     /// `surface` must outlive this object.
     TriangleGrid(const Surface& surface, const GridFrame& frame, double reach);
@@ -46,12 +48,14 @@ public:
         surface_->tree().findNear(p, distance, found);
         return found;
     }
-    /// As nearestDistance of `all`, which is near(p) and not empty; where that is within the reach.
-    [[nodiscard]] SignedDistance nearest(const Eigen::Vector3d& p,
-                                         std::span<const std::uint32_t> all) const
+    /// As nearestDistance of `all`, which is near(p) and not empty; where that is within the reach
+    /// and at most `distance`.
+    [[nodiscard]] SignedDistance
+    nearest(const Eigen::Vector3d& p, std::span<const std::uint32_t> all,
+            double distance = std::numeric_limits<double>::infinity()) const
     {
-        return all.size() <= kShortList ? nearestDistance(*surface_, all, p)
-                                        : nearestDistance(*surface_, p, reach_);
+        return all.size() <= kShortList ? nearestDistance(*surface_, all, p, distance)
+                                        : nearestDistance(*surface_, p, std::min(reach_, distance));
     }
     [[nodiscard]] std::span<const std::uint32_t> cell(int x, int y, int z) const
     {

@@ -47,32 +47,43 @@ SiteLattice::SiteLattice(const Surface& surface, const InsideTest& inside, doubl
 
 void SiteLattice::openLayer(const InsideTest& inside, int z)
 {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
     const double least = radius_ - halfDiagonal();
     // From one site to the next a distance changes less.
     const double known = lattice_.cell + kDistanceSlack;
     std::size_t site = lattice_.index(0, 0, z);
+    struct Bounds
+    {
+        double low = -kInfinity;
+        double high = kInfinity;
+    };
+    std::vector<Bounds> row(static_cast<std::size_t>(lattice_.count[0])); // the one before
     for (int y = 0; y < lattice_.count[1]; ++y)
     {
-        double low = -std::numeric_limits<double>::infinity(); // bounds of the distance
-        double high = std::numeric_limits<double>::infinity();
-        for (int x = 0; x < lattice_.count[0]; ++x, ++site, low -= known, high += known)
+        Bounds distance;
+        for (int x = 0; x < lattice_.count[0]; ++x, ++site)
         {
-            if (low < least && high >= least)
+            Bounds& beside = row[static_cast<std::size_t>(x)];
+            distance.low = std::max(distance.low, beside.low) - known;
+            distance.high = std::min(distance.high, beside.high) + known;
+            if (distance.low < least && distance.high >= least)
             {
                 const Eigen::Vector3d place = lattice_.centre(x, y, z);
-                const double distance = inside.distance(place);
+                const double its = inside.distance(place, std::max(-distance.low, distance.high));
                 // What is beyond the reach of the test is only known to be beyond it.
-                const bool far = std::abs(distance) >= inside.reach();
-                low = far && distance < 0 ? -std::numeric_limits<double>::infinity() : distance;
-                high = far && distance > 0 ? std::numeric_limits<double>::infinity() : distance;
-                if (far && distance < 0)
+                const bool far = std::abs(its) >= inside.reach();
+                distance.low = far && its < 0 ? -kInfinity : its;
+                distance.high = far && its > 0 ? kInfinity : its;
+                if (far && its < 0)
                 {
                     const int last = lastBefore(inside.farOutsideUntil(place), x);
+                    std::fill(&beside, &beside + (last - x), distance);
                     site += static_cast<std::size_t>(last - x);
                     x = last;
                 }
             }
-            if (low >= least)
+            row[static_cast<std::size_t>(x)] = distance;
+            if (distance.low >= least)
             {
                 bits_[site / 64] |= std::uint64_t{1} << (site % 64);
             }
