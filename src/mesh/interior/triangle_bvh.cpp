@@ -29,6 +29,9 @@ public:
                 }
             }
         }
+        const double size = boxes_[0].sizes().maxCoeff();
+        bvh_.centre_ = boxes_[0].center();
+        bvh_.scale_ = size > 0 ? 1 / size : 1;
     }
 
     /// Returns the node's number among those of four.
@@ -39,16 +42,17 @@ public:
         Node built;
         for (std::size_t axis = 0; axis < 3; ++axis)
         {
-            built.low[axis].fill(std::numeric_limits<double>::infinity());
-            built.high[axis].fill(-std::numeric_limits<double>::infinity());
+            built.low[axis] = Four{} + std::numeric_limits<float>::infinity();
+            built.high[axis] = Four{} - std::numeric_limits<float>::infinity();
         }
         std::size_t count = 0;
         const auto take = [&](std::size_t below)
         {
+            const Box box = bvh_.around(boxes_[below]);
             for (std::size_t axis = 0; axis < 3; ++axis)
             {
-                built.low[axis][count] = boxes_[below].min()[static_cast<Eigen::Index>(axis)];
-                built.high[axis][count] = boxes_[below].max()[static_cast<Eigen::Index>(axis)];
+                built.low[axis][count] = box.low[axis];
+                built.high[axis][count] = box.high[axis];
             }
             const TriangleTree::Node& its = tree_.nodes()[below];
             built.child[count++] = tree_.isLeaf(below) ? Child{its.first, its.end - its.first}

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -14,8 +15,9 @@ namespace frostfill
 {
 
 /// A bounding volume hierarchy of the triangles of a mesh, four children a node [Wald et al. 2008].
-/// Boxes grow by rounding, so nothing near enough is left out: who visits it and judges the
-/// triangles by itself gets what a list of all triangles would give.
+/// Boxes are in single precision, in a frame in which the mesh is as large as 1. They grow by
+/// rounding, so nothing near enough is left out: who visits it and judges the triangles by itself
+/// gets what a list of all triangles would give.
 class TriangleBvh
 {
 public:
@@ -38,54 +40,76 @@ private:
     static constexpr std::size_t kWidth = 4;     // children
     static constexpr std::uint32_t kLeaf = 4;    // triangles at most
     static constexpr std::size_t kDeepest = 128; // pending children: 3 a level, 2^32 triangles
-    /// By which squared distances may be wrong, tenfold. [1]
-    static constexpr double kRounding = 1e-14;
+    /// By which coordinates and squared distances may be wrong, twofold. [1]
+    static constexpr double kGrow = 0x1p-23;
+    static constexpr double kRounding = 0x1p-20;
 
     struct Child
     {
         std::uint32_t first = 0;     ///< node, or place in order_
         std::uint32_t triangles = 0; ///< 0: a node
     };
+    using Four = float __attribute__((vector_size(4 * kWidth))); // registers of all processors
     struct Node
     {
-        std::array<std::array<double, kWidth>, 3> low; ///< infinite where there is no child
-        std::array<std::array<double, kWidth>, 3> high;
+        std::array<Four, 3> low; ///< infinite where there is no child
+        std::array<Four, 3> high;
         std::array<Child, kWidth> child;
     };
     struct Pending
     {
-        double square;
+        float square;
         Child child;
     };
-
-    using Squares = std::array<double, kWidth>;
-    [[nodiscard]] static Squares squaresTo(const Node& node, const Eigen::AlignedBox3d& box);
-    /// Finite, so that what is not there is beyond it.
-    [[nodiscard]] static double squareOf(double limit)
+    /// Along each axis, in the frame of the nodes.
+    struct Box
     {
-        return std::min(limit * limit * (1 + kRounding), std::numeric_limits<double>::max());
+        std::array<float, 3> low, high;
+    };
+
+    /// That contains `box` for certain.
+    [[nodiscard]] Box around(const Eigen::AlignedBox3d& box) const;
+    [[nodiscard]] static Four squaresTo(const Node& node, const Box& box);
+    /// Of a distance of the mesh. Finite, so that what is not there is beyond it.
+    [[nodiscard]] float squareOf(double limit) const
+    {
+        const double square = limit * scale_ * limit * scale_ * (1 + kRounding);
+        return static_cast<float>(std::min<double>(square, std::numeric_limits<float>::max()));
     }
 
     class Builder;
 
-    std::vector<Node> nodes_; ///< the first is the root
+    Eigen::Vector3d centre_ = Eigen::Vector3d::Zero(); ///< of the mesh
+    double scale_ = 1;                                 ///< by which it has the size 1
+    std::vector<Node> nodes_;                          ///< the first is the root
     std::vector<std::uint32_t> order_;
 };
 
-inline TriangleBvh::Squares TriangleBvh::squaresTo(const Node& node, const Eigen::AlignedBox3d& box)
+inline TriangleBvh::Box TriangleBvh::around(const Eigen::AlignedBox3d& box) const
 {
-    Squares squares{};
+    Box result{};
+    for (Eigen::Index axis = 0; axis < 3; ++axis)
+    {
+        const double low = (box.min()[axis] - centre_[axis]) * scale_;
+        const double high = (box.max()[axis] - centre_[axis]) * scale_;
+        const auto at = static_cast<std::size_t>(axis);
+        result.low[at] = static_cast<float>(low - kGrow * (1 + std::abs(low)));
+        result.high[at] = static_cast<float>(high + kGrow * (1 + std::abs(high)));
+    }
+    return result;
+}
+
+inline TriangleBvh::Four TriangleBvh::squaresTo(const Node& node, const Box& box)
+{
+    Four squares{};
+    constexpr Four kNone = {};
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-        const double low = box.min()[static_cast<Eigen::Index>(axis)];
-        const double high = box.max()[static_cast<Eigen::Index>(axis)];
-        for (std::size_t k = 0; k < kWidth; ++k)
-        {
-            const double below = node.low[axis][k] - high;
-            const double above = low - node.high[axis][k];
-            const double apart = below > above ? below : above;
-            squares[k] += apart > 0 ? apart * apart : 0;
-        }
+        const Four below = node.low[axis] - box.high[axis];
+        const Four above = box.low[axis] - node.high[axis];
+        const Four apart = below > above ? below : above;
+        const Four outside = apart > kNone ? apart : kNone;
+        squares += outside * outside;
     }
     return squares;
 }
@@ -95,7 +119,8 @@ void TriangleBvh::forEachNear(const Eigen::AlignedBox3d& box, double limit, Visi
 {
     std::array<Pending, kDeepest> pending;
     std::size_t count = 0;
-    double square = squareOf(limit);
+    const Box from = around(box);
+    float square = squareOf(limit);
     if (!nodes_.empty())
     {
         pending[count++] = {0, {0, 0}};
@@ -114,7 +139,7 @@ void TriangleBvh::forEachNear(const Eigen::AlignedBox3d& box, double limit, Visi
             continue;
         }
         const Node& node = nodes_[next.child.first];
-        const Squares squares = squaresTo(node, box);
+        const Four squares = squaresTo(node, from);
         const std::size_t begin = count;
         for (std::size_t k = 0; k < kWidth; ++k)
         {

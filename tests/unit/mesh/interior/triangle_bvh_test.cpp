@@ -43,13 +43,14 @@ std::vector<Eigen::Vector3d> pointsFor(const Surface& surface, std::size_t count
 }
 
 /// The list of all triangles is the oracle.
-void expectNearest(const Surface& surface, std::size_t count)
+void expectNearest(const Surface& surface, std::size_t count, double size = 1)
 {
     const std::vector<std::uint32_t> all = allOf(surface);
     for (const Eigen::Vector3d& p : pointsFor(surface, count))
     {
         const SignedDistance expected = nearestDistance(surface, all, p);
-        for (const double within : {std::numeric_limits<double>::infinity(), 0.05, 1e-3})
+        for (const double within :
+             {std::numeric_limits<double>::infinity(), 0.05 * size, 1e-3 * size})
         {
             const SignedDistance found = nearestDistance(surface, p, within);
             if (std::abs(expected.value) > within * (1 + 1e-8))
@@ -104,6 +105,45 @@ TEST(TriangleBvh, FindsAllThatAreNearAndLeavesMostOut)
         sum += found.size();
     }
     EXPECT_LT(sum, points.size() * surface.size() / 20);
+}
+
+TEST(TriangleBvh, FindsTheNearestInMeshesOfAnySizeAndPlace)
+{
+    for (const double size : {1e-12, 1.0, 1e12})
+    {
+        TriangleMesh mesh = shapes::torus(1, 0.4, 60, 20);
+        for (Eigen::Vector3d& vertex : mesh.vertices)
+        {
+            vertex = size * (vertex + Eigen::Vector3d(30, -10, 0.1));
+        }
+        expectNearest(Surface(mesh, Walls()), 100, size);
+    }
+}
+
+TEST(TriangleBvh, LeavesNothingOutThatIsJustNearEnough)
+{
+    const Surface surface(shapes::torus(1, 0.4, 120, 40), Walls());
+    std::vector<std::uint32_t> found;
+    for (std::uint32_t id = 0; id < surface.size(); ++id)
+    {
+        // Boxes are nearest to what is beside them, along an axis.
+        const auto& corners = surface[id].corner;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            for (const double side : {-1e-4, 1e-4})
+            {
+                const Eigen::Vector3d& first =
+                    *std::max_element(corners.begin(), corners.end(),
+                                      [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b)
+                                      { return side * a[axis] < side * b[axis]; });
+                Eigen::Vector3d p = first;
+                p[axis] += side;
+                const double distance = std::abs(p[axis] - first[axis]);
+                surface.tree().findNear(p, distance, found);
+                ASSERT_TRUE(std::binary_search(found.begin(), found.end(), id)) << id;
+            }
+        }
+    }
 }
 
 TEST(TriangleBvh, OfAMeshWithoutTrianglesFindsNone)
