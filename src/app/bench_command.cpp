@@ -6,6 +6,7 @@
 #include "study/error/error_study.hpp"
 #include "study/figures/all_figures.hpp"
 #include "study/operations/operations_study.hpp"
+#include "study/operations/triangle_growth.hpp"
 #include "study/peers/peer_study.hpp"
 #include "study/stability/stability_study.hpp"
 #include "study/table.hpp"
@@ -27,6 +28,7 @@ namespace
 constexpr const char* kBenchExamples = R"(Examples:
   frostfill bench operations                counted tests against the paper's lemmas
   frostfill bench operations --quick --out output/bench
+  frostfill bench growth                    cost against the number of triangles
   frostfill bench error                     run time against error
   frostfill bench error --peers             other engines on the same spheres
   frostfill bench stability                 extreme scenes, both methods
@@ -35,6 +37,7 @@ constexpr const char* kBenchExamples = R"(Examples:
 constexpr std::uint64_t kGroups = 200;
 constexpr std::uint64_t kQuickGroups = 20;
 constexpr double kMinPeerRatio = 50; // claimed: time of the fastest other engine over ours
+constexpr double kMaxPower = 1.15;   // claimed: no cost grows by more than this power of triangles
 constexpr double kMaxOverlap = 1e-7; // claimed: of our spheres at rest [r]
 
 struct BenchArguments
@@ -117,6 +120,27 @@ void draw(const BenchArguments& arguments, const Figure& figure)
         }
         say(fmt::format("no figure: {}\n", error.what()));
     }
+}
+
+int benchGrowth(const BenchArguments& arguments)
+{
+    TaskBar bar;
+    const std::vector<TriangleGrowthPoint> points = measureTriangleGrowth(
+        arguments.quick, [&](std::size_t done, std::size_t all, const std::string& what)
+        { bar.update(done, all, what); });
+    bar.close();
+    writeTable(arguments, "triangles.csv", triangleGrowthCsv(points));
+    draw(arguments, trianglesFigure());
+    fmt::print("{}\n", formatText(triangleGrowthTable(points)));
+    bool holds = true;
+    for (const TriangleGrowth& growth : triangleGrowth(points))
+    {
+        fmt::print("{} grows as triangles^{:.2f}\n", growth.cost, growth.power);
+        holds = holds && growth.power <= kMaxPower;
+    }
+    fmt::print("verdict: {}\n", holds ? "no cost grows faster than the triangles"
+                                      : "a cost grows faster than the triangles");
+    return holds ? 0 : static_cast<int>(ErrorCode::thresholdFailed);
 }
 
 int benchStability(const BenchArguments& arguments)
@@ -252,6 +276,8 @@ Command addBenchCommand(CLI::App& program)
     static constexpr Named kBenches[] = {
         {"operations", "Tests and responses against the paper's Lemmas 1, 2 and 3",
          "20 groups instead of 200", benchOperations},
+        {"growth", "Cost of loading, of a sphere and of a picture against the number of triangles",
+         "Up to 10,000 triangles instead of 4,000,000; takes some seconds", benchGrowth},
         {"error", "Run time against error, and errors against closed forms",
          "Few spheres and settings; takes less than a minute", benchError},
         {"stability", "A matrix of extreme scenes, each with a verdict",

@@ -122,6 +122,18 @@ TEST_F(MeasureCommands, BenchOperationsAgreesWithTheLemmas)
     EXPECT_EQ(run("bench").code, 64);
 }
 
+TEST_F(MeasureCommands, BenchGrowthTellsHowEachCostGrows)
+{
+    const Answer answer = run("bench growth --quick --out here");
+    EXPECT_TRUE(answer.code == 0 || answer.code == 2) << answer.errors; // as the clock says
+    for (const char* cost : {"loading grows as triangles^", "a sphere grows as triangles^",
+                             "a picture grows as triangles^", "verdict: "})
+    {
+        EXPECT_NE(answer.output.find(cost), std::string::npos) << answer.output;
+    }
+    EXPECT_EQ(lines(readFile(folder_ / "here/triangles.csv")), 1 + 3);
+}
+
 TEST_F(MeasureCommands, FiguresListsThemAndRefusesOthers)
 {
     const Answer answer = run("figures --list");

@@ -21,5 +21,6 @@ namespace frostfill
 [[nodiscard]] Figure peersFigure();       ///< other engines beside ours
 [[nodiscard]] Figure stabilityFigure();   ///< the stress matrix
 [[nodiscard]] Figure densityFigure();     ///< density against set size
+[[nodiscard]] Figure trianglesFigure();   ///< cost against the number of triangles
 
 } // namespace frostfill
