@@ -21,7 +21,7 @@ class TriangleGrid
 public:
     /// Of a cell, above which the tree is quicker. Smaller: the built-in human takes 1 % more
     /// instructions at 48. Larger: scans take longer. [triangles]
-    static constexpr std::size_t kShortList = 64;
+    static constexpr std::size_t kShortList = 96;
 
     /// `surface` must outlive this object.
     TriangleGrid(const Surface& surface, const GridFrame& frame, double reach);

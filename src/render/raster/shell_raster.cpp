@@ -33,6 +33,10 @@ using Setup = ShellRaster::Setup;
 constexpr float kFlat = 0.96F;
 constexpr int kSmall = 160; // [pixel]
 
+/// What single precision may do to where a triangle ends. Samples are a tenth of a pixel inside
+/// theirs, so this has room. [pixel]
+constexpr double kCoverMargin = 0.05;
+
 /// That one core sets up before another may take more.
 constexpr std::uint32_t kTrianglesPerTask = 256;
 
@@ -162,12 +166,18 @@ void ShellRaster::place(std::uint32_t triangle, Setup& setup) const
     const glm::dvec2 limit(4.0 * size_.width, 4.0 * size_.height);
     low = glm::clamp(low, -limit, limit);
     high = glm::clamp(high, -limit, limit);
-    setup.pixels = !ahead ? picture
-                          : common({static_cast<int>(std::floor(low.x - 1)),
-                                    static_cast<int>(std::floor(low.y - 1)),
-                                    static_cast<int>(std::ceil(high.x + 1)),
-                                    static_cast<int>(std::ceil(high.y + 1))},
-                                   picture);
+    const auto within = [&](double margin)
+    {
+        return !ahead ? picture
+                      : common({static_cast<int>(std::floor(low.x - margin)),
+                                static_cast<int>(std::floor(low.y - margin)),
+                                static_cast<int>(std::ceil(high.x + margin)),
+                                static_cast<int>(std::ceil(high.y + margin))},
+                               picture);
+    };
+    setup.pixels = within(kCoverMargin);
+    const PixelRectangle about = within(1);
+    setup.small = about.width() < kSmall && about.height() < kSmall;
     setup.front = determinant > 0;
     setup.seen = std::abs(determinant) > 1e-12 && !setup.pixels.empty();
     if (!setup.seen)
@@ -194,6 +204,7 @@ void ShellRaster::place(std::uint32_t triangle, Setup& setup) const
         setup.near[i] = static_cast<float>(share * heights[i]);
         setup.normals[i] *= setup.front ? 1.0F : -1.0F;
     }
+    setup.seen = coversSample(samples_, setup);
 }
 
 void ShellRaster::setStrokes(std::uint32_t triangle, Setup& setup) const
@@ -238,7 +249,7 @@ void ShellRaster::setStrokes(std::uint32_t triangle, Setup& setup) const
     const glm::vec3& b = setup.normals[1];
     const glm::vec3& c = setup.normals[2];
     const float bent = std::min({glm::dot(a, b), glm::dot(b, c), glm::dot(c, a)});
-    setup.flat = bent > kFlat && setup.pixels.width() < kSmall && setup.pixels.height() < kSmall;
+    setup.flat = bent > kFlat && setup.small;
     setup.facing = edgeOn_ ? std::array<float, 3>{} : facing;
     const float size = 1 / std::sqrt(std::max(most, 1e-12F));
     const auto combined = [&](const std::array<float, 3>& values)

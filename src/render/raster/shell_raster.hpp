@@ -48,8 +48,9 @@ public:
     {
         bool ready = false;
         bool front = false; ///< faces the viewer
-        bool seen = false;  ///< is not seen edge-on, and not clear
+        bool seen = false;  ///< is not seen edge-on, nor between samples, and not clear
         bool lines = false; ///< has any
+        bool small = false; ///< in the picture
         PixelRectangle pixels;
         float nearest = 0; ///< no point of it is nearer; see kNothing
         /// Distance from each edge: across * x + upwards * y + from, inside positive [pixel].

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <utility>
 
 namespace frostfill
@@ -16,6 +17,10 @@ namespace
 using namespace lanes;
 using Setup = ShellRaster::Setup;
 using Frame = ShellRows;
+
+/// Up to which a triangle may lie between the samples. Larger: others are looked at in vain.
+/// [pixel]
+constexpr int kFewPixels = 3;
 
 /// Both channels of a word times `share` / 255, rounded.
 FROSTFILL_INLINE Words scaled(Words channels, Words share)
@@ -239,6 +244,44 @@ void drawShellRows(bool avx2, int samples, const ShellRaster::Setup& setup, cons
                    const PixelRectangle& rows, const TilePart& part, SampleTile& tile)
 {
     (avx2 ? drawAvx2 : drawPlain)(samples, setup, frame, rows, part, tile);
+}
+
+// The same sums as in drawRows, in the same order.
+bool coversSample(int samples, const ShellRaster::Setup& setup)
+{
+    const PixelRectangle& pixels = setup.pixels;
+    if (pixels.width() > kFewPixels || pixels.height() > kFewPixels)
+    {
+        return true;
+    }
+    constexpr std::array<SampleOffset, 1> kMiddle = {};
+    const std::span<const SampleOffset> offsets =
+        samples > 1 ? std::span<const SampleOffset>(kFourSamples) : kMiddle;
+    const auto isInside = [&](float x, float y, const SampleOffset& at)
+    {
+        bool inside = true;
+        for (std::size_t i = 0; i < 3; ++i)
+        {
+            const float distance = setup.across[i] * x + (setup.upwards[i] * y + setup.from[i]);
+            const float edgeAt = setup.across[i] * at.x + setup.upwards[i] * at.y;
+            inside = inside && distance + edgeAt > setup.least[i];
+        }
+        return inside;
+    };
+    for (int y = pixels.bottom; y < pixels.top; ++y)
+    {
+        for (int x = pixels.left; x < pixels.right; ++x)
+        {
+            for (const SampleOffset& at : offsets)
+            {
+                if (isInside(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F, at))
+                {
+                    return true;
+                }
+            }
+        }
+    }
+    return false;
 }
 
 } // namespace frostfill

@@ -19,4 +19,8 @@ struct ShellRows
 void drawShellRows(bool avx2, int samples, const ShellRaster::Setup& setup, const ShellRows& frame,
                    const PixelRectangle& rows, const TilePart& part, SampleTile& tile);
 
+/// False only if a triangle lies between the samples, so that drawShellRows would draw nothing;
+/// true where it is larger than a few pixels.
+[[nodiscard]] bool coversSample(int samples, const ShellRaster::Setup& setup);
+
 } // namespace frostfill
