@@ -2,6 +2,7 @@
 #include "fault/program.hpp"
 #include "support/temporary_folder.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -168,11 +169,11 @@ TEST_F(MeasureCommands, FiguresOfAnObjectOfOnesOwnComeWithPdfAndAreTheSameByteFo
     const std::string which = "figures --object sphere --quick --quiet ";
     ASSERT_EQ(run(which + "--out a").code, 0);
     ASSERT_EQ(run(which + "--only stages,volume --out b").code, 0);
-    for (const std::string name : {"stages", "cutaways", "discards", "volume"})
+    for (const char* name : {"stages", "cutaways", "discards", "volume"})
     {
-        for (const std::string ending : {".svg", ".png", ".pdf"})
+        for (const char* ending : {".svg", ".png", ".pdf"})
         {
-            EXPECT_TRUE(std::filesystem::exists(folder_ / ("a/" + name + ending)))
+            EXPECT_TRUE(std::filesystem::exists(folder_ / fmt::format("a/{}{}", name, ending)))
                 << name << ending;
         }
     }

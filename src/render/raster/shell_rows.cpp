@@ -169,7 +169,8 @@ FROSTFILL_INLINE void drawRows(const Setup& setup, const Frame& frame, const Pix
             const Floats d1 = s.across[1] * xAt + (s.upwards[1] * yAt + s.from[1]);
             const Floats d2 = s.across[2] * xAt + (s.upwards[2] * yAt + s.from[2]);
             const Floats isNear = s.near[0] * d0 + s.near[1] * d1 + s.near[2] * d2;
-            const std::size_t at = static_cast<std::size_t>(y * kTileEdge + x);
+            const int pixel = y * kTileEdge + x;
+            const auto at = static_cast<std::size_t>(pixel);
             std::array<Words, samples> seen;
             Mask seenAtAll{};
             for (std::size_t k = 0; k < samples; ++k)
