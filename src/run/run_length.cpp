@@ -119,7 +119,7 @@ RunLength estimateRunLength(const Scene& scene, const TriangleMesh& mesh,
     const bool descends = !paper && scene.motion.mode == Motion::descend;
     if (spheres <= (paper ? kTrialSpheresPaper : descends ? kTrialSpheresDescent : kTrialSpheres))
     {
-        Simulation same(withoutExtras(scene), mesh);
+        Simulation same(withoutExtras(scene), simulation);
         RunLength length = {0, true, {}};
         length.seconds = lengthOf(same, stopRequested, falls ? nullptr : &length.landings);
         return length;

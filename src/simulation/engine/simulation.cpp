@@ -18,6 +18,7 @@
 #include <atomic>
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 namespace frostfill
 {
@@ -63,6 +64,11 @@ struct Simulation::Implementation
     {
     }
 
+    Implementation(const Scene& scene, const World& like)
+        : world(scene, like.object), engine(makeCheckedEngine(world)), guard(world)
+    {
+    }
+
     World world;
     std::unique_ptr<Engine> engine;
     Guard guard;
@@ -87,10 +93,33 @@ const Scene& validated(const Scene& scene)
     return scene;
 }
 
+/// Throws Error usage unless what an object in a run depends on is alike.
+const Scene& ofSameObject(const Scene& scene, const Scene& other)
+{
+    const auto key = [](const Scene& s)
+    {
+        return std::tie(s.object.mesh, s.object.up, s.object.unitsPerMetre, s.spheres.radius,
+                        s.spheres.count, s.motion.gravity, s.move.tilt, s.move.turn, s.move.shake);
+    };
+    if (key(scene) != key(other))
+    {
+        throw Error(ErrorCode::usage, "two runs share an object only if their scenes agree in the "
+                                      "mesh, its axis, units and movement, in the spheres' radii "
+                                      "and count, and in gravity");
+    }
+    return scene;
+}
+
 } // namespace
 
 Simulation::Simulation(const Scene& scene, const TriangleMesh& mesh)
     : implementation_(std::make_unique<Implementation>(validated(scene), mesh))
+{
+}
+Simulation::Simulation(const Scene& scene, const Simulation& sameObject)
+    : implementation_(std::make_unique<Implementation>(
+          ofSameObject(validated(scene), sameObject.implementation_->world.scene),
+          sameObject.implementation_->world))
 {
 }
 Simulation::~Simulation() = default;

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace frostfill
 {
@@ -67,16 +68,28 @@ std::size_t countThatFits(const World& world)
 
 } // namespace
 
-World::World(const Scene& sceneOfRun, const TriangleMesh& mesh)
-    : scene(sceneOfRun), walls(classifyWalls(mesh)), report(inspectInterior(mesh, walls)),
+ObjectOfRun::ObjectOfRun(const Scene& scene, const TriangleMesh& mesh)
+    : walls(classifyWalls(mesh)), report(inspectInterior(mesh, walls)),
       radii(radiiOf(scene, report, mesh)), frame(scene, mesh, radii.largest()),
       surface(frame.toRun(mesh), walls),
       triangles(surface, checkedGrid(surface, frame, scene), kTriangleReach),
-      inside(surface, triangles), height(surface.box().sizes().y()),
-      motion(scene.move, frame, height), pull{.uniform = {0, -frame.gravity, 0}},
-      spheres(gridOver(surface, kSphereCell)), polygons(mesh.triangles.size(), PolygonState::active)
+      inside(surface, triangles)
 {
-    radii = radii.inLargest();
+}
+
+World::World(const Scene& sceneOfRun, const TriangleMesh& mesh)
+    : World(sceneOfRun, std::make_shared<const ObjectOfRun>(sceneOfRun, mesh))
+{
+}
+
+World::World(const Scene& sceneOfRun, std::shared_ptr<const ObjectOfRun> sharedObject)
+    : scene(sceneOfRun), object(std::move(sharedObject)), walls(object->walls),
+      report(object->report), frame(object->frame), surface(object->surface),
+      triangles(object->triangles), inside(object->inside), radii(object->radii.inLargest()),
+      height(surface.box().sizes().y()),
+      motion(scene.move, frame, height), pull{.uniform = {0, -frame.gravity, 0}},
+      spheres(gridOver(surface, kSphereCell)), polygons(surface.size(), PolygonState::active)
+{
     if (scene.spheres.count && !scene.spheres.untilFull)
     {
         targetCount = *scene.spheres.count;

@@ -23,25 +23,46 @@
 namespace frostfill
 {
 
+/// What a run knows of its object before the first sphere. It never changes, so runs that differ in
+/// their rules only share it.
+struct ObjectOfRun
+{
+    ObjectOfRun(const Scene& scene, const TriangleMesh& mesh);
+    ObjectOfRun(const ObjectOfRun&) = delete; // inside and triangles point to the surface
+    ObjectOfRun& operator=(const ObjectOfRun&) = delete;
+
+    Walls walls;              ///< of the mesh as given
+    MeshReport report;        ///< of the mesh as given, with the volume of its interior
+    RadiusDistribution radii; ///< in mesh units
+    FrameOfRun frame;
+    Surface surface;
+    TriangleGrid triangles; ///< within reach 1.5 of each cell
+    InsideTest inside;
+};
+
 /// The object and the spheres, in coordinates of the run; and by name what is none of both: the
 /// clock, the counts and who may stop the run. An Engine changes it, all other code only reads it.
 struct World
 {
     World(const Scene& sceneOfRun, const TriangleMesh& mesh);
+    /// Of an object that a scene with the same object, radii, gravity and motion of the object
+    /// made.
+    World(const Scene& sceneOfRun, std::shared_ptr<const ObjectOfRun> sharedObject);
     World(const World&) = delete;
     World& operator=(const World&) = delete;
 
     // The object.
     Scene scene;
-    Walls walls;              ///< of the mesh as given
-    MeshReport report;        ///< of the mesh as given, with the volume of its interior
+    std::shared_ptr<const ObjectOfRun> object;
+    const Walls& walls; // these are the object's
+    const MeshReport& report;
+    const FrameOfRun& frame;
+    const Surface& surface;
+    const TriangleGrid& triangles;
+    const InsideTest& inside;
     RadiusDistribution radii; ///< in the largest radius, which is the run's unit of length
-    FrameOfRun frame;
-    Surface surface;
-    TriangleGrid triangles; ///< within reach 1.5 of each cell
-    InsideTest inside;
-    double height = 0;   ///< of the object [r]
-    ObjectMotion motion; ///< of the object, from motionStart on
+    double height = 0;        ///< of the object [r]
+    ObjectMotion motion;      ///< of the object, from motionStart on
     double motionStart = std::numeric_limits<double>::infinity();
     Pull pull; ///< at this time
 
