@@ -49,7 +49,7 @@ TEST(TriangleGrowth, MeshesAreOneShapeWithMoreAndMoreTriangles)
         // The tube's square is 0.4^2 on average, and a quarter of the bumps' 0.02^2 more. What is
         // cut off by facets falls as their number grows.
         const double smooth = 2 * std::numbers::pi * std::numbers::pi * (0.16 + 0.0001);
-        EXPECT_NEAR(report.volume, smooth, 300 * smooth / n);
+        EXPECT_NEAR(report.volume, smooth, 100 * smooth / n);
         EXPECT_GT(report.volume, before);
         before = report.volume;
     }
