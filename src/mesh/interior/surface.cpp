@@ -29,10 +29,11 @@ double weightAt(const SurfaceTriangle& triangle, std::size_t corner)
 
 TriangleBound boundOf(const SurfaceTriangle& triangle)
 {
+    const auto& [a, b, c] = triangle.corner;
     TriangleBound bound;
-    bound.normal = triangle.normal;
-    bound.offset = triangle.offset;
-    bound.centre = (triangle.corner[0] + triangle.corner[1] + triangle.corner[2]) / 3;
+    bound.normal = (c - a).cross(b - a).normalized();
+    bound.offset = bound.normal.dot(a);
+    bound.centre = (a + b + c) / 3;
     for (const Eigen::Vector3d& corner : triangle.corner)
     {
         bound.radius = std::max(bound.radius, (corner - bound.centre).norm());
@@ -40,69 +41,24 @@ TriangleBound boundOf(const SurfaceTriangle& triangle)
     return bound;
 }
 
-/// The triangles at an edge or a corner.
-struct Fan
+/// Whether a triangle lies in the plane of the sum of the normals around an edge or a corner.
+bool isInPlane(const Eigen::Vector3d& ofTriangle, const Eigen::Vector3d& sum)
 {
-    Eigen::Vector3d normal = Eigen::Vector3d::Zero(); ///< weighted sum, by angle at a corner
-    bool flat = true;
-
-    void bend(const Eigen::Vector3d& ofTriangle)
-    {
-        const Eigen::Vector3d unit = normal.normalized();
-        flat = flat && unit.dot(ofTriangle) > 0 && unit.cross(ofTriangle).norm() < kFlatBend;
-    }
-};
-
-void setFeature(SurfaceTriangle& triangle, std::size_t feature, const Fan& fan)
-{
-    triangle.pseudonormal[feature] = fan.normal;
-    triangle.flat[feature] = fan.flat;
+    const Eigen::Vector3d unit = sum.normalized();
+    return unit.dot(ofTriangle) > 0 && unit.cross(ofTriangle).norm() < kFlatBend;
 }
 
-/// Returns the corners' fans [#V].
-std::vector<Fan> setCorners(const TriangleMesh& mesh, std::vector<SurfaceTriangle>& triangles)
+void markFlat(SurfaceTriangle& triangle, unsigned feature)
 {
-    std::vector<Fan> fans(mesh.vertices.size());
-    const auto forEach = [&](auto&& visit)
-    {
-        for (std::size_t corner = 0; corner < 3 * triangles.size(); ++corner)
-        {
-            const std::size_t t = corner / 3;
-            visit(triangles[t], corner % 3, fans[mesh.triangles[t][corner % 3]]);
-        }
-    };
-    forEach([](const auto& triangle, std::size_t k, Fan& fan)
-            { fan.normal += triangle.normal * weightAt(triangle, k); });
-    forEach([](const auto& triangle, std::size_t, Fan& fan) { fan.bend(triangle.normal); });
-    forEach([](auto& triangle, std::size_t k, const Fan& fan) { setFeature(triangle, k, fan); });
-    return fans;
-}
-
-void setEdges(const TriangleMesh& mesh, std::vector<SurfaceTriangle>& triangles)
-{
-    EdgeTable(mesh).forEach(
-        [&](std::span<const EdgeUse> uses)
-        {
-            Fan fan;
-            for (const EdgeUse& use : uses)
-            {
-                fan.normal += triangles[use.triangle].normal;
-            }
-            for (const EdgeUse& use : uses)
-            {
-                fan.bend(triangles[use.triangle].normal);
-            }
-            for (const EdgeUse& use : uses)
-            {
-                setFeature(triangles[use.triangle], 3U + use.corner, fan);
-            }
-        });
+    triangle.flatFeatures = static_cast<std::uint8_t>(triangle.flatFeatures | (1U << feature));
 }
 
 } // namespace
 
 Surface::Surface(const TriangleMesh& mesh, const Walls& walls)
-    : mesh_(mesh), triangles_(mesh.triangles.size()), bounds_(mesh.triangles.size()), tree_(mesh)
+    : mesh_(mesh), triangles_(mesh.triangles.size()), bounds_(mesh.triangles.size()),
+      vertexNormals_(mesh.vertices.size(), Eigen::Vector3d::Zero()), tree_(mesh),
+      anyTwoSided_(!walls.none())
 {
     for (std::size_t t = 0; t < triangles_.size(); ++t)
     {
@@ -112,44 +68,89 @@ Surface::Surface(const TriangleMesh& mesh, const Walls& walls)
             triangle.corner[k] = mesh.vertices[mesh.triangles[t][k]];
             box_.extend(triangle.corner[k]);
         }
-        const auto& [a, b, c] = triangle.corner;
-        triangle.normal = (c - a).cross(b - a).normalized();
-        triangle.offset = triangle.normal.dot(a);
-        triangle.pseudonormal.fill(triangle.normal);
         bounds_[t] = boundOf(triangle);
+        triangle.twoSided = anyTwoSided_ && walls.twoSided[t];
     }
-    setEdges(mesh, triangles_);
-    for (const Fan& fan : setCorners(mesh, triangles_))
+    joinEdges();
+    joinCorners();
+}
+
+void Surface::joinEdges()
+{
+    const EdgeTable edges(mesh_);
+    edgeNormals_.reserve(mesh_.triangles.size() * 3 / 2 + 1);
+    // Triangles that repeat a corner have no edges and no area: all their normals are zero.
+    edgeNormals_.emplace_back(Eigen::Vector3d::Zero());
+    edges.forEach(
+        [&](std::span<const EdgeUse> uses)
+        {
+            Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+            for (const EdgeUse& use : uses)
+            {
+                sum += bounds_[use.triangle].normal;
+            }
+            const bool flat = std::all_of(uses.begin(), uses.end(),
+                                          [&](const EdgeUse& use)
+                                          { return isInPlane(bounds_[use.triangle].normal, sum); });
+            for (const EdgeUse& use : uses)
+            {
+                SurfaceTriangle& triangle = triangles_[use.triangle];
+                triangle.edge[use.corner] = static_cast<std::uint32_t>(edgeNormals_.size());
+                if (flat)
+                {
+                    markFlat(triangle, 3U + use.corner);
+                }
+            }
+            edgeNormals_.push_back(sum);
+        });
+}
+
+void Surface::joinCorners()
+{
+    const auto forEach = [&](auto&& visit)
     {
-        vertexNormals_.push_back(fan.normal.normalized());
-    }
-    for (std::size_t t = 0; t < triangles_.size() && !walls.none(); ++t)
-    {
-        triangles_[t].twoSided = walls.twoSided[t];
-    }
-    anyTwoSided_ = !walls.none();
+        for (std::size_t corner = 0; corner < 3 * triangles_.size(); ++corner)
+        {
+            visit(corner / 3, corner % 3, mesh_.triangles[corner / 3][corner % 3]);
+        }
+    };
+    forEach([&](std::size_t t, std::size_t k, std::uint32_t vertex)
+            { vertexNormals_[vertex] += bounds_[t].normal * weightAt(triangles_[t], k); });
+    std::vector<bool> bent(mesh_.vertices.size(), false);
+    forEach(
+        [&](std::size_t t, std::size_t, std::uint32_t vertex)
+        { bent[vertex] = bent[vertex] || !isInPlane(bounds_[t].normal, vertexNormals_[vertex]); });
+    forEach(
+        [&](std::size_t t, std::size_t k, std::uint32_t vertex)
+        {
+            if (!bent[vertex])
+            {
+                markFlat(triangles_[t], static_cast<unsigned>(k));
+            }
+        });
 }
 
 namespace
 {
 
 // Without a call within nearestDistance, which a run spends much of its time in.
-[[gnu::always_inline]] inline SignedDistance distanceTo(const SurfaceTriangle& triangle,
+[[gnu::always_inline]] inline SignedDistance distanceTo(const Surface& surface, std::uint32_t id,
                                                         const Eigen::Vector3d& p)
 {
+    const SurfaceTriangle& triangle = surface[id];
     const ClosestPoint closest =
         closestPointOnTriangle(p, triangle.corner[0], triangle.corner[1], triangle.corner[2]);
     const Eigen::Vector3d toPoint = p - closest.point;
-    const double side = toPoint.dot(triangle.pseudonormal[static_cast<int>(closest.feature)]);
+    const double side = toPoint.dot(surface.pseudonormal(id, closest.feature));
     const double distance = toPoint.norm();
     return {side < 0 && !triangle.twoSided ? -distance : distance, closest.point, closest.feature};
 }
 
 } // namespace
 
-SignedDistance signedDistance(const SurfaceTriangle& triangle, const Eigen::Vector3d& p)
+SignedDistance signedDistance(const Surface& surface, std::uint32_t id, const Eigen::Vector3d& p)
 {
-    return distanceTo(triangle, p);
+    return distanceTo(surface, id, p);
 }
 
 SignedDistance nearestDistance(const Surface& surface, std::span<const std::uint32_t> ids,
@@ -164,7 +165,7 @@ SignedDistance nearestDistance(const Surface& surface, std::span<const std::uint
         {
             continue;
         }
-        const SignedDistance candidate = distanceTo(surface[id], p);
+        const SignedDistance candidate = distanceTo(surface, id, p);
         if (std::abs(candidate.value) < std::abs(nearest.value))
         {
             nearest = candidate;
@@ -218,7 +219,7 @@ SignedDistance nearestDistance(const Surface& surface, const Eigen::Vector3d& p,
                                        if (surface.bound(id).mayBeWithin(limit, p))
                                        {
                                            const double its =
-                                               std::abs(distanceTo(surface[id], p).value);
+                                               std::abs(distanceTo(surface, id, p).value);
                                            if (its <= limit)
                                            {
                                                candidates.push_back({its, id});

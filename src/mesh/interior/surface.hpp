@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <span>
 #include <vector>
@@ -18,25 +19,29 @@
 namespace frostfill
 {
 
-/// A triangle with everything that a one-sided contact needs. Normals point into the object.
+/// What a contact asks of a triangle once it may be near. What several triangles share, the surface
+/// keeps once.
 struct SurfaceTriangle
 {
     std::array<Eigen::Vector3d, 3> corner;
-    Eigen::Vector3d normal;                      ///< of the plane
-    double offset = 0;                           ///< normal . x for points x of the plane
-    std::array<Eigen::Vector3d, 7> pseudonormal; ///< by TriangleFeature, not normalised
-    /// By TriangleFeature: whether all triangles at this edge or corner lie in one plane. A sphere
-    /// that touches such a feature also touches one of the faces.
-    std::array<bool, 7> flat = {};
+    std::array<std::uint32_t, 3> edge = {}; ///< number of the edge from each corner to the next
+    std::uint8_t flatFeatures = 0;          ///< a bit for each TriangleFeature
     /// Whether both sides act, and the winding number tells which of them is inside: see Walls.
     bool twoSided = false;
+
+    /// Whether all triangles at this edge or corner lie in one plane. A sphere that touches such a
+    /// feature also touches one of the faces.
+    [[nodiscard]] bool isFlat(TriangleFeature feature) const
+    {
+        return ((flatFeatures >> static_cast<int>(feature)) & 1) != 0;
+    }
 };
 
 /// The plane of a triangle and a sphere around it, in one cache line, for quick rejection.
 struct alignas(64) TriangleBound
 {
-    Eigen::Vector3d normal;
-    double offset = 0;
+    Eigen::Vector3d normal; ///< of the plane, into the object
+    double offset = 0;      ///< normal . x for points x of the plane
     Eigen::Vector3d centre;
     double radius = 0;
 
@@ -81,22 +86,37 @@ public:
     [[nodiscard]] const TriangleBvh& tree() const { return tree_; }
 
     /// Angle-weighted unit normal of a vertex, into the object.
-    [[nodiscard]] const Eigen::Vector3d& vertexNormal(std::size_t vertex) const
+    [[nodiscard]] Eigen::Vector3d vertexNormal(std::size_t vertex) const
     {
-        return vertexNormals_[vertex];
+        return vertexNormals_[vertex].normalized();
+    }
+    /// Of a feature of triangle `id`, into the object; not normalised.
+    [[nodiscard]] const Eigen::Vector3d& pseudonormal(std::size_t id, TriangleFeature feature) const
+    {
+        if (feature == TriangleFeature::face)
+        {
+            return bounds_[id].normal;
+        }
+        const auto k = static_cast<std::size_t>(feature);
+        return k < 3 ? vertexNormals_[mesh_.triangles[id][k]]
+                     : edgeNormals_[triangles_[id].edge[k - 3]];
     }
 
 private:
+    void joinEdges();
+    void joinCorners();
+
     TriangleMesh mesh_;
     std::vector<SurfaceTriangle> triangles_;
     std::vector<TriangleBound> bounds_;
-    std::vector<Eigen::Vector3d> vertexNormals_;
+    std::vector<Eigen::Vector3d> vertexNormals_; ///< [#V] not normalised
+    std::vector<Eigen::Vector3d> edgeNormals_;   ///< [#E] not normalised
     Eigen::AlignedBox3d box_;
     TriangleBvh tree_;
     bool anyTwoSided_ = false;
 };
 
-/// Distance to a triangle, positive on the inner side of the surface, and on both sides of a
+/// Distance to triangle `id`, positive on the inner side of the surface, and on both sides of a
 /// two-sided triangle.
 struct SignedDistance
 {
@@ -104,7 +124,7 @@ struct SignedDistance
     Eigen::Vector3d closest;
     TriangleFeature feature = TriangleFeature::face;
 };
-[[nodiscard]] SignedDistance signedDistance(const SurfaceTriangle& triangle,
+[[nodiscard]] SignedDistance signedDistance(const Surface& surface, std::uint32_t id,
                                             const Eigen::Vector3d& p);
 
 /// Signed distance to the nearest of several triangles. Two equally near triangles share an edge or

@@ -87,17 +87,16 @@ struct Contact
     {
         return std::nullopt;
     }
-    const SurfaceTriangle& triangle = surface[id];
-    const SignedDistance wall = signedDistance(triangle, p);
+    const SignedDistance wall = signedDistance(surface, id, p);
     if (wall.value <= 0 || wall.value > radius + gap)
     {
         return std::nullopt;
     }
     const Contact contact = wallContact(wall, p, radius);
-    if (triangle.flat[static_cast<int>(wall.feature)])
+    if (surface[id].isFlat(wall.feature))
     {
-        const double below = contact.normal.dot(triangle.normal);
-        if ((triangle.twoSided ? std::abs(below) : below) < 1 - kBelow)
+        const double below = contact.normal.dot(surface.bound(id).normal);
+        if ((surface[id].twoSided ? std::abs(below) : below) < 1 - kBelow)
         {
             return std::nullopt;
         }

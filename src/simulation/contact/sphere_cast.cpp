@@ -38,19 +38,19 @@ double castAtSpheres(const NeighbourList& around, const Eigen::Vector3d& p,
 // The distance to a triangle is a convex function of the way gone, so it never falls below its
 // tangent: Newton's steps approach the contact from in front and never pass it. No use for the
 // kernel's contact here: a cast asks from both sides of a wall, and only along its direction.
-double castAtTriangle(const SurfaceTriangle& triangle, const Eigen::Vector3d& p, double radius,
-                      const Eigen::Vector3d& direction, double limit)
+double castAtTriangle(const Surface& surface, std::uint32_t id, const Eigen::Vector3d& p,
+                      double radius, const Eigen::Vector3d& direction, double limit)
 {
     double path = 0;
     for (int step = 0; step < kNewtonSteps && path < limit; ++step)
     {
         const Eigen::Vector3d here = p + path * direction;
-        const SignedDistance wall = signedDistance(triangle, here);
+        const SignedDistance wall = signedDistance(surface, id, here);
         // Along a plane the next triangle of the same plane is no obstacle, though the edge between
         // them comes nearer.
         if (wall.value <= kOtherSheet ||
-            (triangle.flat[static_cast<int>(wall.feature)] &&
-             std::abs(triangle.normal.dot(direction)) < kSlidesAlongPlane))
+            (surface[id].isFlat(wall.feature) &&
+             std::abs(surface.bound(id).normal.dot(direction)) < kSlidesAlongPlane))
         {
             return limit;
         }
@@ -77,7 +77,7 @@ double sphereCast(const Surface& surface, const NeighbourList& around, const Eig
     {
         if (surface.bound(triangle).mayBeWithin(radius + path, p))
         {
-            path = castAtTriangle(surface[triangle], p, radius, direction, path);
+            path = castAtTriangle(surface, triangle, p, radius, direction, path);
         }
     }
     return path;

@@ -18,8 +18,9 @@ namespace frostfill
                                 const Eigen::Vector3d& direction, double limit);
 
 /// The same for a single triangle, whose distance from p is at most a few radii.
-[[nodiscard]] double castAtTriangle(const SurfaceTriangle& triangle, const Eigen::Vector3d& p,
-                                    double radius, const Eigen::Vector3d& direction, double limit);
+[[nodiscard]] double castAtTriangle(const Surface& surface, std::uint32_t id,
+                                    const Eigen::Vector3d& p, double radius,
+                                    const Eigen::Vector3d& direction, double limit);
 
 /// Unit vectors to p from everything that a sphere there touches: gaps of at most `gap`. Returns
 /// the way out of the wall into which the sphere has crept farthest (kCrept), or zero.

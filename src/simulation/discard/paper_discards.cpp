@@ -87,7 +87,7 @@ std::size_t discardCoveredPolygons(World& world, double closeness)
         bool covered = true;
         for (std::size_t k = 0; k < 3 && covered; ++k)
         {
-            const Eigen::Vector3d& normal =
+            const Eigen::Vector3d normal =
                 world.surface.vertexNormal(world.surface.mesh().triangles[t][k]);
             covered = isCovered(world, triangle.corner[k], normal, closeness);
         }

@@ -72,7 +72,7 @@ double fallInCell(const World& world, const std::array<int, 3>& cell, const Eige
             if (world.polygons[id] == PolygonState::active &&
                 world.surface.bound(id).mayBeWithin(radius + path, here))
             {
-                path = castAtTriangle(world.surface[id], here, radius, {0, -1, 0}, path);
+                path = castAtTriangle(world.surface, id, here, radius, {0, -1, 0}, path);
             }
         }
         return radius;

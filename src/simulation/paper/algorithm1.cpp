@@ -225,7 +225,7 @@ std::uint64_t Algorithm1::collideWithPolygons(std::uint32_t i, const Eigen::Vect
     deepest_ = 0;
     auto respond = [&](std::uint32_t polygon)
     {
-        if (const auto contact = oneSidedContact(surface_[polygon], p, before, radius))
+        if (const auto contact = oneSidedContact(polygon, p, before, radius))
         {
             p += contact->normal * contact->depth;
             reflect(i, contact->normal);
@@ -243,20 +243,20 @@ std::uint64_t Algorithm1::collideWithPolygons(std::uint32_t i, const Eigen::Vect
 // One-sided contact. In front of the wall the sphere is pushed away from the closest point. Behind
 // it, it is pulled back through the closest point, provided that it was in front before this step:
 // otherwise it belongs to another sheet of a thin wall.
-std::optional<Contact> Algorithm1::oneSidedContact(const SurfaceTriangle& triangle,
-                                                   const Eigen::Vector3d& p,
-                                                   const Eigen::Vector3d& before, double radius)
+std::optional<Contact> Algorithm1::oneSidedContact(std::uint32_t polygon, const Eigen::Vector3d& p,
+                                                   const Eigen::Vector3d& before,
+                                                   double radius) const
 {
-    const SignedDistance here = signedDistance(triangle, p);
+    const SignedDistance here = signedDistance(surface_, polygon, p);
     if (std::abs(here.value) >= radius)
     {
         return std::nullopt;
     }
-    if (triangle.twoSided && here.value > 0)
+    if (surface_[polygon].twoSided && here.value > 0)
     {
         return contactFrom(before, here, p, radius);
     }
-    const Eigen::Vector3d& inward = triangle.pseudonormal[static_cast<int>(here.feature)];
+    const Eigen::Vector3d& inward = surface_.pseudonormal(polygon, here.feature);
     if (here.value == 0)
     {
         return Contact{inward.normalized(), radius};

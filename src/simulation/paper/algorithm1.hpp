@@ -55,10 +55,10 @@ private:
                                       OperationCounts& counts);
     /// No function of the source's own: it would be made part of the loop over all polygons, which
     /// then takes half as long again.
-    [[nodiscard]] static std::optional<Contact> oneSidedContact(const SurfaceTriangle& triangle,
-                                                                const Eigen::Vector3d& p,
-                                                                const Eigen::Vector3d& before,
-                                                                double radius);
+    [[nodiscard]] std::optional<Contact> oneSidedContact(std::uint32_t polygon,
+                                                         const Eigen::Vector3d& p,
+                                                         const Eigen::Vector3d& before,
+                                                         double radius) const;
     void keepInside(std::uint32_t i, const Eigen::Vector3d& before);
 
     Spheres& spheres_;

@@ -95,9 +95,9 @@ VoxelBits ReachMap::cubesFartherThan(double distance) const
                                 [&](VoxelWord w) { open[w.word] |= w.bits; });
         }
     }
-    for (const SurfaceTriangle& triangle : surface_.triangles())
+    for (std::uint32_t id = 0; id < surface_.size(); ++id)
     {
-        const TriangleRows rows(layout_.frame, triangle, distance);
+        const TriangleRows rows(layout_.frame, surface_, id, distance);
         const VoxelRun widest = rows.widest();
         if (widest.first > widest.last)
         {

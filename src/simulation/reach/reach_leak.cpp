@@ -67,11 +67,12 @@ std::optional<Eigen::Vector3d> findLeak(const Surface& surface, const InsideTest
                                         double radius)
 {
     const auto centreOf = [&](const Cube& c) { return layout.frame.centre(c[0], c[1], c[2]); };
-    for (const SurfaceTriangle& triangle : surface.triangles())
+    for (std::uint32_t id = 0; id < surface.size(); ++id)
     {
         // Where the centre of a sphere would be that touches the triangle from inside.
-        const auto& [a, b, c] = triangle.corner;
-        const Cube start = layout.frame.coordinates((a + b + c) / 3 + radius * triangle.normal);
+        const auto& [a, b, c] = surface[id].corner;
+        const Cube start =
+            layout.frame.coordinates((a + b + c) / 3 + radius * surface.bound(id).normal);
         if (!isIn(layout, outer, start) || !inside.contains(centreOf(start)))
         {
             continue;

@@ -237,7 +237,7 @@ template <class Confirm>
 bool ReachMap::findNearTriangle(std::uint32_t triangle, Confirm&& confirm)
 {
     const double distance = polygonReach() + kHalfDiagonal * layout_.frame.cell;
-    const TriangleRows rows(layout_.frame, surface_[triangle], distance);
+    const TriangleRows rows(layout_.frame, surface_, triangle, distance);
     const VoxelRun widest = rows.widest();
     const auto isNear = [&](int x, int y, int z) { return rows.near(x, y, z) && confirm(x, y, z); };
     return widest.first <= widest.last &&

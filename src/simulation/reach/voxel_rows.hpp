@@ -139,9 +139,9 @@ private:
 class TriangleRows
 {
 public:
-    TriangleRows(const GridFrame& frame, const SurfaceTriangle& triangle, double reach)
-        : frame_(frame), triangle_(triangle), reach_(reach), box_(boxOf(triangle)),
-          widest_(range(0, box_.min().x(), box_.max().x())),
+    TriangleRows(const GridFrame& frame, const Surface& surface, std::uint32_t id, double reach)
+        : frame_(frame), triangle_(surface[id]), plane_(surface.bound(id)), reach_(reach),
+          box_(boxOf(surface[id])), widest_(range(0, box_.min().x(), box_.max().x())),
           window_(range(1, box_.min().y(), box_.max().y()),
                   range(2, box_.min().z(), box_.max().z()))
     {
@@ -157,12 +157,11 @@ public:
         double low = box_.min().x();
         double high = box_.max().x();
         const Eigen::Vector3d start = frame_.centre(0, y, z);
-        const double slope = triangle_.normal.x();
+        const double slope = plane_.normal.x();
         if (std::abs(slope) > kSteep)
         {
             // |n.p - offset| <= reach on the line p = start + t e_x; x shifted by -reach below.
-            const double middle =
-                start.x() - (triangle_.normal.dot(start) - triangle_.offset) / slope;
+            const double middle = start.x() - (plane_.normal.dot(start) - plane_.offset) / slope;
             const double width = (reach_ + kFilterRounding) / std::abs(slope);
             low = std::max(low, middle - width + reach_);
             high = std::min(high, middle + width - reach_);
@@ -197,6 +196,7 @@ private:
 
     GridFrame frame_;
     const SurfaceTriangle& triangle_;
+    const TriangleBound& plane_;
     double reach_;
     Eigen::AlignedBox3d box_;
     std::array<int, 2> widest_;

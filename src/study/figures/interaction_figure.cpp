@@ -36,8 +36,9 @@ std::optional<std::uint32_t> lowestCovered(const Surface& surface,
 }
 
 /// Through the polygon's longest edge and into the object, seen along the surface.
-SectionPlane planeThrough(const SurfaceTriangle& triangle, std::size_t& edge)
+SectionPlane planeThrough(const Surface& surface, std::uint32_t polygon, std::size_t& edge)
 {
+    const SurfaceTriangle& triangle = surface[polygon];
     double longest = 0;
     for (std::size_t k = 0; k < 3; ++k)
     {
@@ -50,7 +51,7 @@ SectionPlane planeThrough(const SurfaceTriangle& triangle, std::size_t& edge)
     }
     const Eigen::Vector3d& a = triangle.corner[edge];
     const Eigen::Vector3d& b = triangle.corner[(edge + 1) % 3];
-    return {(a + b) / 2, (b - a).normalized(), triangle.normal};
+    return {(a + b) / 2, (b - a).normalized(), surface.bound(polygon).normal};
 }
 
 /// The polygon's vertices and the rays from them: `x,y,dx,dy`, the third beside the plane.
@@ -64,7 +65,7 @@ Table raysOf(const Surface& surface, std::uint32_t polygon, std::size_t edge,
         const std::size_t corner = (edge + k) % 3;
         const std::uint32_t vertex = surface.mesh().triangles[polygon][corner];
         const Eigen::Vector2d from = plane.project(surface[polygon].corner[corner]) / unit;
-        const Eigen::Vector3d& ray = surface.vertexNormal(vertex);
+        const Eigen::Vector3d ray = surface.vertexNormal(vertex);
         table.rows.push_back({k < 2 ? "edge" : "beside", fmt::format("{:.5f}", from.x()),
                               fmt::format("{:.5f}", from.y()),
                               fmt::format("{:.5f}", plane.across.dot(ray)),
@@ -89,7 +90,7 @@ void writeSections(const FigureFolder& folder, const Scene& scene, const Triangl
     // Even where none is covered there is something to draw: the lowest polygon.
     const std::uint32_t polygon = lowestCovered(surface, end.snapshot.polygons).value_or(0);
     std::size_t edge = 0;
-    const SectionPlane plane = planeThrough(surface[polygon], edge);
+    const SectionPlane plane = planeThrough(surface, polygon, edge);
     folder.write("interaction-covering.csv", circlesOf(end.snapshot, plane, unit));
     folder.write("interaction-rays.csv", raysOf(surface, polygon, edge, plane, unit));
 }

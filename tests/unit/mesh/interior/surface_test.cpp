@@ -23,30 +23,30 @@ Surface hinge(double angle)
     return Surface(mesh, Walls());
 }
 
-constexpr int kCommonEdge = 4; // of the first triangle, as TriangleFeature
+constexpr TriangleFeature kCommonEdge = TriangleFeature::edge1; // of the first triangle
 
 TEST(Surface, TakesTrianglesForOnePlaneUpToABendThatSphereCastsIgnore)
 {
     for (const double angle : {0.0, 1e-9, -5e-8, 1.3e-7})
     {
         const Surface surface = hinge(angle);
-        EXPECT_TRUE(surface[0].flat[kCommonEdge]) << angle;
-        EXPECT_TRUE(surface[0].flat[1]) << angle;
+        EXPECT_TRUE(surface[0].isFlat(kCommonEdge)) << angle;
+        EXPECT_TRUE(surface[0].isFlat(TriangleFeature::corner1)) << angle;
     }
     for (const double angle : {1.6e-7, -2e-7, 1e-6, 0.1, 3.0})
     {
         const Surface surface = hinge(angle);
-        EXPECT_FALSE(surface[0].flat[kCommonEdge]) << angle;
-        EXPECT_FALSE(surface[0].flat[1]) << angle;
-        EXPECT_TRUE(surface[0].flat[0]) << "a corner of one triangle";
+        EXPECT_FALSE(surface[0].isFlat(kCommonEdge)) << angle;
+        EXPECT_FALSE(surface[0].isFlat(TriangleFeature::corner1)) << angle;
+        EXPECT_TRUE(surface[0].isFlat(TriangleFeature::corner0)) << "a corner of one triangle";
     }
 }
 
 TEST(Surface, TellsTheSideByTheNearestFeature)
 {
     const Surface surface = hinge(-0.5); // bent away from where the normals point
-    EXPECT_LT(signedDistance(surface[0], {0.2, 0.2, 0.3}).value, 0);
-    EXPECT_GT(signedDistance(surface[0], {0.2, 0.2, -0.3}).value, 0);
+    EXPECT_LT(signedDistance(surface, 0, {0.2, 0.2, 0.3}).value, 0);
+    EXPECT_GT(signedDistance(surface, 0, {0.2, 0.2, -0.3}).value, 0);
     const std::array<std::uint32_t, 2> both = {0, 1};
     EXPECT_LT(nearestDistance(surface, both, {0.6, 0.6, 0.1}).value, 0);
     EXPECT_GT(nearestDistance(surface, both, {0.6, 0.6, -0.3}).value, 0);

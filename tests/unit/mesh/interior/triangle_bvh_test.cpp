@@ -36,7 +36,7 @@ std::vector<Eigen::Vector3d> pointsFor(const Surface& surface, std::size_t count
         const auto t = static_cast<std::size_t>(k * surface.size() / count);
         const auto& [a, b, c] = surface[t].corner;
         points.insert(points.end(),
-                      {a, (a + b) / 2, (a + b + c) / 3, a + 0.01 * surface[t].normal});
+                      {a, (a + b) / 2, (a + b + c) / 3, a + 0.01 * surface.bound(t).normal});
     }
     points.emplace_back(surface.box().center()); // as far from many triangles
     return points;
@@ -99,7 +99,7 @@ TEST(TriangleBvh, FindsAllThatAreNearAndLeavesMostOut)
         EXPECT_EQ(std::adjacent_find(found.begin(), found.end()), found.end());
         for (std::uint32_t id = 0; id < surface.size(); ++id)
         {
-            const bool isNear = std::abs(signedDistance(surface[id], p).value) <= kNear;
+            const bool isNear = std::abs(signedDistance(surface, id, p).value) <= kNear;
             ASSERT_TRUE(!isNear || std::binary_search(found.begin(), found.end(), id)) << id;
         }
         sum += found.size();
@@ -183,7 +183,7 @@ TEST(TriangleBvh, AnswersForAGridWhoseCellsHaveMany)
         asked += some.data() == found.data() ? 1 : 0;
         for (const std::uint32_t id : all)
         {
-            const bool isNear = std::abs(signedDistance(surface[id], p).value) <= 0.1;
+            const bool isNear = std::abs(signedDistance(surface, id, p).value) <= 0.1;
             ASSERT_TRUE(!isNear || std::binary_search(some.begin(), some.end(), id)) << id;
         }
     }

@@ -64,9 +64,9 @@ int checkSides(const TriangleMesh& mesh, const Walls& walls, int points)
         }
         double nearest = std::numeric_limits<double>::infinity();
         bool isTwoSided = false;
-        for (std::size_t t = 0; t < surface.size(); ++t)
+        for (std::uint32_t t = 0; t < surface.size(); ++t)
         {
-            const double candidate = signedDistance(surface[t], p).value;
+            const double candidate = signedDistance(surface, t, p).value;
             if (std::abs(candidate) < std::abs(nearest))
             {
                 nearest = candidate;

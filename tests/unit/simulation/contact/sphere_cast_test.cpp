@@ -18,9 +18,9 @@ namespace
 double gapAt(const World& world, const Eigen::Vector3d& p)
 {
     double gap = std::numeric_limits<double>::infinity();
-    for (std::size_t t = 0; t < world.surface.size(); ++t)
+    for (std::uint32_t t = 0; t < world.surface.size(); ++t)
     {
-        gap = std::min(gap, std::abs(signedDistance(world.surface[t], p).value) - 1);
+        gap = std::min(gap, std::abs(signedDistance(world.surface, t, p).value) - 1);
     }
     for (std::size_t id = 0; id < world.spheres.size(); ++id)
     {

@@ -62,7 +62,7 @@ TEST_F(PaperDiscards, PolygonsGoWhenAllTheirVerticesAreCovered)
     EXPECT_EQ(world->discardedPolygons, 2u);
     for (std::uint32_t t = 0; t < world->surface.size(); ++t)
     {
-        const bool isFloor = world->surface[t].normal.y() > 0.5;
+        const bool isFloor = world->surface.bound(t).normal.y() > 0.5;
         EXPECT_EQ(world->polygons[t] == PolygonState::discarded, isFloor) << t;
     }
 }
