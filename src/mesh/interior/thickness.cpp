@@ -118,7 +118,8 @@ private:
     [[nodiscard]] std::optional<Eigen::Vector3d> deepestIn(const Eigen::Vector3d& centre,
                                                            double radius) const
     {
-        return surface_.find(centre, radius * (1 - kDepth));
+        const auto found = surface_.find(centre, radius * (1 - kDepth));
+        return found ? std::optional(found->point) : std::nullopt;
     }
 
     NearestPoint surface_;

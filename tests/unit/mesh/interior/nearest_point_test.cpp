@@ -35,7 +35,13 @@ TEST(NearestPoint, IsTheNearestOfAllTrianglesHoweverFar)
         const Eigen::Vector3d p(3 * std::sin(1.7 * k), 2 * std::sin(2.3 * k), std::sin(0.9 * k));
         const auto found = surface.find(p, 100);
         ASSERT_TRUE(found);
-        EXPECT_NEAR((*found - p).norm(), distanceToAll(torus, p), 1e-14);
+        EXPECT_NEAR(found->distance, distanceToAll(torus, p), 1e-14);
+        EXPECT_NEAR((found->point - p).norm(), found->distance, 1e-14);
+        const auto& [a, b, c] = torus.triangles[found->triangle];
+        const Eigen::Vector3d there =
+            closestPointOnTriangle(p, torus.vertices[a], torus.vertices[b], torus.vertices[c])
+                .point;
+        EXPECT_EQ(there, found->point);
     }
 }
 
