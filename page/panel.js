@@ -48,6 +48,10 @@ function showErrors() {
     ["Discards restored", readable(error.restored_discards)],
     ["Share of the volume in spheres", `${(100 * error.packing_fraction).toFixed(1)} %`]] : [];
   rows.push(["Rounding of places in this page", `${readable(facts.film.error_over_radius)} r`]);
+  if (facts.shell_distance) {
+    rows.push(["Shell in this page", `${readable(facts.triangles)} of ` +
+      `${readable(facts.mesh_triangles)} triangles, within ${readable(facts.shell_distance)} of the mesh`]);
+  }
   fillList(part("errors"), rows);
 }
 

@@ -214,10 +214,11 @@ std::size_t drawRun(const KeptRun& run, const py::object& directory, const py::o
 
 std::vector<std::filesystem::path> exportInto(const KeptRun& run, const std::string& format,
                                               const py::object& folder, const std::string& frames,
-                                              bool overwrite)
+                                              bool overwrite, bool fullMesh)
 {
-    const ExportRequest request{run.file(), exportFormat(format).format, frames,
-                                pathOf(folder, "path"), overwrite};
+    const ExportRequest request{run.file(), exportFormat(format).format,
+                                frames,     pathOf(folder, "path"),
+                                overwrite,  fullMesh};
     Interrupts interrupts;
     ExportResult result;
     try

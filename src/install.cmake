@@ -29,6 +29,7 @@ target_sources(frostfill_render PUBLIC FILE_SET HEADERS BASE_DIRS ${public} FILE
     ${public}/frostfill/render_run.hpp
     ${public}/frostfill/renderer.hpp
     ${public}/frostfill/run_file.hpp
+    ${public}/frostfill/shell.hpp
     ${public}/frostfill/sweep.hpp
     ${public}/frostfill/volume_estimate.hpp)
 
@@ -69,6 +70,7 @@ if("core" IN_LIST frostfill_FIND_COMPONENTS OR "render" IN_LIST frostfill_FIND_C
     include(${CMAKE_CURRENT_LIST_DIR}/frostfill-core.cmake)
 endif()
 if("render" IN_LIST frostfill_FIND_COMPONENTS)
+    find_dependency(meshoptimizer)
     find_dependency(TBB)
     find_dependency(PkgConfig)
     pkg_check_modules(STB REQUIRED IMPORTED_TARGET stb)
@@ -86,8 +88,10 @@ install(FILES
     DESTINATION ${package_dir} COMPONENT development)
 
 # The same for pkg-config. Paths are relative to the file, so an install may be moved.
-#   frostfill_pkg_config(NAME DESCRIPTION LIBRARY "REQUIRED PACKAGES")
+#   frostfill_pkg_config(NAME DESCRIPTION LIBRARY "REQUIRED PACKAGES" [LIBRARIES_WITHOUT_A_PACKAGE])
 function(frostfill_pkg_config name description library packages)
+    string(JOIN " " others ${ARGN})
+    string(STRIP "-l${library} ${others}" libraries)
     set(folder ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
     file(RELATIVE_PATH up /${folder} /)
     file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${name}.pc @ONLY CONTENT [=[
@@ -99,7 +103,7 @@ Name: @name@
 Description: @description@
 Version: @PROJECT_VERSION@
 Requires: @packages@
-Libs: -L${libdir} -l@library@
+Libs: -L${libdir} @libraries@
 Cflags: -I${includedir}
 ]=])
     install(FILES ${CMAKE_CURRENT_BINARY_DIR}/${name}.pc DESTINATION ${folder} COMPONENT development)
@@ -107,7 +111,7 @@ endfunction()
 frostfill_pkg_config(frostfill-core "Frostfill's meshes, scenes and simulation (static)" frostfill_core
     "eigen3, assimp, fmt, tomlplusplus")
 frostfill_pkg_config(frostfill-render "Frostfill with pictures and files (static)" frostfill_render
-    "frostfill-core, tbb, stb, libdeflate, libisal, libzstd")
+    "frostfill-core, tbb, stb, libdeflate, libisal, libzstd" -lmeshoptimizer)
 if(FROSTFILL_SHARED)
     frostfill_pkg_config(frostfill "Fills a closed mesh with falling spheres and renders it"
         frostfill "eigen3")

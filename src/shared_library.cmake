@@ -30,7 +30,8 @@ target_link_options(frostfill_shared PRIVATE
     -Wl,-Bsymbolic -Wl,--version-script=${exports} -Wl,--no-undefined -Wl,--as-needed)
 target_link_libraries(frostfill_shared
     PUBLIC Eigen3::Eigen
-    PRIVATE assimp::assimp fmt::fmt tomlplusplus::tomlplusplus TBB::tbb
+    PRIVATE assimp::assimp fmt::fmt tomlplusplus::tomlplusplus
+            meshoptimizer::meshoptimizer TBB::tbb
             PkgConfig::STB PkgConfig::DEFLATE PkgConfig::ISAL PkgConfig::ZSTD ${CMAKE_DL_LIBS})
 
 install(TARGETS frostfill_shared EXPORT frostfill-shared

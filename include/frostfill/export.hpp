@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <frostfill/shell.hpp>
+
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -46,6 +48,9 @@ struct ExportRequest
     std::string frames;        ///< as --frames; empty for the format's default
     std::filesystem::path out; ///< a folder; it is made if need be
     bool overwrite = false;    ///< files of an earlier export
+    /// All triangles of a dense mesh where a simplified shell would be written: in glb and
+    /// glbInstanced. The other formats have the true mesh, or none.
+    bool fullMesh = false;
 };
 
 struct ExportResult
@@ -55,6 +60,7 @@ struct ExportResult
     std::size_t spheres = 0; ///< in the last frame
     std::size_t repeats = 0; ///< frames left out because another shows the same moment
     std::uint64_t bytes = 0; ///< of all files
+    ShellInFile shell;       ///< of glTF; the other formats have none
     bool unfinished = false; ///< the run was stopped, or is still under way
 };
 

@@ -3,6 +3,8 @@
 // nothing.
 #pragma once
 
+#include <frostfill/shell.hpp>
+
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -21,6 +23,7 @@ struct PageRequest
     /// Motion that would make the page larger than this is left away. [byte]
     std::uint64_t maxBytes = 40'000'000;
     bool overwrite = false; ///< an earlier page
+    bool fullMesh = false;  ///< all triangles of a dense mesh, in place of a simplified shell
 };
 
 struct PageResult
@@ -33,7 +36,8 @@ struct PageResult
     std::size_t spheres = 0;       ///< in the last frame
     double error = 0;              ///< of each coordinate of a centre, at most [mesh unit]
     double errorOverRadius = 0;    ///< the same [smallest radius]
-    bool ended = false;            ///< the run, when the file was read
+    ShellInFile shell;
+    bool ended = false; ///< the run, when the file was read
 };
 
 /// Called after each frame with the number that are done and all; false stops.

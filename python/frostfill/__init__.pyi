@@ -245,7 +245,7 @@ class Run:
 
         Raises CannotCreate if the folder holds a run already, unless that may be overwritten, and
         if it holds anything else."""
-    def export(self, path: str | PathLike[str], format: str | None = ..., *, frames: str | None = ..., overwrite: bool = ...) -> list[Path]:
+    def export(self, path: str | PathLike[str], format: str | None = ..., *, frames: str | None = ..., overwrite: bool = ..., full_mesh: bool = ...) -> list[Path]:
         """Writes the run for other programs, and returns the files, the one to open first.
 
         Without a format, `path` is a file and its ending says what it is: .vtp, .xyz, .glb, .ply,

@@ -136,15 +136,17 @@ class Run(_frostfill.KeptRun):
         *,
         frames: str | None = None,
         overwrite: bool = False,
+        full_mesh: bool = False,
     ) -> list[Path]:
         """Writes the run for other programs, and returns the files, the one to open first.
 
         Without a format, `path` is a file and its ending says what it is: .vtp, .xyz, .glb, .ply,
         .csv, .npz, .dump or .data (LAMMPS). With one, such as "vtp" or "glb-instanced", it is a
-        folder. frames: "last", "all" or numbers and ranges such as "0..100:10".
+        folder. frames: "last", "all" or numbers and ranges such as "0..100:10". full_mesh: keep all
+        triangles of a dense mesh in glTF, in place of a simplified shell.
         """
         if format is not None:
-            return self.export_into(_text(format, "format"), path, frames or "", overwrite)
+            return self.export_into(_text(format, "format"), path, frames or "", overwrite, full_mesh)
         target = Path(os.fsdecode(path))
         ending = target.suffix[1:].lower()
         formats = [f for f in _frostfill.export_formats() if f in (ending, f"lammps-{ending}")]
@@ -158,7 +160,7 @@ class Run(_frostfill.KeptRun):
         target.parent.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(prefix=".frostfill-", dir=target.parent) as folder:
             frames = frames or ("last" if formats[0] == "vtp" else "")
-            files = self.export_into(formats[0], folder, frames, False)
+            files = self.export_into(formats[0], folder, frames, False, full_mesh)
             return _move_to(target, [file for file in files if file.suffix == f".{ending}"])
 
     def __repr__(self) -> str:

@@ -2,6 +2,7 @@
 #include "app/commands.hpp"
 #include "app/export_files.hpp"
 #include "app/progress/stop_signals.hpp"
+#include "app/shell_text.hpp"
 
 #include <frostfill/export.hpp>
 
@@ -29,6 +30,7 @@ struct ExportArguments
     std::vector<std::string> formats;
     std::string frames;
     std::string out;
+    bool fullMesh = false;
     bool overwrite = false;
     bool quiet = false;
 };
@@ -53,6 +55,7 @@ int exportAll(const ExportArguments& arguments)
     for (ExportRequest& request : requests)
     {
         request.frames = arguments.frames;
+        request.fullMesh = arguments.fullMesh;
         request.overwrite = arguments.overwrite;
     }
     catchStopSignals();
@@ -82,6 +85,8 @@ Command addExportCommand(CLI::App& program)
         ->type_name("SELECTION");
     command->add_option("--out", arguments->out, "Folder to write to [export, beside the run file]")
         ->type_name("DIR");
+    command->add_flag("--full-mesh", arguments->fullMesh,
+                      fmt::format("{}: in glTF", kFullMeshHelp));
     command->add_flag("--overwrite", arguments->overwrite, "Replace files of an earlier export");
     command->add_flag("--quiet", arguments->quiet, "Print nothing but errors");
     return [arguments] { return exportAll(*arguments); };

@@ -3,6 +3,7 @@
 
 #include "app/progress/progress.hpp"
 #include "app/progress/stop_signals.hpp"
+#include "app/shell_text.hpp"
 
 #include <fmt/format.h>
 
@@ -20,6 +21,7 @@ void printResult(const ExportResult& result)
     line += result.repeats > 0 ? fmt::format(" ({} more show the same times)", result.repeats) : "";
     line += fmt::format(", {} spheres, {:.3g} MB", result.spheres,
                         static_cast<double>(result.bytes) / 1e6);
+    line += describe(result.shell);
     fmt::print("{}{}\n", line, result.unfinished ? "; the run has not ended" : "");
 }
 

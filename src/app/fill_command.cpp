@@ -8,6 +8,7 @@
 #include "app/progress/progress.hpp"
 #include "app/progress/stop_signals.hpp"
 #include "app/scene_options.hpp"
+#include "app/shell_text.hpp"
 #include "app/view_text.hpp"
 #include "run/recording.hpp"
 #include "run/resume.hpp"
@@ -86,6 +87,7 @@ std::optional<Error> writePageOf(const FillResult& result, const FillArguments& 
     PageRequest page;
     page.run = result.directory;
     page.overwrite = true;
+    page.fullMesh = arguments.fullMesh;
     try
     {
         writePageWithProgress(page, arguments.quiet || arguments.json);
@@ -113,6 +115,7 @@ std::vector<ExportRequest> exportsOf(const FillArguments& arguments, const FillR
     for (ExportRequest& each : exports)
     {
         each.overwrite = true;
+        each.fullMesh = arguments.fullMesh;
     }
     return exports;
 }
@@ -277,6 +280,10 @@ Command addFillCommand(CLI::App& program)
     command
         ->add_flag("--view", arguments->view,
                    "Also write view.html, a page that shows the run in any browser")
+        ->group(output);
+    command
+        ->add_flag("--full-mesh", arguments->fullMesh,
+                   fmt::format("{}: in view.html and glTF", kFullMeshHelp))
         ->group(output);
     command
         ->add_flag("--estimate-volume", arguments->estimateVolume,

@@ -28,6 +28,7 @@ struct FillArguments
     bool json = false;
     bool estimateVolume = false;
     bool view = false;
+    bool fullMesh = false; ///< in the page and in exports
     bool dryRun = false;
     JsonProgress progress;
     GivenOptions given;

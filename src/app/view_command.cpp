@@ -2,6 +2,7 @@
 #include "app/commands.hpp"
 #include "app/progress/message.hpp"
 #include "app/progress/stop_signals.hpp"
+#include "app/shell_text.hpp"
 #include "app/view_text.hpp"
 
 #include <frostfill/error.hpp>
@@ -26,6 +27,7 @@ struct ViewArguments
     std::string run;
     std::string file;
     double megabytes = 40;
+    bool fullMesh = false;
     bool overwrite = false;
     bool quiet = false;
 };
@@ -36,6 +38,7 @@ int runView(const ViewArguments& arguments)
     request.run = arguments.run;
     request.file = arguments.file;
     request.maxBytes = static_cast<std::uint64_t>(1e6 * arguments.megabytes);
+    request.fullMesh = arguments.fullMesh;
     request.overwrite = arguments.overwrite;
     catchStopSignals();
     runHasBegun();
@@ -61,6 +64,7 @@ Command addViewCommand(CLI::App& program)
                      "Show the last frame alone if a page with motion were larger (40 MB)")
         ->type_name("MB")
         ->check(CLI::Range(0.1, 2000.0));
+    command->add_flag("--full-mesh", arguments->fullMesh, kFullMeshHelp);
     command->add_flag("--overwrite", arguments->overwrite, "Replace an earlier page");
     command->add_flag("--quiet", arguments->quiet, "Print errors only");
     return [arguments] { return runView(*arguments); };

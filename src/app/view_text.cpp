@@ -4,6 +4,7 @@
 #include "app/progress/message.hpp"
 #include "app/progress/progress.hpp"
 #include "app/progress/stop_signals.hpp"
+#include "app/shell_text.hpp"
 
 #include <fmt/format.h>
 
@@ -43,10 +44,10 @@ void writePageWithProgress(const PageRequest& request, bool quiet)
         return;
     }
     say(withoutMotion(request, result));
-    fmt::print("{}: {} {}, {} spheres, {}; places are within {:.2g} of a radius{}\n",
+    fmt::print("{}: {} {}, {} spheres, {}; places are within {:.2g} of a radius{}{}\n",
                result.file.string(), result.frames, result.frames == 1 ? "frame" : "frames",
                result.spheres, sizeText(result.bytes), result.errorOverRadius,
-               result.ended ? "" : "; the run has not ended");
+               describe(result.shell), result.ended ? "" : "; the run has not ended");
 }
 
 } // namespace frostfill

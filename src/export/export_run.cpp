@@ -139,6 +139,11 @@ ExportResult exportRun(const ExportRequest& request, const ExportProgress& progr
         run.spheres = reader.seek(chosen.back()).states.size();
     }
 
+    if (request.format == ExportFormat::glb || request.format == ExportFormat::glbInstanced)
+    {
+        run.shell = simplifyShell(run.mesh, request.fullMesh);
+    }
+
     const std::vector<std::string> names = exportFiles(request.format, run.numbers);
     if (!request.overwrite)
     {
@@ -168,6 +173,7 @@ ExportResult exportRun(const ExportRequest& request, const ExportProgress& progr
                         .frames = done,
                         .spheres = spheres,
                         .repeats = selected.size() - chosen.size(),
+                        .shell = run.shell.facts,
                         .unfinished = !reader.summary()};
     for (const std::filesystem::path& each : result.files)
     {

@@ -2,6 +2,8 @@
 // Room: a kept run in the formats of other programs. It reads the run file and simulates nothing.
 #pragma once
 
+#include "shell/simplified_shell.hpp"
+
 #include <frostfill/export.hpp>
 #include <frostfill/mesh.hpp>
 #include <frostfill/snapshot.hpp>
@@ -26,6 +28,7 @@ struct ExportedRun
     int up = 1;                            ///< axis of the mesh that points up
     std::vector<std::size_t> numbers = {}; ///< of the frames that are exported, ascending
     std::size_t spheres = 0;               ///< in the last of them; for npz alone
+    SimplifiedShell shell = {};            ///< of the mesh; for glTF alone
 };
 
 /// A frame as it is exported.

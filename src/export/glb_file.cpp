@@ -236,14 +236,19 @@ std::array<std::size_t, 4> addShapes(GlbFile& file, const ExportedRun& run,
         primitive["material"] = state;
         meshes.push_back({{"name", names[state]}, {"primitives", {primitive}}});
     }
-    std::vector<Eigen::Vector3d> vertices = run.mesh.vertices;
+    std::vector<Eigen::Vector3d> vertices = run.shell.mesh.vertices;
     for (Eigen::Vector3d& vertex : vertices)
     {
         vertex -= origin;
     }
-    Json shell = addTriangles(file, vertices, run.mesh.triangles, false);
+    Json shell = addTriangles(file, vertices, run.shell.mesh.triangles, false);
     shell["material"] = 3;
     meshes.push_back({{"name", "shell"}, {"primitives", {shell}}});
+    if (!run.shell.isTrue())
+    {
+        meshes.back()["extras"] = {{"mesh_triangles", run.shell.facts.meshTriangles},
+                                   {"shell_distance", run.shell.facts.distance}};
+    }
     return {0, 1, 2, 3};
 }
 

@@ -221,7 +221,8 @@ double fastestColour(const RunHead& head, const PageView& view)
 }
 
 Json pageFacts(const RunFileReader& run, const RunHead& head, const PageView& view,
-               std::span<const ColumnValues> carried, const std::string& sets)
+               const SimplifiedShell& shell, std::span<const ColumnValues> carried,
+               const std::string& sets)
 {
     Json facts;
     facts["version"] = head.version;
@@ -237,7 +238,12 @@ Json pageFacts(const RunFileReader& run, const RunHead& head, const PageView& vi
     }
     facts["foot"] = foot; // the lowest point, along up
     facts["groups_per_set"] = view.settings.groupsPerSet;
-    facts["triangles"] = run.mesh().triangles.size();
+    facts["triangles"] = shell.facts.triangles;
+    if (!shell.isTrue())
+    {
+        facts["mesh_triangles"] = shell.facts.meshTriangles;
+        facts["shell_distance"] = shell.facts.distance;
+    }
     facts["poses"] = Json::array();
     for (const Pose& pose : head.poses)
     {

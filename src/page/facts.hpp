@@ -3,6 +3,7 @@
 
 #include "render/framing/framing.hpp"
 #include "run/run_head.hpp"
+#include "shell/simplified_shell.hpp"
 
 #include <frostfill/run_file.hpp>
 
@@ -29,7 +30,7 @@ struct PageView
 /// What a page knows beside shape and states: colours, strokes, camera, summary. `sets` is the
 /// text of sets.csv; empty if there is none. `carried`: columns of its spheres.
 [[nodiscard]] nlohmann::ordered_json pageFacts(const RunFileReader& run, const RunHead& head,
-                                               const PageView& view,
+                                               const PageView& view, const SimplifiedShell& shell,
                                                std::span<const ColumnValues> carried,
                                                const std::string& sets);
 

@@ -6,6 +6,7 @@
 #include "run_file/file_of_run.hpp"
 #include "run_file/frame_codec.hpp"
 #include "run_file/kept_frames.hpp"
+#include "shell/simplified_shell.hpp"
 
 #include <frostfill/error.hpp>
 #include <frostfill/page.hpp>
@@ -44,11 +45,12 @@ public:
     PageMaker(const PageRequest& request, const std::filesystem::path& file,
               const PageProgress& progress)
         : request_(request), progress_(progress), reader_(file),
-          head_(readHead(reader_.head(), file.string())), view_(pageView(head_, reader_.mesh()))
+          head_(readHead(reader_.head(), file.string())), view_(pageView(head_, reader_.mesh())),
+          shell_(simplifyShell(reader_.mesh(), request.fullMesh))
     {
         requireFrames(reader_, file);
         fastest_ = fastestColour(head_, view_);
-        shape_ = shapeSections(reader_.mesh(), view_.framing);
+        shape_ = shapeSections(shell_.mesh, view_.framing);
         sets_ = textOf(file.parent_path() / "sets.csv");
         findSmallestRadius();
         rounding_ = {gridOf(smallest_, kStepsPerRadius), false, fastest_};
@@ -62,6 +64,7 @@ public:
         result.spheres = spheres_;
         result.error = rounding_.grid / 2;
         result.errorOverRadius = result.error / smallest_;
+        result.shell = shell_.facts;
 
         std::string whole = pageOf(0, last, result);
         if (!whole.empty() && whole.size() <= request_.maxBytes)
@@ -105,7 +108,8 @@ private:
     std::string pageOf(std::size_t first, std::size_t last, PageResult& result)
     {
         FrameEncoder film(rounding_, boundingBox(reader_.mesh()).center(),
-                          reader_.mesh().triangles.size());
+                          shell_.mesh.triangles.size());
+        std::vector<PolygonState> polygons;
         std::vector<std::size_t> numbers;
         std::optional<std::uint64_t> revision;
         for (std::size_t i = first; i <= last; ++i)
@@ -118,7 +122,9 @@ private:
             }
             else
             {
-                film.encode(state, [&](std::uint32_t id) { return sphere(id); });
+                showPolygons(shell_, state.polygons, polygons);
+                film.encode(
+                    state, [&](std::uint32_t id) { return sphere(id); }, polygons);
             }
             revision = reader_.revision();
             reader_.forgetChanges();
@@ -142,7 +148,7 @@ private:
                          std::size_t kept)
     {
         nlohmann::ordered_json facts =
-            pageFacts(reader_, head_, view_, film.snapshot().columns, sets_);
+            pageFacts(reader_, head_, view_, shell_, film.snapshot().columns, sets_);
         facts["film"] = {{"step", rounding_.grid},
                          {"radius_step", rounding_.radiusStep()},
                          {"error_over_radius", rounding_.grid / 2 / smallest_},
@@ -175,6 +181,7 @@ private:
     RunFileReader reader_;
     RunHead head_;
     PageView view_;
+    SimplifiedShell shell_;
     double fastest_ = 0;
     Rounding rounding_;
     double smallest_ = std::numeric_limits<double>::infinity();

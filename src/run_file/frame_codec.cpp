@@ -147,16 +147,17 @@ void FrameCodec::goThrough(Named<Bytes>& streams, const Given* given)
         state = wasActive ? PolygonState::discarded : PolygonState::active;
         snapshot_.discardedPolygons += wasActive ? 1 : static_cast<std::size_t>(-1);
     }
-    goThroughFacts(flags, streams);
+    goThroughFacts(flags, streams, given);
 }
 
 template <typename Bytes>
-void FrameCodec::goThroughFacts(std::uint64_t flags, Named<Bytes>& streams)
+void FrameCodec::goThroughFacts(std::uint64_t flags, Named<Bytes>& streams, const Given* given)
 {
     const auto whole = [](std::size_t number) { return static_cast<std::int64_t>(number); };
+    const Snapshot& counted = given != nullptr ? given->snapshot : snapshot_; // of polygons
     std::array now = {whole(snapshot_.step),      whole(snapshot_.set),
                       whole(snapshot_.running),   whole(snapshot_.frozen),
-                      whole(snapshot_.discarded), whole(snapshot_.discardedPolygons)};
+                      whole(snapshot_.discarded), whole(counted.discardedPolygons)};
     for (std::size_t k = 0; k < now.size(); ++k)
     {
         streams["frames"].pass(now[k], facts_[k]);

@@ -95,7 +95,7 @@ private:
         Place step{};
     };
     template <typename Bytes>
-    void goThroughFacts(std::uint64_t flags, Named<Bytes>& streams);
+    void goThroughFacts(std::uint64_t flags, Named<Bytes>& streams, const Given* given);
     template <typename Bytes>
     void goThroughStates(const std::vector<std::uint32_t>& ids, Bytes& states, const Given* given);
     template <typename Bytes>
@@ -121,7 +121,14 @@ class FrameEncoder : public FrameCodec
 public:
     using FrameCodec::FrameCodec;
     /// The next frame. `exact` has each sphere's place and radius before they are rounded.
-    void encode(const Snapshot& snapshot, const ExactSphere& exact);
+    void encode(const Snapshot& snapshot, const ExactSphere& exact)
+    {
+        encode(snapshot, exact, snapshot.polygons);
+    }
+    /// The same with other polygons than those of the snapshot, which still tells how many of its
+    /// own are discarded.
+    void encode(const Snapshot& snapshot, const ExactSphere& exact,
+                const std::vector<PolygonState>& polygons);
     /// The frame before once more.
     void repeat();
 
@@ -132,7 +139,7 @@ public:
 private:
     void sortChanges(const Given& given);
     void sortChange(std::uint32_t id, const Given& given);
-    void sortPolygons(const Snapshot& snapshot);
+    void sortPolygons(const std::vector<PolygonState>& polygons);
 
     Streams streams_;
 };

@@ -6,7 +6,8 @@
 namespace frostfill
 {
 
-void FrameEncoder::encode(const Snapshot& snapshot, const ExactSphere& exact)
+void FrameEncoder::encode(const Snapshot& snapshot, const ExactSphere& exact,
+                          const std::vector<PolygonState>& polygons)
 {
     const Given given{snapshot, exact};
     snapshot_.time = snapshot.time;
@@ -18,7 +19,7 @@ void FrameEncoder::encode(const Snapshot& snapshot, const ExactSphere& exact)
         carry(values.column());
     }
     sortChanges(given);
-    sortPolygons(snapshot);
+    sortPolygons(polygons);
     goThrough(streams_, &given);
 }
 
@@ -87,15 +88,15 @@ void FrameEncoder::sortChange(std::uint32_t id, const Given& given)
     }
 }
 
-void FrameEncoder::sortPolygons(const Snapshot& snapshot)
+void FrameEncoder::sortPolygons(const std::vector<PolygonState>& polygons)
 {
     turnedPolygons_.clear();
-    snapshot_.polygons.resize(snapshot.polygons.size(), PolygonState::active);
+    snapshot_.polygons.resize(polygons.size(), PolygonState::active);
     // Most frames change none, and a mesh may have a million.
-    const bool same = snapshot_.polygons == snapshot.polygons;
-    for (std::size_t polygon = 0; !same && polygon < snapshot.polygons.size(); ++polygon)
+    const bool same = snapshot_.polygons == polygons;
+    for (std::size_t polygon = 0; !same && polygon < polygons.size(); ++polygon)
     {
-        if (snapshot_.polygons[polygon] != snapshot.polygons[polygon])
+        if (snapshot_.polygons[polygon] != polygons[polygon])
         {
             turnedPolygons_.push_back(static_cast<std::uint32_t>(polygon));
         }

@@ -64,10 +64,11 @@ room(render ${seen} render/framing render/context render/passes render/overlay r
 room(run_file base ${mesh} snapshot)
 room(packing ${mesh} scene scene/options snapshot simulation simulation/quality run_file)
 room(output base mesh snapshot scene scene/options image)
-room(export base mesh view scene scene/options snapshot run_file output)
+room(shell mesh mesh/interior geometry snapshot)
+room(export base mesh view scene scene/options snapshot run_file output shell)
 room(run base mesh view scene scene/options snapshot simulation image renderer render/overlay run_file output)
 room(page mesh view scene snapshot renderer render/framing render/context render/passes render/overlay
-     render/layer run_file output run)
+     render/layer run_file output shell run)
 
 room(import mesh scene snapshot run_file packing run)
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a page says beside its frames: what only the page's own script reads.
+#include "support/shapes.hpp"
 #include "unit/page/paged_run.hpp"
 
 #include <Eigen/Geometry>
@@ -43,10 +44,10 @@ class PageFacts : public ::testing::Test
 {
 protected:
     /// The text of the page of a run with this head.
-    std::string pageOf(const RunHead& head)
+    std::string pageOf(const RunHead& head, const TriangleMesh& mesh = loadMesh("torus").mesh,
+                       bool fullMesh = false)
     {
         const test::TemporaryFolder folder;
-        const TriangleMesh mesh = loadMesh("torus").mesh;
         RunFileWriter writer(folder / "run.frost", headText(head), mesh, 1);
         Snapshot snapshot;
         snapshot.origin = boundingBox(mesh).center();
@@ -56,12 +57,13 @@ protected:
         test::writeFile(folder / "sets.csv", "set,seconds\n0,2.5\n");
         PageRequest request;
         request.run = folder.path();
+        request.fullMesh = fullMesh;
         writePage(request);
         return test::readFile(folder / "view.html");
     }
-    json factsOf(const RunHead& head)
+    json factsOf(const RunHead& head) { return factsIn(pageOf(head)); }
+    static json factsIn(const std::string& page)
     {
-        const std::string page = pageOf(head);
         const std::string begin = R"(<script id="facts" type="application/json">)";
         const std::size_t at = page.find(begin) + begin.size();
         return json::parse(page.substr(at, page.find("</script>", at) - at));
@@ -180,6 +182,21 @@ TEST_F(PageFacts, HaveThePlanesOfTheCutOrNone)
     }
     head.scene.style.cutaway.kind = Cutaway::Kind::none;
     EXPECT_TRUE(factsOf(head).at("cutaway").is_null());
+}
+
+TEST_F(PageFacts, SayHowFarTheShellOfADenseMeshIsFromIt)
+{
+    const TriangleMesh dense = shapes::torus(1, 0.4, 300, 100);
+    const std::string page = pageOf(someHead(), dense);
+    const json facts = factsIn(page);
+    EXPECT_EQ(facts.at("mesh_triangles"), dense.triangles.size());
+    EXPECT_LE(facts.at("triangles"), 20'000U);
+    EXPECT_GT(facts.at("shell_distance"), 0);
+    EXPECT_LT(facts.at("shell_distance"), 2.8 / 500);
+    const std::string full = pageOf(someHead(), dense, true);
+    EXPECT_EQ(factsIn(full).at("triangles"), dense.triangles.size());
+    EXPECT_FALSE(factsIn(full).contains("shell_distance"));
+    EXPECT_LT(2 * page.size(), full.size());
 }
 
 TEST_F(PageFacts, CannotEndTheElementThatTheyStandIn)

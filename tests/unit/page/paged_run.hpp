@@ -6,6 +6,7 @@
 
 #include <frostfill/page.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <numeric>
 #include <random>
@@ -93,6 +94,8 @@ private:
             state = happens(0.01) ? PolygonState::discarded : state;
             state = happens(0.002) ? PolygonState::active : state;
         }
+        snapshot_.discardedPolygons = static_cast<std::size_t>(std::count(
+            snapshot_.polygons.begin(), snapshot_.polygons.end(), PolygonState::discarded));
     }
     void appear()
     {

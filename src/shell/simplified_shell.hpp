@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <frostfill/mesh.hpp>
+#include <frostfill/shell.hpp>
+#include <frostfill/snapshot.hpp>
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace frostfill
+{
+
+struct SimplifiedShell
+{
+    TriangleMesh mesh; ///< its vertices are some of the true ones
+    ShellInFile facts; ///< of `mesh` and the true one
+    /// A triangle of `mesh`, and one of the true mesh that it stands for. Both occur several times.
+    /// Empty if the mesh is the true one.
+    std::vector<std::array<std::uint32_t, 2>> standsFor;
+
+    [[nodiscard]] bool isTrue() const { return standsFor.empty(); }
+};
+
+/// Collapses edges until kShellTriangles are left [Garland & Heckbert 1997], as far as the
+/// distance allows. With `full` the mesh stays what it is.
+[[nodiscard]] SimplifiedShell simplifyShell(const TriangleMesh& mesh, bool full = false);
+
+/// States of the shell's triangles from those of the true ones: one is discarded when all that it
+/// stands for are. `shown` may be from the call before.
+void showPolygons(const SimplifiedShell& shell, std::span<const PolygonState> polygons,
+                  std::vector<PolygonState>& shown);
+
+} // namespace frostfill
