@@ -245,12 +245,21 @@ class Run:
 
         Raises CannotCreate if the folder holds a run already, unless that may be overwritten, and
         if it holds anything else."""
-    def export(self, path: str | PathLike[str], format: str | None = ..., *, frames: str | None = ..., overwrite: bool = ..., full_mesh: bool = ...) -> list[Path]:
+    def export(
+        self,
+        path: str | PathLike[str],
+        format: str | None = ...,
+        *,
+        frames: str | None = ...,
+        overwrite: bool = ...,
+        full_mesh: bool = ...,
+    ) -> list[Path]:
         """Writes the run for other programs, and returns the files, the one to open first.
 
         Without a format, `path` is a file and its ending says what it is: .vtp, .xyz, .glb, .ply,
         .csv, .npz, .dump or .data (LAMMPS). With one, such as "vtp" or "glb-instanced", it is a
-        folder. frames: "last", "all" or numbers and ranges such as "0..100:10"."""
+        folder. frames: "last", "all" or numbers and ranges such as "0..100:10". full_mesh: keep all
+        triangles of a dense mesh in glTF, in place of a simplified shell."""
 
 class Simulation:
     """A run, step by step. Nothing is written.
