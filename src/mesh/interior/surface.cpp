@@ -27,20 +27,6 @@ double weightAt(const SurfaceTriangle& triangle, std::size_t corner)
     return std::atan2(u.cross(v).norm(), u.dot(v));
 }
 
-TriangleBound boundOf(const SurfaceTriangle& triangle)
-{
-    const auto& [a, b, c] = triangle.corner;
-    TriangleBound bound;
-    bound.normal = (c - a).cross(b - a).normalized();
-    bound.offset = bound.normal.dot(a);
-    bound.centre = (a + b + c) / 3;
-    for (const Eigen::Vector3d& corner : triangle.corner)
-    {
-        bound.radius = std::max(bound.radius, (corner - bound.centre).norm());
-    }
-    return bound;
-}
-
 /// Whether a triangle lies in the plane of the sum of the normals around an edge or a corner.
 bool isInPlane(const Eigen::Vector3d& ofTriangle, const Eigen::Vector3d& sum)
 {
@@ -55,6 +41,20 @@ void markFlat(SurfaceTriangle& triangle, unsigned feature)
 
 } // namespace
 
+TriangleBound boundOf(const std::array<Eigen::Vector3d, 3>& corner)
+{
+    const auto& [a, b, c] = corner;
+    TriangleBound bound;
+    bound.normal = (c - a).cross(b - a).normalized();
+    bound.offset = bound.normal.dot(a);
+    bound.centre = (a + b + c) / 3;
+    for (const Eigen::Vector3d& each : corner)
+    {
+        bound.radius = std::max(bound.radius, (each - bound.centre).norm());
+    }
+    return bound;
+}
+
 Surface::Surface(const TriangleMesh& mesh, const Walls& walls)
     : mesh_(mesh), triangles_(mesh.triangles.size()), bounds_(mesh.triangles.size()),
       vertexNormals_(mesh.vertices.size(), Eigen::Vector3d::Zero()), tree_(mesh),
@@ -68,7 +68,7 @@ Surface::Surface(const TriangleMesh& mesh, const Walls& walls)
             triangle.corner[k] = mesh.vertices[mesh.triangles[t][k]];
             box_.extend(triangle.corner[k]);
         }
-        bounds_[t] = boundOf(triangle);
+        bounds_[t] = boundOf(triangle.corner);
         triangle.twoSided = anyTwoSided_ && walls.twoSided[t];
     }
     joinEdges();
@@ -209,30 +209,35 @@ SignedDistance nearestDistance(const Surface& surface, const Eigen::Vector3d& p,
         double distance;
         std::uint32_t id;
     };
-    std::vector<Candidate> candidates;
+    thread_local std::vector<Candidate> candidates; // keep their memory
+    thread_local std::vector<std::uint32_t> ids;
+    candidates.clear();
+    SignedDistance nearest;
+    nearest.value = std::numeric_limits<double>::infinity();
     double limit = beyond(distance);
-    surface.tree().forEachNear(Eigen::AlignedBox3d(p), limit,
-                               [&](std::span<const std::uint32_t> ids)
-                               {
-                                   for (const std::uint32_t id : ids)
-                                   {
-                                       if (surface.bound(id).mayBeWithin(limit, p))
+    surface.tree().forEachTriangleNear(p, limit,
+                                       [&](std::uint32_t id)
                                        {
-                                           const double its =
-                                               std::abs(distanceTo(surface, id, p).value);
-                                           if (its <= limit)
+                                           const SignedDistance its = distanceTo(surface, id, p);
+                                           const double far = std::abs(its.value);
+                                           if (far <= limit)
                                            {
-                                               candidates.push_back({its, id});
-                                               limit = std::min(limit, beyond(its));
+                                               candidates.push_back({far, id});
+                                               nearest = its;
+                                               limit = std::min(limit, beyond(far));
                                            }
-                                       }
-                                   }
-                                   return limit;
-                               });
+                                           return limit;
+                                       });
     std::erase_if(candidates, [&](const Candidate& each) { return each.distance > limit; });
-    std::vector<std::uint32_t> ids(candidates.size());
-    std::transform(candidates.begin(), candidates.end(), ids.begin(),
-                   [](const Candidate& each) { return each.id; });
+    if (candidates.size() <= 1)
+    {
+        return nearest; // the last one that came nearer
+    }
+    ids.clear();
+    for (const Candidate& each : candidates)
+    {
+        ids.push_back(each.id);
+    }
     std::sort(ids.begin(), ids.end());
     return nearestDistance(surface, ids, p);
 }
@@ -243,27 +248,25 @@ WallPoint nearestWall(const Surface& surface, const Eigen::Vector3d& p, double d
     const Beyond beyond(surface, p);
     WallPoint nearest;
     double limit = distance;
-    const auto look = [&](std::uint32_t id)
-    {
-        if (nearest.square < enough * enough || !surface.bound(id).mayBeWithin(limit, p))
-        {
-            return;
-        }
-        const auto& [a, b, c] = surface[id].corner;
-        const Eigen::Vector3d point = closestPointOnTriangle(p, a, b, c).point;
-        const double square = (p - point).squaredNorm();
-        if (square < nearest.square)
-        {
-            nearest = {square, point};
-            limit = std::min(distance, beyond(std::sqrt(square)));
-        }
-    };
-    surface.tree().forEachNear(Eigen::AlignedBox3d(p), limit,
-                               [&](std::span<const std::uint32_t> ids)
-                               {
-                                   std::for_each(ids.begin(), ids.end(), look);
-                                   return nearest.square < enough * enough ? 0 : limit;
-                               });
+    surface.tree().forEachTriangleNear(p, limit,
+                                       [&](std::uint32_t id)
+                                       {
+                                           if (nearest.square < enough * enough)
+                                           {
+                                               return 0.0;
+                                           }
+                                           const auto& [a, b, c] = surface[id].corner;
+                                           const Eigen::Vector3d point =
+                                               closestPointOnTriangle(p, a, b, c).point;
+                                           const double square = (p - point).squaredNorm();
+                                           if (square < nearest.square)
+                                           {
+                                               nearest = {square, point};
+                                               limit =
+                                                   std::min(distance, beyond(std::sqrt(square)));
+                                           }
+                                           return limit;
+                                       });
     return nearest;
 }
 

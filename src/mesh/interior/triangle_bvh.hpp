@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -14,10 +15,11 @@
 namespace frostfill
 {
 
-/// A bounding volume hierarchy of the triangles of a mesh, four children a node [Wald et al. 2008].
-/// Boxes are in single precision, in a frame in which the mesh is as large as 1. They grow by
-/// rounding, so nothing near enough is left out: who visits it and judges the triangles by itself
-/// gets what a list of all triangles would give.
+/// A bounding volume hierarchy of the triangles of a mesh, four children a node [Wald et al. 2008],
+/// four triangles a leaf. Boxes, planes and discs are in single precision, in a frame in which the
+/// mesh is as large as 1, and four of them are tested at once. They grow by rounding, so nothing
+/// near enough is left out: who visits it and judges the triangles by itself gets what a list of
+/// all triangles would give.
 class TriangleBvh
 {
 public:
@@ -26,10 +28,31 @@ public:
     /// Calls `limit = visit(triangles)` with the triangles of each leaf whose box may be within
     /// `limit` of a box, a distance [unit]; what seems nearest first.
     template <class Visit>
-    void forEachNear(const Eigen::AlignedBox3d& box, double limit, Visit&& visit) const;
+    void forEachNear(const Eigen::AlignedBox3d& box, double limit, Visit&& visit) const
+    {
+        traverse(kRoot, box, limit,
+                 [&](std::uint32_t leaf, double) { return visit(triangles(leaf)); });
+    }
 
-    /// The triangles whose leaf's box comes within `distance` of p, ascending, in place of what
-    /// `found` had.
+    /// Calls `limit = visit(triangle)` with each triangle that may be within `limit` of p, a
+    /// distance [unit]; of what seems nearest first. A negative limit ends the search. Those of a
+    /// leaf are rejected by the disc around them.
+    template <class Visit>
+    void forEachTriangleNear(const Eigen::Vector3d& p, double limit, Visit&& visit) const
+    {
+        forEachTriangleNear(kRoot, p, limit, visit);
+    }
+
+    /// Nodes below which all triangles are that may be within a distance of a place: where a search
+    /// can begin that looks no farther.
+    using Nodes = std::vector<std::uint32_t>;
+    void findNodes(const Eigen::Vector3d& p, double distance, Nodes& nodes) const;
+    /// As the other, of the triangles below the nodes.
+    template <class Visit>
+    void forEachTriangleNear(std::span<const std::uint32_t> nodes, const Eigen::Vector3d& p,
+                             double limit, Visit&& visit) const;
+
+    /// The triangles that may be within `distance` of p, ascending, in place of what `found` had.
     void findNear(const Eigen::Vector3d& p, double distance,
                   std::vector<std::uint32_t>& found) const;
 
@@ -37,16 +60,18 @@ public:
     [[nodiscard]] std::span<const std::uint32_t> order() const { return order_; }
 
 private:
-    static constexpr std::size_t kWidth = 4;     // children
-    static constexpr std::uint32_t kLeaf = 4;    // triangles at most
-    static constexpr std::size_t kDeepest = 128; // pending children: 3 a level, 2^32 triangles
+    static constexpr std::size_t kWidth = 4;      // children
+    static constexpr std::uint32_t kLeaf = 4;     // triangles at most
+    static constexpr std::size_t kDeepest = 128;  // pending children: 3 a level, 2^32 triangles
+    static constexpr std::size_t kMostNodes = 16; // of findNodes
+    static constexpr std::array<std::uint32_t, 1> kRoot = {0};
     /// By which coordinates and squared distances may be wrong, twofold. [1]
     static constexpr double kGrow = 0x1p-23;
     static constexpr double kRounding = 0x1p-20;
 
     struct Child
     {
-        std::uint32_t first = 0;     ///< node, or place in order_
+        std::uint32_t number = 0;    ///< of a node or a leaf
         std::uint32_t triangles = 0; ///< 0: a node
     };
     using Four = float __attribute__((vector_size(4 * kWidth))); // registers of all processors
@@ -55,6 +80,14 @@ private:
         std::array<Four, 3> low; ///< infinite where there is no child
         std::array<Four, 3> high;
         std::array<Child, kWidth> child;
+    };
+    /// As TriangleBound has them for one triangle. What is missing from a leaf is nowhere near.
+    struct alignas(64) Leaf
+    {
+        std::array<Four, 3> normal;
+        Four offset;
+        std::array<Four, 3> centre;
+        Four radius;
     };
     struct Pending
     {
@@ -73,15 +106,48 @@ private:
     /// Of a distance of the mesh. Finite, so that what is not there is beyond it.
     [[nodiscard]] float squareOf(double limit) const
     {
+        if (limit < 0)
+        {
+            return -1; // nothing is so near: the end
+        }
         const double square = limit * scale_ * limit * scale_ * (1 + kRounding);
         return static_cast<float>(std::min<double>(square, std::numeric_limits<float>::max()));
     }
 
+    /// A point in the frame of the nodes, and by how much rounding may be wrong there.
+    struct Point
+    {
+        std::array<float, 3> at;
+        float rounding;
+    };
+    [[nodiscard]] Point pointOf(const Eigen::Vector3d& p) const;
+    /// Of a distance of the mesh, from the point: grown by what rounding may hide.
+    [[nodiscard]] float distanceFrom(const Point& point, double limit) const
+    {
+        const double grown = limit * scale_ * (1 + kRounding) + point.rounding;
+        return static_cast<float>(std::min(grown, kFarthest));
+    }
+    /// A bit for each triangle of the leaf, set where it may be within the distance.
+    [[nodiscard]] static unsigned mayBeWithin(const Leaf& leaf, const Point& point, float distance);
+
+    /// Calls `limit = visit(leaf, limit)`.
+    template <class Visit>
+    void traverse(std::span<const std::uint32_t> nodes, const Eigen::AlignedBox3d& box,
+                  double limit, Visit&& visit) const;
+
+    [[nodiscard]] std::span<const std::uint32_t> triangles(std::uint32_t leaf) const
+    {
+        return std::span(order_).subspan(starts_[leaf], starts_[leaf + 1] - starts_[leaf]);
+    }
+
     class Builder;
+    static constexpr double kFarthest = 1e15; // whose square is finite
 
     Eigen::Vector3d centre_ = Eigen::Vector3d::Zero(); ///< of the mesh
     double scale_ = 1;                                 ///< by which it has the size 1
     std::vector<Node> nodes_;                          ///< the first is the root
+    std::vector<Leaf> leaves_;
+    std::vector<std::uint32_t> starts_; ///< [#leaves + 1] in order_
     std::vector<std::uint32_t> order_;
 };
 
@@ -114,16 +180,65 @@ inline TriangleBvh::Four TriangleBvh::squaresTo(const Node& node, const Box& box
     return squares;
 }
 
-template <class Visit>
-void TriangleBvh::forEachNear(const Eigen::AlignedBox3d& box, double limit, Visit&& visit) const
+inline TriangleBvh::Point TriangleBvh::pointOf(const Eigen::Vector3d& p) const
 {
+    Point point{};
+    double largest = 1;
+    for (Eigen::Index axis = 0; axis < 3; ++axis)
+    {
+        const double at = (p[axis] - centre_[axis]) * scale_;
+        point.at[static_cast<std::size_t>(axis)] = static_cast<float>(at);
+        largest = std::max(largest, std::abs(at));
+    }
+    point.rounding = static_cast<float>(kRounding * largest);
+    return point;
+}
+
+// The test of TriangleBound, where what is subtracted is made smaller and what is added larger by
+// more than rounding. The distance has been grown by what the place may be wrong.
+inline unsigned TriangleBvh::mayBeWithin(const Leaf& leaf, const Point& point, float distance)
+{
+    constexpr auto kLess = static_cast<float>(1 - kRounding);
+    Four toPlane = -leaf.offset;
+    Four toCentre{};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+        toPlane += leaf.normal[axis] * point.at[axis];
+        const Four apart = leaf.centre[axis] - point.at[axis];
+        toCentre += apart * apart;
+    }
+    constexpr Four kNone = {};
+    const Four behind = -toPlane;
+    const Four above = (toPlane > behind ? toPlane : behind) - point.rounding;
+    const Four height = above > kNone ? above : kNone;
+    const Four cut = distance * distance - height * height;
+    const Four rest =
+        toCentre * kLess - (leaf.radius * leaf.radius + (kNone + distance * distance));
+    const auto within = (cut >= kNone) &
+                        ((rest <= kNone) | (rest * rest <= 4.0F * leaf.radius * leaf.radius * cut));
+    unsigned bits = 0;
+    for (unsigned k = 0; k < kWidth; ++k)
+    {
+        bits |= within[k] != 0 ? 1U << k : 0U;
+    }
+    return bits;
+}
+
+template <class Visit>
+void TriangleBvh::traverse(std::span<const std::uint32_t> nodes, const Eigen::AlignedBox3d& box,
+                           double limit, Visit&& visit) const
+{
+    if (nodes_.empty())
+    {
+        return;
+    }
     std::array<Pending, kDeepest> pending;
     std::size_t count = 0;
     const Box from = around(box);
     float square = squareOf(limit);
-    if (!nodes_.empty())
+    for (const std::uint32_t node : nodes)
     {
-        pending[count++] = {0, {0, 0}};
+        pending[count++] = {0, {node, 0}};
     }
     while (count > 0)
     {
@@ -134,11 +249,11 @@ void TriangleBvh::forEachNear(const Eigen::AlignedBox3d& box, double limit, Visi
         }
         if (next.child.triangles > 0)
         {
-            square =
-                squareOf(visit(std::span(order_).subspan(next.child.first, next.child.triangles)));
+            limit = visit(next.child.number, limit);
+            square = squareOf(limit);
             continue;
         }
-        const Node& node = nodes_[next.child.first];
+        const Node& node = nodes_[next.child.number];
         const Four squares = squaresTo(node, from);
         const std::size_t begin = count;
         for (std::size_t k = 0; k < kWidth; ++k)
@@ -155,6 +270,26 @@ void TriangleBvh::forEachNear(const Eigen::AlignedBox3d& box, double limit, Visi
             }
         }
     }
+}
+
+template <class Visit>
+void TriangleBvh::forEachTriangleNear(std::span<const std::uint32_t> nodes,
+                                      const Eigen::Vector3d& p, double limit, Visit&& visit) const
+{
+    const Point point = pointOf(p);
+    traverse(nodes, Eigen::AlignedBox3d(p), limit,
+             [&](std::uint32_t leaf, double within)
+             {
+                 const std::span<const std::uint32_t> its = triangles(leaf);
+                 const unsigned all = (1U << its.size()) - 1;
+                 for (unsigned bits =
+                          mayBeWithin(leaves_[leaf], point, distanceFrom(point, within)) & all;
+                      bits != 0; bits &= bits - 1)
+                 {
+                     within = visit(its[static_cast<std::size_t>(std::countr_zero(bits))]);
+                 }
+                 return within;
+             });
 }
 
 } // namespace frostfill

@@ -37,28 +37,55 @@ void NeighbourList::ensure(const World& world, const Eigen::Vector3d& p, double 
                                 reach.push_back(contact);
                             }
                         });
-    const auto isNear = [&](std::uint32_t triangle)
-    {
-        return world.polygons[triangle] == PolygonState::active &&
-               world.surface.bound(triangle).mayBeWithin(radius + kSkin, p);
-    };
-    const auto take = [&](std::span<const std::uint32_t> ids)
-    { std::copy_if(ids.begin(), ids.end(), std::back_inserter(triangles_), isNear); };
+    listTriangles(world, p, radius + kSkin);
+}
+
+void NeighbourList::listTriangles(const World& world, const Eigen::Vector3d& p, double distance)
+{
     triangles_.clear();
+    nodes_.clear();
+    const auto take = [&](std::uint32_t triangle)
+    {
+        if (world.polygons[triangle] == PolygonState::active &&
+            world.surface.bound(triangle).mayBeWithin(distance, p))
+        {
+            triangles_.push_back(triangle);
+        }
+    };
     const std::span<const std::uint32_t> nearby = world.triangles.near(p);
     if (nearby.size() <= TriangleGrid::kShortList)
     {
-        take(nearby);
+        std::for_each(nearby.begin(), nearby.end(), take);
         return;
     }
-    // Where a cell has many, as in scans, the tree finds fewer.
-    const double distance = radius + kSkin;
-    world.surface.tree().forEachNear(Eigen::AlignedBox3d(p), distance,
-                                     [&](std::span<const std::uint32_t> ids)
-                                     {
-                                         take(ids);
-                                         return distance;
-                                     });
+    world.surface.tree().forEachTriangleNear(p, distance,
+                                             [&](std::uint32_t triangle)
+                                             {
+                                                 take(triangle);
+                                                 return triangles_.size() > kMostListed ? -1
+                                                                                        : distance;
+                                             });
+    if (triangles_.size() > kMostListed)
+    {
+        world_ = &world;
+        world.surface.tree().findNodes(p, distance, nodes_);
+    }
+    std::sort(triangles_.begin(), triangles_.end());
+}
+
+void NeighbourList::findBelowNodes(const Eigen::Vector3d& q, double distance)
+{
+    triangles_.clear();
+    world_->surface.tree().forEachTriangleNear(nodes_, q, distance,
+                                               [&](std::uint32_t triangle)
+                                               {
+                                                   if (world_->polygons[triangle] ==
+                                                       PolygonState::active)
+                                                   {
+                                                       triangles_.push_back(triangle);
+                                                   }
+                                                   return distance;
+                                               });
     std::sort(triangles_.begin(), triangles_.end());
 }
 

@@ -12,7 +12,9 @@ namespace frostfill
 
 /// What a moving sphere may touch: a private copy of the spheres at rest around it, and the
 /// triangles near it. Spheres at rest never move, so the copy serves until this one sphere has
-/// moved by the skin [Verlet 1967], and no grid is touched meanwhile.
+/// moved by the skin [Verlet 1967], and no grid is touched meanwhile. Where walls are dense, as in
+/// scans, a list of them would be long, and only few of it near enough at a time: the list has the
+/// nodes of the surface's tree in their place, below which a question looks.
 class NeighbourList
 {
 public:
@@ -34,7 +36,20 @@ public:
     }
 
     [[nodiscard]] std::size_t spheres() const { return x.size(); }
-    [[nodiscard]] std::span<const std::uint32_t> triangles() const { return triangles_; }
+    /// Ascending triangles, including all that are within `distance` of q, which is a place that
+    /// the sphere may reach: a ball there has to be within what is listed. Valid until the next
+    /// question.
+    [[nodiscard]] std::span<const std::uint32_t> trianglesNear(const Eigen::Vector3d& q,
+                                                               double distance)
+    {
+        if (!nodes_.empty())
+        {
+            findBelowNodes(q, distance);
+        }
+        return triangles_;
+    }
+    /// From which the last question was answered.
+    [[nodiscard]] std::size_t trianglesTested() const { return triangles_.size(); }
 
     std::vector<double> x, y, z; ///< [#N] centres of the spheres at rest
     std::vector<double> reach;   ///< [#N] sum of the two radii
@@ -43,9 +58,18 @@ public:
     static constexpr double kSkin = 0.5;
 
 private:
+    /// Triangles, above which the tree is asked instead. Smaller: walls of few triangles take
+    /// longer. Larger: those of scans.
+    static constexpr std::size_t kMostListed = 64;
+
+    void listTriangles(const World& world, const Eigen::Vector3d& p, double distance);
+    void findBelowNodes(const Eigen::Vector3d& q, double distance);
+
     Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();
     double radius_ = -1;
-    std::vector<std::uint32_t> triangles_;
+    std::vector<std::uint32_t> triangles_; ///< all, or with nodes those of the last question
+    TriangleBvh::Nodes nodes_;             ///< where they are many
+    const World* world_ = nullptr;         ///< that the nodes are of
 };
 
 } // namespace frostfill

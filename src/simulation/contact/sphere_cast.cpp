@@ -69,11 +69,13 @@ double castAtTriangle(const Surface& surface, std::uint32_t id, const Eigen::Vec
     return std::min(path, limit);
 }
 
-double sphereCast(const Surface& surface, const NeighbourList& around, const Eigen::Vector3d& p,
+double sphereCast(const Surface& surface, NeighbourList& around, const Eigen::Vector3d& p,
                   double radius, const Eigen::Vector3d& direction, double limit)
 {
     double path = castAtSpheres(around, p, direction, limit);
-    for (const std::uint32_t triangle : around.triangles())
+    // What is touched on the way is within a radius of it, and so near its middle.
+    const Eigen::Vector3d middle = p + path / 2 * direction;
+    for (const std::uint32_t triangle : around.trianglesNear(middle, radius + path / 2))
     {
         if (surface.bound(triangle).mayBeWithin(radius + path, p))
         {
@@ -83,7 +85,7 @@ double sphereCast(const Surface& surface, const NeighbourList& around, const Eig
     return path;
 }
 
-Eigen::Vector3d contactNormals(const Surface& surface, const NeighbourList& around,
+Eigen::Vector3d contactNormals(const Surface& surface, NeighbourList& around,
                                const Eigen::Vector3d& p, double radius, double gap,
                                std::vector<Eigen::Vector3d>& normals)
 {
@@ -98,7 +100,7 @@ Eigen::Vector3d contactNormals(const Surface& surface, const NeighbourList& arou
             normals.push_back(contact->normal);
         }
     }
-    for (const std::uint32_t triangle : around.triangles())
+    for (const std::uint32_t triangle : around.trianglesNear(p, radius + gap))
     {
         if (const auto contact = frontContact(surface, triangle, p, radius, gap))
         {

@@ -13,7 +13,7 @@ namespace frostfill
 /// How far a sphere of `radius` at p can move along the unit vector `direction`, at most `limit`,
 /// until it first touches something of the neighbourhood. Contacts that it touches already and that
 /// the direction does not lead into don't count. The result never leads into an overlap.
-[[nodiscard]] double sphereCast(const Surface& surface, const NeighbourList& around,
+[[nodiscard]] double sphereCast(const Surface& surface, NeighbourList& around,
                                 const Eigen::Vector3d& p, double radius,
                                 const Eigen::Vector3d& direction, double limit);
 
@@ -24,7 +24,7 @@ namespace frostfill
 
 /// Unit vectors to p from everything that a sphere there touches: gaps of at most `gap`. Returns
 /// the way out of the wall into which the sphere has crept farthest (kCrept), or zero.
-Eigen::Vector3d contactNormals(const Surface& surface, const NeighbourList& around,
+Eigen::Vector3d contactNormals(const Surface& surface, NeighbourList& around,
                                const Eigen::Vector3d& p, double radius, double gap,
                                std::vector<Eigen::Vector3d>& normals);
 

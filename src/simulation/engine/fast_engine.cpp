@@ -281,7 +281,7 @@ void FastEngine::countTests()
     for (std::uint32_t row = 0; row < running_.size(); ++row)
     {
         world_.counts.operations.runningFrozenTests += flight_.around(row).spheres();
-        world_.counts.operations.spherePolygonTests += flight_.around(row).triangles().size();
+        world_.counts.operations.spherePolygonTests += flight_.around(row).trianglesTested();
         pairs += solver_.pairs().nearby(row).size();
     }
     world_.counts.operations.runningRunningTests += pairs / 2;

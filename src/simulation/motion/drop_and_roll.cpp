@@ -45,7 +45,7 @@ bool DropAndRoll::settle(Eigen::Vector3d& p, double radius, NeighbourList& aroun
     return false;
 }
 
-bool DropAndRoll::fall(Eigen::Vector3d& p, double radius, const NeighbourList& around,
+bool DropAndRoll::fall(Eigen::Vector3d& p, double radius, NeighbourList& around,
                        const Eigen::Vector3d& down) const
 {
     if (down.y() == -1)

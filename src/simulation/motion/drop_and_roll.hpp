@@ -38,7 +38,7 @@ public:
     bool drop(Eigen::Vector3d& p, double radius) const;
 
 private:
-    bool fall(Eigen::Vector3d& p, double radius, const NeighbourList& around,
+    bool fall(Eigen::Vector3d& p, double radius, NeighbourList& around,
               const Eigen::Vector3d& down) const;
     bool slide(Eigen::Vector3d& p, double radius, NeighbourList& around,
                const Eigen::Vector3d& down, const Eigen::Vector3d& pull, double& longest) const;

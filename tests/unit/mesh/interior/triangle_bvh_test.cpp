@@ -107,6 +107,73 @@ TEST(TriangleBvh, FindsAllThatAreNearAndLeavesMostOut)
     EXPECT_LT(sum, points.size() * surface.size() / 20);
 }
 
+// Brute force with the test of one triangle, which is in double precision.
+TEST(TriangleBvh, RejectsFourTrianglesAtOnceAsItWouldOne)
+{
+    const Surface surface(shapes::torus(1, 0.4, 120, 40), Walls());
+    std::size_t found = 0;
+    std::size_t expected = 0;
+    for (const Eigen::Vector3d& p : pointsFor(surface, 100))
+    {
+        constexpr double kNear = 0.15;
+        std::vector<bool> visited(surface.size(), false);
+        surface.tree().forEachTriangleNear(p, kNear,
+                                           [&](std::uint32_t id)
+                                           {
+                                               EXPECT_FALSE(visited[id]);
+                                               visited[id] = true;
+                                               ++found;
+                                               return kNear;
+                                           });
+        for (std::uint32_t id = 0; id < surface.size(); ++id)
+        {
+            expected += surface.bound(id).mayBeWithin(kNear, p) ? 1 : 0;
+        }
+    }
+    // The boxes reject some that the disc does not.
+    EXPECT_LE(found, expected + expected / 100);
+    EXPECT_GT(found, expected / 2);
+}
+
+TEST(TriangleBvh, FindsBelowTheNodesOfAPlaceWhatItFindsBelowTheRoot)
+{
+    const Surface surface(shapes::torus(1, 0.4, 120, 40), Walls());
+    TriangleBvh::Nodes nodes;
+    for (const Eigen::Vector3d& p : pointsFor(surface, 100))
+    {
+        surface.tree().findNodes(p, 0.2, nodes);
+        EXPECT_LE(nodes.size(), 16U);
+        const Eigen::Vector3d q = p + Eigen::Vector3d(0.05, -0.05, 0.05); // 0.087 away
+        for (const double near : {0.11, 0.02})
+        {
+            std::vector<std::uint32_t> expected;
+            surface.tree().findNear(q, near, expected);
+            std::vector<std::uint32_t> found;
+            surface.tree().forEachTriangleNear(nodes, q, near,
+                                               [&](std::uint32_t id)
+                                               {
+                                                   found.push_back(id);
+                                                   return near;
+                                               });
+            std::sort(found.begin(), found.end());
+            EXPECT_EQ(found, expected);
+        }
+    }
+}
+
+TEST(TriangleBvh, EndsASearchWithANegativeLimit)
+{
+    const Surface surface(shapes::torus(1, 0.4, 120, 40), Walls());
+    std::size_t visits = 0;
+    surface.tree().forEachTriangleNear(surface[7].corner[0], 10,
+                                       [&](std::uint32_t)
+                                       {
+                                           ++visits;
+                                           return -1.0;
+                                       });
+    EXPECT_LE(visits, 4u); // those of a leaf
+}
+
 TEST(TriangleBvh, FindsTheNearestInMeshesOfAnySizeAndPlace)
 {
     for (const double size : {1e-12, 1.0, 1e12})
