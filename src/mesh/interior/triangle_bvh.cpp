@@ -7,10 +7,14 @@
 namespace frostfill
 {
 
-/// Takes every second level of the binary tree.
+/// Takes every second level of the binary tree, so that the last one has the leaves.
 class TriangleBvh::Builder
 {
 public:
+    /// Triangles below a child that has a disc. Larger: more time to build. Smaller: more boxes are
+    /// looked into near a slanted wall.
+    static constexpr std::uint32_t kMostInDisc = 64;
+
     Builder(const TriangleMesh& mesh, const TriangleTree& tree, TriangleBvh& bvh)
         : mesh_(mesh), tree_(tree), bvh_(bvh), boxes_(tree.nodes().size())
     {
@@ -40,7 +44,7 @@ public:
     {
         const auto number = static_cast<std::uint32_t>(bvh_.nodes_.size());
         bvh_.nodes_.emplace_back(); // and its children behind it, which may move it
-        Node built;
+        Node built{};
         for (std::size_t axis = 0; axis < 3; ++axis)
         {
             built.low[axis] = Four{} + std::numeric_limits<float>::infinity();
@@ -56,6 +60,7 @@ public:
                 built.high[axis][count] = box.high[axis];
             }
             const TriangleTree::Node& its = tree_.nodes()[below];
+            enterDisc(built, count, its);
             built.child[count++] = tree_.isLeaf(below) ? Child{addLeaf(its), its.end - its.first}
                                                        : Child{build(below), 0};
         };
@@ -65,9 +70,10 @@ public:
         }
         else
         {
+            const bool oneLevel = node == 0 && levels() % 2 == 1;
             for (const std::size_t half : {node + 1, second(node)})
             {
-                if (tree_.isLeaf(half))
+                if (oneLevel || tree_.isLeaf(half))
                 {
                     take(half);
                     continue;
@@ -81,28 +87,96 @@ public:
     }
 
 private:
+    /// From the root to the first leaf; to others they differ by one at most.
+    [[nodiscard]] std::size_t levels() const
+    {
+        std::size_t node = 0;
+        while (!tree_.isLeaf(node))
+        {
+            ++node; // its first child
+        }
+        return node;
+    }
+
     /// Leaves come in the order of their triangles.
     std::uint32_t addLeaf(const TriangleTree::Node& its)
     {
-        Leaf leaf{};
+        Discs discs{};
         for (std::size_t k = 0; k < its.end - its.first; ++k)
         {
-            const auto& t = mesh_.triangles[tree_.order()[its.first + k]];
-            const auto [normal, offset, centre, radius] =
-                boundOf({mesh_.vertices[t[0]], mesh_.vertices[t[1]], mesh_.vertices[t[2]]});
-            for (std::size_t axis = 0; axis < 3; ++axis)
-            {
-                const auto at = static_cast<Eigen::Index>(axis);
-                leaf.normal[axis][k] = static_cast<float>(normal[at]);
-                leaf.centre[axis][k] =
-                    static_cast<float>((centre[at] - bvh_.centre_[at]) * bvh_.scale_);
-            }
-            leaf.offset[k] = static_cast<float>((offset - normal.dot(bvh_.centre_)) * bvh_.scale_);
-            leaf.radius[k] = static_cast<float>(radius * bvh_.scale_ * (1 + kRounding) + kGrow);
+            enter(discs, k, boundOf(cornersOf(tree_.order()[its.first + k])));
         }
-        bvh_.leaves_.push_back(leaf);
+        bvh_.leaves_.push_back(discs);
         bvh_.starts_.push_back(its.end);
         return static_cast<std::uint32_t>(bvh_.leaves_.size() - 1);
+    }
+
+    [[nodiscard]] std::array<Eigen::Vector3d, 3> cornersOf(std::uint32_t triangle) const
+    {
+        const auto& t = mesh_.triangles[triangle];
+        return {mesh_.vertices[t[0]], mesh_.vertices[t[1]], mesh_.vertices[t[2]]};
+    }
+
+    /// Makes a disc the k-th, in the frame of the nodes.
+    void enter(Discs& discs, std::size_t k, const TriangleBound& disc) const
+    {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+            const auto at = static_cast<Eigen::Index>(axis);
+            discs.normal[axis][k] = static_cast<float>(disc.normal[at]);
+            discs.centre[axis][k] =
+                static_cast<float>((disc.centre[at] - bvh_.centre_[at]) * bvh_.scale_);
+        }
+        discs.offset[k] =
+            static_cast<float>((disc.offset - disc.normal.dot(bvh_.centre_)) * bvh_.scale_);
+        discs.radius[k] = grown(disc.radius);
+    }
+    [[nodiscard]] float grown(double length) const
+    {
+        return static_cast<float>(length * bvh_.scale_ * (1 + kRounding) + kGrow);
+    }
+
+    /// The disc, with its thickness, around all triangles of a node.
+    void enterDisc(Node& built, std::size_t k, const TriangleTree::Node& its) const
+    {
+        if (its.end - its.first > kMostInDisc)
+        {
+            built.discs.radius[k] = static_cast<float>(kFarthest);
+            return;
+        }
+        built.hasDiscs = true;
+        TriangleBound disc;
+        disc.normal.setZero();
+        disc.centre.setZero();
+        const auto forEach = [&](auto&& visit)
+        {
+            for (const std::uint32_t triangle : tree_.triangles(its))
+            {
+                visit(cornersOf(triangle));
+            }
+        };
+        forEach(
+            [&](const std::array<Eigen::Vector3d, 3>& corner)
+            {
+                const auto& [a, b, c] = corner;
+                disc.normal += (c - a).cross(b - a);
+                disc.centre += (a + b + c) / 3;
+            });
+        disc.normal.normalize();
+        disc.centre /= its.end - its.first;
+        disc.offset = disc.normal.dot(disc.centre);
+        double thickness = 0;
+        forEach(
+            [&](const std::array<Eigen::Vector3d, 3>& corner)
+            {
+                for (const Eigen::Vector3d& p : corner)
+                {
+                    disc.radius = std::max(disc.radius, (p - disc.centre).norm());
+                    thickness = std::max(thickness, disc.toPlane(p));
+                }
+            });
+        enter(built.discs, k, disc);
+        built.thickness[k] = grown(thickness);
     }
 
     [[nodiscard]] std::size_t second(std::size_t node) const

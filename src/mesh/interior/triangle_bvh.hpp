@@ -20,6 +20,10 @@ namespace frostfill
 /// mesh is as large as 1, and four of them are tested at once. They grow by rounding, so nothing
 /// near enough is left out: who visits it and judges the triangles by itself gets what a list of
 /// all triangles would give.
+///
+/// A box beside a slanted wall is nearer than what is in it. Of small nodes of a fine mesh that
+/// come near by their boxes, the number grows with its fineness; by discs with a thickness, which
+/// small nodes have besides, few do.
 class TriangleBvh
 {
 public:
@@ -30,8 +34,9 @@ public:
     template <class Visit>
     void forEachNear(const Eigen::AlignedBox3d& box, double limit, Visit&& visit) const
     {
-        traverse(kRoot, box, limit,
-                 [&](std::uint32_t leaf, double) { return visit(triangles(leaf)); });
+        traverse(
+            kRoot, box, limit, [](const Node&, double) { return ~0U; },
+            [&](std::uint32_t leaf, double) { return visit(triangles(leaf)); });
     }
 
     /// Calls `limit = visit(triangle)` with each triangle that may be within `limit` of p, a
@@ -75,19 +80,22 @@ private:
         std::uint32_t triangles = 0; ///< 0: a node
     };
     using Four = float __attribute__((vector_size(4 * kWidth))); // registers of all processors
-    struct Node
-    {
-        std::array<Four, 3> low; ///< infinite where there is no child
-        std::array<Four, 3> high;
-        std::array<Child, kWidth> child;
-    };
-    /// As TriangleBound has them for one triangle. What is missing from a leaf is nowhere near.
-    struct alignas(64) Leaf
+    /// Planes, and discs in them, as TriangleBound has them for one triangle.
+    struct Discs
     {
         std::array<Four, 3> normal;
         Four offset;
         std::array<Four, 3> centre;
         Four radius;
+    };
+    struct Node
+    {
+        std::array<Four, 3> low; ///< infinite where there is no child
+        std::array<Four, 3> high;
+        Discs discs; ///< with the thickness, around all that is below a child; boundless for many
+        Four thickness; ///< to either side of the plane
+        std::array<Child, kWidth> child;
+        bool hasDiscs = false; ///< around some of the children
     };
     struct Pending
     {
@@ -127,13 +135,15 @@ private:
         const double grown = limit * scale_ * (1 + kRounding) + point.rounding;
         return static_cast<float>(std::min(grown, kFarthest));
     }
-    /// A bit for each triangle of the leaf, set where it may be within the distance.
-    [[nodiscard]] static unsigned mayBeWithin(const Leaf& leaf, const Point& point, float distance);
+    /// A bit for each disc of that thickness, set where some of it may be within the distance.
+    [[nodiscard]] static unsigned mayBeWithin(const Discs& discs, const Four& thickness,
+                                              const Point& point, float distance);
 
-    /// Calls `limit = visit(leaf, limit)`.
-    template <class Visit>
+    /// Calls `limit = visit(leaf, limit)` for each that the boxes and select(node, limit), a bit
+    /// for each child, do not rule out.
+    template <class Select, class Visit>
     void traverse(std::span<const std::uint32_t> nodes, const Eigen::AlignedBox3d& box,
-                  double limit, Visit&& visit) const;
+                  double limit, Select&& select, Visit&& visit) const;
 
     [[nodiscard]] std::span<const std::uint32_t> triangles(std::uint32_t leaf) const
     {
@@ -146,8 +156,8 @@ private:
     Eigen::Vector3d centre_ = Eigen::Vector3d::Zero(); ///< of the mesh
     double scale_ = 1;                                 ///< by which it has the size 1
     std::vector<Node> nodes_;                          ///< the first is the root
-    std::vector<Leaf> leaves_;
-    std::vector<std::uint32_t> starts_; ///< [#leaves + 1] in order_
+    std::vector<Discs> leaves_;                        ///< of triangles; zero where one is missing
+    std::vector<std::uint32_t> starts_;                ///< [#leaves + 1] in order_
     std::vector<std::uint32_t> order_;
 };
 
@@ -196,26 +206,30 @@ inline TriangleBvh::Point TriangleBvh::pointOf(const Eigen::Vector3d& p) const
 
 // The test of TriangleBound, where what is subtracted is made smaller and what is added larger by
 // more than rounding. The distance has been grown by what the place may be wrong.
-inline unsigned TriangleBvh::mayBeWithin(const Leaf& leaf, const Point& point, float distance)
+inline unsigned TriangleBvh::mayBeWithin(const Discs& discs, const Four& thickness,
+                                         const Point& point, float distance)
 {
     constexpr auto kLess = static_cast<float>(1 - kRounding);
-    Four toPlane = -leaf.offset;
+    constexpr Four kNone = {};
+    Four toPlane = -discs.offset;
     Four toCentre{};
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-        toPlane += leaf.normal[axis] * point.at[axis];
-        const Four apart = leaf.centre[axis] - point.at[axis];
+        toPlane += discs.normal[axis] * point.at[axis];
+        const Four apart = discs.centre[axis] - point.at[axis];
         toCentre += apart * apart;
     }
-    constexpr Four kNone = {};
     const Four behind = -toPlane;
-    const Four above = (toPlane > behind ? toPlane : behind) - point.rounding;
-    const Four height = above > kNone ? above : kNone;
-    const Four cut = distance * distance - height * height;
-    const Four rest =
-        toCentre * kLess - (leaf.radius * leaf.radius + (kNone + distance * distance));
-    const auto within = (cut >= kNone) &
-                        ((rest <= kNone) | (rest * rest <= 4.0F * leaf.radius * leaf.radius * cut));
+    const Four height = toPlane > behind ? toPlane : behind;
+    const Four above = height - (thickness + point.rounding);
+    const Four least = above > kNone ? above : kNone;
+    const Four most = height + point.rounding;
+    // In a plane through the nearest of it, the ball around the point is a disc of this radius.
+    const Four cut = distance * distance - least * least;
+    const Four rest = toCentre * kLess - (most * most + discs.radius * discs.radius + cut);
+    const auto within =
+        (cut >= kNone) &
+        ((rest <= kNone) | (rest * rest <= 4.0F * discs.radius * discs.radius * cut));
     unsigned bits = 0;
     for (unsigned k = 0; k < kWidth; ++k)
     {
@@ -224,9 +238,9 @@ inline unsigned TriangleBvh::mayBeWithin(const Leaf& leaf, const Point& point, f
     return bits;
 }
 
-template <class Visit>
+template <class Select, class Visit>
 void TriangleBvh::traverse(std::span<const std::uint32_t> nodes, const Eigen::AlignedBox3d& box,
-                           double limit, Visit&& visit) const
+                           double limit, Select&& select, Visit&& visit) const
 {
     if (nodes_.empty())
     {
@@ -255,10 +269,11 @@ void TriangleBvh::traverse(std::span<const std::uint32_t> nodes, const Eigen::Al
         }
         const Node& node = nodes_[next.child.number];
         const Four squares = squaresTo(node, from);
+        const unsigned selected = select(node, limit);
         const std::size_t begin = count;
         for (std::size_t k = 0; k < kWidth; ++k)
         {
-            if (squares[k] <= square)
+            if (squares[k] <= square && ((selected >> k) & 1) != 0)
             {
                 // Sorted as they come: the nearest is the last, which is taken first.
                 std::size_t place = count++;
@@ -277,19 +292,25 @@ void TriangleBvh::forEachTriangleNear(std::span<const std::uint32_t> nodes,
                                       const Eigen::Vector3d& p, double limit, Visit&& visit) const
 {
     const Point point = pointOf(p);
-    traverse(nodes, Eigen::AlignedBox3d(p), limit,
-             [&](std::uint32_t leaf, double within)
-             {
-                 const std::span<const std::uint32_t> its = triangles(leaf);
-                 const unsigned all = (1U << its.size()) - 1;
-                 for (unsigned bits =
-                          mayBeWithin(leaves_[leaf], point, distanceFrom(point, within)) & all;
-                      bits != 0; bits &= bits - 1)
-                 {
-                     within = visit(its[static_cast<std::size_t>(std::countr_zero(bits))]);
-                 }
-                 return within;
-             });
+    const auto select = [&](const Node& node, double within)
+    {
+        return node.hasDiscs
+                   ? mayBeWithin(node.discs, node.thickness, point, distanceFrom(point, within))
+                   : ~0U;
+    };
+    const auto visitLeaf = [&](std::uint32_t leaf, double within)
+    {
+        const std::span<const std::uint32_t> its = triangles(leaf);
+        const unsigned all = (1U << its.size()) - 1;
+        for (unsigned bits =
+                 mayBeWithin(leaves_[leaf], Four{}, point, distanceFrom(point, within)) & all;
+             bits != 0; bits &= bits - 1)
+        {
+            within = visit(its[static_cast<std::size_t>(std::countr_zero(bits))]);
+        }
+        return within;
+    };
+    traverse(nodes, Eigen::AlignedBox3d(p), limit, select, visitLeaf);
 }
 
 } // namespace frostfill
