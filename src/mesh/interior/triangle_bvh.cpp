@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/interior/triangle_bvh.hpp"
 
-#include "mesh/interior/triangle_tree.hpp"
-
 namespace frostfill
 {
 
@@ -91,12 +89,16 @@ private:
 };
 
 TriangleBvh::TriangleBvh(const TriangleMesh& mesh)
+    : TriangleBvh(mesh, TriangleTree(mesh, kSmallLeaf))
+{
+}
+
+TriangleBvh::TriangleBvh(const TriangleMesh& mesh, const TriangleTree& tree)
 {
     if (mesh.triangles.empty())
     {
         return;
     }
-    const TriangleTree tree(mesh, kLeaf);
     order_.assign(tree.order().begin(), tree.order().end());
     Builder(mesh, tree, *this).build(0);
 }
