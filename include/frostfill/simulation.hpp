@@ -110,6 +110,8 @@ public:
     /// `mesh` is closed and wound outwards (see loadMesh). Throws Error usage for an invalid scene
     /// and badData for a mesh into which no sphere fits.
     Simulation(const Scene& scene, const TriangleMesh& mesh);
+    /// The same, of a mesh as loadMesh or repairMesh returned it: its report spares an inspection.
+    Simulation(const Scene& scene, const LoadedMesh& mesh);
     /// Another run in the same object, which is not prepared again: under other rules, say. Throws
     /// Error usage unless the scenes agree in the object, its axis, units and movement, in radii
     /// and count, and in gravity. Neither run knows of the other.

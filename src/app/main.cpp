@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands.hpp"
+#include "app/large_allocations.hpp"
 #include "app/progress/message.hpp"
 #include "app/scene_options.hpp"
 
@@ -205,6 +206,7 @@ void occupyClosedStreams()
 
 int main(int argumentCount, char** arguments)
 {
+    useMemoryAgain();
     occupyClosedStreams();
     // A reader that has gone away and a limit on the size of files are failed writes, and no reason
     // to lose a run.

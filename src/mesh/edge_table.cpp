@@ -40,7 +40,8 @@ bool cancels(std::span<const EdgeUse> uses)
     return 2 * static_cast<std::size_t>(forward) == uses.size();
 }
 
-EdgeTable::EdgeTable(const TriangleMesh& mesh) : ends_(mesh.vertices.size() + 1, 0)
+EdgeTable::EdgeTable(const TriangleMesh& mesh)
+    : triangles_(mesh.triangles.size()), ends_(mesh.vertices.size() + 1, 0)
 {
     // In buckets by the lower vertex: most hold a few sides, which are soon sorted.
     forEachSide(mesh, [&](std::uint32_t low, Side) { ++ends_[low]; });

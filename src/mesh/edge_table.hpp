@@ -52,6 +52,9 @@ public:
     /// Uses of the edge between two vertices; empty if there is no such edge.
     [[nodiscard]] std::vector<EdgeUse> find(std::uint32_t a, std::uint32_t b) const;
 
+    /// Of the mesh.
+    [[nodiscard]] std::size_t triangles() const { return triangles_; }
+
     /// Number of edges that do not have exactly two triangles.
     [[nodiscard]] std::size_t badEdges() const;
 
@@ -70,6 +73,7 @@ private:
                 (side & 1) != 0};
     }
 
+    std::size_t triangles_ = 0;
     std::vector<std::uint32_t> ends_; ///< [#V + 1] where the sides of each lower vertex begin
     std::vector<Side> sides_;         ///< by lower vertex, sorted
 };

@@ -213,7 +213,7 @@ FillPlan planFill(const FillRequest& request, const FillObserver& observer)
     validateScene(request.scene);
     bool resumes = false;
     LoadedMesh mesh = meshOf(request, resumes);
-    const Simulation simulation(request.scene, mesh.mesh);
+    const Simulation simulation(request.scene, mesh);
     mesh.report = simulation.object();
     RunDirectory::check(request.directory, earlierFiles(request, resumes));
     const std::optional<CameraPath> path = cameraPathOf(request);
@@ -230,7 +230,7 @@ FillResult fill(const FillRequest& request, const FillObserver& observer)
     validateScene(request.scene);
     bool resumes = false;
     LoadedMesh mesh = meshOf(request, resumes);
-    Simulation simulation(request.scene, mesh.mesh);
+    Simulation simulation(request.scene, mesh);
     mesh.report = simulation.object();
     simulation.stopWhen(observer.stopRequested);
     clock.end("loading");

@@ -126,18 +126,23 @@ double sphereRadius(const Scene& scene, const MeshReport& mesh)
     return (low + high) / 2;
 }
 
-double sphereRadius(const Scene& scene, const MeshReport& report, const TriangleMesh& mesh)
+namespace
 {
-    const double compact = sphereRadius(scene, report);
-    if (scene.spheres.radius || compact * report.area <= kCompact * report.volume)
-    {
-        return compact;
-    }
+
+bool isCompact(const Scene& scene, const MeshReport& report, double radius)
+{
+    return scene.spheres.radius || radius * report.area <= kCompact * report.volume;
+}
+
+/// At most that of a compact object.
+double radiusForThinParts(const Scene& scene, const MeshReport& report, const NearestPoint& surface,
+                          double compact)
+{
     const auto count = static_cast<double>(*scene.spheres.count);
     double radius = compact;
     for (const Closeness& level : kThicknessLevels)
     {
-        const ThickParts parts(report, mesh, level.samples);
+        const ThickParts parts(report, surface, level.samples);
         if (parts.count(compact) >= level.enough * count)
         {
             return compact;
@@ -145,6 +150,25 @@ double sphereRadius(const Scene& scene, const MeshReport& report, const Triangle
         radius = std::min(compact, parts.radius(count / kShareOfEstimate));
     }
     return radius;
+}
+
+} // namespace
+
+double sphereRadius(const Scene& scene, const MeshReport& report, const TriangleMesh& mesh)
+{
+    const double compact = sphereRadius(scene, report);
+    return isCompact(scene, report, compact)
+               ? compact
+               : radiusForThinParts(scene, report, NearestPoint(mesh), compact);
+}
+
+double sphereRadius(const Scene& scene, const MeshReport& report, const TriangleMesh& mesh,
+                    const TriangleTree& tree)
+{
+    const double compact = sphereRadius(scene, report);
+    return isCompact(scene, report, compact)
+               ? compact
+               : radiusForThinParts(scene, report, NearestPoint(mesh, tree), compact);
 }
 
 } // namespace frostfill

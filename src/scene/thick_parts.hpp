@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "mesh/interior/nearest_point.hpp"
 #include "scene/packing_estimate.hpp"
 
 #include <frostfill/mesh.hpp>
@@ -16,9 +17,9 @@ namespace frostfill
 class ThickParts
 {
 public:
-    /// `report` is that of inspectInterior. `samples`: places of the surface that are looked at;
-    /// more find more of the thin parts.
-    ThickParts(const MeshReport& report, const TriangleMesh& mesh, std::size_t samples);
+    /// `report` is that of inspectInterior, of the mesh that `surface` searches. `samples`: places
+    /// of the surface that are looked at; more find more of the thin parts.
+    ThickParts(const MeshReport& report, const NearestPoint& surface, std::size_t samples);
 
     /// The radius of about the largest ball inside; 0 if nothing is known of the object.
     [[nodiscard]] double largest() const { return parts_.empty() ? 0 : parts_.front().thickness; }
@@ -39,5 +40,9 @@ private:
     };
     std::vector<Part> parts_; ///< descending in thickness
 };
+
+/// The public sphereRadius, for who has a tree of the mesh already, with kSmallLeaf.
+[[nodiscard]] double sphereRadius(const Scene& scene, const MeshReport& report,
+                                  const TriangleMesh& mesh, const TriangleTree& tree);
 
 } // namespace frostfill

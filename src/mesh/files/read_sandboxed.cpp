@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 
 namespace frostfill
@@ -35,11 +36,9 @@ SandboxLimits limitsFor(const std::filesystem::path& file)
 }
 
 template <class Value>
-void append(std::string& bytes, const std::vector<Value>& values)
+std::string_view bytesOf(const Value* values, std::size_t count)
 {
-    const std::uint64_t count = values.size();
-    bytes.append(reinterpret_cast<const char*>(&count), sizeof count);
-    bytes.append(reinterpret_cast<const char*>(values.data()), count * sizeof(Value));
+    return {reinterpret_cast<const char*>(values), count * sizeof(Value)};
 }
 
 /// Takes values off the front. False when there are fewer than announced.
@@ -91,23 +90,24 @@ bool isText(const std::vector<char>& text)
 TriangleMesh readMeshSandboxed(const std::filesystem::path& file, std::vector<std::string>* remarks)
 {
     const std::string subject = fmt::format("'{}' cannot be read as a mesh", file.string());
-    const std::string bytes = runSandboxed(limitsFor(file), subject,
-                                           [&]
-                                           {
-                                               std::vector<std::string> overlooked;
-                                               const TriangleMesh mesh =
-                                                   readMesh(file, &overlooked);
-                                               std::string report;
-                                               append(report, mesh.vertices);
-                                               append(report, mesh.triangles);
-                                               append(report, joined(overlooked));
-                                               return report;
-                                           });
+    TriangleMesh mesh; // filled in the child, and here from what it sends
+    std::vector<char> overlooked;
+    std::array<std::uint64_t, 3> counts{};
+    const SandboxedBytes bytes =
+        runSandboxed(limitsFor(file), subject,
+                     [&]() -> SandboxReport
+                     {
+                         std::vector<std::string> sentences;
+                         mesh = readMesh(file, &sentences);
+                         overlooked = joined(sentences);
+                         counts = {mesh.vertices.size(), mesh.triangles.size(), overlooked.size()};
+                         return {bytesOf(&counts[0], 1), bytesOf(mesh.vertices.data(), counts[0]),
+                                 bytesOf(&counts[1], 1), bytesOf(mesh.triangles.data(), counts[1]),
+                                 bytesOf(&counts[2], 1), bytesOf(overlooked.data(), counts[2])};
+                     });
     // What came out of the sandbox is believed no more than the file: a reader that was led astray
     // may have sent anything.
-    TriangleMesh mesh;
-    std::string_view rest = bytes;
-    std::vector<char> overlooked;
+    std::string_view rest = bytes.view();
     if (!take(rest, mesh.vertices) || !take(rest, mesh.triangles) || !take(rest, overlooked) ||
         !rest.empty() || !isText(overlooked) || findInvalidData(mesh))
     {

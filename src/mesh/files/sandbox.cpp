@@ -14,6 +14,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
@@ -24,6 +25,7 @@
 #include <fstream>
 #include <new>
 #include <string_view>
+#include <utility>
 
 namespace frostfill
 {
@@ -36,10 +38,20 @@ constexpr rlim_t kMaxFiles = 16;
 /// A child that sleeps uses no processor time: it is killed after its limit times this. [1]
 constexpr unsigned kWaitFactor = 10;
 
-// The first byte of what the child reports.
-constexpr char kDone = 'D';        // then the bytes
-constexpr char kRefused = 'E';     // then the error's code in one byte, and its sentence
-constexpr char kOutOfMemory = 'M'; // nothing more
+/// What the pipe holds, if the system allows that. [byte] Smaller: parent and child wait for each
+/// other more often. Larger: more than the processor's cache keeps.
+constexpr int kPipe = 1 << 20;
+
+// How the report of the child begins.
+struct Head
+{
+    char kind = '\0';
+    unsigned char code = 0; ///< of an error
+    std::uint64_t size = 0; ///< of what follows [byte]
+};
+constexpr char kDone = 'D';        // the bytes follow
+constexpr char kRefused = 'E';     // the error's sentence follows
+constexpr char kOutOfMemory = 'M'; // nothing follows
 
 // Sanitizers map terabytes of shadow, which no limit on addresses could leave room for.
 #ifdef FROSTFILL_SANITIZED
@@ -83,18 +95,29 @@ void enterSandbox(const SandboxLimits& limits)
     }
 }
 
-void report(std::string_view bytes)
+void report(char kind, unsigned char code, const SandboxReport& parts)
 {
-    const int failure =
-        writeAll(kReport, {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
-    if (failure != 0)
+    Head head{kind, code, 0};
+    for (const std::string_view part : parts)
     {
-        _exit(1);
+        head.size += part.size();
+    }
+    const auto send = [](const void* bytes, std::size_t size)
+    {
+        if (writeAll(kReport, {static_cast<const std::uint8_t*>(bytes), size}) != 0)
+        {
+            _exit(1);
+        }
+    };
+    send(&head, sizeof head);
+    for (const std::string_view part : parts)
+    {
+        send(part.data(), part.size());
     }
 }
 
 [[noreturn]] void runAsChild(const SandboxLimits& limits, int pipe,
-                             const std::function<std::string()>& work)
+                             const std::function<SandboxReport()>& work)
 {
     dup2(pipe, kReport);
     close_range(kReport + 1, ~0U, 0);
@@ -106,19 +129,15 @@ void report(std::string_view bytes)
     enterSandbox(limits);
     try
     {
-        const std::string bytes = work();
-        report({&kDone, 1});
-        report(bytes);
+        report(kDone, 0, work());
     }
     catch (const Error& error)
     {
-        const std::array<char, 2> head = {kRefused, static_cast<char>(error.code())};
-        report({head.data(), head.size()});
-        report(error.what());
+        report(kRefused, static_cast<unsigned char>(error.code()), {error.what()});
     }
     catch (const std::bad_alloc&)
     {
-        report({&kOutOfMemory, 1});
+        report(kOutOfMemory, 0, {});
     }
     // Nothing of the parent's is to be flushed or destroyed twice.
     _exit(0);
@@ -128,13 +147,14 @@ void report(std::string_view bytes)
 class Child
 {
 public:
-    Child(const SandboxLimits& limits, const std::function<std::string()>& work)
+    Child(const SandboxLimits& limits, const std::function<SandboxReport()>& work)
     {
         std::array<int, 2> ends{};
         if (pipe2(ends.data(), O_CLOEXEC) != 0)
         {
             refuse("no pipe is available");
         }
+        fcntl(ends[0], F_SETPIPE_SZ, kPipe);
         id_ = fork();
         if (id_ == 0)
         {
@@ -160,26 +180,29 @@ public:
         }
     }
 
-    /// All that it reports, or nothing more after a while or too many bytes.
-    [[nodiscard]] std::string listen(std::chrono::seconds atMost, std::size_t mostBytes)
+    /// What it reports. Without a kind if that is less than it announces, takes too long or is
+    /// more than `mostBytes`.
+    [[nodiscard]] std::pair<Head, SandboxedBytes> listen(std::chrono::seconds atMost,
+                                                         std::size_t mostBytes)
     {
         const auto end = std::chrono::steady_clock::now() + atMost;
-        std::string bytes;
-        std::array<char, 1 << 16> some{};
-        while (bytes.size() <= mostBytes && hasMore(end))
+        Head head;
+        SandboxedBytes bytes;
+        if (!receive(reinterpret_cast<char*>(&head), sizeof head, end))
         {
-            const ssize_t count = read(pipe_, some.data(), some.size());
-            if (count > 0)
-            {
-                bytes.append(some.data(), static_cast<std::size_t>(count));
-            }
-            else if (count == 0 || errno != EINTR)
-            {
-                return bytes;
-            }
+            return {};
         }
-        kill(id_, SIGKILL);
-        return {};
+        if (head.size > mostBytes)
+        {
+            kill(id_, SIGKILL);
+            return {};
+        }
+        bytes = {std::make_unique_for_overwrite<char[]>(head.size), head.size};
+        if (!receive(bytes.bytes.get(), bytes.size, end))
+        {
+            return {};
+        }
+        return {head, std::move(bytes)};
     }
 
     /// How it ended, as waitpid tells it.
@@ -199,6 +222,28 @@ private:
         throw Error(
             ErrorCode::outOfMemory,
             fmt::format("{} for reading a mesh in a child process: {}", why, std::strerror(errno)));
+    }
+
+    /// False when it ends or takes too long before; then it is no more.
+    [[nodiscard]] bool receive(char* to, std::size_t size,
+                               std::chrono::steady_clock::time_point end) const
+    {
+        while (size > 0)
+        {
+            if (!hasMore(end))
+            {
+                kill(id_, SIGKILL);
+                return false;
+            }
+            const ssize_t count = read(pipe_, to, size);
+            if (count == 0 || (count < 0 && errno != EINTR))
+            {
+                return false;
+            }
+            to += std::max<ssize_t>(count, 0);
+            size -= static_cast<std::size_t>(std::max<ssize_t>(count, 0));
+        }
+        return true;
     }
 
     [[nodiscard]] bool hasMore(std::chrono::steady_clock::time_point end) const
@@ -242,30 +287,28 @@ std::string describeExit(int status, const SandboxLimits& limits)
 
 } // namespace
 
-std::string runSandboxed(const SandboxLimits& limits, const std::string& subject,
-                         const std::function<std::string()>& work)
+SandboxedBytes runSandboxed(const SandboxLimits& limits, const std::string& subject,
+                            const std::function<SandboxReport()>& work)
 {
     Child child(limits, work);
-    std::string bytes =
+    auto [head, bytes] =
         child.listen(std::chrono::seconds(kWaitFactor * limits.seconds), limits.bytes);
     const int status = child.wait();
-    const char kind = bytes.empty() ? '\0' : bytes[0];
-    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || kind == '\0')
+    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || head.kind == '\0')
     {
         throw Error(ErrorCode::badData,
                     fmt::format("{}: {}", subject, describeExit(status, limits)));
     }
-    if (kind == kRefused)
+    if (head.kind == kRefused)
     {
-        throw Error(static_cast<ErrorCode>(static_cast<unsigned char>(bytes.at(1))),
-                    bytes.substr(2));
+        throw Error(static_cast<ErrorCode>(head.code), std::string(bytes.view()));
     }
-    if (kind == kOutOfMemory)
+    if (head.kind == kOutOfMemory)
     {
         throw Error(ErrorCode::badData, fmt::format("{}: it needs more than {} MB of memory",
                                                     subject, limits.bytes >> 20));
     }
-    return bytes.substr(1);
+    return std::move(bytes);
 }
 
 } // namespace frostfill

@@ -3,7 +3,10 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace frostfill
 {
@@ -15,13 +18,26 @@ struct SandboxLimits
     unsigned seconds = 30;                    ///< of processor time
 };
 
+/// Bytes that nobody has set to anything before.
+struct SandboxedBytes
+{
+    std::unique_ptr<char[]> bytes;
+    std::size_t size = 0;
+
+    [[nodiscard]] std::string_view view() const { return {bytes.get(), size}; }
+};
+
+/// What a child process sends one after the other, without a copy. It lies in what outlives `work`,
+/// such as a variable of the caller, which the child has a copy of.
+using SandboxReport = std::vector<std::string_view>;
+
 /// Runs `work` in a child process and returns the bytes that it returns. Whatever happens there, a
 /// crash, an endless loop, memory without end, stays there. The child opens at most a few files at
 /// a time and writes to none, leaves no core, and dies with its parent.
 ///
 /// Throws Error as `work` throws it, and badData when the child dies or exceeds a limit; `subject`
 /// begins those sentences: "'a.ply' cannot be read".
-[[nodiscard]] std::string runSandboxed(const SandboxLimits& limits, const std::string& subject,
-                                       const std::function<std::string()>& work);
+[[nodiscard]] SandboxedBytes runSandboxed(const SandboxLimits& limits, const std::string& subject,
+                                          const std::function<SandboxReport()>& work);
 
 } // namespace frostfill

@@ -4,7 +4,6 @@
 #include "geometry/triangle_pair.hpp"
 #include "mesh/interior/fan_sweep.hpp"
 #include "mesh/interior/spread_fan.hpp"
-#include "mesh/interior/triangle_tree.hpp"
 
 #include <algorithm>
 #include <array>
@@ -16,8 +15,6 @@ namespace frostfill
 {
 namespace
 {
-
-constexpr std::uint32_t kCrossingLeafSize = 4; // triangles
 
 TrianglePair::Corners cornersOf(const TriangleMesh& mesh, std::uint32_t triangle)
 {
@@ -66,18 +63,21 @@ Common commonOf(const Common& a, const Common& b)
 
 bool haveCommon(const Common& a, const Common& b)
 {
-    return std::any_of(a.begin(), a.end(),
-                       [&](std::uint32_t vertex) {
-                           return vertex != kNone &&
-                                  std::find(b.begin(), b.end(), vertex) != b.end();
-                       });
+    // Without a branch for each: this is asked for every pair of nodes that come near each other.
+    const auto has = [&](std::uint32_t vertex)
+    {
+        const unsigned same =
+            unsigned{vertex == b[0]} | unsigned{vertex == b[1]} | unsigned{vertex == b[2]};
+        return same & unsigned{vertex != kNone};
+    };
+    return (has(a[0]) | has(a[1]) | has(a[2])) != 0;
 }
 
 class CrossingSearch
 {
 public:
-    explicit CrossingSearch(const TriangleMesh& mesh)
-        : mesh_(mesh), tree_(mesh, kCrossingLeafSize), crossed_(mesh.triangles.size(), false)
+    CrossingSearch(const TriangleMesh& mesh, const TriangleTree& tree)
+        : mesh_(mesh), tree_(tree), crossed_(mesh.triangles.size(), false)
     {
         boxes_.reserve(mesh.triangles.size());
         for (const std::uint32_t triangle : tree_.order())
@@ -275,7 +275,7 @@ private:
     }
 
     const TriangleMesh& mesh_;
-    TriangleTree tree_;
+    const TriangleTree& tree_;
     std::vector<Eigen::AlignedBox3d> boxes_; ///< [#T] in the order of the tree
     std::vector<Node> nodes_;                ///< [#nodes]
     std::vector<bool> crossed_;              ///< [#T]
@@ -283,9 +283,10 @@ private:
 
 } // namespace
 
-Crossings findCrossings(const TriangleMesh& mesh, const VertexTriangles& around)
+Crossings findCrossings(const TriangleMesh& mesh, const VertexTriangles& around,
+                        const TriangleTree& tree)
 {
-    return CrossingSearch(mesh).run(around);
+    return CrossingSearch(mesh, tree).run(around);
 }
 
 } // namespace frostfill

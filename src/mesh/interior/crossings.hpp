@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "mesh/interior/triangle_tree.hpp"
 #include "mesh/vertex_triangles.hpp"
 
 #include <cstddef>
@@ -22,8 +23,10 @@ struct Crossings
 /// Finds all triangles that meet others. Exact, see orient3d. To touch counts, and so do overlaps
 /// in a plane and a fold flat onto a neighbour. Vertices are the same if their indices are: where
 /// two vertices have the same coordinates, two sheets touch, and the nearer one cannot tell the
-/// side. Triangles without area are left out. `around`: of the mesh. Takes O(n log n) plus the
-/// number of pairs whose boxes meet, which is O(n) except for needles that lie askew side by side.
-[[nodiscard]] Crossings findCrossings(const TriangleMesh& mesh, const VertexTriangles& around);
+/// side. Triangles without area are left out. `around` and `tree`: of the mesh. Takes O(n log n)
+/// plus the number of pairs whose boxes meet, which is O(n) except for needles that lie askew side
+/// by side.
+[[nodiscard]] Crossings findCrossings(const TriangleMesh& mesh, const VertexTriangles& around,
+                                      const TriangleTree& tree);
 
 } // namespace frostfill

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/interior/edge_twins.hpp"
 
-#include "mesh/edge_table.hpp"
-
 #include <array>
 
 namespace frostfill
 {
 
-EdgeTwins::EdgeTwins(const TriangleMesh& mesh) : twins_(3 * mesh.triangles.size(), kNone)
+EdgeTwins::EdgeTwins(const EdgeTable& edges) : twins_(3 * edges.triangles(), kNone)
 {
-    EdgeTable(mesh).forEach(
+    edges.forEach(
         [&](std::span<const EdgeUse> uses)
         {
             if (uses.size() == 2 && cancels(uses))

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <frostfill/mesh.hpp>
+#include "mesh/edge_table.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -19,7 +19,7 @@ public:
     /// In place of a twin at an edge that has not exactly two sides, one in each direction.
     static constexpr std::uint32_t kNone = 0xffffffff;
 
-    explicit EdgeTwins(const TriangleMesh& mesh);
+    explicit EdgeTwins(const EdgeTable& edges);
 
     [[nodiscard]] std::uint32_t operator[](std::size_t side) const { return twins_[side]; }
 

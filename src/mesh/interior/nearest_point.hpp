@@ -15,6 +15,12 @@ class NearestPoint
 public:
     /// `mesh` must outlive this object.
     explicit NearestPoint(const TriangleMesh& mesh) : mesh_(&mesh), bvh_(mesh) {}
+    NearestPoint(const TriangleMesh& mesh, const TriangleTree& tree)
+        : mesh_(&mesh), bvh_(mesh, tree)
+    {
+    }
+
+    [[nodiscard]] const TriangleMesh& mesh() const { return *mesh_; }
 
     struct Place
     {

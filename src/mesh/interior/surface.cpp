@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/interior/surface.hpp"
 
-#include "mesh/edge_table.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace frostfill
 {
@@ -55,9 +54,9 @@ TriangleBound boundOf(const std::array<Eigen::Vector3d, 3>& corner)
     return bound;
 }
 
-Surface::Surface(const TriangleMesh& mesh, const Walls& walls)
-    : mesh_(mesh), triangles_(mesh.triangles.size()), bounds_(mesh.triangles.size()),
-      vertexNormals_(mesh.vertices.size(), Eigen::Vector3d::Zero()), tree_(mesh),
+Surface::Surface(TriangleMesh mesh, const Walls& walls, const MeshIndex& index)
+    : mesh_(std::move(mesh)), triangles_(mesh_.triangles.size()), bounds_(mesh_.triangles.size()),
+      vertexNormals_(mesh_.vertices.size(), Eigen::Vector3d::Zero()), tree_(mesh_, index.tree),
       anyTwoSided_(!walls.none())
 {
     for (std::size_t t = 0; t < triangles_.size(); ++t)
@@ -65,19 +64,18 @@ Surface::Surface(const TriangleMesh& mesh, const Walls& walls)
         SurfaceTriangle& triangle = triangles_[t];
         for (std::size_t k = 0; k < 3; ++k)
         {
-            triangle.corner[k] = mesh.vertices[mesh.triangles[t][k]];
+            triangle.corner[k] = mesh_.vertices[mesh_.triangles[t][k]];
             box_.extend(triangle.corner[k]);
         }
         bounds_[t] = boundOf(triangle.corner);
         triangle.twoSided = anyTwoSided_ && walls.twoSided[t];
     }
-    joinEdges();
+    joinEdges(index.edges);
     joinCorners();
 }
 
-void Surface::joinEdges()
+void Surface::joinEdges(const EdgeTable& edges)
 {
-    const EdgeTable edges(mesh_);
     edgeNormals_.reserve(mesh_.triangles.size() * 3 / 2 + 1);
     // Triangles that repeat a corner have no edges and no area: all their normals are zero.
     edgeNormals_.emplace_back(Eigen::Vector3d::Zero());

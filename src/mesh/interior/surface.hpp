@@ -44,9 +44,11 @@ class Surface
 {
 public:
     /// `mesh` is closed and wound outwards. It may cross itself.
-    explicit Surface(const TriangleMesh& mesh) : Surface(mesh, classifyWalls(mesh)) {}
-    /// With the walls known: of this mesh, or of one that differs by a scale and an offset.
-    Surface(const TriangleMesh& mesh, const Walls& walls);
+    explicit Surface(const TriangleMesh& mesh) : Surface(mesh, MeshIndex(mesh)) {}
+    Surface(const TriangleMesh& mesh, const Walls& walls) : Surface(mesh, walls, MeshIndex(mesh)) {}
+    /// With the walls and the index known: of this mesh, or of one that differs by a motion and a
+    /// scale.
+    Surface(TriangleMesh mesh, const Walls& walls, const MeshIndex& index);
 
     [[nodiscard]] std::size_t size() const { return triangles_.size(); }
     [[nodiscard]] const SurfaceTriangle& operator[](std::size_t i) const { return triangles_[i]; }
@@ -75,7 +77,12 @@ public:
     }
 
 private:
-    void joinEdges();
+    Surface(const TriangleMesh& mesh, const MeshIndex& index)
+        : Surface(mesh, classifyWalls(mesh, index), index)
+    {
+    }
+
+    void joinEdges(const EdgeTable& edges);
     void joinCorners();
 
     TriangleMesh mesh_;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/interior/thickness.hpp"
 
-#include "mesh/interior/nearest_point.hpp"
 #include "mesh/interior/winding_tree.hpp"
 
 #include <algorithm>
@@ -82,10 +81,10 @@ std::vector<SurfaceSample> spread(const TriangleMesh& mesh, std::size_t count)
 class BallShrinker
 {
 public:
-    /// `mesh` must outlive this object.
-    explicit BallShrinker(const TriangleMesh& mesh)
-        : surface_(mesh), largest_(boundingBox(mesh).sizes().minCoeff() /
-                                   2), // no ball inside is wider than the box
+    /// `surface` must outlive this object.
+    explicit BallShrinker(const NearestPoint& surface)
+        : surface_(surface), largest_(boundingBox(surface.mesh()).sizes().minCoeff() /
+                                      2), // no ball inside is wider than the box
           guess_(largest_)
     {
     }
@@ -122,7 +121,7 @@ private:
         return found ? std::optional(found->point) : std::nullopt;
     }
 
-    NearestPoint surface_;
+    const NearestPoint& surface_;
     double largest_;
     double guess_; ///< radius of the last ball
 };
@@ -156,7 +155,14 @@ void forEachSide(const TriangleMesh& mesh, std::size_t samples, bool onlyBehind,
 std::vector<ThicknessSample> sampleThickness(const TriangleMesh& mesh, std::size_t samples,
                                              bool onlyBehind)
 {
-    BallShrinker shrinker(mesh);
+    return sampleThickness(NearestPoint(mesh), samples, onlyBehind);
+}
+
+std::vector<ThicknessSample> sampleThickness(const NearestPoint& surface, std::size_t samples,
+                                             bool onlyBehind)
+{
+    const TriangleMesh& mesh = surface.mesh();
+    BallShrinker shrinker(surface);
     std::vector<InscribedBall> balls;
     forEachSide(mesh, samples, onlyBehind,
                 [&](const SurfaceSample& place, const Eigen::Vector3d& inward)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "mesh/interior/nearest_point.hpp"
+
 #include <frostfill/mesh.hpp>
 
 #include <cstddef>
@@ -22,6 +24,9 @@ struct ThicknessSample
 /// interior is on both sides of a wall, both have a sample. Deterministic. Takes
 /// O(samples^2 + #T log #T). `onlyBehind`: the interior is known to be behind every triangle.
 [[nodiscard]] std::vector<ThicknessSample> sampleThickness(const TriangleMesh& mesh,
+                                                           std::size_t samples, bool onlyBehind);
+/// The same of the mesh that `surface` searches.
+[[nodiscard]] std::vector<ThicknessSample> sampleThickness(const NearestPoint& surface,
                                                            std::size_t samples, bool onlyBehind);
 
 } // namespace frostfill

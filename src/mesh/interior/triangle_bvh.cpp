@@ -2,7 +2,6 @@
 #include "mesh/interior/triangle_bvh.hpp"
 
 #include "mesh/interior/triangle_bound.hpp"
-#include "mesh/interior/triangle_tree.hpp"
 
 namespace frostfill
 {
@@ -191,12 +190,16 @@ private:
 };
 
 TriangleBvh::TriangleBvh(const TriangleMesh& mesh)
+    : TriangleBvh(mesh, TriangleTree(mesh, kSmallLeaf))
+{
+}
+
+TriangleBvh::TriangleBvh(const TriangleMesh& mesh, const TriangleTree& tree)
 {
     if (mesh.triangles.empty())
     {
         return;
     }
-    const TriangleTree tree(mesh, kLeaf);
     order_.assign(tree.order().begin(), tree.order().end());
     starts_.push_back(0);
     Builder(mesh, tree, *this).build(0);

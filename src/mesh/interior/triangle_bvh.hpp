@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "mesh/interior/triangle_tree.hpp"
+
 #include <frostfill/mesh.hpp>
 
 #include <algorithm>
@@ -28,6 +30,9 @@ class TriangleBvh
 {
 public:
     explicit TriangleBvh(const TriangleMesh& mesh);
+    /// With the tree that halves its triangles, of leaves of kSmallLeaf: that of this mesh, or of
+    /// one that differs by a motion and a scale.
+    TriangleBvh(const TriangleMesh& mesh, const TriangleTree& tree);
 
     /// Calls `limit = visit(triangles)` with the triangles of each leaf whose box may be within
     /// `limit` of a box, a distance [unit]; what seems nearest first.
@@ -66,7 +71,6 @@ public:
 
 private:
     static constexpr std::size_t kWidth = 4;      // children
-    static constexpr std::uint32_t kLeaf = 4;     // triangles at most
     static constexpr std::size_t kDeepest = 128;  // pending children: 3 a level, 2^32 triangles
     static constexpr std::size_t kMostNodes = 16; // of findNodes
     static constexpr std::array<std::uint32_t, 1> kRoot = {0};

@@ -10,6 +10,9 @@
 namespace frostfill
 {
 
+/// Triangles in a leaf of trees whose visitors look at each of them.
+inline constexpr std::uint32_t kSmallLeaf = 4;
+
 /// A balanced binary tree of the triangles of a mesh, halved at the median centroid along the
 /// longest side. Nodes are in preorder: the first child of a node follows it. A walk needs no
 /// stack: it continues with the next node, or with `skip` to leave out what is below.

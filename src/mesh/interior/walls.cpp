@@ -133,14 +133,19 @@ std::size_t countOf(const Flags& flags)
 
 Walls classifyWalls(const TriangleMesh& mesh)
 {
+    return classifyWalls(mesh, MeshIndex(mesh));
+}
+
+Walls classifyWalls(const TriangleMesh& mesh, const MeshIndex& index)
+{
     const VertexTriangles around(mesh);
-    Crossings crossings = findCrossings(mesh, around);
+    Crossings crossings = findCrossings(mesh, around, index.tree);
     Walls walls;
     walls.crossed = crossings.count;
     walls.firstCrossing = crossings.firstPlace;
     walls.twoSided = std::move(crossings.crossed);
 
-    const EdgeTwins twins(mesh);
+    const EdgeTwins twins(index.edges);
     flagIrregular(mesh, around, twins, walls.twoSided);
     const std::vector<Patch> patches = findPatches(twins, walls.twoSided);
     if (patches.size() > 1 || countOf(walls.twoSided) > 0)

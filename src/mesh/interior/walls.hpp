@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "mesh/interior/mesh_index.hpp"
+
 #include <frostfill/mesh.hpp>
 
 #include <cstddef>
@@ -34,5 +36,7 @@ struct Walls
 /// - all triangles that share a vertex with one of these.
 /// A mesh of one piece without any of these is taken to be wound outwards.
 [[nodiscard]] Walls classifyWalls(const TriangleMesh& mesh);
+/// With its index, for who has it already.
+[[nodiscard]] Walls classifyWalls(const TriangleMesh& mesh, const MeshIndex& index);
 
 } // namespace frostfill

@@ -49,6 +49,29 @@ WindingColumns::WindingColumns(const TriangleMesh& mesh) : mesh_(&mesh), box_(bo
         std::sqrt(kColumnsPerTriangle * static_cast<double>(mesh.triangles.size()));
     count_.fill(static_cast<int>(std::clamp(columns, 1.0, kMaxColumns)));
 
+    // A triangle is in the columns of the box of its corners: those between their own.
+    std::vector<std::array<std::uint16_t, 2>> ofVertex(mesh.vertices.size());
+    std::transform(mesh.vertices.begin(), mesh.vertices.end(), ofVertex.begin(),
+                   [this](const Eigen::Vector3d& vertex)
+                   {
+                       const Eigen::Vector2d at = flat(vertex);
+                       return std::array{static_cast<std::uint16_t>(columnOf(at.x(), 0)),
+                                         static_cast<std::uint16_t>(columnOf(at.y(), 1))};
+                   });
+    const auto forEachColumn = [&](const std::array<std::uint32_t, 3>& triangle, auto&& visit)
+    {
+        const auto& [a, b, c] = triangle;
+        const auto [firstX, lastX] = std::minmax({ofVertex[a][0], ofVertex[b][0], ofVertex[c][0]});
+        const auto [firstY, lastY] = std::minmax({ofVertex[a][1], ofVertex[b][1], ofVertex[c][1]});
+        for (std::size_t y = firstY; y <= lastY; ++y)
+        {
+            for (std::size_t x = firstX; x <= lastX; ++x)
+            {
+                visit(y * static_cast<std::size_t>(count_[0]) + x);
+            }
+        }
+    };
+
     // Count, sum up the ends of the columns, and fill each from its end.
     starts_.assign(static_cast<std::size_t>(count_[0]) * static_cast<std::size_t>(count_[1]) + 1,
                    0);
@@ -72,27 +95,6 @@ int WindingColumns::columnOf(double coordinate, std::size_t k) const
     const double column =
         size > 0 ? std::floor((coordinate - box_.min()[axis]) / size * count_[k]) : 0;
     return static_cast<int>(std::clamp(column, 0.0, count_[k] - 1.0));
-}
-
-template <class Visit>
-void WindingColumns::forEachColumn(const std::array<std::uint32_t, 3>& triangle,
-                                   Visit&& visit) const
-{
-    Eigen::AlignedBox2d box;
-    for (const std::uint32_t corner : triangle)
-    {
-        box.extend(flat(mesh_->vertices[corner]));
-    }
-    const int lastX = columnOf(box.max().x(), 0);
-    const int lastY = columnOf(box.max().y(), 1);
-    for (int y = columnOf(box.min().y(), 1); y <= lastY; ++y)
-    {
-        for (int x = columnOf(box.min().x(), 0); x <= lastX; ++x)
-        {
-            visit(static_cast<std::size_t>(y) * static_cast<std::size_t>(count_[0]) +
-                  static_cast<std::size_t>(x));
-        }
-    }
 }
 
 int WindingColumns::at(const Eigen::Vector3d& p) const

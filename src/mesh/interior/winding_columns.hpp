@@ -31,8 +31,6 @@ private:
     [[nodiscard]] int columnOf(double coordinate, std::size_t k) const;
     [[nodiscard]] int passage(const std::array<std::uint32_t, 3>& triangle,
                               const Eigen::Vector3d& p) const;
-    template <class Visit>
-    void forEachColumn(const std::array<std::uint32_t, 3>& triangle, Visit&& visit) const;
 
     const TriangleMesh* mesh_;
     Eigen::AlignedBox3d box_;

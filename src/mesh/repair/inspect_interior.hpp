@@ -6,7 +6,10 @@
 namespace frostfill
 {
 
-/// The public inspectInterior, for who knows the walls already.
-[[nodiscard]] MeshReport inspectInterior(const TriangleMesh& mesh, const Walls& walls);
+/// The public inspectInterior, for who has the report of inspectMesh and the walls already.
+[[nodiscard]] MeshReport inspectInterior(const TriangleMesh& mesh, MeshReport report,
+                                         const Walls& walls);
+/// inspectMesh, for who has the edges already.
+[[nodiscard]] MeshReport inspectMesh(const TriangleMesh& mesh, const EdgeTable& edges);
 
 } // namespace frostfill

@@ -102,6 +102,11 @@ void countPieces(MeshReport& report, const TriangleMesh& mesh, const EdgeTable& 
 
 MeshReport inspectMesh(const TriangleMesh& mesh)
 {
+    return inspectMesh(mesh, EdgeTable(mesh));
+}
+
+MeshReport inspectMesh(const TriangleMesh& mesh, const EdgeTable& edges)
+{
     MeshReport report;
     report.vertices = mesh.vertices.size();
     report.triangles = mesh.triangles.size();
@@ -110,7 +115,6 @@ MeshReport inspectMesh(const TriangleMesh& mesh)
                                                [&](const Triangle& t) { return isFlat(mesh, t); }));
     report.unusedVertices = countUnused(mesh);
 
-    const EdgeTable edges(mesh);
     report.duplicateTriangles = countDuplicates(mesh, edges);
     inspectEdges(report, mesh, edges);
     countPieces(report, mesh, edges);
@@ -120,9 +124,8 @@ MeshReport inspectMesh(const TriangleMesh& mesh)
     return report;
 }
 
-MeshReport inspectInterior(const TriangleMesh& mesh, const Walls& walls)
+MeshReport inspectInterior(const TriangleMesh& mesh, MeshReport report, const Walls& walls)
 {
-    MeshReport report = inspectMesh(mesh);
     report.crossedTriangles = walls.crossed;
     report.firstCrossing = walls.firstCrossing;
     if (!walls.none())
@@ -134,7 +137,8 @@ MeshReport inspectInterior(const TriangleMesh& mesh, const Walls& walls)
 
 MeshReport inspectInterior(const TriangleMesh& mesh)
 {
-    return inspectInterior(mesh, classifyWalls(mesh));
+    const MeshIndex index(mesh);
+    return inspectInterior(mesh, inspectMesh(mesh, index.edges), classifyWalls(mesh, index));
 }
 
 } // namespace frostfill

@@ -59,7 +59,9 @@ std::unique_ptr<Engine> makeCheckedEngine(World& world)
 
 struct Simulation::Implementation
 {
-    Implementation(const Scene& scene, const TriangleMesh& mesh)
+    /// Of a TriangleMesh or a LoadedMesh.
+    template <class Mesh>
+    Implementation(const Scene& scene, const Mesh& mesh)
         : world(scene, mesh), engine(makeCheckedEngine(world)), guard(world)
     {
     }
@@ -113,6 +115,10 @@ const Scene& ofSameObject(const Scene& scene, const Scene& other)
 } // namespace
 
 Simulation::Simulation(const Scene& scene, const TriangleMesh& mesh)
+    : implementation_(std::make_unique<Implementation>(validated(scene), mesh))
+{
+}
+Simulation::Simulation(const Scene& scene, const LoadedMesh& mesh)
     : implementation_(std::make_unique<Implementation>(validated(scene), mesh))
 {
 }

@@ -67,22 +67,26 @@ std::optional<Eigen::Vector3d> findLeak(const Surface& surface, const InsideTest
                                         double radius)
 {
     const auto centreOf = [&](const Cube& c) { return layout.frame.centre(c[0], c[1], c[2]); };
+    VoxelBits looked(layout.words, 0); // many small triangles lead to one cube
     for (std::uint32_t id = 0; id < surface.size(); ++id)
     {
         // Where the centre of a sphere would be that touches the triangle from inside.
         const auto& [a, b, c] = surface[id].corner;
         const Cube start =
             layout.frame.coordinates((a + b + c) / 3 + radius * surface.bound(id).normal);
-        if (!isIn(layout, outer, start) || !inside.contains(centreOf(start)))
+        const VoxelWord cube = layout.at(start[0], start[1], start[2]);
+        const bool isNew = (outer[cube.word] & ~looked[cube.word] & cube.bits) != 0;
+        looked[cube.word] |= cube.bits;
+        if (!isNew || !inside.contains(centreOf(start)))
         {
             continue;
         }
         // On the way out the winding number falls from one to nothing; a hole is where it is half.
-        for (const Cube& cube : shortestExit(layout, outer, start))
+        for (const Cube& step : shortestExit(layout, outer, start))
         {
-            if (windingNumber(surface.mesh(), centreOf(cube)) < kInsideFrom)
+            if (windingNumber(surface.mesh(), centreOf(step)) < kInsideFrom)
             {
-                return centreOf(cube);
+                return centreOf(step);
             }
         }
     }

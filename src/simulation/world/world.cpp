@@ -4,6 +4,7 @@
 #include "base/memory_at_hand.hpp"
 #include "mesh/repair/inspect_interior.hpp"
 #include "scene/packing_estimate.hpp"
+#include "scene/thick_parts.hpp"
 #include "scene/usual_duration.hpp"
 #include "simulation/world/memory_need.hpp"
 #include "simulation/world/tolerances.hpp"
@@ -23,9 +24,11 @@ namespace
 {
 
 /// Of a run that there is memory for.
-RadiusDistribution radiiOf(const Scene& scene, const MeshReport& report, const TriangleMesh& mesh)
+RadiusDistribution radiiOf(const Scene& scene, const MeshReport& report, const TriangleMesh& mesh,
+                           const TriangleTree& tree)
 {
-    RadiusDistribution radii(scene.spheres.radius.value_or(sphereRadius(scene, report, mesh)));
+    RadiusDistribution radii(
+        scene.spheres.radius.value_or(sphereRadius(scene, report, mesh, tree)));
     const double r = radii.largest();
     const double most = kPackingFraction * report.volume /
                         (4.0 / 3.0 * std::numbers::pi * r * r * r * radii.inLargest().meanPower(3));
@@ -34,6 +37,13 @@ RadiusDistribution radiiOf(const Scene& scene, const MeshReport& report, const T
                   counted ? std::min(static_cast<double>(*scene.spheres.count), most) : most,
                   memoryAtHand());
     return radii;
+}
+
+/// Whether the report has been made; that of a run that is resumed is not.
+bool isReportOf(const LoadedMesh& mesh)
+{
+    return mesh.report.triangles == mesh.mesh.triangles.size() &&
+           mesh.report.vertices == mesh.mesh.vertices.size();
 }
 
 GridFrame gridOver(const Surface& surface, double cell)
@@ -68,10 +78,18 @@ std::size_t countThatFits(const World& world)
 
 } // namespace
 
-ObjectOfRun::ObjectOfRun(const Scene& scene, const TriangleMesh& mesh)
-    : walls(classifyWalls(mesh)), report(inspectInterior(mesh, walls)),
-      radii(radiiOf(scene, report, mesh)), frame(scene, mesh, radii.largest()),
-      surface(frame.toRun(mesh), walls),
+ObjectOfRun::ObjectOfRun(const Scene& scene, const TriangleMesh& mesh, const MeshReport* known)
+    : ObjectOfRun(scene, mesh, known, MeshIndex(mesh))
+{
+}
+
+ObjectOfRun::ObjectOfRun(const Scene& scene, const TriangleMesh& mesh, const MeshReport* known,
+                         const MeshIndex& index)
+    : walls(classifyWalls(mesh, index)),
+      report(
+          inspectInterior(mesh, known != nullptr ? *known : inspectMesh(mesh, index.edges), walls)),
+      radii(radiiOf(scene, report, mesh, index.tree)), frame(scene, mesh, radii.largest()),
+      surface(frame.toRun(mesh), walls, index),
       triangles(surface, checkedGrid(surface, frame, scene), kTriangleReach),
       inside(surface, triangles)
 {
@@ -79,6 +97,12 @@ ObjectOfRun::ObjectOfRun(const Scene& scene, const TriangleMesh& mesh)
 
 World::World(const Scene& sceneOfRun, const TriangleMesh& mesh)
     : World(sceneOfRun, std::make_shared<const ObjectOfRun>(sceneOfRun, mesh))
+{
+}
+
+World::World(const Scene& sceneOfRun, const LoadedMesh& mesh)
+    : World(sceneOfRun, std::make_shared<const ObjectOfRun>(
+                            sceneOfRun, mesh.mesh, isReportOf(mesh) ? &mesh.report : nullptr))
 {
 }
 

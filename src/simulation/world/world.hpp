@@ -27,7 +27,8 @@ namespace frostfill
 /// their rules only share it.
 struct ObjectOfRun
 {
-    ObjectOfRun(const Scene& scene, const TriangleMesh& mesh);
+    /// `known` is what inspectMesh says of the mesh, if that is known.
+    ObjectOfRun(const Scene& scene, const TriangleMesh& mesh, const MeshReport* known = nullptr);
     ObjectOfRun(const ObjectOfRun&) = delete; // inside and triangles point to the surface
     ObjectOfRun& operator=(const ObjectOfRun&) = delete;
 
@@ -38,6 +39,10 @@ struct ObjectOfRun
     Surface surface;
     TriangleGrid triangles; ///< within reach 1.5 of each cell
     InsideTest inside;
+
+private:
+    ObjectOfRun(const Scene& scene, const TriangleMesh& mesh, const MeshReport* known,
+                const MeshIndex& index);
 };
 
 /// The object and the spheres, in coordinates of the run; and by name what is none of both: the
@@ -45,6 +50,8 @@ struct ObjectOfRun
 struct World
 {
     World(const Scene& sceneOfRun, const TriangleMesh& mesh);
+    /// Of a mesh that has been inspected.
+    World(const Scene& sceneOfRun, const LoadedMesh& mesh);
     /// Of an object that a scene with the same object, radii, gravity and motion of the object
     /// made.
     World(const Scene& sceneOfRun, std::shared_ptr<const ObjectOfRun> sharedObject);

@@ -7,7 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <vector>
 
@@ -22,7 +24,16 @@ constexpr SandboxLimits kSmall = {std::size_t{256} << 20, 1};
 
 std::string run(const std::function<std::string()>& work)
 {
-    return runSandboxed(kSmall, "'x.ply' cannot be read", work);
+    std::string result; // of the child's own
+    const SandboxedBytes bytes = runSandboxed(kSmall, "'x.ply' cannot be read",
+                                              [&]() -> SandboxReport
+                                              {
+                                                  result = work();
+                                                  const std::string_view all = result;
+                                                  const std::size_t half = all.size() / 2;
+                                                  return {all.substr(0, half), all.substr(half)};
+                                              });
+    return std::string(bytes.view());
 }
 
 TEST(Sandbox, ReturnsWhatTheWorkReturns)
@@ -103,6 +114,47 @@ TEST(Sandbox, WritesToNoFileAndOpensFew)
         });
     EXPECT_LT(std::stoi(opened), 16);
     EXPECT_GT(std::stoi(opened), 0);
+}
+
+TEST(Sandbox, JoinsWhatTheWorkSendsInParts)
+{
+    std::vector<std::uint64_t> numbers; // more than a pipe holds at once
+    const std::string text = "end";
+    const SandboxedBytes bytes =
+        runSandboxed(kSmall, "'x.ply' cannot be read",
+                     [&]() -> SandboxReport
+                     {
+                         for (std::uint64_t i = 0; i < 300'000; ++i)
+                         {
+                             numbers.push_back(i * i);
+                         }
+                         return {{reinterpret_cast<const char*>(numbers.data()),
+                                  numbers.size() * sizeof numbers[0]},
+                                 {},
+                                 text};
+                     });
+    EXPECT_TRUE(numbers.empty()) << "filled in the child only";
+    ASSERT_EQ(bytes.size, 8U * 300'000 + text.size());
+    for (std::uint64_t i = 0; i < 300'000; ++i)
+    {
+        std::uint64_t number = 0;
+        std::memcpy(&number, bytes.bytes.get() + 8 * i, sizeof number);
+        ASSERT_EQ(number, i * i);
+    }
+    EXPECT_EQ(bytes.view().substr(8U * 300'000), text);
+}
+
+TEST(Sandbox, TakesNoMoreThanTheChildMayUse)
+{
+    const std::string part(1 << 20, 'x');
+    expectError(
+        ErrorCode::badData,
+        [&] {
+            (void)runSandboxed(kSmall, "'x.ply' cannot be read",
+                               [&] { return SandboxReport(257, part); });
+        },
+        "'x.ply' cannot be read");
+    EXPECT_EQ(runSandboxed(kSmall, "", [&] { return SandboxReport(2, part); }).size, 2U << 20);
 }
 
 TEST(Sandbox, LeavesNothingBehind)

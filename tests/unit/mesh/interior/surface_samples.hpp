@@ -14,7 +14,7 @@ namespace frostfill::test
 
 inline Crossings crossingsOf(const TriangleMesh& mesh)
 {
-    return findCrossings(mesh, VertexTriangles(mesh));
+    return findCrossings(mesh, VertexTriangles(mesh), TriangleTree(mesh, kSmallLeaf));
 }
 
 /// Each triangle in four, at the middles of its edges.

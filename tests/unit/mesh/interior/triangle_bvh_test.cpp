@@ -195,6 +195,19 @@ TEST(TriangleBvh, FindsTheNearestInMeshesOfAnySizeAndPlace)
     }
 }
 
+TEST(TriangleBvh, OfATreeFromBeforeTheMeshWasMovedFindsTheSame)
+{
+    const TriangleMesh mesh = shapes::torus(1, 0.4, 60, 20);
+    TriangleMesh moved = mesh;
+    const Eigen::AngleAxisd turn(0.7, Eigen::Vector3d(1, 2, 3).normalized());
+    for (Eigen::Vector3d& vertex : moved.vertices)
+    {
+        vertex = 5 * (turn * vertex) + Eigen::Vector3d(3, -1, 7);
+    }
+    const MeshIndex index(mesh);
+    expectNearest(Surface(moved, classifyWalls(mesh, index), index), 100, 5);
+}
+
 TEST(TriangleBvh, LeavesNothingOutThatIsJustNearEnough)
 {
     const Surface surface(shapes::torus(1, 0.4, 120, 40), Walls());

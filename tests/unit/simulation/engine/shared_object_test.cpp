@@ -39,6 +39,39 @@ TEST(SharedObject, GivesARunTheBitsThatOneOfItsOwnDoes)
     }
 }
 
+TEST(SharedObject, OfALoadedMeshIsThatOfItsTriangles)
+{
+    TriangleMesh two = shapes::box({0, 0, 0}, {2, 2, 2});
+    const TriangleMesh other = shapes::box({1, 1, 1}, {3, 3, 3}); // they pass through each other
+    for (const auto& [a, b, c] : other.triangles)
+    {
+        const auto first = static_cast<std::uint32_t>(two.vertices.size());
+        two.vertices.insert(two.vertices.end(),
+                            {other.vertices[a], other.vertices[b], other.vertices[c]});
+        two.triangles.push_back({first, first + 1, first + 2});
+    }
+    for (const TriangleMesh& mesh : {shapes::torus(), two})
+    {
+        Scene scene = presetScene(Preset::fast, "torus");
+        scene.spheres.count = 40;
+        const LoadedMesh loaded = repairMesh(mesh, "mesh");
+        LoadedMesh withoutReport = loaded;
+        withoutReport.report = {};
+        Simulation expected(scene, loaded.mesh);
+        runToEnd(expected);
+        for (const LoadedMesh& given : {loaded, withoutReport})
+        {
+            Simulation simulation(scene, given);
+            runToEnd(simulation);
+            EXPECT_EQ(simulation.stateHash(), expected.stateHash());
+            EXPECT_EQ(simulation.object().volume, expected.object().volume);
+            EXPECT_EQ(simulation.object().area, expected.object().area);
+            EXPECT_EQ(simulation.object().components, expected.object().components);
+            EXPECT_EQ(simulation.object().crossedTriangles, expected.object().crossedTriangles);
+        }
+    }
+}
+
 TEST(SharedObject, IsRefusedToASceneThatNeedsAnother)
 {
     Scene scene = presetScene(Preset::fast, "torus");
