@@ -20,8 +20,8 @@ namespace frostfill
 class StateTape
 {
 public:
-    /// Bytes of all states; the cube with 11,000 spheres that fall takes 7 MB. Larger: a run of very
-    /// short steps takes more memory than it need. Smaller: more of them are simulated twice.
+    /// Bytes of all states; the cube with 11,000 spheres that fall takes 7 MB. Larger: a run of
+    /// very short steps takes more memory than it need. Smaller: more of them are simulated twice.
     static constexpr std::size_t kMostBytes = std::size_t{256} << 20;
 
     /// `columns` are those that the recorder carries.
