@@ -65,7 +65,9 @@ struct FillProgress
     std::size_t resting = 0;
     std::size_t expected = 0;
     std::size_t frames = 0;
-    double time = 0; ///< [s] simulated
+    double time = 0; ///< [s] simulated; of the pictures, if the run is over
+    /// To expect. 0 while the run is simulated, and otherwise it is over and its pictures are made.
+    std::size_t pictures = 0;
 };
 
 /// What the caller wants to hear. Every function may be empty.

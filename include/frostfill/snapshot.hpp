@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace frostfill
@@ -130,6 +131,18 @@ struct Snapshot
     [[nodiscard]] const ColumnValues* values(const Column& column) const
     {
         return findValues(columns, column);
+    }
+    /// Forgets everything but which columns are asked for: from now on `newSource` fills it.
+    void beginAnew(std::uint64_t newSource)
+    {
+        std::vector<ColumnValues> asked;
+        for (const ColumnValues& each : columns)
+        {
+            asked.emplace_back(each.column());
+        }
+        *this = {};
+        columns = std::move(asked);
+        source = newSource;
     }
 };
 

@@ -143,14 +143,18 @@ FillObserver observerOf(FillArguments& arguments, const FillRequest& request, Pr
     observer.stopRequested = &stopRequested;
     if (!arguments.quiet)
     {
-        observer.planned = [&](const FillPlan& plan) { printPlan(request, plan); };
+        observer.planned = [&](const FillPlan& plan)
+        {
+            bar.close(); // of a run that was simulated before
+            printPlan(request, plan);
+        };
         observer.progressed = [&](const FillProgress& progress) { bar.update(progress); };
     }
     if (arguments.progress.wanted())
     {
         arguments.progress.show("loading", 0, 1, "steps");
         observer.progressed = [&](const FillProgress& progress)
-        { arguments.progress.show("simulating", progress.spheres, progress.expected, "spheres"); };
+        { arguments.progress.show(progress); };
     }
     return observer;
 }

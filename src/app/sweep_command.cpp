@@ -192,8 +192,7 @@ public:
     void progressed(const FillProgress& progress)
     {
         const std::string& name = request_.runs[index_].name;
-        arguments_.progress.show("simulating", progress.spheres, progress.expected, "spheres",
-                                 name);
+        arguments_.progress.show(progress, name);
         if (bar_)
         {
             const double share = static_cast<double>(progress.spheres) /

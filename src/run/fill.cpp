@@ -4,6 +4,7 @@
 #include "run/resume.hpp"
 #include "run/run_directory.hpp"
 #include "run/run_files.hpp"
+#include "run/run_length.hpp"
 #include "run/verdict.hpp"
 #include "scene/packing_estimate.hpp"
 
@@ -77,68 +78,6 @@ FillPlan makePlan(const Scene& scene, const LoadedMesh& mesh, const Simulation& 
     plan.volume = mesh.report.volume;
     plan.reach = reach;
     return plan;
-}
-
-/// Sums up what the spheres take, as they appear.
-class SphereVolume
-{
-public:
-    /// [unit^3]
-    double operator()(const Simulation& simulation)
-    {
-        // One that is withdrawn has taken as much as the one whose number it had.
-        for (; seen_ < simulation.sphereCount(); ++seen_)
-        {
-            sum_ += 4.0 / 3.0 * std::numbers::pi * std::pow(simulation.sphere(seen_).radius, 3);
-        }
-        return sum_;
-    }
-
-private:
-    std::size_t seen_ = 0;
-    double sum_ = 0;
-};
-
-enum class End
-{
-    itself,
-    stopped,
-    overfull ///< until full, and yet the spheres take more than the object: it would never end
-};
-
-/// Steps to the end, or until the caller wants to stop.
-End simulate(Simulation& simulation, FrameRecorder* recorder, const FillRequest& request,
-             const FillObserver& observer)
-{
-    const std::size_t expected = simulation.expectedSpheres();
-    const bool untilFull = !request.scene.spheres.count || request.scene.spheres.untilFull;
-    const double capacity = simulation.object().volume;
-    SphereVolume taken;
-    if (recorder)
-    {
-        recorder->record(simulation);
-    }
-    while (simulation.step())
-    {
-        if (recorder)
-        {
-            recorder->record(simulation);
-        }
-        if (observer.progressed)
-        {
-            observer.progressed({simulation.sphereCount(), simulation.restingCount(), expected,
-                                 recorder ? recorder->count() : 0, simulation.time()});
-        }
-        if (observer.stopRequested && observer.stopRequested())
-        {
-            return End::stopped;
-        }
-        if (untilFull && taken(simulation) > capacity)
-        {
-            return End::overfull;
-        }
-    }
-    return End::itself;
 }
 
 /// Throws Error badData for an object that spheres would leave.
@@ -218,8 +157,12 @@ FillPlan planFill(const FillRequest& request, const FillObserver& observer)
     RunDirectory::check(request.directory, earlierFiles(request, resumes));
     const std::optional<CameraPath> path = cameraPathOf(request);
     const ReachInspection reach = reachWithoutLeak(request.scene, simulation);
-    const FramePlan frames = planPictures(request.scene, mesh, simulation, observer, nullptr,
-                                          path ? path->duration() : 0);
+    const RunLength length =
+        lengthMatters(request.scene)
+            ? estimateRunLength(request.scene, mesh.mesh, simulation, observer.stopRequested)
+            : RunLength{};
+    const FramePlan frames =
+        planPictures(request.scene, mesh, length, nullptr, path ? path->duration() : 0);
     return makePlan(request.scene, mesh, simulation, frames, reach);
 }
 
@@ -249,8 +192,22 @@ FillResult fill(const FillRequest& request, const FillObserver& observer)
     FillResult result;
     result.reach = reachWithoutLeak(request.scene, simulation);
     clock.end("preparing");
-    const FramePlan frames = planPictures(request.scene, mesh, simulation, observer, recorder.get(),
-                                          path ? path->duration() : 0);
+    std::optional<TapedRun> taped;
+    if (lengthMatters(request.scene) && isItsOwnTrial(request.scene, simulation))
+    {
+        taped = simulateToTape(simulation, request, observer);
+    }
+    const bool isOnTape = taped && !taped->tape.isFull();
+    if (isOnTape)
+    {
+        clock.end("simulating");
+    }
+    const RunLength length =
+        !lengthMatters(request.scene) ? RunLength{}
+        : taped                       ? taped->length
+                : estimateRunLength(request.scene, mesh.mesh, simulation, observer.stopRequested);
+    const FramePlan frames =
+        planPictures(request.scene, mesh, length, recorder.get(), path ? path->duration() : 0);
     directory.begin(); // all that can fail before the first step has not
     if (isKept(request.scene))
     {
@@ -263,15 +220,23 @@ FillResult fill(const FillRequest& request, const FillObserver& observer)
     clock.end("estimating");
 
     result.directory = request.directory;
-    const End end = simulate(simulation, recorder.get(), request, observer);
-    result.stopped = end == End::stopped;
-    result.overfull = end == End::overfull;
-    clock.end("simulating");
+    RunEnd end = RunEnd::itself;
+    if (isOnTape)
+    {
+        end = replay(*std::move(taped), *recorder, simulation, observer, frames.kept);
+    }
+    else
+    {
+        end = simulate(simulation, recorder.get(), request, observer);
+        clock.end("simulating");
+    }
+    result.stopped = end == RunEnd::stopped;
+    result.overfull = end == RunEnd::overfull;
     StageTimes times = simulation.times();
     const FramePainter* painter = recorder ? recorder->painter() : nullptr;
     if (recorder)
     {
-        recorder->finish(simulation);
+        recorder->finish(LiveStates(simulation));
     }
     if (painter != nullptr)
     {

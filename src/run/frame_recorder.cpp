@@ -25,7 +25,6 @@ void FrameRecorder::keepTo(const FramePlan& plan)
 void FrameRecorder::keepIn(std::unique_ptr<RunFileWriter> file)
 {
     file_ = std::move(file);
-    carry(carriedColumns());
 }
 
 void FrameRecorder::carry(const std::vector<ColumnValues>& columns)
@@ -50,21 +49,21 @@ double FrameRecorder::timeAt(std::size_t frame) const
     return static_cast<double>(frame) * interval_ - (falls_ ? falls_->lag() : 0);
 }
 
-void FrameRecorder::record(const Simulation& simulation)
+void FrameRecorder::record(const RunStates& run)
 {
     // A step may be longer than the time between frames: then several frames show it.
-    while (simulation.time() >= timeAt(next_) && !(stopRequested_ && stopRequested_()))
+    while (run.time() >= timeAt(next_) && !(stopRequested_ && stopRequested_()))
     {
-        takeNext(simulation);
+        takeNext(run);
     }
 }
 
-void FrameRecorder::takeNext(const Simulation& simulation)
+void FrameRecorder::takeNext(const RunStates& run)
 {
     const bool draws = painter_ && painter_->wants(next_);
     if (draws || (file_ && !lastOnly_))
     {
-        observe(simulation, std::min(timeAt(next_), simulation.time()));
+        observe(run, std::min(timeAt(next_), run.time()));
     }
     if (draws)
     {
@@ -83,9 +82,9 @@ FramePainter::State FrameRecorder::state()
     return {&snapshots_[newest_], revision_};
 }
 
-void FrameRecorder::observe(const Simulation& simulation, double time)
+void FrameRecorder::observe(const RunStates& run, double time)
 {
-    if (seen_ == simulation.revision() && (!falls_ || over_))
+    if (seen_ == run.revision() && (!falls_ || over_))
     {
         if (file_)
         {
@@ -93,18 +92,18 @@ void FrameRecorder::observe(const Simulation& simulation, double time)
         }
         return;
     }
-    capture(simulation, time);
+    capture(run, time);
     const auto exact = [&](std::uint32_t id)
-    { return id < simulation.sphereCount() ? simulation.sphere(id) : falls_->sphere(id); };
+    { return id < run.sphereCount() ? run.sphere(id) : falls_->sphere(id); };
     roundPlaces(snapshots_[newest_], smallestRadius_, exact);
     if (file_)
     {
         file_->put(next_, snapshots_[newest_], exact);
     }
-    seen_ = simulation.revision();
+    seen_ = run.revision();
 }
 
-void FrameRecorder::capture(const Simulation& simulation, double time)
+void FrameRecorder::capture(const RunStates& run, double time)
 {
     // With one picture at most waiting and one being drawn, the third snapshot is free.
     newest_ = (newest_ + (isGiven_ ? 1 : 0)) % snapshots_.size();
@@ -114,7 +113,7 @@ void FrameRecorder::capture(const Simulation& simulation, double time)
     {
         FallingSpheres::takeFrom(snapshot, real_[newest_]);
     }
-    simulation.capture(snapshot);
+    run.capture(snapshot);
     if (falls_)
     {
         real_[newest_] = falls_->addTo(snapshot, time);
@@ -122,7 +121,7 @@ void FrameRecorder::capture(const Simulation& simulation, double time)
     snapshot.revision = ++revision_;
 }
 
-void FrameRecorder::finish(const Simulation& simulation)
+void FrameRecorder::finish(const RunStates& run)
 {
     if (falls_)
     {
@@ -130,7 +129,7 @@ void FrameRecorder::finish(const Simulation& simulation)
     }
     over_ = true;
     next_ = lastOnly_ ? 0 : next_;
-    observe(simulation, simulation.time());
+    observe(run, run.time());
     if (painter_)
     {
         painter_->finish(next_, state());

@@ -4,6 +4,7 @@
 #include "run/falling_spheres.hpp"
 #include "run/frame_painter.hpp"
 #include "run/frame_timing.hpp"
+#include "run_file/run_states.hpp"
 
 #include <frostfill/run_file.hpp>
 #include <frostfill/simulation.hpp>
@@ -16,7 +17,25 @@
 namespace frostfill
 {
 
-/// Looks at a simulation at the times of frames. What it sees goes to the painter and into the run
+/// As it is simulated.
+class LiveStates final : public RunStates
+{
+public:
+    explicit LiveStates(const Simulation& simulation) : simulation_(simulation) {}
+    [[nodiscard]] double time() const override { return simulation_.time(); }
+    [[nodiscard]] std::uint64_t revision() const override { return simulation_.revision(); }
+    [[nodiscard]] std::size_t sphereCount() const override { return simulation_.sphereCount(); }
+    [[nodiscard]] SphereRecord sphere(std::size_t id) const override
+    {
+        return simulation_.sphere(id);
+    }
+    void capture(Snapshot& snapshot) const override { simulation_.capture(snapshot); }
+
+private:
+    const Simulation& simulation_;
+};
+
+/// Looks at a run at the times of frames. What it sees goes to the painter and into the run
 /// file. Which frames there are follows from times and counts, never from the clock.
 class FrameRecorder
 {
@@ -30,17 +49,17 @@ public:
     void keepTo(const FramePlan& plan);
     /// Draws falls that the motion leaves out.
     void drawFalls(std::unique_ptr<FallingSpheres> falls) { falls_ = std::move(falls); }
-    /// Asks the simulation for these columns. To be called before the first frame.
+    /// Asks the run for these columns. To be called before the first frame.
     void carry(const std::vector<ColumnValues>& columns);
-    /// Keeps every frame in a file, with all columns. To be called before the first.
+    /// Keeps every frame in a file. To be called before the first.
     void keepIn(std::unique_ptr<RunFileWriter> file);
     /// Asks this between frames, of which one step may be due many; once it is true, those of the
     /// step and those for which the last state is held are left out.
     void stopWhen(std::function<bool()> requested);
     /// Takes the frames that are due. Throws what has gone wrong with an earlier one.
-    void record(const Simulation& simulation);
+    void record(const RunStates& run);
     /// Takes the last state; see FramePainter::finish.
-    void finish(const Simulation& simulation);
+    void finish(const RunStates& run);
 
     /// Null without pictures.
     [[nodiscard]] const FramePainter* painter() const { return painter_.get(); }
@@ -52,9 +71,9 @@ public:
 
 private:
     [[nodiscard]] double timeAt(std::size_t frame) const;
-    void takeNext(const Simulation& simulation);
-    void observe(const Simulation& simulation, double time);
-    void capture(const Simulation& simulation, double time);
+    void takeNext(const RunStates& run);
+    void observe(const RunStates& run, double time);
+    void capture(const RunStates& run, double time);
     [[nodiscard]] FramePainter::State state();
 
     std::unique_ptr<RunFileWriter> file_;
@@ -65,7 +84,7 @@ private:
     std::unique_ptr<FallingSpheres> falls_;
     bool over_ = false;                 ///< nothing falls any more
     std::size_t next_ = 0;              ///< number of the frame that is due next
-    std::uint64_t seen_ = ~0ULL;        ///< revision of the simulation in the newest snapshot
+    std::uint64_t seen_ = ~0ULL;        ///< revision of the run in the newest snapshot
     std::uint64_t revision_ = 0;        ///< of what pictures see, falls included
     std::array<Snapshot, 3> snapshots_; ///< one is filled, one waits, one is being drawn
     std::array<std::size_t, 3> real_{}; ///< spheres of each that the run has, if falls are drawn

@@ -11,6 +11,10 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <numbers>
+#include <utility>
+
 namespace frostfill
 {
 
@@ -22,12 +26,6 @@ bool isKept(const Scene& scene)
 namespace
 {
 
-/// Nothing has to be known of a run of which only the end is looked at.
-bool lengthMatters(const Scene& scene)
-{
-    return scene.frames.enabled && !framesToDraw(scene).isLastOnly();
-}
-
 /// The scene with frames if there are any, in pictures or in the run file.
 Scene sceneWithFrames(const Scene& scene)
 {
@@ -38,13 +36,26 @@ Scene sceneWithFrames(const Scene& scene)
 
 } // namespace
 
-FramePlan planPictures(const Scene& all, const LoadedMesh& mesh, const Simulation& simulation,
-                       const FillObserver& observer, FrameRecorder* recorder, double path)
+std::vector<ColumnValues> columnsToCarry(const Scene& scene)
+{
+    if (isKept(scene))
+    {
+        return carriedColumns();
+    }
+    const Column& shown = *findColumn(scene.style.colourBy);
+    return shown.isCarried() ? std::vector{ColumnValues(shown)} : std::vector<ColumnValues>();
+}
+
+// Nothing has to be known of a run of which only the end is looked at.
+bool lengthMatters(const Scene& scene)
+{
+    return sceneWithFrames(scene).frames.enabled && !framesToDraw(scene).isLastOnly();
+}
+
+FramePlan planPictures(const Scene& all, const LoadedMesh& mesh, const RunLength& length,
+                       FrameRecorder* recorder, double path)
 {
     const Scene scene = sceneWithFrames(all);
-    const RunLength length = lengthMatters(scene) ? estimateRunLength(scene, mesh.mesh, simulation,
-                                                                      observer.stopRequested)
-                                                  : RunLength{};
     const FramePlan plan = planFrames(scene, mesh.report, length, path);
     if (all.frames.enabled && plan.kept == 0)
     {
@@ -83,10 +94,7 @@ std::unique_ptr<FrameRecorder> makeRecorder(const FillRequest& request, const Lo
     }
     auto recorder = std::make_unique<FrameRecorder>(std::move(painter), simulation.smallestRadius(),
                                                     framesToDraw(scene).isLastOnly());
-    if (const Column& shown = *findColumn(scene.style.colourBy); shown.isCarried())
-    {
-        recorder->carry({ColumnValues(shown)});
-    }
+    recorder->carry(columnsToCarry(scene));
     return recorder;
 }
 
@@ -108,6 +116,119 @@ void keepRun(FrameRecorder& recorder, const FillRequest& request, const LoadedMe
     recorder.keepIn(std::make_unique<RunFileWriter>(
         request.directory / kRunFile, headText(head), mesh.mesh, simulation.smallestRadius(),
         request.resume ? EarlierFile::continued : EarlierFile::replace));
+}
+
+namespace
+{
+
+/// Sums up what the spheres take, as they appear.
+class SphereVolume
+{
+public:
+    /// [unit^3]
+    double operator()(const Simulation& simulation)
+    {
+        // One that is withdrawn has taken as much as the one whose number it had.
+        for (; seen_ < simulation.sphereCount(); ++seen_)
+        {
+            sum_ += 4.0 / 3.0 * std::numbers::pi * std::pow(simulation.sphere(seen_).radius, 3);
+        }
+        return sum_;
+    }
+
+private:
+    std::size_t seen_ = 0;
+    double sum_ = 0;
+};
+
+/// Calls look() for each state. `recorder` only tells how many pictures there are.
+template <typename Look>
+RunEnd stepThrough(Simulation& simulation, const FrameRecorder* recorder,
+                   const FillRequest& request, const FillObserver& observer, const Look& look)
+{
+    const std::size_t expected = simulation.expectedSpheres();
+    const bool untilFull = !request.scene.spheres.count || request.scene.spheres.untilFull;
+    const double capacity = simulation.object().volume;
+    SphereVolume taken;
+    look();
+    while (simulation.step())
+    {
+        look();
+        if (observer.progressed)
+        {
+            observer.progressed({simulation.sphereCount(), simulation.restingCount(), expected,
+                                 recorder != nullptr ? recorder->count() : 0, simulation.time()});
+        }
+        if (observer.stopRequested && observer.stopRequested())
+        {
+            return RunEnd::stopped;
+        }
+        if (untilFull && taken(simulation) > capacity)
+        {
+            return RunEnd::overfull;
+        }
+    }
+    return RunEnd::itself;
+}
+
+} // namespace
+
+RunEnd simulate(Simulation& simulation, FrameRecorder* recorder, const FillRequest& request,
+                const FillObserver& observer)
+{
+    return stepThrough(simulation, recorder, request, observer,
+                       [&]
+                       {
+                           if (recorder != nullptr)
+                           {
+                               recorder->record(LiveStates(simulation));
+                           }
+                       });
+}
+
+TapedRun simulateToTape(Simulation& simulation, const FillRequest& request,
+                        const FillObserver& observer, std::size_t mostBytes)
+{
+    TapedRun run{RunEnd::itself,
+                 {},
+                 StateTape(columnsToCarry(request.scene), simulation.smallestRadius(), mostBytes)};
+    LengthWatch watch(request.scene);
+    run.end = stepThrough(simulation, nullptr, request, observer,
+                          [&]
+                          {
+                              watch.look(simulation);
+                              run.tape.add(LiveStates(simulation));
+                          });
+    run.length = watch.take();
+    if (run.tape.isFull() && run.end != RunEnd::stopped)
+    {
+        simulation = Simulation(request.scene, simulation);
+        simulation.stopWhen(observer.stopRequested);
+    }
+    return run;
+}
+
+RunEnd replay(TapedRun run, FrameRecorder& recorder, const Simulation& simulation,
+              const FillObserver& observer, std::size_t pictures)
+{
+    FillProgress progress{simulation.sphereCount(), simulation.restingCount(),
+                          simulation.expectedSpheres()};
+    progress.pictures = pictures;
+    for (TapeReader states(std::move(run.tape)); run.end != RunEnd::stopped && states.next();)
+    {
+        recorder.record(states);
+        progress.frames = recorder.count();
+        progress.time = states.time();
+        if (observer.progressed)
+        {
+            observer.progressed(progress);
+        }
+        if (observer.stopRequested && observer.stopRequested())
+        {
+            return RunEnd::stopped;
+        }
+    }
+    return run.end;
 }
 
 } // namespace frostfill

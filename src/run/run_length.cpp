@@ -40,19 +40,26 @@ void enterLandings(const Simulation& simulation, double before, std::vector<Land
     }
 }
 
-double lengthOf(Simulation& simulation, const std::function<bool()>& stopRequested,
-                std::vector<Landing>* landings = nullptr)
+RunLength lengthOf(const Scene& scene, Simulation& simulation,
+                   const std::function<bool()>& stopRequested)
 {
     simulation.stopWhen(stopRequested);
-    for (double before = 0; simulation.step() && !(stopRequested && stopRequested());
-         before = simulation.time())
+    LengthWatch watch(scene);
+    while (simulation.step() && !(stopRequested && stopRequested()))
     {
-        if (landings != nullptr)
-        {
-            enterLandings(simulation, before, *landings);
-        }
+        watch.look(simulation);
     }
-    return simulation.time();
+    return watch.take();
+}
+
+bool hasFalls(const Scene& scene)
+{
+    return scene.preset == Preset::paper || scene.motion.mode == Motion::fall;
+}
+
+bool descends(const Scene& scene)
+{
+    return scene.preset != Preset::paper && scene.motion.mode == Motion::descend;
 }
 
 /// The same run without what changes nothing in it but takes time, or memory.
@@ -82,6 +89,27 @@ double setsOf(const Scene& scene, const Simulation& simulation)
 }
 
 } // namespace
+
+bool isItsOwnTrial(const Scene& scene, const Simulation& simulation)
+{
+    return static_cast<double>(simulation.expectedSpheres()) <=
+           (scene.preset == Preset::paper ? kTrialSpheresPaper
+            : descends(scene)             ? kTrialSpheresDescent
+                                          : kTrialSpheres);
+}
+
+LengthWatch::LengthWatch(const Scene& scene) : falls_(hasFalls(scene))
+{
+}
+
+void LengthWatch::look(const Simulation& simulation)
+{
+    if (!falls_)
+    {
+        enterLandings(simulation, length_.seconds, length_.landings);
+    }
+    length_.seconds = simulation.time();
+}
 
 Scene modelOf(const Scene& scene, const Simulation& simulation, double factor)
 {
@@ -113,26 +141,22 @@ RunLength estimateRunLength(const Scene& scene, const TriangleMesh& mesh,
                             const Simulation& simulation,
                             const std::function<bool()>& stopRequested)
 {
-    const auto spheres = static_cast<double>(simulation.expectedSpheres());
-    const bool paper = scene.preset == Preset::paper;
-    const bool falls = paper || scene.motion.mode == Motion::fall;
-    const bool descends = !paper && scene.motion.mode == Motion::descend;
-    if (spheres <= (paper ? kTrialSpheresPaper : descends ? kTrialSpheresDescent : kTrialSpheres))
+    if (isItsOwnTrial(scene, simulation))
     {
         Simulation same(withoutExtras(scene), simulation);
-        RunLength length = {0, true, {}};
-        length.seconds = lengthOf(same, stopRequested, falls ? nullptr : &length.landings);
-        return length;
+        return lengthOf(scene, same, stopRequested);
     }
-    if (descends)
+    if (descends(scene))
     {
         return {kStepsOfDescent * simulation.timeStep(), false, {}};
     }
-    const double factor = std::cbrt(spheres / (paper ? kModelPaper : kModel));
+    const auto spheres = static_cast<double>(simulation.expectedSpheres());
+    const double factor =
+        std::cbrt(spheres / (scene.preset == Preset::paper ? kModelPaper : kModel));
     const Scene smaller = modelOf(withoutExtras(scene), simulation, factor);
     Simulation model(smaller, mesh);
-    const double perSet = lengthOf(model, stopRequested) / setsOf(smaller, model);
-    const double growth = std::pow(factor, falls ? -kGrowthOfFalls : -kGrowthOfSettling);
+    const double perSet = lengthOf(smaller, model, stopRequested).seconds / setsOf(smaller, model);
+    const double growth = std::pow(factor, hasFalls(scene) ? -kGrowthOfFalls : -kGrowthOfSettling);
     return {setsOf(scene, simulation) * perSet * growth, false, {}};
 }
 

@@ -7,6 +7,7 @@
 #include <frostfill/simulation.hpp>
 
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace frostfill
@@ -19,6 +20,24 @@ struct RunLength
     bool exact = false; ///< the trial was the run itself, not a smaller model of it
     /// Where spheres appear in a run whose motion leaves out the falls; only when exact.
     std::vector<Landing> landings;
+};
+
+/// Whether a run is short enough to be its own trial, which `simulation` has not begun: then its
+/// length is exact.
+[[nodiscard]] bool isItsOwnTrial(const Scene& scene, const Simulation& simulation);
+
+/// Watches a run from its start, to tell its length in the end.
+class LengthWatch
+{
+public:
+    explicit LengthWatch(const Scene& scene);
+    /// To be called after every step.
+    void look(const Simulation& simulation);
+    [[nodiscard]] RunLength take() { return std::move(length_); }
+
+private:
+    bool falls_; ///< the motion has falls: it is not asked where they end
+    RunLength length_{0, true, {}};
 };
 
 /// The scene with its spheres `factor` times as large, and as many fewer. `simulation` is that of

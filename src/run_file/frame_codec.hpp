@@ -126,7 +126,7 @@ public:
         encode(snapshot, exact, snapshot.polygons);
     }
     /// The same with other polygons than those of the snapshot, which still tells how many of its
-    /// own are discarded.
+    /// own are discarded. Those of snapshot() are not compared.
     void encode(const Snapshot& snapshot, const ExactSphere& exact,
                 const std::vector<PolygonState>& polygons);
     /// The frame before once more.
@@ -143,6 +143,10 @@ private:
 
     Streams streams_;
 };
+
+/// A number for whatever decodes: it tells the snapshots of files and tapes from those of
+/// simulations, and of each other.
+[[nodiscard]] std::uint64_t newSource();
 
 /// Of what was kept exactly; a page is decoded by page/film.js.
 class FrameDecoder : public FrameCodec

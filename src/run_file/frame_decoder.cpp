@@ -2,6 +2,7 @@
 #include "run_file/frame_codec.hpp"
 
 #include <algorithm>
+#include <atomic>
 
 namespace frostfill
 {
@@ -13,6 +14,12 @@ namespace
 constexpr std::size_t kTimesNamed = 4;
 
 } // namespace
+
+std::uint64_t newSource()
+{
+    static std::atomic<std::uint64_t> next = std::uint64_t{1} << 63;
+    return ++next;
+}
 
 FrameDecoder::FrameDecoder(double grid, const Eigen::Vector3d& origin, std::size_t polygons,
                            std::uint64_t source)

@@ -93,7 +93,7 @@ void FrameEncoder::sortPolygons(const std::vector<PolygonState>& polygons)
     turnedPolygons_.clear();
     snapshot_.polygons.resize(polygons.size(), PolygonState::active);
     // Most frames change none, and a mesh may have a million.
-    const bool same = snapshot_.polygons == polygons;
+    const bool same = &polygons == &snapshot_.polygons || snapshot_.polygons == polygons;
     for (std::size_t polygon = 0; !same && polygon < polygons.size(); ++polygon)
     {
         if (snapshot_.polygons[polygon] != polygons[polygon])

@@ -9,19 +9,10 @@
 
 #include <fmt/format.h>
 
-#include <atomic>
-
 namespace frostfill
 {
 namespace
 {
-
-/// Tells the snapshots of files from those of simulations and of other files.
-std::uint64_t newSource()
-{
-    static std::atomic<std::uint64_t> next = std::uint64_t{1} << 63;
-    return ++next;
-}
 
 [[noreturn]] void refuse(const std::filesystem::path& file, std::string_view what)
 {

@@ -74,6 +74,18 @@ void JsonProgress::write(const std::string& line)
     std::ignore = ::write(descriptor_, line.data(), line.size());
 }
 
+void JsonProgress::show(const FillProgress& progress, const std::string& run)
+{
+    if (progress.pictures > 0)
+    {
+        show("drawing", progress.frames, progress.pictures, "frames", run);
+    }
+    else
+    {
+        show("simulating", progress.spheres, progress.expected, "spheres", run);
+    }
+}
+
 void JsonProgress::show(const char* stage, std::size_t done, std::size_t total, const char* unit,
                         const std::string& run)
 {

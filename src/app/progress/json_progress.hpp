@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <frostfill/fill.hpp>
+
 #include <CLI/App.hpp>
 
 #include <chrono>
@@ -26,6 +28,9 @@ public:
     /// may be empty.
     void show(const char* stage, std::size_t done, std::size_t total, const char* unit,
               const std::string& run = "");
+
+    /// How far a run is: its spheres, or its pictures if they follow it.
+    void show(const FillProgress& progress, const std::string& run = "");
 
     /// Calls the work of a command and writes the last line, with its exit code; what it throws is
     /// thrown on.

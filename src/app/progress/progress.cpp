@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <string>
+#include <utility>
 
 namespace frostfill
 {
@@ -82,12 +83,27 @@ void TimedLine::close()
 
 void ProgressBar::update(const FillProgress& progress)
 {
+    if (std::exchange(draws_, progress.pictures > 0) != (progress.pictures > 0))
+    {
+        line_.beginAnew();
+    }
     if (++calls_ % kStepsPerLook != 0 || !line_.isDue())
     {
         return;
     }
-    const double expected = static_cast<double>(std::max<std::size_t>(progress.expected, 1));
-    const double done = std::min(1.0, static_cast<double>(progress.spheres) / expected);
+    const auto share = [](std::size_t done, std::size_t all)
+    {
+        return std::min(1.0, static_cast<double>(done) /
+                                 static_cast<double>(std::max<std::size_t>(all, 1)));
+    };
+    if (progress.pictures > 0)
+    {
+        const double done = share(progress.frames, progress.pictures);
+        line_.show(done, fmt::format("{}/{} frames, {} left", progress.frames, progress.pictures,
+                                     line_.left(done)));
+        return;
+    }
+    const double done = share(progress.spheres, progress.expected);
     line_.show(done, fmt::format("{}/{} spheres, {:.2f} s simulated, {} frames, {} left",
                                  progress.spheres, progress.expected, progress.time,
                                  progress.frames, line_.left(done)));

@@ -29,6 +29,8 @@ public:
     void show(double share, const std::string& text);
     /// Ends the line.
     void close();
+    /// Of other work, which begins now.
+    void beginAnew() { start_ = Clock::now(); }
 
 private:
     using Clock = std::chrono::steady_clock;
@@ -47,6 +49,7 @@ public:
 
 private:
     TimedLine line_;
+    bool draws_ = false; ///< the pictures of a run that is over
     std::uint64_t calls_ = 0;
 };
 

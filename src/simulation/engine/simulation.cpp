@@ -267,14 +267,7 @@ void Simulation::capture(Snapshot& snapshot) const
     const std::size_t count = world.spheres.size();
     if (snapshot.source != implementation_->source)
     {
-        std::vector<ColumnValues> asked;
-        for (const ColumnValues& values : snapshot.columns)
-        {
-            asked.emplace_back(values.column());
-        }
-        snapshot = {};
-        snapshot.columns = std::move(asked);
-        snapshot.source = implementation_->source;
+        snapshot.beginAnew(implementation_->source);
     }
     snapshot.changedSince = snapshot.revision;
     const std::size_t known = std::min(snapshot.centres.size(), count);

@@ -4,6 +4,8 @@
 #include <frostfill/run_file.hpp>
 #include <frostfill/simulation.hpp>
 
+#include <gtest/gtest.h>
+
 #include <filesystem>
 #include <string_view>
 #include <vector>
@@ -60,6 +62,31 @@ inline RecordedRun recordRun(const Scene& scene, const std::filesystem::path& fi
     }
     writer.finish(R"({"outcome": "complete"})");
     return run;
+}
+
+inline void expectSame(const Snapshot& read, const Snapshot& written)
+{
+    EXPECT_EQ(read.centres, written.centres);
+    EXPECT_EQ(read.radii, written.radii);
+    EXPECT_EQ(read.states, written.states);
+    EXPECT_EQ(read.groups, written.groups);
+    EXPECT_EQ(read.speeds, written.speeds);
+    EXPECT_EQ(read.polygons, written.polygons);
+    EXPECT_EQ(read.origin, written.origin);
+    EXPECT_EQ(read.pose.rotation, written.pose.rotation);
+    EXPECT_EQ(read.pose.offset, written.pose.offset);
+    EXPECT_EQ(read.time, written.time);
+    EXPECT_EQ(read.step, written.step);
+    EXPECT_EQ(read.set, written.set);
+    EXPECT_EQ(read.running, written.running);
+    EXPECT_EQ(read.frozen, written.frozen);
+    EXPECT_EQ(read.discarded, written.discarded);
+    EXPECT_EQ(read.discardedPolygons, written.discardedPolygons);
+    ASSERT_EQ(read.columns.size(), written.columns.size());
+    for (std::size_t k = 0; k < read.columns.size(); ++k)
+    {
+        EXPECT_EQ(read.columns[k].bits, written.columns[k].bits);
+    }
 }
 
 } // namespace frostfill::test

@@ -14,6 +14,7 @@ namespace frostfill
 namespace
 {
 
+using test::expectSame;
 using test::RecordedRun;
 
 Scene someScene(const char* mesh, std::size_t count)
@@ -21,31 +22,6 @@ Scene someScene(const char* mesh, std::size_t count)
     Scene scene = presetScene(Preset::fast, mesh);
     scene.spheres.count = count;
     return scene;
-}
-
-void expectSame(const Snapshot& read, const Snapshot& written)
-{
-    EXPECT_EQ(read.centres, written.centres);
-    EXPECT_EQ(read.radii, written.radii);
-    EXPECT_EQ(read.states, written.states);
-    EXPECT_EQ(read.groups, written.groups);
-    EXPECT_EQ(read.speeds, written.speeds);
-    EXPECT_EQ(read.polygons, written.polygons);
-    EXPECT_EQ(read.origin, written.origin);
-    EXPECT_EQ(read.pose.rotation, written.pose.rotation);
-    EXPECT_EQ(read.pose.offset, written.pose.offset);
-    EXPECT_EQ(read.time, written.time);
-    EXPECT_EQ(read.step, written.step);
-    EXPECT_EQ(read.set, written.set);
-    EXPECT_EQ(read.running, written.running);
-    EXPECT_EQ(read.frozen, written.frozen);
-    EXPECT_EQ(read.discarded, written.discarded);
-    EXPECT_EQ(read.discardedPolygons, written.discardedPolygons);
-    ASSERT_EQ(read.columns.size(), written.columns.size());
-    for (std::size_t k = 0; k < read.columns.size(); ++k)
-    {
-        EXPECT_EQ(read.columns[k].bits, written.columns[k].bits);
-    }
 }
 
 /// Returns how many values of columns differ. Each of them is of a sphere that is listed as
