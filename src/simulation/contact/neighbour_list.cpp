@@ -58,13 +58,12 @@ void NeighbourList::listTriangles(const World& world, const Eigen::Vector3d& p, 
         std::for_each(nearby.begin(), nearby.end(), take);
         return;
     }
-    world.surface.tree().forEachTriangleNear(p, distance,
-                                             [&](std::uint32_t triangle)
-                                             {
-                                                 take(triangle);
-                                                 return triangles_.size() > kMostListed ? -1
-                                                                                        : distance;
-                                             });
+    const auto takeUnlessMany = [&](std::uint32_t triangle)
+    {
+        take(triangle);
+        return triangles_.size() > kMostListed ? -1 : distance;
+    };
+    world.surface.tree().forEachTriangleNear(p, distance, takeUnlessMany);
     if (triangles_.size() > kMostListed)
     {
         world_ = &world;
@@ -76,16 +75,15 @@ void NeighbourList::listTriangles(const World& world, const Eigen::Vector3d& p, 
 void NeighbourList::findBelowNodes(const Eigen::Vector3d& q, double distance)
 {
     triangles_.clear();
-    world_->surface.tree().forEachTriangleNear(nodes_, q, distance,
-                                               [&](std::uint32_t triangle)
-                                               {
-                                                   if (world_->polygons[triangle] ==
-                                                       PolygonState::active)
-                                                   {
-                                                       triangles_.push_back(triangle);
-                                                   }
-                                                   return distance;
-                                               });
+    const auto take = [&](std::uint32_t triangle)
+    {
+        if (world_->polygons[triangle] == PolygonState::active)
+        {
+            triangles_.push_back(triangle);
+        }
+        return distance;
+    };
+    world_->surface.tree().forEachTriangleNear(nodes_, q, distance, take);
     std::sort(triangles_.begin(), triangles_.end());
 }
 
