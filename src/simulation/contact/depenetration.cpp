@@ -4,6 +4,7 @@
 #include "simulation/contact/contact.hpp"
 
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace frostfill
@@ -23,18 +24,22 @@ struct Push
     }
 };
 
-// Returns false where p is outside the object.
-bool pushOffWalls(const World& world, const Eigen::Vector3d& p, double radius, Push& push)
+// Returns false where p is outside the object. Where its side is known, only a wall that may push
+// matters.
+bool pushOffWalls(const World& world, const Eigen::Vector3d& p, double radius, bool isInside,
+                  Push& push)
 {
     const auto triangles = world.triangles.near(p);
     if (triangles.empty())
     {
-        return world.inside.contains(p);
+        return isInside || world.inside.contains(p);
     }
-    const SignedDistance wall = world.triangles.nearest(p, triangles);
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    const SignedDistance wall =
+        world.triangles.nearest(p, triangles, isInside ? radius + kClearance : kInfinity);
     if (std::isinf(wall.value))
     {
-        return world.inside.contains(p);
+        return isInside || world.inside.contains(p);
     }
     if (wall.value == 0 || wall.value < -radius ||
         (world.surface.anyTwoSided() && !world.inside.contains(p)))
@@ -94,14 +99,17 @@ private:
     std::vector<Obstacle> spheres_;
 };
 
+// Where no wall is within a radius, the whole way of a move to there that is shorter than that has
+// none: both its ends are on one side.
 bool depenetrateFrom(const World& world, const Obstacles& obstacles, Eigen::Vector3d& p,
-                     double radius, double farthest, int moves)
+                     double radius, double farthest, int moves, bool isInside)
 {
+    const bool sidesAreKnown = !world.surface.anyTwoSided();
     const Eigen::Vector3d start = p;
     for (int move = 0; move < moves; ++move)
     {
         Push push;
-        if (!pushOffWalls(world, p, radius, push))
+        if (!pushOffWalls(world, p, radius, isInside && sidesAreKnown, push))
         {
             return false;
         }
@@ -111,6 +119,7 @@ bool depenetrateFrom(const World& world, const Obstacles& obstacles, Eigen::Vect
             return true;
         }
         p += push.out;
+        isInside = push.out.squaredNorm() < radius * radius;
         if ((p - start).squaredNorm() > farthest * farthest)
         {
             return false;
@@ -123,10 +132,11 @@ thread_local Obstacles obstacles; // keeps its memory
 
 } // namespace
 
-bool depenetrate(const World& world, Eigen::Vector3d& p, double radius, double farthest, int moves)
+bool depenetrate(const World& world, Eigen::Vector3d& p, double radius, double farthest, int moves,
+                 Start start)
 {
     obstacles.list(world, p, radius, farthest);
-    return depenetrateFrom(world, obstacles, p, radius, farthest, moves);
+    return depenetrateFrom(world, obstacles, p, radius, farthest, moves, start == Start::inside);
 }
 
 bool depenetrate(const World& world, const PlacedSphere& newcomer, Eigen::Vector3d& p,
@@ -134,7 +144,7 @@ bool depenetrate(const World& world, const PlacedSphere& newcomer, Eigen::Vector
 {
     obstacles.list(world, p, radius, farthest);
     obstacles.add(newcomer.place, newcomer.radius, p, radius, farthest);
-    return depenetrateFrom(world, obstacles, p, radius, farthest, moves);
+    return depenetrateFrom(world, obstacles, p, radius, farthest, moves, false);
 }
 
 } // namespace frostfill

@@ -7,11 +7,21 @@
 namespace frostfill
 {
 
+/// Moves of a sphere until it is given up.
+inline constexpr int kMoves = 24;
+
+/// What is known of a place before it is looked at.
+enum class Start
+{
+    anywhere,
+    inside ///< the object; its side need not be found out, only walls within a radius
+};
+
 /// Moves p out of all overlaps that a sphere of `radius` there would have with the walls and with
 /// spheres at rest, pushing it out of the deepest one again and again. Returns whether a clear
 /// place was found within `farthest` of where p was, by so many moves.
 [[nodiscard]] bool depenetrate(const World& world, Eigen::Vector3d& p, double radius,
-                               double farthest, int moves = 24);
+                               double farthest, int moves = kMoves, Start start = Start::anywhere);
 
 /// The same where one more sphere were at rest.
 [[nodiscard]] bool depenetrate(const World& world, const PlacedSphere& newcomer, Eigen::Vector3d& p,

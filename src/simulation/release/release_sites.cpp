@@ -94,6 +94,12 @@ std::size_t ReleaseSites::ceilingOfDraw(std::uint64_t number, std::size_t among)
     return ceilings_.size() - 1 - static_cast<std::size_t>(choice * static_cast<double>(among));
 }
 
+// A site was opened inside, where walls are farther away than this.
+Start ReleaseSites::startWithin(double way) const
+{
+    return way < radius_ - sites_.halfDiagonal() ? Start::inside : Start::anywhere;
+}
+
 // A clear place at a random point of the ceiling, or at its middle.
 std::optional<Eigen::Vector3d> ReleaseSites::placeOfDraw(std::uint64_t number,
                                                          std::uint32_t site) const
@@ -104,14 +110,15 @@ std::optional<Eigen::Vector3d> ReleaseSites::placeOfDraw(std::uint64_t number,
     }
     const std::uint64_t seed = world_.scene.seed;
     Eigen::Vector3d p = sites_.centre(site);
+    // By at most half a cell along two axes.
     p.x() += sites_.cell() * (uniformRandom(seed, number, 1) - 0.5);
     p.z() += sites_.cell() * (uniformRandom(seed, number, 2) - 0.5);
-    if (depenetrate(world_, p, radius_, radius_))
+    if (depenetrate(world_, p, radius_, radius_, kMoves, startWithin(sites_.cell())))
     {
         return p;
     }
     p = sites_.centre(site);
-    if (depenetrate(world_, p, radius_, farthest()))
+    if (depenetrate(world_, p, radius_, farthest(), kMoves, startWithin(0)))
     {
         return p;
     }
@@ -140,7 +147,7 @@ std::size_t ReleaseSites::nextFree(std::size_t site)
          site = sites_.nextOpen(site + 1))
     {
         place_ = sites_.centre(site);
-        if (depenetrate(world_, place_, radius_, farthest()))
+        if (depenetrate(world_, place_, radius_, farthest(), kMoves, startWithin(0)))
         {
             return site;
         }

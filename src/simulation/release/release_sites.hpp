@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/threads.hpp"
+#include "simulation/contact/depenetration.hpp"
 #include "simulation/release/site_lattice.hpp"
 #include "simulation/release/tolerances.hpp"
 #include "simulation/world/world.hpp"
@@ -104,6 +105,8 @@ private:
 
     /// How far from its site a place may be that stands for it.
     [[nodiscard]] double farthest() const { return 2 * sites_.halfDiagonal(); }
+    /// What is known of a place so far from an open site.
+    [[nodiscard]] Start startWithin(double way) const;
     void findCeilings(double band);
     void startSweep();
     [[nodiscard]] bool isTaken(std::size_t site) const;
