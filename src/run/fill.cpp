@@ -83,7 +83,7 @@ FillPlan makePlan(const Scene& scene, const LoadedMesh& mesh, const Simulation& 
 /// Throws Error badData for an object that spheres would leave.
 ReachInspection reachWithoutLeak(const Scene& scene, const Simulation& simulation)
 {
-    const ReachInspection reach = simulation.inspectReach(kReachBytes);
+    ReachInspection reach = simulation.inspectReach(kReachBytes);
     if (reach.leak)
     {
         throw Error(ErrorCode::badData,
@@ -128,6 +128,82 @@ std::size_t fittingSpheres(const Simulation& simulation)
     return static_cast<std::size_t>(packedCount(object.volume, object.area, radius));
 }
 
+/// By a trial run, if it matters.
+RunLength estimatedLength(const Scene& scene, const LoadedMesh& mesh, const Simulation& simulation,
+                          const FillObserver& observer)
+{
+    return lengthMatters(scene)
+               ? estimateRunLength(scene, mesh.mesh, simulation, observer.stopRequested)
+               : RunLength{};
+}
+
+/// A run whose pictures depend on its length, if it is short enough to come before them.
+std::optional<TapedRun> tapeIfShort(const FillRequest& request, Simulation& simulation,
+                                    const FillObserver& observer)
+{
+    return lengthMatters(request.scene) && isItsOwnTrial(request.scene, simulation)
+               ? std::optional(simulateToTape(simulation, request, observer))
+               : std::nullopt;
+}
+
+/// Enters what the simulation has come to.
+void judge(const Scene& scene, const Simulation& simulation, FillResult& result)
+{
+    result.sets = simulation.sets();
+    result.spheres = simulation.sphereCount();
+    result.wanted = simulation.expectedSpheres();
+    result.fitting = fittingSpheres(simulation);
+    result.smallestRadius = simulation.smallestRadius();
+    result.largestRadius = simulation.radius();
+    result.full = simulation.full();
+    const auto& asked = scene.spheres.count;
+    if (result.full && asked && result.spheres < *asked)
+    {
+        result.radiusThatFits = simulation.radiusThatFits(*asked);
+    }
+    result.stateHash = simulation.stateHash();
+    result.quality = simulation.quality();
+    result.stray = simulation.stray();
+}
+
+/// Enters what was drawn, and draws the contact sheet.
+void enterPictures(const FillRequest& request, const FramePainter& painter, FillResult& result)
+{
+    result.frames = painter.count();
+    result.skippedFrames = painter.drawn().skipped;
+    result.videoFailure = painter.drawn().videoFailure;
+    if (request.contactSheet)
+    {
+        writeContactSheet(request.scene, request.directory, painter);
+    }
+    result.setFrames = painter.drawn().sets;
+    result.renderer = painter.drawn().renderer;
+}
+
+/// Null if no frames are wanted.
+std::unique_ptr<FrameRecorder> stoppableRecorder(const FillRequest& request, const LoadedMesh& mesh,
+                                                 const Simulation& simulation,
+                                                 const std::optional<CameraPath>& path,
+                                                 const FillObserver& observer)
+{
+    std::unique_ptr<FrameRecorder> recorder = makeRecorder(request, mesh, simulation, path);
+    if (recorder)
+    {
+        recorder->stopWhen(observer.stopRequested);
+    }
+    return recorder;
+}
+
+/// The run file first: the summary says that all before it is there.
+void finishFiles(const RunRecord& run, FrameRecorder* recorder)
+{
+    if (recorder != nullptr && recorder->file() != nullptr)
+    {
+        recorder->file()->finish(run.result.summary);
+    }
+    writeRunFiles(run);
+}
+
 /// Throws Error usage for wishes that cannot be met together.
 void requireFramesForPictures(const FillRequest& request)
 {
@@ -157,10 +233,7 @@ FillPlan planFill(const FillRequest& request, const FillObserver& observer)
     RunDirectory::check(request.directory, earlierFiles(request, resumes));
     const std::optional<CameraPath> path = cameraPathOf(request);
     const ReachInspection reach = reachWithoutLeak(request.scene, simulation);
-    const RunLength length =
-        lengthMatters(request.scene)
-            ? estimateRunLength(request.scene, mesh.mesh, simulation, observer.stopRequested)
-            : RunLength{};
+    const RunLength length = estimatedLength(request.scene, mesh, simulation, observer);
     const FramePlan frames =
         planPictures(request.scene, mesh, length, nullptr, path ? path->duration() : 0);
     return makePlan(request.scene, mesh, simulation, frames, reach);
@@ -184,28 +257,18 @@ FillResult fill(const FillRequest& request, const FillObserver& observer)
     RunDirectory directory(request.directory, earlierFiles(request, resumes));
 
     const std::optional<CameraPath> path = cameraPathOf(request);
-    const std::unique_ptr<FrameRecorder> recorder = makeRecorder(request, mesh, simulation, path);
-    if (recorder)
-    {
-        recorder->stopWhen(observer.stopRequested);
-    }
+    const auto recorder = stoppableRecorder(request, mesh, simulation, path, observer);
     FillResult result;
     result.reach = reachWithoutLeak(request.scene, simulation);
     clock.end("preparing");
-    std::optional<TapedRun> taped;
-    if (lengthMatters(request.scene) && isItsOwnTrial(request.scene, simulation))
-    {
-        taped = simulateToTape(simulation, request, observer);
-    }
+    std::optional<TapedRun> taped = tapeIfShort(request, simulation, observer);
     const bool isOnTape = taped && !taped->tape.isFull();
     if (isOnTape)
     {
         clock.end("simulating");
     }
     const RunLength length =
-        !lengthMatters(request.scene) ? RunLength{}
-        : taped                       ? taped->length
-                : estimateRunLength(request.scene, mesh.mesh, simulation, observer.stopRequested);
+        taped ? taped->length : estimatedLength(request.scene, mesh, simulation, observer);
     const FramePlan frames =
         planPictures(request.scene, mesh, length, recorder.get(), path ? path->duration() : 0);
     directory.begin(); // all that can fail before the first step has not
@@ -240,33 +303,11 @@ FillResult fill(const FillRequest& request, const FillObserver& observer)
     }
     if (painter != nullptr)
     {
-        result.frames = painter->count();
-        result.skippedFrames = painter->drawn().skipped;
-        result.videoFailure = painter->drawn().videoFailure;
-        if (request.contactSheet)
-        {
-            writeContactSheet(request.scene, request.directory, *painter);
-        }
-        result.setFrames = painter->drawn().sets;
-        result.renderer = painter->drawn().renderer;
+        enterPictures(request, *painter, result);
         times += painter->drawn().times;
     }
     clock.end("drawing_the_rest");
-    result.sets = simulation.sets();
-    result.spheres = simulation.sphereCount();
-    result.wanted = simulation.expectedSpheres();
-    result.fitting = fittingSpheres(simulation);
-    result.smallestRadius = simulation.smallestRadius();
-    result.largestRadius = simulation.radius();
-    result.full = simulation.full();
-    const auto& asked = request.scene.spheres.count;
-    if (result.full && asked && result.spheres < *asked)
-    {
-        result.radiusThatFits = simulation.radiusThatFits(*asked);
-    }
-    result.stateHash = simulation.stateHash();
-    result.quality = simulation.quality();
-    result.stray = simulation.stray();
+    judge(request.scene, simulation, result);
     result.failure = findFault(request.scene, result, painter != nullptr && painter->drawn().blank);
     clock.end("judging");
     clock.enter(result);
@@ -274,11 +315,7 @@ FillResult fill(const FillRequest& request, const FillObserver& observer)
     const RunRecord run{
         request, mesh, simulation, frames, result, times, recorder ? recorder->stride() : 1};
     result.summary = summaryText(run);
-    if (recorder && recorder->file() != nullptr)
-    {
-        recorder->file()->finish(result.summary);
-    }
-    writeRunFiles(run);
+    finishFiles(run, recorder.get());
     return result;
 }
 
