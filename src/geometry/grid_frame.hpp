@@ -50,23 +50,6 @@ struct GridFrame
     {
         return (static_cast<std::size_t>(z) * count[1] + y) * count[0] + x;
     }
-    /// Calls visit(index) for each cell from `low` to `high`, inclusive, with x fastest.
-    template <class Visit>
-    void forEachCell(const std::array<int, 3>& low, const std::array<int, 3>& high,
-                     Visit&& visit) const
-    {
-        for (int z = low[2]; z <= high[2]; ++z)
-        {
-            for (int y = low[1]; y <= high[1]; ++y)
-            {
-                const std::size_t row = index(0, y, z);
-                for (int x = low[0]; x <= high[0]; ++x)
-                {
-                    visit(row + static_cast<std::size_t>(x));
-                }
-            }
-        }
-    }
     [[nodiscard]] std::size_t index(const Eigen::Vector3d& p) const
     {
         const auto c = coordinates(p);

@@ -19,36 +19,67 @@ constexpr double kBorder = 1e-9;
 
 } // namespace
 
-/// Gives adjacent cells without triangles the same side. A block without triangles is one step.
+/// Gives adjacent cells without triangles the same side. A brick without triangles is one step.
+/// Outside, a flood stays beside bricks with triangles, so that its cost follows the object, not
+/// the box around it: what is farther away and not inside is outside.
 class InsideTest::Flood
 {
 public:
     explicit Flood(InsideTest& test)
-        : test_(test), grid_(*test.grid_), blockKnown_(grid_.blocksFrame().size(), false),
-          cellKnown_(TriangleGrid::kInBlock * grid_.blocksWithTriangles(), false)
+        : test_(test), grid_(*test.grid_), cells_(grid_.cells()), cellKnown_(cells_.size(), false)
     {
     }
 
-    void fromBlock(const Cell& block)
+    void run()
     {
-        constexpr int kSide = TriangleGrid::kSide;
-        const Cell first = {block[0] * kSide, block[1] * kSide, block[2] * kSide};
-        const bool one = grid_.blockOf(first[0], first[1], first[2]) == TriangleGrid::kNoTriangles;
-        for (int i = 0; i < (one ? 1 : kSide * kSide * kSide); ++i)
+        for (std::size_t brick = 0; brick < cells_.bricks().size(); ++brick)
         {
-            from({first[0] + i % kSide, first[1] + i / kSide % kSide,
-                  first[2] + i / (kSide * kSide)});
+            forEachBeside(cells_.bricks().place(brick),
+                          [&](const GridPlace& other) { (void)test_.sideOfBrick(other); });
+        }
+        for (std::size_t cell = 0; cell < cells_.size(); ++cell)
+        {
+            from(cells_.cell(cell));
+        }
+        for (std::size_t brick = 0; brick < test_.far_.size(); ++brick) // inside there come more
+        {
+            from(firstCellOf(test_.far_.place(brick)));
         }
     }
 
 private:
+    static constexpr int kSide = TriangleGrid::Cells::kSide;
+    static_assert(kSide == TriangleGrid::Cells::kLength);
+
+    static Cell firstCellOf(const GridPlace& brick)
+    {
+        return {brick[0] * kSide, brick[1] * kSide, brick[2] * kSide};
+    }
+    /// Calls visit(place) for the bricks without triangles that share a face with one.
+    template <class Visit>
+    void forEachBeside(const GridPlace& brick, Visit&& visit)
+    {
+        for (int face = 0; face < 6; ++face)
+        {
+            GridPlace other = brick;
+            other[face / 2] += face % 2 == 0 ? -1 : 1;
+            if (cells_.bricks().isInBox(other) &&
+                cells_.bricks().find(other[0], other[1], other[2]) == BrickTable::kNone)
+            {
+                visit(other);
+            }
+        }
+    }
+
     void from(const Cell& seed)
     {
-        if (!isInFrame(seed) || isKnown(seed))
+        if (!cells_.isInGrid(seed) || isKnown(seed))
         {
             return;
         }
-        const bool side = test_.isInsideByWinding(grid_.frame().centre(seed[0], seed[1], seed[2]));
+        side_ = test_.isInsideByWinding(grid_.frame().centre(seed[0], seed[1], seed[2]))
+                    ? Side::inside
+                    : Side::outside;
         waiting_.push_back(seed);
         while (!waiting_.empty())
         {
@@ -56,46 +87,45 @@ private:
             waiting_.pop_back();
             if (!isKnown(cell))
             {
-                const bool isBlock = mark(cell, side);
-                isBlock ? addNeighboursOfBlock(cell) : addNeighbours(cell);
+                const bool isBrick = mark(cell);
+                isBrick ? addNeighboursOfBrick(cell) : addNeighbours(cell);
             }
         }
     }
 
-    /// Whether the side of the cell is known, or is none because the cell has triangles.
+    [[nodiscard]] bool hasTriangles(const Cell& cell) const // or its brick has
+    {
+        return cells_.find(cell[0], cell[1], cell[2]) != TriangleGrid::Cells::kNone;
+    }
+    /// Whether the side of the cell is known, or is none because the cell has triangles, or is not
+    /// asked for.
     [[nodiscard]] bool isKnown(const Cell& cell) const
     {
-        const auto [x, y, z] = cell;
-        const std::uint32_t block = grid_.blockOf(x, y, z);
-        return block == TriangleGrid::kNoTriangles
-                   ? blockKnown_[grid_.blockIndex(x, y, z)]
-                   : cellKnown_[TriangleGrid::cellIndex(block, x, y, z)] ||
-                         !grid_.cell(x, y, z).empty();
-    }
-    /// Returns whether the cell stands for its block.
-    bool mark(const Cell& cell, bool side)
-    {
-        const auto [x, y, z] = cell;
-        const std::uint32_t block = grid_.blockOf(x, y, z);
-        if (block == TriangleGrid::kNoTriangles)
+        const std::size_t number = cells_.find(cell[0], cell[1], cell[2]);
+        if (number != TriangleGrid::Cells::kNone)
         {
-            blockKnown_[grid_.blockIndex(x, y, z)] = true;
-            test_.blockInside_[grid_.blockIndex(x, y, z)] = side;
+            return cellKnown_[number] || !grid_.ofCell(number).empty();
+        }
+        const std::uint32_t far = test_.farBrick(cell);
+        return far == BrickTable::kNone ? side_ == Side::outside
+                                        : test_.farSide_[far] != Side::unknown;
+    }
+    /// Returns whether the cell stands for its brick.
+    bool mark(const Cell& cell)
+    {
+        const std::size_t number = cells_.find(cell[0], cell[1], cell[2]);
+        if (number == TriangleGrid::Cells::kNone)
+        {
+            test_.sideOfBrick(TriangleGrid::Cells::brickOf(cell)) = side_;
             return true;
         }
-        cellKnown_[TriangleGrid::cellIndex(block, x, y, z)] = true;
-        test_.cellInside_[TriangleGrid::cellIndex(block, x, y, z)] = side;
+        cellKnown_[number] = true;
+        test_.cellInside_[number] = side_ == Side::inside;
         return false;
-    }
-    [[nodiscard]] bool isInFrame(const Cell& cell) const
-    {
-        const auto& count = grid_.frame().count;
-        return cell[0] >= 0 && cell[0] < count[0] && cell[1] >= 0 && cell[1] < count[1] &&
-               cell[2] >= 0 && cell[2] < count[2];
     }
     void add(const Cell& cell)
     {
-        if (isInFrame(cell) && !isKnown(cell))
+        if (cells_.isInGrid(cell) && !isKnown(cell))
         {
             waiting_.push_back(cell);
         }
@@ -112,9 +142,8 @@ private:
             }
         }
     }
-    void addNeighboursOfBlock(Cell cell)
+    void addNeighboursOfBrick(Cell cell)
     {
-        constexpr int kSide = TriangleGrid::kSide;
         for (int& coordinate : cell)
         {
             coordinate -= coordinate % kSide;
@@ -129,16 +158,14 @@ private:
             }
         }
     }
-    /// Adds the cells of a neighbouring block that touch this one, the first of which is given.
+    /// Adds the cells of a neighbouring brick that touch this one, the first of which is given.
     void addSide(const Cell& first, int axis)
     {
-        constexpr int kSide = TriangleGrid::kSide;
-        if (!isInFrame(first))
+        if (!cells_.isInGrid(first))
         {
             return;
         }
-        const bool one = grid_.blockOf(first[0], first[1], first[2]) == TriangleGrid::kNoTriangles;
-        for (int i = 0; i < (one ? 1 : kSide * kSide); ++i)
+        for (int i = 0; i < (hasTriangles(first) ? kSide * kSide : 1); ++i)
         {
             Cell cell = first;
             cell[(axis + 1) % 3] += i % kSide;
@@ -148,48 +175,55 @@ private:
     }
     InsideTest& test_;
     const TriangleGrid& grid_;
-    std::vector<bool> blockKnown_, cellKnown_;
+    const TriangleGrid::Cells& cells_;
+    std::vector<bool> cellKnown_;
+    Side side_ = Side::unknown; ///< of the flood
     std::vector<Cell> waiting_;
 };
 
 // Adjacent cells without triangles are on the same side, so one winding number serves all of them.
 InsideTest::InsideTest(const Surface& surface, const TriangleGrid& grid)
     : surface_(&surface), grid_(&grid), winding_(surface.mesh()),
-      blockInside_(grid.blocksFrame().size(), false),
-      cellInside_(TriangleGrid::kInBlock * grid.blocksWithTriangles(), false)
+      far_(grid.cells().bricks().count()), cellInside_(grid.cells().size(), false)
 {
-    Flood flood(*this);
-    const auto& blocks = grid.blocksFrame().count;
-    for (int z = 0; z < blocks[2]; ++z)
-    {
-        for (int y = 0; y < blocks[1]; ++y)
-        {
-            for (int x = 0; x < blocks[0]; ++x)
-            {
-                flood.fromBlock({x, y, z});
-            }
-        }
-    }
+    Flood(*this).run();
+}
+
+InsideTest::Side& InsideTest::sideOfBrick(const GridPlace& brick)
+{
+    const std::uint32_t far = far_.obtain(brick[0], brick[1], brick[2]);
+    farSide_.resize(far_.size(), Side::unknown);
+    return farSide_[far];
+}
+
+std::uint32_t InsideTest::farBrick(const Cell& cell) const
+{
+    const GridPlace brick = TriangleGrid::Cells::brickOf(cell);
+    return far_.find(brick[0], brick[1], brick[2]);
 }
 
 bool InsideTest::isCellInside(const Cell& cell) const
 {
-    const auto [x, y, z] = cell;
-    const std::uint32_t block = grid_->blockOf(x, y, z);
-    return block == TriangleGrid::kNoTriangles
-               ? blockInside_[grid_->blockIndex(x, y, z)]
-               : cellInside_[TriangleGrid::cellIndex(block, x, y, z)];
+    const std::size_t number = grid_->cells().find(cell[0], cell[1], cell[2]);
+    if (number != TriangleGrid::Cells::kNone)
+    {
+        return cellInside_[number];
+    }
+    const std::uint32_t far = farBrick(cell);
+    return far != BrickTable::kNone && farSide_[far] == Side::inside;
 }
 
-double InsideTest::farOutsideUntil(const Eigen::Vector3d& p) const
+double InsideTest::farOutsideUntil(const Eigen::Vector3d& p, double end) const
 {
+    constexpr int kSide = TriangleGrid::Cells::kSide;
     const GridFrame& frame = grid_->frame();
     auto [x, y, z] = frame.coordinates(p);
     const int first = x;
-    while (x < frame.count[0] && grid_->blockOf(x, y, z) == TriangleGrid::kNoTriangles &&
+    const int last = frame.coordinate(end, 0);
+    while (x <= last && grid_->cells().find(x, y, z) == TriangleGrid::Cells::kNone &&
            !isCellInside({x, y, z}))
     {
-        x += TriangleGrid::kSide - x % TriangleGrid::kSide;
+        x += kSide - x % kSide;
     }
     return x == first ? p.x() : frame.origin.x() + frame.cell * (x - kBorder);
 }

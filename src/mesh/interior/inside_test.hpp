@@ -38,17 +38,54 @@ public:
     }
 
     /// x coordinate up to which all points of p's row, from p on, are surely outside and beyond the
-    /// reach of the grid; that of p if nothing is known. p lies within the frame.
-    [[nodiscard]] double farOutsideUntil(const Eigen::Vector3d& p) const;
+    /// reach of the grid; that of p if nothing is known. Not looked at far beyond `end`. p lies
+    /// within the frame.
+    [[nodiscard]] double farOutsideUntil(const Eigen::Vector3d& p, double end) const;
+
+    /// Calls visit(box) for boxes that hold all that is inside or within reach of the surface.
+    template <class Visit>
+    void forEachBoxInReach(Visit&& visit) const
+    {
+        const BrickTable& near = grid_->cells().bricks();
+        for (std::size_t brick = 0; brick < near.size(); ++brick)
+        {
+            visit(boxOf(near.place(brick)));
+        }
+        for (std::size_t brick = 0; brick < far_.size(); ++brick)
+        {
+            if (farSide_[brick] == Side::inside)
+            {
+                visit(boxOf(far_.place(brick)));
+            }
+        }
+    }
+    [[nodiscard]] const TriangleGrid& grid() const { return *grid_; }
 
     [[nodiscard]] double reach() const { return grid_->reach(); }
 
 private:
     [[nodiscard]] bool isNearTwoSided(const Eigen::Vector3d& p) const;
     [[nodiscard]] bool isInsideFarFromSurface(const Eigen::Vector3d& p) const;
-    using Cell = std::array<int, 3>;
+    using Cell = GridPlace;
+    enum class Side : std::uint8_t
+    {
+        unknown,
+        inside,
+        outside
+    };
     class Flood;
     [[nodiscard]] bool isCellInside(const Cell& cell) const;
+    /// Of a brick without triangles, by its number in far_; kNone of one that is outside.
+    [[nodiscard]] std::uint32_t farBrick(const Cell& cell) const;
+    [[nodiscard]] Side& sideOfBrick(const GridPlace& brick);
+    [[nodiscard]] Eigen::AlignedBox3d boxOf(const GridPlace& brick) const
+    {
+        const GridFrame& frame = grid_->frame();
+        const double edge = frame.cell * TriangleGrid::Cells::kSide;
+        const Eigen::Vector3d low =
+            frame.origin + edge * Eigen::Vector3d(brick[0], brick[1], brick[2]);
+        return {low, low.array() + edge};
+    }
     [[nodiscard]] bool isInsideByWinding(const Eigen::Vector3d& p) const
     {
         return winding_.at(p) > kInsideFrom;
@@ -57,9 +94,10 @@ private:
     const Surface* surface_;
     const TriangleGrid* grid_;
     WindingColumns winding_;
-    // Sides of what has no triangles: of blocks, and of cells in blocks with triangles.
-    std::vector<bool> blockInside_; ///< [#blocks]
-    std::vector<bool> cellInside_;  ///< [#blocks with triangles x cells of a block]
+    // Sides of what has no triangles: of bricks, and of cells in bricks with triangles.
+    BrickTable far_;               ///< bricks inside, and those beside the surface
+    std::vector<Side> farSide_;    ///< [#far_]
+    std::vector<bool> cellInside_; ///< [#cells of the grid]
 };
 
 } // namespace frostfill

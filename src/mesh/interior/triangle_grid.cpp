@@ -41,6 +41,8 @@ private:
     /// Triangles that lie side by side and are small look together which cells they are near; where
     /// they are larger than a cell, fewer of them.
     static constexpr std::size_t kTogether = 16;
+    /// Of a range along each axis, up to which it is not halved.
+    static constexpr int kFewCells = 8;
     struct Entry
     {
         std::uint32_t cell;
@@ -70,8 +72,55 @@ private:
             add(triangles.subspan(triangles.size() / 2));
             return;
         }
+        enterIn(box, triangles,
+                {grid_.frame_.coordinates(box.min().array() - grid_.reach_),
+                 grid_.frame_.coordinates(box.max().array() + grid_.reach_)});
+    }
+
+    /// Cells from `low` to `high`, both included.
+    struct Range
+    {
+        GridPlace low;
+        GridPlace high;
+    };
+    /// The same in a range of cells. A large one is halved, and a half that the triangle is not
+    /// near is left out: the box of a long triangle has far more cells than are near it.
+    void enterIn(const Eigen::AlignedBox3d& box, std::span<const std::uint32_t> triangles,
+                 const Range& range)
+    {
+        const Eigen::Array3i cells =
+            Eigen::Array3i::Map(range.high.data()) - Eigen::Array3i::Map(range.low.data()) + 1;
+        int axis = 0;
+        const int longest = cells.maxCoeff(&axis);
+        if (triangles.size() > 1 || longest <= kFewCells)
+        {
+            enterInFew(box, triangles, range);
+            return;
+        }
+        Range lower = range;
+        Range upper = range;
+        lower.high[axis] = range.low[axis] + longest / 2 - 1;
+        upper.low[axis] = lower.high[axis] + 1;
+        for (const Range& half : {lower, upper})
+        {
+            const Eigen::Array3d from = Eigen::Array3i::Map(half.low.data()).cast<double>();
+            const Eigen::Array3d to = Eigen::Array3i::Map(half.high.data()).cast<double>() + 1;
+            const Eigen::Vector3d middle =
+                grid_.frame_.origin.array() + grid_.frame_.cell * (from + to) / 2;
+            // Every middle of a cell in the half is nearer to its middle than this.
+            const double reach = grid_.frame_.cell * (to - from).matrix().norm() / 2 + radius_;
+            if (isNear(triangles[0], middle, reach))
+            {
+                enterIn(box, triangles, half);
+            }
+        }
+    }
+
+    void enterInFew(const Eigen::AlignedBox3d& box, std::span<const std::uint32_t> triangles,
+                    const Range& range)
+    {
         const double surelyIn = (1 - kBallRounding) * radius_;
-        forEachCell(box,
+        forEachCell(box, range,
                     [&](int x, int y, int z, double farthestSquare)
                     {
                         if (isLong(x, y, z))
@@ -82,7 +131,7 @@ private:
                         const Eigen::Vector3d centre = grid_.frame_.centre(x, y, z);
                         for (const std::uint32_t t : triangles)
                         {
-                            if (all || isNear(t, centre))
+                            if (all || isNear(t, centre, radius_))
                             {
                                 enter(x, y, z, t);
                             }
@@ -107,14 +156,13 @@ private:
         return {outside * outside, across * across};
     }
 
-    /// Calls visit(x, y, z, farthest) for each cell that may be near `box`, with the squared
-    /// distance of its centre to the farthest point of the box.
+    /// Calls visit(x, y, z, farthest) for each cell of a range that may be near `box`, with the
+    /// squared distance of its centre to the farthest point of the box.
     template <class Visit>
-    void forEachCell(const Eigen::AlignedBox3d& box, Visit&& visit)
+    void forEachCell(const Eigen::AlignedBox3d& box, const Range& range, Visit&& visit)
     {
         const double surelyOut = (1 + kBallRounding) * radius_;
-        const auto low = grid_.frame_.coordinates(box.min().array() - grid_.reach_);
-        const auto high = grid_.frame_.coordinates(box.max().array() + grid_.reach_);
+        const auto& [low, high] = range;
         layersOfX_.clear();
         for (int x = low[0]; x <= high[0]; ++x)
         {
@@ -141,41 +189,39 @@ private:
 
     [[nodiscard]] bool isLong(int x, int y, int z) const
     {
-        const std::uint32_t block = grid_.blockOf(x, y, z);
-        return block != kNoTriangles && grid_.starts_[cellIndex(block, x, y, z)] > kShortList;
+        const std::size_t cell = grid_.cells_.find(x, y, z);
+        return cell != Cells::kNone && grid_.starts_[cell] > kShortList;
     }
 
     void enter(int x, int y, int z, std::uint32_t triangle)
     {
-        std::uint32_t& block = grid_.blocks_[grid_.blockIndex(x, y, z)];
-        if (block == kNoTriangles)
+        const std::size_t cell = grid_.cells_.obtain(x, y, z);
+        if (cell >= grid_.starts_.size())
         {
-            block = static_cast<std::uint32_t>(grid_.starts_.size() / kInBlock);
-            grid_.starts_.resize(grid_.starts_.size() + kInBlock, 0);
+            grid_.starts_.resize(grid_.cells_.size(), 0);
         }
-        const std::size_t cell = cellIndex(block, x, y, z);
         ++grid_.starts_[cell];
         entries_.push_back({static_cast<std::uint32_t>(cell), triangle});
     }
 
     /// The triangle is asked for its nearest point only where the ball around it does not decide.
-    [[nodiscard]] bool isNear(std::uint32_t t, const Eigen::Vector3d& centre) const
+    [[nodiscard]] bool isNear(std::uint32_t t, const Eigen::Vector3d& centre, double reach) const
     {
         const TriangleBound& bound = surface_.bound(t);
-        if (bound.toPlane(centre) > radius_)
+        if (bound.toPlane(centre) > reach)
         {
             return false;
         }
         const double square = bound.toCentreSquared(centre);
-        const double surelyIn = (1 - kBallRounding) * radius_; // the centre is of the triangle
-        const double surelyOut = (1 + kBallRounding) * (radius_ + bound.radius);
+        const double surelyIn = (1 - kBallRounding) * reach; // the centre is of the triangle
+        const double surelyOut = (1 + kBallRounding) * (reach + bound.radius);
         if (square > surelyOut * surelyOut || square <= surelyIn * surelyIn)
         {
             return square <= surelyIn * surelyIn;
         }
         const auto& [a, b, c] = surface_[t].corner;
         const Eigen::Vector3d closest = closestPointOnTriangle(centre, a, b, c).point;
-        return (centre - closest).squaredNorm() <= radius_ * radius_;
+        return (centre - closest).squaredNorm() <= reach * reach;
     }
 
     /// Sorts by the triangle, then by the cell: sums up the ends, and fills from them.
@@ -213,14 +259,8 @@ private:
 };
 
 TriangleGrid::TriangleGrid(const Surface& surface, const GridFrame& frame, double reach)
-    : surface_(&surface), frame_(frame), reach_(reach), blocksFrame_(frame)
+    : surface_(&surface), frame_(frame), reach_(reach), cells_(frame.count, 0)
 {
-    blocksFrame_.cell *= kSide;
-    for (int& count : blocksFrame_.count)
-    {
-        count = (count + kSide - 1) / kSide;
-    }
-    blocks_.assign(blocksFrame_.size(), kNoTriangles);
     Builder(*this, surface).build();
 }
 

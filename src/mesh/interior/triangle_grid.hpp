@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "geometry/bricked_cells.hpp"
 #include "geometry/grid_frame.hpp"
 #include "mesh/interior/surface.hpp"
 
@@ -14,8 +15,7 @@ namespace frostfill
 {
 
 /// The triangles within `reach` of some point of each cell of a grid. Of a cell that has many some
-/// are listed; the surface's tree knows all. Cells are stored in blocks. Most blocks of a fine grid
-/// are away from the surface; such a block takes four bytes.
+/// are listed; the surface's tree knows all. Memory follows the surface, not the box around it.
 class TriangleGrid
 {
 public:
@@ -59,67 +59,34 @@ public:
     }
     [[nodiscard]] std::span<const std::uint32_t> cell(int x, int y, int z) const
     {
-        const std::uint32_t block = blockOf(x, y, z);
-        if (block == kNoTriangles)
-        {
-            return {};
-        }
-        const std::uint32_t* start = starts_.data() + cellIndex(block, x, y, z);
-        return {ids_.data() + start[0], start[1] - start[0]};
+        const std::size_t number = cells_.find(x, y, z);
+        return number == Cells::kNone ? std::span<const std::uint32_t>{} : ofCell(number);
     }
     [[nodiscard]] const GridFrame& frame() const { return frame_; }
     [[nodiscard]] double reach() const { return reach_; }
 
-    // Cells are kept in blocks of kSide cells a side. A block without triangles is one entry.
-    static constexpr int kSide = 4; // cells
-    static constexpr std::size_t kInBlock = std::size_t{kSide} * kSide * kSide;
-    static constexpr std::uint32_t kNoTriangles = 0xffffffff;
+    using Cells = BrickedCells<>;
+    /// Bricks with triangles, never one for all: most of a grid is away from the surface.
+    [[nodiscard]] const Cells& cells() const { return cells_; }
+    /// The same as cell(), by its number.
+    [[nodiscard]] std::span<const std::uint32_t> ofCell(std::size_t number) const
+    {
+        const std::uint32_t* start = starts_.data() + number;
+        return {ids_.data() + start[0], start[1] - start[0]};
+    }
 
-    /// Calls visit(x, y, z) for each cell with triangles, with x fastest.
+    /// Calls visit(x, y, z) for each cell with triangles, brick by brick.
     template <class Visit>
     void forEachCellWithTriangles(Visit&& visit) const
     {
-        for (int z = 0; z < frame_.count[2]; ++z)
+        for (std::size_t number = 0; number < cells_.size(); ++number)
         {
-            for (int y = 0; y < frame_.count[1]; ++y)
+            if (!ofCell(number).empty())
             {
-                for (int x = 0; x < frame_.count[0]; ++x)
-                {
-                    if (blockOf(x, y, z) == kNoTriangles)
-                    {
-                        x += kSide - 1 - x % kSide;
-                    }
-                    else if (!cell(x, y, z).empty())
-                    {
-                        visit(x, y, z);
-                    }
-                }
+                const auto [x, y, z] = cells_.cell(number);
+                visit(x, y, z);
             }
         }
-    }
-
-    [[nodiscard]] const GridFrame& blocksFrame() const { return blocksFrame_; }
-    /// Number of the cell's block among all.
-    [[nodiscard]] std::size_t blockIndex(int x, int y, int z) const
-    {
-        return blocksFrame_.index(x / kSide, y / kSide, z / kSide);
-    }
-    /// Number of the cell's block among those with triangles, or kNoTriangles.
-    [[nodiscard]] std::uint32_t blockOf(int x, int y, int z) const
-    {
-        return blocks_[blockIndex(x, y, z)];
-    }
-    /// Number of a cell among those of all blocks with triangles, of which it has one.
-    [[nodiscard]] static std::size_t cellIndex(std::uint32_t block, int x, int y, int z)
-    {
-        return block * kInBlock + inBlock(x, y, z);
-    }
-    [[nodiscard]] std::size_t blocksWithTriangles() const { return starts_.size() / kInBlock; }
-    /// Number of a cell among those of its block.
-    [[nodiscard]] static std::size_t inBlock(int x, int y, int z)
-    {
-        const int index = (z % kSide * kSide + y % kSide) * kSide + x % kSide;
-        return static_cast<std::size_t>(index);
     }
 
 private:
@@ -128,9 +95,8 @@ private:
     const Surface* surface_;
     GridFrame frame_;
     double reach_;
-    GridFrame blocksFrame_;             ///< of the blocks
-    std::vector<std::uint32_t> blocks_; ///< [#blocks] index among the blocks with triangles
-    std::vector<std::uint32_t> starts_; ///< [#cells of blocks with triangles + 1]
+    Cells cells_;
+    std::vector<std::uint32_t> starts_; ///< [#cells_ + 1]
     std::vector<std::uint32_t> ids_;
 };
 

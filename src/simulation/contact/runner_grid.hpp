@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "geometry/bricked_cells.hpp"
 #include "geometry/grid_frame.hpp"
 #include "simulation/contact/tolerances.hpp"
 #include "simulation/world/running_spheres.hpp"
@@ -17,7 +18,10 @@ namespace frostfill
 class RunnerGrid
 {
 public:
-    explicit RunnerGrid(const GridFrame& frame) : frame_(frame), head_(frame.size(), kEnd) {}
+    explicit RunnerGrid(const GridFrame& frame)
+        : frame_(frame), cells_(frame.count), head_(cells_.size(), kEnd)
+    {
+    }
 
     /// Forgets all and takes in these, as they lie now.
     void rebuild(const RunningSpheres& runners)
@@ -71,17 +75,17 @@ public:
     template <class Visit>
     void forEachNear(const Eigen::Vector3d& p, double reach, Visit&& visit) const
     {
-        frame_.forEachCell(frame_.coordinates(p.array() - reach),
-                           frame_.coordinates(p.array() + reach),
-                           [&](std::size_t cell)
-                           {
-                               for (std::uint32_t row = head_[cell]; row != kEnd;)
-                               {
-                                   const Node& node = nodes_[row];
-                                   visit(row, node.position, node.radius);
-                                   row = node.next;
-                               }
-                           });
+        cells_.forEachIn(frame_.coordinates(p.array() - reach),
+                         frame_.coordinates(p.array() + reach),
+                         [&](std::size_t cell)
+                         {
+                             for (std::uint32_t row = head_[cell]; row != kEnd;)
+                             {
+                                 const Node& node = nodes_[row];
+                                 visit(row, node.position, node.radius);
+                                 row = node.next;
+                             }
+                         });
     }
 
 private:
@@ -97,13 +101,20 @@ private:
     void link(std::uint32_t row)
     {
         Node& node = nodes_[row];
-        node.cell = static_cast<std::uint32_t>(frame_.index(node.position));
+        const auto [x, y, z] = frame_.coordinates(node.position);
+        const std::size_t cell = cells_.obtain(x, y, z);
+        if (cell >= head_.size())
+        {
+            head_.resize(cells_.size(), kEnd);
+        }
+        node.cell = static_cast<std::uint32_t>(cell);
         node.next = std::exchange(head_[node.cell], row);
     }
 
     static constexpr std::uint32_t kEnd = 0xffffffff;
     GridFrame frame_;
-    std::vector<std::uint32_t> head_; ///< [#cells]
+    BrickedCells<> cells_;
+    std::vector<std::uint32_t> head_; ///< [#cells_]
     std::vector<Node> nodes_;         ///< [#runners]
 };
 

@@ -6,36 +6,72 @@
 
 namespace frostfill
 {
+namespace
+{
+
+/// The highest bit, at most y, of a column whose words are asked for by their number.
+template <class WordAt>
+int highestIn(int y, WordAt&& wordAt)
+{
+    int index = y / 64;
+    std::uint64_t candidates = wordAt(index) & (~std::uint64_t{0} >> (63 - y % 64));
+    while (candidates == 0 && index > 0)
+    {
+        candidates = wordAt(--index);
+    }
+    return candidates == 0 ? -1 : index * 64 + 63 - std::countl_zero(candidates);
+}
+
+} // namespace
 
 FallIndex::FallIndex(const GridFrame& frame, const TriangleGrid& triangles)
-    : frame_(frame), words_((static_cast<std::size_t>(frame.count[1]) + 63) / 64),
-      spheres_(column(0, frame.count[2])), walls_(spheres_.size())
+    : frame_(frame), words_({(frame.count[1] + 63) / 64, frame.count[0], frame.count[2]}),
+      spheres_(words_.size()), walls_(words_.size())
 {
     // A cell is a wall when one of the finer cells of the triangles' grid within it has triangles.
     triangles.forEachCellWithTriangles(
         [&](int x, int y, int z)
         {
             const auto c = frame_.coordinates(triangles.frame().centre(x, y, z));
-            walls_[column(c[0], c[2]) + c[1] / 64] |= std::uint64_t{1} << (c[1] % 64);
+            walls_[wordOf(c)] |= std::uint64_t{1} << (c[1] % 64);
         });
+}
+
+std::size_t FallIndex::wordOf(const GridPlace& cell)
+{
+    const std::size_t word = words_.obtain(cell[1] / 64, cell[0], cell[2]);
+    if (word >= spheres_.size())
+    {
+        spheres_.resize(words_.size());
+        walls_.resize(words_.size());
+    }
+    return word;
 }
 
 void FallIndex::insert(const Eigen::Vector3d& centre)
 {
     const auto c = frame_.coordinates(centre);
-    spheres_[column(c[0], c[2]) + c[1] / 64] |= std::uint64_t{1} << (c[1] % 64);
+    spheres_[wordOf(c)] |= std::uint64_t{1} << (c[1] % 64);
 }
 
 int FallIndex::highestBelow(int x, int z, int y, const std::vector<std::uint64_t>& bits) const
 {
-    const std::uint64_t* word = bits.data() + column(x, z);
-    int index = y / 64;
-    std::uint64_t candidates = word[index] & (~std::uint64_t{0} >> (63 - y % 64));
-    while (candidates == 0 && index > 0)
+    if (!words_.isOne())
     {
-        candidates = word[--index];
+        return highestInBricks(x, z, y, bits);
     }
-    return candidates == 0 ? -1 : index * 64 + 63 - std::countl_zero(candidates);
+    const std::uint64_t* column = bits.data() + words_.find(0, x, z);
+    return highestIn(y, [column](int index) { return column[index]; });
+}
+
+int FallIndex::highestInBricks(int x, int z, int y, const std::vector<std::uint64_t>& bits) const
+{
+    return highestIn(y,
+                     [&](int index)
+                     {
+                         const std::size_t word = words_.find(index, x, z);
+                         return word == BrickedCells<1>::kNone ? 0 : bits[word];
+                     });
 }
 
 int FallIndex::highestSphere(int x, int z, int y) const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "geometry/bricked_cells.hpp"
 #include "geometry/grid_frame.hpp"
 #include "mesh/interior/triangle_grid.hpp"
 
@@ -34,17 +35,17 @@ public:
     [[nodiscard]] const GridFrame& frame() const { return frame_; }
 
 private:
-    [[nodiscard]] std::size_t column(int x, int z) const
-    {
-        return (static_cast<std::size_t>(z) * frame_.count[0] + x) * words_;
-    }
+    /// The word of a cell, which has one from now on.
+    std::size_t wordOf(const GridPlace& cell);
+    [[nodiscard, gnu::noinline]] int highestInBricks(int x, int z, int y,
+                                                     const std::vector<std::uint64_t>& bits) const;
     [[nodiscard]] int highestBelow(int x, int z, int y,
                                    const std::vector<std::uint64_t>& bits) const;
 
     GridFrame frame_;
-    std::size_t words_; ///< of 64 cells in a column
-    std::vector<std::uint64_t> spheres_;
-    std::vector<std::uint64_t> walls_;
+    BrickedCells<1> words_;              ///< of 64 cells each, by their layer, x and z
+    std::vector<std::uint64_t> spheres_; ///< [#words_]
+    std::vector<std::uint64_t> walls_;   ///< [#words_]
 };
 
 } // namespace frostfill

@@ -22,10 +22,7 @@ ReleaseSites::ReleaseSites(const World& world, double radius, double band, Threa
 
 void ReleaseSites::findCeilings(double band)
 {
-    const GridFrame& lattice = sites_.lattice();
-    const auto row = static_cast<std::size_t>(lattice.count[0]);
-    const auto rows = static_cast<std::size_t>(lattice.count[1]);
-    const auto height = [&](std::size_t site) { return site / row % rows; };
+    const auto height = [&](std::size_t site) { return sites_.height(site); };
     ceilings_ = sites_.highest();
     std::sort(ceilings_.begin(), ceilings_.end(),
               [&](std::uint32_t a, std::uint32_t b)
@@ -55,9 +52,9 @@ void ReleaseSites::startSweep()
     const auto closeSlab = [&](int slab)
     {
         const int end = std::min(count[2], (slab + 1) * kSlabThickness);
-        resting.forEachIn({0, 0, slab * kSlabThickness}, {count[0] - 1, count[1] - 1, end - 1},
-                          [&](std::uint32_t row)
-                          { sites_.close(resting[row].position(), resting[row].radius); });
+        resting.forEachInLayers(slab * kSlabThickness, end - 1,
+                                [&](std::uint32_t row)
+                                { sites_.close(resting[row].position(), resting[row].radius); });
     };
     forEachSlab(threads_, (count[2] + kSlabThickness - 1) / kSlabThickness, closeSlab);
 }
@@ -143,8 +140,7 @@ std::optional<Eigen::Vector3d> ReleaseSites::take(const Draw& draw, std::size_t 
 // out to have none are closed.
 std::size_t ReleaseSites::nextFree(std::size_t site)
 {
-    for (site = sites_.nextOpen(site); site < sites_.lattice().size();
-         site = sites_.nextOpen(site + 1))
+    for (site = sites_.nextOpen(site); site < sites_.end(); site = sites_.nextOpen(site + 1))
     {
         place_ = sites_.centre(site);
         if (depenetrate(world_, place_, radius_, farthest(), kMoves, startWithin(0)))

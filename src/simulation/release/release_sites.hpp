@@ -55,8 +55,7 @@ public:
         sweep_ = sites_.nextOpen(sweep_);
         int misses = 0;
         for (std::size_t site = nextFree(sweep_);
-             site < sites_.lattice().size() && (!givesUp || misses < kMaxMisses);
-             site = nextFree(site + 1))
+             site < sites_.end() && (!givesUp || misses < kMaxMisses); site = nextFree(site + 1))
         {
             const Eigen::Vector3d place = prepare(place_);
             if (suits(place))

@@ -2,6 +2,7 @@
 #include "simulation/release/site_lattice.hpp"
 
 #include "simulation/release/tolerances.hpp"
+#include "simulation/world/tolerances.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -17,6 +18,10 @@ namespace
 double cellFor(const Eigen::Vector3d& size, double radius)
 {
     double cell = kSiteCell * radius;
+    if ((size.array() + 2 * kGridMargin).prod() > kLargeBox)
+    {
+        return cell; // only sites in the object count
+    }
     while ((size.array() / cell + 1).prod() > kMaxSites)
     {
         cell *= kCellGrowth;
@@ -26,80 +31,210 @@ double cellFor(const Eigen::Vector3d& size, double radius)
 
 } // namespace
 
-SiteLattice::SiteLattice(const Surface& surface, const InsideTest& inside, double radius,
-                         Threads& threads)
-    : radius_(radius),
-      lattice_(GridFrame::cover(surface.box(), cellFor(surface.box().sizes(), radius), 0)),
-      bits_((lattice_.size() + 63) / 64, 0)
+/// Opens the sites of one layer after another. Most are decided by those beside them.
+class SiteLattice::Opening
 {
-    // Layers share words with those beside them.
-    const int layers = lattice_.count[2];
-    forEachSlab(threads, (layers + kSlabThickness - 1) / kSlabThickness,
-                [&](int slab)
-                {
-                    const int end = std::min(layers, (slab + 1) * kSlabThickness);
-                    for (int z = slab * kSlabThickness; z < end; ++z)
-                    {
-                        openLayer(inside, z);
-                    }
-                });
-}
+public:
+    Opening(SiteLattice& sites, const InsideTest& inside)
+        : sites_(sites), lattice_(sites.lattice_), inside_(inside),
+          beside_(static_cast<std::size_t>(lattice_.count[0])), knownIn_(sites.wordsPerRow_, kNoRow)
+    {
+    }
 
-void SiteLattice::openLayer(const InsideTest& inside, int z)
-{
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    const double least = radius_ - halfDiagonal();
-    // From one site to the next a distance changes less.
-    const double known = lattice_.cell + kDistanceSlack;
-    std::size_t site = lattice_.index(0, 0, z);
+    /// From layer z on, up to layer `end`.
+    void open(int z, int end)
+    {
+        const std::size_t last = sites_.firstFrom({0, 0, end});
+        for (std::size_t first = sites_.firstFrom({0, 0, z}); first < last;)
+        {
+            const Word start = sites_.place(first);
+            std::size_t next = first + 1;
+            for (Word word = start; next < last; ++next) // words without a gap
+            {
+                const Word other = sites_.place(next);
+                if (other != Word{word[0] + 1, word[1], word[2]})
+                {
+                    break;
+                }
+                word = other;
+            }
+            openWords(first, next - first, start);
+            first = next;
+        }
+    }
+
+private:
+    static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    static constexpr std::int64_t kNoRow = -1;
     struct Bounds
     {
         double low = -kInfinity;
         double high = kInfinity;
     };
-    std::vector<Bounds> row(static_cast<std::size_t>(lattice_.count[0])); // the one before
-    for (int y = 0; y < lattice_.count[1]; ++y)
+
+    // What is not known of the row before, because it has no such word, counts as anything.
+    void takeOver(std::size_t words, const Word& start)
     {
-        Bounds distance;
-        for (int x = 0; x < lattice_.count[0]; ++x, ++site)
+        const std::int64_t row = std::int64_t{start[2]} * lattice_.count[1] + start[1];
+        for (std::size_t k = 0; k < words; ++k)
         {
-            Bounds& beside = row[static_cast<std::size_t>(x)];
+            const std::size_t word = static_cast<std::size_t>(start[0]) + k;
+            if (knownIn_[word] != row - 1 || start[1] == 0)
+            {
+                const std::size_t end = std::min(64 * (word + 1), beside_.size());
+                std::fill(beside_.begin() + static_cast<std::ptrdiff_t>(64 * word),
+                          beside_.begin() + static_cast<std::ptrdiff_t>(end), Bounds{});
+            }
+            knownIn_[word] = row;
+        }
+    }
+
+    void openWords(std::size_t first, std::size_t words, const Word& start)
+    {
+        takeOver(words, start);
+        const int begin = 64 * start[0];
+        const int end = std::min(begin + 64 * static_cast<int>(words), lattice_.count[0]);
+        const int y = start[1];
+        const int z = start[2];
+        const double least = sites_.radius_ - sites_.halfDiagonal();
+        // From one site to the next a distance changes less.
+        const double known = lattice_.cell + kDistanceSlack;
+        const double endOfRow = lattice_.centre(end - 1, y, z).x();
+        Bounds distance;
+        for (int x = begin; x < end; ++x)
+        {
+            Bounds& beside = beside_[static_cast<std::size_t>(x)];
             distance.low = std::max(distance.low, beside.low) - known;
             distance.high = std::min(distance.high, beside.high) + known;
             if (distance.low < least && distance.high >= least)
             {
                 const Eigen::Vector3d place = lattice_.centre(x, y, z);
-                const double its = inside.distance(place, std::max(-distance.low, distance.high));
+                const double its = inside_.distance(place, std::max(-distance.low, distance.high));
                 // What is beyond the reach of the test is only known to be beyond it.
-                const bool far = std::abs(its) >= inside.reach();
+                const bool far = std::abs(its) >= inside_.reach();
                 distance.low = far && its < 0 ? -kInfinity : its;
                 distance.high = far && its > 0 ? kInfinity : its;
                 if (far && its < 0)
                 {
-                    const int last = lastBefore(inside.farOutsideUntil(place), x);
+                    const int last =
+                        lastBefore(inside_.farOutsideUntil(place, endOfRow), x, end - 1);
                     std::fill(&beside, &beside + (last - x), distance);
-                    site += static_cast<std::size_t>(last - x);
                     x = last;
                 }
             }
-            row[static_cast<std::size_t>(x)] = distance;
+            beside_[static_cast<std::size_t>(x)] = distance;
             if (distance.low >= least)
             {
-                bits_[site / 64] |= std::uint64_t{1} << (site % 64);
+                sites_.bits_[first + static_cast<std::size_t>(x - begin) / 64] |= std::uint64_t{1}
+                                                                                  << (x % 64);
             }
         }
     }
+
+    /// The last site of a row, from site x to `last`, that lies before a coordinate; x if none
+    /// does.
+    [[nodiscard]] int lastBefore(double end, int x, int last) const
+    {
+        const double site = std::ceil((end - lattice_.origin.x()) / lattice_.cell - 0.5) - 1;
+        int result = static_cast<int>(std::clamp<double>(site, x, last));
+        while (result > x && lattice_.centre(result, 0, 0).x() >= end) // rounding
+        {
+            --result;
+        }
+        return result;
+    }
+
+    SiteLattice& sites_;
+    const GridFrame& lattice_;
+    const InsideTest& inside_;
+    std::vector<Bounds> beside_;        ///< of the row before
+    std::vector<std::int64_t> knownIn_; ///< [#words of a row] the row whose bounds are in beside_
+};
+
+SiteLattice::SiteLattice(const Surface& surface, const InsideTest& inside, double radius,
+                         Threads& threads, double smallLattice)
+    : radius_(radius),
+      lattice_(GridFrame::cover(surface.box(), cellFor(surface.box().sizes(), radius), 0)),
+      wordsPerRow_((static_cast<std::size_t>(lattice_.count[0]) + 63) / 64)
+{
+    const double words = static_cast<double>(wordsPerRow_) * lattice_.count[1] * lattice_.count[2];
+    const bool isSmall = words <= smallLattice;
+    if (!isSmall)
+    {
+        listWords(surface.box(), inside);
+    }
+    bits_.assign(isSmall ? static_cast<std::size_t>(words) : list_.size(), 0);
+    const int layers = lattice_.count[2];
+    forEachSlab(threads, (layers + kSlabThickness - 1) / kSlabThickness,
+                [&](int slab)
+                {
+                    Opening(*this, inside)
+                        .open(slab * kSlabThickness, std::min(layers, (slab + 1) * kSlabThickness));
+                });
+    if (!isSmall)
+    {
+        dropClosedWords();
+    }
 }
 
-int SiteLattice::lastBefore(double end, int x) const
+// Numbers of sites fit 32 bits; where there are too many, cells grow.
+void SiteLattice::listWords(const Eigen::AlignedBox3d& box, const InsideTest& inside)
 {
-    const double site = std::ceil((end - lattice_.origin.x()) / lattice_.cell - 0.5) - 1;
-    int last = static_cast<int>(std::clamp<double>(site, x, lattice_.count[0] - 1));
-    while (last > x && lattice_.centre(last, 0, 0).x() >= end) // rounding
+    while (true)
     {
-        --last;
+        BrickedCells<1> words(
+            {static_cast<int>(wordsPerRow_), lattice_.count[1], lattice_.count[2]}, 0);
+        inside.forEachBoxInReach(
+            [&](const Eigen::AlignedBox3d& part)
+            {
+                const GridPlace low = lattice_.coordinates(part.min());
+                const GridPlace high = lattice_.coordinates(part.max());
+                constexpr int kSide = BrickedCells<1>::kSide;
+                for (int z = low[2] / kSide; z <= high[2] / kSide; ++z)
+                {
+                    for (int y = low[1] / kSide; y <= high[1] / kSide; ++y)
+                    {
+                        for (int x = low[0] / 64; x <= high[0] / 64; ++x)
+                        {
+                            words.obtain(x, y * kSide, z * kSide);
+                        }
+                    }
+                }
+            });
+        if (static_cast<double>(words.size()) <= kMaxSites / 64)
+        {
+            for (std::size_t word = 0; word < words.size(); ++word)
+            {
+                if (words.isInGrid(words.cell(word)))
+                {
+                    list_.push_back(words.cell(word));
+                }
+            }
+            std::sort(list_.begin(), list_.end(), isBefore);
+            return;
+        }
+        lattice_ = GridFrame::cover(box, kCellGrowth * lattice_.cell, 0);
+        wordsPerRow_ = (static_cast<std::size_t>(lattice_.count[0]) + 63) / 64;
     }
-    return last;
+}
+
+void SiteLattice::dropClosedWords()
+{
+    std::size_t kept = 0;
+    for (std::size_t word = 0; word < bits_.size(); ++word)
+    {
+        if (bits_[word] != 0)
+        {
+            bits_[kept] = bits_[word];
+            list_[kept++] = list_[word];
+        }
+    }
+    // One word is never dropped, so that the list is never empty.
+    kept = std::max(kept, std::min<std::size_t>(1, bits_.size()));
+    bits_.resize(kept);
+    bits_.shrink_to_fit();
+    list_.resize(kept);
+    list_.shrink_to_fit();
 }
 
 void SiteLattice::close(const Eigen::Vector3d& centre, double radius)
@@ -130,52 +265,43 @@ void SiteLattice::close(const Eigen::Vector3d& centre, double radius)
             const int end = std::min(lattice_.count[0] - 1, static_cast<int>(std::floor(last)));
             if (begin <= end)
             {
-                const std::size_t row = lattice_.index(0, y, z);
-                closeRun(row + static_cast<std::size_t>(begin),
-                         row + static_cast<std::size_t>(end));
+                closeRun(y, z, begin, end);
             }
         }
     }
 }
 
-void SiteLattice::closeRun(std::size_t first, std::size_t last)
+void SiteLattice::closeRun(int y, int z, int first, int last)
 {
-    for (std::size_t word = first / 64; word <= last / 64; ++word)
+    for (int x = first / 64; x <= last / 64; ++x)
     {
         std::uint64_t run = ~std::uint64_t{0};
-        run &= word == first / 64 ? ~std::uint64_t{0} << first % 64 : run;
-        run &= word == last / 64 ? ~std::uint64_t{0} >> (63 - last % 64) : run;
-        bits_[word] &= ~run;
+        run &= x == first / 64 ? ~std::uint64_t{0} << first % 64 : run;
+        run &= x == last / 64 ? ~std::uint64_t{0} >> (63 - last % 64) : run;
+        const std::size_t word = find({x, y, z});
+        if (word != kNone)
+        {
+            bits_[word] &= ~run;
+        }
     }
-}
-
-std::uint64_t SiteLattice::openFrom(std::size_t site) const
-{
-    const std::size_t word = site / 64;
-    const std::uint64_t here = word < bits_.size() ? bits_[word] >> site % 64 : 0;
-    const std::uint64_t next = site % 64 > 0 && word + 1 < bits_.size() ? bits_[word + 1] : 0;
-    return next == 0 ? here : here | next << (64 - site % 64);
 }
 
 std::vector<std::uint32_t> SiteLattice::highest() const
 {
-    const auto row = static_cast<std::size_t>(lattice_.count[0]);
-    const std::size_t plane = row * static_cast<std::size_t>(lattice_.count[1]);
     std::vector<std::uint32_t> found;
-    for (std::size_t begin = 0; begin < lattice_.size(); begin += row)
+    for (std::size_t word = 0; word < bits_.size(); ++word)
     {
-        const bool isTop = begin % plane + row == plane;
-        for (std::size_t x = 0; x < row; x += 64)
+        if (bits_[word] == 0)
         {
-            const std::uint64_t inRow =
-                row - x < 64 ? ~(~std::uint64_t{0} << (row - x)) : ~std::uint64_t{0};
-            const std::uint64_t above = isTop ? 0 : openFrom(begin + x + row);
-            for (std::uint64_t bits = openFrom(begin + x) & ~above & inRow; bits != 0;
-                 bits &= bits - 1)
-            {
-                const auto bit = static_cast<std::size_t>(std::countr_zero(bits));
-                found.push_back(static_cast<std::uint32_t>(begin + x + bit));
-            }
+            continue;
+        }
+        const auto [x, y, z] = place(word);
+        const std::size_t above = y + 1 < lattice_.count[1] ? find({x, y + 1, z}) : kNone;
+        const std::uint64_t openAbove = above == kNone ? 0 : bits_[above];
+        for (std::uint64_t bits = bits_[word] & ~openAbove; bits != 0; bits &= bits - 1)
+        {
+            const auto bit = static_cast<std::size_t>(std::countr_zero(bits));
+            found.push_back(static_cast<std::uint32_t>(64 * word + bit));
         }
     }
     return found;
@@ -183,10 +309,8 @@ std::vector<std::uint32_t> SiteLattice::highest() const
 
 Eigen::Vector3d SiteLattice::centre(std::size_t site) const
 {
-    const auto nx = static_cast<std::size_t>(lattice_.count[0]);
-    const auto ny = static_cast<std::size_t>(lattice_.count[1]);
-    return lattice_.centre(static_cast<int>(site % nx), static_cast<int>(site / nx % ny),
-                           static_cast<int>(site / nx / ny));
+    const auto [x, y, z] = place(site / 64);
+    return lattice_.centre(64 * x + static_cast<int>(site % 64), y, z);
 }
 
 std::size_t SiteLattice::nextOpen(std::size_t site) const
@@ -194,14 +318,14 @@ std::size_t SiteLattice::nextOpen(std::size_t site) const
     std::size_t word = site / 64;
     if (word >= bits_.size())
     {
-        return lattice_.size();
+        return end();
     }
     std::uint64_t rest = bits_[word] & (~std::uint64_t{0} << (site % 64));
     while (rest == 0)
     {
         if (++word == bits_.size())
         {
-            return lattice_.size();
+            return end();
         }
         rest = bits_[word];
     }

@@ -2,10 +2,14 @@
 #pragma once
 
 #include "base/threads.hpp"
+#include "geometry/bricked_cells.hpp"
 #include "mesh/interior/inside_test.hpp"
+#include "simulation/release/tolerances.hpp"
 #include "simulation/world/spheres.hpp"
 
+#include <algorithm>
 #include <cstdint>
+#include <tuple>
 #include <vector>
 
 namespace frostfill
@@ -14,11 +18,15 @@ namespace frostfill
 /// A lattice of half a radius over the object, a bit a cell: whether the cell may still hold the
 /// centre of a sphere of that radius. Spheres at rest close the cells that lie wholly within the
 /// two radii; a cell that is closed stays closed.
+///
+/// Words of 64 cells lie along x. A small lattice has all words of its box, a large one a list of
+/// those that were open once. Sites are numbered along both, ascending in z, y, x, with gaps.
 class SiteLattice
 {
 public:
     /// `radius` is at most 1.
-    SiteLattice(const Surface& surface, const InsideTest& inside, double radius, Threads& threads);
+    SiteLattice(const Surface& surface, const InsideTest& inside, double radius, Threads& threads,
+                double smallLattice = kSmallLattice);
 
     /// Closes all cells that a sphere at rest leaves no place in.
     void close(const Eigen::Vector3d& centre, double radius);
@@ -36,7 +44,11 @@ public:
     }
     [[nodiscard]] const GridFrame& lattice() const { return lattice_; }
     [[nodiscard]] Eigen::Vector3d centre(std::size_t site) const;
-    /// The next open site from `site` on, or lattice().size(). Ascending in z, y, x.
+    /// Layer of a site along y, from below.
+    [[nodiscard]] int height(std::size_t site) const { return place(site / 64)[1]; }
+    /// Above the number of every site.
+    [[nodiscard]] std::size_t end() const { return 64 * bits_.size(); }
+    /// The next open site from `site` on, or end(). Ascending in z, y, x.
     [[nodiscard]] std::size_t nextOpen(std::size_t site) const;
 
     /// The open sites whose neighbour above is not open, ascending.
@@ -46,16 +58,55 @@ public:
     [[nodiscard]] double halfDiagonal() const { return 0.8660254037844387 * lattice_.cell; }
 
 private:
-    void openLayer(const InsideTest& inside, int z);
-    /// The last site of a row, from site x on, that lies before a coordinate; x if none does.
-    [[nodiscard]] int lastBefore(double end, int x) const;
-    void closeRun(std::size_t first, std::size_t last);
-    /// 64 sites from this one on, the first in the lowest bit.
-    [[nodiscard]] std::uint64_t openFrom(std::size_t site) const;
+    class Opening;
+    /// A word among those of its row, and the row.
+    using Word = GridPlace;
+    static constexpr std::size_t kNone = ~std::size_t{0};
+
+    /// The order of words, and of sites.
+    static bool isBefore(const Word& a, const Word& b)
+    {
+        return std::tie(a[2], a[1], a[0]) < std::tie(b[2], b[1], b[0]);
+    }
+    void listWords(const Eigen::AlignedBox3d& box, const InsideTest& inside);
+    void dropClosedWords();
+    void closeRun(int y, int z, int first, int last);
+    [[nodiscard]] Word place(std::size_t word) const
+    {
+        if (!list_.empty())
+        {
+            return list_[word];
+        }
+        const std::size_t row = word / wordsPerRow_;
+        const auto rows = static_cast<std::size_t>(lattice_.count[1]);
+        return {static_cast<int>(word % wordsPerRow_), static_cast<int>(row % rows),
+                static_cast<int>(row / rows)};
+    }
+    /// Number of the first word from this one on.
+    [[nodiscard]] std::size_t firstFrom(const Word& word) const
+    {
+        if (list_.empty())
+        {
+            const auto rows = static_cast<std::size_t>(lattice_.count[1]);
+            return (static_cast<std::size_t>(word[2]) * rows + static_cast<std::size_t>(word[1])) *
+                       wordsPerRow_ +
+                   static_cast<std::size_t>(word[0]);
+        }
+        const auto found = std::lower_bound(list_.begin(), list_.end(), word, isBefore);
+        return static_cast<std::size_t>(found - list_.begin());
+    }
+    /// Number of a word, or kNone.
+    [[nodiscard]] std::size_t find(const Word& word) const
+    {
+        const std::size_t number = firstFrom(word);
+        return list_.empty() || (number < list_.size() && list_[number] == word) ? number : kNone;
+    }
 
     double radius_;
     GridFrame lattice_;
-    std::vector<std::uint64_t> bits_;
+    std::size_t wordsPerRow_;
+    std::vector<Word> list_;          ///< of a large lattice, ascending
+    std::vector<std::uint64_t> bits_; ///< [#words]
 };
 
 } // namespace frostfill

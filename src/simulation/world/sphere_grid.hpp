@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "geometry/bricked_cells.hpp"
 #include "geometry/grid_frame.hpp"
 
 #include <algorithm>
@@ -27,7 +28,10 @@ struct alignas(32) Ball
 class SphereGrid
 {
 public:
-    explicit SphereGrid(const GridFrame& frame) : frame_(frame), head_(frame.size(), kEnd) {}
+    explicit SphereGrid(const GridFrame& frame)
+        : frame_(frame), cells_(frame.count), head_(cells_.size(), kEnd)
+    {
+    }
 
     /// Returns the row, which is the last.
     std::uint32_t insert(std::uint32_t id, const Eigen::Vector3d& p, double radius)
@@ -98,7 +102,7 @@ public:
                 const double dy = distanceToLayer(p, 1, y);
                 if (dz * dz + dy * dy <= reach * reach)
                 {
-                    forEachIn({low[0], y, z}, {high[0], y, z}, visit);
+                    cells_.forEachInRow(low[0], high[0], y, z, listOf(visit));
                 }
             }
         }
@@ -109,20 +113,31 @@ public:
     void forEachIn(const std::array<int, 3>& low, const std::array<int, 3>& high,
                    Visit&& visit) const
     {
-        frame_.forEachCell(low, high,
-                           [&](std::size_t cell)
-                           {
-                               for (std::uint32_t row = head_[cell]; row != kEnd;
-                                    row = rows_[row].next)
-                               {
-                                   visit(row);
-                               }
-                           });
+        cells_.forEachIn(low, high, listOf(visit));
+    }
+    /// The same for whole layers of cells, from `first` to `last` along z.
+    template <class Visit>
+    void forEachInLayers(int first, int last, Visit&& visit) const
+    {
+        cells_.forEachInLarge({0, 0, first}, {frame_.count[0] - 1, frame_.count[1] - 1, last},
+                              listOf(visit));
     }
 
     [[nodiscard]] const GridFrame& frame() const { return frame_; }
 
 private:
+    /// Calls visit(row) for each sphere of a cell.
+    template <class Visit>
+    [[nodiscard]] auto listOf(Visit& visit) const
+    {
+        return [this, &visit](std::size_t cell)
+        {
+            for (std::uint32_t row = head_[cell]; row != kEnd; row = rows_[row].next)
+            {
+                visit(row);
+            }
+        };
+    }
     /// From p to the nearest point of a layer of cells. Layers at the border reach to infinity.
     [[nodiscard]] double distanceToLayer(const Eigen::Vector3d& p, int axis, int layer) const
     {
@@ -134,12 +149,19 @@ private:
 
     void link(std::uint32_t row)
     {
-        rows_[row].next = std::exchange(head_[frame_.index(balls_[row].position())], row);
+        const auto [x, y, z] = frame_.coordinates(balls_[row].position());
+        const std::size_t cell = cells_.obtain(x, y, z);
+        if (cell >= head_.size())
+        {
+            head_.resize(cells_.size(), kEnd);
+        }
+        rows_[row].next = std::exchange(head_[cell], row);
     }
     /// The link of its list that leads to the row.
     std::uint32_t& linkTo(std::uint32_t row)
     {
-        std::uint32_t* link = &head_[frame_.index(balls_[row].position())];
+        const auto [x, y, z] = frame_.coordinates(balls_[row].position());
+        std::uint32_t* link = &head_[cells_.find(x, y, z)];
         while (*link != row)
         {
             link = &rows_[*link].next;
@@ -149,7 +171,8 @@ private:
 
     static constexpr std::uint32_t kEnd = 0xffffffff;
     GridFrame frame_;
-    std::vector<std::uint32_t> head_; ///< [#cells]
+    BrickedCells<> cells_;
+    std::vector<std::uint32_t> head_; ///< [#cells_]
     Eigen::AlignedBox3d extent_;      ///< of all that were ever inserted
     std::vector<Ball> balls_;
     struct Row

@@ -29,8 +29,14 @@ inline constexpr double kWorthMoving = 8;
 /// Parts are left so far apart. [r] Smaller than 5: a search for what touches a sphere finds the
 /// next part. Larger: cells without anything.
 inline constexpr double kGapOfParts = 8;
-/// An object with more cells is refused: its grids take two bytes a cell, and minutes.
+/// Cells of a radius in the box from which on the lattice of release sites counts only what is in
+/// and near the object. Not to be changed: below it, results depend on it.
+inline constexpr double kLargeBox = 1e9;
+/// An object with more cells inside and near its walls is refused: its grids take some ten bytes a
+/// cell, and minutes.
 inline constexpr double kMaxCells = 1e9;
+/// So is one whose box is longer than this [r]: the numbers of its cells would not fit.
+inline constexpr double kMaxLength = 2e7;
 /// Memory is set aside for so many times the spheres that fit by the estimate. Smaller: arrays of a
 /// large run are copied. Larger: unused memory.
 inline constexpr double kRoomForSpheres = 1.1;

@@ -52,17 +52,25 @@ GridFrame gridOver(const Surface& surface, double cell)
 }
 
 /// Throws Error badData for an object that is too large for its grids.
-GridFrame checkedGrid(const Surface& surface, const FrameOfRun& frame, const Scene& scene)
+GridFrame checkedGrid(const Surface& surface, const MeshReport& report, const FrameOfRun& frame,
+                      const Scene& scene)
 {
-    const double cells = (surface.box().sizes().array() + 2 * kGridMargin).prod();
-    if (!(cells <= kMaxCells))
+    const double r = frame.length;
+    // Grids have cells inside and within reach of the walls, at most all of the box.
+    const double cells =
+        std::min((surface.box().sizes().array() + 2 * kGridMargin).prod(),
+                 report.volume / (r * r * r) + 2 * kTriangleReach * report.area / (r * r));
+    if (!(cells <= kMaxCells && surface.box().sizes().maxCoeff() <= kMaxLength))
     {
         throw Error(
             ErrorCode::badData,
-            fmt::format("{} is too large for spheres of radius {:g}: the box around it has "
-                        "room for {:.1g} cubes of that edge, and {:.1g} is the most; choose "
-                        "a larger --radius or a smaller --count",
-                        scene.object.mesh, frame.length, cells, kMaxCells));
+            fmt::format(
+                "{} is too large for spheres of radius {:g}: it is {:.2g} of them long, and "
+                "there is room for {:.1g} cubes of that edge inside it and near its walls; "
+                "{:.1g} and {:.1g} are the most; choose a larger --radius or a smaller "
+                "--count",
+                scene.object.mesh, r, surface.box().sizes().maxCoeff(), cells, kMaxLength,
+                kMaxCells));
     }
     return gridOver(surface, kTriangleCell);
 }
@@ -90,7 +98,7 @@ ObjectOfRun::ObjectOfRun(const Scene& scene, const TriangleMesh& mesh, const Mes
           inspectInterior(mesh, known != nullptr ? *known : inspectMesh(mesh, index.edges), walls)),
       radii(radiiOf(scene, report, mesh, index.tree)), frame(scene, mesh, radii.largest()),
       surface(frame.toRun(mesh), walls, index),
-      triangles(surface, checkedGrid(surface, frame, scene), kTriangleReach),
+      triangles(surface, checkedGrid(surface, report, frame, scene), kTriangleReach),
       inside(surface, triangles)
 {
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/release/site_lattice.hpp"
 
+#include "base/random.hpp"
 #include "simulation/world/world.hpp"
 
 #include <gtest/gtest.h>
@@ -27,7 +28,7 @@ TEST_P(SiteLatticeOf, OpensTheSitesThatAreFarEnoughInside)
         const SiteLattice sites(world.surface, world.inside, radius, two);
         const double least = radius - sites.halfDiagonal();
         std::size_t open = 0;
-        for (std::size_t site = 0; site < sites.lattice().size(); ++site)
+        for (std::size_t site = 0; site < sites.end(); ++site)
         {
             // A lattice is quick because most sites are decided by those beside them. Each alone:
             const bool isFarEnough = world.inside.distance(sites.centre(site)) >= least;
@@ -36,6 +37,55 @@ TEST_P(SiteLatticeOf, OpensTheSitesThatAreFarEnoughInside)
         }
         EXPECT_GT(open, 1000U);
     }
+}
+
+// The sites of a list are those of the whole box, in the same order, and close alike.
+TEST_P(SiteLatticeOf, IsTheSameAsAListOfWhatIsInside)
+{
+    Scene scene = presetScene(Preset::fast, GetParam());
+    scene.spheres.count.reset();
+    const TriangleMesh mesh = builtInMesh(GetParam());
+    scene.spheres.radius = boundingBox(mesh).sizes().maxCoeff() / 70;
+    const World world(scene, mesh);
+    Threads two(2);
+    SiteLattice whole(world.surface, world.inside, 1, two);
+    SiteLattice listed(world.surface, world.inside, 1, two, 0);
+    const auto same = [&](std::size_t a, std::size_t b)
+    { return whole.centre(a) == listed.centre(b) && whole.height(a) == listed.height(b); };
+    const auto expectSame = [&]
+    {
+        std::size_t count = 0;
+        std::size_t b = listed.nextOpen(0);
+        for (std::size_t a = whole.nextOpen(0); a < whole.end(); a = whole.nextOpen(a + 1))
+        {
+            ASSERT_LT(b, listed.end());
+            ASSERT_TRUE(same(a, b)) << a;
+            b = listed.nextOpen(b + 1);
+            ++count;
+        }
+        EXPECT_EQ(b, listed.end());
+        EXPECT_GT(count, 1000u);
+        const auto high = whole.highest();
+        const auto highListed = listed.highest();
+        ASSERT_EQ(high.size(), highListed.size());
+        for (std::size_t k = 0; k < high.size(); ++k)
+        {
+            ASSERT_TRUE(same(high[k], highListed[k])) << k;
+        }
+    };
+    expectSame();
+    const Eigen::Vector3d half = world.surface.box().sizes() / 2;
+    for (std::uint64_t k = 0; k < 300; ++k)
+    {
+        Eigen::Vector3d p = world.surface.box().center();
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            p[axis] += half[axis] * (2 * uniformRandom(5, k, static_cast<std::uint64_t>(axis)) - 1);
+        }
+        whole.close(p, 1);
+        listed.close(p, 1);
+    }
+    expectSame();
 }
 
 INSTANTIATE_TEST_SUITE_P(Objects, SiteLatticeOf,
