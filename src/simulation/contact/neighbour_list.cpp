@@ -68,6 +68,7 @@ void NeighbourList::listTriangles(const World& world, const Eigen::Vector3d& p, 
     {
         world_ = &world;
         world.surface.tree().findNodes(p, distance, nodes_);
+        return; // what was found of them is not asked for
     }
     std::sort(triangles_.begin(), triangles_.end());
 }

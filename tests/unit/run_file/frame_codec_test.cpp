@@ -2,6 +2,8 @@
 // What the simulation seldom does to its spheres, and falls that are only drawn.
 #include "run_file/frame_codec.hpp"
 
+#include "unit/run_file/recorded_run.hpp"
+
 #include <gtest/gtest.h>
 
 #include <numeric>
@@ -67,14 +69,7 @@ protected:
             EXPECT_TRUE(rest.done()) << name;
         }
         const Snapshot& read = decoder_.snapshot();
-        EXPECT_EQ(read.centres, snapshot_.centres);
-        EXPECT_EQ(read.radii, snapshot_.radii);
-        EXPECT_EQ(read.states, snapshot_.states);
-        EXPECT_EQ(read.groups, snapshot_.groups);
-        EXPECT_EQ(read.speeds, snapshot_.speeds);
-        EXPECT_EQ(read.running, snapshot_.running);
-        EXPECT_EQ(read.frozen, snapshot_.frozen);
-        EXPECT_EQ(read.discarded, snapshot_.discarded);
+        test::expectSame(read, snapshot_);
         for (std::size_t id = 0; id < radii_.size(); ++id)
         {
             EXPECT_EQ(read.waits(id), snapshot_.waits(id)) << id;
