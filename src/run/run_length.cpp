@@ -9,10 +9,11 @@ namespace frostfill
 namespace
 {
 
-/// Spheres of a run that is its own trial, and of the model of a larger one. Larger: runs start
-/// later. Smaller: more runs whose length is known only roughly.
-constexpr double kTrialSpheres = 12000;
-constexpr double kTrialSpheresPaper = 2000;
+/// Spheres of a run that is its own trial, and of the model of a larger one, which has a tenth of
+/// them at most: a trial beside the run takes no more than a tenth of its time. Larger: pictures
+/// begin later. Smaller: more runs whose length is known only roughly.
+constexpr double kTrialSpheres = 30000;
+constexpr double kTrialSpheresPaper = 10000;
 constexpr double kTrialSpheresDescent = 50000; // quick
 /// Steps of the motion descend, however many spheres; see DropAndRollEngine.
 constexpr double kStepsOfDescent = 200;

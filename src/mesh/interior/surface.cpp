@@ -76,7 +76,6 @@ Surface::Surface(TriangleMesh mesh, const Walls& walls, const MeshIndex& index)
 
 void Surface::joinEdges(const EdgeTable& edges)
 {
-    edgeNormals_.reserve(mesh_.triangles.size() * 3 / 2 + 1);
     // Triangles that repeat a corner have no edges and no area: all their normals are zero.
     edgeNormals_.emplace_back(Eigen::Vector3d::Zero());
     edges.forEach(
@@ -90,16 +89,23 @@ void Surface::joinEdges(const EdgeTable& edges)
             const bool flat = std::all_of(uses.begin(), uses.end(),
                                           [&](const EdgeUse& use)
                                           { return isInPlane(bounds_[use.triangle].normal, sum); });
+            const bool shared = uses.size() == 2;
+            const auto listed =
+                SurfaceTriangle::kListed + static_cast<std::uint32_t>(edgeNormals_.size());
             for (const EdgeUse& use : uses)
             {
                 SurfaceTriangle& triangle = triangles_[use.triangle];
-                triangle.edge[use.corner] = static_cast<std::uint32_t>(edgeNormals_.size());
+                const EdgeUse& other = use.triangle == uses[0].triangle ? uses.back() : uses[0];
+                triangle.beyond[use.corner] = shared ? other.triangle : listed;
                 if (flat)
                 {
                     markFlat(triangle, 3U + use.corner);
                 }
             }
-            edgeNormals_.push_back(sum);
+            if (!shared)
+            {
+                edgeNormals_.push_back(sum);
+            }
         });
 }
 

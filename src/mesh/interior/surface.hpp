@@ -24,8 +24,12 @@ namespace frostfill
 /// keeps once.
 struct SurfaceTriangle
 {
+    static constexpr std::uint32_t kListed = std::uint32_t{1} << 31;
+
     std::array<Eigen::Vector3d, 3> corner;
-    std::array<std::uint32_t, 3> edge = {}; ///< number of the edge from each corner to the next
+    /// Beyond the edge from each corner to the next: a triangle, or kListed + a place in the list
+    /// of the normals of edges that do not have two triangles. The first in it is zero.
+    std::array<std::uint32_t, 3> beyond = {kListed, kListed, kListed};
     std::uint8_t flatFeatures = 0;          ///< a bit for each TriangleFeature
     /// Whether both sides act, and the winding number tells which of them is inside: see Walls.
     bool twoSided = false;
@@ -65,15 +69,21 @@ public:
         return vertexNormals_[vertex].normalized();
     }
     /// Of a feature of triangle `id`, into the object; not normalised.
-    [[nodiscard]] const Eigen::Vector3d& pseudonormal(std::size_t id, TriangleFeature feature) const
+    [[nodiscard]] Eigen::Vector3d pseudonormal(std::size_t id, TriangleFeature feature) const
     {
         if (feature == TriangleFeature::face)
         {
             return bounds_[id].normal;
         }
         const auto k = static_cast<std::size_t>(feature);
-        return k < 3 ? vertexNormals_[mesh_.triangles[id][k]]
-                     : edgeNormals_[triangles_[id].edge[k - 3]];
+        if (k < 3)
+        {
+            return vertexNormals_[mesh_.triangles[id][k]];
+        }
+        const std::uint32_t beyond = triangles_[id].beyond[k - 3];
+        return beyond < SurfaceTriangle::kListed
+                   ? bounds_[id].normal + bounds_[beyond].normal
+                   : edgeNormals_[beyond - SurfaceTriangle::kListed];
     }
 
 private:
@@ -89,7 +99,7 @@ private:
     std::vector<SurfaceTriangle> triangles_;
     std::vector<TriangleBound> bounds_;
     std::vector<Eigen::Vector3d> vertexNormals_; ///< [#V] not normalised
-    std::vector<Eigen::Vector3d> edgeNormals_;   ///< [#E] not normalised
+    std::vector<Eigen::Vector3d> edgeNormals_;   ///< of edges that do not have two triangles
     Eigen::AlignedBox3d box_;
     TriangleBvh tree_;
     bool anyTwoSided_ = false;

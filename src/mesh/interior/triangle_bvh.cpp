@@ -63,29 +63,52 @@ public:
             built.child[count++] = tree_.isLeaf(below) ? Child{addLeaf(its), its.end - its.first}
                                                        : Child{build(below), 0};
         };
-        if (tree_.isLeaf(node))
-        {
-            take(node);
-        }
-        else
-        {
-            const bool oneLevel = node == 0 && levels() % 2 == 1;
-            for (const std::size_t half : {node + 1, second(node)})
-            {
-                if (oneLevel || tree_.isLeaf(half))
-                {
-                    take(half);
-                    continue;
-                }
-                take(half + 1);
-                take(second(half));
-            }
-        }
+        forEachChild(node, take);
         bvh_.nodes_[number] = built;
         return number;
     }
 
+    /// Room for all that `build` adds: arrays that grow are half empty, and for a while there twice.
+    void reserve()
+    {
+        const std::size_t leaves = (boxes_.size() + 1) / 2;
+        bvh_.leaves_.reserve(leaves);
+        bvh_.starts_.reserve(leaves + 1);
+        bvh_.nodes_.reserve(nodesFrom(0));
+    }
+
 private:
+    /// Calls `visit` with the nodes of the binary tree that become the children of one.
+    template <typename Visit>
+    void forEachChild(std::size_t node, Visit&& visit) const
+    {
+        if (tree_.isLeaf(node))
+        {
+            visit(node);
+            return;
+        }
+        const bool oneLevel = node == 0 && levels() % 2 == 1;
+        for (const std::size_t half : {node + 1, second(node)})
+        {
+            if (oneLevel || tree_.isLeaf(half))
+            {
+                visit(half);
+                continue;
+            }
+            visit(half + 1);
+            visit(second(half));
+        }
+    }
+
+    /// This one and those below it, of those that `build` makes.
+    [[nodiscard]] std::size_t nodesFrom(std::size_t node) const
+    {
+        std::size_t count = 1;
+        forEachChild(node, [&](std::size_t below)
+                     { count += tree_.isLeaf(below) ? 0 : nodesFrom(below); });
+        return count;
+    }
+
     /// From the root to the first leaf; to others they differ by one at most.
     [[nodiscard]] std::size_t levels() const
     {
@@ -202,7 +225,9 @@ TriangleBvh::TriangleBvh(const TriangleMesh& mesh, const TriangleTree& tree)
     }
     order_.assign(tree.order().begin(), tree.order().end());
     starts_.push_back(0);
-    Builder(mesh, tree, *this).build(0);
+    Builder builder(mesh, tree, *this);
+    builder.reserve();
+    builder.build(0);
 }
 
 void TriangleBvh::findNear(const Eigen::Vector3d& p, double distance,

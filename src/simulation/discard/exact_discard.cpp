@@ -201,13 +201,26 @@ void ExactDiscard::dropSpheres(std::size_t count)
     kept_.erase(dropped, end);
 }
 
+// Those beside each other in the tree lie beside each other, and mostly have one witness.
 void ExactDiscard::dropPolygons()
 {
-    for (std::uint32_t t = 0; t < world_.polygons.size(); ++t)
+    const std::span<const std::uint32_t> order = world_.surface.tree().order();
+    Cube last = kNoCube;
+    bool lastStands = false;
+    for (std::size_t k = 0; k < order.size(); ++k)
     {
-        if (world_.polygons[t] == PolygonState::active && polygonDroppable(t))
+        if (world_.polygons[order[k]] != PolygonState::active)
         {
-            world_.discardPolygon(t);
+            continue;
+        }
+        if (polygonWitness_[k] != last)
+        {
+            last = polygonWitness_[k];
+            lastStands = stands(last);
+        }
+        if (!lastStands && polygonDroppable(k))
+        {
+            world_.discardPolygon(order[k]);
         }
     }
 }
@@ -225,15 +238,12 @@ bool ExactDiscard::sphereDroppable(Kept& kept)
     return droppable;
 }
 
-bool ExactDiscard::polygonDroppable(std::uint32_t triangle)
+bool ExactDiscard::polygonDroppable(std::size_t place)
 {
-    if (stands(polygonWitness_[triangle]))
-    {
-        return false;
-    }
+    const std::uint32_t triangle = world_.surface.tree().order()[place];
     const bool droppable = map_->polygonDroppable(triangle, [this](int x, int y, int z)
                                                   { return holdsPlace(x, y, z); });
-    polygonWitness_[triangle] = lastHolding_;
+    polygonWitness_[place] = lastHolding_;
     return droppable;
 }
 

@@ -256,7 +256,7 @@ std::optional<Contact> Algorithm1::oneSidedContact(std::uint32_t polygon, const 
     {
         return contactFrom(before, here, p, radius);
     }
-    const Eigen::Vector3d& inward = surface_.pseudonormal(polygon, here.feature);
+    const Eigen::Vector3d inward = surface_.pseudonormal(polygon, here.feature);
     if (here.value == 0)
     {
         return Contact{inward.normalized(), radius};

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace frostfill
@@ -39,6 +40,44 @@ TEST(Surface, TakesTrianglesForOnePlaneUpToABendThatSphereCastsIgnore)
         EXPECT_FALSE(surface[0].isFlat(kCommonEdge)) << angle;
         EXPECT_FALSE(surface[0].isFlat(TriangleFeature::corner1)) << angle;
         EXPECT_TRUE(surface[0].isFlat(TriangleFeature::corner0)) << "a corner of one triangle";
+    }
+}
+
+/// Two tetrahedra on one edge, from (0, 0, 0) to (0, 0, 1).
+TriangleMesh tetrahedraOnOneEdge()
+{
+    TriangleMesh mesh;
+    mesh.vertices = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, -2, 0}};
+    for (const std::uint32_t first : {2U, 4U})
+    {
+        const std::uint32_t second = first + 1;
+        mesh.triangles.insert(
+            mesh.triangles.end(),
+            {{0, first, 1}, {0, 1, second}, {0, second, first}, {1, first, second}});
+    }
+    return mesh;
+}
+
+TEST(Surface, GivesAnEdgeTheSumOfTheNormalsOfAllItsTriangles)
+{
+    const TriangleMesh mesh = tetrahedraOnOneEdge();
+    const Surface surface(mesh, Walls());
+    for (std::uint32_t triangle = 0; triangle < surface.size(); ++triangle)
+    {
+        for (std::size_t side = 0; side < 3; ++side)
+        {
+            const auto& t = mesh.triangles[triangle];
+            Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+            for (std::uint32_t other = 0; other < surface.size(); ++other)
+            {
+                const auto& o = mesh.triangles[other];
+                const bool isAt = std::count(o.begin(), o.end(), t[side]) > 0 &&
+                                  std::count(o.begin(), o.end(), t[(side + 1) % 3]) > 0;
+                sum += isAt ? surface.bound(other).normal : Eigen::Vector3d::Zero();
+            }
+            const auto feature = static_cast<TriangleFeature>(3 + side);
+            EXPECT_EQ(surface.pseudonormal(triangle, feature), sum) << triangle << ' ' << side;
+        }
     }
 }
 
