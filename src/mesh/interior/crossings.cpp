@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -76,14 +77,12 @@ bool haveCommon(const Common& a, const Common& b)
 class CrossingSearch
 {
 public:
-    CrossingSearch(const TriangleMesh& mesh, const TriangleTree& tree)
-        : mesh_(mesh), tree_(tree), crossed_(mesh.triangles.size(), false)
+    CrossingSearch(const TriangleMesh& mesh, const TriangleTree& tree, Threads& threads)
+        : mesh_(mesh), tree_(tree), threads_(threads), boxes_(mesh.triangles.size()),
+          crossed_(mesh.triangles.size())
     {
-        boxes_.reserve(mesh.triangles.size());
-        for (const std::uint32_t triangle : tree_.order())
-        {
-            boxes_.push_back(boxOf(triangle));
-        }
+        threads.forEach(boxes_.size(),
+                        [&](std::size_t place) { boxes_[place] = boxOf(tree_.order()[place]); });
         // What is below a node stands behind it.
         nodes_.resize(tree_.nodes().size());
         for (std::size_t node = nodes_.size(); node-- > 0;)
@@ -100,6 +99,17 @@ public:
     }
 
 private:
+    // What a thread looks at in one go. Larger: threads wait for the last. Smaller: they are in
+    // each other's way.
+    static constexpr std::size_t kVerticesTogether = 1 << 11;
+    static constexpr std::uint32_t kTrianglesTogether = 1 << 12;
+
+    /// Of vertices or nodes.
+    struct Range
+    {
+        std::size_t first;
+        std::size_t end;
+    };
     struct Node
     {
         Eigen::AlignedBox3d box;
@@ -149,8 +159,22 @@ private:
         {
             solid[tree_.order()[place]] = !boxes_[place].isEmpty();
         }
+        const std::size_t vertices = around.vertices();
+        const auto searchSome = [&](std::size_t part)
+        {
+            searchFans(
+                around, solid,
+                {part * kVerticesTogether, std::min((part + 1) * kVerticesTogether, vertices)});
+        };
+        threads_.forEachLarge((vertices + kVerticesTogether - 1) / kVerticesTogether, searchSome);
+    }
+
+    void searchFans(const VertexTriangles& around, const std::vector<bool>& solid,
+                    const Range& vertices)
+    {
         FanSweep sweep;
-        for (std::uint32_t vertex = 0; vertex < around.vertices(); ++vertex)
+        for (auto vertex = static_cast<std::uint32_t>(vertices.first); vertex < vertices.end;
+             ++vertex)
         {
             if (isSpreadFan(mesh_, vertex, around.at(vertex)))
             {
@@ -170,7 +194,26 @@ private:
     // All other pairs: those within a node are those within its children and those between them.
     void searchTree()
     {
-        for (std::size_t node = 0; node < nodes_.size(); ++node)
+        const std::vector<Range> parts = partsOfTree();
+        threads_.forEachLarge(parts.size(), [&](std::size_t k) { searchNodes(parts[k]); });
+    }
+
+    /// Small parts of the tree, each by itself, and each of the nodes above them.
+    [[nodiscard]] std::vector<Range> partsOfTree() const
+    {
+        std::vector<Range> parts;
+        for (std::size_t node = 0; node < nodes_.size(); node = parts.back().end)
+        {
+            const TriangleTree::Node& its = tree_.nodes()[node];
+            const bool isSmall = its.end - its.first <= kTrianglesTogether;
+            parts.push_back({node, isSmall ? its.skip : node + 1});
+        }
+        return parts;
+    }
+
+    void searchNodes(const Range& nodes)
+    {
+        for (std::size_t node = nodes.first; node < nodes.end; ++node)
         {
             if (tree_.isLeaf(node))
             {
@@ -237,21 +280,28 @@ private:
     void test(std::uint32_t one, std::uint32_t other, MakePair&& makePair)
     {
         // What is known need not be shown again: many triangles at one place stay cheap.
-        if ((!crossed_[one] || !crossed_[other]) && trianglesCross(makePair()))
+        if ((!isCrossed(one) || !isCrossed(other)) && trianglesCross(makePair()))
         {
-            crossed_[one] = crossed_[other] = true;
+            crossed_[one].store(true, std::memory_order_relaxed);
+            crossed_[other].store(true, std::memory_order_relaxed);
         }
+    }
+
+    [[nodiscard]] bool isCrossed(std::uint32_t triangle) const
+    {
+        return crossed_[triangle].load(std::memory_order_relaxed);
     }
 
     Crossings result()
     {
         Crossings found;
-        found.count = static_cast<std::size_t>(std::count(crossed_.begin(), crossed_.end(), true));
+        found.crossed.assign(crossed_.begin(), crossed_.end());
+        found.count =
+            static_cast<std::size_t>(std::count(found.crossed.begin(), found.crossed.end(), true));
         if (found.count > 0)
         {
             found.firstPlace = firstPlace();
         }
-        found.crossed = std::move(crossed_);
         return found;
     }
 
@@ -262,7 +312,7 @@ private:
         const Eigen::AlignedBox3d box = boxOf(first);
         for (std::uint32_t other = first + 1; other < crossed_.size(); ++other)
         {
-            if (crossed_[other] && box.intersects(boxOf(other)))
+            if (isCrossed(other) && box.intersects(boxOf(other)))
             {
                 const TrianglePair pair = pairOf(mesh_, first, other);
                 if (trianglesCross(pair))
@@ -276,17 +326,19 @@ private:
 
     const TriangleMesh& mesh_;
     const TriangleTree& tree_;
+    Threads& threads_;
     std::vector<Eigen::AlignedBox3d> boxes_; ///< [#T] in the order of the tree
     std::vector<Node> nodes_;                ///< [#nodes]
-    std::vector<bool> crossed_;              ///< [#T]
+    /// [#T] All threads enter what they find; which of them is first makes no difference.
+    std::vector<std::atomic<bool>> crossed_;
 };
 
 } // namespace
 
 Crossings findCrossings(const TriangleMesh& mesh, const VertexTriangles& around,
-                        const TriangleTree& tree)
+                        const TriangleTree& tree, Threads& threads)
 {
-    return CrossingSearch(mesh, tree).run(around);
+    return CrossingSearch(mesh, tree, threads).run(around);
 }
 
 } // namespace frostfill

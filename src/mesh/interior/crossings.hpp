@@ -27,6 +27,6 @@ struct Crossings
 /// plus the number of pairs whose boxes meet, which is O(n) except for needles that lie askew side
 /// by side.
 [[nodiscard]] Crossings findCrossings(const TriangleMesh& mesh, const VertexTriangles& around,
-                                      const TriangleTree& tree);
+                                      const TriangleTree& tree, Threads& threads);
 
 } // namespace frostfill

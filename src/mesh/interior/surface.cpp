@@ -56,8 +56,14 @@ TriangleBound boundOf(const std::array<Eigen::Vector3d, 3>& corner)
 
 Surface::Surface(TriangleMesh mesh, const Walls& walls, const MeshIndex& index)
     : mesh_(std::move(mesh)), triangles_(mesh_.triangles.size()), bounds_(mesh_.triangles.size()),
-      vertexNormals_(mesh_.vertices.size(), Eigen::Vector3d::Zero()), tree_(mesh_, index.tree),
-      anyTwoSided_(!walls.none())
+      vertexNormals_(mesh_.vertices.size(), Eigen::Vector3d::Zero()), anyTwoSided_(!walls.none())
+{
+    const auto makeTree = [&] { tree_ = TriangleBvh(mesh_, index.tree); };
+    const auto makeTriangles = [&] { join(walls, index.edges); };
+    index.threads->forEachLarge(2, [&](std::size_t k) { k == 0 ? makeTree() : makeTriangles(); });
+}
+
+void Surface::join(const Walls& walls, const EdgeTable& edges)
 {
     for (std::size_t t = 0; t < triangles_.size(); ++t)
     {
@@ -70,7 +76,7 @@ Surface::Surface(TriangleMesh mesh, const Walls& walls, const MeshIndex& index)
         bounds_[t] = boundOf(triangle.corner);
         triangle.twoSided = anyTwoSided_ && walls.twoSided[t];
     }
-    joinEdges(index.edges);
+    joinEdges(edges);
     joinCorners();
 }
 

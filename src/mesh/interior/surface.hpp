@@ -30,7 +30,7 @@ struct SurfaceTriangle
     /// Beyond the edge from each corner to the next: a triangle, or kListed + a place in the list
     /// of the normals of edges that do not have two triangles. The first in it is zero.
     std::array<std::uint32_t, 3> beyond = {kListed, kListed, kListed};
-    std::uint8_t flatFeatures = 0;          ///< a bit for each TriangleFeature
+    std::uint8_t flatFeatures = 0; ///< a bit for each TriangleFeature
     /// Whether both sides act, and the winding number tells which of them is inside: see Walls.
     bool twoSided = false;
 
@@ -81,9 +81,8 @@ public:
             return vertexNormals_[mesh_.triangles[id][k]];
         }
         const std::uint32_t beyond = triangles_[id].beyond[k - 3];
-        return beyond < SurfaceTriangle::kListed
-                   ? bounds_[id].normal + bounds_[beyond].normal
-                   : edgeNormals_[beyond - SurfaceTriangle::kListed];
+        return beyond < SurfaceTriangle::kListed ? bounds_[id].normal + bounds_[beyond].normal
+                                                 : edgeNormals_[beyond - SurfaceTriangle::kListed];
     }
 
 private:
@@ -92,6 +91,7 @@ private:
     {
     }
 
+    void join(const Walls& walls, const EdgeTable& edges);
     void joinEdges(const EdgeTable& edges);
     void joinCorners();
 

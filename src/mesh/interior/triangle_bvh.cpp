@@ -68,7 +68,8 @@ public:
         return number;
     }
 
-    /// Room for all that `build` adds: arrays that grow are half empty, and for a while there twice.
+    /// Room for all that `build` adds: arrays that grow are half empty, and for a while there
+    /// twice.
     void reserve()
     {
         const std::size_t leaves = (boxes_.size() + 1) / 2;

@@ -29,6 +29,7 @@ namespace frostfill
 class TriangleBvh
 {
 public:
+    TriangleBvh() = default; ///< of no triangles
     explicit TriangleBvh(const TriangleMesh& mesh);
     /// With the tree that halves its triangles, of leaves of kSmallLeaf: that of this mesh, or of
     /// one that differs by a motion and a scale.
@@ -61,6 +62,13 @@ public:
     template <class Visit>
     void forEachTriangleNear(std::span<const std::uint32_t> nodes, const Eigen::Vector3d& p,
                              double limit, Visit&& visit) const;
+
+    /// Calls `visit(triangle)` with each triangle below the nodes that may be within `distance` of
+    /// the straight way from `from` to `to` [unit]. Far fewer are than near a ball around the way,
+    /// where that is along a wall.
+    template <class Visit>
+    void forEachTriangleOnWay(std::span<const std::uint32_t> nodes, const Eigen::Vector3d& from,
+                              const Eigen::Vector3d& to, double distance, Visit&& visit) const;
 
     /// The triangles that may be within `distance` of p, ascending, in place of what `found` had.
     void findNear(const Eigen::Vector3d& p, double distance,
@@ -143,6 +151,20 @@ private:
     [[nodiscard]] static unsigned mayBeWithin(const Discs& discs, const Four& thickness,
                                               const Point& point, float distance);
 
+    /// A way through the frame of the nodes: its middle, and what it goes to either side of it.
+    struct Way
+    {
+        Point middle;
+        std::array<float, 3> half;
+        float reach; ///< around the way
+        float ball;  ///< around its middle
+    };
+    [[nodiscard]] Way wayOf(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                            double distance) const;
+    /// As mayBeWithin, of the way.
+    [[nodiscard]] static unsigned mayBeOnWay(const Discs& discs, const Four& thickness,
+                                             const Way& way);
+
     /// Calls `limit = visit(leaf, limit)` for each that the boxes and select(node, limit), a bit
     /// for each child, do not rule out.
     template <class Select, class Visit>
@@ -152,6 +174,16 @@ private:
     [[nodiscard]] std::span<const std::uint32_t> triangles(std::uint32_t leaf) const
     {
         return std::span(order_).subspan(starts_[leaf], starts_[leaf + 1] - starts_[leaf]);
+    }
+    /// Calls visit(triangle) for those of a leaf whose bit is set.
+    template <class Visit>
+    void forEachOf(std::uint32_t leaf, unsigned bits, Visit&& visit) const
+    {
+        const std::span<const std::uint32_t> its = triangles(leaf);
+        for (bits &= (1U << its.size()) - 1; bits != 0; bits &= bits - 1)
+        {
+            visit(its[static_cast<std::size_t>(std::countr_zero(bits))]);
+        }
     }
 
     class Builder;
@@ -242,6 +274,44 @@ inline unsigned TriangleBvh::mayBeWithin(const Discs& discs, const Four& thickne
     return bits;
 }
 
+inline TriangleBvh::Way TriangleBvh::wayOf(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                                           double distance) const
+{
+    Way way{};
+    way.middle = pointOf((from + to) / 2);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+        const auto at = static_cast<Eigen::Index>(axis);
+        way.half[axis] = static_cast<float>((to[at] - from[at]) / 2 * scale_);
+    }
+    way.reach = distanceFrom(way.middle, distance);
+    way.ball = distanceFrom(way.middle, distance + (to - from).norm() / 2);
+    return way;
+}
+
+// All of the way is at least as far from a plane as its middle, less what it goes towards it.
+inline unsigned TriangleBvh::mayBeOnWay(const Discs& discs, const Four& thickness, const Way& way)
+{
+    Four toPlane = -discs.offset;
+    Four across{};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+        toPlane += discs.normal[axis] * way.middle.at[axis];
+        across += discs.normal[axis] * way.half[axis];
+    }
+    const Four behind = -toPlane;
+    const Four back = -across;
+    const Four height = toPlane > behind ? toPlane : behind;
+    const auto within = height <= (across > back ? across : back) +
+                                      (thickness + (way.reach + 2 * way.middle.rounding));
+    unsigned bits = 0;
+    for (unsigned k = 0; k < kWidth; ++k)
+    {
+        bits |= within[k] != 0 ? 1U << k : 0U;
+    }
+    return bits & mayBeWithin(discs, thickness, way.middle, way.ball);
+}
+
 template <class Select, class Visit>
 void TriangleBvh::traverse(std::span<const std::uint32_t> nodes, const Eigen::AlignedBox3d& box,
                            double limit, Select&& select, Visit&& visit) const
@@ -304,17 +374,28 @@ void TriangleBvh::forEachTriangleNear(std::span<const std::uint32_t> nodes,
     };
     const auto visitLeaf = [&](std::uint32_t leaf, double within)
     {
-        const std::span<const std::uint32_t> its = triangles(leaf);
-        const unsigned all = (1U << its.size()) - 1;
-        for (unsigned bits =
-                 mayBeWithin(leaves_[leaf], Four{}, point, distanceFrom(point, within)) & all;
-             bits != 0; bits &= bits - 1)
-        {
-            within = visit(its[static_cast<std::size_t>(std::countr_zero(bits))]);
-        }
+        forEachOf(leaf, mayBeWithin(leaves_[leaf], Four{}, point, distanceFrom(point, within)),
+                  [&](std::uint32_t triangle) { within = visit(triangle); });
         return within;
     };
     traverse(nodes, Eigen::AlignedBox3d(p), limit, select, visitLeaf);
+}
+
+template <class Visit>
+void TriangleBvh::forEachTriangleOnWay(std::span<const std::uint32_t> nodes,
+                                       const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                                       double distance, Visit&& visit) const
+{
+    const Way way = wayOf(from, to, distance);
+    const auto select = [&](const Node& node, double)
+    { return node.hasDiscs ? mayBeOnWay(node.discs, node.thickness, way) : ~0U; };
+    const auto visitLeaf = [&](std::uint32_t leaf, double limit)
+    {
+        forEachOf(leaf, mayBeOnWay(leaves_[leaf], Four{}, way), visit);
+        return limit;
+    };
+    traverse(nodes, Eigen::AlignedBox3d(from.cwiseMin(to), from.cwiseMax(to)), distance, select,
+             visitLeaf);
 }
 
 } // namespace frostfill

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/threads.hpp"
+
 #include <frostfill/mesh.hpp>
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -28,6 +31,7 @@ public:
 
     /// A leaf has at most `leafSize` triangles and at least half as many (all, if the mesh has
     /// fewer).
+    TriangleTree(const TriangleMesh& mesh, std::uint32_t leafSize, Threads& threads);
     TriangleTree(const TriangleMesh& mesh, std::uint32_t leafSize);
 
     [[nodiscard]] std::span<const Node> nodes() const { return nodes_; }
@@ -47,8 +51,18 @@ private:
         std::uint32_t triangle;
     };
 
-    /// `first`: the place of the first item in order().
-    void split(std::span<Item> items, std::uint32_t first, std::uint32_t leafSize);
+    /// What is below a node: as many nodes as its items need, whatever they are, so each knows its
+    /// place before those in front of it are there.
+    struct Part
+    {
+        std::span<Item> items;
+        std::uint32_t first; ///< place of the first item in order()
+        std::uint32_t node;
+    };
+
+    void build(const Part& root, std::uint32_t leafSize, Threads& threads);
+    void split(const Part& part, std::uint32_t leafSize);
+    [[nodiscard]] std::array<Part, 2> halve(const Part& part, std::uint32_t leafSize);
 
     std::vector<Node> nodes_;
     std::vector<std::uint32_t> order_;

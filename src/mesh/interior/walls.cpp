@@ -139,7 +139,7 @@ Walls classifyWalls(const TriangleMesh& mesh)
 Walls classifyWalls(const TriangleMesh& mesh, const MeshIndex& index)
 {
     const VertexTriangles around(mesh);
-    Crossings crossings = findCrossings(mesh, around, index.tree);
+    Crossings crossings = findCrossings(mesh, around, index.tree, *index.threads);
     Walls walls;
     walls.crossed = crossings.count;
     walls.firstCrossing = crossings.firstPlace;

@@ -73,21 +73,6 @@ void NeighbourList::listTriangles(const World& world, const Eigen::Vector3d& p, 
     std::sort(triangles_.begin(), triangles_.end());
 }
 
-void NeighbourList::findBelowNodes(const Eigen::Vector3d& q, double distance)
-{
-    triangles_.clear();
-    const auto take = [&](std::uint32_t triangle)
-    {
-        if (world_->polygons[triangle] == PolygonState::active)
-        {
-            triangles_.push_back(triangle);
-        }
-        return distance;
-    };
-    world_->surface.tree().forEachTriangleNear(nodes_, q, distance, take);
-    std::sort(triangles_.begin(), triangles_.end());
-}
-
 bool NeighbourList::add(const Eigen::Vector3d& p, double radius)
 {
     const double contact = radius_ + radius;

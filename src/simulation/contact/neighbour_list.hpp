@@ -3,6 +3,7 @@
 
 #include "simulation/world/world.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -36,15 +37,35 @@ public:
     }
 
     [[nodiscard]] std::size_t spheres() const { return x.size(); }
-    /// Ascending triangles, including all that are within `distance` of q, which is a place that
-    /// the sphere may reach: a ball there has to be within what is listed. Valid until the next
-    /// question.
+    /// Ascending triangles, including all that are within `distance` of the straight way from
+    /// `from` to `to`, which the sphere may go: a ball there has to be within what is listed. Valid
+    /// until the next question.
+    [[nodiscard]] std::span<const std::uint32_t>
+    trianglesOnWay(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double distance)
+    {
+        if (!nodes_.empty())
+        {
+            findBelowNodes([&](auto&& take)
+                           { tree().forEachTriangleOnWay(nodes_, from, to, distance, take); });
+        }
+        return triangles_;
+    }
+    /// The same of a place, a way without a length.
     [[nodiscard]] std::span<const std::uint32_t> trianglesNear(const Eigen::Vector3d& q,
                                                                double distance)
     {
         if (!nodes_.empty())
         {
-            findBelowNodes(q, distance);
+            const auto near = [&](auto&& take)
+            {
+                tree().forEachTriangleNear(nodes_, q, distance,
+                                           [&](std::uint32_t triangle)
+                                           {
+                                               take(triangle);
+                                               return distance;
+                                           });
+            };
+            findBelowNodes(near);
         }
         return triangles_;
     }
@@ -63,7 +84,22 @@ private:
     static constexpr std::size_t kMostListed = 64;
 
     void listTriangles(const World& world, const Eigen::Vector3d& p, double distance);
-    void findBelowNodes(const Eigen::Vector3d& q, double distance);
+    [[nodiscard]] const TriangleBvh& tree() const { return world_->surface.tree(); }
+    /// Lists what `search` finds; it is called with a function of a triangle.
+    template <class Search>
+    void findBelowNodes(Search&& search)
+    {
+        triangles_.clear();
+        search(
+            [this](std::uint32_t triangle)
+            {
+                if (world_->polygons[triangle] == PolygonState::active)
+                {
+                    triangles_.push_back(triangle);
+                }
+            });
+        std::sort(triangles_.begin(), triangles_.end());
+    }
 
     Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();
     double radius_ = -1;

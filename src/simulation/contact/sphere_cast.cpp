@@ -73,9 +73,8 @@ double sphereCast(const Surface& surface, NeighbourList& around, const Eigen::Ve
                   double radius, const Eigen::Vector3d& direction, double limit)
 {
     double path = castAtSpheres(around, p, direction, limit);
-    // What is touched on the way is within a radius of it, and so near its middle.
-    const Eigen::Vector3d middle = p + path / 2 * direction;
-    for (const std::uint32_t triangle : around.trianglesNear(middle, radius + path / 2))
+    const Eigen::Vector3d end = p + path * direction;
+    for (const std::uint32_t triangle : around.trianglesOnWay(p, end, radius + kReached))
     {
         if (surface.bound(triangle).mayBeWithin(radius + path, p))
         {

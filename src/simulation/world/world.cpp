@@ -87,7 +87,8 @@ std::size_t countThatFits(const World& world)
 } // namespace
 
 ObjectOfRun::ObjectOfRun(const Scene& scene, const TriangleMesh& mesh, const MeshReport* known)
-    : ObjectOfRun(scene, mesh, known, MeshIndex(mesh))
+    : ObjectOfRun(scene, mesh, known,
+                  MeshIndex(mesh, scene.preset == Preset::fast ? scene.threads : 1))
 {
 }
 

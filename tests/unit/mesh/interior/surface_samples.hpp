@@ -14,7 +14,8 @@ namespace frostfill::test
 
 inline Crossings crossingsOf(const TriangleMesh& mesh)
 {
-    return findCrossings(mesh, VertexTriangles(mesh), TriangleTree(mesh, kSmallLeaf));
+    Threads one(1);
+    return findCrossings(mesh, VertexTriangles(mesh), TriangleTree(mesh, kSmallLeaf), one);
 }
 
 /// Each triangle in four, at the middles of its edges.

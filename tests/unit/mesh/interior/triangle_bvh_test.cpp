@@ -169,6 +169,57 @@ TEST(TriangleBvh, FindsAllThatAreNearBelowTheNodesOfAPlaceAndLittleMore)
     EXPECT_LE(found, expected + expected / 20);
 }
 
+TEST(TriangleBvh, FindsAllOnAWayAndFewerThanAroundIt)
+{
+    const Surface surface(shapes::torus(1, 0.4, 300, 100), Walls());
+    TriangleBvh::Nodes nodes;
+    std::size_t onWays = 0;
+    std::size_t around = 0;
+    for (std::uint64_t k = 0; k < 200; ++k)
+    {
+        const auto draw = [&](std::uint64_t n) { return uniformRandom(8, k, n); };
+        const auto at = static_cast<std::uint32_t>(draw(0) * static_cast<double>(surface.size()));
+        const TriangleBound& wall = surface.bound(at);
+        const double radius = 0.02 + 0.1 * draw(1);
+        const Eigen::Vector3d any(draw(2) - 0.5, draw(3) - 0.5, draw(4) - 0.5);
+        const Eigen::Vector3d along = any.cross(wall.normal).normalized();
+        // Along the wall, into it, and away from it.
+        const Eigen::Vector3d direction =
+            (along + (static_cast<double>(k % 3) - 1) * 0.7 * wall.normal).normalized();
+        const Eigen::Vector3d from = wall.centre + radius * wall.normal;
+        const Eigen::Vector3d to = from + 0.1 * draw(5) * direction;
+        const Eigen::Vector3d middle = (from + to) / 2;
+        const double ball = radius + (to - from).norm() / 2;
+        surface.tree().findNodes(middle, ball, nodes);
+
+        std::vector<std::uint32_t> found;
+        surface.tree().forEachTriangleOnWay(nodes, from, to, radius,
+                                            [&](std::uint32_t id) { found.push_back(id); });
+        std::sort(found.begin(), found.end());
+        onWays += found.size();
+        surface.tree().forEachTriangleNear(nodes, middle, ball,
+                                           [&](std::uint32_t)
+                                           {
+                                               ++around;
+                                               return ball;
+                                           });
+        for (std::uint32_t id = 0; id < surface.size(); ++id)
+        {
+            const auto& [a, b, c] = surface[id].corner;
+            bool isOnWay = false;
+            for (int step = 0; step <= 20 && surface.bound(id).mayBeWithin(ball, middle); ++step)
+            {
+                const Eigen::Vector3d p = from + step / 20.0 * (to - from);
+                isOnWay =
+                    isOnWay || (closestPointOnTriangle(p, a, b, c).point - p).norm() <= radius;
+            }
+            ASSERT_TRUE(!isOnWay || std::binary_search(found.begin(), found.end(), id)) << k;
+        }
+    }
+    EXPECT_GT(onWays, 0u);
+    EXPECT_LT(3 * onWays, 2 * around);
+}
+
 TEST(TriangleBvh, EndsASearchWithANegativeLimit)
 {
     const Surface surface(shapes::torus(1, 0.4, 120, 40), Walls());
