@@ -285,8 +285,10 @@ void ShellRaster::setStrokes(std::uint32_t triangle, Setup& setup) const
     setup.seen = setup.lines || setup.density > 0;
 }
 
-void ShellRaster::draw(std::span<const std::uint32_t> triangles, const TilePart& part,
-                       SampleTile& tile, const RestingTile* resting)
+/// Calls visit(setup, frame, rows), first for those that turn their backs to the viewer.
+template <class Visit>
+void ShellRaster::eachIn(std::span<const std::uint32_t> triangles, const TilePart& part,
+                         Visit visit)
 {
     const ShellRows frame = grid_.orthographic
                                 ? ShellRows{0, 0, 0, 0, strokes_.lineWidth}
@@ -300,14 +302,34 @@ void ShellRaster::draw(std::span<const std::uint32_t> triangles, const TilePart&
             if (setup.seen && setup.front == fronts)
             {
                 const PixelRectangle rows = part.within(setup.pixels);
-                if (!rows.empty() &&
-                    (resting == nullptr || !resting->hides({setup.pixels, setup.nearest}, part)))
+                if (!rows.empty())
                 {
-                    drawShellRows(avx2_, samples_, setup, frame, rows, part, tile);
+                    visit(setup, frame, rows);
                 }
             }
         }
     }
+}
+
+void ShellRaster::draw(std::span<const std::uint32_t> triangles, const TilePart& part,
+                       SampleTile& tile, const RestingTile* resting)
+{
+    eachIn(triangles, part,
+           [&](const Setup& setup, const ShellRows& frame, const PixelRectangle& rows)
+           {
+               if (resting == nullptr || !resting->hides({setup.pixels, setup.nearest}, part))
+               {
+                   drawShellRows(avx2_, samples_, setup, frame, rows, part, tile);
+               }
+           });
+}
+
+void ShellRaster::record(std::span<const std::uint32_t> triangles, const TilePart& part,
+                         ShellRecord& record)
+{
+    eachIn(triangles, part,
+           [&](const Setup& setup, const ShellRows& frame, const PixelRectangle& rows)
+           { recordShellRows(avx2_, samples_, setup, frame, rows, part, record); });
 }
 
 } // namespace frostfill

@@ -5,6 +5,7 @@
 #include "render/passes/mesh_shading.hpp"
 #include "render/raster/resting_tile.hpp"
 #include "render/raster/sample_tile.hpp"
+#include "render/raster/shell_layers.hpp"
 #include "render/raster/sphere_raster.hpp"
 
 #include <array>
@@ -42,6 +43,9 @@ public:
     /// spheres at rest hide may be left out.
     void draw(std::span<const std::uint32_t> triangles, const TilePart& part, SampleTile& tile,
               const RestingTile* resting = nullptr);
+    /// Takes down what draw() would blend over a tile in which nothing lies.
+    void record(std::span<const std::uint32_t> triangles, const TilePart& part,
+                ShellRecord& record);
 
     /// How one triangle looks.
     struct Setup
@@ -75,6 +79,8 @@ public:
     };
 
 private:
+    template <class Visit>
+    void eachIn(std::span<const std::uint32_t> triangles, const TilePart& part, Visit visit);
     const Setup& setupOf(std::uint32_t triangle);
     void place(std::uint32_t triangle, Setup& setup) const;
     void setStrokes(std::uint32_t triangle, Setup& setup) const;

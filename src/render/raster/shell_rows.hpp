@@ -2,6 +2,7 @@
 #pragma once
 
 #include "render/raster/sample_tile.hpp"
+#include "render/raster/shell_layers.hpp"
 #include "render/raster/shell_raster.hpp"
 
 namespace frostfill
@@ -18,6 +19,11 @@ struct ShellRows
 /// Blends a triangle over these rows of a tile. `avx2` as lanes::hasAvx2().
 void drawShellRows(bool avx2, int samples, const ShellRaster::Setup& setup, const ShellRows& frame,
                    const PixelRectangle& rows, const TilePart& part, SampleTile& tile);
+
+/// Takes down what drawShellRows would blend over a tile in which nothing lies.
+void recordShellRows(bool avx2, int samples, const ShellRaster::Setup& setup,
+                     const ShellRows& frame, const PixelRectangle& rows, const TilePart& part,
+                     ShellRecord& record);
 
 /// False only if a triangle lies between the samples, so that drawShellRows would draw nothing;
 /// true where it is larger than a few pixels.

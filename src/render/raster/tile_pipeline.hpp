@@ -5,7 +5,7 @@
 #include "render/layer/triangle_tiles.hpp"
 #include "render/overlay/viewpoint.hpp"
 #include "render/raster/has_avx2.hpp"
-#include "render/raster/shell_raster.hpp"
+#include "render/raster/kept_shell.hpp"
 #include "render/raster/swatch_raster.hpp"
 #include "render/raster/tile_grid.hpp"
 #include "render/raster/tile_layer.hpp"
@@ -61,6 +61,7 @@ private:
     TileGrid grid_;
     ShadedMesh shaded_;
     std::unique_ptr<ShellRaster> shell_;
+    std::unique_ptr<KeptShell> keptShell_; ///< unless everything is drawn each time
     std::optional<TriangleTiles> triangles_;
     std::optional<TileView> view_;
     std::optional<TileLayer> layer_;
