@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "render/raster/shell_raster.hpp"
 
+#include "render/layer/for_all.hpp"
 #include "render/passes/mesh_shading.hpp"
 #include "render/raster/shell_rows.hpp"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -57,6 +56,13 @@ float pixelsOf(const glm::vec2& gradient)
     return 1 / std::sqrt(std::max(glm::dot(gradient, gradient), 1e-12F));
 }
 
+/// As std::floor, which takes a call on old processors. For what an int can hold.
+int floorOf(double value)
+{
+    const int towardsZero = static_cast<int>(value);
+    return towardsZero - (value < towardsZero ? 1 : 0);
+}
+
 } // namespace
 
 ShellRaster::ShellRaster(const ShadedMesh& mesh, const Palette& palette, const MeshStrokes& strokes,
@@ -65,7 +71,8 @@ ShellRaster::ShellRaster(const ShadedMesh& mesh, const Palette& palette, const M
       avx2_(avx2), colours_{toVector(palette.activePolygon), toVector(palette.discardedPolygon)},
       inks_{inkFor(palette.activePolygon, palette.background),
             inkFor(palette.discardedPolygon, palette.background)},
-      states_(mesh.corners.size(), PolygonState::active), setups_(mesh.corners.size())
+      states_(mesh.triangles.size(), PolygonState::active), places_(mesh.triangles.size()),
+      setups_(mesh.triangles.size())
 {
 }
 
@@ -80,10 +87,27 @@ void ShellRaster::lookFrom(const SphereUniforms& uniforms, bool orthographic,
     size_ = size;
     edges_ = std::move(edgeStrengths);
     front_ = front;
-    for (Setup& setup : setups_)
+    for (Place& place : places_)
     {
-        setup.ready = false;
+        place.ready = false;
     }
+    vertices_.resize(mesh_.positions.size());
+    forAll(vertices_.size(), kTrianglesPerTask,
+           [&](std::size_t v) { vertices_[v] = placed(mesh_.positions[v]); });
+}
+
+ShellRaster::Vertex ShellRaster::placed(const glm::vec3& position) const
+{
+    const glm::vec3 eye(view_ * glm::vec4(position, 1));
+    const double w = grid_.orthographic ? 1 : -eye.z;
+    Vertex vertex;
+    vertex.corner = {(eye.x - double{grid_.left} * w) / grid_.perColumn,
+                     (eye.y - double{grid_.bottom} * w) / grid_.perRow, w};
+    vertex.pixel = glm::dvec2(vertex.corner) / w;
+    vertex.height = grid_.orthographic ? eye.z + front_ : 1;
+    vertex.nearest = static_cast<float>(vertex.height / w);
+    vertex.ray = grid_.orthographic ? glm::vec3(0, 0, -1) : glm::normalize(eye);
+    return vertex;
 }
 
 std::span<const std::uint32_t> ShellRaster::setStates(std::span<const PolygonState> states)
@@ -96,7 +120,7 @@ std::span<const std::uint32_t> ShellRaster::setStates(std::span<const PolygonSta
         if (state != states_[t])
         {
             states_[t] = state;
-            setups_[t].ready = false;
+            places_[t].ready = false;
             changed_.push_back(static_cast<std::uint32_t>(t));
         }
     }
@@ -105,113 +129,134 @@ std::span<const std::uint32_t> ShellRaster::setStates(std::span<const PolygonSta
 
 PixelRectangle ShellRaster::bounds(std::uint32_t triangle)
 {
-    return setupOf(triangle).pixels;
+    return placeOf(triangle).pixels;
 }
 
 void ShellRaster::setUpAll()
 {
-    tbb::parallel_for(tbb::blocked_range<std::uint32_t>(
-                          0, static_cast<std::uint32_t>(setups_.size()), kTrianglesPerTask),
-                      [&](const auto& range)
-                      {
-                          for (std::uint32_t t = range.begin(); t < range.end(); ++t)
-                          {
-                              setupOf(t);
-                          }
-                      });
+    forAll(setups_.size(), kTrianglesPerTask,
+           [&](std::size_t t) { placeOf(static_cast<std::uint32_t>(t)); });
 }
 
-const ShellRaster::Setup& ShellRaster::setupOf(std::uint32_t triangle)
+std::vector<std::uint32_t> ShellRaster::inDrawingOrder()
 {
-    Setup& setup = setups_[triangle];
-    if (!setup.ready)
+    std::vector<std::uint32_t> order;
+    for (const bool front : {false, true})
     {
-        place(triangle, setup);
-        if (setup.seen)
+        for (std::uint32_t t = 0; t < places_.size(); ++t)
         {
-            setStrokes(triangle, setup);
+            if (const Place& place = placeOf(t); place.covers && place.front == front)
+            {
+                order.push_back(t);
+            }
         }
-        setup.ready = true;
     }
-    return setup;
+    return order;
 }
 
-void ShellRaster::place(std::uint32_t triangle, Setup& setup) const
+const ShellRaster::Place& ShellRaster::placeOf(std::uint32_t triangle)
 {
-    // Corners as (x, y, 1) times what they are divided by: the sides of the triangle are then
-    // planes through the origin, also where the eye's plane cuts it [Olano & Greer 1997].
-    std::array<glm::dvec3, 3> corners;
-    std::array<double, 3> heights;
-    PixelRectangle picture = {0, 0, size_.width, size_.height};
+    Place& own = places_[triangle];
+    if (!own.ready)
+    {
+        place(triangle);
+        if (own.covers)
+        {
+            setStrokes(triangle);
+        }
+        own.ready = true;
+    }
+    return own;
+}
+
+bool ShellRaster::setBounds(std::uint32_t triangle, Place& place) const
+{
+    const PixelRectangle picture = {0, 0, size_.width, size_.height};
     glm::dvec2 low(1e9);
     glm::dvec2 high(-1e9);
     bool ahead = true;
     float nearest = kNothing;
-    for (std::size_t i = 0; i < 3; ++i)
+    for (const std::uint32_t v : mesh_.triangles[triangle])
     {
-        const glm::vec3 eye(view_ * glm::vec4(mesh_.corners[triangle][i], 1));
-        const double w = grid_.orthographic ? 1 : -eye.z;
-        corners[i] = {(eye.x - double{grid_.left} * w) / grid_.perColumn,
-                      (eye.y - double{grid_.bottom} * w) / grid_.perRow, w};
-        heights[i] = grid_.orthographic ? eye.z + front_ : 1;
-        ahead = ahead && w > 1e-6;
-        nearest = std::max(nearest, static_cast<float>(heights[i] / w));
-        low = glm::min(low, glm::dvec2(corners[i]) / w);
-        high = glm::max(high, glm::dvec2(corners[i]) / w);
-        setup.normals[i] = glm::mat3(view_) * mesh_.normals[triangle][i];
+        const Vertex& vertex = vertices_[v];
+        ahead = ahead && vertex.ahead();
+        nearest = std::max(nearest, vertex.nearest);
+        low = glm::min(low, vertex.pixel);
+        high = glm::max(high, vertex.pixel);
     }
-    setup.nearest =
+    place.nearest =
         ahead ? nearest + kNearer * std::abs(nearest) : std::numeric_limits<float>::max();
-    const double determinant = glm::dot(corners[0], glm::cross(corners[1], corners[2]));
     const glm::dvec2 limit(4.0 * size_.width, 4.0 * size_.height);
     low = glm::clamp(low, -limit, limit);
     high = glm::clamp(high, -limit, limit);
     const auto within = [&](double margin)
     {
         return !ahead ? picture
-                      : common({static_cast<int>(std::floor(low.x - margin)),
-                                static_cast<int>(std::floor(low.y - margin)),
-                                static_cast<int>(std::ceil(high.x + margin)),
-                                static_cast<int>(std::ceil(high.y + margin))},
+                      : common({floorOf(low.x - margin), floorOf(low.y - margin),
+                                -floorOf(-high.x - margin), -floorOf(-high.y - margin)},
                                picture);
     };
-    setup.pixels = within(kCoverMargin);
-    const PixelRectangle about = within(1);
-    setup.small = about.width() < kSmall && about.height() < kSmall;
-    setup.front = determinant > 0;
-    setup.seen = std::abs(determinant) > 1e-12 && !setup.pixels.empty();
-    if (!setup.seen)
+    place.pixels = within(kCoverMargin);
+    const auto isSmall = [](const PixelRectangle& pixels, int more)
+    { return pixels.width() + more < kSmall && pixels.height() + more < kSmall; };
+    // Most are so small that a wider margin, at most a pixel on each side, makes no difference.
+    place.small = isSmall(place.pixels, 2) || isSmall(within(1), 0);
+    return !place.pixels.empty();
+}
+
+void ShellRaster::place(std::uint32_t triangle)
+{
+    Place& own = places_[triangle];
+    Setup& setup = setups_[triangle];
+    own.covers = own.seen = false;
+    const bool inPicture = setBounds(triangle, own);
+    const auto& [v0, v1, v2] = mesh_.triangles[triangle];
+    const std::array<const Vertex*, 3> vertices = {&vertices_[v0], &vertices_[v1], &vertices_[v2]};
+    const double determinant =
+        glm::dot(vertices[0]->corner, glm::cross(vertices[1]->corner, vertices[2]->corner));
+    own.front = determinant > 0;
+    if (std::abs(determinant) <= 1e-12 || !inPicture)
+    {
+        return;
+    }
+    std::array<double, 3> lengths;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+        const glm::dvec3& from = vertices[(i + 1) % 3]->corner;
+        const glm::dvec3& to = vertices[(i + 2) % 3]->corner;
+        // The same numbers for both triangles at an edge, but for the sign: no gap between them.
+        const auto order = [](const glm::dvec3& p) { return std::array{p.x, p.y, p.z}; };
+        const bool swapped = order(to) < order(from);
+        const glm::dvec3 side = swapped ? glm::cross(to, from) : glm::cross(from, to);
+        lengths[i] = std::max(std::sqrt(side.x * side.x + side.y * side.y), 1e-30);
+        const double sign = swapped == own.front ? -1 : 1;
+        setup.across[i] = static_cast<float>(sign * side.x / lengths[i]);
+        setup.upwards[i] = static_cast<float>(sign * side.y / lengths[i]);
+        setup.from[i] = static_cast<float>(sign * side.z / lengths[i]);
+        setup.least[i] = sign > 0 ? -1e-30F : 0;
+    }
+    own.covers = coversSample(samples_, setup, own.pixels);
+    if (!own.covers)
     {
         return;
     }
     for (std::size_t i = 0; i < 3; ++i)
     {
-        const std::size_t j = (i + 1) % 3;
-        const std::size_t k = (i + 2) % 3;
-        // The same numbers for both triangles at an edge, but for the sign: no gap between them.
-        const auto order = [](const glm::dvec3& p) { return std::array{p.x, p.y, p.z}; };
-        const bool swapped = order(corners[k]) < order(corners[j]);
-        const glm::dvec3 side =
-            swapped ? glm::cross(corners[k], corners[j]) : glm::cross(corners[j], corners[k]);
-        const double length = std::max(std::hypot(side.x, side.y), 1e-30);
-        const double sign = swapped == setup.front ? -1 : 1;
-        setup.across[i] = static_cast<float>(sign * side.x / length);
-        setup.upwards[i] = static_cast<float>(sign * side.y / length);
-        setup.from[i] = static_cast<float>(sign * side.z / length);
-        setup.least[i] = sign > 0 ? -1e-30F : 0;
-        const double share = length / std::abs(determinant);
+        const double share = lengths[i] / std::abs(determinant);
         setup.share[i] = static_cast<float>(share);
-        setup.near[i] = static_cast<float>(share * heights[i]);
-        setup.normals[i] *= setup.front ? 1.0F : -1.0F;
+        setup.near[i] = static_cast<float>(share * vertices[i]->height);
+        setup.normals[i] =
+            (own.front ? 1.0F : -1.0F) * (glm::mat3(view_) * mesh_.normals[triangle][i]);
     }
-    setup.seen = coversSample(samples_, setup);
 }
 
-void ShellRaster::setStrokes(std::uint32_t triangle, Setup& setup) const
+void ShellRaster::setStrokes(std::uint32_t triangle)
 {
+    Place& own = places_[triangle];
+    Setup& setup = setups_[triangle];
     const bool discarded = states_[triangle] == PolygonState::discarded;
     const auto state = static_cast<std::size_t>(states_[triangle]);
-    const bool front = setup.front;
+    const bool front = own.front;
     const glm::vec4 base = colours_[state];
     setup.base = 255.0F * glm::vec3(base);
     setup.ink = 255.0F * inks_[state];
@@ -228,11 +273,11 @@ void ShellRaster::setStrokes(std::uint32_t triangle, Setup& setup) const
     // Barycentric coordinates are all 1/3 where share * distance is the same for all three; its
     // value there is 1 / (3 w) with w the mean of the corners'.
     float sum = 0;
-    std::array<glm::vec3, 3> eyes;
+    const auto vertexAt = [&](std::size_t i) -> const Vertex&
+    { return vertices_[mesh_.triangles[triangle][i]]; };
     for (std::size_t i = 0; i < 3; ++i)
     {
-        eyes[i] = glm::vec3(view_ * glm::vec4(mesh_.corners[triangle][i], 1));
-        sum += (grid_.orthographic ? 1 : -eyes[i].z) / 3;
+        sum += static_cast<float>(vertexAt(i).corner.z) / 3;
         parts[i] = setup.share[i] * glm::vec2(setup.across[i], setup.upwards[i]);
         slopeOfSum += parts[i];
     }
@@ -240,16 +285,15 @@ void ShellRaster::setStrokes(std::uint32_t triangle, Setup& setup) const
     {
         slopes[i] = sum * (parts[i] - slopeOfSum / 3.0F);
         most = std::max(most, glm::dot(slopes[i], slopes[i]));
-        const glm::vec3 ray = grid_.orthographic ? glm::vec3(0, 0, -1) : glm::normalize(eyes[i]);
         const float length = std::max(glm::length(setup.normals[i]), 1e-6F);
-        facing[i] = -glm::dot(setup.normals[i], ray) / length;
+        facing[i] = -glm::dot(setup.normals[i], vertexAt(i).ray) / length;
         setup.light[i] = 0.55F + 0.45F * lightOn(setup.normals[i] / length);
     }
     const glm::vec3& a = setup.normals[0];
     const glm::vec3& b = setup.normals[1];
     const glm::vec3& c = setup.normals[2];
     const float bent = std::min({glm::dot(a, b), glm::dot(b, c), glm::dot(c, a)});
-    setup.flat = bent > kFlat && setup.small;
+    setup.flat = bent > kFlat && own.small;
     setup.facing = edgeOn_ ? std::array<float, 3>{} : facing;
     const float size = 1 / std::sqrt(std::max(most, 1e-12F));
     const auto combined = [&](const std::array<float, 3>& values)
@@ -282,10 +326,10 @@ void ShellRaster::setStrokes(std::uint32_t triangle, Setup& setup) const
         setup.crease = setup.pixelsOfCrease < 1e5F ? ofLine * kStrongLine * fade : 0;
     }
     setup.lines = setup.lines || setup.contour > 0 || setup.crease > 0;
-    setup.seen = setup.lines || setup.density > 0;
+    own.seen = setup.lines || setup.density > 0;
 }
 
-/// Calls visit(setup, frame, rows), first for those that turn their backs to the viewer.
+/// Calls visit(triangle, frame, rows) for those that may be seen in a part.
 template <class Visit>
 void ShellRaster::eachIn(std::span<const std::uint32_t> triangles, const TilePart& part,
                          Visit visit)
@@ -294,18 +338,15 @@ void ShellRaster::eachIn(std::span<const std::uint32_t> triangles, const TilePar
                                 ? ShellRows{0, 0, 0, 0, strokes_.lineWidth}
                                 : ShellRows{grid_.left, grid_.bottom, grid_.perColumn, grid_.perRow,
                                             strokes_.lineWidth};
-    for (const bool fronts : {false, true})
+    for (const std::uint32_t triangle : triangles)
     {
-        for (const std::uint32_t triangle : triangles)
+        const Place& place = placeOf(triangle);
+        if (place.seen)
         {
-            const Setup& setup = setupOf(triangle);
-            if (setup.seen && setup.front == fronts)
+            const PixelRectangle rows = part.within(place.pixels);
+            if (!rows.empty())
             {
-                const PixelRectangle rows = part.within(setup.pixels);
-                if (!rows.empty())
-                {
-                    visit(setup, frame, rows);
-                }
+                visit(triangle, frame, rows);
             }
         }
     }
@@ -315,11 +356,12 @@ void ShellRaster::draw(std::span<const std::uint32_t> triangles, const TilePart&
                        SampleTile& tile, const RestingTile* resting)
 {
     eachIn(triangles, part,
-           [&](const Setup& setup, const ShellRows& frame, const PixelRectangle& rows)
+           [&](std::uint32_t triangle, const ShellRows& frame, const PixelRectangle& rows)
            {
-               if (resting == nullptr || !resting->hides({setup.pixels, setup.nearest}, part))
+               const Place& place = places_[triangle];
+               if (resting == nullptr || !resting->hides({place.pixels, place.nearest}, part))
                {
-                   drawShellRows(avx2_, samples_, setup, frame, rows, part, tile);
+                   drawShellRows(avx2_, samples_, setups_[triangle], frame, rows, part, tile);
                }
            });
 }
@@ -328,8 +370,8 @@ void ShellRaster::record(std::span<const std::uint32_t> triangles, const TilePar
                          ShellRecord& record)
 {
     eachIn(triangles, part,
-           [&](const Setup& setup, const ShellRows& frame, const PixelRectangle& rows)
-           { recordShellRows(avx2_, samples_, setup, frame, rows, part, record); });
+           [&](std::uint32_t triangle, const ShellRows& frame, const PixelRectangle& rows)
+           { recordShellRows(avx2_, samples_, setups_[triangle], frame, rows, part, record); });
 }
 
 } // namespace frostfill

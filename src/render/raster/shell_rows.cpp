@@ -161,6 +161,7 @@ FROSTFILL_INLINE void drawRows(const Setup& setup, const Frame& frame, const Pix
 {
     const Setup s = setup; // so that the target cannot be part of it
     const Frame f = frame;
+    const bool narrow = rows.width() <= kLanes; // to look for the columns takes longer
     float nearX = 0;
     float nearY = 0;
     std::array<std::array<float, samples>, 3> edgeAt;
@@ -168,7 +169,7 @@ FROSTFILL_INLINE void drawRows(const Setup& setup, const Frame& frame, const Pix
     std::array<float, 3> overAcross;
     for (std::size_t i = 0; i < 3; ++i)
     {
-        overAcross[i] = 1 / s.across[i];
+        overAcross[i] = narrow ? 0 : 1 / s.across[i];
         nearX += s.near[i] * s.across[i];
         nearY += s.near[i] * s.upwards[i];
     }
@@ -184,8 +185,9 @@ FROSTFILL_INLINE void drawRows(const Setup& setup, const Frame& frame, const Pix
     for (int y = rows.bottom; y < rows.top; ++y)
     {
         const float yAt = static_cast<float>(part.bottom + y) + 0.5F;
-        const auto [from, to] =
-            columnsOf(s, overAcross, static_cast<float>(part.left), yAt, rows.left, rows.right);
+        const auto [from, to] = narrow ? std::array{rows.left, rows.right}
+                                       : columnsOf(s, overAcross, static_cast<float>(part.left),
+                                                   yAt, rows.left, rows.right);
         for (int x = from & ~(kLanes - 1); x < to; x += kLanes)
         {
             const Floats xAt = static_cast<float>(part.left + x) + 0.5F + iota();
@@ -276,37 +278,45 @@ void recordShellRows(bool avx2, int samples, const ShellRaster::Setup& setup,
 }
 
 // The same sums as in drawRows, in the same order.
-bool coversSample(int samples, const ShellRaster::Setup& setup)
+bool coversSample(int samples, const ShellRaster::Setup& setup, const PixelRectangle& pixels)
 {
-    const PixelRectangle& pixels = setup.pixels;
     if (pixels.width() > kFewPixels || pixels.height() > kFewPixels)
     {
         return true;
     }
-    constexpr std::array<SampleOffset, 1> kMiddle = {};
-    const std::span<const SampleOffset> offsets =
-        samples > 1 ? std::span<const SampleOffset>(kFourSamples) : kMiddle;
-    const auto isInside = [&](float x, float y, const SampleOffset& at)
+    using Four = float __attribute__((vector_size(16)));
+    using FourMasks = std::int32_t __attribute__((vector_size(16)));
+    static_assert(kFourSamples.size() == 4);
+    Four atX{};
+    Four atY{};
+    for (std::size_t k = 0; k < (samples > 1 ? kFourSamples.size() : 0); ++k)
     {
-        bool inside = true;
-        for (std::size_t i = 0; i < 3; ++i)
-        {
-            const float distance = setup.across[i] * x + (setup.upwards[i] * y + setup.from[i]);
-            const float edgeAt = setup.across[i] * at.x + setup.upwards[i] * at.y;
-            inside = inside && distance + edgeAt > setup.least[i];
-        }
-        return inside;
-    };
+        atX[k] = kFourSamples[k].x;
+        atY[k] = kFourSamples[k].y;
+    }
+    std::array<Four, 3> edgeAt;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+        edgeAt[i] = setup.across[i] * atX + setup.upwards[i] * atY;
+    }
     for (int y = pixels.bottom; y < pixels.top; ++y)
     {
+        const float yAt = static_cast<float>(y) + 0.5F;
         for (int x = pixels.left; x < pixels.right; ++x)
         {
-            for (const SampleOffset& at : offsets)
+            const float xAt = static_cast<float>(x) + 0.5F;
+            FourMasks inside = ~FourMasks{};
+            for (std::size_t i = 0; i < 3; ++i)
             {
-                if (isInside(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F, at))
-                {
-                    return true;
-                }
+                const float distance =
+                    setup.across[i] * xAt + (setup.upwards[i] * yAt + setup.from[i]);
+                inside &= distance + edgeAt[i] > setup.least[i];
+            }
+            std::array<std::uint64_t, 2> words;
+            store(inside, words.data());
+            if ((words[0] | words[1]) != 0)
+            {
+                return true;
             }
         }
     }

@@ -96,7 +96,7 @@ void TilePipeline::useFraming()
     {
         shell_->lookFrom(uniforms, framing.orthographic, size_,
                          edgeStrengths(shaded_, glm::vec3(framing.eye), framing.orthographic));
-        triangles_.emplace(shaded_, framing, size_);
+        triangles_.reset();
         if (keptShell_)
         {
             keptShell_->forget();
@@ -138,6 +138,15 @@ const std::vector<PixelRectangle>& TilePipeline::draw(const Snapshot& snapshot, 
                            }
                        });
         }
+    }
+    if (shell_ && (startAgain || !triangles_))
+    {
+        shell_->setUpAll();
+    }
+    if (shell_ && !triangles_)
+    {
+        triangles_.emplace(grid_, shell_->inDrawingOrder(),
+                           [&](std::uint32_t triangle) { return shell_->bounds(triangle); });
     }
     stale_ = false;
     layer_->follow(drawList_.resting(), startAgain ? 0 : changes.firstArrival);
@@ -213,10 +222,6 @@ void TilePipeline::composeDirty(bool manyTiles, Image& image)
     { parts_[i] = compose(dirty[i], work_.local(), image); };
     if (manyTiles)
     {
-        if (shell_)
-        {
-            shell_->setUpAll();
-        }
         tbb::parallel_for(std::size_t{0}, dirty.size(), composeOne);
     }
     else
@@ -243,7 +248,7 @@ PixelRectangle TilePipeline::compose(std::size_t tile, SampleTile& work, Image& 
     }
     if (shell_)
     {
-        const auto triangles = triangles_->inTile(grid_.column(tile), grid_.row(tile));
+        const auto triangles = (*triangles_)[tile];
         keptShell_ ? keptShell_->draw(tile, triangles, dirty, work, resting)
                    : shell_->draw(triangles, dirty, work);
     }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "render/layer/sphere_draw_list.hpp"
-#include "render/layer/triangle_tiles.hpp"
+#include "render/layer/tile_lists.hpp"
 #include "render/overlay/viewpoint.hpp"
 #include "render/raster/has_avx2.hpp"
 #include "render/raster/kept_shell.hpp"
@@ -62,7 +62,7 @@ private:
     ShadedMesh shaded_;
     std::unique_ptr<ShellRaster> shell_;
     std::unique_ptr<KeptShell> keptShell_; ///< unless everything is drawn each time
-    std::optional<TriangleTiles> triangles_;
+    std::optional<TileLists> triangles_;   ///< of the shell, for this camera, once needed
     std::optional<TileView> view_;
     std::optional<TileLayer> layer_;
     std::unique_ptr<SwatchRaster> swatches_;
