@@ -55,7 +55,7 @@ TEST(MeshShading, TorusIsSmoothAndHasNoCrease)
     {
         for (std::size_t c = 0; c < 3; ++c)
         {
-            const glm::vec3& p = torus.corners(t)[c];
+            const glm::vec3 p = torus.corners(t)[c];
             const glm::vec3 ring = glm::normalize(glm::vec3(p.x, p.y, 0));
             ASSERT_GT(glm::dot(torus.normals[t][c], glm::normalize(p - ring)), 0.99F);
         }
