@@ -86,7 +86,8 @@ FROSTFILL_INLINE void ShellLayers::blendAny(const PixelRectangle& pixels, Tile& 
     {
         for (int x = pixels.left; x < pixels.right; x += kLanes)
         {
-            const auto at = static_cast<std::size_t>(y * kTileEdge + x);
+            const int pixel = y * kTileEdge + x;
+            const auto at = static_cast<std::size_t>(pixel);
             for (std::size_t plane = 0; plane < planes_; ++plane)
             {
                 const std::size_t group = at / kLanes * planes_ + plane;
