@@ -26,7 +26,7 @@ struct Point
 Point pointOf(const ShadedMesh& mesh, std::size_t triangle, std::size_t corner)
 {
     const glm::vec3& normal = mesh.normals[triangle][corner];
-    Point point{mesh.corners[triangle][corner], {}, 255};
+    Point point{mesh.corners(triangle)[corner], {}, 255};
     for (int axis = 0; axis < 3; ++axis)
     {
         point.normal[static_cast<std::size_t>(axis)] =

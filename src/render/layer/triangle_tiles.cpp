@@ -71,77 +71,34 @@ TriangleTiles::Bounds TriangleTiles::boundsOf(const std::array<glm::vec3, 3>& co
 
 TriangleTiles::TriangleTiles(const ShadedMesh& mesh, const Framing& framing,
                              const PictureSize& size)
-    : picture_{0, 0, size.width, size.height}, columns_((size.width + kTile - 1) / kTile),
-      rows_((size.height + kTile - 1) / kTile), marks_((mesh.corners.size() + 63) / 64, 0)
+    : places_(size), marks_((mesh.triangles.size() + 63) / 64, 0)
 {
     const glm::dmat4 toClip = framing.projection * framing.view;
-    bounds_.reserve(mesh.corners.size());
-    for (const auto& corners : mesh.corners)
-    {
-        bounds_.push_back(boundsOf(corners, toClip, size));
-    }
-    sortIntoTiles();
-}
-
-PixelRectangle TriangleTiles::tilesOf(const PixelRectangle& pixels) const
-{
-    // There are no tiles beyond the picture.
-    const PixelRectangle inside = common(pixels, picture_);
-    if (inside.empty())
-    {
-        return {};
-    }
-    return {inside.left / kTile, inside.bottom / kTile, (inside.right - 1) / kTile + 1,
-            (inside.top - 1) / kTile + 1};
-}
-
-void TriangleTiles::sortIntoTiles()
-{
-    const auto eachTile = [&](std::uint32_t triangle, auto visit)
-    {
-        const PixelRectangle tiles = tilesOf(bounds_[triangle].pixels);
-        for (int y = tiles.bottom; y < tiles.top; ++y)
-        {
-            for (int x = tiles.left; x < tiles.right; ++x)
-            {
-                visit(static_cast<std::size_t>(y * columns_ + x));
-            }
-        }
-    };
-    const auto count = static_cast<std::uint32_t>(bounds_.size());
-    starts_.assign(static_cast<std::size_t>(columns_ * rows_) + 1, 0);
+    const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
+    bounds_.reserve(count);
     for (std::uint32_t t = 0; t < count; ++t)
     {
-        eachTile(t, [&](std::size_t tile) { ++starts_[tile + 1]; });
+        bounds_.push_back(boundsOf(mesh.corners(t), toClip, size));
     }
-    std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
-    triangles_.resize(starts_.back());
-    std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
-    for (std::uint32_t t = 0; t < count; ++t)
-    {
-        eachTile(t, [&](std::size_t tile) { triangles_[next[tile]++] = t; });
-    }
+    std::vector<std::uint32_t> all(count);
+    std::iota(all.begin(), all.end(), 0U);
+    inTiles_.emplace(places_, all, [&](std::uint32_t t) { return bounds_[t].pixels; });
 }
 
 void TriangleTiles::find(std::span<const Part> parts)
 {
     for (const Part& part : parts)
     {
-        const PixelRectangle tiles = tilesOf(part.pixels);
-        for (int y = tiles.bottom; y < tiles.top; ++y)
-        {
-            for (int x = tiles.left; x < tiles.right; ++x)
-            {
-                const auto tile = static_cast<std::size_t>(y * columns_ + x);
-                for (std::uint32_t i = starts_[tile]; i < starts_[tile + 1]; ++i)
-                {
-                    const std::uint32_t t = triangles_[i];
-                    const bool meets = bounds_[t].nearest < part.furthest &&
-                                       bounds_[t].pixels.overlaps(part.pixels);
-                    marks_[t / 64] |= std::uint64_t{meets} << t % 64;
-                }
-            }
-        }
+        places_.each(part.pixels,
+                     [&](std::size_t tile)
+                     {
+                         for (const std::uint32_t t : (*inTiles_)[tile])
+                         {
+                             const bool meets = bounds_[t].nearest < part.furthest &&
+                                                bounds_[t].pixels.overlaps(part.pixels);
+                             marks_[t / 64] |= std::uint64_t{meets} << t % 64;
+                         }
+                     });
     }
     backs_.clear();
     fronts_.clear();

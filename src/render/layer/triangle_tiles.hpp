@@ -3,10 +3,12 @@
 
 #include "render/framing/framing.hpp"
 #include "render/framing/pixel_rectangle.hpp"
+#include "render/layer/tile_lists.hpp"
 #include "render/passes/mesh_shading.hpp"
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,17 +20,6 @@ class TriangleTiles
 {
 public:
     TriangleTiles(const ShadedMesh& mesh, const Framing& framing, const PictureSize& size);
-
-    /// Edge of a tile. [pixel]
-    static constexpr int kTile = 32;
-    /// Those that may be seen in a tile, ascending; tiles count from the lower left corner.
-    [[nodiscard]] std::span<const std::uint32_t> inTile(int column, int row) const
-    {
-        const std::size_t tile =
-            static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
-            static_cast<std::size_t>(column);
-        return std::span(triangles_).subspan(starts_[tile], starts_[tile + 1] - starts_[tile]);
-    }
 
     /// A part of the picture, down to a window depth. It may reach beyond the picture.
     struct Part
@@ -51,9 +42,6 @@ public:
     }
 
 private:
-    [[nodiscard]] PixelRectangle tilesOf(const PixelRectangle& pixels) const;
-    void sortIntoTiles();
-
     struct Bounds
     {
         PixelRectangle pixels;
@@ -64,13 +52,10 @@ private:
     [[nodiscard]] static Bounds boundsOf(const std::array<glm::vec3, 3>& corners,
                                          const glm::dmat4& toClip, const PictureSize& size);
 
-    PixelRectangle picture_;
-    int columns_;
-    int rows_;
-    std::vector<Bounds> bounds_;           ///< [#T]
-    std::vector<std::uint32_t> starts_;    ///< [tiles + 1] into triangles_
-    std::vector<std::uint32_t> triangles_; ///< of a tile after those of the tile before
-    std::vector<std::uint64_t> marks_;     ///< a bit a triangle; all 0 between calls
+    TilePlaces places_;
+    std::vector<Bounds> bounds_; ///< [#T]
+    std::optional<TileLists> inTiles_;
+    std::vector<std::uint64_t> marks_; ///< a bit a triangle; all 0 between calls
     std::vector<std::uint32_t> backs_;
     std::vector<std::uint32_t> fronts_;
 };

@@ -23,12 +23,12 @@ struct Vertex
 std::vector<Vertex> verticesOf(const ShadedMesh& mesh)
 {
     std::vector<Vertex> vertices;
-    vertices.reserve(mesh.corners.size() * 3);
-    for (std::size_t t = 0; t < mesh.corners.size(); ++t)
+    vertices.reserve(mesh.triangles.size() * 3);
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     {
         for (std::size_t corner = 0; corner < 3; ++corner)
         {
-            vertices.push_back({mesh.corners[t][corner], mesh.normals[t][corner]});
+            vertices.push_back({mesh.corners(t)[corner], mesh.normals[t][corner]});
         }
     }
     return vertices;
@@ -45,7 +45,7 @@ glm::vec3 inkFor(const Colour& surface, const Colour& background)
 
 MeshBuffer::MeshBuffer(const GlFunctions& gl, const ShadedMesh& mesh,
                        const std::vector<std::array<std::uint8_t, 3>>& edgeStrengths)
-    : gl_(gl), triangles_(mesh.corners.size()), held_(triangles_, PolygonState::active)
+    : gl_(gl), triangles_(mesh.triangles.size()), held_(triangles_, PolygonState::active)
 {
     const std::vector<Vertex> vertices = verticesOf(mesh);
     gl.genVertexArrays(1, &array_);

@@ -73,7 +73,7 @@ void smoothNormals(const TriangleMesh& mesh, ShadedMesh& shaded)
                 const glm::vec3& neighbour = shaded.faceNormals[other];
                 if (glm::dot(face, neighbour) >= kCreaseCosine)
                 {
-                    sum += neighbour * angleAt(shaded.corners[other], cornerIn(other));
+                    sum += neighbour * angleAt(shaded.corners(other), cornerIn(other));
                 }
             }
             shaded.normals[own][cornerIn(own)] = sum == glm::vec3(0) ? face : unitOrZero(sum);
@@ -114,11 +114,11 @@ ShadedMesh shadeMesh(const TriangleMesh& mesh, const std::vector<glm::vec3>& pos
                      bool fadingLines)
 {
     ShadedMesh shaded;
-    for (const auto& triangle : mesh.triangles)
+    shaded.positions = positions;
+    shaded.triangles = mesh.triangles;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     {
-        const std::array<glm::vec3, 3> corners = {positions[triangle[0]], positions[triangle[1]],
-                                                  positions[triangle[2]]};
-        shaded.corners.push_back(corners);
+        const std::array<glm::vec3, 3> corners = shaded.corners(t);
         shaded.faceNormals.push_back(
             unitOrZero(glm::cross(corners[1] - corners[0], corners[2] - corners[0])));
     }
@@ -135,17 +135,19 @@ ShadedMesh shadeMesh(const TriangleMesh& mesh, const std::vector<glm::vec3>& pos
 std::vector<std::array<std::uint8_t, 3>> edgeStrengths(const ShadedMesh& mesh, const glm::vec3& eye,
                                                        bool orthographic)
 {
-    const auto facesViewer = [&](std::uint32_t triangle)
+    std::vector<std::uint8_t> facesViewer(mesh.triangles.size());
+    for (std::size_t t = 0; t < facesViewer.size(); ++t)
     {
-        const glm::vec3 towards = orthographic ? eye : eye - mesh.corners[triangle][0];
-        return glm::dot(mesh.faceNormals[triangle], towards) > 0;
-    };
-    std::vector<std::array<std::uint8_t, 3>> strengths(mesh.corners.size());
+        const glm::vec3 towards =
+            orthographic ? eye : eye - mesh.positions[mesh.triangles[t].front()];
+        facesViewer[t] = glm::dot(mesh.faceNormals[t], towards) > 0 ? 1 : 0;
+    }
+    std::vector<std::array<std::uint8_t, 3>> strengths(mesh.triangles.size());
     for (const ShadedMesh::Edge& edge : mesh.edges)
     {
         const bool paired = edge.triangles[1] != ShadedMesh::Edge::kNone;
         const bool outline =
-            paired && facesViewer(edge.triangles[0]) != facesViewer(edge.triangles[1]);
+            paired && facesViewer[edge.triangles[0]] != facesViewer[edge.triangles[1]];
         const std::uint8_t crease = edge.stray ? kPlain : std::max(edge.crease, kPlain);
         const std::uint8_t strength = outline ? kOutline : crease;
         for (std::size_t side = 0; side < (paired ? 2U : 1U); ++side)

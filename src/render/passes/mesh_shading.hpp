@@ -27,13 +27,20 @@ struct ShadedMesh
         bool stray = false; ///< a crease too short to be one: noise of a scan
     };
 
-    std::vector<std::array<glm::vec3, 3>> corners; ///< [#T x 3] positions
-    std::vector<std::array<glm::vec3, 3>> normals; ///< [#T x 3] smooth but across creases
-    std::vector<glm::vec3> faceNormals;            ///< [#T] unit, or zero
+    std::vector<glm::vec3> positions;                    ///< [#V]
+    std::vector<std::array<std::uint32_t, 3>> triangles; ///< [#T] indices into positions
+    std::vector<std::array<glm::vec3, 3>> normals;       ///< [#T x 3] smooth but across creases
+    std::vector<glm::vec3> faceNormals;                  ///< [#T] unit, or zero
     std::vector<Edge> edges;
     /// [#T x 3] from each corner to the nearest crease, 0..1 for 0..kCreaseReach; empty if there is
     /// none.
     std::vector<std::array<float, 3>> creaseDistances;
+
+    [[nodiscard]] std::array<glm::vec3, 3> corners(std::size_t triangle) const
+    {
+        const auto& [a, b, c] = triangles[triangle];
+        return {positions[a], positions[b], positions[c]};
+    }
 };
 
 /// How far from a crease triangles know of it [unit space]: some pixels in a picture of usual size.

@@ -115,6 +115,21 @@ FROSTFILL_INLINE Words byteOf(Floats value)
     return reinterpret_cast<Words>(__builtin_convertvector(min(max(value, 0), 255) + 0.5F, Mask));
 }
 
+/// Both channels of a word times `share` / 255, rounded.
+FROSTFILL_INLINE Words scaled(Words channels, Words share)
+{
+    const Words product = channels * share + 0x00800080U;
+    return ((product + ((product >> 8) & 0x00ff00ffU)) >> 8) & 0x00ff00ffU;
+}
+
+/// Premultiplied colours over what is below; all 0 is clear.
+FROSTFILL_INLINE Words blended(Words colour, Words below)
+{
+    const Words left = 255 - (colour >> 24);
+    return (scaled(below & 0x00ff00ffU, left) + (colour & 0x00ff00ffU)) |
+           (scaled((below >> 8) & 0x00ff00ffU, left) + ((colour >> 8) & 0x00ff00ffU)) << 8;
+}
+
 /// 0, 1 and so on.
 FROSTFILL_INLINE Floats iota()
 {

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "render/framing/pixel_rectangle.hpp"
-#include "render/layer/triangle_tiles.hpp"
+#include "render/layer/tile_lists.hpp"
 
 #include <frostfill/view.hpp>
 
@@ -17,7 +17,7 @@ namespace frostfill
 {
 
 /// Edge of a tile [pixel].
-inline constexpr int kTileEdge = TriangleTiles::kTile;
+inline constexpr int kTileEdge = TilePlaces::kTile;
 inline constexpr int kTilePixels = kTileEdge * kTileEdge;
 
 /// Pixels of a row that are worked out at once: as many floats as a register of AVX2 has. Parts of

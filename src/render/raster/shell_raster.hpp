@@ -5,6 +5,7 @@
 #include "render/passes/mesh_shading.hpp"
 #include "render/raster/resting_tile.hpp"
 #include "render/raster/sample_tile.hpp"
+#include "render/raster/shell_layers.hpp"
 #include "render/raster/sphere_raster.hpp"
 
 #include <array>
@@ -38,21 +39,19 @@ public:
     void setUpAll();
     /// Around a triangle in the picture.
     [[nodiscard]] PixelRectangle bounds(std::uint32_t triangle);
-    /// Blends those that turn their backs to the viewer, then those that face the viewer. What
-    /// spheres at rest hide may be left out.
+    /// Those that cover a sample, whatever their state: first those that turn their backs to the
+    /// viewer, then those that face the viewer.
+    [[nodiscard]] std::vector<std::uint32_t> inDrawingOrder();
+    /// Blends one after another. What spheres at rest hide may be left out.
     void draw(std::span<const std::uint32_t> triangles, const TilePart& part, SampleTile& tile,
               const RestingTile* resting = nullptr);
+    /// Takes down what draw() would blend over a tile in which nothing lies.
+    void record(std::span<const std::uint32_t> triangles, const TilePart& part,
+                ShellRecord& record);
 
     /// How one triangle looks.
     struct Setup
     {
-        bool ready = false;
-        bool front = false; ///< faces the viewer
-        bool seen = false;  ///< is not seen edge-on, nor between samples, and not clear
-        bool lines = false; ///< has any
-        bool small = false; ///< in the picture
-        PixelRectangle pixels;
-        float nearest = 0; ///< no point of it is nearer; see kNothing
         /// Distance from each edge: across * x + upwards * y + from, inside positive [pixel].
         std::array<float, 3> across, upwards, from;
         std::array<float, 3> least; ///< the distance has to be more; of two triangles at an edge
@@ -60,6 +59,7 @@ public:
         std::array<float, 3> share; ///< barycentric coordinate = share * distance / sum of all
         std::array<float, 3> near;  ///< inverse depth = sum of near * distance
         std::array<glm::vec3, 3> normals; ///< towards the viewer [eye space]
+        bool lines = false;               ///< has any
         bool flat = false;                ///< light and angle are those of the corners, mixed
         std::array<float, 3> light;       ///< on the corners
         std::array<float, 3> facing;      ///< cosine of the angle to the viewer at the corners
@@ -75,9 +75,39 @@ public:
     };
 
 private:
-    const Setup& setupOf(std::uint32_t triangle);
-    void place(std::uint32_t triangle, Setup& setup) const;
-    void setStrokes(std::uint32_t triangle, Setup& setup) const;
+    /// What most triangles are passed over for, apart from what it takes to draw one.
+    struct Place
+    {
+        bool ready = false;
+        bool front = false;  ///< faces the viewer
+        bool covers = false; ///< is not seen edge-on, nor between samples
+        bool seen = false;   ///< covers a sample, and is not clear
+        bool small = false;  ///< in the picture
+        float nearest = 0;   ///< no point of it is nearer; see kNothing
+        PixelRectangle pixels;
+    };
+
+    /// A vertex before the camera.
+    struct Vertex
+    {
+        /// (x, y, 1) in the picture times what they are divided by: the sides of a triangle are
+        /// then planes through the origin, also where the eye's plane cuts it [Olano & Greer 1997].
+        glm::dvec3 corner;
+        glm::dvec2 pixel;
+        double height; ///< inverse depth times corner.z
+        float nearest; ///< inverse depth
+        glm::vec3 ray; ///< from the eye, unit
+        [[nodiscard]] bool ahead() const { return corner.z > 1e-6; }
+    };
+
+    [[nodiscard]] Vertex placed(const glm::vec3& position) const;
+    /// Where it is in the picture; false if that is nowhere.
+    bool setBounds(std::uint32_t triangle, Place& place) const;
+    template <class Visit>
+    void eachIn(std::span<const std::uint32_t> triangles, const TilePart& part, Visit visit);
+    const Place& placeOf(std::uint32_t triangle);
+    void place(std::uint32_t triangle);
+    void setStrokes(std::uint32_t triangle);
 
     const ShadedMesh& mesh_;
     MeshStrokes strokes_;
@@ -90,9 +120,11 @@ private:
     PictureSize size_;
     float front_ = 0;
     bool edgeOn_ = false;
+    std::vector<Vertex> vertices_;                   ///< [#V] for this camera
     std::vector<std::array<std::uint8_t, 3>> edges_; ///< [#T]
     std::vector<PolygonState> states_;               ///< [#T]
-    std::vector<Setup> setups_;                      ///< [#T] for this camera, once needed
+    std::vector<Place> places_;                      ///< [#T] for this camera, once needed
+    std::vector<Setup> setups_;                      ///< [#T] of those that cover a sample
     std::vector<std::uint32_t> changed_;
 };
 

@@ -22,13 +22,6 @@ using Frame = ShellRows;
 /// [pixel]
 constexpr int kFewPixels = 3;
 
-/// Both channels of a word times `share` / 255, rounded.
-FROSTFILL_INLINE Words scaled(Words channels, Words share)
-{
-    const Words product = channels * share + 0x00800080U;
-    return ((product + ((product >> 8) & 0x00ff00ffU)) >> 8) & 0x00ff00ffU;
-}
-
 /// Columns of the row, in the tile, at which any sample may be inside; not yet in whole lanes.
 FROSTFILL_INLINE std::array<int, 2> columnsOf(const Setup& s,
                                               const std::array<float, 3>& overAcross, float left,
@@ -131,12 +124,44 @@ surfaceAndLine(const Setup& s, const Frame& f, Floats x, float y, Floats d0, Flo
     return {surface, line};
 }
 
-template <int samples, bool lines>
-FROSTFILL_INLINE void drawRows(const Setup& setup, const Frame& frame, const PixelRectangle& rows,
-                               const TilePart& part, SampleTile& tile)
+/// Blends what is before the samples of a tile.
+FROSTFILL_INLINE Mask isBefore(const SampleTile& tile, std::size_t plane, std::size_t at,
+                               Floats inverseDepth)
 {
-    const Setup s = setup; // so that the tile cannot be part of it
+    return inverseDepth > load<Floats>(tile.inverseDepth[plane].data() + at);
+}
+
+FROSTFILL_INLINE void put(SampleTile& tile, std::size_t plane, std::size_t at, Floats /*depth*/,
+                          Words colour)
+{
+    std::uint32_t* shown = tile.colour[plane].data() + at;
+    store(blended(colour, load<Words>(shown)), shown);
+}
+
+/// Takes down all.
+FROSTFILL_INLINE Mask isBefore(const ShellRecord& /*record*/, std::size_t /*plane*/,
+                               std::size_t /*at*/, Floats inverseDepth)
+{
+    return inverseDepth > all(kNothing);
+}
+
+FROSTFILL_INLINE void put(ShellRecord& record, std::size_t plane, std::size_t at,
+                          Floats inverseDepth, Words colour)
+{
+    std::array<float, kLanes> depths;
+    std::array<std::uint32_t, kLanes> colours;
+    store(inverseDepth, depths.data());
+    store(colour, colours.data());
+    record.add(plane, at, depths, colours);
+}
+
+template <int samples, bool lines, class Target>
+FROSTFILL_INLINE void drawRows(const Setup& setup, const Frame& frame, const PixelRectangle& rows,
+                               const TilePart& part, Target& target)
+{
+    const Setup s = setup; // so that the target cannot be part of it
     const Frame f = frame;
+    const bool narrow = rows.width() <= kLanes; // to look for the columns takes longer
     float nearX = 0;
     float nearY = 0;
     std::array<std::array<float, samples>, 3> edgeAt;
@@ -144,7 +169,7 @@ FROSTFILL_INLINE void drawRows(const Setup& setup, const Frame& frame, const Pix
     std::array<float, 3> overAcross;
     for (std::size_t i = 0; i < 3; ++i)
     {
-        overAcross[i] = 1 / s.across[i];
+        overAcross[i] = narrow ? 0 : 1 / s.across[i];
         nearX += s.near[i] * s.across[i];
         nearY += s.near[i] * s.upwards[i];
     }
@@ -160,8 +185,9 @@ FROSTFILL_INLINE void drawRows(const Setup& setup, const Frame& frame, const Pix
     for (int y = rows.bottom; y < rows.top; ++y)
     {
         const float yAt = static_cast<float>(part.bottom + y) + 0.5F;
-        const auto [from, to] =
-            columnsOf(s, overAcross, static_cast<float>(part.left), yAt, rows.left, rows.right);
+        const auto [from, to] = narrow ? std::array{rows.left, rows.right}
+                                       : columnsOf(s, overAcross, static_cast<float>(part.left),
+                                                   yAt, rows.left, rows.right);
         for (int x = from & ~(kLanes - 1); x < to; x += kLanes)
         {
             const Floats xAt = static_cast<float>(part.left + x) + 0.5F + iota();
@@ -177,8 +203,7 @@ FROSTFILL_INLINE void drawRows(const Setup& setup, const Frame& frame, const Pix
             {
                 const Mask is =
                     (d0 + edgeAt[0][k] > s.least[0]) & (d1 + edgeAt[1][k] > s.least[1]) &
-                    (d2 + edgeAt[2][k] > s.least[2]) &
-                    (isNear + nearAt[k] > load<Floats>(tile.inverseDepth[k].data() + at));
+                    (d2 + edgeAt[2][k] > s.least[2]) & isBefore(target, k, at, isNear + nearAt[k]);
                 seen[k] = reinterpret_cast<Words>(is);
                 seenAtAll |= is;
             }
@@ -196,47 +221,44 @@ FROSTFILL_INLINE void drawRows(const Setup& setup, const Frame& frame, const Pix
             {
                 return byteOf(min(base * lit + ink * line, limit));
             };
-            const Words redBlue = channel(s.base.r, s.ink.r) | channel(s.base.b, s.ink.b) << 16;
-            const Words greenAlpha = channel(s.base.g, s.ink.g) | alpha << 16;
+            const Words colour = channel(s.base.r, s.ink.r) | channel(s.base.g, s.ink.g) << 8 |
+                                 channel(s.base.b, s.ink.b) << 16 | alpha << 24;
             for (std::size_t k = 0; k < samples; ++k)
             {
-                // What is not seen is clear.
-                std::uint32_t* shown = tile.colour[k].data() + at;
-                const Words left = 255 - (alpha & seen[k]);
-                const auto below = load<Words>(shown);
-                store((scaled(below & 0x00ff00ffU, left) + (redBlue & seen[k])) |
-                          (scaled((below >> 8) & 0x00ff00ffU, left) + (greenAlpha & seen[k])) << 8,
-                      shown);
+                put(target, k, at, isNear + nearAt[k], colour & seen[k]); // clear if not seen
             }
         }
     }
 }
 
+template <class Target>
 FROSTFILL_INLINE void drawAny(int samples, const Setup& setup, const Frame& frame,
-                              const PixelRectangle& rows, const TilePart& part, SampleTile& tile)
+                              const PixelRectangle& rows, const TilePart& part, Target& target)
 {
     if (samples > 1)
     {
-        setup.lines ? drawRows<kMaxTileSamples, true>(setup, frame, rows, part, tile)
-                    : drawRows<kMaxTileSamples, false>(setup, frame, rows, part, tile);
+        setup.lines ? drawRows<kMaxTileSamples, true>(setup, frame, rows, part, target)
+                    : drawRows<kMaxTileSamples, false>(setup, frame, rows, part, target);
     }
     else
     {
-        setup.lines ? drawRows<1, true>(setup, frame, rows, part, tile)
-                    : drawRows<1, false>(setup, frame, rows, part, tile);
+        setup.lines ? drawRows<1, true>(setup, frame, rows, part, target)
+                    : drawRows<1, false>(setup, frame, rows, part, target);
     }
 }
 
+template <class Target>
 FROSTFILL_AVX2 void drawAvx2(int samples, const Setup& setup, const Frame& frame,
-                             const PixelRectangle& rows, const TilePart& part, SampleTile& tile)
+                             const PixelRectangle& rows, const TilePart& part, Target& target)
 {
-    drawAny(samples, setup, frame, rows, part, tile);
+    drawAny(samples, setup, frame, rows, part, target);
 }
 
+template <class Target>
 void drawPlain(int samples, const Setup& setup, const Frame& frame, const PixelRectangle& rows,
-               const TilePart& part, SampleTile& tile)
+               const TilePart& part, Target& target)
 {
-    drawAny(samples, setup, frame, rows, part, tile);
+    drawAny(samples, setup, frame, rows, part, target);
 }
 
 } // namespace
@@ -244,41 +266,57 @@ void drawPlain(int samples, const Setup& setup, const Frame& frame, const PixelR
 void drawShellRows(bool avx2, int samples, const ShellRaster::Setup& setup, const ShellRows& frame,
                    const PixelRectangle& rows, const TilePart& part, SampleTile& tile)
 {
-    (avx2 ? drawAvx2 : drawPlain)(samples, setup, frame, rows, part, tile);
+    (avx2 ? drawAvx2<SampleTile> : drawPlain<SampleTile>)(samples, setup, frame, rows, part, tile);
+}
+
+void recordShellRows(bool avx2, int samples, const ShellRaster::Setup& setup,
+                     const ShellRows& frame, const PixelRectangle& rows, const TilePart& part,
+                     ShellRecord& record)
+{
+    (avx2 ? drawAvx2<ShellRecord> : drawPlain<ShellRecord>)(samples, setup, frame, rows, part,
+                                                            record);
 }
 
 // The same sums as in drawRows, in the same order.
-bool coversSample(int samples, const ShellRaster::Setup& setup)
+bool coversSample(int samples, const ShellRaster::Setup& setup, const PixelRectangle& pixels)
 {
-    const PixelRectangle& pixels = setup.pixels;
     if (pixels.width() > kFewPixels || pixels.height() > kFewPixels)
     {
         return true;
     }
-    constexpr std::array<SampleOffset, 1> kMiddle = {};
-    const std::span<const SampleOffset> offsets =
-        samples > 1 ? std::span<const SampleOffset>(kFourSamples) : kMiddle;
-    const auto isInside = [&](float x, float y, const SampleOffset& at)
+    using Four = float __attribute__((vector_size(16)));
+    using FourMasks = std::int32_t __attribute__((vector_size(16)));
+    static_assert(kFourSamples.size() == 4);
+    Four atX{};
+    Four atY{};
+    for (std::size_t k = 0; k < (samples > 1 ? kFourSamples.size() : 0); ++k)
     {
-        bool inside = true;
-        for (std::size_t i = 0; i < 3; ++i)
-        {
-            const float distance = setup.across[i] * x + (setup.upwards[i] * y + setup.from[i]);
-            const float edgeAt = setup.across[i] * at.x + setup.upwards[i] * at.y;
-            inside = inside && distance + edgeAt > setup.least[i];
-        }
-        return inside;
-    };
+        atX[k] = kFourSamples[k].x;
+        atY[k] = kFourSamples[k].y;
+    }
+    std::array<Four, 3> edgeAt;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+        edgeAt[i] = setup.across[i] * atX + setup.upwards[i] * atY;
+    }
     for (int y = pixels.bottom; y < pixels.top; ++y)
     {
+        const float yAt = static_cast<float>(y) + 0.5F;
         for (int x = pixels.left; x < pixels.right; ++x)
         {
-            for (const SampleOffset& at : offsets)
+            const float xAt = static_cast<float>(x) + 0.5F;
+            FourMasks inside = ~FourMasks{};
+            for (std::size_t i = 0; i < 3; ++i)
             {
-                if (isInside(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F, at))
-                {
-                    return true;
-                }
+                const float distance =
+                    setup.across[i] * xAt + (setup.upwards[i] * yAt + setup.from[i]);
+                inside &= distance + edgeAt[i] > setup.least[i];
+            }
+            std::array<std::uint64_t, 2> words;
+            store(inside, words.data());
+            if ((words[0] | words[1]) != 0)
+            {
+                return true;
             }
         }
     }

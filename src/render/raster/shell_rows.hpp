@@ -2,6 +2,7 @@
 #pragma once
 
 #include "render/raster/sample_tile.hpp"
+#include "render/raster/shell_layers.hpp"
 #include "render/raster/shell_raster.hpp"
 
 namespace frostfill
@@ -19,8 +20,14 @@ struct ShellRows
 void drawShellRows(bool avx2, int samples, const ShellRaster::Setup& setup, const ShellRows& frame,
                    const PixelRectangle& rows, const TilePart& part, SampleTile& tile);
 
-/// False only if a triangle lies between the samples, so that drawShellRows would draw nothing;
-/// true where it is larger than a few pixels.
-[[nodiscard]] bool coversSample(int samples, const ShellRaster::Setup& setup);
+/// Takes down what drawShellRows would blend over a tile in which nothing lies.
+void recordShellRows(bool avx2, int samples, const ShellRaster::Setup& setup,
+                     const ShellRows& frame, const PixelRectangle& rows, const TilePart& part,
+                     ShellRecord& record);
+
+/// False only if a triangle, in these pixels, lies between the samples, so that drawShellRows would
+/// draw nothing; true where it is larger than a few pixels.
+[[nodiscard]] bool coversSample(int samples, const ShellRaster::Setup& setup,
+                                const PixelRectangle& pixels);
 
 } // namespace frostfill

@@ -4,8 +4,6 @@
 #include "render/layer/painter_settings.hpp"
 #include "render/layer/swatch_mesh.hpp"
 
-#include <numeric>
-
 namespace frostfill
 {
 namespace
@@ -61,8 +59,7 @@ SwatchRaster::SwatchRaster(const Viewpoint& viewpoint, int samples, bool avx2)
         states.insert(states.end(), 2, static_cast<PolygonState>(swatch.state));
     }
     polygons.setStates(states);
-    triangles_.resize(mesh.triangles.size());
-    std::iota(triangles_.begin(), triangles_.end(), 0U);
+    triangles_ = polygons.inDrawingOrder();
     for (const std::uint32_t triangle : triangles_)
     {
         pixels_ = around(pixels_, polygons.bounds(triangle));

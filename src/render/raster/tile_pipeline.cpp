@@ -61,6 +61,11 @@ void TilePipeline::addShell(const TriangleMesh& mesh, const std::vector<glm::vec
     shaded_ = shadeMesh(mesh, positions, true);
     shell_ = std::make_unique<ShellRaster>(shaded_, shellPalette(viewpoint_.settings().style),
                                            strokesFor(viewpoint_.settings()), samples_, avx2_);
+    if (viewpoint_.settings().staticLayer)
+    {
+        keptShell_ = std::make_unique<KeptShell>(*shell_, grid_.count(),
+                                                 static_cast<std::size_t>(samples_), avx2_);
+    }
 }
 
 void TilePipeline::lookFrom(const Camera& camera)
@@ -91,7 +96,11 @@ void TilePipeline::useFraming()
     {
         shell_->lookFrom(uniforms, framing.orthographic, size_,
                          edgeStrengths(shaded_, glm::vec3(framing.eye), framing.orthographic));
-        triangles_.emplace(shaded_, framing, size_);
+        triangles_.reset();
+        if (keptShell_)
+        {
+            keptShell_->forget();
+        }
     }
     stale_ = true;
 }
@@ -119,8 +128,25 @@ const std::vector<PixelRectangle>& TilePipeline::draw(const Snapshot& snapshot, 
         for (const std::uint32_t triangle : shell_->setStates(snapshot.polygons))
         {
             const PixelRectangle pixels = shell_->bounds(triangle);
-            grid_.each(pixels, [&](std::size_t tile) { renew(tile, pixels); });
+            grid_.each(pixels,
+                       [&](std::size_t tile)
+                       {
+                           renew(tile, pixels);
+                           if (keptShell_)
+                           {
+                               keptShell_->forget(tile);
+                           }
+                       });
         }
+    }
+    if (shell_ && (startAgain || !triangles_))
+    {
+        shell_->setUpAll();
+    }
+    if (shell_ && !triangles_)
+    {
+        triangles_.emplace(grid_, shell_->inDrawingOrder(),
+                           [&](std::uint32_t triangle) { return shell_->bounds(triangle); });
     }
     stale_ = false;
     layer_->follow(drawList_.resting(), startAgain ? 0 : changes.firstArrival);
@@ -196,10 +222,6 @@ void TilePipeline::composeDirty(bool manyTiles, Image& image)
     { parts_[i] = compose(dirty[i], work_.local(), image); };
     if (manyTiles)
     {
-        if (shell_)
-        {
-            shell_->setUpAll();
-        }
         tbb::parallel_for(std::size_t{0}, dirty.size(), composeOne);
     }
     else
@@ -226,8 +248,9 @@ PixelRectangle TilePipeline::compose(std::size_t tile, SampleTile& work, Image& 
     }
     if (shell_)
     {
-        shell_->draw(triangles_->inTile(grid_.column(tile), grid_.row(tile)), dirty, work,
-                     viewpoint_.settings().staticLayer ? &resting : nullptr);
+        const auto triangles = (*triangles_)[tile];
+        keptShell_ ? keptShell_->draw(tile, triangles, dirty, work, resting)
+                   : shell_->draw(triangles, dirty, work);
     }
     const PixelRectangle inPicture = grid_.inPicture(dirty);
     if (swatches_ && swatches_->pixels().overlaps(inPicture))

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "render/layer/sphere_draw_list.hpp"
-#include "render/layer/triangle_tiles.hpp"
+#include "render/layer/tile_lists.hpp"
 #include "render/overlay/viewpoint.hpp"
 #include "render/raster/has_avx2.hpp"
-#include "render/raster/shell_raster.hpp"
+#include "render/raster/kept_shell.hpp"
 #include "render/raster/swatch_raster.hpp"
 #include "render/raster/tile_grid.hpp"
 #include "render/raster/tile_layer.hpp"
@@ -61,7 +61,8 @@ private:
     TileGrid grid_;
     ShadedMesh shaded_;
     std::unique_ptr<ShellRaster> shell_;
-    std::optional<TriangleTiles> triangles_;
+    std::unique_ptr<KeptShell> keptShell_; ///< unless everything is drawn each time
+    std::optional<TileLists> triangles_;   ///< of the shell, for this camera, once needed
     std::optional<TileView> view_;
     std::optional<TileLayer> layer_;
     std::unique_ptr<SwatchRaster> swatches_;

@@ -34,12 +34,12 @@ TEST(MeshShading, BoxKeepsItsTwelveEdgesAndItsFlatFaces)
     EXPECT_EQ(std::count_if(box.edges.begin(), box.edges.end(),
                             [](const ShadedMesh::Edge& edge) { return edge.crease; }),
               12);
-    for (std::size_t t = 0; t < box.corners.size(); ++t)
+    for (std::size_t t = 0; t < box.triangles.size(); ++t)
     {
         for (const glm::vec3& normal : box.normals[t])
         {
             EXPECT_GT(glm::dot(normal, box.faceNormals[t]), 0.99999F);
-            EXPECT_GT(glm::dot(normal, box.corners[t][0]), 0.0F) << "points inwards";
+            EXPECT_GT(glm::dot(normal, box.corners(t)[0]), 0.0F) << "points inwards";
         }
     }
 }
@@ -51,11 +51,11 @@ TEST(MeshShading, TorusIsSmoothAndHasNoCrease)
     {
         ASSERT_FALSE(edge.crease);
     }
-    for (std::size_t t = 0; t < torus.corners.size(); ++t)
+    for (std::size_t t = 0; t < torus.triangles.size(); ++t)
     {
         for (std::size_t c = 0; c < 3; ++c)
         {
-            const glm::vec3& p = torus.corners[t][c];
+            const glm::vec3 p = torus.corners(t)[c];
             const glm::vec3 ring = glm::normalize(glm::vec3(p.x, p.y, 0));
             ASSERT_GT(glm::dot(torus.normals[t][c], glm::normalize(p - ring)), 0.99F);
         }

@@ -17,8 +17,14 @@ namespace frostfill
 namespace
 {
 
-/// A plain triangle before everything else, in the first pixels of a picture; counter-clockwise.
-ShellRaster::Setup plainTriangle(const std::array<glm::dvec2, 3>& corners)
+struct PlainTriangle
+{
+    ShellRaster::Setup setup;
+    PixelRectangle pixels;
+};
+
+/// Before everything else, in the first pixels of a picture; counter-clockwise.
+PlainTriangle plainTriangle(const std::array<glm::dvec2, 3>& corners)
 {
     ShellRaster::Setup setup;
     glm::dvec2 low = corners[0];
@@ -39,15 +45,16 @@ ShellRaster::Setup plainTriangle(const std::array<glm::dvec2, 3>& corners)
         low = glm::min(low, corners[i]);
         high = glm::max(high, corners[i]);
     }
-    setup.pixels = {static_cast<int>(low.x), static_cast<int>(low.y),
-                    static_cast<int>(std::ceil(high.x)), static_cast<int>(std::ceil(high.y))};
+    const PixelRectangle pixels = {static_cast<int>(low.x), static_cast<int>(low.y),
+                                   static_cast<int>(std::ceil(high.x)),
+                                   static_cast<int>(std::ceil(high.y))};
     setup.flat = true;
     setup.base = glm::vec3(255);
     setup.density = 0.5F;
-    return setup;
+    return {setup, pixels};
 }
 
-bool drawsAnything(int samples, const ShellRaster::Setup& setup, SampleTile& tile)
+bool drawsAnything(int samples, const PlainTriangle& triangle, SampleTile& tile)
 {
     for (auto& plane : tile.inverseDepth)
     {
@@ -59,9 +66,9 @@ bool drawsAnything(int samples, const ShellRaster::Setup& setup, SampleTile& til
     }
     const TilePart part = {0, 0, {0, 0, kTileEdge, kTileEdge}};
     // With room around it: what the bounds leave out must draw nothing either.
-    const PixelRectangle rows = part.within({setup.pixels.left - 2, setup.pixels.bottom - 2,
-                                             setup.pixels.right + 2, setup.pixels.top + 2});
-    drawShellRows(lanes::hasAvx2(), samples, setup, {0, 0, 0, 0, 1}, rows, part, tile);
+    const PixelRectangle rows = part.within({triangle.pixels.left - 2, triangle.pixels.bottom - 2,
+                                             triangle.pixels.right + 2, triangle.pixels.top + 2});
+    drawShellRows(lanes::hasAvx2(), samples, triangle.setup, {0, 0, 0, 0, 1}, rows, part, tile);
     return std::any_of(tile.colour.begin(), tile.colour.end(),
                        [](const auto& plane)
                        {
@@ -92,11 +99,12 @@ TEST(ShellRows, DrawNothingOfATriangleThatCoversNoSampleAndSomethingOfEveryOther
         {
             std::swap(corners[1], corners[2]);
         }
-        const ShellRaster::Setup setup = plainTriangle(corners);
+        const PlainTriangle triangle = plainTriangle(corners);
         for (const int samples : {1, 4})
         {
-            const bool is = drawsAnything(samples, setup, *tile);
-            ASSERT_EQ(coversSample(samples, setup), is) << k << ", " << samples << " samples";
+            const bool is = drawsAnything(samples, triangle, *tile);
+            ASSERT_EQ(coversSample(samples, triangle.setup, triangle.pixels), is)
+                << k << ", " << samples << " samples";
             drawn[samples > 1 ? 1 : 0] += is ? 1 : 0;
         }
     }
@@ -110,8 +118,8 @@ TEST(ShellRows, DrawNothingOfATriangleThatCoversNoSampleAndSomethingOfEveryOther
 
 TEST(ShellRows, TakeALargeTriangleForOneThatMayCoverASample)
 {
-    const ShellRaster::Setup setup = plainTriangle({{{4, 4}, {12, 4.001}, {4, 4.001}}});
-    EXPECT_TRUE(coversSample(4, setup));
+    const PlainTriangle triangle = plainTriangle({{{4, 4}, {12, 4.001}, {4, 4.001}}});
+    EXPECT_TRUE(coversSample(4, triangle.setup, triangle.pixels));
 }
 
 } // namespace
