@@ -4,6 +4,9 @@
 #include <frostfill/mesh.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
 
 namespace frostfill
 {
@@ -13,6 +16,13 @@ using Triangle = std::array<std::uint32_t, 3>;
 /// A triangle has no area if twice its area over its squared longest edge is below this. Far below
 /// what single precision can express on purpose, far above rounding in double precision.
 inline constexpr double kFlat = 1e-12;
+
+[[nodiscard]] inline std::array<Eigen::Vector3d, 3> cornersOf(const TriangleMesh& mesh,
+                                                              std::size_t triangle)
+{
+    const auto& [a, b, c] = mesh.triangles[triangle];
+    return {mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
+}
 
 [[nodiscard]] inline bool repeatsCorner(const Triangle& t)
 {

@@ -3,6 +3,7 @@
 
 #include "geometry/closest_point.hpp"
 #include "mesh/interior/nearest_point.hpp"
+#include "mesh/triangle_shape.hpp"
 
 #include <tbb/parallel_for.h>
 
@@ -22,12 +23,6 @@ constexpr std::size_t kSampled = 64;  // one of so many tells first what is fine
 constexpr std::size_t kPerPart = 512; // triangles that one thread takes
 
 using Corners = std::array<Eigen::Vector3d, 3>;
-
-Corners cornersOf(const TriangleMesh& mesh, std::size_t triangle)
-{
-    const auto& [a, b, c] = mesh.triangles[triangle];
-    return {mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
-}
 
 /// Branch and bound. The distance to one triangle is convex, so on a triangle it is greatest in a
 /// corner; the distance to all triangles is no greater. Where that bound is too loose, the triangle

@@ -4,6 +4,7 @@
 #include "geometry/triangle_pair.hpp"
 #include "mesh/interior/fan_sweep.hpp"
 #include "mesh/interior/spread_fan.hpp"
+#include "mesh/triangle_shape.hpp"
 
 #include <algorithm>
 #include <array>
@@ -16,12 +17,6 @@ namespace frostfill
 {
 namespace
 {
-
-TrianglePair::Corners cornersOf(const TriangleMesh& mesh, std::uint32_t triangle)
-{
-    const auto& t = mesh.triangles[triangle];
-    return {mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
-}
 
 /// Two triangles with the vertices that they share in front.
 TrianglePair pairOf(const TriangleMesh& mesh, std::uint32_t one, std::uint32_t other)

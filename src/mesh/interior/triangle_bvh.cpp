@@ -2,6 +2,7 @@
 #include "mesh/interior/triangle_bvh.hpp"
 
 #include "mesh/interior/triangle_bound.hpp"
+#include "mesh/triangle_shape.hpp"
 
 namespace frostfill
 {
@@ -127,17 +128,11 @@ private:
         Discs discs{};
         for (std::size_t k = 0; k < its.end - its.first; ++k)
         {
-            enter(discs, k, boundOf(cornersOf(tree_.order()[its.first + k])));
+            enter(discs, k, boundOf(cornersOf(mesh_, tree_.order()[its.first + k])));
         }
         bvh_.leaves_.push_back(discs);
         bvh_.starts_.push_back(its.end);
         return static_cast<std::uint32_t>(bvh_.leaves_.size() - 1);
-    }
-
-    [[nodiscard]] std::array<Eigen::Vector3d, 3> cornersOf(std::uint32_t triangle) const
-    {
-        const auto& t = mesh_.triangles[triangle];
-        return {mesh_.vertices[t[0]], mesh_.vertices[t[1]], mesh_.vertices[t[2]]};
     }
 
     /// Makes a disc the k-th, in the frame of the nodes.
@@ -175,7 +170,7 @@ private:
         {
             for (const std::uint32_t triangle : tree_.triangles(its))
             {
-                visit(cornersOf(triangle));
+                visit(cornersOf(mesh_, triangle));
             }
         };
         forEach(
