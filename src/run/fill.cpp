@@ -26,6 +26,11 @@ namespace
 /// Memory for looking at what the spheres can reach: enough for some 500,000 spheres. Beyond that
 /// it would take longer than a run should.
 constexpr std::size_t kReachBytes = std::size_t{8} << 20;
+/// And in a thin object, of which there are walls wherever there is something. Larger: seconds, and
+/// memory beyond that of the run.
+constexpr std::size_t kReachBytesOfThin = std::size_t{32} << 20;
+/// An object that fills less of its box is thin.
+constexpr double kThin = 0.01;
 
 using Clock = std::chrono::steady_clock;
 
@@ -83,7 +88,9 @@ FillPlan makePlan(const Scene& scene, const LoadedMesh& mesh, const Simulation& 
 /// Throws Error badData for an object that spheres would leave.
 ReachInspection reachWithoutLeak(const Scene& scene, const Simulation& simulation)
 {
-    ReachInspection reach = simulation.inspectReach(kReachBytes);
+    const MeshReport& object = simulation.object();
+    const bool isThin = object.volume < kThin * object.box.volume();
+    ReachInspection reach = simulation.inspectReach(isThin ? kReachBytesOfThin : kReachBytes);
     if (reach.leak)
     {
         throw Error(ErrorCode::badData,

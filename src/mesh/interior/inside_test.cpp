@@ -213,6 +213,25 @@ bool InsideTest::isCellInside(const Cell& cell) const
     return far != BrickTable::kNone && farSide_[far] == Side::inside;
 }
 
+Eigen::AlignedBox3d InsideTest::boxInReach(std::size_t brick) const
+{
+    const TriangleGrid::Cells& cells = grid_->cells();
+    const double half = grid_->frame().cell / 2;
+    Eigen::AlignedBox3d box;
+    const std::size_t first = brick * TriangleGrid::Cells::kInBrick;
+    for (std::size_t cell = first; cell < first + TriangleGrid::Cells::kInBrick; ++cell)
+    {
+        if (cellInside_[cell] || !grid_->ofCell(cell).empty())
+        {
+            const auto [x, y, z] = cells.cell(cell);
+            const Eigen::Vector3d middle = grid_->frame().centre(x, y, z);
+            box.extend(Eigen::Vector3d(middle.array() - half));
+            box.extend(Eigen::Vector3d(middle.array() + half));
+        }
+    }
+    return box;
+}
+
 double InsideTest::farOutsideUntil(const Eigen::Vector3d& p, double end) const
 {
     constexpr int kSide = TriangleGrid::Cells::kSide;

@@ -49,7 +49,10 @@ public:
         const BrickTable& near = grid_->cells().bricks();
         for (std::size_t brick = 0; brick < near.size(); ++brick)
         {
-            visit(boxOf(near.place(brick)));
+            if (const Eigen::AlignedBox3d box = boxInReach(brick); !box.isEmpty())
+            {
+                visit(box);
+            }
         }
         for (std::size_t brick = 0; brick < far_.size(); ++brick)
         {
@@ -78,6 +81,8 @@ private:
     /// Of a brick without triangles, by its number in far_; kNone of one that is outside.
     [[nodiscard]] std::uint32_t farBrick(const Cell& cell) const;
     [[nodiscard]] Side& sideOfBrick(const GridPlace& brick);
+    /// About the cells of a brick with triangles that are inside or have triangles.
+    [[nodiscard]] Eigen::AlignedBox3d boxInReach(std::size_t brick) const;
     [[nodiscard]] Eigen::AlignedBox3d boxOf(const GridPlace& brick) const
     {
         const GridFrame& frame = grid_->frame();

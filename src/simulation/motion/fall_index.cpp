@@ -2,27 +2,9 @@
 #include "simulation/motion/fall_index.hpp"
 
 #include <algorithm>
-#include <bit>
 
 namespace frostfill
 {
-namespace
-{
-
-/// The highest bit, at most y, of a column whose words are asked for by their number.
-template <class WordAt>
-int highestIn(int y, WordAt&& wordAt)
-{
-    int index = y / 64;
-    std::uint64_t candidates = wordAt(index) & (~std::uint64_t{0} >> (63 - y % 64));
-    while (candidates == 0 && index > 0)
-    {
-        candidates = wordAt(--index);
-    }
-    return candidates == 0 ? -1 : index * 64 + 63 - std::countl_zero(candidates);
-}
-
-} // namespace
 
 FallIndex::FallIndex(const GridFrame& frame, const TriangleGrid& triangles)
     : frame_(frame), words_({(frame.count[1] + 63) / 64, frame.count[0], frame.count[2]}),
@@ -52,16 +34,6 @@ void FallIndex::insert(const Eigen::Vector3d& centre)
 {
     const auto c = frame_.coordinates(centre);
     spheres_[wordOf(c)] |= std::uint64_t{1} << (c[1] % 64);
-}
-
-int FallIndex::highestBelow(int x, int z, int y, const std::vector<std::uint64_t>& bits) const
-{
-    if (!words_.isOne())
-    {
-        return highestInBricks(x, z, y, bits);
-    }
-    const std::uint64_t* column = bits.data() + words_.find(0, x, z);
-    return highestIn(y, [column](int index) { return column[index]; });
 }
 
 int FallIndex::highestInBricks(int x, int z, int y, const std::vector<std::uint64_t>& bits) const

@@ -5,6 +5,7 @@
 #include "geometry/grid_frame.hpp"
 #include "mesh/interior/triangle_grid.hpp"
 
+#include <bit>
 #include <cstdint>
 #include <vector>
 
@@ -39,8 +40,29 @@ private:
     std::size_t wordOf(const GridPlace& cell);
     [[nodiscard, gnu::noinline]] int highestInBricks(int x, int z, int y,
                                                      const std::vector<std::uint64_t>& bits) const;
+    /// The highest bit, at most y, of a column whose words are asked for by their number.
+    template <class WordAt>
+    [[nodiscard]] static int highestIn(int y, WordAt&& wordAt)
+    {
+        int index = y / 64;
+        std::uint64_t candidates = wordAt(index) & (~std::uint64_t{0} >> (63 - y % 64));
+        while (candidates == 0 && index > 0)
+        {
+            candidates = wordAt(--index);
+        }
+        return candidates == 0 ? -1 : index * 64 + 63 - std::countl_zero(candidates);
+    }
+    // Inlined for a grid of one brick, as nearly always.
     [[nodiscard]] int highestBelow(int x, int z, int y,
-                                   const std::vector<std::uint64_t>& bits) const;
+                                   const std::vector<std::uint64_t>& bits) const
+    {
+        if (!words_.isOne()) [[unlikely]]
+        {
+            return highestInBricks(x, z, y, bits);
+        }
+        const std::uint64_t* column = bits.data() + words_.find(0, x, z);
+        return highestIn(y, [column](int index) { return column[index]; });
+    }
 
     GridFrame frame_;
     BrickedCells<1> words_;              ///< of 64 cells each, by their layer, x and z

@@ -2,9 +2,10 @@
 #include "simulation/reach/reach_leak.hpp"
 #include "simulation/reach/reach_map.hpp"
 #include "simulation/reach/tolerances.hpp"
-#include "simulation/reach/voxel_rows.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace frostfill
 {
@@ -16,25 +17,42 @@ GridFrame frameAbout(const Surface& surface, double margin, double voxel)
     return GridFrame::cover(surface.box(), voxel, margin + 2 * voxel);
 }
 
+// With cubes of the given edge, if its sets of cubes fit into memory.
+std::optional<VoxelLayout> layoutOf(const Surface& surface, const InsideTest& inside, double margin,
+                                    double voxel, const ReachMap::Resolution& limits)
+{
+    // In floating point, for the numbers of cubes may not fit an int.
+    const Eigen::Vector3d box = surface.box().sizes();
+    const Eigen::Array3d count =
+        (box.array() + 2 * margin) / voxel + Eigen::Array3d(68, 6, 6); // with all padding
+    if (count.maxCoeff() > std::numeric_limits<int>::max())
+    {
+        return std::nullopt;
+    }
+    const GridFrame frame = frameAbout(surface, margin, voxel);
+    const double whole = count.prod() * (kSetsOfCubes / 8.0);
+    if (whole > static_cast<double>(std::min(limits.wholeGrid, limits.bytes)))
+    {
+        constexpr std::size_t kBytesOfWord =
+            std::size_t{8} * kSetsOfCubes + VoxelBricks::kBytesOfBrick / VoxelBricks::kInBrick;
+        const auto bricks = VoxelBricks::inReach(frame, inside, limits.bytes / kBytesOfWord);
+        return bricks ? std::optional(VoxelLayout(frame, bricks)) : std::nullopt;
+    }
+    return VoxelLayout(frame);
+}
+
 // The smallest edge from `voxel` on whose sets of cubes fit into memory; nothing when that is more
 // than `largest`.
-std::optional<VoxelLayout> chooseLayout(const Surface& surface, double margin, double voxel,
-                                        double largest, std::size_t bytes)
+std::optional<VoxelLayout> chooseLayout(const Surface& surface, const InsideTest& inside,
+                                        double margin, double voxel, double largest,
+                                        const ReachMap::Resolution& limits)
 {
-    const auto size = [&](double edge)
-    {
-        // In floating point, for the numbers of cubes may not fit an int.
-        const Eigen::Vector3d box = surface.box().sizes();
-        const Eigen::Array3d count =
-            (box.array() + 2 * margin) / edge + Eigen::Array3d(68, 6, 6); // with all padding
-        return count.prod() * (kSetsOfCubes / 8.0);
-    };
     for (; voxel <= largest;
          voxel = std::min(voxel * kGrowth, std::max(largest, voxel * kMinGrowth)))
     {
-        if (size(voxel) <= static_cast<double>(bytes))
+        if (auto layout = layoutOf(surface, inside, margin, voxel, limits))
         {
-            return VoxelLayout(frameAbout(surface, margin, voxel));
+            return layout;
         }
     }
     return std::nullopt;
@@ -59,7 +77,7 @@ ReachMap::ReachMap(const Surface& surface, const InsideTest& inside, const Radii
     const double largest = kLargestVoxel * exclusion(radii.smallest);
     const double voxel = std::min(resolution.voxel * radii.smallest, largest);
     const auto layout =
-        largest > 0 ? chooseLayout(surface, radii.smallest, voxel, largest, resolution.bytes)
+        largest > 0 ? chooseLayout(surface, inside, radii.smallest, voxel, largest, resolution)
                     : std::nullopt;
     active_ = layout.has_value();
     if (!active_)
@@ -70,7 +88,7 @@ ReachMap::ReachMap(const Surface& surface, const InsideTest& inside, const Radii
     search_ = VoxelFlood(layout_);
     open_ = unblockedCubes();
     marks_.assign(layout_.words, 0);
-    triangleCursor_.assign(surface.size(), 0);
+    triangleRow_.assign(surface.size(), 0);
     keepInside(inside);
     reachedCount_ = countCubes(open_);
     seeds_ = open_;
@@ -86,50 +104,39 @@ double ReachMap::exclusion(double contact) const
 VoxelBits ReachMap::cubesFartherThan(double distance) const
 {
     VoxelBits open(layout_.words, 0);
-    const auto& count = layout_.frame.count;
-    for (int y = 0; y < count[1]; ++y)
-    {
-        for (int z = 0; z < count[2]; ++z)
-        {
-            layout_.forEachWord(y, z, 0, count[0] - 1,
-                                [&](VoxelWord w) { open[w.word] |= w.bits; });
-        }
-    }
+    layout_.forEachWord([&](VoxelWord w) { open[w.word] |= w.bits; });
     for (std::uint32_t id = 0; id < surface_.size(); ++id)
     {
         const TriangleRows rows(layout_.frame, surface_, id, distance);
-        const VoxelRun widest = rows.widest();
-        if (widest.first > widest.last)
-        {
-            continue;
-        }
-        rows.window().forEach(
-            [&](int y, int z)
+        rows.forEach(
+            [&](int y, int z, VoxelRun most)
             {
                 // Where triangles are small, most rows have been closed by their neighbours.
-                if (!layout_.any(open, y, z, widest.first, widest.last))
+                if (!layout_.any(open, y, z, most.first, most.last))
                 {
                     return;
                 }
-                const VoxelRun run = rows.run(y, z);
-                for (int x = run.first; x <= run.last; ++x)
-                {
-                    const VoxelWord cube = layout_.at(x, y, z);
-                    if ((open[cube.word] & cube.bits) != 0 && rows.near(x, y, z))
-                    {
-                        open[cube.word] &= ~cube.bits;
-                    }
-                }
+                const VoxelRun run = rows.run(y, z, most);
+                layout_.findInRow(open, y, z, run.first, run.last,
+                                  [&](int x, VoxelWord cube)
+                                  {
+                                      if (rows.near(x, y, z))
+                                      {
+                                          open[cube.word] &= ~cube.bits;
+                                      }
+                                      return false;
+                                  });
             });
     }
     return open;
 }
 
 // Cubes that are connected lie on the same side of the surface: one test serves a whole component.
-// The one at the border is outside, unless the surface has a hole.
+// Those at the border are outside, unless the surface has a hole.
 void ReachMap::keepInside(const InsideTest& inside)
 {
-    search_.run(open_, layout_.at(0, 0, 0), [](VoxelWord) { return false; });
+    layout_.forEachOutermost([&](VoxelWord cubes)
+                             { search_.run(open_, cubes, [](VoxelWord) { return false; }); });
     VoxelBits outer(layout_.words, 0);
     search_.drain([&](VoxelWord w) { outer[w.word] = w.bits; });
     leak_ = findLeak(surface_, inside, layout_, outer, radii_.smallest);

@@ -6,6 +6,7 @@
 #include "simulation/reach/reach_map.hpp"
 #include "simulation/reach/reach_report.hpp"
 #include "simulation/reach/tolerances.hpp"
+#include "simulation/world/memory_need.hpp"
 #include "simulation/world/tolerances.hpp"
 
 #include <cmath>
@@ -35,18 +36,18 @@ void closeCoveredCubes(ReachMap& map, ClearSearch& search)
     const VoxelLayout& layout = map.layout();
     const VoxelBits open = map.reached();
     const VoxelBits clear = map.cubesFartherThan(map.radii().smallest);
-    for (std::size_t word = 0; word < open.size(); ++word)
+    const auto closeIfCovered = [&](int x, int y, int z)
     {
-        layout.forEachCube({word, open[word] & ~clear[word]},
-                           [&](int x, int y, int z)
-                           {
-                               const Eigen::Vector3d middle = layout.frame.centre(x, y, z);
-                               if (!search.mayBeClear(middle, layout.frame.cell))
-                               {
-                                   map.closeCube(x, y, z);
-                               }
-                           });
-    }
+        const Eigen::Vector3d middle = layout.frame.centre(x, y, z);
+        if (!search.mayBeClear(middle, layout.frame.cell))
+        {
+            map.closeCube(x, y, z);
+        }
+    };
+    layout.forEachWord(
+        [&](VoxelWord w) {
+            layout.forEachCube({w.word, open[w.word] & ~clear[w.word]}, closeIfCovered);
+        });
     (void)map.flood({});
 }
 
@@ -111,8 +112,8 @@ ReachInspection inspectReach(const TriangleMesh& mesh, double radius, std::size_
 {
     const Eigen::Vector3d origin = boundingBox(mesh).center();
     const Surface surface(inRadii(mesh, origin, radius));
-    // Cells of a radius take some bytes each.
-    if ((surface.box().sizes().array() + 4).prod() * 8 > static_cast<double>(bytes))
+    if (memoryNeed(ObjectSize(surface.mesh()), 0) > static_cast<double>(bytes) ||
+        surface.box().sizes().maxCoeff() > kMaxLength)
     {
         return {};
     }

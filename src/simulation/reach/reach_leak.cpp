@@ -19,17 +19,55 @@ bool isIn(const VoxelLayout& layout, const VoxelBits& set, const Cube& cube)
     return (set[w.word] & w.bits) != 0;
 }
 
-// Breadth first: the cubes from `start` to the nearest one at the border. The way back is kept as
-// one direction a cube.
+/// The face by which a search came to each cube, three bits of one.
+class Arrivals
+{
+public:
+    static constexpr unsigned kUnseen = 0;
+    static constexpr unsigned kStart = 7; ///< else 1 and the face
+
+    explicit Arrivals(const VoxelLayout& layout) : layout_(layout)
+    {
+        bits_.fill(VoxelBits(layout.words, 0));
+    }
+    [[nodiscard]] unsigned at(const Cube& cube) const
+    {
+        const VoxelWord w = layout_.at(cube[0], cube[1], cube[2]);
+        unsigned code = 0;
+        for (unsigned k = 0; k < 3; ++k)
+        {
+            code |= (bits_[k][w.word] & w.bits) != 0 ? 1u << k : 0u;
+        }
+        return code;
+    }
+    void set(const Cube& cube, unsigned code) // of one that is unseen
+    {
+        const VoxelWord w = layout_.at(cube[0], cube[1], cube[2]);
+        for (unsigned k = 0; k < 3; ++k)
+        {
+            bits_[k][w.word] |= (code >> k & 1u) != 0 ? w.bits : 0;
+        }
+    }
+
+private:
+    const VoxelLayout& layout_;
+    std::array<VoxelBits, 3> bits_;
+};
+
+bool isInLayout(const VoxelLayout& layout, const Cube& cube)
+{
+    const auto& count = layout.frame.count;
+    return cube[0] >= 0 && cube[0] < count[0] && cube[1] >= 0 && cube[1] < count[1] &&
+           cube[2] >= 0 && cube[2] < count[2] &&
+           !layout.isNowhere(layout.word(cube[0] / 64, cube[1], cube[2]));
+}
+
+// Breadth first: the cubes from `start` to the nearest one at the border.
 std::vector<Cube> shortestExit(const VoxelLayout& layout, const VoxelBits& open, const Cube& start)
 {
-    constexpr std::uint8_t kUnseen = 6;
-    constexpr std::uint8_t kStart = 7;
-    const GridFrame& frame = layout.frame;
-    std::vector<std::uint8_t> cameBy(frame.size(), kUnseen);
-    const auto indexOf = [&](const Cube& c) { return frame.index(c[0], c[1], c[2]); };
+    Arrivals cameBy(layout);
     std::vector<Cube> queue = {start};
-    cameBy[indexOf(start)] = kStart;
+    cameBy.set(start, Arrivals::kStart);
     for (std::size_t head = 0; head < queue.size(); ++head)
     {
         Cube here = queue[head];
@@ -38,21 +76,21 @@ std::vector<Cube> shortestExit(const VoxelLayout& layout, const VoxelBits& open,
             const int axis = face / 2;
             Cube next = here;
             next[axis] += face % 2 == 0 ? -1 : 1;
-            if (next[axis] < 0 || next[axis] >= frame.count[axis])
+            if (!isInLayout(layout, next))
             {
                 std::vector<Cube> way;
-                while (cameBy[indexOf(here)] != kStart)
+                while (cameBy.at(here) != Arrivals::kStart)
                 {
                     way.push_back(here);
-                    const int back = cameBy[indexOf(here)];
+                    const int back = static_cast<int>(cameBy.at(here)) - 1;
                     here[back / 2] += back % 2 == 0 ? 1 : -1;
                 }
                 way.push_back(start);
                 return {way.rbegin(), way.rend()};
             }
-            if (isIn(layout, open, next) && cameBy[indexOf(next)] == kUnseen)
+            if (isIn(layout, open, next) && cameBy.at(next) == Arrivals::kUnseen)
             {
-                cameBy[indexOf(next)] = static_cast<std::uint8_t>(face);
+                cameBy.set(next, 1 + static_cast<unsigned>(face));
                 queue.push_back(next);
             }
         }

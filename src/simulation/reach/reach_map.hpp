@@ -5,6 +5,7 @@
 
 #include "mesh/interior/inside_test.hpp"
 #include "simulation/reach/tolerances.hpp"
+#include "simulation/reach/triangle_rows.hpp"
 #include "simulation/reach/voxel_flood.hpp"
 #include "simulation/reach/voxel_rows.hpp"
 
@@ -39,7 +40,10 @@ namespace frostfill
 ///     farther than R + Q from every reached cube that leaves anything free is in none of them.
 ///  5. A dropped obstacle stops no path, and need not: whatever blocks a cube beside a reached one
 ///     is within R' of that and so is kept, and the sweep ends there.
-///  6. Freezing adds obstacles, so the set only shrinks, and what was dropped stays dropped.
+///  6. A large box is kept in bricks that hold all that is inside. What is in no brick is outside
+///     and beyond reach of the surface: it counts as blocked, and the outside is flooded from
+///     beside it.
+///  7. Freezing adds obstacles, so the set only shrinks, and what was dropped stays dropped.
 ///
 /// What the engine checks, always: contains() for the centre of every running sphere at the end of
 /// each step, and what flood() and update() return. When one fails, it takes back all that it
@@ -69,6 +73,7 @@ public:
     {
         double voxel = 0.5;                         ///< edge of a cube, in smallest radii
         std::size_t bytes = std::size_t{512} << 20; ///< above which cubes are made larger
+        std::size_t wholeGrid = kWholeGrid;         ///< see there
     };
 
     /// Rasterises the surface, which lives as long as this, and keeps the open cubes inside.
@@ -196,25 +201,14 @@ private:
     std::vector<VoxelWord> unseeded_;     ///< no seeds any more
     std::vector<VoxelWord> runningCubes_; ///< seeds of the last update
     std::vector<VoxelWord> lost_;         ///< cubes that this flood or update took out of the set
-    std::vector<Cursor> triangleCursor_;  ///< [#T]
+    std::vector<std::uint64_t> triangleRow_; ///< [#T] as a Cursor, but some have more rows
 };
 
 template <class Confirm>
 bool ReachMap::findInRow(int y, int z, VoxelRun run, Confirm&& confirm) const
 {
-    if (run.first > run.last || !layout_.any(open_, y, z, run.first, run.last))
-    {
-        return false;
-    }
-    for (int x = run.first; x <= run.last; ++x)
-    {
-        const VoxelWord cube = layout_.at(x, y, z);
-        if ((open_[cube.word] & cube.bits) != 0 && confirm(x, y, z))
-        {
-            return true;
-        }
-    }
-    return false;
+    return layout_.findInRow(open_, y, z, run.first, run.last,
+                             [&](int x, VoxelWord) { return confirm(x, y, z); });
 }
 
 // From row `cursor` on.
@@ -224,13 +218,20 @@ bool ReachMap::findNearSphere(const Eigen::Vector3d& p, double distance, Cursor&
 {
     const BallRows rows(layout_.frame, p, distance, kMeetsBall);
     const VoxelRun widest = rows.widest();
-    return widest.first <= widest.last &&
-           rows.window().find(cursor,
-                              [&](int y, int z)
-                              {
-                                  return layout_.any(open_, y, z, widest.first, widest.last) &&
-                                         findInRow(y, z, rows.run(y, z), confirm);
-                              });
+    if (widest.first > widest.last)
+    {
+        return false;
+    }
+    std::uint64_t row = cursor;
+    const bool found =
+        rows.window().find(row,
+                           [&](int y, int z)
+                           {
+                               return layout_.any(open_, y, z, widest.first, widest.last) &&
+                                      findInRow(y, z, rows.run(y, z), confirm);
+                           });
+    cursor = static_cast<Cursor>(row);
+    return found;
 }
 
 template <class Confirm>
@@ -238,15 +239,13 @@ bool ReachMap::findNearTriangle(std::uint32_t triangle, Confirm&& confirm)
 {
     const double distance = polygonReach() + kHalfDiagonal * layout_.frame.cell;
     const TriangleRows rows(layout_.frame, surface_, triangle, distance);
-    const VoxelRun widest = rows.widest();
     const auto isNear = [&](int x, int y, int z) { return rows.near(x, y, z) && confirm(x, y, z); };
-    return widest.first <= widest.last &&
-           rows.window().find(triangleCursor_[triangle],
-                              [&](int y, int z)
-                              {
-                                  return layout_.any(open_, y, z, widest.first, widest.last) &&
-                                         findInRow(y, z, rows.run(y, z), isNear);
-                              });
+    return rows.find(triangleRow_[triangle],
+                     [&](int y, int z, VoxelRun most)
+                     {
+                         return layout_.any(open_, y, z, most.first, most.last) &&
+                                findInRow(y, z, rows.run(y, z, most), isNear);
+                     });
 }
 
 } // namespace frostfill

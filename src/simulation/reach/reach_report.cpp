@@ -11,13 +11,16 @@ namespace
 
 // Cubes up to `reach` to the left and right of a word's, those of the words beside it included.
 // They are of the same row: reached cubes keep more than a radius from both ends of theirs.
-std::uint64_t widened(const VoxelBits& set, std::size_t word, int reach)
+std::uint64_t widened(const VoxelLayout& layout, const VoxelBits& set, std::size_t word, int reach)
 {
-    std::uint64_t result = set[word];
+    const WordsBeside beside = layout.beside(word);
+    const std::uint64_t left = set[beside.left];
+    const std::uint64_t here = set[word];
+    const std::uint64_t right = set[beside.right];
+    std::uint64_t result = here;
     for (int shift = 1; shift <= reach; ++shift)
     {
-        result |= set[word] << shift | set[word] >> shift | set[word - 1] >> (64 - shift) |
-                  set[word + 1] << (64 - shift);
+        result |= here << shift | here >> shift | left >> (64 - shift) | right << (64 - shift);
     }
     return result;
 }
@@ -27,12 +30,13 @@ class Dilation
 {
 public:
     Dilation(const VoxelLayout& layout, const VoxelBits& set, double radius)
-        : layout_(layout), set_(set), radius_(radius), reach_(static_cast<int>(radius + 0.5))
+        : layout_(layout), set_(set), radius_(radius), reach_(static_cast<int>(std::lround(radius)))
     {
     }
 
-    [[nodiscard]] std::uint64_t word(int y, int z, std::size_t inRow) const
+    [[nodiscard]] std::uint64_t word(std::size_t word) const
     {
+        const auto [x, y, z] = layout_.coordinates(word);
         std::uint64_t result = 0;
         for (int dy = -reach_; dy <= reach_; ++dy)
         {
@@ -45,8 +49,8 @@ public:
                 {
                     continue;
                 }
-                result |= widened(set_, layout_.row(y + dy, z + dz) + inRow,
-                                  std::min(63, static_cast<int>(std::sqrt(rest) + 0.5)));
+                result |= widened(layout_, set_, layout_.word(x / 64, y + dy, z + dz),
+                                  std::min(63, static_cast<int>(std::lround(std::sqrt(rest)))));
             }
         }
         return result;
@@ -102,12 +106,11 @@ VoxelBits openInside(const VoxelLayout& layout, VoxelBits open, const InsideTest
 VoxelBits uncoveredCubes(const ReachMap& map, const InsideTest& inside)
 {
     const VoxelLayout& layout = map.layout();
-    const auto& count = layout.frame.count;
     const Dilation covered(layout, map.reached(), map.radii().smallest / layout.frame.cell);
     const VoxelBits unblocked = map.unblockedCubes();
     const VoxelBits within = openInside(layout, unblocked, inside);
     VoxelBits result(layout.words, 0);
-    const auto look = [&](int y, int z, VoxelWord w)
+    const auto look = [&](VoxelWord w)
     {
         const std::uint64_t blocked = w.bits & ~unblocked[w.word];
         const std::uint64_t maybe = (blocked | within[w.word]) & ~map.reached()[w.word];
@@ -115,7 +118,7 @@ VoxelBits uncoveredCubes(const ReachMap& map, const InsideTest& inside)
         {
             return;
         }
-        const std::uint64_t here = maybe & ~covered.word(y, z, w.word - layout.row(y, z));
+        const std::uint64_t here = maybe & ~covered.word(w.word);
         result[w.word] = here & within[w.word];
         for (std::uint64_t left = here & blocked; left != 0; left &= left - 1)
         {
@@ -123,13 +126,7 @@ VoxelBits uncoveredCubes(const ReachMap& map, const InsideTest& inside)
             result[w.word] |= isInside(layout, inside, cube) ? cube.bits : 0;
         }
     };
-    for (int y = 0; y < count[1]; ++y)
-    {
-        for (int z = 0; z < count[2]; ++z)
-        {
-            layout.forEachWord(y, z, 0, count[0] - 1, [&](VoxelWord w) { look(y, z, w); });
-        }
-    }
+    layout.forEachWord(look);
     return result;
 }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+
 namespace frostfill
 {
 
@@ -18,6 +21,9 @@ inline constexpr double kReachRounding = 1e-9;
 inline constexpr double kLargestVoxel = 0.7;
 /// Sets of cubes that are kept in memory, here and in the flood.
 inline constexpr int kSetsOfCubes = 4;
+/// Sets of a whole grid up to which it has no bricks. Larger: memory for cubes without anything.
+/// Smaller: ordinary objects look up bricks. [bytes]
+inline constexpr std::size_t kWholeGrid = std::size_t{32} << 20;
 /// Where memory is short, cubes grow by this factor until they fit. Larger: cubes larger than
 /// needed. Smaller: more tries.
 inline constexpr double kGrowth = 1.02;
@@ -33,6 +39,9 @@ inline constexpr int kHalvings = 2;
 inline constexpr double kFilterRounding = 1e-6;
 /// A plane that a row meets at a smaller sine is not used to shorten it.
 inline constexpr double kSteep = 1e-6;
+/// Words in the box of a triangle from which on it is cut into rows. Larger: rows of a long
+/// triangle's box that it is nowhere near. Smaller: cuts that find hardly less. [words]
+inline constexpr std::uint64_t kLargeWindow = 4096;
 
 // What `frostfill mesh --radius` reports.
 

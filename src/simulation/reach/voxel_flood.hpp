@@ -30,19 +30,20 @@ namespace frostfill
 template <class Visit>
 void forEachNeighbour(const VoxelLayout& layout, VoxelWord cubes, Visit&& visit)
 {
-    const auto [word, bits] = cubes;
-    visit(VoxelWord{word - layout.wordsPerPlane, bits});
-    visit(VoxelWord{word - layout.wordsPerRow, bits});
-    visit(VoxelWord{word + layout.wordsPerRow, bits});
+    const std::uint64_t bits = cubes.bits;
+    const WordsBeside beside = layout.beside(cubes.word);
+    visit(VoxelWord{beside.below, bits});
+    visit(VoxelWord{beside.before, bits});
+    visit(VoxelWord{beside.behind, bits});
     if ((bits & 1) != 0)
     {
-        visit(VoxelWord{word - 1, std::uint64_t{1} << 63});
+        visit(VoxelWord{beside.left, std::uint64_t{1} << 63});
     }
     if ((bits >> 63) != 0)
     {
-        visit(VoxelWord{word + 1, 1});
+        visit(VoxelWord{beside.right, 1});
     }
-    visit(VoxelWord{word + layout.wordsPerPlane, bits});
+    visit(VoxelWord{beside.above, bits});
 }
 
 /// Flood through face-connected cubes, a word at a time. The newest cubes go first and those above

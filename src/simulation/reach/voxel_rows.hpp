@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "mesh/interior/surface.hpp"
+#include "geometry/grid_frame.hpp"
 #include "simulation/reach/tolerances.hpp"
-#include "simulation/reach/voxel_layout.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
+#include <cstdint>
 
-/// Which cubes lie in a ball, near a ball or near a triangle, row by row.
+/// Which cubes lie in a ball or near one, row by row.
 namespace frostfill
 {
 
@@ -41,20 +42,35 @@ public:
         : top_(y[1]), firstZ_(z[0]), depth_(z[1] - z[0] + 1),
           count_(y[1] < y[0] || depth_ < 1
                      ? 0
-                     : static_cast<std::uint32_t>(y[1] - y[0] + 1) * static_cast<unsigned>(depth_))
+                     : static_cast<std::uint64_t>(y[1] - y[0] + 1) * static_cast<unsigned>(depth_))
     {
+    }
+    /// Rows.
+    [[nodiscard]] std::uint64_t count() const { return count_; }
+    [[nodiscard]] int y(std::uint64_t row) const
+    {
+        return top_ - static_cast<int>(row / static_cast<unsigned>(depth_));
+    }
+    [[nodiscard]] int z(std::uint64_t row) const
+    {
+        return firstZ_ + static_cast<int>(row % static_cast<unsigned>(depth_));
+    }
+    [[nodiscard]] std::uint64_t number(int y, int z) const
+    {
+        return static_cast<std::uint64_t>(top_ - y) * static_cast<unsigned>(depth_) +
+               static_cast<unsigned>(z - firstZ_);
     }
     /// Looks for a row from number `row` on for which test(y, z) holds. Leaves its number in `row`,
     /// or the number of rows when there is none.
     template <class Test>
-    bool find(std::uint32_t& row, Test&& test) const
+    bool find(std::uint64_t& row, Test&& test) const
     {
         if (row >= count_)
         {
             return false;
         }
-        int y = top_ - static_cast<int>(row / static_cast<unsigned>(depth_));
-        int z = firstZ_ + static_cast<int>(row % static_cast<unsigned>(depth_));
+        int y = this->y(row);
+        int z = this->z(row);
         for (; row < count_; ++row)
         {
             if (test(y, z))
@@ -73,7 +89,7 @@ public:
     template <class Visit>
     void forEach(Visit&& visit) const
     {
-        std::uint32_t row = 0;
+        std::uint64_t row = 0;
         find(row,
              [&](int y, int z)
              {
@@ -86,7 +102,7 @@ private:
     int top_;
     int firstZ_;
     int depth_;
-    std::uint32_t count_;
+    std::uint64_t count_;
 };
 
 /// Which cubes of a grid belong to a ball, by what is added to the distance of their middle along
@@ -131,74 +147,6 @@ private:
     Eigen::Vector3d centre_; ///< in cubes, counted from the middle of cube 0
     double radius_;          ///< in cubes
     double half_;
-    std::array<int, 2> widest_;
-    RowWindow window_;
-};
-
-/// The cubes of a grid whose middle is within `reach` of a triangle.
-class TriangleRows
-{
-public:
-    TriangleRows(const GridFrame& frame, const Surface& surface, std::uint32_t id, double reach)
-        : frame_(frame), triangle_(surface[id]), plane_(surface.bound(id)), reach_(reach),
-          box_(boxOf(surface[id])), widest_(range(0, box_.min().x(), box_.max().x())),
-          window_(range(1, box_.min().y(), box_.max().y()),
-                  range(2, box_.min().z(), box_.max().z()))
-    {
-    }
-    [[nodiscard]] const RowWindow& window() const { return window_; }
-
-    /// What no row has more cubes than.
-    [[nodiscard]] VoxelRun widest() const { return {widest_[0], widest_[1]}; }
-
-    /// The cubes of a row that may be near: their middle is near the triangle's plane and box.
-    [[nodiscard]] VoxelRun run(int y, int z) const
-    {
-        double low = box_.min().x();
-        double high = box_.max().x();
-        const Eigen::Vector3d start = frame_.centre(0, y, z);
-        const double slope = plane_.normal.x();
-        if (std::abs(slope) > kSteep)
-        {
-            // |n.p - offset| <= reach on the line p = start + t e_x; x shifted by -reach below.
-            const double middle = start.x() - (plane_.normal.dot(start) - plane_.offset) / slope;
-            const double width = (reach_ + kFilterRounding) / std::abs(slope);
-            low = std::max(low, middle - width + reach_);
-            high = std::min(high, middle + width - reach_);
-        }
-        const auto x = range(0, low, high);
-        return {x[0], x[1]};
-    }
-
-    [[nodiscard]] bool near(int x, int y, int z) const
-    {
-        const Eigen::Vector3d p = frame_.centre(x, y, z);
-        const auto& [a, b, c] = triangle_.corner;
-        return (closestPointOnTriangle(p, a, b, c).point - p).squaredNorm() <= reach_ * reach_;
-    }
-
-private:
-    static Eigen::AlignedBox3d boxOf(const SurfaceTriangle& triangle)
-    {
-        Eigen::AlignedBox3d box;
-        for (const Eigen::Vector3d& corner : triangle.corner)
-        {
-            box.extend(corner);
-        }
-        return box;
-    }
-    [[nodiscard]] std::array<int, 2> range(int axis, double low, double high) const
-    {
-        const double shift = -frame_.origin[axis] / frame_.cell - 0.5;
-        return wholeNumbers((low - reach_) / frame_.cell + shift,
-                            (high + reach_) / frame_.cell + shift, frame_.count[axis]);
-    }
-
-    GridFrame frame_;
-    const SurfaceTriangle& triangle_;
-    const TriangleBound& plane_;
-    double reach_;
-    Eigen::AlignedBox3d box_;
     std::array<int, 2> widest_;
     RowWindow window_;
 };

@@ -1,41 +1,70 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/world/memory_need.hpp"
 
+#include "simulation/world/tolerances.hpp"
+
 #include <frostfill/error.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace frostfill
 {
 namespace
 {
 
-/// For each sphere: position, velocity, states, grid [bytes]. Runs of a million take 171.
-constexpr double kMemoryPerSphere = 150;
+/// For each sphere: position, velocity, states [bytes]. Runs of a million in a cube take 137 with
+/// their grids.
+constexpr double kMemoryPerSphere = 80;
+/// For each cell of a radius: the grids, release sites, and the map of what is within reach
+/// [bytes]. In a cube of 55 million, runs of a few spheres take 6.1.
+constexpr double kMemoryPerCell = 5;
+/// And near walls: lists of triangles, bricks that are partly in use. In a frame of bars, runs of a
+/// few spheres take 50 with 11 million of such cells.
+constexpr double kMemoryPerWallCell = 20;
+/// By which a radius grows until its spheres have room. Larger: larger radii are named than needed.
+constexpr double kRadiusGrowth = 1.001;
+
+double cellsNearWalls(const ObjectSize& object)
+{
+    return 2 * kTriangleReach * object.area;
+}
 
 } // namespace
 
-double memoryNeed(double spheres)
+double ObjectSize::cells() const
 {
-    return kMemoryPerSphere * spheres;
+    return std::min((box.array() + 2 * kGridMargin).prod(), volume + cellsNearWalls(*this));
+}
+
+double memoryNeed(const ObjectSize& object, double spheres)
+{
+    const double cells = object.cells();
+    return kMemoryPerSphere * spheres + kMemoryPerCell * cells +
+           kMemoryPerWallCell * std::min(cells, cellsNearWalls(object));
 }
 
 void requireMemory(const Scene& scene, const MeshReport& object, double radius, double spheres,
                    double bytes)
 {
-    if (memoryNeed(spheres) <= bytes)
+    // What is too large for any memory is refused as that.
+    const bool isTooLarge = ObjectSize(object, radius).cells() > kMaxCells;
+    if ((isTooLarge ? kMemoryPerSphere * spheres
+                    : memoryNeed(ObjectSize(object, radius), spheres)) <= bytes)
     {
         return;
     }
-    // What a full object of the smallest spheres that there is memory for would take.
-    const double full = kMemoryPerSphere * object.volume;
+    // A full object of the smallest spheres that there is memory for.
+    double room = radius;
+    while (memoryNeed(ObjectSize(object, room), ObjectSize(object, room).volume) > bytes)
+    {
+        room *= kRadiusGrowth;
+    }
     throw Error(ErrorCode::outOfMemory,
                 fmt::format("spheres of radius {:.3g} in {} take more than the {:.3g} GB of memory "
                             "here; take a --radius of {:.2g} or more",
-                            radius, scene.object.mesh, bytes / 1e9, std::cbrt(full / bytes)));
+                            radius, scene.object.mesh, bytes / 1e9, room));
 }
 
 } // namespace frostfill

@@ -56,10 +56,9 @@ GridFrame checkedGrid(const Surface& surface, const MeshReport& report, const Fr
                       const Scene& scene)
 {
     const double r = frame.length;
-    // Grids have cells inside and within reach of the walls, at most all of the box.
-    const double cells =
-        std::min((surface.box().sizes().array() + 2 * kGridMargin).prod(),
-                 report.volume / (r * r * r) + 2 * kTriangleReach * report.area / (r * r));
+    ObjectSize size(report, r);
+    size.box = surface.box().sizes(); // its parts may have been moved together
+    const double cells = size.cells();
     if (!(cells <= kMaxCells && surface.box().sizes().maxCoeff() <= kMaxLength))
     {
         throw Error(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/shapes.hpp"
 #include "unit/simulation/engine/small_torus.hpp"
+#include "unit/simulation/reach/reach_scene.hpp"
 
 #include <frostfill/simulation.hpp>
 
@@ -11,10 +12,8 @@ namespace frostfill
 namespace
 {
 
-/// A bar through the whole of its box, of twelve triangles: 4,000 long, and 6 thick.
-TriangleMesh slantedBar()
+TriangleMesh slanted(TriangleMesh mesh)
 {
-    TriangleMesh mesh = shapes::box({-3, -2000, -3}, {3, 2000, 3});
     const Eigen::Matrix3d turn = (Eigen::AngleAxisd(0.7, Eigen::Vector3d::UnitX()) *
                                   Eigen::AngleAxisd(0.6, Eigen::Vector3d::UnitZ()))
                                      .toRotationMatrix();
@@ -23,6 +22,12 @@ TriangleMesh slantedBar()
         vertex = turn * vertex;
     }
     return mesh;
+}
+
+/// A bar through the whole of its box, of twelve triangles: 4,000 long, and 6 thick.
+TriangleMesh slantedBar()
+{
+    return slanted(shapes::box({-3, -2000, -3}, {3, 2000, 3}));
 }
 
 // The box has room for 1.8e10 cubes of the radius; one of them in 120,000 is inside.
@@ -50,6 +55,39 @@ TEST(LargeBox, IsFilledWhereItsObjectIs)
         EXPECT_LT(error.maxOverlap, 1e-7);
         EXPECT_LT(error.maxWallOverlap, 1e-7);
     }
+}
+
+/// Two boxes of 6 x 6 x 6, 500 apart, and a passage between them that is too narrow.
+TriangleMesh slantedDumbbell()
+{
+    std::set<std::array<int, 3>> cells;
+    reach::addBlock(cells, {0, 0, 0}, {6, 6, 6});
+    reach::addBlock(cells, {2, 6, 2}, {3, 506, 3});
+    reach::addBlock(cells, {0, 506, 0}, {6, 512, 6});
+    return slanted(reach::cubes(cells));
+}
+
+// 1.4e8 cubes of the map, which would take 90 MB.
+TEST(LargeBox, DiscardsWhatIsOutOfReachInIt)
+{
+    Scene scene = presetScene(Preset::fast, "dumbbell");
+    scene.spheres.radius = 1;
+    scene.spheres.count.reset(); // until full
+    scene.motion.mode = Motion::skip;
+    scene.discard.rule = DiscardRule::none;
+    const TriangleMesh mesh = slantedDumbbell();
+    Simulation without(scene, mesh);
+    test::runToEnd(without);
+    scene.discard.rule = DiscardRule::exact;
+    Simulation simulation(scene, mesh);
+    test::runToEnd(simulation);
+    ASSERT_GT(simulation.sphereCount(), 20u);
+    EXPECT_EQ(simulation.stateHash(), without.stateHash());
+    EXPECT_GT(simulation.sets().back().discarded, simulation.sphereCount() / 2);
+    EXPECT_GT(simulation.sets().back().discardedPolygons, mesh.triangles.size() / 2);
+    const ReachInspection reach = simulation.inspectReach(std::size_t{8} << 20);
+    ASSERT_TRUE(reach.known);
+    EXPECT_NEAR(reach.unreachable, 500, 50);
 }
 
 } // namespace

@@ -13,21 +13,9 @@ namespace
 {
 
 using reach::Object;
+using reach::withHole;
 
 constexpr double kSphereVolume = 4.18879;
-
-// Takes the triangles out whose middle is within half a side of a point.
-TriangleMesh withHole(TriangleMesh mesh, const Eigen::Vector3d& where, double side)
-{
-    std::erase_if(mesh.triangles,
-                  [&](const auto& t)
-                  {
-                      const Eigen::Vector3d middle =
-                          (mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]) / 3;
-                      return (middle - where).lpNorm<Eigen::Infinity>() < side / 2;
-                  });
-    return mesh;
-}
 
 TriangleMesh cubeOfQuads()
 {

@@ -138,6 +138,54 @@ inline void addBlock(std::set<std::array<int, 3>>& cells, const std::array<int, 
     }
 }
 
+inline TriangleMesh turned(TriangleMesh mesh, double angle)
+{
+    const Eigen::Matrix3d turn = (Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitX()) *
+                                  Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()))
+                                     .toRotationMatrix();
+    for (Eigen::Vector3d& vertex : mesh.vertices)
+    {
+        vertex = turn * vertex;
+    }
+    return mesh;
+}
+
+/// Through the whole of its box, and of twelve triangles.
+inline TriangleMesh slantedTube(double length, double side)
+{
+    return turned(
+        shapes::box({-side / 2, -length / 2, -side / 2}, {side / 2, length / 2, side / 2}), 0.7);
+}
+
+inline TriangleMesh joined(TriangleMesh a, const TriangleMesh& b)
+{
+    const auto first = static_cast<std::uint32_t>(a.vertices.size());
+    a.vertices.insert(a.vertices.end(), b.vertices.begin(), b.vertices.end());
+    for (const auto& t : b.triangles)
+    {
+        a.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+    }
+    return a;
+}
+
+inline TriangleMesh twoBoxesFarApart()
+{
+    return joined(shapes::box({0, 0, 0}, {9, 7, 8}), shapes::box({150, 60, -70}, {157, 69, -61}));
+}
+
+/// Takes out the triangles whose middle is within half a side of a point.
+inline TriangleMesh withHole(TriangleMesh mesh, const Eigen::Vector3d& where, double side)
+{
+    std::erase_if(mesh.triangles,
+                  [&](const auto& t)
+                  {
+                      const Eigen::Vector3d middle =
+                          (mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]) / 3;
+                      return (middle - where).lpNorm<Eigen::Infinity>() < side / 2;
+                  });
+    return mesh;
+}
+
 /// Distance to the nearest triangle, by trying all.
 inline double distanceToSurface(const Surface& surface, const Eigen::Vector3d& p)
 {

@@ -19,9 +19,23 @@ namespace
 
 TEST(MemoryNeed, IsThatOfAMillionSpheresToWithinAFactorOfTwo)
 {
-    const double need = memoryNeed(1e6); // measured: 171 MB with discards
+    // In a cube in which they fit, 191 radii wide; measured: 137 MB with discards.
+    const ObjectSize cube(shapes::box({0, 0, 0}, {191, 191, 191}));
+    const double need = memoryNeed(cube, 1e6);
     EXPECT_GT(need, 85e6);
-    EXPECT_LT(need, 171e6);
+    EXPECT_LT(need, 137e6);
+}
+
+TEST(MemoryNeed, CountsTheGridsOfAFewSpheresInALargeObject)
+{
+    // Measured: 334 MB above what the program takes.
+    const double cube = memoryNeed(ObjectSize(shapes::box({0, 0, 0}, {377, 377, 377})), 10);
+    EXPECT_GT(cube, 250e6);
+    EXPECT_LT(cube, 334e6);
+    // A long bar, wherever its box ends.
+    const double bar = memoryNeed(ObjectSize(shapes::box({0, 0, 0}, {1e6, 6, 6})), 10);
+    EXPECT_GT(bar, 1e9);
+    EXPECT_LT(bar, 3e9);
 }
 
 TEST(MemoryNeed, IsRefusedBeforeAnythingIsSetAside)
@@ -47,8 +61,11 @@ TEST(MemoryNeed, NamesARadiusThatIsLargeEnough)
     EXPECT_NO_THROW(requireMemory(scene, cube, 0.1, 1000, 1e6));
     test::expectError(
         ErrorCode::outOfMemory, [&] { requireMemory(scene, cube, 0.001, 1e9, 1e9); },
-        "--radius of 0.011 or more", "1 GB");
-    EXPECT_NO_THROW(requireMemory(scene, cube, 0.011, 8 / std::pow(0.011, 3), 1e9));
+        "--radius of 0.0089 or more", "1 GB");
+    EXPECT_NO_THROW(requireMemory(scene, cube, 0.0089, 8 / std::pow(0.0089, 3), 1e9));
+    test::expectError(
+        ErrorCode::outOfMemory, [&] { requireMemory(scene, cube, 0.003, 20, 1e9); },
+        "--radius of 0.0089 or more");
     EXPECT_GT(memoryAtHand(), 1e8);
 }
 
