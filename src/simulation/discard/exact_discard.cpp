@@ -201,26 +201,25 @@ void ExactDiscard::dropSpheres(std::size_t count)
     kept_.erase(dropped, end);
 }
 
-// Those beside each other in the tree lie beside each other, and mostly have one witness.
+// Those that follow each other in a mesh mostly lie beside each other, and have one witness.
 void ExactDiscard::dropPolygons()
 {
-    const std::span<const std::uint32_t> order = world_.surface.tree().order();
     Cube last = kNoCube;
     bool lastStands = false;
-    for (std::size_t k = 0; k < order.size(); ++k)
+    for (std::uint32_t t = 0; t < world_.polygons.size(); ++t)
     {
-        if (world_.polygons[order[k]] != PolygonState::active)
+        if (world_.polygons[t] != PolygonState::active)
         {
             continue;
         }
-        if (polygonWitness_[k] != last)
+        if (polygonWitness_[t] != last)
         {
-            last = polygonWitness_[k];
+            last = polygonWitness_[t];
             lastStands = stands(last);
         }
-        if (!lastStands && polygonDroppable(k))
+        if (!lastStands && polygonDroppable(t))
         {
-            world_.discardPolygon(order[k]);
+            world_.discardPolygon(t);
         }
     }
 }
@@ -238,12 +237,11 @@ bool ExactDiscard::sphereDroppable(Kept& kept)
     return droppable;
 }
 
-bool ExactDiscard::polygonDroppable(std::size_t place)
+bool ExactDiscard::polygonDroppable(std::uint32_t triangle)
 {
-    const std::uint32_t triangle = world_.surface.tree().order()[place];
     const bool droppable = map_->polygonDroppable(triangle, [this](int x, int y, int z)
                                                   { return holdsPlace(x, y, z); });
-    polygonWitness_[place] = lastHolding_;
+    polygonWitness_[triangle] = lastHolding_;
     return droppable;
 }
 

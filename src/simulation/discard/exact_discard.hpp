@@ -60,7 +60,7 @@ private:
     void dropSpheres(std::size_t count);
     void dropPolygons();
     [[nodiscard]] bool sphereDroppable(Kept& kept);
-    [[nodiscard]] bool polygonDroppable(std::size_t place);
+    [[nodiscard]] bool polygonDroppable(std::uint32_t triangle);
     [[nodiscard]] bool holdsPlace(int x, int y, int z);
     [[nodiscard]] bool stands(Cube witness);
     void refineNearTheEnd();
@@ -73,7 +73,7 @@ private:
     std::size_t violations_ = 0;         ///< guards that have tripped, each for wider margins
     std::vector<std::uint32_t> pending_; ///< at rest, but not yet in the map
     std::vector<Kept> kept_;             ///< spheres at rest in the map that are not dropped
-    std::vector<Cube> polygonWitness_;   ///< [#T] in the order of the tree
+    std::vector<Cube> polygonWitness_;   ///< [#T]
     std::vector<Eigen::Vector3d> centres_;
     VoxelBits holding_;    ///< cubes that may hold a place: nothing has come to rest there since
     Cube lastHolding_ = 0; ///< that holdsPlace has confirmed
