@@ -19,7 +19,7 @@ room(base)
 room(geometry base)
 room(oracle geometry) # of studies and tests alone
 room(mesh)
-room(mesh/interior mesh geometry)
+room(mesh/interior base mesh geometry)
 room(mesh/skin mesh geometry base)
 room(mesh/repair mesh mesh/interior mesh/skin geometry)
 room(mesh/files base mesh mesh/repair)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "mesh/interior/four_discs.hpp"
 #include "mesh/interior/triangle_tree.hpp"
 
 #include <frostfill/mesh.hpp>
@@ -84,22 +85,17 @@ private:
     static constexpr std::array<std::uint32_t, 1> kRoot = {0};
     /// By which coordinates and squared distances may be wrong, twofold. [1]
     static constexpr double kGrow = 0x1p-23;
-    static constexpr double kRounding = 0x1p-20;
+    static constexpr double kRounding = FourDiscs::kRounding;
 
     struct Child
     {
         std::uint32_t number = 0;    ///< of a node or a leaf
         std::uint32_t triangles = 0; ///< 0: a node
     };
-    using Four = float __attribute__((vector_size(4 * kWidth))); // registers of all processors
-    /// Planes, and discs in them, as TriangleBound has them for one triangle.
-    struct Discs
-    {
-        std::array<Four, 3> normal;
-        Four offset;
-        std::array<Four, 3> centre;
-        Four radius;
-    };
+    using Four = FourDiscs::Four;
+    using Discs = FourDiscs;
+    using Point = FourDiscs::Point;
+    using Way = FourDiscs::Way;
     struct Node
     {
         std::array<Four, 3> low; ///< infinite where there is no child
@@ -134,12 +130,6 @@ private:
         return static_cast<float>(std::min<double>(square, std::numeric_limits<float>::max()));
     }
 
-    /// A point in the frame of the nodes, and by how much rounding may be wrong there.
-    struct Point
-    {
-        std::array<float, 3> at;
-        float rounding;
-    };
     [[nodiscard]] Point pointOf(const Eigen::Vector3d& p) const;
     /// Of a distance of the mesh, from the point: grown by what rounding may hide.
     [[nodiscard]] float distanceFrom(const Point& point, double limit) const
@@ -147,24 +137,8 @@ private:
         const double grown = limit * scale_ * (1 + kRounding) + point.rounding;
         return static_cast<float>(std::min(grown, kFarthest));
     }
-    /// A bit for each disc of that thickness, set where some of it may be within the distance.
-    [[nodiscard]] static unsigned mayBeWithin(const Discs& discs, const Four& thickness,
-                                              const Point& point, float distance);
-
-    /// A way through the frame of the nodes: its middle, and what it goes to either side of it.
-    struct Way
-    {
-        Point middle;
-        std::array<float, 3> half;
-        float reach; ///< around the way
-        float ball;  ///< around its middle
-    };
     [[nodiscard]] Way wayOf(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                             double distance) const;
-    /// As mayBeWithin, of the way.
-    [[nodiscard]] static unsigned mayBeOnWay(const Discs& discs, const Four& thickness,
-                                             const Way& way);
-
     /// Calls `limit = visit(leaf, limit)` for each that the boxes and select(node, limit), a bit
     /// for each child, do not rule out.
     template <class Select, class Visit>
@@ -240,40 +214,6 @@ inline TriangleBvh::Point TriangleBvh::pointOf(const Eigen::Vector3d& p) const
     return point;
 }
 
-// The test of TriangleBound, where what is subtracted is made smaller and what is added larger by
-// more than rounding. The distance has been grown by what the place may be wrong.
-inline unsigned TriangleBvh::mayBeWithin(const Discs& discs, const Four& thickness,
-                                         const Point& point, float distance)
-{
-    constexpr auto kLess = static_cast<float>(1 - kRounding);
-    constexpr Four kNone = {};
-    Four toPlane = -discs.offset;
-    Four toCentre{};
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-        toPlane += discs.normal[axis] * point.at[axis];
-        const Four apart = discs.centre[axis] - point.at[axis];
-        toCentre += apart * apart;
-    }
-    const Four behind = -toPlane;
-    const Four height = toPlane > behind ? toPlane : behind;
-    const Four above = height - (thickness + point.rounding);
-    const Four least = above > kNone ? above : kNone;
-    const Four most = height + point.rounding;
-    // In a plane through the nearest of it, the ball around the point is a disc of this radius.
-    const Four cut = distance * distance - least * least;
-    const Four rest = toCentre * kLess - (most * most + discs.radius * discs.radius + cut);
-    const auto within =
-        (cut >= kNone) &
-        ((rest <= kNone) | (rest * rest <= 4.0F * discs.radius * discs.radius * cut));
-    unsigned bits = 0;
-    for (unsigned k = 0; k < kWidth; ++k)
-    {
-        bits |= within[k] != 0 ? 1U << k : 0U;
-    }
-    return bits;
-}
-
 inline TriangleBvh::Way TriangleBvh::wayOf(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                                            double distance) const
 {
@@ -287,29 +227,6 @@ inline TriangleBvh::Way TriangleBvh::wayOf(const Eigen::Vector3d& from, const Ei
     way.reach = distanceFrom(way.middle, distance);
     way.ball = distanceFrom(way.middle, distance + (to - from).norm() / 2);
     return way;
-}
-
-// All of the way is at least as far from a plane as its middle, less what it goes towards it.
-inline unsigned TriangleBvh::mayBeOnWay(const Discs& discs, const Four& thickness, const Way& way)
-{
-    Four toPlane = -discs.offset;
-    Four across{};
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-        toPlane += discs.normal[axis] * way.middle.at[axis];
-        across += discs.normal[axis] * way.half[axis];
-    }
-    const Four behind = -toPlane;
-    const Four back = -across;
-    const Four height = toPlane > behind ? toPlane : behind;
-    const auto within = height <= (across > back ? across : back) +
-                                      (thickness + (way.reach + 2 * way.middle.rounding));
-    unsigned bits = 0;
-    for (unsigned k = 0; k < kWidth; ++k)
-    {
-        bits |= within[k] != 0 ? 1U << k : 0U;
-    }
-    return bits & mayBeWithin(discs, thickness, way.middle, way.ball);
 }
 
 template <class Select, class Visit>
@@ -369,12 +286,12 @@ void TriangleBvh::forEachTriangleNear(std::span<const std::uint32_t> nodes,
     const auto select = [&](const Node& node, double within)
     {
         return node.hasDiscs
-                   ? mayBeWithin(node.discs, node.thickness, point, distanceFrom(point, within))
+                   ? node.discs.mayBeWithin(node.thickness, point, distanceFrom(point, within))
                    : ~0U;
     };
     const auto visitLeaf = [&](std::uint32_t leaf, double within)
     {
-        forEachOf(leaf, mayBeWithin(leaves_[leaf], Four{}, point, distanceFrom(point, within)),
+        forEachOf(leaf, leaves_[leaf].mayBeWithin(Four{}, point, distanceFrom(point, within)),
                   [&](std::uint32_t triangle) { within = visit(triangle); });
         return within;
     };
@@ -388,10 +305,10 @@ void TriangleBvh::forEachTriangleOnWay(std::span<const std::uint32_t> nodes,
 {
     const Way way = wayOf(from, to, distance);
     const auto select = [&](const Node& node, double)
-    { return node.hasDiscs ? mayBeOnWay(node.discs, node.thickness, way) : ~0U; };
+    { return node.hasDiscs ? node.discs.mayBeOnWay(node.thickness, way) : ~0U; };
     const auto visitLeaf = [&](std::uint32_t leaf, double limit)
     {
-        forEachOf(leaf, mayBeOnWay(leaves_[leaf], Four{}, way), visit);
+        forEachOf(leaf, leaves_[leaf].mayBeOnWay(Four{}, way), visit);
         return limit;
     };
     traverse(nodes, Eigen::AlignedBox3d(from.cwiseMin(to), from.cwiseMax(to)), distance, select,

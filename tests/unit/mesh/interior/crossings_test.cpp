@@ -2,6 +2,8 @@
 #include "mesh/interior/crossings.hpp"
 
 #include "geometry/triangle_pair.hpp"
+#include "mesh/triangle_shape.hpp"
+#include "support/shapes.hpp"
 #include "unit/geometry/exact_pair.hpp"
 #include "unit/mesh/interior/surface_samples.hpp"
 
@@ -201,6 +203,67 @@ TEST(FindCrossings, GivesThePlaceOfTheFirst)
     const Crossings found = test::crossingsOf(mesh);
     EXPECT_TRUE(found.crossed[0]);
     EXPECT_LT((found.firstPlace - Eigen::Vector3d(0.2, 0.7, 0)).norm(), 0.02);
+}
+
+/// Two rings through each other and, far from them, two triangles that cross at their one common
+/// vertex.
+TriangleMesh ringsAndAPair()
+{
+    TriangleMesh mesh = shapes::torus(2, 0.5, 70, 45);
+    const TriangleMesh ring = mesh;
+    for (const Eigen::Vector3d& p : ring.vertices)
+    {
+        mesh.vertices.emplace_back(p.y() + 1.7, p.z() + 0.3, p.x() + 0.1);
+    }
+    const auto first = static_cast<std::uint32_t>(ring.vertices.size());
+    for (const auto& t : ring.triangles)
+    {
+        mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+    }
+    const auto pair = static_cast<std::uint32_t>(mesh.vertices.size());
+    for (const Eigen::Vector3d& p :
+         {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(2, 1, 0), Eigen::Vector3d(2, -1, 0),
+          Eigen::Vector3d(2, 0, 1), Eigen::Vector3d(2, 0, -1)})
+    {
+        mesh.vertices.emplace_back(p + Eigen::Vector3d(50, 0, 0));
+    }
+    mesh.triangles.push_back({pair, pair + 1, pair + 2});
+    mesh.triangles.push_back({pair, pair + 3, pair + 4});
+    return mesh;
+}
+
+TEST(FindCrossings, FindsThoseOfAMeshThatThreadsShareWhateverTheirNumber)
+{
+    const TriangleMesh mesh = ringsAndAPair();
+    const std::size_t half = (mesh.triangles.size() - 2) / 2;
+    const auto boxOf = [&](std::size_t t)
+    {
+        Eigen::AlignedBox3d box;
+        for (const Eigen::Vector3d& corner : cornersOf(mesh, t))
+        {
+            box.extend(corner);
+        }
+        return box;
+    };
+    std::vector<bool> expected(mesh.triangles.size(), false); // of the one ring with the other
+    for (std::size_t i = 0; i < half; ++i)
+    {
+        const Eigen::AlignedBox3d box = boxOf(i);
+        for (std::size_t j = half; j < 2 * half; ++j)
+        {
+            if (box.intersects(boxOf(j)) &&
+                trianglesCross({cornersOf(mesh, i), cornersOf(mesh, j), 0}))
+            {
+                expected[i] = expected[j] = true;
+            }
+        }
+    }
+    ASSERT_GT(std::count(expected.begin(), expected.end(), true), 100);
+    expected[2 * half] = expected[2 * half + 1] = true;
+    for (const int threads : {1, 3})
+    {
+        EXPECT_EQ(test::crossingsOf(mesh, threads).crossed, expected) << threads;
+    }
 }
 
 TEST(FindCrossings, LeavesOutTrianglesWithoutArea)

@@ -12,10 +12,10 @@
 namespace frostfill::test
 {
 
-inline Crossings crossingsOf(const TriangleMesh& mesh)
+inline Crossings crossingsOf(const TriangleMesh& mesh, int threadCount = 1)
 {
-    Threads one(1);
-    return findCrossings(mesh, VertexTriangles(mesh), TriangleTree(mesh, kSmallLeaf), one);
+    Threads threads(threadCount);
+    return findCrossings(mesh, VertexTriangles(mesh), TriangleTree(mesh, kSmallLeaf), threads);
 }
 
 /// Each triangle in four, at the middles of its edges.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/interior/surface.hpp"
 
+#include "support/shapes.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -78,6 +80,26 @@ TEST(Surface, GivesAnEdgeTheSumOfTheNormalsOfAllItsTriangles)
             const auto feature = static_cast<TriangleFeature>(3 + side);
             EXPECT_EQ(surface.pseudonormal(triangle, feature), sum) << triangle << ' ' << side;
         }
+    }
+}
+
+TEST(Surface, IsTheSameWhateverTheThreadsThatMakeIt)
+{
+    const TriangleMesh mesh = shapes::torus(2, 0.5, 211, 61);
+    ASSERT_GT(mesh.triangles.size(), MeshIndex::kWorthThreads);
+    const MeshIndex one(mesh, 1);
+    const MeshIndex three(mesh, 3);
+    const Surface expected(mesh, classifyWalls(mesh, one), one);
+    const Surface surface(mesh, classifyWalls(mesh, three), three);
+    EXPECT_TRUE(std::equal(surface.tree().order().begin(), surface.tree().order().end(),
+                           expected.tree().order().begin()));
+    EXPECT_EQ(surface.box().min(), expected.box().min());
+    for (std::uint32_t t = 0; t < surface.size(); ++t)
+    {
+        ASSERT_EQ(surface.bound(t).normal, expected.bound(t).normal);
+        ASSERT_EQ(surface[t].flatFeatures, expected[t].flatFeatures);
+        const Eigen::Vector3d p = surface.bound(t).centre + 0.1 * surface.bound(t).normal;
+        ASSERT_EQ(nearestDistance(surface, p, 1).value, nearestDistance(expected, p, 1).value);
     }
 }
 

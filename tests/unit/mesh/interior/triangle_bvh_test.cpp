@@ -181,28 +181,23 @@ TEST(TriangleBvh, FindsAllOnAWayAndFewerThanAroundIt)
         const auto at = static_cast<std::uint32_t>(draw(0) * static_cast<double>(surface.size()));
         const TriangleBound& wall = surface.bound(at);
         const double radius = 0.02 + 0.1 * draw(1);
-        const Eigen::Vector3d any(draw(2) - 0.5, draw(3) - 0.5, draw(4) - 0.5);
-        const Eigen::Vector3d along = any.cross(wall.normal).normalized();
         // Along the wall, into it, and away from it.
         const Eigen::Vector3d direction =
-            (along + (static_cast<double>(k % 3) - 1) * 0.7 * wall.normal).normalized();
+            Eigen::Vector3d(draw(2) - 0.5, draw(3) - 0.5, draw(4) - 0.5).cross(wall.normal) +
+            (static_cast<double>(k % 3) - 1) * 0.3 * wall.normal;
         const Eigen::Vector3d from = wall.centre + radius * wall.normal;
-        const Eigen::Vector3d to = from + 0.1 * draw(5) * direction;
+        const Eigen::Vector3d to = from + 0.25 * draw(5) * direction;
         const Eigen::Vector3d middle = (from + to) / 2;
         const double ball = radius + (to - from).norm() / 2;
         surface.tree().findNodes(middle, ball, nodes);
-
         std::vector<std::uint32_t> found;
         surface.tree().forEachTriangleOnWay(nodes, from, to, radius,
                                             [&](std::uint32_t id) { found.push_back(id); });
         std::sort(found.begin(), found.end());
         onWays += found.size();
-        surface.tree().forEachTriangleNear(nodes, middle, ball,
-                                           [&](std::uint32_t)
-                                           {
-                                               ++around;
-                                               return ball;
-                                           });
+        std::vector<std::uint32_t> near;
+        surface.tree().findNear(middle, ball, near);
+        around += near.size();
         for (std::uint32_t id = 0; id < surface.size(); ++id)
         {
             const auto& [a, b, c] = surface[id].corner;

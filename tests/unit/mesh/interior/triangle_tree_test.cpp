@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/interior/triangle_tree.hpp"
 
+#include "support/shapes.hpp"
 #include "unit/mesh/mesh_samples.hpp"
 
 #include <cstdint>
@@ -52,6 +53,26 @@ TEST(TriangleTree, IsBalancedWhenAllCentroidsAreEqual)
     for (std::uint32_t i = 0; i < 1024; ++i)
     {
         EXPECT_EQ(tree.order()[i], i);
+    }
+}
+
+TEST(TriangleTree, IsTheSameWhateverTheThreadsThatMakeIt)
+{
+    // As many triangles as do not halve evenly.
+    const TriangleMesh mesh = shapes::torus(2, 0.5, 173, 61);
+    for (const std::uint32_t leafSize : {4U, 7U})
+    {
+        const TriangleTree expected(mesh, leafSize);
+        Threads threads(3);
+        const TriangleTree tree(mesh, leafSize, threads);
+        ASSERT_EQ(tree.nodes().size(), expected.nodes().size());
+        for (std::size_t i = 0; i < tree.nodes().size(); ++i)
+        {
+            ASSERT_EQ(tree.nodes()[i].first, expected.nodes()[i].first) << i;
+            ASSERT_EQ(tree.nodes()[i].end, expected.nodes()[i].end) << i;
+            ASSERT_EQ(tree.nodes()[i].skip, expected.nodes()[i].skip) << i;
+        }
+        EXPECT_TRUE(std::equal(tree.order().begin(), tree.order().end(), expected.order().begin()));
     }
 }
 
