@@ -205,15 +205,15 @@ TEST(FindCrossings, GivesThePlaceOfTheFirst)
     EXPECT_LT((found.firstPlace - Eigen::Vector3d(0.2, 0.7, 0)).norm(), 0.02);
 }
 
-/// Two rings through each other and, far from them, two triangles that cross at their one common
-/// vertex.
+/// Two rings that go through each other and, far from them, two triangles that cross at their one
+/// common vertex.
 TriangleMesh ringsAndAPair()
 {
     TriangleMesh mesh = shapes::torus(2, 0.5, 70, 45);
     const TriangleMesh ring = mesh;
     for (const Eigen::Vector3d& p : ring.vertices)
     {
-        mesh.vertices.emplace_back(p.y() + 1.7, p.z() + 0.3, p.x() + 0.1);
+        mesh.vertices.emplace_back(p.y() + 0.2, p.z() + 0.3, p.x() + 0.1);
     }
     const auto first = static_cast<std::uint32_t>(ring.vertices.size());
     for (const auto& t : ring.triangles)
