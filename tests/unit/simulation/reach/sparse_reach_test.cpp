@@ -50,7 +50,7 @@ Eigen::Vector3d pointIn(const Object& object, Random& random)
     while (true)
     {
         const Eigen::Vector3d share = random.point(0, 1);
-        const Eigen::Vector3d p = box.min() + share.cwiseProduct(box.sizes());
+        Eigen::Vector3d p = box.min() + share.cwiseProduct(box.sizes());
         if (object.inside.contains(p))
         {
             return p;
@@ -171,6 +171,7 @@ std::vector<Eigen::Vector3d> reachedByBruteForce(const ReachMap& map, const Obje
                std::none_of(balls.begin(), balls.end(), excludes);
     };
     std::vector<std::array<int, 3>> waiting;
+    waiting.reserve(running.size());
     for (const Eigen::Vector3d& p : running)
     {
         waiting.push_back(frame.coordinates(p));
