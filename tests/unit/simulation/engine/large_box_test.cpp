@@ -24,6 +24,15 @@ TriangleMesh slanted(TriangleMesh mesh)
     return mesh;
 }
 
+/// The run of a scene to its end, by its rule of discards.
+Simulation endOf(Scene scene, const TriangleMesh& mesh, DiscardRule rule)
+{
+    scene.discard.rule = rule;
+    Simulation simulation(scene, mesh);
+    test::runToEnd(simulation);
+    return simulation;
+}
+
 /// A bar through the whole of its box, of twelve triangles: 4,000 long, and 6 thick.
 TriangleMesh slantedBar()
 {
@@ -42,12 +51,8 @@ TEST(LargeBox, IsFilledWhereItsObjectIs)
         scene.spheres.radius = 1;
         scene.spheres.count = 60;
         scene.motion.mode = motion;
-        scene.discard.rule = DiscardRule::none;
-        Simulation without(scene, mesh);
-        test::runToEnd(without);
-        scene.discard.rule = DiscardRule::exact;
-        Simulation simulation(scene, mesh);
-        test::runToEnd(simulation);
+        const Simulation without = endOf(scene, mesh, DiscardRule::none);
+        const Simulation simulation = endOf(scene, mesh, DiscardRule::exact);
         EXPECT_EQ(simulation.sphereCount(), 60u);
         EXPECT_EQ(simulation.stateHash(), without.stateHash());
         const QualityReport error = simulation.quality();
@@ -74,13 +79,9 @@ TEST(LargeBox, DiscardsWhatIsOutOfReachInIt)
     scene.spheres.radius = 1;
     scene.spheres.count.reset(); // until full
     scene.motion.mode = Motion::skip;
-    scene.discard.rule = DiscardRule::none;
     const TriangleMesh mesh = slantedDumbbell();
-    Simulation without(scene, mesh);
-    test::runToEnd(without);
-    scene.discard.rule = DiscardRule::exact;
-    Simulation simulation(scene, mesh);
-    test::runToEnd(simulation);
+    const Simulation without = endOf(scene, mesh, DiscardRule::none);
+    const Simulation simulation = endOf(scene, mesh, DiscardRule::exact);
     ASSERT_GT(simulation.sphereCount(), 20u);
     EXPECT_EQ(simulation.stateHash(), without.stateHash());
     EXPECT_GT(simulation.sets().back().discarded, simulation.sphereCount() / 2);
