@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 
 namespace frostfill
@@ -16,17 +17,17 @@ struct FourDiscs
     /// By which a squared distance may be wrong, twofold. [1]
     static constexpr double kRounding = 0x1p-20;
 
-    /// A place, and by how much rounding may be wrong there.
+    /// A place, four times over, and by how much rounding may be wrong there.
     struct Point
     {
-        std::array<float, 3> at;
+        std::array<Four, 3> at;
         float rounding;
     };
     /// A straight way: its middle, and what it goes to either side of it.
     struct Way
     {
         Point middle;
-        std::array<float, 3> half;
+        std::array<Four, 3> half;
         float reach; ///< around the way
         float ball;  ///< around its middle
     };
@@ -38,22 +39,30 @@ struct FourDiscs
     /// The same, within the reach of a way.
     [[nodiscard]] unsigned mayBeOnWay(const Four& thickness, const Way& way) const;
 
-    std::array<Four, 3> normal;
-    Four offset;
-    std::array<Four, 3> centre;
-    Four radius;
-
-private:
     using Mask = decltype(Four{} < Four{});
+    /// A bit for each that holds.
     [[nodiscard]] static unsigned bitsOf(const Mask& mask)
     {
+#if defined(__SSE__)
+        return static_cast<unsigned>(__builtin_ia32_movmskps(std::bit_cast<Four>(mask)));
+#else
         unsigned bits = 0;
         for (unsigned k = 0; k < kFour; ++k)
         {
             bits |= mask[k] != 0 ? 1U << k : 0U;
         }
         return bits;
+#endif
     }
+    [[nodiscard]] static Four fourTimes(float value)
+    {
+        return Four{} + value;
+    }
+
+    std::array<Four, 3> normal;
+    Four offset;
+    std::array<Four, 3> centre;
+    Four radius;
 };
 
 // The test of TriangleBound, where what is subtracted is made smaller and what is added larger by

@@ -140,34 +140,17 @@ void Surface::joinCorners()
         });
 }
 
-namespace
-{
-
-// Without a call within nearestDistance, which a run spends much of its time in.
-[[gnu::always_inline]] inline SignedDistance distanceTo(const Surface& surface, std::uint32_t id,
-                                                        const Eigen::Vector3d& p)
-{
-    const SurfaceTriangle& triangle = surface[id];
-    const ClosestPoint closest =
-        closestPointOnTriangle(p, triangle.corner[0], triangle.corner[1], triangle.corner[2]);
-    const Eigen::Vector3d toPoint = p - closest.point;
-    const double side = toPoint.dot(surface.pseudonormal(id, closest.feature));
-    const double distance = toPoint.norm();
-    return {side < 0 && !triangle.twoSided ? -distance : distance, closest.point, closest.feature};
-}
-
-} // namespace
-
 SignedDistance signedDistance(const Surface& surface, std::uint32_t id, const Eigen::Vector3d& p)
 {
-    return distanceTo(surface, id, p);
+    return withSide(surface, id, p, unsignedDistance(surface, id, p));
 }
 
 SignedDistance nearestDistance(const Surface& surface, std::span<const std::uint32_t> ids,
                                const Eigen::Vector3d& p, double distance)
 {
-    SignedDistance nearest;
-    nearest.value = std::numeric_limits<double>::infinity();
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    UnsignedDistance nearest{kInfinity, {}};
+    std::uint32_t nearestId = 0;
     double limit = distance;
     for (const std::uint32_t id : ids)
     {
@@ -175,14 +158,19 @@ SignedDistance nearestDistance(const Surface& surface, std::span<const std::uint
         {
             continue;
         }
-        const SignedDistance candidate = distanceTo(surface, id, p);
-        if (std::abs(candidate.value) < std::abs(nearest.value))
+        const UnsignedDistance candidate = unsignedDistance(surface, id, p);
+        if (candidate.value < nearest.value)
         {
             nearest = candidate;
-            limit = std::min(limit, std::abs(candidate.value));
+            nearestId = id;
+            limit = std::min(limit, candidate.value);
         }
     }
-    return nearest;
+    if (std::isinf(nearest.value))
+    {
+        return {kInfinity, nearest.closest.point, nearest.closest.feature};
+    }
+    return withSide(surface, nearestId, p, nearest);
 }
 
 namespace
@@ -222,31 +210,32 @@ SignedDistance nearestDistance(const Surface& surface, const Eigen::Vector3d& p,
     thread_local std::vector<Candidate> candidates; // keep their memory
     thread_local std::vector<std::uint32_t> ids;
     candidates.clear();
-    SignedDistance nearest;
-    nearest.value = std::numeric_limits<double>::infinity();
+    UnsignedDistance nearest;
     double limit = beyond(distance);
     surface.tree().forEachTriangleNear(p, limit,
                                        [&](std::uint32_t id)
                                        {
-                                           const SignedDistance its = distanceTo(surface, id, p);
-                                           const double far = std::abs(its.value);
-                                           if (far <= limit)
+                                           const UnsignedDistance its =
+                                               unsignedDistance(surface, id, p);
+                                           if (its.value <= limit)
                                            {
-                                               candidates.push_back({far, id});
+                                               candidates.push_back({its.value, id});
                                                nearest = its;
-                                               limit = std::min(limit, beyond(far));
+                                               limit = std::min(limit, beyond(its.value));
                                            }
                                            return limit;
                                        });
-    std::erase_if(candidates, [&](const Candidate& each) { return each.distance > limit; });
-    if (candidates.size() <= 1)
-    {
-        return nearest; // the last one that came nearer
-    }
     ids.clear();
     for (const Candidate& each : candidates)
     {
-        ids.push_back(each.id);
+        if (each.distance <= limit)
+        {
+            ids.push_back(each.id);
+        }
+    }
+    if (ids.size() == 1 && ids.front() == candidates.back().id)
+    {
+        return withSide(surface, ids.front(), p, nearest); // the last one that came nearer
     }
     std::sort(ids.begin(), ids.end());
     return nearestDistance(surface, ids, p);

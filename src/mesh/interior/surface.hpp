@@ -116,6 +116,30 @@ struct SignedDistance
 [[nodiscard]] SignedDistance signedDistance(const Surface& surface, std::uint32_t id,
                                             const Eigen::Vector3d& p);
 
+/// A distance whose side has not been asked for. Most triangles that are looked at turn out to be
+/// too far away for it to matter, and its normal is elsewhere in memory.
+struct UnsignedDistance
+{
+    double value = 0;
+    ClosestPoint closest;
+};
+[[nodiscard]] inline UnsignedDistance unsignedDistance(const Surface& surface, std::uint32_t id,
+                                                       const Eigen::Vector3d& p)
+{
+    const auto& [a, b, c] = surface[id].corner;
+    const ClosestPoint closest = closestPointOnTriangle(p, a, b, c);
+    return {(p - closest.point).norm(), closest};
+}
+/// signedDistance() of the same triangle and point.
+[[nodiscard]] inline SignedDistance withSide(const Surface& surface, std::uint32_t id,
+                                             const Eigen::Vector3d& p, const UnsignedDistance& its)
+{
+    const auto& [point, feature] = its.closest;
+    const bool isBehind =
+        !surface[id].twoSided && (p - point).dot(surface.pseudonormal(id, feature)) < 0;
+    return {isBehind ? -its.value : its.value, point, feature};
+}
+
 /// Signed distance to the nearest of several triangles. Two equally near triangles share an edge or
 /// a corner and have the same pseudonormal there, so both give the right sign. `ids` is not empty.
 /// Its value is infinite where none is within `distance` of p.

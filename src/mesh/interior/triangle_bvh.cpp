@@ -56,8 +56,8 @@ public:
             const Box box = bvh_.around(boxes_[below]);
             for (std::size_t axis = 0; axis < 3; ++axis)
             {
-                built.low[axis][count] = box.low[axis];
-                built.high[axis][count] = box.high[axis];
+                built.low[axis][count] = box.low[axis][0];
+                built.high[axis][count] = box.high[axis][0];
             }
             const TriangleTree::Node& its = tree_.nodes()[below];
             enterDisc(built, count, its);

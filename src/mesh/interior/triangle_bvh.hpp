@@ -110,10 +110,10 @@ private:
         float square;
         Child child;
     };
-    /// Along each axis, in the frame of the nodes.
+    /// Along each axis, in the frame of the nodes, four times over.
     struct Box
     {
-        std::array<float, 3> low, high;
+        std::array<Four, 3> low, high;
     };
 
     /// That contains `box` for certain.
@@ -179,8 +179,10 @@ inline TriangleBvh::Box TriangleBvh::around(const Eigen::AlignedBox3d& box) cons
         const double low = (box.min()[axis] - centre_[axis]) * scale_;
         const double high = (box.max()[axis] - centre_[axis]) * scale_;
         const auto at = static_cast<std::size_t>(axis);
-        result.low[at] = static_cast<float>(low - kGrow * (1 + std::abs(low)));
-        result.high[at] = static_cast<float>(high + kGrow * (1 + std::abs(high)));
+        result.low[at] =
+            FourDiscs::fourTimes(static_cast<float>(low - kGrow * (1 + std::abs(low))));
+        result.high[at] =
+            FourDiscs::fourTimes(static_cast<float>(high + kGrow * (1 + std::abs(high))));
     }
     return result;
 }
@@ -207,7 +209,7 @@ inline TriangleBvh::Point TriangleBvh::pointOf(const Eigen::Vector3d& p) const
     for (Eigen::Index axis = 0; axis < 3; ++axis)
     {
         const double at = (p[axis] - centre_[axis]) * scale_;
-        point.at[static_cast<std::size_t>(axis)] = static_cast<float>(at);
+        point.at[static_cast<std::size_t>(axis)] = FourDiscs::fourTimes(static_cast<float>(at));
         largest = std::max(largest, std::abs(at));
     }
     point.rounding = static_cast<float>(kRounding * largest);
@@ -222,7 +224,7 @@ inline TriangleBvh::Way TriangleBvh::wayOf(const Eigen::Vector3d& from, const Ei
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
         const auto at = static_cast<Eigen::Index>(axis);
-        way.half[axis] = static_cast<float>((to[at] - from[at]) / 2 * scale_);
+        way.half[axis] = FourDiscs::fourTimes(static_cast<float>((to[at] - from[at]) / 2 * scale_));
     }
     way.reach = distanceFrom(way.middle, distance);
     way.ball = distanceFrom(way.middle, distance + (to - from).norm() / 2);
@@ -260,20 +262,22 @@ void TriangleBvh::traverse(std::span<const std::uint32_t> nodes, const Eigen::Al
         }
         const Node& node = nodes_[next.child.number];
         const Four squares = squaresTo(node, from);
-        const unsigned selected = select(node, limit);
-        const std::size_t begin = count;
-        for (std::size_t k = 0; k < kWidth; ++k)
+        unsigned selected = FourDiscs::bitsOf(squares <= FourDiscs::fourTimes(square));
+        if (selected != 0)
         {
-            if (squares[k] <= square && ((selected >> k) & 1) != 0)
+            selected &= select(node, limit);
+        }
+        const std::size_t begin = count;
+        for (; selected != 0; selected &= selected - 1)
+        {
+            // Sorted as they come: the nearest is the last, which is taken first.
+            const auto k = static_cast<std::size_t>(std::countr_zero(selected));
+            std::size_t place = count++;
+            for (; place > begin && pending[place - 1].square < squares[k]; --place)
             {
-                // Sorted as they come: the nearest is the last, which is taken first.
-                std::size_t place = count++;
-                for (; place > begin && pending[place - 1].square < squares[k]; --place)
-                {
-                    pending[place] = pending[place - 1];
-                }
-                pending[place] = {squares[k], node.child[k]};
+                pending[place] = pending[place - 1];
             }
+            pending[place] = {squares[k], node.child[k]};
         }
     }
 }

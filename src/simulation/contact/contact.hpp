@@ -87,8 +87,13 @@ struct Contact
     {
         return std::nullopt;
     }
-    const SignedDistance wall = signedDistance(surface, id, p);
-    if (wall.value <= 0 || wall.value > radius + gap)
+    const UnsignedDistance distance = unsignedDistance(surface, id, p);
+    if (distance.value > radius + gap)
+    {
+        return std::nullopt;
+    }
+    const SignedDistance wall = withSide(surface, id, p, distance);
+    if (wall.value <= 0)
     {
         return std::nullopt;
     }

@@ -68,7 +68,50 @@ void NeighbourList::listTriangles(const World& world, const Eigen::Vector3d& p, 
     {
         world_ = &world;
         world.surface.tree().findNodes(p, distance, nodes_);
-        return; // what was found of them is not asked for
+        foundWithin_ = -1; // what was found so far is not all
+        return;
+    }
+    std::sort(triangles_.begin(), triangles_.end());
+}
+
+// On a short way the sphere will soon ask for about the same again: what is a little farther is
+// found with it, as far as it is below the nodes for certain.
+void NeighbourList::findBelowNodes(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                                   double distance)
+{
+    const double known = foundWithin_ - distance;
+    if (known >= 0 && isWithin(from, foundAround_, known) && isWithin(to, foundAround_, known))
+    {
+        return;
+    }
+    triangles_.clear();
+    const auto take = [this](std::uint32_t triangle)
+    {
+        if (world_->polygons[triangle] == PolygonState::active)
+        {
+            triangles_.push_back(triangle);
+        }
+    };
+    const TriangleBvh& tree = world_->surface.tree();
+    const Eigen::Vector3d middle = (from + to) / 2;
+    const double ball = distance + (to - from).norm() / 2;
+    const double listed = radius_ + kSkin - (middle - centre_).norm();
+    const double within = std::min(ball + kInnerSkin, listed);
+    if (ball <= distance + kInnerSkin && within > ball)
+    {
+        foundAround_ = middle;
+        foundWithin_ = within;
+        tree.forEachTriangleNear(nodes_, middle, within,
+                                 [&](std::uint32_t triangle)
+                                 {
+                                     take(triangle);
+                                     return within;
+                                 });
+    }
+    else
+    {
+        foundWithin_ = -1;
+        tree.forEachTriangleOnWay(nodes_, from, to, distance, take);
     }
     std::sort(triangles_.begin(), triangles_.end());
 }

@@ -45,8 +45,7 @@ public:
     {
         if (!nodes_.empty())
         {
-            findBelowNodes([&](auto&& take)
-                           { tree().forEachTriangleOnWay(nodes_, from, to, distance, take); });
+            findBelowNodes(from, to, distance);
         }
         return triangles_;
     }
@@ -54,20 +53,7 @@ public:
     [[nodiscard]] std::span<const std::uint32_t> trianglesNear(const Eigen::Vector3d& q,
                                                                double distance)
     {
-        if (!nodes_.empty())
-        {
-            const auto near = [&](auto&& take)
-            {
-                tree().forEachTriangleNear(nodes_, q, distance,
-                                           [&](std::uint32_t triangle)
-                                           {
-                                               take(triangle);
-                                               return distance;
-                                           });
-            };
-            findBelowNodes(near);
-        }
-        return triangles_;
+        return trianglesOnWay(q, q, distance);
     }
     /// From which the last question was answered.
     [[nodiscard]] std::size_t trianglesTested() const { return triangles_.size(); }
@@ -83,29 +69,20 @@ private:
     /// longer. Larger: those of scans.
     static constexpr std::size_t kMostListed = 64;
 
+    /// Of what is found below the nodes, as kSkin is of what is listed. [r] Larger: more triangles
+    /// to test. Smaller: more searches.
+    static constexpr double kInnerSkin = 0.1;
+
     void listTriangles(const World& world, const Eigen::Vector3d& p, double distance);
-    [[nodiscard]] const TriangleBvh& tree() const { return world_->surface.tree(); }
-    /// Lists what `search` finds; it is called with a function of a triangle.
-    template <class Search>
-    void findBelowNodes(Search&& search)
-    {
-        triangles_.clear();
-        search(
-            [this](std::uint32_t triangle)
-            {
-                if (world_->polygons[triangle] == PolygonState::active)
-                {
-                    triangles_.push_back(triangle);
-                }
-            });
-        std::sort(triangles_.begin(), triangles_.end());
-    }
+    void findBelowNodes(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double distance);
 
     Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();
     double radius_ = -1;
-    std::vector<std::uint32_t> triangles_; ///< all, or with nodes those of the last question
+    std::vector<std::uint32_t> triangles_; ///< all, or with nodes those last found
     TriangleBvh::Nodes nodes_;             ///< where they are many
-    const World* world_ = nullptr;         ///< that the nodes are of
+    Eigen::Vector3d foundAround_ = Eigen::Vector3d::Zero();
+    double foundWithin_ = -1;      ///< of that: which triangles below the nodes are known [r]
+    const World* world_ = nullptr; ///< that the nodes are of
 };
 
 } // namespace frostfill

@@ -33,6 +33,16 @@ double castAtSpheres(const NeighbourList& around, const Eigen::Vector3d& p,
     return limit;
 }
 
+// Whether a sphere may reach a triangle on the way: by the ball around its middle, which is smaller
+// than the one around its start. A way shorter than what counts as reached ends where it began.
+bool mayTouch(const TriangleBound& bound, const Eigen::Vector3d& p, double radius,
+              const Eigen::Vector3d& direction, double path)
+{
+    return path > kReached
+               ? bound.mayBeWithin(radius + kReached + path / 2, p + path / 2 * direction)
+               : bound.mayBeWithin(radius + path, p);
+}
+
 } // namespace
 
 // The distance to a triangle is a convex function of the way gone, so it never falls below its
@@ -45,18 +55,21 @@ double castAtTriangle(const Surface& surface, std::uint32_t id, const Eigen::Vec
     for (int step = 0; step < kNewtonSteps && path < limit; ++step)
     {
         const Eigen::Vector3d here = p + path * direction;
-        const SignedDistance wall = signedDistance(surface, id, here);
-        // Along a plane the next triangle of the same plane is no obstacle, though the edge between
-        // them comes nearer.
-        if (wall.value <= kOtherSheet ||
-            (surface[id].isFlat(wall.feature) &&
-             std::abs(surface.bound(id).normal.dot(direction)) < kSlidesAlongPlane))
+        const UnsignedDistance wall = unsignedDistance(surface, id, here);
+        const auto& [point, feature] = wall.closest;
+        const double gap = wall.value - radius;
+        const double approach = (point - here).dot(direction) / wall.value;
+        const double next = path + gap / approach;
+        // What is too far to matter need not be asked for its side.
+        if (approach < kSlides || (gap >= kReached && next >= limit))
         {
             return limit;
         }
-        const double gap = std::abs(wall.value) - radius;
-        const double approach = (wall.closest - here).dot(direction) / std::abs(wall.value);
-        if (approach < kSlides)
+        // Along a plane the next triangle of the same plane is no obstacle, though the edge between
+        // them comes nearer.
+        if (withSide(surface, id, here, wall).value <= kOtherSheet ||
+            (surface[id].isFlat(feature) &&
+             std::abs(surface.bound(id).normal.dot(direction)) < kSlidesAlongPlane))
         {
             return limit;
         }
@@ -64,7 +77,7 @@ double castAtTriangle(const Surface& surface, std::uint32_t id, const Eigen::Vec
         {
             return path;
         }
-        path += gap / approach;
+        path = next;
     }
     return std::min(path, limit);
 }
@@ -76,7 +89,7 @@ double sphereCast(const Surface& surface, NeighbourList& around, const Eigen::Ve
     const Eigen::Vector3d end = p + path * direction;
     for (const std::uint32_t triangle : around.trianglesOnWay(p, end, radius + kReached))
     {
-        if (surface.bound(triangle).mayBeWithin(radius + path, p))
+        if (mayTouch(surface.bound(triangle), p, radius, direction, path))
         {
             path = castAtTriangle(surface, triangle, p, radius, direction, path);
         }
