@@ -108,7 +108,7 @@ const ShellRaster::Place& ShellRaster::placeOf(std::uint32_t triangle)
     return own;
 }
 
-/// Calls visit(triangle, frame, rows) for those that may be seen in a part.
+/// Calls visit(triangle, frame, pixels) for those that may be seen in a part.
 template <class Visit>
 void ShellRaster::eachIn(std::span<const std::uint32_t> triangles, const TilePart& part,
                          Visit visit)
@@ -122,10 +122,10 @@ void ShellRaster::eachIn(std::span<const std::uint32_t> triangles, const TilePar
         const Place& place = placeOf(triangle);
         if (place.seen)
         {
-            const PixelRectangle rows = part.within(place.pixels);
-            if (!rows.empty())
+            const PixelRectangle pixels = part.inside(place.pixels);
+            if (!pixels.empty())
             {
-                visit(triangle, frame, rows);
+                visit(triangle, frame, pixels);
             }
         }
     }
@@ -135,12 +135,12 @@ void ShellRaster::draw(std::span<const std::uint32_t> triangles, const TilePart&
                        SampleTile& tile, const RestingTile* resting)
 {
     eachIn(triangles, part,
-           [&](std::uint32_t triangle, const ShellRows& frame, const PixelRectangle& rows)
+           [&](std::uint32_t triangle, const ShellRows& frame, const PixelRectangle& pixels)
            {
                const Place& place = places_[triangle];
                if (resting == nullptr || !resting->hides({place.pixels, place.nearest}, part))
                {
-                   drawShellRows(avx2_, samples_, setups_[triangle], frame, rows, part, tile);
+                   drawShellRows(avx2_, samples_, setups_[triangle], frame, pixels, part, tile);
                }
            });
 }
@@ -149,8 +149,8 @@ void ShellRaster::record(std::span<const std::uint32_t> triangles, const TilePar
                          ShellRecord& record)
 {
     eachIn(triangles, part,
-           [&](std::uint32_t triangle, const ShellRows& frame, const PixelRectangle& rows)
-           { recordShellRows(avx2_, samples_, setups_[triangle], frame, rows, part, record); });
+           [&](std::uint32_t triangle, const ShellRows& frame, const PixelRectangle& pixels)
+           { recordShellRows(avx2_, samples_, setups_[triangle], frame, pixels, part, record); });
 }
 
 } // namespace frostfill
