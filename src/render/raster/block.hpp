@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "render/raster/lanes.hpp"
+#include "render/raster/half_lanes.hpp"
 
 #include <cstdint>
 #include <type_traits>
@@ -58,8 +58,7 @@ struct Block
     }
 
 private:
-    using HalfFloats = float __attribute__((vector_size(sizeof(Floats) / 2)));
-    using HalfWords = std::uint32_t __attribute__((vector_size(sizeof(Words) / 2)));
+    using HalfWords = std::uint32_t __attribute__((vector_size(4 * kHalf)));
     template <class Value>
     using Half = std::conditional_t<std::is_same_v<Value, float>, HalfFloats, HalfWords>;
 };

@@ -25,9 +25,4 @@ void recordShellRows(bool avx2, int samples, const ShellRaster::Setup& setup,
                      const ShellRows& frame, const PixelRectangle& pixels, const TilePart& part,
                      ShellRecord& record);
 
-/// False only if a triangle, in these pixels, lies between the samples, so that drawShellRows would
-/// draw nothing; true where it is larger than a few pixels.
-[[nodiscard]] bool coversSample(int samples, const ShellRaster::Setup& setup,
-                                const PixelRectangle& pixels);
-
 } // namespace frostfill
