@@ -50,7 +50,8 @@ public:
     void record(std::span<const std::uint32_t> triangles, const TilePart& part,
                 ShellRecord& record) const;
 
-    /// How one triangle looks.
+    /// How one triangle looks. What is worked out in lanes comes first: it is written as it lies
+    /// here.
     struct Setup
     {
         /// Distance from each edge: across * x + upwards * y + from, inside positive [pixel].
@@ -60,21 +61,21 @@ public:
         std::array<float, 3> share; ///< barycentric coordinate = share * distance / sum of all
         std::array<float, 3> near;  ///< inverse depth = sum of near * distance
         std::array<glm::vec3, 3> normals; ///< towards the viewer [eye space]
-        bool seen = false;                ///< is not clear
-        bool lines = false;               ///< has any, of which kind ever
-        bool edges = false;               ///< has lines along edges
-        bool flat = false;                ///< light and angle are those of the corners, mixed
         std::array<float, 3> light;       ///< on the corners
         std::array<float, 3> facing;      ///< cosine of the angle to the viewer at the corners
-        glm::vec3 base;                   ///< colour [0..255]
-        float density = 0, rimDensity = 0;
-        glm::vec3 ink;                 ///< [0..255]
-        std::array<float, 3> strength; ///< of the lines along the edges
-        float contour = 0;             ///< strength of the outline of the smooth surface
-        float pixelsOfFacing = 0;      ///< the length over which facing changes by 1 [pixel]
-        float crease = 0;              ///< strength of others' creases
+        std::array<float, 3> strength;    ///< of the lines along the edges
+        float contour = 0;                ///< strength of the outline of the smooth surface
+        float pixelsOfFacing = 0;         ///< the length over which facing changes by 1 [pixel]
+        float crease = 0;                 ///< strength of others' creases
         float pixelsOfCrease = 0;
         std::array<float, 3> creaseDistance;
+        glm::vec3 base; ///< colour [0..255]
+        float density = 0, rimDensity = 0;
+        glm::vec3 ink;      ///< [0..255]
+        bool seen = false;  ///< is not clear
+        bool lines = false; ///< has any, of which kind ever
+        bool edges = false; ///< has lines along edges
+        bool flat = false;  ///< light and angle are those of the corners, mixed
     };
 
 private:
@@ -131,12 +132,10 @@ private:
     void setUpAvx2(const Some& some, std::array<Setup, kLanes>& setups) const;
     void setUpPlain(const Some& some, std::array<Setup, kLanes>& setups) const;
     void setUpAny(const Some& some, std::array<Setup, kLanes>& setups) const;
-    template <class Slopes>
-    void setSurfaces(const Some& some, const Slopes& slopes,
-                     std::array<Setup, kLanes>& setups) const;
-    template <class Slopes>
-    void setStrokes(const Some& some, const Slopes& slopes,
-                    std::array<Setup, kLanes>& setups) const;
+    template <class Slopes, class Columns>
+    void setSurfaces(const Some& some, const Slopes& slopes, Columns& columns) const;
+    template <class Slopes, class Columns>
+    void setStrokes(const Some& some, const Slopes& slopes, Columns& columns) const;
     template <class Visit>
     void eachIn(std::span<const std::uint32_t> triangles, const TilePart& part,
                 const RestingTile* resting, Visit visit) const;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How triangles of the shell look in the picture.
+#include "render/raster/setup_columns.hpp"
 #include "render/raster/shell_raster.hpp"
 #include "render/raster/shell_sides.hpp"
 
@@ -103,18 +104,6 @@ struct Slopes
     }
 };
 
-/// Into a member of each of the setups.
-template <class Member>
-FROSTFILL_INLINE void scatter(Floats values, std::array<Setup, kLanes>& setups, Member member)
-{
-    std::array<float, kLanes> own;
-    store(values, own.data());
-    for (std::size_t lane = 0; lane < kLanes; ++lane)
-    {
-        member(setups[lane]) = own[lane];
-    }
-}
-
 template <class ValueOf>
 FROSTFILL_INLINE Floats eight(ValueOf valueOf)
 {
@@ -122,17 +111,16 @@ FROSTFILL_INLINE Floats eight(ValueOf valueOf)
                   valueOf(4), valueOf(5), valueOf(6), valueOf(7)};
 }
 
-FROSTFILL_INLINE void scatterSides(const ShellSides<Floats>& sides,
-                                   std::array<Setup, kLanes>& setups)
+FROSTFILL_INLINE void setSides(const ShellSides<Floats>& sides, SetupColumns& columns)
 {
     for (std::size_t i = 0; i < 3; ++i)
     {
-        scatter(sides.across[i], setups, [i](Setup& s) -> float& { return s.across[i]; });
-        scatter(sides.upwards[i], setups, [i](Setup& s) -> float& { return s.upwards[i]; });
-        scatter(sides.from[i], setups, [i](Setup& s) -> float& { return s.from[i]; });
-        scatter(sides.least[i], setups, [i](Setup& s) -> float& { return s.least[i]; });
-        scatter(sides.share[i], setups, [i](Setup& s) -> float& { return s.share[i]; });
-        scatter(sides.near[i], setups, [i](Setup& s) -> float& { return s.near[i]; });
+        columns.across[i] = sides.across[i];
+        columns.upwards[i] = sides.upwards[i];
+        columns.from[i] = sides.from[i];
+        columns.least[i] = sides.least[i];
+        columns.share[i] = sides.share[i];
+        columns.near[i] = sides.near[i];
     }
 }
 
@@ -140,7 +128,7 @@ FROSTFILL_INLINE void scatterSides(const ShellSides<Floats>& sides,
 FROSTFILL_INLINE Floats creases(const ShadedMesh& mesh,
                                 const std::array<std::uint32_t, kLanes>& triangles,
                                 const Slopes& slopes, Floats sizeInLines, Floats ofLine,
-                                std::array<Setup, kLanes>& setups)
+                                SetupColumns& columns)
 {
     std::array<Floats, 3> distances = {all(1), all(1), all(1)};
     Floats crease{};
@@ -157,20 +145,20 @@ FROSTFILL_INLINE Floats creases(const ShadedMesh& mesh,
         const Floats fade = 1 - fades(0.5F * kCreaseFade, kCreaseFade, sizeInLines);
         crease = select(pixels < 1e5F, ofLine * kStrongLine * fade, Floats{});
     }
-    scatter(crease, setups, [](Setup& s) -> float& { return s.crease; });
-    scatter(pixels, setups, [](Setup& s) -> float& { return s.pixelsOfCrease; });
+    columns.crease = crease;
+    columns.pixelsOfCrease = pixels;
     for (std::size_t i = 0; i < 3; ++i)
     {
-        scatter(distances[i], setups, [i](Setup& s) -> float& { return s.creaseDistance[i]; });
+        columns.creaseDistance[i] = distances[i];
     }
     return crease;
 }
 
 } // namespace
 
-template <class Slopes>
+template <class Slopes, class Columns>
 FROSTFILL_INLINE void ShellRaster::setSurfaces(const Some& some, const Slopes& slopes,
-                                               std::array<Setup, kLanes>& setups) const
+                                               Columns& columns) const
 {
     const glm::mat3 view(view_);
     const auto& triangles = some.triangles;
@@ -202,37 +190,27 @@ FROSTFILL_INLINE void ShellRaster::setSurfaces(const Some& some, const Slopes& s
         facing[i] = -dot(normal, {ofRay(0), ofRay(1), ofRay(2)}) / length;
         const Floats light =
             0.55F + 0.45F * lightOn({normal.x / length, normal.y / length, normal.z / length});
-        scatter(normal.x, setups, [i](Setup& s) -> float& { return s.normals[i].x; });
-        scatter(normal.y, setups, [i](Setup& s) -> float& { return s.normals[i].y; });
-        scatter(normal.z, setups, [i](Setup& s) -> float& { return s.normals[i].z; });
-        scatter(light, setups, [i](Setup& s) -> float& { return s.light[i]; });
-        scatter(edgeOn_ ? Floats{} : facing[i], setups,
-                [i](Setup& s) -> float& { return s.facing[i]; });
+        columns.normals[i][0] = normal.x;
+        columns.normals[i][1] = normal.y;
+        columns.normals[i][2] = normal.z;
+        columns.light[i] = light;
+        columns.facing[i] = edgeOn_ ? Floats{} : facing[i];
     }
     const Mask alike = min(min(dot(normals[0], normals[1]), dot(normals[1], normals[2])),
                            dot(normals[2], normals[0])) > kFlat;
-    for (std::size_t lane = 0; lane < kLanes; ++lane)
-    {
-        setups[lane].flat = alike[lane] != 0 && places_[triangles[lane]].small;
-    }
-    scatter(slopes.pixelsOfValue(facing), setups,
-            [](Setup& s) -> float& { return s.pixelsOfFacing; });
+    columns.alike = alike;
+    columns.pixelsOfFacing = slopes.pixelsOfValue(facing);
 }
 
-template <class Slopes>
+template <class Slopes, class Columns>
 FROSTFILL_INLINE void ShellRaster::setStrokes(const Some& some, const Slopes& slopes,
-                                              std::array<Setup, kLanes>& setups) const
+                                              Columns& columns) const
 {
     const auto& triangles = some.triangles;
     std::array<const Paint*, kLanes> paints;
     for (std::size_t lane = 0; lane < kLanes; ++lane)
     {
-        const std::uint32_t t = triangles[lane];
-        const Paint& paint = *(paints[lane] = &paintOf(states_[t], places_[t].front));
-        setups[lane].base = paint.base;
-        setups[lane].ink = paint.ink;
-        setups[lane].density = paint.density;
-        setups[lane].rimDensity = paint.rimDensity;
+        paints[lane] = &paintOf(states_[triangles[lane]], places_[triangles[lane]].front);
     }
     const auto ofPaint = [&](float Paint::*member) __attribute__((always_inline))
     {
@@ -256,20 +234,15 @@ FROSTFILL_INLINE void ShellRaster::setStrokes(const Some& some, const Slopes& sl
         shown = select(strength > kStrongLine + 0.002F, outline, shown);
         const Floats drawn = ofLine * shown * min(strength, kStrongLine);
         drawnEdges |= drawn > 0;
-        scatter(drawn, setups, [i](Setup& s) -> float& { return s.strength[i]; });
+        columns.strength[i] = drawn;
     }
     const Floats contour = ofLine * kStrongLine * (1 - outline);
-    scatter(contour, setups, [](Setup& s) -> float& { return s.contour; });
+    columns.contour = contour;
     const Mask lines =
         drawnEdges | (contour > 0) |
-        (creases(mesh_, triangles, slopes, size / strokes_.lineWidth, ofLine, setups) > 0);
-    for (std::size_t lane = 0; lane < kLanes; ++lane)
-    {
-        Setup& setup = setups[lane];
-        setup.edges = drawnEdges[lane] != 0;
-        setup.lines = lines[lane] != 0;
-        setup.seen = setup.lines || setup.density > 0;
-    }
+        (creases(mesh_, triangles, slopes, size / strokes_.lineWidth, ofLine, columns) > 0);
+    columns.drawnEdges = drawnEdges;
+    columns.lines = lines;
 }
 
 FROSTFILL_INLINE void ShellRaster::setUpAny(const Some& some,
@@ -285,9 +258,25 @@ FROSTFILL_INLINE void ShellRaster::setUpAny(const Some& some,
     };
     const ShellSides<Floats> sides = joined(half(0), half(kHalf));
     const Slopes slopes(sides);
-    scatterSides(sides, setups);
-    setSurfaces(some, slopes, setups);
-    setStrokes(some, slopes, setups);
+    SetupColumns columns;
+    setSides(sides, columns);
+    setSurfaces(some, slopes, columns);
+    setStrokes(some, slopes, columns);
+    write(columns, setups);
+    for (std::size_t lane = 0; lane < kLanes; ++lane)
+    {
+        Setup& setup = setups[lane];
+        const Place& place = places_[triangles[lane]];
+        const Paint& paint = paintOf(states_[triangles[lane]], place.front);
+        setup.base = paint.base;
+        setup.ink = paint.ink;
+        setup.density = paint.density;
+        setup.rimDensity = paint.rimDensity;
+        setup.edges = columns.drawnEdges[lane] != 0;
+        setup.lines = columns.lines[lane] != 0;
+        setup.seen = setup.lines || setup.density > 0;
+        setup.flat = columns.alike[lane] != 0 && place.small;
+    }
 }
 
 FROSTFILL_AVX2 void ShellRaster::setUpAvx2(const Some& some,
