@@ -60,6 +60,14 @@ struct SampleOffset
 inline constexpr std::array<SampleOffset, kMaxTileSamples> kFourSamples = {
     {{-0.125F, -0.375F}, {0.375F, -0.125F}, {-0.375F, 0.125F}, {0.125F, 0.375F}}};
 
+/// Widened so that left and right are multiples of kLanes.
+[[nodiscard]] inline PixelRectangle inWholeLanes(const PixelRectangle& pixels)
+{
+    return pixels.empty() ? PixelRectangle{}
+                          : PixelRectangle{pixels.left & ~(kLanes - 1), pixels.bottom,
+                                           (pixels.right + kLanes - 1) & ~(kLanes - 1), pixels.top};
+}
+
 /// Where in the picture a tile lies, and the part of it that is drawn to.
 struct TilePart
 {
@@ -67,19 +75,17 @@ struct TilePart
     int bottom = 0;        ///< of the tile [pixel]
     PixelRectangle pixels; ///< in the tile; left and right are multiples of kLanes
 
-    /// A rectangle of the picture in this part, widened to whole lanes.
+    /// A rectangle of the picture in this part.
+    [[nodiscard]] PixelRectangle inside(const PixelRectangle& picture) const
+    {
+        return common({picture.left - left, picture.bottom - bottom, picture.right - left,
+                       picture.top - bottom},
+                      pixels);
+    }
+    /// The same, widened to whole lanes.
     [[nodiscard]] PixelRectangle within(const PixelRectangle& picture) const
     {
-        PixelRectangle inside = common({picture.left - left, picture.bottom - bottom,
-                                        picture.right - left, picture.top - bottom},
-                                       pixels);
-        if (inside.empty())
-        {
-            return {};
-        }
-        inside.left &= ~(kLanes - 1);
-        inside.right = (inside.right + kLanes - 1) & ~(kLanes - 1);
-        return inside;
+        return inWholeLanes(inside(picture));
     }
 };
 

@@ -34,22 +34,24 @@ public:
     /// triangles have changed, until the next call.
     std::span<const std::uint32_t> setStates(std::span<const PolygonState> states);
 
-    /// Works out how every triangle looks, with all cores at hand. After that several threads may
-    /// draw, each into a tile of its own, until states or camera change.
-    void setUpAll();
-    /// Around a triangle in the picture.
-    [[nodiscard]] PixelRectangle bounds(std::uint32_t triangle);
-    /// Those that cover a sample, whatever their state: first those that turn their backs to the
-    /// viewer, then those that face the viewer.
-    [[nodiscard]] std::vector<std::uint32_t> inDrawingOrder();
-    /// Blends one after another. What spheres at rest hide may be left out.
+    /// Around the samples that a triangle may cover; empty if it covers none.
+    [[nodiscard]] const PixelRectangle& bounds(std::uint32_t triangle) const
+    {
+        return places_[triangle].pixels;
+    }
+    /// Those that may cover a sample, whatever their state: first those that turn their backs to
+    /// the viewer, then those that face the viewer.
+    [[nodiscard]] std::vector<std::uint32_t> inDrawingOrder() const;
+    /// Blends one after another. What spheres at rest hide may be left out. Several threads may
+    /// draw, each into a tile of its own.
     void draw(std::span<const std::uint32_t> triangles, const TilePart& part, SampleTile& tile,
-              const RestingTile* resting = nullptr);
+              const RestingTile* resting = nullptr) const;
     /// Takes down what draw() would blend over a tile in which nothing lies.
     void record(std::span<const std::uint32_t> triangles, const TilePart& part,
-                ShellRecord& record);
+                ShellRecord& record) const;
 
-    /// How one triangle looks.
+    /// How one triangle looks. What is worked out in lanes comes first: it is written as it lies
+    /// here.
     struct Setup
     {
         /// Distance from each edge: across * x + upwards * y + from, inside positive [pixel].
@@ -59,32 +61,31 @@ public:
         std::array<float, 3> share; ///< barycentric coordinate = share * distance / sum of all
         std::array<float, 3> near;  ///< inverse depth = sum of near * distance
         std::array<glm::vec3, 3> normals; ///< towards the viewer [eye space]
-        bool lines = false;               ///< has any
-        bool flat = false;                ///< light and angle are those of the corners, mixed
         std::array<float, 3> light;       ///< on the corners
         std::array<float, 3> facing;      ///< cosine of the angle to the viewer at the corners
-        glm::vec3 base;                   ///< colour [0..255]
-        float density = 0, rimDensity = 0;
-        glm::vec3 ink;                 ///< [0..255]
-        std::array<float, 3> strength; ///< of the lines along the edges
-        float contour = 0;             ///< strength of the outline of the smooth surface
-        float pixelsOfFacing = 0;      ///< the length over which facing changes by 1 [pixel]
-        float crease = 0;              ///< strength of others' creases
+        std::array<float, 3> strength;    ///< of the lines along the edges
+        float contour = 0;                ///< strength of the outline of the smooth surface
+        float pixelsOfFacing = 0;         ///< the length over which facing changes by 1 [pixel]
+        float crease = 0;                 ///< strength of others' creases
         float pixelsOfCrease = 0;
         std::array<float, 3> creaseDistance;
+        glm::vec3 base; ///< colour [0..255]
+        float density = 0, rimDensity = 0;
+        glm::vec3 ink;      ///< [0..255]
+        bool seen = false;  ///< is not clear
+        bool lines = false; ///< has any, of which kind ever
+        bool edges = false; ///< has lines along edges
+        bool flat = false;  ///< light and angle are those of the corners, mixed
     };
 
 private:
     /// What most triangles are passed over for, apart from what it takes to draw one.
     struct Place
     {
-        bool ready = false;
-        bool front = false;  ///< faces the viewer
-        bool covers = false; ///< is not seen edge-on, nor between samples
-        bool seen = false;   ///< covers a sample, and is not clear
-        bool small = false;  ///< in the picture
-        float nearest = 0;   ///< no point of it is nearer; see kNothing
-        PixelRectangle pixels;
+        PixelRectangle pixels; ///< empty if it is seen edge-on
+        float nearest = 0;     ///< no point of it is nearer; see kNothing
+        bool front = false;    ///< faces the viewer
+        bool small = false;    ///< in the picture
     };
 
     /// A vertex before the camera.
@@ -97,24 +98,53 @@ private:
         double height; ///< inverse depth times corner.z
         float nearest; ///< inverse depth
         glm::vec3 ray; ///< from the eye, unit
-        [[nodiscard]] bool ahead() const { return corner.z > 1e-6; }
     };
 
+    /// Triangles whose looks are worked out at once.
+    struct Some
+    {
+        std::array<std::uint32_t, kLanes> triangles; ///< the last one again, where it is fewer
+        std::size_t count = 0;
+    };
+
+    /// Of a state, and one side.
+    struct Paint
+    {
+        glm::vec3 base, ink; ///< [0..255]
+        float density = 0, rimDensity = 0;
+        float ofLine = 0;  ///< how strongly lines are drawn
+        float ofEdges = 0; ///< plain ones beside
+    };
+
+    [[nodiscard]] const Paint& paintOf(PolygonState state, bool front) const
+    {
+        return paints_[static_cast<std::size_t>(state)][front ? 1 : 0];
+    }
     [[nodiscard]] Vertex placed(const glm::vec3& position) const;
-    /// Where it is in the picture; false if that is nowhere.
-    bool setBounds(std::uint32_t triangle, Place& place) const;
+    static constexpr std::size_t kPlacedAtOnce = kLanes / 2;
+
+    /// Where so many triangles are in the picture, or fewer at the end.
+    void place(std::uint32_t first);
+    void placeAvx2(std::uint32_t first);
+    void placePlain(std::uint32_t first);
+    void placeAny(std::uint32_t first);
+    /// How some look.
+    void setUpAvx2(const Some& some, std::array<Setup, kLanes>& setups) const;
+    void setUpPlain(const Some& some, std::array<Setup, kLanes>& setups) const;
+    void setUpAny(const Some& some, std::array<Setup, kLanes>& setups) const;
+    template <class Slopes, class Columns>
+    void setSurfaces(const Some& some, const Slopes& slopes, Columns& columns) const;
+    template <class Slopes, class Columns>
+    void setStrokes(const Some& some, const Slopes& slopes, Columns& columns) const;
     template <class Visit>
-    void eachIn(std::span<const std::uint32_t> triangles, const TilePart& part, Visit visit);
-    const Place& placeOf(std::uint32_t triangle);
-    void place(std::uint32_t triangle);
-    void setStrokes(std::uint32_t triangle);
+    void eachIn(std::span<const std::uint32_t> triangles, const TilePart& part,
+                const RestingTile* resting, Visit visit) const;
 
     const ShadedMesh& mesh_;
     MeshStrokes strokes_;
     int samples_;
     bool avx2_;
-    std::array<glm::vec4, 2> colours_; ///< [PolygonState]
-    std::array<glm::vec3, 2> inks_;    ///< [PolygonState]
+    std::array<std::array<Paint, 2>, 2> paints_; ///< [PolygonState][front]
     glm::mat4 view_{1};
     PixelGrid grid_;
     PictureSize size_;
@@ -123,8 +153,7 @@ private:
     std::vector<Vertex> vertices_;                   ///< [#V] for this camera
     std::vector<std::array<std::uint8_t, 3>> edges_; ///< [#T]
     std::vector<PolygonState> states_;               ///< [#T]
-    std::vector<Place> places_;                      ///< [#T] for this camera, once needed
-    std::vector<Setup> setups_;                      ///< [#T] of those that cover a sample
+    std::vector<Place> places_;                      ///< [#T] for this camera
     std::vector<std::uint32_t> changed_;
 };
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "render/raster/shell_rows.hpp"
 
-#include "render/raster/lanes.hpp"
+#include "render/raster/block.hpp"
+#include "render/raster/shell_surface.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <span>
-#include <utility>
+#include <type_traits>
 
 namespace frostfill
 {
@@ -17,10 +17,6 @@ namespace
 using namespace lanes;
 using Setup = ShellRaster::Setup;
 using Frame = ShellRows;
-
-/// Up to which a triangle may lie between the samples. Larger: others are looked at in vain.
-/// [pixel]
-constexpr int kFewPixels = 3;
 
 /// Columns of the row, in the tile, at which any sample may be inside; not yet in whole lanes.
 FROSTFILL_INLINE std::array<int, 2> columnsOf(const Setup& s,
@@ -50,104 +46,35 @@ FROSTFILL_INLINE std::array<int, 2> columnsOf(const Setup& s,
                       : std::array{0, 0};
 }
 
-struct SurfaceSample
-{
-    Floats share;
-    Floats light;
-};
-
-/// The light on a point of the surface, and how far it faces the viewer, from the normal there.
-FROSTFILL_INLINE Floats curved(const Setup& s, const Frame& f, Floats x, float y, Floats b0,
-                               Floats b1, Floats b2, Floats& facing)
-{
-    const Floats nx = b0 * s.normals[0].x + b1 * s.normals[1].x + b2 * s.normals[2].x;
-    const Floats ny = b0 * s.normals[0].y + b1 * s.normals[1].y + b2 * s.normals[2].y;
-    const Floats nz = b0 * s.normals[0].z + b1 * s.normals[1].z + b2 * s.normals[2].z;
-    const Floats length = 1 / root(max(nx * nx + ny * ny + nz * nz, 1e-12F));
-    const Floats rayX = f.left + f.perColumn * x;
-    const float rayY = f.bottom + f.perRow * y;
-    const Floats towards =
-        (nz - nx * rayX - ny * rayY) * length / root(rayX * rayX + (1 + rayY * rayY));
-    facing = max(towards, -towards);
-    const auto along = [&](float ofX, float ofY, float ofZ) __attribute__((always_inline))
-    {
-        return (nx * ofX + ny * ofY + nz * ofZ) * length;
-    };
-    return 0.55F + 0.45F * lightOf(ny * length, along(-0.424F, 0.636F, 0.645F),
-                                   along(0.802F, 0.134F, 0.582F), along(0.258F, 0.602F, -0.756F));
-}
-
-/// Of the surface: how much it covers and the light on it; and how much its lines cover.
-template <bool lines>
-FROSTFILL_INLINE std::pair<SurfaceSample, Floats>
-surfaceAndLine(const Setup& s, const Frame& f, Floats x, float y, Floats d0, Floats d1, Floats d2)
-{
-    const Floats l0 = s.share[0] * d0;
-    const Floats l1 = s.share[1] * d1;
-    const Floats l2 = s.share[2] * d2;
-    const Floats over = 1 / max(l0 + l1 + l2, 1e-12F);
-    const Floats b0 = l0 * over;
-    const Floats b1 = l1 * over;
-    const Floats b2 = l2 * over;
-    SurfaceSample surface;
-    Floats facing;
-    if (s.flat)
-    {
-        facing = b0 * s.facing[0] + b1 * s.facing[1] + b2 * s.facing[2];
-        facing = max(facing, -facing);
-        surface.light = b0 * s.light[0] + b1 * s.light[1] + b2 * s.light[2];
-    }
-    else
-    {
-        surface.light = curved(s, f, x, y, b0, b1, b2, facing);
-    }
-    surface.share = min(s.density + s.rimDensity * ((1 - facing) * (1 - facing)), 0.85F);
-    if constexpr (!lines)
-    {
-        return {surface, Floats{}};
-    }
-    const float reach = f.lineWidth + 0.5F;
-    Floats line =
-        max(s.strength[0] * clamped(reach - d0),
-            max(s.strength[1] * clamped(reach - d1), s.strength[2] * clamped(reach - d2)));
-    if (s.contour > 0 || s.crease > 0)
-    {
-        const Floats contour = s.contour * (1 - smoothstep(0.3F, 0.5F, facing)) *
-                               clamped(reach - 0.5F * facing * s.pixelsOfFacing);
-        const Floats off =
-            b0 * s.creaseDistance[0] + b1 * s.creaseDistance[1] + b2 * s.creaseDistance[2];
-        const Floats creased =
-            s.crease * (1 - smoothstep(0.6F, 0.9F, off)) * clamped(reach - off * s.pixelsOfCrease);
-        line = max(line, max(contour, creased));
-    }
-    surface.share *= 1 - line;
-    return {surface, line};
-}
-
 /// Blends what is before the samples of a tile.
+template <class In>
 FROSTFILL_INLINE Mask isBefore(const SampleTile& tile, std::size_t plane, std::size_t at,
                                Floats inverseDepth)
 {
-    return inverseDepth > load<Floats>(tile.inverseDepth[plane].data() + at);
+    return inverseDepth > In::template load<Floats>(tile.inverseDepth[plane].data() + at);
 }
 
+template <class In>
 FROSTFILL_INLINE void put(SampleTile& tile, std::size_t plane, std::size_t at, Floats /*depth*/,
                           Words colour)
 {
     std::uint32_t* shown = tile.colour[plane].data() + at;
-    store(blended(colour, load<Words>(shown)), shown);
+    In::store(blended(colour, In::template load<Words>(shown)), shown);
 }
 
 /// Takes down all.
+template <class In>
 FROSTFILL_INLINE Mask isBefore(const ShellRecord& /*record*/, std::size_t /*plane*/,
                                std::size_t /*at*/, Floats inverseDepth)
 {
     return inverseDepth > all(kNothing);
 }
 
+template <class In>
 FROSTFILL_INLINE void put(ShellRecord& record, std::size_t plane, std::size_t at,
                           Floats inverseDepth, Words colour)
 {
+    static_assert(In::kRows == 1);
     std::array<float, kLanes> depths;
     std::array<std::uint32_t, kLanes> colours;
     store(inverseDepth, depths.data());
@@ -155,172 +82,191 @@ FROSTFILL_INLINE void put(ShellRecord& record, std::size_t plane, std::size_t at
     record.add(plane, at, depths, colours);
 }
 
-template <int samples, bool lines, class Target>
-FROSTFILL_INLINE void drawRows(const Setup& setup, const Frame& frame, const PixelRectangle& rows,
-                               const TilePart& part, Target& target)
+/// Draws a triangle block by block.
+template <class In, int samples, bool lines, class Target>
+struct Painter
 {
-    const Setup s = setup; // so that the target cannot be part of it
-    const Frame f = frame;
-    const bool narrow = rows.width() <= kLanes; // to look for the columns takes longer
-    float nearX = 0;
-    float nearY = 0;
+    const Setup s; // a copy, so that the target cannot be part of it
+    const Frame f;
+    Target& target;
     std::array<std::array<float, samples>, 3> edgeAt;
     std::array<float, samples> nearAt;
+
+    FROSTFILL_INLINE Painter(const Setup& setup, const Frame& frame, Target& to)
+        : s(setup), f(frame), target(to)
+    {
+        float nearX = 0;
+        float nearY = 0;
+        for (std::size_t i = 0; i < 3; ++i)
+        {
+            nearX += s.near[i] * s.across[i];
+            nearY += s.near[i] * s.upwards[i];
+        }
+        for (std::size_t k = 0; k < samples; ++k)
+        {
+            const SampleOffset at = samples > 1 ? kFourSamples[k] : SampleOffset{};
+            nearAt[k] = nearX * at.x + nearY * at.y;
+            for (std::size_t i = 0; i < 3; ++i)
+            {
+                edgeAt[i][k] = s.across[i] * at.x + s.upwards[i] * at.y;
+            }
+        }
+    }
+
+    /// Of the pixels around (x, y), which lie in the tile from `at` on, those in `drawn`.
+    FROSTFILL_INLINE void draw(Floats x, Floats y, std::size_t at, Mask drawn)
+    {
+        const Floats d0 = s.across[0] * x + (s.upwards[0] * y + s.from[0]);
+        const Floats d1 = s.across[1] * x + (s.upwards[1] * y + s.from[1]);
+        const Floats d2 = s.across[2] * x + (s.upwards[2] * y + s.from[2]);
+        const Floats isNear = s.near[0] * d0 + s.near[1] * d1 + s.near[2] * d2;
+        std::array<Words, samples> seen;
+        Mask seenAtAll{};
+        for (std::size_t k = 0; k < samples; ++k)
+        {
+            const Mask is = drawn & (d0 + edgeAt[0][k] > s.least[0]) &
+                            (d1 + edgeAt[1][k] > s.least[1]) & (d2 + edgeAt[2][k] > s.least[2]) &
+                            isBefore<In>(target, k, at, isNear + nearAt[k]);
+            seen[k] = reinterpret_cast<Words>(is);
+            seenAtAll |= is;
+        }
+        if (!any(seenAtAll))
+        {
+            return;
+        }
+        const auto surfaceWithLine = surfaceAndLine<lines>(s, f, x, y, d0, d1, d2);
+        const SurfaceSample& surface = surfaceWithLine.first;
+        const Floats line = surfaceWithLine.second;
+        const Words alpha = byteOf(255 * (surface.share + line));
+        const Floats limit = __builtin_convertvector(reinterpret_cast<Mask>(alpha), Floats);
+        const Floats lit = surface.share * surface.light;
+        const auto channel = [&](float base, float ink) __attribute__((always_inline))
+        {
+            return byteOf(min(base * lit + ink * line, limit));
+        };
+        const Words colour = channel(s.base.r, s.ink.r) | channel(s.base.g, s.ink.g) << 8 |
+                             channel(s.base.b, s.ink.b) << 16 | alpha << 24;
+        for (std::size_t k = 0; k < samples; ++k)
+        {
+            put<In>(target, k, at, isNear + nearAt[k], colour & seen[k]); // clear if not seen
+        }
+    }
+};
+
+/// Row by row, lanes that begin at multiples of kLanes.
+template <int samples, bool lines, class Target>
+FROSTFILL_INLINE void drawRows(const Setup& setup, const Frame& frame, const PixelRectangle& pixels,
+                               const TilePart& part, Target& target)
+{
+    using Row = Block<1>;
+    Painter<Row, samples, lines, Target> painter(setup, frame, target);
+    const PixelRectangle rows = inWholeLanes(pixels);
+    const bool narrow = rows.width() <= kLanes; // to look for the columns takes longer
     std::array<float, 3> overAcross;
     for (std::size_t i = 0; i < 3; ++i)
     {
-        overAcross[i] = narrow ? 0 : 1 / s.across[i];
-        nearX += s.near[i] * s.across[i];
-        nearY += s.near[i] * s.upwards[i];
-    }
-    for (std::size_t k = 0; k < samples; ++k)
-    {
-        const SampleOffset at = samples > 1 ? kFourSamples[k] : SampleOffset{};
-        nearAt[k] = nearX * at.x + nearY * at.y;
-        for (std::size_t i = 0; i < 3; ++i)
-        {
-            edgeAt[i][k] = s.across[i] * at.x + s.upwards[i] * at.y;
-        }
+        overAcross[i] = narrow ? 0 : 1 / setup.across[i];
     }
     for (int y = rows.bottom; y < rows.top; ++y)
     {
         const float yAt = static_cast<float>(part.bottom + y) + 0.5F;
-        const auto [from, to] = narrow ? std::array{rows.left, rows.right}
-                                       : columnsOf(s, overAcross, static_cast<float>(part.left),
-                                                   yAt, rows.left, rows.right);
+        const auto [from, to] =
+            narrow ? std::array{rows.left, rows.right}
+                   : columnsOf(painter.s, overAcross, static_cast<float>(part.left), yAt, rows.left,
+                               rows.right);
         for (int x = from & ~(kLanes - 1); x < to; x += kLanes)
         {
-            const Floats xAt = static_cast<float>(part.left + x) + 0.5F + iota();
-            const Floats d0 = s.across[0] * xAt + (s.upwards[0] * yAt + s.from[0]);
-            const Floats d1 = s.across[1] * xAt + (s.upwards[1] * yAt + s.from[1]);
-            const Floats d2 = s.across[2] * xAt + (s.upwards[2] * yAt + s.from[2]);
-            const Floats isNear = s.near[0] * d0 + s.near[1] * d1 + s.near[2] * d2;
             const int pixel = y * kTileEdge + x;
-            const auto at = static_cast<std::size_t>(pixel);
-            std::array<Words, samples> seen;
-            Mask seenAtAll{};
-            for (std::size_t k = 0; k < samples; ++k)
-            {
-                const Mask is =
-                    (d0 + edgeAt[0][k] > s.least[0]) & (d1 + edgeAt[1][k] > s.least[1]) &
-                    (d2 + edgeAt[2][k] > s.least[2]) & isBefore(target, k, at, isNear + nearAt[k]);
-                seen[k] = reinterpret_cast<Words>(is);
-                seenAtAll |= is;
-            }
-            if (!any(seenAtAll))
-            {
-                continue;
-            }
-            const auto surfaceWithLine = surfaceAndLine<lines>(s, f, xAt, yAt, d0, d1, d2);
-            const SurfaceSample& surface = surfaceWithLine.first;
-            const Floats line = surfaceWithLine.second;
-            const Words alpha = byteOf(255 * (surface.share + line));
-            const Floats limit = __builtin_convertvector(reinterpret_cast<Mask>(alpha), Floats);
-            const Floats lit = surface.share * surface.light;
-            const auto channel = [&](float base, float ink) __attribute__((always_inline))
-            {
-                return byteOf(min(base * lit + ink * line, limit));
-            };
-            const Words colour = channel(s.base.r, s.ink.r) | channel(s.base.g, s.ink.g) << 8 |
-                                 channel(s.base.b, s.ink.b) << 16 | alpha << 24;
-            for (std::size_t k = 0; k < samples; ++k)
-            {
-                put(target, k, at, isNear + nearAt[k], colour & seen[k]); // clear if not seen
-            }
+            painter.draw(static_cast<float>(part.left + x) + 0.5F + Row::across(), all(yAt),
+                         static_cast<std::size_t>(pixel), ~Mask{});
         }
     }
 }
 
+/// What is at most as wide as two rows of a block.
+template <int samples, bool lines>
+FROSTFILL_INLINE void drawFew(const Setup& setup, const Frame& frame, const PixelRectangle& pixels,
+                              const TilePart& part, SampleTile& tile)
+{
+    using Two = Block<2>;
+    Painter<Two, samples, lines, SampleTile> painter(setup, frame, tile);
+    const int x = std::min(pixels.left, kTileEdge - Two::kColumns);
+    const Floats columns = static_cast<float>(x) + Two::across();
+    const Mask inColumns =
+        (columns >= static_cast<float>(pixels.left)) & (columns < static_cast<float>(pixels.right));
+    for (int bottom = pixels.bottom; bottom < pixels.top; bottom += Two::kRows)
+    {
+        const int y = std::min(bottom, kTileEdge - Two::kRows);
+        const Floats rows = static_cast<float>(y) + Two::upwards();
+        const Mask inRows =
+            (rows >= static_cast<float>(bottom)) & (rows < static_cast<float>(pixels.top));
+        const int pixel = y * kTileEdge + x;
+        painter.draw(static_cast<float>(part.left) + 0.5F + columns,
+                     static_cast<float>(part.bottom) + 0.5F + rows, static_cast<std::size_t>(pixel),
+                     inColumns & inRows);
+    }
+}
+
+template <int samples, bool lines, class Target>
+FROSTFILL_INLINE void drawPart(const Setup& setup, const Frame& frame, const PixelRectangle& pixels,
+                               const TilePart& part, Target& target)
+{
+    if constexpr (std::is_same_v<Target, SampleTile>)
+    {
+        if (pixels.width() <= Block<2>::kColumns)
+        {
+            drawFew<samples, lines>(setup, frame, pixels, part, target);
+            return;
+        }
+    }
+    drawRows<samples, lines>(setup, frame, pixels, part, target);
+}
+
 template <class Target>
 FROSTFILL_INLINE void drawAny(int samples, const Setup& setup, const Frame& frame,
-                              const PixelRectangle& rows, const TilePart& part, Target& target)
+                              const PixelRectangle& pixels, const TilePart& part, Target& target)
 {
     if (samples > 1)
     {
-        setup.lines ? drawRows<kMaxTileSamples, true>(setup, frame, rows, part, target)
-                    : drawRows<kMaxTileSamples, false>(setup, frame, rows, part, target);
+        setup.lines ? drawPart<kMaxTileSamples, true>(setup, frame, pixels, part, target)
+                    : drawPart<kMaxTileSamples, false>(setup, frame, pixels, part, target);
     }
     else
     {
-        setup.lines ? drawRows<1, true>(setup, frame, rows, part, target)
-                    : drawRows<1, false>(setup, frame, rows, part, target);
+        setup.lines ? drawPart<1, true>(setup, frame, pixels, part, target)
+                    : drawPart<1, false>(setup, frame, pixels, part, target);
     }
 }
 
 template <class Target>
 FROSTFILL_AVX2 void drawAvx2(int samples, const Setup& setup, const Frame& frame,
-                             const PixelRectangle& rows, const TilePart& part, Target& target)
+                             const PixelRectangle& pixels, const TilePart& part, Target& target)
 {
-    drawAny(samples, setup, frame, rows, part, target);
+    drawAny(samples, setup, frame, pixels, part, target);
 }
 
 template <class Target>
-void drawPlain(int samples, const Setup& setup, const Frame& frame, const PixelRectangle& rows,
+void drawPlain(int samples, const Setup& setup, const Frame& frame, const PixelRectangle& pixels,
                const TilePart& part, Target& target)
 {
-    drawAny(samples, setup, frame, rows, part, target);
+    drawAny(samples, setup, frame, pixels, part, target);
 }
 
 } // namespace
 
 void drawShellRows(bool avx2, int samples, const ShellRaster::Setup& setup, const ShellRows& frame,
-                   const PixelRectangle& rows, const TilePart& part, SampleTile& tile)
+                   const PixelRectangle& pixels, const TilePart& part, SampleTile& tile)
 {
-    (avx2 ? drawAvx2<SampleTile> : drawPlain<SampleTile>)(samples, setup, frame, rows, part, tile);
+    (avx2 ? drawAvx2<SampleTile> : drawPlain<SampleTile>)(samples, setup, frame, pixels, part,
+                                                          tile);
 }
 
 void recordShellRows(bool avx2, int samples, const ShellRaster::Setup& setup,
-                     const ShellRows& frame, const PixelRectangle& rows, const TilePart& part,
+                     const ShellRows& frame, const PixelRectangle& pixels, const TilePart& part,
                      ShellRecord& record)
 {
-    (avx2 ? drawAvx2<ShellRecord> : drawPlain<ShellRecord>)(samples, setup, frame, rows, part,
+    (avx2 ? drawAvx2<ShellRecord> : drawPlain<ShellRecord>)(samples, setup, frame, pixels, part,
                                                             record);
-}
-
-// The same sums as in drawRows, in the same order.
-bool coversSample(int samples, const ShellRaster::Setup& setup, const PixelRectangle& pixels)
-{
-    if (pixels.width() > kFewPixels || pixels.height() > kFewPixels)
-    {
-        return true;
-    }
-    using Four = float __attribute__((vector_size(16)));
-    using FourMasks = std::int32_t __attribute__((vector_size(16)));
-    static_assert(kFourSamples.size() == 4);
-    Four atX{};
-    Four atY{};
-    for (std::size_t k = 0; k < (samples > 1 ? kFourSamples.size() : 0); ++k)
-    {
-        atX[k] = kFourSamples[k].x;
-        atY[k] = kFourSamples[k].y;
-    }
-    std::array<Four, 3> edgeAt;
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-        edgeAt[i] = setup.across[i] * atX + setup.upwards[i] * atY;
-    }
-    for (int y = pixels.bottom; y < pixels.top; ++y)
-    {
-        const float yAt = static_cast<float>(y) + 0.5F;
-        for (int x = pixels.left; x < pixels.right; ++x)
-        {
-            const float xAt = static_cast<float>(x) + 0.5F;
-            FourMasks inside = ~FourMasks{};
-            for (std::size_t i = 0; i < 3; ++i)
-            {
-                const float distance =
-                    setup.across[i] * xAt + (setup.upwards[i] * yAt + setup.from[i]);
-                inside &= distance + edgeAt[i] > setup.least[i];
-            }
-            std::array<std::uint64_t, 2> words;
-            store(inside, words.data());
-            if ((words[0] | words[1]) != 0)
-            {
-                return true;
-            }
-        }
-    }
-    return false;
 }
 
 } // namespace frostfill

@@ -16,18 +16,13 @@ struct ShellRows
     float lineWidth;
 };
 
-/// Blends a triangle over these rows of a tile. `avx2` as lanes::hasAvx2().
+/// Blends a triangle over what a part of a tile has of it. `avx2` as lanes::hasAvx2().
 void drawShellRows(bool avx2, int samples, const ShellRaster::Setup& setup, const ShellRows& frame,
-                   const PixelRectangle& rows, const TilePart& part, SampleTile& tile);
+                   const PixelRectangle& pixels, const TilePart& part, SampleTile& tile);
 
 /// Takes down what drawShellRows would blend over a tile in which nothing lies.
 void recordShellRows(bool avx2, int samples, const ShellRaster::Setup& setup,
-                     const ShellRows& frame, const PixelRectangle& rows, const TilePart& part,
+                     const ShellRows& frame, const PixelRectangle& pixels, const TilePart& part,
                      ShellRecord& record);
-
-/// False only if a triangle, in these pixels, lies between the samples, so that drawShellRows would
-/// draw nothing; true where it is larger than a few pixels.
-[[nodiscard]] bool coversSample(int samples, const ShellRaster::Setup& setup,
-                                const PixelRectangle& pixels);
 
 } // namespace frostfill

@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: MIT
-// Where triangles of the shell lie in the picture, and how they look there.
+// How triangles of the shell look in the picture.
+#include "render/raster/setup_columns.hpp"
 #include "render/raster/shell_raster.hpp"
-#include "render/raster/shell_rows.hpp"
+#include "render/raster/shell_sides.hpp"
 
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace frostfill
 {
 namespace
 {
+
+using namespace lanes;
+using Setup = ShellRaster::Setup;
 
 constexpr float kPlainLine = line_strength::kPlain / 255.0F;
 constexpr float kStrongLine = line_strength::kStrong / 255.0F;
@@ -22,215 +24,270 @@ constexpr float kOutlineFrom = 1;
 constexpr float kOutlineTo = 2.5F;
 constexpr float kCreaseFade = 6;
 
-using Setup = ShellRaster::Setup;
-
-/// Light and angle change evenly over triangles whose normals differ by less than the angle of this
-/// cosine, and that are smaller than this: what they are in the middle is then less than 1 % off.
+/// Light and angle change evenly over small triangles whose normals differ by less than the angle
+/// of this cosine.
 constexpr float kFlat = 0.96F;
-constexpr int kSmall = 160; // [pixel]
 
-/// What single precision may do to where a triangle ends. Samples are a tenth of a pixel inside
-/// theirs, so this has room. [pixel]
-constexpr double kCoverMargin = 0.05;
-
-/// What single precision may do to how near a corner is.
-constexpr float kNearer = 1e-5F;
-
-float lightOn(const glm::vec3& normal)
+struct Vectors
 {
-    return 0.56F + 0.13F * normal.y +
-           0.50F * std::max(glm::dot(normal, {-0.424F, 0.636F, 0.645F}), 0.0F) +
-           0.16F * std::max(glm::dot(normal, {0.802F, 0.134F, 0.582F}), 0.0F) +
-           0.5F * std::max(glm::dot(normal, {0.258F, 0.602F, -0.756F}), 0.0F);
+    Floats x, y, z;
+};
+
+FROSTFILL_INLINE Floats dot(const Vectors& a, const Vectors& b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/// A length over which a value changes by 1, from its gradient. [pixel]
-float pixelsOf(const glm::vec2& gradient)
+FROSTFILL_INLINE Floats along(const Vectors& a, float x, float y, float z)
 {
-    return 1 / std::sqrt(std::max(glm::dot(gradient, gradient), 1e-12F));
+    return a.x * x + a.y * y + a.z * z;
 }
 
-/// As std::floor, which takes a call on old processors. For what an int can hold.
-int floorOf(double value)
+FROSTFILL_INLINE Floats lightOn(const Vectors& normal)
 {
-    const int towardsZero = static_cast<int>(value);
-    return towardsZero - (value < towardsZero ? 1 : 0);
+    return lightOf(normal.y, along(normal, -0.424F, 0.636F, 0.645F),
+                   along(normal, 0.802F, 0.134F, 0.582F), along(normal, 0.258F, 0.602F, -0.756F));
+}
+
+FROSTFILL_INLINE Floats fades(float from, float to, Floats value)
+{
+    const Floats t = clamped((value - from) / (to - from));
+    return t * t * (3 - 2 * t);
+}
+
+/// From the square of a gradient: the length over which a value changes by 1. [pixel]
+FROSTFILL_INLINE Floats pixelsOf(Floats square)
+{
+    return 1 / root(max(square, 1e-12F));
+}
+
+/// Slopes of the barycentric coordinates in the middle of each triangle.
+struct Slopes
+{
+    std::array<Floats, 3> x, y;
+
+    FROSTFILL_INLINE explicit Slopes(const ShellSides<Floats>& sides)
+    {
+        // The coordinates are all 1/3 where share * distance is the same for all three; its value
+        // there is 1 / (3 w) with w the mean of the corners'.
+        Floats w{};
+        Floats sumX{};
+        Floats sumY{};
+        for (std::size_t i = 0; i < 3; ++i)
+        {
+            w += sides.divisors[i] / 3;
+            sumX += x[i] = sides.share[i] * sides.across[i];
+            sumY += y[i] = sides.share[i] * sides.upwards[i];
+        }
+        for (std::size_t i = 0; i < 3; ++i)
+        {
+            x[i] = w * (x[i] - sumX / 3);
+            y[i] = w * (y[i] - sumY / 3);
+        }
+    }
+    /// Of the steepest coordinate.
+    [[nodiscard]] FROSTFILL_INLINE Floats pixels() const
+    {
+        Floats most{};
+        for (std::size_t i = 0; i < 3; ++i)
+        {
+            most = max(x[i] * x[i] + y[i] * y[i], most);
+        }
+        return pixelsOf(most);
+    }
+    /// Of a value that is known at the corners.
+    [[nodiscard]] FROSTFILL_INLINE Floats pixelsOfValue(const std::array<Floats, 3>& values) const
+    {
+        const Floats ofX = values[0] * x[0] + values[1] * x[1] + values[2] * x[2];
+        const Floats ofY = values[0] * y[0] + values[1] * y[1] + values[2] * y[2];
+        return pixelsOf(ofX * ofX + ofY * ofY);
+    }
+};
+
+template <class ValueOf>
+FROSTFILL_INLINE Floats eight(ValueOf valueOf)
+{
+    return Floats{valueOf(0), valueOf(1), valueOf(2), valueOf(3),
+                  valueOf(4), valueOf(5), valueOf(6), valueOf(7)};
+}
+
+FROSTFILL_INLINE void setSides(const ShellSides<Floats>& sides, SetupColumns& columns)
+{
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+        columns.across[i] = sides.across[i];
+        columns.upwards[i] = sides.upwards[i];
+        columns.from[i] = sides.from[i];
+        columns.least[i] = sides.least[i];
+        columns.share[i] = sides.share[i];
+        columns.near[i] = sides.near[i];
+    }
+}
+
+/// Returns how strongly others' creases are drawn.
+FROSTFILL_INLINE Floats creases(const ShadedMesh& mesh,
+                                const std::array<std::uint32_t, kLanes>& triangles,
+                                const Slopes& slopes, Floats sizeInLines, Floats ofLine,
+                                SetupColumns& columns)
+{
+    std::array<Floats, 3> distances = {all(1), all(1), all(1)};
+    Floats crease{};
+    Floats pixels{};
+    if (!mesh.creaseDistances.empty())
+    {
+        for (std::size_t i = 0; i < 3; ++i)
+        {
+            distances[i] = eight([&](std::size_t lane) __attribute__((always_inline)) {
+                return mesh.creaseDistances[triangles[lane]][i];
+            });
+        }
+        pixels = slopes.pixelsOfValue(distances);
+        const Floats fade = 1 - fades(0.5F * kCreaseFade, kCreaseFade, sizeInLines);
+        crease = select(pixels < 1e5F, ofLine * kStrongLine * fade, Floats{});
+    }
+    columns.crease = crease;
+    columns.pixelsOfCrease = pixels;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+        columns.creaseDistance[i] = distances[i];
+    }
+    return crease;
 }
 
 } // namespace
 
-ShellRaster::Vertex ShellRaster::placed(const glm::vec3& position) const
+template <class Slopes, class Columns>
+FROSTFILL_INLINE void ShellRaster::setSurfaces(const Some& some, const Slopes& slopes,
+                                               Columns& columns) const
 {
-    const glm::vec3 eye(view_ * glm::vec4(position, 1));
-    const double w = grid_.orthographic ? 1 : -eye.z;
-    Vertex vertex;
-    vertex.corner = {(eye.x - double{grid_.left} * w) / grid_.perColumn,
-                     (eye.y - double{grid_.bottom} * w) / grid_.perRow, w};
-    vertex.pixel = glm::dvec2(vertex.corner) / w;
-    vertex.height = grid_.orthographic ? eye.z + front_ : 1;
-    vertex.nearest = static_cast<float>(vertex.height / w);
-    vertex.ray = grid_.orthographic ? glm::vec3(0, 0, -1) : glm::normalize(eye);
-    return vertex;
+    const glm::mat3 view(view_);
+    const auto& triangles = some.triangles;
+    const Floats towards = eight([&](std::size_t lane) __attribute__((always_inline)) {
+        return places_[triangles[lane]].front ? 1.0F : -1.0F;
+    });
+    std::array<Vectors, 3> normals;
+    std::array<Floats, 3> facing;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+        const auto ofNormal = [&](glm::length_t axis) __attribute__((always_inline))
+        {
+            return eight([&](std::size_t lane) __attribute__((always_inline)) {
+                return mesh_.normals[triangles[lane]][i][axis];
+            });
+        };
+        const auto ofRay = [&](glm::length_t axis) __attribute__((always_inline))
+        {
+            return eight([&](std::size_t lane) __attribute__((always_inline)) {
+                return vertices_[mesh_.triangles[triangles[lane]][i]].ray[axis];
+            });
+        };
+        const Vectors own = {ofNormal(0), ofNormal(1), ofNormal(2)};
+        Vectors& normal = normals[i];
+        normal.x = towards * along(own, view[0].x, view[1].x, view[2].x);
+        normal.y = towards * along(own, view[0].y, view[1].y, view[2].y);
+        normal.z = towards * along(own, view[0].z, view[1].z, view[2].z);
+        const Floats length = max(root(dot(normal, normal)), 1e-6F);
+        facing[i] = -dot(normal, {ofRay(0), ofRay(1), ofRay(2)}) / length;
+        const Floats light =
+            0.55F + 0.45F * lightOn({normal.x / length, normal.y / length, normal.z / length});
+        columns.normals[i][0] = normal.x;
+        columns.normals[i][1] = normal.y;
+        columns.normals[i][2] = normal.z;
+        columns.light[i] = light;
+        columns.facing[i] = edgeOn_ ? Floats{} : facing[i];
+    }
+    const Mask alike = min(min(dot(normals[0], normals[1]), dot(normals[1], normals[2])),
+                           dot(normals[2], normals[0])) > kFlat;
+    columns.alike = alike;
+    columns.pixelsOfFacing = slopes.pixelsOfValue(facing);
 }
 
-bool ShellRaster::setBounds(std::uint32_t triangle, Place& place) const
+template <class Slopes, class Columns>
+FROSTFILL_INLINE void ShellRaster::setStrokes(const Some& some, const Slopes& slopes,
+                                              Columns& columns) const
 {
-    const PixelRectangle picture = {0, 0, size_.width, size_.height};
-    glm::dvec2 low(1e9);
-    glm::dvec2 high(-1e9);
-    bool ahead = true;
-    float nearest = kNothing;
-    for (const std::uint32_t v : mesh_.triangles[triangle])
+    const auto& triangles = some.triangles;
+    std::array<const Paint*, kLanes> paints;
+    for (std::size_t lane = 0; lane < kLanes; ++lane)
     {
-        const Vertex& vertex = vertices_[v];
-        ahead = ahead && vertex.ahead();
-        nearest = std::max(nearest, vertex.nearest);
-        low = glm::min(low, vertex.pixel);
-        high = glm::max(high, vertex.pixel);
+        paints[lane] = &paintOf(states_[triangles[lane]], places_[triangles[lane]].front);
     }
-    place.nearest =
-        ahead ? nearest + kNearer * std::abs(nearest) : std::numeric_limits<float>::max();
-    const glm::dvec2 limit(4.0 * size_.width, 4.0 * size_.height);
-    low = glm::clamp(low, -limit, limit);
-    high = glm::clamp(high, -limit, limit);
-    const auto within = [&](double margin)
+    const auto ofPaint = [&](float Paint::*member) __attribute__((always_inline))
     {
-        return !ahead ? picture
-                      : common({floorOf(low.x - margin), floorOf(low.y - margin),
-                                -floorOf(-high.x - margin), -floorOf(-high.y - margin)},
-                               picture);
+        return eight([&](std::size_t lane)
+                         __attribute__((always_inline)) { return paints[lane]->*member; });
     };
-    place.pixels = within(kCoverMargin);
-    const auto isSmall = [](const PixelRectangle& pixels, int more)
-    { return pixels.width() + more < kSmall && pixels.height() + more < kSmall; };
-    // Most are so small that a wider margin, at most a pixel on each side, makes no difference.
-    place.small = isSmall(place.pixels, 2) || isSmall(within(1), 0);
-    return !place.pixels.empty();
+    const Floats ofLine = ofPaint(&Paint::ofLine);
+    const Floats size = slopes.pixels();
+    const Floats edges =
+        ofPaint(&Paint::ofEdges) * fades(strokes_.edgeFade[0], strokes_.edgeFade[1], size);
+    const Floats outline = fades(kOutlineFrom, kOutlineTo, size / strokes_.lineWidth);
+    Mask drawnEdges{};
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+        const Floats strength = eight([&](std::size_t lane) __attribute__((always_inline)) {
+                                    return static_cast<float>(edges_[triangles[lane]][i]);
+                                }) /
+                                255;
+        Floats shown = all(1);
+        shown = select(strength < kPlainLine + 0.002F, edges, shown);
+        shown = select(strength > kStrongLine + 0.002F, outline, shown);
+        const Floats drawn = ofLine * shown * min(strength, kStrongLine);
+        drawnEdges |= drawn > 0;
+        columns.strength[i] = drawn;
+    }
+    const Floats contour = ofLine * kStrongLine * (1 - outline);
+    columns.contour = contour;
+    const Mask lines =
+        drawnEdges | (contour > 0) |
+        (creases(mesh_, triangles, slopes, size / strokes_.lineWidth, ofLine, columns) > 0);
+    columns.drawnEdges = drawnEdges;
+    columns.lines = lines;
 }
 
-void ShellRaster::place(std::uint32_t triangle)
+FROSTFILL_INLINE void ShellRaster::setUpAny(const Some& some,
+                                            std::array<Setup, kLanes>& setups) const
 {
-    Place& own = places_[triangle];
-    Setup& setup = setups_[triangle];
-    own.covers = own.seen = false;
-    const bool inPicture = setBounds(triangle, own);
-    const auto& [v0, v1, v2] = mesh_.triangles[triangle];
-    const std::array<const Vertex*, 3> vertices = {&vertices_[v0], &vertices_[v1], &vertices_[v2]};
-    const double determinant =
-        glm::dot(vertices[0]->corner, glm::cross(vertices[1]->corner, vertices[2]->corner));
-    own.front = determinant > 0;
-    if (std::abs(determinant) <= 1e-12 || !inPicture)
+    const auto& triangles = some.triangles;
+    const auto half = [&](std::size_t first) __attribute__((always_inline))
     {
-        return;
-    }
-    std::array<double, 3> lengths;
-    for (std::size_t i = 0; i < 3; ++i)
+        return sidesOf(Corners<Vertex>(
+            vertices_, mesh_.triangles, [&](std::size_t lane) __attribute__((always_inline)) {
+                return triangles[first + lane];
+            }));
+    };
+    const ShellSides<Floats> sides = joined(half(0), half(kHalf));
+    const Slopes slopes(sides);
+    SetupColumns columns;
+    setSides(sides, columns);
+    setSurfaces(some, slopes, columns);
+    setStrokes(some, slopes, columns);
+    write(columns, setups);
+    for (std::size_t lane = 0; lane < kLanes; ++lane)
     {
-        const glm::dvec3& from = vertices[(i + 1) % 3]->corner;
-        const glm::dvec3& to = vertices[(i + 2) % 3]->corner;
-        // The same numbers for both triangles at an edge, but for the sign: no gap between them.
-        const auto order = [](const glm::dvec3& p) { return std::array{p.x, p.y, p.z}; };
-        const bool swapped = order(to) < order(from);
-        const glm::dvec3 side = swapped ? glm::cross(to, from) : glm::cross(from, to);
-        lengths[i] = std::max(std::sqrt(side.x * side.x + side.y * side.y), 1e-30);
-        const double sign = swapped == own.front ? -1 : 1;
-        setup.across[i] = static_cast<float>(sign * side.x / lengths[i]);
-        setup.upwards[i] = static_cast<float>(sign * side.y / lengths[i]);
-        setup.from[i] = static_cast<float>(sign * side.z / lengths[i]);
-        setup.least[i] = sign > 0 ? -1e-30F : 0;
-    }
-    own.covers = coversSample(samples_, setup, own.pixels);
-    if (!own.covers)
-    {
-        return;
-    }
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-        const double share = lengths[i] / std::abs(determinant);
-        setup.share[i] = static_cast<float>(share);
-        setup.near[i] = static_cast<float>(share * vertices[i]->height);
-        setup.normals[i] =
-            (own.front ? 1.0F : -1.0F) * (glm::mat3(view_) * mesh_.normals[triangle][i]);
+        Setup& setup = setups[lane];
+        const Place& place = places_[triangles[lane]];
+        const Paint& paint = paintOf(states_[triangles[lane]], place.front);
+        setup.base = paint.base;
+        setup.ink = paint.ink;
+        setup.density = paint.density;
+        setup.rimDensity = paint.rimDensity;
+        setup.edges = columns.drawnEdges[lane] != 0;
+        setup.lines = columns.lines[lane] != 0;
+        setup.seen = setup.lines || setup.density > 0;
+        setup.flat = columns.alike[lane] != 0 && place.small;
     }
 }
 
-void ShellRaster::setStrokes(std::uint32_t triangle)
+FROSTFILL_AVX2 void ShellRaster::setUpAvx2(const Some& some,
+                                           std::array<Setup, kLanes>& setups) const
 {
-    Place& own = places_[triangle];
-    Setup& setup = setups_[triangle];
-    const bool discarded = states_[triangle] == PolygonState::discarded;
-    const auto state = static_cast<std::size_t>(states_[triangle]);
-    const bool front = own.front;
-    const glm::vec4 base = colours_[state];
-    setup.base = 255.0F * glm::vec3(base);
-    setup.ink = 255.0F * inks_[state];
-    setup.density = base.a * (discarded ? (front ? 0.1F : 0) : (front ? 0.55F : 0.45F));
-    setup.rimDensity = discarded ? (front ? 0.5F * base.a : 0) : 3 * setup.density;
-    const float ofLine = (front ? 1.0F : 0.5F) * (discarded ? 0.6F : 1.0F);
+    setUpAny(some, setups);
+}
 
-    // Slopes in the middle of the triangle.
-    std::array<glm::vec2, 3> slopes;
-    std::array<float, 3> facing;
-    glm::vec2 slopeOfSum(0);
-    std::array<glm::vec2, 3> parts;
-    float most = 0;
-    // Barycentric coordinates are all 1/3 where share * distance is the same for all three; its
-    // value there is 1 / (3 w) with w the mean of the corners'.
-    float sum = 0;
-    const auto vertexAt = [&](std::size_t i) -> const Vertex&
-    { return vertices_[mesh_.triangles[triangle][i]]; };
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-        sum += static_cast<float>(vertexAt(i).corner.z) / 3;
-        parts[i] = setup.share[i] * glm::vec2(setup.across[i], setup.upwards[i]);
-        slopeOfSum += parts[i];
-    }
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-        slopes[i] = sum * (parts[i] - slopeOfSum / 3.0F);
-        most = std::max(most, glm::dot(slopes[i], slopes[i]));
-        const float length = std::max(glm::length(setup.normals[i]), 1e-6F);
-        facing[i] = -glm::dot(setup.normals[i], vertexAt(i).ray) / length;
-        setup.light[i] = 0.55F + 0.45F * lightOn(setup.normals[i] / length);
-    }
-    const glm::vec3& a = setup.normals[0];
-    const glm::vec3& b = setup.normals[1];
-    const glm::vec3& c = setup.normals[2];
-    const float bent = std::min({glm::dot(a, b), glm::dot(b, c), glm::dot(c, a)});
-    setup.flat = bent > kFlat && own.small;
-    setup.facing = edgeOn_ ? std::array<float, 3>{} : facing;
-    const float size = 1 / std::sqrt(std::max(most, 1e-12F));
-    const auto combined = [&](const std::array<float, 3>& values)
-    { return values[0] * slopes[0] + values[1] * slopes[1] + values[2] * slopes[2]; };
-
-    const float edges =
-        discarded ? 0 : glm::smoothstep(strokes_.edgeFade[0], strokes_.edgeFade[1], size);
-    const float outline = glm::smoothstep(kOutlineFrom, kOutlineTo, size / strokes_.lineWidth);
-    setup.lines = false;
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-        const float strength = static_cast<float>(edges_[triangle][i]) / 255;
-        float shown = 1;
-        shown = strength < kPlainLine + 0.002F ? edges : shown;
-        shown = strength > kStrongLine + 0.002F ? outline : shown;
-        setup.strength[i] = ofLine * shown * std::min(strength, kStrongLine);
-        setup.lines = setup.lines || setup.strength[i] > 0;
-    }
-    setup.contour = ofLine * kStrongLine * (1 - outline);
-    setup.pixelsOfFacing = pixelsOf(combined(facing));
-    setup.crease = 0;
-    setup.pixelsOfCrease = 0;
-    setup.creaseDistance = {1, 1, 1};
-    if (!mesh_.creaseDistances.empty())
-    {
-        setup.creaseDistance = mesh_.creaseDistances[triangle];
-        setup.pixelsOfCrease = pixelsOf(combined(setup.creaseDistance));
-        const float fade =
-            1 - glm::smoothstep(0.5F * kCreaseFade, kCreaseFade, size / strokes_.lineWidth);
-        setup.crease = setup.pixelsOfCrease < 1e5F ? ofLine * kStrongLine * fade : 0;
-    }
-    setup.lines = setup.lines || setup.contour > 0 || setup.crease > 0;
-    own.seen = setup.lines || setup.density > 0;
+void ShellRaster::setUpPlain(const Some& some, std::array<Setup, kLanes>& setups) const
+{
+    setUpAny(some, setups);
 }
 
 } // namespace frostfill

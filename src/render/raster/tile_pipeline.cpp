@@ -139,10 +139,6 @@ const std::vector<PixelRectangle>& TilePipeline::draw(const Snapshot& snapshot, 
                        });
         }
     }
-    if (shell_ && (startAgain || !triangles_))
-    {
-        shell_->setUpAll();
-    }
     if (shell_ && !triangles_)
     {
         triangles_.emplace(grid_, shell_->inDrawingOrder(),

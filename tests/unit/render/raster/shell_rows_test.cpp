@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "render/raster/shell_rows.hpp"
 
-#include "base/random.hpp"
 #include "render/raster/has_avx2.hpp"
+#include "support/pictures.hpp"
 
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
@@ -16,6 +16,8 @@ namespace frostfill
 {
 namespace
 {
+
+using testing_support::Numbers;
 
 struct PlainTriangle
 {
@@ -54,72 +56,88 @@ PlainTriangle plainTriangle(const std::array<glm::dvec2, 3>& corners)
     return {setup, pixels};
 }
 
-bool drawsAnything(int samples, const PlainTriangle& triangle, SampleTile& tile)
+/// Counter-clockwise, within a square of a tile.
+PlainTriangle someTriangle(Numbers& numbers)
 {
-    for (auto& plane : tile.inverseDepth)
+    const double size = 0.05 + 3.5 * numbers.next();
+    const auto inTile = [&] { return size / 2 + (kTileEdge - size) * numbers.next(); };
+    const glm::dvec2 middle(inTile(), inTile());
+    std::array<glm::dvec2, 3> corners;
+    for (glm::dvec2& corner : corners)
     {
-        plane.fill(kNothing);
+        const double x = numbers.next() - 0.5;
+        corner = middle + size * glm::dvec2(x, numbers.next() - 0.5);
     }
-    for (auto& plane : tile.colour)
+    const glm::dvec2 u = corners[1] - corners[0];
+    const glm::dvec2 v = corners[2] - corners[0];
+    if (u.x * v.y - u.y * v.x < 0)
     {
-        plane.fill(0);
+        std::swap(corners[1], corners[2]);
     }
-    const TilePart part = {0, 0, {0, 0, kTileEdge, kTileEdge}};
-    // With room around it: what the bounds leave out must draw nothing either.
-    const PixelRectangle rows = part.within({triangle.pixels.left - 2, triangle.pixels.bottom - 2,
-                                             triangle.pixels.right + 2, triangle.pixels.top + 2});
-    drawShellRows(lanes::hasAvx2(), samples, triangle.setup, {0, 0, 0, 0, 1}, rows, part, tile);
-    return std::any_of(tile.colour.begin(), tile.colour.end(),
-                       [](const auto& plane)
-                       {
-                           return std::any_of(plane.begin(), plane.end(),
-                                              [](std::uint32_t colour) { return colour != 0; });
-                       });
+    return plainTriangle(corners);
 }
 
-TEST(ShellRows, DrawNothingOfATriangleThatCoversNoSampleAndSomethingOfEveryOther)
+std::unique_ptr<SampleTile> someTile(Numbers& numbers)
 {
-    const auto tile = std::make_unique<SampleTile>();
-    std::array<int, 2> drawn = {};
-    constexpr int kTriangles = 4000;
-    for (int k = 0; k < kTriangles; ++k)
+    auto tile = std::make_unique<SampleTile>();
+    for (std::size_t plane = 0; plane < kMaxTileSamples; ++plane)
     {
-        const auto draw = [&](std::uint64_t n)
-        { return uniformRandom(5, static_cast<std::uint64_t>(k), n); };
-        const double size = 0.05 + 1.9 * draw(0);
-        const glm::dvec2 middle(4 + 8 * draw(1), 4 + 8 * draw(2));
-        std::array<glm::dvec2, 3> corners;
-        for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t at = 0; at < kTilePixels; ++at)
         {
-            corners[i] = middle + size * (glm::dvec2(draw(3 + 2 * i), draw(4 + 2 * i)) - 0.5);
-        }
-        const glm::dvec2 u = corners[1] - corners[0];
-        const glm::dvec2 v = corners[2] - corners[0];
-        if (u.x * v.y - u.y * v.x < 0)
-        {
-            std::swap(corners[1], corners[2]);
-        }
-        const PlainTriangle triangle = plainTriangle(corners);
-        for (const int samples : {1, 4})
-        {
-            const bool is = drawsAnything(samples, triangle, *tile);
-            ASSERT_EQ(coversSample(samples, triangle.setup, triangle.pixels), is)
-                << k << ", " << samples << " samples";
-            drawn[samples > 1 ? 1 : 0] += is ? 1 : 0;
+            tile->inverseDepth[plane][at] = numbers.next() < 0.8 ? kNothing : 1;
+            tile->colour[plane][at] = static_cast<std::uint32_t>(numbers.next() * 0xffffffff);
         }
     }
-    for (const int count : drawn)
-    {
-        EXPECT_GT(count, kTriangles / 20);
-        EXPECT_LT(count, kTriangles * 19 / 20);
-    }
-    EXPECT_GT(drawn[1], drawn[0]);
+    return tile;
 }
 
-TEST(ShellRows, TakeALargeTriangleForOneThatMayCoverASample)
+void copy(const SampleTile& from, SampleTile& to, const PixelRectangle& pixels)
 {
-    const PlainTriangle triangle = plainTriangle({{{4, 4}, {12, 4.001}, {4, 4.001}}});
-    EXPECT_TRUE(coversSample(4, triangle.setup, triangle.pixels));
+    for (std::size_t plane = 0; plane < kMaxTileSamples; ++plane)
+    {
+        for (int y = pixels.bottom; y < pixels.top; ++y)
+        {
+            const auto row = static_cast<std::ptrdiff_t>(y) * kTileEdge;
+            std::copy(from.colour[plane].begin() + row + pixels.left,
+                      from.colour[plane].begin() + row + pixels.right,
+                      to.colour[plane].begin() + row + pixels.left);
+        }
+    }
+}
+
+TEST(ShellRows, DrawTheSameOfASmallTriangleTwoRowsAtATimeAsRowByRow)
+{
+    const TilePart whole = {0, 0, {0, 0, kTileEdge, kTileEdge}};
+    const ShellRows frame = {0, 0, 0, 0, 1};
+    Numbers numbers;
+    const auto before = someTile(numbers);
+    int small = 0;
+    int changed = 0;
+    for (int k = 0; k < 4000; ++k)
+    {
+        const PlainTriangle triangle = someTriangle(numbers);
+        const int samples = k % 2 == 0 ? 1 : kMaxTileSamples;
+        // Row by row, and what the bounds leave out as well: nothing.
+        const auto byRows = std::make_unique<SampleTile>(*before);
+        drawShellRows(lanes::hasAvx2(), samples, triangle.setup, frame, whole.pixels, whole,
+                      *byRows);
+        // A part of it.
+        PixelRectangle pixels = triangle.pixels;
+        pixels.left += k % 3 == 0 && pixels.width() > 1 ? 1 : 0;
+        pixels.right -= k % 5 == 0 && pixels.width() > 1 ? 1 : 0;
+        pixels.bottom += k % 7 == 0 && pixels.height() > 1 ? 1 : 0;
+        pixels.top -= k % 11 == 0 && pixels.height() > 1 ? 1 : 0;
+        small += pixels.width() <= 4 ? 1 : 0;
+        const auto expected = std::make_unique<SampleTile>(*before);
+        copy(*byRows, *expected, pixels.width() <= 4 ? pixels : inWholeLanes(pixels));
+        const auto drawn = std::make_unique<SampleTile>(*before);
+        drawShellRows(lanes::hasAvx2(), samples, triangle.setup, frame, pixels, whole, *drawn);
+        ASSERT_EQ(drawn->colour, expected->colour) << k;
+        ASSERT_EQ(drawn->inverseDepth, before->inverseDepth) << k;
+        changed += drawn->colour != before->colour ? 1 : 0;
+    }
+    EXPECT_GT(small, 3000);
+    EXPECT_GT(changed, 1000);
 }
 
 } // namespace
