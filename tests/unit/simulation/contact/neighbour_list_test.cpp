@@ -101,6 +101,21 @@ TEST(NeighbourList, CastsAsWellFromWhereItHasMovedTo)
     }
 }
 
+/// As contactNormals, from a list of all triangles.
+std::vector<Eigen::Vector3d> contactsWithAll(const World& world, const Eigen::Vector3d& p,
+                                             double gap)
+{
+    std::vector<Eigen::Vector3d> normals;
+    for (std::uint32_t t = 0; t < world.surface.size(); ++t)
+    {
+        if (const auto contact = frontContact(world.surface, t, p, 1, gap))
+        {
+            addNormal(normals, contact->normal);
+        }
+    }
+    return normals;
+}
+
 TEST(NeighbourList, TellsTheContactsWithDenseWallsInTheirOrder)
 {
     const auto world = denseWorld();
@@ -111,16 +126,52 @@ TEST(NeighbourList, TellsTheContactsWithDenseWallsInTheirOrder)
         constexpr double kGap = 0.01;
         std::vector<Eigen::Vector3d> found;
         contactNormals(world->surface, around, p, 1, kGap, found);
-        std::vector<Eigen::Vector3d> expected;
-        for (std::uint32_t t = 0; t < world->surface.size(); ++t)
-        {
-            if (const auto contact = frontContact(world->surface, t, p, 1, kGap))
-            {
-                addNormal(expected, contact->normal);
-            }
-        }
+        const std::vector<Eigen::Vector3d> expected = contactsWithAll(*world, p, kGap);
         EXPECT_GT(expected.size(), 1u);
         EXPECT_EQ(found, expected);
+    }
+}
+
+// What is below the nodes is looked for anew only once the sphere has left where it was.
+TEST(NeighbourList, AnswersFromWhatItHasFoundOfADenseWallWhileTheSphereCreeps)
+{
+    const auto world = denseWorld();
+    std::uint64_t k = 2000;
+    std::size_t contacts = 0;
+    for (const Eigen::Vector3d& p : placesBeside(*world, 0.02, 12))
+    {
+        NeighbourList around;
+        around.ensure(*world, p, 1, 0);
+        Eigen::Vector3d q = p;
+        for (int step = 0; step < 12; ++step)
+        {
+            const Eigen::Vector3d direction = directionOf(++k);
+            EXPECT_EQ(sphereCast(world->surface, around, q, 1, direction, 0.08),
+                      castAtAll(*world, q, direction, 0.08));
+            constexpr double kGap = 0.03;
+            std::vector<Eigen::Vector3d> found;
+            contactNormals(world->surface, around, q, 1, kGap, found);
+            const std::vector<Eigen::Vector3d> expected = contactsWithAll(*world, q, kGap);
+            EXPECT_EQ(found, expected);
+            contacts += expected.size();
+            q += 0.03 * directionOf(++k);
+        }
+    }
+    EXPECT_GT(contacts, 100u);
+}
+
+TEST(NeighbourList, FindsTheSameListOfADenseWallForTwoPlacesSideBySide)
+{
+    const auto world = denseWorld();
+    for (const Eigen::Vector3d& p : placesBeside(*world, 0, 20))
+    {
+        NeighbourList around;
+        around.ensure(*world, p, 1, 0);
+        const auto copy = [](std::span<const std::uint32_t> list)
+        { return std::vector<std::uint32_t>(list.begin(), list.end()); };
+        const std::vector<std::uint32_t> here = copy(around.trianglesNear(p, 1 + kTouch));
+        const Eigen::Vector3d beside = p + 0.05 * world->surface.bound(here.front()).normal;
+        EXPECT_EQ(copy(around.trianglesNear(beside, 1 + kTouch)), here);
     }
 }
 
@@ -133,7 +184,7 @@ TEST(NeighbourList, LooksAtFewTrianglesOfADenseWall)
         NeighbourList around;
         around.ensure(*world, p, 1, 0);
         EXPECT_GT(around.trianglesNear(p, 1 + NeighbourList::kSkin).size(), 90u);
-        EXPECT_LT(around.trianglesNear(p, 1 + kTouch).size(), 12u);
+        EXPECT_LT(around.trianglesNear(p, 1 + kTouch).size(), 40u); // with its inner skin
         EXPECT_EQ(around.trianglesTested(), around.trianglesNear(p, 1 + kTouch).size());
     }
 }
