@@ -69,6 +69,7 @@ void NeighbourList::listTriangles(const World& world, const Eigen::Vector3d& p, 
         world_ = &world;
         world.surface.tree().findNodes(p, distance, nodes_);
         foundWithin_ = -1; // what was found so far is not all
+        hasInnerSkin_ = true;
         return;
     }
     std::sort(triangles_.begin(), triangles_.end());
@@ -97,7 +98,7 @@ void NeighbourList::findBelowNodes(const Eigen::Vector3d& from, const Eigen::Vec
     const double ball = distance + (to - from).norm() / 2;
     const double listed = radius_ + kSkin - (middle - centre_).norm();
     const double within = std::min(ball + kInnerSkin, listed);
-    if (ball <= distance + kInnerSkin && within > ball)
+    if (hasInnerSkin_ && ball <= distance + kInnerSkin && within > ball)
     {
         foundAround_ = middle;
         foundWithin_ = within;
@@ -107,6 +108,7 @@ void NeighbourList::findBelowNodes(const Eigen::Vector3d& from, const Eigen::Vec
                                      take(triangle);
                                      return within;
                                  });
+        hasInnerSkin_ = triangles_.size() <= kMostWithSkin;
     }
     else
     {

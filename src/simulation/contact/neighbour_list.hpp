@@ -72,6 +72,8 @@ private:
     /// Of what is found below the nodes, as kSkin is of what is listed. [r] Larger: more triangles
     /// to test. Smaller: more searches.
     static constexpr double kInnerSkin = 0.1;
+    /// Triangles with that skin, above which a search for what is asked alone costs less.
+    static constexpr std::size_t kMostWithSkin = 48;
 
     void listTriangles(const World& world, const Eigen::Vector3d& p, double distance);
     void findBelowNodes(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double distance);
@@ -82,6 +84,7 @@ private:
     TriangleBvh::Nodes nodes_;             ///< where they are many
     Eigen::Vector3d foundAround_ = Eigen::Vector3d::Zero();
     double foundWithin_ = -1;      ///< of that: which triangles below the nodes are known [r]
+    bool hasInnerSkin_ = true;     ///< what is found, of the list of now
     const World* world_ = nullptr; ///< that the nodes are of
 };
 
