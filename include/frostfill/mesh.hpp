@@ -93,6 +93,8 @@ struct LoadMeshOptions
 /// inspectMesh of a closed mesh, with an exact test for crossings. If there are any, the volume is
 /// that of the interior, to 1e-4, and not the signed sum, which counts overlaps twice.
 [[nodiscard]] MeshReport inspectInterior(const TriangleMesh& mesh);
+/// The same with inspectMesh's report known.
+[[nodiscard]] MeshReport inspectInterior(const TriangleMesh& mesh, const MeshReport& report);
 
 /// Reads OBJ, STL, PLY, OFF, glTF or GLB as triangles, known by content first and then by the
 /// name's ending. Keeps every bit of the file's numbers and the order of its vertices and faces,

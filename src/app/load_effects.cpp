@@ -16,7 +16,8 @@ std::string effect(const TriangleMesh& mesh, const std::string& name,
 {
     try
     {
-        const MeshReport report = inspectInterior(repairMesh(mesh, name, options).mesh);
+        const LoadedMesh loaded = repairMesh(mesh, name, options);
+        const MeshReport report = inspectInterior(loaded.mesh, loaded.report);
         return fmt::format("volume {:.6g}, area {:.6g}", report.volume, report.area);
     }
     catch (const Error& error)

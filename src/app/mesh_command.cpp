@@ -86,7 +86,7 @@ int inspect(const MeshArguments& arguments)
     MeshReport asRead = inspectMesh(mesh);
     if (asRead.closed())
     {
-        asRead = inspectInterior(mesh);
+        asRead = inspectInterior(mesh, asRead);
     }
     printReport(arguments.mesh, asRead);
     for (const std::string& remark : remarks)
@@ -112,7 +112,7 @@ int inspect(const MeshArguments& arguments)
     }
     if (!loaded.repairs.empty())
     {
-        printReport("after repair", inspectInterior(loaded.mesh));
+        printReport("after repair", inspectInterior(loaded.mesh, loaded.report));
     }
     fmt::print("can be filled\n");
     if (arguments.radius > 0)

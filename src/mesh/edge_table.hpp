@@ -3,6 +3,7 @@
 
 #include <frostfill/mesh.hpp>
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -34,17 +35,25 @@ public:
     template <typename Visit>
     void forEach(Visit&& visit) const
     {
-        std::vector<EdgeUse> uses;
+        std::array<EdgeUse, 2> two; // as nearly always
+        std::vector<EdgeUse> more;
         for (std::uint32_t low = 0; low + 1 < ends_.size(); ++low)
         {
             for (std::size_t side = ends_[low]; side < ends_[low + 1];)
             {
-                uses.clear();
-                do
+                const std::size_t first = side++;
+                while (side < ends_[low + 1] && highOf(sides_[side]) == highOf(sides_[first]))
                 {
-                    uses.push_back(unpacked(low, sides_[side++]));
-                } while (side < ends_[low + 1] && highOf(sides_[side]) == uses[0].high);
-                visit(std::span<const EdgeUse>(uses));
+                    ++side;
+                }
+                const std::size_t count = side - first;
+                more.resize(count > 2 ? count : 0);
+                EdgeUse* uses = count > 2 ? more.data() : two.data();
+                for (std::size_t k = 0; k < count; ++k)
+                {
+                    uses[k] = unpacked(low, sides_[first + k]);
+                }
+                visit(std::span<const EdgeUse>(uses, count));
             }
         }
     }

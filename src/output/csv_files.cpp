@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -101,10 +102,12 @@ void writePolygonsCsv(std::span<const PolygonState> polygons, const std::filesys
 {
     AtomicFile out(file);
     out.write("id,state\n");
+    std::string row;
     for (std::size_t id = 0; id < polygons.size(); ++id)
     {
-        out.write(fmt::format("{},{}\n", id,
-                              polygons[id] == PolygonState::active ? "active" : "discarded"));
+        row = fmt::format_int(id).c_str();
+        row += polygons[id] == PolygonState::active ? ",active\n" : ",discarded\n";
+        out.write(row);
     }
     out.commit();
 }

@@ -163,12 +163,17 @@ double sphereRadius(const Scene& scene, const MeshReport& report, const Triangle
 }
 
 double sphereRadius(const Scene& scene, const MeshReport& report, const TriangleMesh& mesh,
-                    const TriangleTree& tree)
+                    const TriangleTree& tree, std::optional<TriangleBvh>& bvh)
 {
     const double compact = sphereRadius(scene, report);
-    return isCompact(scene, report, compact)
-               ? compact
-               : radiusForThinParts(scene, report, NearestPoint(mesh, tree), compact);
+    if (isCompact(scene, report, compact))
+    {
+        return compact;
+    }
+    NearestPoint surface(mesh, tree);
+    const double radius = radiusForThinParts(scene, report, surface, compact);
+    bvh = std::move(surface).take();
+    return radius;
 }
 
 } // namespace frostfill

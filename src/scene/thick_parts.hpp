@@ -7,6 +7,7 @@
 #include <frostfill/mesh.hpp>
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace frostfill
@@ -41,8 +42,10 @@ private:
     std::vector<Part> parts_; ///< descending in thickness
 };
 
-/// The public sphereRadius, for who has a tree of the mesh already, with kSmallLeaf.
+/// The public sphereRadius, for who has a tree of the mesh already, with kSmallLeaf. Leaves what it
+/// had to make of the mesh in `bvh`.
 [[nodiscard]] double sphereRadius(const Scene& scene, const MeshReport& report,
-                                  const TriangleMesh& mesh, const TriangleTree& tree);
+                                  const TriangleMesh& mesh, const TriangleTree& tree,
+                                  std::optional<TriangleBvh>& bvh);
 
 } // namespace frostfill

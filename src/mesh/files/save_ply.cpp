@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <string_view>
 
 namespace frostfill
 {
@@ -27,11 +28,12 @@ void append(std::string& bytes, const Value& value)
     std::memcpy(bytes.data() + size, &value, sizeof value);
 }
 
-} // namespace
-
-std::string plyBytes(const TriangleMesh& mesh)
+/// Calls visit(std::string_view) with the content of the file, block by block.
+template <typename Visit>
+void forEachBlock(const TriangleMesh& mesh, Visit&& visit)
 {
-    std::string bytes = fmt::format("ply\n"
+    constexpr std::size_t kBlock = std::size_t{1} << 16;
+    std::string block = fmt::format("ply\n"
                                     "format binary_little_endian 1.0\n"
                                     "comment Frostfill: the mesh as simulated\n"
                                     "element vertex {}\n"
@@ -42,28 +44,47 @@ std::string plyBytes(const TriangleMesh& mesh)
                                     "property list uchar uint vertex_indices\n"
                                     "end_header\n",
                                     mesh.vertices.size(), mesh.triangles.size());
-    bytes.reserve(bytes.size() + 24 * mesh.vertices.size() + 13 * mesh.triangles.size());
+    const auto passOn = [&]
+    {
+        if (block.size() >= kBlock)
+        {
+            visit(std::string_view(block));
+            block.clear();
+        }
+    };
     for (const Eigen::Vector3d& vertex : mesh.vertices)
     {
         for (int axis = 0; axis < 3; ++axis)
         {
-            append(bytes, vertex[axis]);
+            append(block, vertex[axis]);
         }
+        passOn();
     }
     for (const auto& triangle : mesh.triangles)
     {
-        append(bytes, std::uint8_t{3});
+        append(block, std::uint8_t{3});
         for (const std::uint32_t corner : triangle)
         {
-            append(bytes, corner);
+            append(block, corner);
         }
+        passOn();
     }
+    visit(std::string_view(block));
+}
+
+} // namespace
+
+std::string plyBytes(const TriangleMesh& mesh)
+{
+    constexpr std::size_t kHead = 1024; // at most
+    std::string bytes;
+    bytes.reserve(kHead + 24 * mesh.vertices.size() + 13 * mesh.triangles.size());
+    forEachBlock(mesh, [&](std::string_view block) { bytes += block; });
     return bytes;
 }
 
 void savePly(const TriangleMesh& mesh, const std::filesystem::path& file)
 {
-    const std::string bytes = plyBytes(mesh);
     const std::filesystem::path unfinished = file.string() + ".part";
     unlink(unfinished.c_str()); // of a run that was killed
     const int output = createNewFile(unfinished);
@@ -72,8 +93,15 @@ void savePly(const TriangleMesh& mesh, const std::filesystem::path& file)
         throw Error(ErrorCode::cannotCreate,
                     fmt::format("cannot create '{}': {}", file.string(), std::strerror(errno)));
     }
-    int failure =
-        writeAll(output, {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+    int failure = 0;
+    std::size_t size = 0;
+    const auto write = [&](std::string_view block)
+    {
+        size += block.size();
+        const auto* bytes = reinterpret_cast<const std::uint8_t*>(block.data());
+        failure = failure != 0 ? failure : writeAll(output, {bytes, block.size()});
+    };
+    forEachBlock(mesh, write);
     failure = failure != 0 ? failure : syncFile(output);
     const int atEnd = closeFile(output);
     failure = failure != 0 ? failure : atEnd;
@@ -85,7 +113,7 @@ void savePly(const TriangleMesh& mesh, const std::filesystem::path& file)
     {
         unlink(unfinished.c_str());
         throw Error(failure == EISDIR ? ErrorCode::cannotCreate : ErrorCode::writeFailed,
-                    writeFailure(file, failure, bytes.size()));
+                    writeFailure(file, failure, size));
     }
 }
 

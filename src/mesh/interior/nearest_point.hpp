@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 namespace frostfill
 {
@@ -19,6 +20,8 @@ public:
         : mesh_(&mesh), bvh_(mesh, tree)
     {
     }
+    /// What it has of the mesh, for who needs the same.
+    [[nodiscard]] TriangleBvh take() && { return std::move(bvh_); }
 
     [[nodiscard]] const TriangleMesh& mesh() const { return *mesh_; }
 

@@ -54,11 +54,12 @@ TriangleBound boundOf(const std::array<Eigen::Vector3d, 3>& corner)
     return bound;
 }
 
-Surface::Surface(TriangleMesh mesh, const Walls& walls, const MeshIndex& index)
+Surface::Surface(TriangleMesh mesh, const Walls& walls, const MeshIndex& index,
+                 std::optional<TriangleBvh> tree)
     : mesh_(std::move(mesh)), triangles_(mesh_.triangles.size()), bounds_(mesh_.triangles.size()),
       vertexNormals_(mesh_.vertices.size(), Eigen::Vector3d::Zero()), anyTwoSided_(!walls.none())
 {
-    const auto makeTree = [&] { tree_ = TriangleBvh(mesh_, index.tree); };
+    const auto makeTree = [&] { tree_ = tree ? *std::move(tree) : TriangleBvh(mesh_, index.tree); };
     const auto makeTriangles = [&] { join(walls, index.edges); };
     index.threads->forEachLarge(2, [&](std::size_t k) { k == 0 ? makeTree() : makeTriangles(); });
 }

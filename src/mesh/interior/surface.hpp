@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -51,8 +52,9 @@ public:
     explicit Surface(const TriangleMesh& mesh) : Surface(mesh, MeshIndex(mesh)) {}
     Surface(const TriangleMesh& mesh, const Walls& walls) : Surface(mesh, walls, MeshIndex(mesh)) {}
     /// With the walls and the index known: of this mesh, or of one that differs by a motion and a
-    /// scale.
-    Surface(TriangleMesh mesh, const Walls& walls, const MeshIndex& index);
+    /// scale. And with the tree of this mesh, if that is known, too.
+    Surface(TriangleMesh mesh, const Walls& walls, const MeshIndex& index,
+            std::optional<TriangleBvh> tree = std::nullopt);
 
     [[nodiscard]] std::size_t size() const { return triangles_.size(); }
     [[nodiscard]] const SurfaceTriangle& operator[](std::size_t i) const { return triangles_[i]; }

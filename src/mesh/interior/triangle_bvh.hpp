@@ -36,6 +36,13 @@ public:
     /// one that differs by a motion and a scale.
     TriangleBvh(const TriangleMesh& mesh, const TriangleTree& tree);
 
+    /// Makes it that of the mesh whose vertices are (v - origin) / length of this one's.
+    void move(const Eigen::Vector3d& origin, double length)
+    {
+        centre_ = (centre_ - origin) / length;
+        scale_ *= length;
+    }
+
     /// Calls `limit = visit(triangles)` with the triangles of each leaf whose box may be within
     /// `limit` of a box, a distance [unit]; what seems nearest first.
     template <class Visit>

@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/interior/triangle_grid.hpp"
 
+#include "mesh/interior/triangle_groups.hpp"
+
 #include <algorithm>
 #include <numeric>
 
 namespace frostfill
 {
-namespace
-{
-
-/// By which a distance may be wrong, a thousandfold. [1]
-constexpr double kBallRounding = 1e-9;
-
-} // namespace
 
 /// Lists triangles in cells. A list that is long already does not grow, so what a dense patch costs
 /// follows the cells, not its triangles.
@@ -28,19 +23,16 @@ public:
 
     void build()
     {
-        std::span<const std::uint32_t> left = surface_.tree().order();
-        while (!left.empty())
-        {
-            add(left.first(std::min(kTogether, left.size())));
-            left = left.subspan(std::min(kTogether, left.size()));
-        }
+        forEachGroup(surface_, grid_.frame_.cell,
+                     [&](const TriangleGroup& group)
+                     {
+                         enterIn(group, {coordinates(group.box.min().array() - grid_.reach_),
+                                         coordinates(group.box.max().array() + grid_.reach_)});
+                     });
         sort();
     }
 
 private:
-    /// Triangles that lie side by side and are small look together which cells they are near; where
-    /// they are larger than a cell, fewer of them.
-    static constexpr std::size_t kTogether = 16;
     /// Of a range along each axis, up to which it is not halved.
     static constexpr int kFewCells = 8;
     struct Entry
@@ -49,32 +41,9 @@ private:
         std::uint32_t triangle;
     };
 
-    [[nodiscard]] Eigen::AlignedBox3d boxOf(std::span<const std::uint32_t> triangles) const
+    [[nodiscard]] GridPlace coordinates(const Eigen::Vector3d& p) const
     {
-        Eigen::AlignedBox3d box;
-        for (const std::uint32_t t : triangles)
-        {
-            for (const Eigen::Vector3d& corner : surface_[t].corner)
-            {
-                box.extend(corner);
-            }
-        }
-        return box;
-    }
-
-    /// Enters those in each cell that they are near.
-    void add(std::span<const std::uint32_t> triangles)
-    {
-        const Eigen::AlignedBox3d box = boxOf(triangles);
-        if (triangles.size() > 1 && box.sizes().maxCoeff() > grid_.frame_.cell)
-        {
-            add(triangles.first(triangles.size() / 2));
-            add(triangles.subspan(triangles.size() / 2));
-            return;
-        }
-        enterIn(box, triangles,
-                {grid_.frame_.coordinates(box.min().array() - grid_.reach_),
-                 grid_.frame_.coordinates(box.max().array() + grid_.reach_)});
+        return grid_.frame_.coordinates(p);
     }
 
     /// Cells from `low` to `high`, both included.
@@ -83,18 +52,18 @@ private:
         GridPlace low;
         GridPlace high;
     };
-    /// The same in a range of cells. A large one is halved, and a half that the triangle is not
-    /// near is left out: the box of a long triangle has far more cells than are near it.
-    void enterIn(const Eigen::AlignedBox3d& box, std::span<const std::uint32_t> triangles,
-                 const Range& range)
+    /// Enters those of a group in each cell of a range that they are near. A large range is halved,
+    /// and a half that the triangle is not near is left out: the box of a long triangle has far
+    /// more cells than are near it.
+    void enterIn(const TriangleGroup& group, const Range& range)
     {
         const Eigen::Array3i cells =
             Eigen::Array3i::Map(range.high.data()) - Eigen::Array3i::Map(range.low.data()) + 1;
         int axis = 0;
         const int longest = cells.maxCoeff(&axis);
-        if (triangles.size() > 1 || longest <= kFewCells)
+        if (group.triangles.size() > 1 || longest <= kFewCells)
         {
-            enterInFew(box, triangles, range);
+            enterInFew(group, range);
             return;
         }
         Range lower = range;
@@ -109,18 +78,17 @@ private:
                 grid_.frame_.origin.array() + grid_.frame_.cell * (from + to) / 2;
             // Every middle of a cell in the half is nearer to its middle than this.
             const double reach = grid_.frame_.cell * (to - from).matrix().norm() / 2 + radius_;
-            if (isNear(triangles[0], middle, reach))
+            if (isWithin(surface_, group.triangles[0], middle, reach))
             {
-                enterIn(box, triangles, half);
+                enterIn(group, half);
             }
         }
     }
 
-    void enterInFew(const Eigen::AlignedBox3d& box, std::span<const std::uint32_t> triangles,
-                    const Range& range)
+    void enterInFew(const TriangleGroup& group, const Range& range)
     {
-        const double surelyIn = (1 - kBallRounding) * radius_;
-        forEachCell(box, range,
+        const double surelyIn = (1 - kDistanceRounding) * radius_;
+        forEachCell(group.box, range,
                     [&](int x, int y, int z, double farthestSquare)
                     {
                         if (isLong(x, y, z))
@@ -129,9 +97,9 @@ private:
                         }
                         const bool all = farthestSquare <= surelyIn * surelyIn;
                         const Eigen::Vector3d centre = grid_.frame_.centre(x, y, z);
-                        for (const std::uint32_t t : triangles)
+                        for (const std::uint32_t t : group.triangles)
                         {
-                            if (all || isNear(t, centre, radius_))
+                            if (all || isWithin(surface_, t, centre, radius_))
                             {
                                 enter(x, y, z, t);
                             }
@@ -139,21 +107,9 @@ private:
                     });
     }
 
-    /// The squared distances of a layer of cells to the nearest and the farthest of a box, along
-    /// one axis: those of three axes add up.
-    struct Layer
+    [[nodiscard]] SquaresToBox layer(const Eigen::AlignedBox3d& box, int axis, int index) const
     {
-        double nearest;
-        double farthest;
-    };
-    [[nodiscard]] Layer layer(const Eigen::AlignedBox3d& box, Eigen::Index axis, int index) const
-    {
-        const double centre = grid_.frame_.origin[axis] + (index + 0.5) * grid_.frame_.cell;
-        const double below = box.min()[axis] - centre;
-        const double above = centre - box.max()[axis];
-        const double outside = std::max({below, above, 0.0});
-        const double across = std::min(below, above);
-        return {outside * outside, across * across};
+        return {box, axis, grid_.frame_.origin[axis] + (index + 0.5) * grid_.frame_.cell};
     }
 
     /// Calls visit(x, y, z, farthest) for each cell of a range that may be near `box`, with the
@@ -161,7 +117,7 @@ private:
     template <class Visit>
     void forEachCell(const Eigen::AlignedBox3d& box, const Range& range, Visit&& visit)
     {
-        const double surelyOut = (1 + kBallRounding) * radius_;
+        const double surelyOut = (1 + kDistanceRounding) * radius_;
         const auto& [low, high] = range;
         layersOfX_.clear();
         for (int x = low[0]; x <= high[0]; ++x)
@@ -170,14 +126,14 @@ private:
         }
         for (int z = low[2]; z <= high[2]; ++z)
         {
-            const Layer atZ = layer(box, 2, z);
+            const SquaresToBox atZ = layer(box, 2, z);
             for (int y = low[1]; y <= high[1]; ++y)
             {
-                const Layer atY = layer(box, 1, y);
+                const SquaresToBox atY = layer(box, 1, y);
                 const double left = surelyOut * surelyOut - (atZ.nearest + atY.nearest);
                 for (int x = left < 0 ? high[0] + 1 : low[0]; x <= high[0]; ++x)
                 {
-                    const Layer& atX = layersOfX_[static_cast<std::size_t>(x - low[0])];
+                    const SquaresToBox& atX = layersOfX_[static_cast<std::size_t>(x - low[0])];
                     if (atX.nearest <= left)
                     {
                         visit(x, y, z, atX.farthest + (atY.farthest + atZ.farthest));
@@ -202,26 +158,6 @@ private:
         }
         ++grid_.starts_[cell];
         entries_.push_back({static_cast<std::uint32_t>(cell), triangle});
-    }
-
-    /// The triangle is asked for its nearest point only where the ball around it does not decide.
-    [[nodiscard]] bool isNear(std::uint32_t t, const Eigen::Vector3d& centre, double reach) const
-    {
-        const TriangleBound& bound = surface_.bound(t);
-        if (bound.toPlane(centre) > reach)
-        {
-            return false;
-        }
-        const double square = bound.toCentreSquared(centre);
-        const double surelyIn = (1 - kBallRounding) * reach; // the centre is of the triangle
-        const double surelyOut = (1 + kBallRounding) * (reach + bound.radius);
-        if (square > surelyOut * surelyOut || square <= surelyIn * surelyIn)
-        {
-            return square <= surelyIn * surelyIn;
-        }
-        const auto& [a, b, c] = surface_[t].corner;
-        const Eigen::Vector3d closest = closestPointOnTriangle(centre, a, b, c).point;
-        return (centre - closest).squaredNorm() <= reach * reach;
     }
 
     /// Sorts by the triangle, then by the cell: sums up the ends, and fills from them.
@@ -255,7 +191,7 @@ private:
     const Surface& surface_;
     double radius_;
     std::vector<Entry> entries_;
-    std::vector<Layer> layersOfX_; ///< of the box that cells are looked up for
+    std::vector<SquaresToBox> layersOfX_; ///< of the box that cells are looked up for
 };
 
 TriangleGrid::TriangleGrid(const Surface& surface, const GridFrame& frame, double reach)

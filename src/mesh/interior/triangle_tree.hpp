@@ -34,6 +34,13 @@ public:
     TriangleTree(const TriangleMesh& mesh, std::uint32_t leafSize, Threads& threads);
     TriangleTree(const TriangleMesh& mesh, std::uint32_t leafSize);
 
+    /// Gives its memory back, once nothing asks it any more.
+    void clear()
+    {
+        nodes_ = std::vector<Node>();
+        order_ = std::vector<std::uint32_t>();
+    }
+
     [[nodiscard]] std::span<const Node> nodes() const { return nodes_; }
     [[nodiscard]] bool isLeaf(std::size_t node) const { return nodes_[node].skip == node + 1; }
 

@@ -20,10 +20,16 @@ std::size_t countDuplicates(const TriangleMesh& mesh, const EdgeTable& edges)
     edges.forEach(
         [&](std::span<const EdgeUse> uses)
         {
+            const auto thirdOf = [&](const EdgeUse& use)
+            { return mesh.triangles[use.triangle][(use.corner + 2U) % 3U]; };
+            if (uses.size() == 2 && thirdOf(uses[0]) != thirdOf(uses[1])) // as nearly always
+            {
+                return;
+            }
             thirds.clear();
             for (const EdgeUse& use : uses)
             {
-                const std::uint32_t third = mesh.triangles[use.triangle][(use.corner + 2U) % 3U];
+                const std::uint32_t third = thirdOf(use);
                 if (third > use.high)
                 {
                     thirds.push_back(third);
@@ -133,6 +139,11 @@ MeshReport inspectInterior(const TriangleMesh& mesh, MeshReport report, const Wa
         report.volume = interiorVolume(mesh);
     }
     return report;
+}
+
+MeshReport inspectInterior(const TriangleMesh& mesh, const MeshReport& report)
+{
+    return inspectInterior(mesh, report, classifyWalls(mesh));
 }
 
 MeshReport inspectInterior(const TriangleMesh& mesh)

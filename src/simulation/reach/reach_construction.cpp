@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "simulation/reach/group_rows.hpp"
 #include "simulation/reach/reach_leak.hpp"
 #include "simulation/reach/reach_map.hpp"
 #include "simulation/reach/tolerances.hpp"
@@ -6,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace frostfill
 {
@@ -71,7 +73,7 @@ std::size_t countCubes(const VoxelBits& set)
 } // namespace
 
 ReachMap::ReachMap(const Surface& surface, const InsideTest& inside, const Radii& radii,
-                   const Margins& margins, const Resolution& resolution)
+                   const Margins& margins, const Resolution& resolution, Unblocked* unblocked)
     : surface_(surface), radii_(radii), margins_(margins)
 {
     const double largest = kLargestVoxel * exclusion(radii.smallest);
@@ -87,11 +89,19 @@ ReachMap::ReachMap(const Surface& surface, const InsideTest& inside, const Radii
     layout_ = *layout;
     search_ = VoxelFlood(layout_);
     open_ = unblockedCubes();
+    if (unblocked != nullptr)
+    {
+        unblocked->all = open_;
+    }
     marks_.assign(layout_.words, 0);
     triangleRow_.assign(surface.size(), 0);
     keepInside(inside);
     reachedCount_ = countCubes(open_);
     seeds_ = open_;
+    if (unblocked != nullptr)
+    {
+        unblocked->inside = open_;
+    }
 }
 
 double ReachMap::exclusion(double contact) const
@@ -101,34 +111,52 @@ double ReachMap::exclusion(double contact) const
     return least > 0 && square > 0 ? std::max(0.0, std::sqrt(square) - kReachRounding) : 0;
 }
 
-VoxelBits ReachMap::cubesFartherThan(double distance) const
+VoxelBits ReachMap::unblockedCubes() const
 {
-    VoxelBits open(layout_.words, 0);
-    layout_.forEachWord([&](VoxelWord w) { open[w.word] |= w.bits; });
-    for (std::uint32_t id = 0; id < surface_.size(); ++id)
+    VoxelBits all(layout_.words, 0);
+    layout_.forEachWord([&](VoxelWord w) { all[w.word] |= w.bits; });
+    return cubesFartherThan(exclusion(radii_.smallest) - kHalfDiagonal * layout_.frame.cell,
+                            std::move(all));
+}
+
+VoxelBits ReachMap::cubesFartherThan(double distance, VoxelBits among) const
+{
+    // Where triangles are small, most rows have been closed by their neighbours.
+    const auto closeIn = [&](int y, int z, VoxelRun run, auto&& isNear)
     {
-        const TriangleRows rows(layout_.frame, surface_, id, distance);
+        layout_.findInRow(among, y, z, run.first, run.last,
+                          [&](int x, VoxelWord cube)
+                          {
+                              if (isNear(x))
+                              {
+                                  among[cube.word] &= ~cube.bits;
+                              }
+                              return false;
+                          });
+    };
+    const auto closeNear = [&](std::uint32_t triangle)
+    {
+        const TriangleRows rows(layout_.frame, surface_, triangle, distance);
         rows.forEach(
             [&](int y, int z, VoxelRun most)
-            {
-                // Where triangles are small, most rows have been closed by their neighbours.
-                if (!layout_.any(open, y, z, most.first, most.last))
-                {
-                    return;
-                }
-                const VoxelRun run = rows.run(y, z, most);
-                layout_.findInRow(open, y, z, run.first, run.last,
-                                  [&](int x, VoxelWord cube)
-                                  {
-                                      if (rows.near(x, y, z))
-                                      {
-                                          open[cube.word] &= ~cube.bits;
-                                      }
-                                      return false;
-                                  });
-            });
-    }
-    return open;
+            { closeIn(y, z, rows.run(y, z, most), [&](int x) { return rows.near(x, y, z); }); },
+            [&](int y, int z, int last, VoxelRun most)
+            { return layout_.firstRow(among, y, z, last, most.first, most.last); });
+    };
+    forEachGroup(surface_, layout_.frame.cell,
+                 [&](const TriangleGroup& group)
+                 {
+                     if (group.triangles.size() == 1)
+                     {
+                         closeNear(group.triangles[0]);
+                         return;
+                     }
+                     const GroupRows rows(layout_.frame, surface_, group, distance);
+                     rows.forEach(
+                         [&](int y, int z, VoxelRun run)
+                         { closeIn(y, z, run, [&](int x) { return rows.near(x, y, z); }); });
+                 });
+    return among;
 }
 
 // Cubes that are connected lie on the same side of the surface: one test serves a whole component.

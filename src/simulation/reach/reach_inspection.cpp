@@ -35,7 +35,7 @@ void closeCoveredCubes(ReachMap& map, ClearSearch& search)
 {
     const VoxelLayout& layout = map.layout();
     const VoxelBits open = map.reached();
-    const VoxelBits clear = map.cubesFartherThan(map.radii().smallest);
+    const VoxelBits clear = map.cubesFartherThan(map.radii().smallest, open);
     const auto closeIfCovered = [&](int x, int y, int z)
     {
         const Eigen::Vector3d middle = layout.frame.centre(x, y, z);
@@ -61,8 +61,9 @@ ReachInspection inspect(const Surface& surface, const TriangleGrid& triangles,
                         const InsideTest& inside, double radius, std::size_t bytes)
 {
     ReachInspection result;
+    ReachMap::Unblocked unblocked;
     ReachMap map(surface, inside, {radius, radius}, {kReachRounding, 0, 0},
-                 {kInspectionVoxel, bytes});
+                 {kInspectionVoxel, bytes}, &unblocked);
     result.known = map.active() || map.leak();
     result.leak = map.leak();
     if (!map.active())
@@ -72,7 +73,8 @@ ReachInspection inspect(const Surface& surface, const TriangleGrid& triangles,
     const SphereGrid nothing(GridFrame{});
     ClearSearch search(nothing, surface, triangles, radius, kReachRounding);
     closeCoveredCubes(map, search);
-    const ReachReport report = reportReach(map, inside, kOneSphere * radius * radius * radius);
+    const ReachReport report =
+        reportReach(map, unblocked, inside, kOneSphere * radius * radius * radius);
     result.fits = map.reachedCount() > 0;
     result.unreachable = report.unreachedVolume;
     result.resolution = report.resolution;

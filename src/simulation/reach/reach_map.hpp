@@ -75,10 +75,17 @@ public:
         std::size_t bytes = std::size_t{512} << 20; ///< above which cubes are made larger
         std::size_t wholeGrid = kWholeGrid;         ///< see there
     };
+    /// Cubes.
+    struct Unblocked
+    {
+        VoxelBits all; ///< of both sides
+        VoxelBits inside;
+    };
 
-    /// Rasterises the surface, which lives as long as this, and keeps the open cubes inside.
+    /// Rasterises the surface, which lives as long as this, and keeps the open cubes inside. Of an
+    /// active map `unblocked`, if given, gets what the surface alone does not block.
     ReachMap(const Surface& surface, const InsideTest& inside, const Radii& radii,
-             const Margins& margins, const Resolution& resolution);
+             const Margins& margins, const Resolution& resolution, Unblocked* unblocked = nullptr);
     ReachMap(const Surface& surface, const InsideTest& inside, const Radii& radii,
              const Margins& margins)
         : ReachMap(surface, inside, radii, margins, Resolution{})
@@ -145,14 +152,8 @@ public:
     /// Nothing in the cube is free; takes effect like addResting.
     void closeCube(int x, int y, int z) { block(layout_.at(x, y, z)); }
 
-    /// Cubes, inside or outside, whose middle is farther than this from the surface; of an active
-    /// map.
-    [[nodiscard]] VoxelBits cubesFartherThan(double distance) const;
-    /// The same that the surface alone does not block.
-    [[nodiscard]] VoxelBits unblockedCubes() const
-    {
-        return cubesFartherThan(exclusion(radii_.smallest) - kHalfDiagonal * layout_.frame.cell);
-    }
+    /// Those of some cubes whose middle is farther than this from the surface; of an active map.
+    [[nodiscard]] VoxelBits cubesFartherThan(double distance, VoxelBits among) const;
 
     [[nodiscard]] const VoxelLayout& layout() const { return layout_; }
     [[nodiscard]] const VoxelBits& reached() const { return open_; }
@@ -169,6 +170,7 @@ private:
     {
         return radii_.largest + margins_.query + kReachRounding;
     }
+    [[nodiscard]] VoxelBits unblockedCubes() const;
     void keepInside(const InsideTest& inside);
     void block(VoxelWord cubes);
     void takeBlocked();
@@ -223,13 +225,10 @@ bool ReachMap::findNearSphere(const Eigen::Vector3d& p, double distance, Cursor&
         return false;
     }
     std::uint64_t row = cursor;
-    const bool found =
-        rows.window().find(row,
-                           [&](int y, int z)
-                           {
-                               return layout_.any(open_, y, z, widest.first, widest.last) &&
-                                      findInRow(y, z, rows.run(y, z), confirm);
-                           });
+    const bool found = rows.window().find(
+        row, [&](int y, int z) { return findInRow(y, z, rows.run(y, z), confirm); },
+        [&](int y, int z, int last)
+        { return layout_.firstRow(open_, y, z, last, widest.first, widest.last); });
     cursor = static_cast<Cursor>(row);
     return found;
 }
@@ -240,12 +239,11 @@ bool ReachMap::findNearTriangle(std::uint32_t triangle, Confirm&& confirm)
     const double distance = polygonReach() + kHalfDiagonal * layout_.frame.cell;
     const TriangleRows rows(layout_.frame, surface_, triangle, distance);
     const auto isNear = [&](int x, int y, int z) { return rows.near(x, y, z) && confirm(x, y, z); };
-    return rows.find(triangleRow_[triangle],
-                     [&](int y, int z, VoxelRun most)
-                     {
-                         return layout_.any(open_, y, z, most.first, most.last) &&
-                                findInRow(y, z, rows.run(y, z, most), isNear);
-                     });
+    return rows.find(
+        triangleRow_[triangle],
+        [&](int y, int z, VoxelRun most) { return findInRow(y, z, rows.run(y, z, most), isNear); },
+        [&](int y, int z, int last, VoxelRun most)
+        { return layout_.firstRow(open_, y, z, last, most.first, most.last); });
 }
 
 } // namespace frostfill

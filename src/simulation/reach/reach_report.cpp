@@ -78,48 +78,24 @@ bool isInside(const VoxelLayout& layout, const InsideTest& inside, VoxelWord cub
     return result;
 }
 
-// Those of `open` that are inside: each connected component lies on one side.
-VoxelBits openInside(const VoxelLayout& layout, VoxelBits open, const InsideTest& inside)
-{
-    VoxelBits result(layout.words, 0);
-    VoxelFlood flood(layout);
-    for (std::size_t word = 0; word < open.size(); ++word)
-    {
-        while (open[word] != 0)
-        {
-            const VoxelWord first{word, open[word] & -open[word]};
-            const bool within = isInside(layout, inside, first);
-            flood.run(open, first, [](VoxelWord) { return false; });
-            flood.drain(
-                [&](VoxelWord w)
-                {
-                    open[w.word] &= ~w.bits;
-                    result[w.word] |= within ? w.bits : 0;
-                });
-        }
-    }
-    return result;
-}
-
 // Cubes inside that no sphere covers. Only of the few that are blocked and that no sphere covers,
 // wherever they are, each is asked for its side.
-VoxelBits uncoveredCubes(const ReachMap& map, const InsideTest& inside)
+VoxelBits uncoveredCubes(const ReachMap& map, const ReachMap::Unblocked& unblocked,
+                         const InsideTest& inside)
 {
     const VoxelLayout& layout = map.layout();
     const Dilation covered(layout, map.reached(), map.radii().smallest / layout.frame.cell);
-    const VoxelBits unblocked = map.unblockedCubes();
-    const VoxelBits within = openInside(layout, unblocked, inside);
     VoxelBits result(layout.words, 0);
     const auto look = [&](VoxelWord w)
     {
-        const std::uint64_t blocked = w.bits & ~unblocked[w.word];
-        const std::uint64_t maybe = (blocked | within[w.word]) & ~map.reached()[w.word];
+        const std::uint64_t blocked = w.bits & ~unblocked.all[w.word];
+        const std::uint64_t maybe = (blocked | unblocked.inside[w.word]) & ~map.reached()[w.word];
         if (maybe == 0)
         {
             return;
         }
         const std::uint64_t here = maybe & ~covered.word(w.word);
-        result[w.word] = here & within[w.word];
+        result[w.word] = here & unblocked.inside[w.word];
         for (std::uint64_t left = here & blocked; left != 0; left &= left - 1)
         {
             const VoxelWord cube{w.word, left & -left};
@@ -173,14 +149,15 @@ std::vector<UnreachablePart> findParts(const VoxelLayout& layout, VoxelBits cube
 
 } // namespace
 
-ReachReport reportReach(const ReachMap& map, const InsideTest& inside, double smallestPart)
+ReachReport reportReach(const ReachMap& map, const ReachMap::Unblocked& unblocked,
+                        const InsideTest& inside, double smallestPart)
 {
     ReachReport report;
     if (!map.active())
     {
         return report;
     }
-    VoxelBits uncovered = uncoveredCubes(map, inside);
+    VoxelBits uncovered = uncoveredCubes(map, unblocked, inside);
     std::size_t missed = 0;
     for (const std::uint64_t word : uncovered)
     {

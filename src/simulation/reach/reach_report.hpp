@@ -25,8 +25,9 @@ struct ReachReport
 /// Cubes inside the object whose middle is farther from every reached cube than the smallest
 /// radius, as connected parts. Depends on the seeds of the map: with seeds at the top only, what
 /// hangs behind a narrow neck counts as unreachable, with seeds everywhere only the neck does.
-/// `smallestPart` [r^3]: smaller parts are left out. An inactive map has nothing to report.
-[[nodiscard]] ReachReport reportReach(const ReachMap& map, const InsideTest& inside,
-                                      double smallestPart);
+/// `unblocked`: what the map had when it was made. `smallestPart` [r^3]: smaller parts are left
+/// out. An inactive map has nothing to report.
+[[nodiscard]] ReachReport reportReach(const ReachMap& map, const ReachMap::Unblocked& unblocked,
+                                      const InsideTest& inside, double smallestPart);
 
 } // namespace frostfill

@@ -79,30 +79,34 @@ public:
 
     /// Looks for a row from number `row` on for which test(y, z, most) holds; the row has no cubes
     /// but some of `most`. Leaves its number in `row`, or a greater one than any when there is
-    /// none. Rows from the top down, as of a RowWindow. What a large window costs follows the
-    /// triangle, not its box.
-    template <class Test>
-    bool find(std::uint64_t& row, Test&& test) const
+    /// none. Rows from the top down, as of a RowWindow, and of those the ones that are worth it:
+    /// next(y, z, last, most). What a large window costs follows the triangle, not its box.
+    template <class Test, class Next = EveryRow>
+    bool find(std::uint64_t& row, Test&& test, Next&& next = {}) const
     {
         const VoxelRun widest = {widest_[0], widest_[1]};
         if (widest.first > widest.last)
         {
             return false;
         }
-        return isLarge_ ? findInLarge(row, test)
-                        : window_.find(row, [&](int y, int z) { return test(y, z, widest); });
+        return isLarge_ ? findInLarge(row, test, next)
+                        : window_.find(
+                              row, [&](int y, int z) { return test(y, z, widest); },
+                              [&](int y, int z, int last) { return next(y, z, last, widest); });
     }
     /// Calls visit(y, z, most) for all rows, likewise.
-    template <class Visit>
-    void forEach(Visit&& visit) const
+    template <class Visit, class Next = EveryRow>
+    void forEach(Visit&& visit, Next&& next = {}) const
     {
         std::uint64_t row = 0;
-        find(row,
-             [&](int y, int z, VoxelRun most)
-             {
-                 visit(y, z, most);
-                 return false;
-             });
+        find(
+            row,
+            [&](int y, int z, VoxelRun most)
+            {
+                visit(y, z, most);
+                return false;
+            },
+            next);
     }
 
     /// Those of a row's cubes that may be near: their middle is near the triangle's plane and box.
@@ -142,8 +146,8 @@ private:
         return box;
     }
     // Whatever is near a row is near the part of the triangle that is as high and as deep.
-    template <class Test>
-    bool findInLarge(std::uint64_t& row, Test& test) const
+    template <class Test, class Next>
+    bool findInLarge(std::uint64_t& row, Test& test, Next& next) const
     {
         const TrianglePart all(triangle_);
         while (row < window_.count())
@@ -155,7 +159,8 @@ private:
             {
                 const auto x = range(0, nearLayer(layer, 2, z));
                 row = window_.number(y, z);
-                if (x[0] <= x[1] && test(y, z, VoxelRun{x[0], x[1]}))
+                const VoxelRun most = {x[0], x[1]};
+                if (x[0] <= x[1] && next(y, z, z, most) == z && test(y, z, most))
                 {
                     return true;
                 }

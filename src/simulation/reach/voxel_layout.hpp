@@ -184,6 +184,27 @@ struct VoxelLayout
         return found != 0;
     }
 
+    /// The first of the rows (y, z) to (y, lastZ) that has some of its cubes first..last in a set;
+    /// lastZ + 1 if there is none.
+    [[nodiscard]] int firstRow(const VoxelBits& set, int y, int z, int lastZ, int first,
+                               int last) const
+    {
+        if (!isWhole() || first / 64 != last / 64)
+        {
+            while (z <= lastZ && !any(set, y, z, first, last))
+            {
+                ++z;
+            }
+            return z;
+        }
+        const std::uint64_t its = ~std::uint64_t{0} << (63 - last + first) >> (63 - last % 64);
+        for (std::size_t at = word(first / 64, y, z); z <= lastZ && (set[at] & its) == 0; ++z)
+        {
+            at += wordsPerRow_;
+        }
+        return z;
+    }
+
     /// Calls visit(VoxelWord) for cubes beside what has no word, which is all outside and beyond
     /// reach of the surface; of a whole grid for one cube at its border.
     template <class Visit>

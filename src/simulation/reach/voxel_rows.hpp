@@ -33,6 +33,16 @@ inline std::array<int, 2> wholeNumbers(double from, double to, int count)
     return {low < from ? low + 1 : low, static_cast<int>(to)};
 }
 
+/// Of rows that a search may leave out: none.
+struct EveryRow
+{
+    template <class... Window>
+    int operator()(int, int z, int, const Window&...) const
+    {
+        return z;
+    }
+};
+
 /// A window of rows, numbered from the top down. Holes in a pile close from below, so the topmost
 /// reached cube near an obstacle is the last to go: a search that starts there resumes least.
 class RowWindow
@@ -61,26 +71,32 @@ public:
                static_cast<unsigned>(z - firstZ_);
     }
     /// Looks for a row from number `row` on for which test(y, z) holds. Leaves its number in `row`,
-    /// or the number of rows when there is none.
-    template <class Test>
-    bool find(std::uint64_t& row, Test&& test) const
+    /// or the number of rows when there is none. Asks only rows next(y, z, last): the first from z
+    /// to `last` that is worth it, or last + 1.
+    template <class Test, class Next = EveryRow>
+    bool find(std::uint64_t& row, Test&& test, Next&& next = {}) const
     {
         if (row >= count_)
         {
             return false;
         }
-        int y = this->y(row);
+        const int last = firstZ_ + depth_ - 1;
         int z = this->z(row);
-        for (; row < count_; ++row)
+        for (int y = this->y(row); row < count_; --y, z = firstZ_)
         {
-            if (test(y, z))
+            for (; z <= last; ++z, ++row)
             {
-                return true;
-            }
-            if (++z == firstZ_ + depth_)
-            {
-                z = firstZ_;
-                --y;
+                const int worth = next(y, z, last);
+                row += static_cast<unsigned>(worth - z);
+                z = worth;
+                if (z > last)
+                {
+                    break;
+                }
+                if (test(y, z))
+                {
+                    return true;
+                }
             }
         }
         return false;

@@ -85,10 +85,10 @@ TriangleMesh FrameOfRun::toRun(const TriangleMesh& mesh) const
     return result;
 }
 
-FrameOfRun::FrameOfRun(const Scene& scene, const TriangleMesh& mesh, double radius)
-    : FrameOfRun(scene, boundingBox(mesh), radius)
+FrameOfRun::FrameOfRun(const Scene& scene, const TriangleMesh& mesh, const Box& box, double radius)
+    : FrameOfRun(scene, box, radius)
 {
-    const Eigen::Vector3d size = boundingBox(mesh).sizes() / length;
+    const Eigen::Vector3d size = box.sizes() / length;
     // A part that moves away from the axis about which the object turns would feel other forces.
     if (cellsOf(size) <= kManyCells || scene.move.any())
     {

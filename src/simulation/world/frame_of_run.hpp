@@ -33,14 +33,21 @@ struct FrameOfRun
 
     FrameOfRun() = default;
     FrameOfRun(const Scene& scene, const Eigen::AlignedBox3d& box, double radius);
-    /// With the parts of a mesh moved together if they lie far apart, unless the object moves.
-    FrameOfRun(const Scene& scene, const TriangleMesh& mesh, double radius);
+    /// With the parts of a mesh, that has this box, moved together if they lie far apart, unless the
+    /// object moves.
+    FrameOfRun(const Scene& scene, const TriangleMesh& mesh, const Eigen::AlignedBox3d& box,
+               double radius);
 
     [[nodiscard]] Eigen::Vector3d toRun(const Eigen::Vector3d& p) const
     {
         const Eigen::Vector3d q = (p - origin) / length;
         const Eigen::Vector3d r(q[axis[0]], q[axis[1]], q[axis[2]]);
         return moved.empty() ? r : together(r);
+    }
+    /// Whether toRun does nothing but to take away the origin and to divide by the length.
+    [[nodiscard]] bool onlyMovesAndScales() const
+    {
+        return moved.empty() && axis == std::array<int, 3>{0, 1, 2};
     }
     /// A vector in mesh coordinates.
     [[nodiscard]] Eigen::Vector3d toMeshOffset(const Eigen::Vector3d& p) const

@@ -25,10 +25,10 @@ namespace
 
 /// Of a run that there is memory for.
 RadiusDistribution radiiOf(const Scene& scene, const MeshReport& report, const TriangleMesh& mesh,
-                           const TriangleTree& tree)
+                           const TriangleTree& tree, std::optional<TriangleBvh>& bvh)
 {
     RadiusDistribution radii(
-        scene.spheres.radius.value_or(sphereRadius(scene, report, mesh, tree)));
+        scene.spheres.radius.value_or(sphereRadius(scene, report, mesh, tree, bvh)));
     const double r = radii.largest();
     const double most = kPackingFraction * report.volume /
                         (4.0 / 3.0 * std::numbers::pi * r * r * r * radii.inLargest().meanPower(3));
@@ -44,6 +44,21 @@ bool isReportOf(const LoadedMesh& mesh)
 {
     return mesh.report.triangles == mesh.mesh.triangles.size() &&
            mesh.report.vertices == mesh.mesh.vertices.size();
+}
+
+/// The index goes with it, and before that its tree, if there is something in its place: memory is
+/// scarcest here.
+Surface surfaceInRun(const TriangleMesh& mesh, const FrameOfRun& frame, const Walls& walls,
+                     MeshIndex index, std::optional<TriangleBvh> bvh)
+{
+    if (bvh && frame.onlyMovesAndScales())
+    {
+        bvh->move(frame.origin, frame.length);
+        index.tree.clear();
+        return {frame.toRun(mesh), walls, index, std::move(bvh)};
+    }
+    bvh.reset();
+    return {frame.toRun(mesh), walls, index};
 }
 
 GridFrame gridOver(const Surface& surface, double cell)
@@ -92,12 +107,13 @@ ObjectOfRun::ObjectOfRun(const Scene& scene, const TriangleMesh& mesh, const Mes
 }
 
 ObjectOfRun::ObjectOfRun(const Scene& scene, const TriangleMesh& mesh, const MeshReport* known,
-                         const MeshIndex& index)
+                         MeshIndex index, std::optional<TriangleBvh> bvh)
     : walls(classifyWalls(mesh, index)),
       report(
           inspectInterior(mesh, known != nullptr ? *known : inspectMesh(mesh, index.edges), walls)),
-      radii(radiiOf(scene, report, mesh, index.tree)), frame(scene, mesh, radii.largest()),
-      surface(frame.toRun(mesh), walls, index),
+      radii(radiiOf(scene, report, mesh, index.tree, bvh)),
+      frame(scene, mesh, report.box, radii.largest()),
+      surface(surfaceInRun(mesh, frame, walls, std::move(index), std::move(bvh))),
       triangles(surface, checkedGrid(surface, report, frame, scene), kTriangleReach),
       inside(surface, triangles)
 {

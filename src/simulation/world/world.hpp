@@ -42,7 +42,7 @@ struct ObjectOfRun
 
 private:
     ObjectOfRun(const Scene& scene, const TriangleMesh& mesh, const MeshReport* known,
-                const MeshIndex& index);
+                MeshIndex index, std::optional<TriangleBvh> bvh = std::nullopt);
 };
 
 /// The object and the spheres, in coordinates of the run; and by name what is none of both: the

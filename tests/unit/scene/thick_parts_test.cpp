@@ -55,6 +55,22 @@ TEST(ThickParts, OfACompactObjectGiveTheRadiusOfTheWholeObject)
     }
 }
 
+TEST(ThickParts, LeaveWhatTheyHadToMakeOfTheMesh)
+{
+    const TriangleMesh sphere = builtInMesh("sphere");
+    const TriangleMesh plate = cubeOnPlate(0.1);
+    std::optional<TriangleBvh> bvh;
+    EXPECT_EQ(sphereRadius(sceneOf(100), inspectInterior(sphere), sphere,
+                           TriangleTree(sphere, kSmallLeaf), bvh),
+              radiusFor(sphere, 100));
+    EXPECT_FALSE(bvh) << "is compact";
+    EXPECT_EQ(sphereRadius(sceneOf(100), inspectInterior(plate), plate,
+                           TriangleTree(plate, kSmallLeaf), bvh),
+              radiusFor(plate, 100));
+    ASSERT_TRUE(bvh);
+    EXPECT_EQ(bvh->order().size(), plate.triangles.size());
+}
+
 TEST(ThickParts, OfAPlateTakeNoSphereThatIsThicker)
 {
     const TriangleMesh plate = shapes::box({0, 0, 0}, {20, 20, 1});

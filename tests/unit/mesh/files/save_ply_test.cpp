@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "support/shapes.hpp"
 #include "unit/mesh/mesh_samples.hpp"
 
 #include <cstring>
@@ -56,6 +57,18 @@ TEST(SavePly, KeepsEveryBit)
     {
         EXPECT_EQ(std::memcmp(read.vertices[i].data(), mesh.vertices[i].data(), 24), 0) << i;
     }
+}
+
+TEST(SavePly, WritesALargeMeshBlockByBlock)
+{
+    const TriangleMesh mesh = shapes::torus(2, 0.5, 100, 60);
+    const std::filesystem::path file = test::outputFile("large.ply");
+    savePly(mesh, file);
+    EXPECT_GT(std::filesystem::file_size(file), 300000u);
+    const TriangleMesh read = readBack(file);
+    EXPECT_EQ(read.vertices, mesh.vertices);
+    EXPECT_EQ(read.triangles, mesh.triangles);
+    EXPECT_EQ(contentOf(file), plyBytes(mesh));
 }
 
 TEST(SavePly, WritesWhatReadMeshReads)

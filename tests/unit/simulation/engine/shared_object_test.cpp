@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "base/random.hpp"
+#include "simulation/world/world.hpp"
 #include "support/expect_error.hpp"
 #include "support/shapes.hpp"
 #include "unit/simulation/engine/small_torus.hpp"
@@ -7,7 +9,9 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
 #include <optional>
+#include <vector>
 
 namespace frostfill
 {
@@ -36,6 +40,28 @@ TEST(SharedObject, GivesARunTheBitsThatOneOfItsOwnDoes)
         runToEnd(alone);
         EXPECT_EQ(second.stateHash(), alone.stateHash());
         EXPECT_EQ(second.object().volume, alone.object().volume);
+    }
+}
+
+TEST(SharedObject, OfAThinPlateFindsItsNearestTriangleWhateverAxisIsUp)
+{
+    const TriangleMesh plate = shapes::box({100, 0, 0}, {120, 20, 1}, 8);
+    for (const Axis up : {Axis::x, Axis::y, Axis::z})
+    {
+        Scene scene = presetScene(Preset::fast, "plate");
+        scene.spheres.count = 100;
+        scene.object.up = up;
+        const ObjectOfRun object(scene, plate);
+        std::vector<std::uint32_t> all(object.surface.size());
+        std::iota(all.begin(), all.end(), 0U);
+        std::uint64_t draws = 0;
+        const auto draw = [&] { return 30 * uniformRandom(2, 0, draws++) - 15; };
+        for (int k = 0; k < 100; ++k)
+        {
+            const Eigen::Vector3d p(draw(), draw(), draw());
+            EXPECT_EQ(nearestDistance(object.surface, p, 100).value,
+                      nearestDistance(object.surface, all, p).value);
+        }
     }
 }
 

@@ -67,11 +67,12 @@ TEST(ReachReport, HoleWiderThanTheSphereIsFoundWhereItIs)
 TEST(ReachReport, BoxBehindANarrowNeckIsUnreachableFromTheOther)
 {
     const Object object(dumbbell(1));
-    ReachMap map(object.surface, object.inside, {1, 1}, {});
+    ReachMap::Unblocked unblocked;
+    ReachMap map(object.surface, object.inside, {1, 1}, {}, {}, &unblocked);
     map.withdrawSeeds();
     const std::vector<Eigen::Vector3d> running = {{4, 4, 4}};
     ASSERT_TRUE(map.flood(running));
-    const ReachReport report = reportReach(map, object.inside, kSphereVolume);
+    const ReachReport report = reportReach(map, unblocked, object.inside, kSphereVolume);
     ASSERT_EQ(report.parts.size(), 1u);
     EXPECT_GE(report.unreachedVolume, report.parts[0].volume);
     EXPECT_LT(report.unreachedVolume, 216 + 6 + 0.02 * 512) << "edges are narrow, too";
@@ -87,15 +88,16 @@ TEST(ReachReport, BoxBehindANarrowNeckIsUnreachableFromTheOther)
 TEST(ReachReport, OnlyTheNeckIsUnreachableFromEverywhere)
 {
     const Object object(dumbbell(1));
-    ReachMap map(object.surface, object.inside, {1, 1}, {});
+    ReachMap::Unblocked unblocked;
+    ReachMap map(object.surface, object.inside, {1, 1}, {}, {}, &unblocked);
     ASSERT_TRUE(map.flood({}));
-    const ReachReport report = reportReach(map, object.inside, 1);
+    const ReachReport report = reportReach(map, unblocked, object.inside, 1);
     ASSERT_EQ(report.parts.size(), 1u);
     EXPECT_GT(report.parts[0].volume, 6 - 2 * 2);
     EXPECT_LT(report.parts[0].volume, 6);
     EXPECT_NEAR(report.parts[0].centre.x(), 11, 0.5);
     EXPECT_NEAR(report.parts[0].centre.y(), 3.5, 0.3);
-    EXPECT_TRUE(reportReach(map, object.inside, 6).parts.empty()) << "a crumb";
+    EXPECT_TRUE(reportReach(map, unblocked, object.inside, 6).parts.empty()) << "a crumb";
 
     // No sphere ever touches the neck's middle triangles.
     const auto isMiddle = [&](std::uint32_t t)
@@ -113,12 +115,13 @@ TEST(ReachReport, OnlyTheNeckIsUnreachableFromEverywhere)
 TEST(ReachReport, WidePassageLeavesNothingUnreachable)
 {
     const Object object(dumbbell(3));
-    ReachMap map(object.surface, object.inside, {1, 1}, {});
+    ReachMap::Unblocked unblocked;
+    ReachMap map(object.surface, object.inside, {1, 1}, {}, {}, &unblocked);
     map.withdrawSeeds();
     const std::vector<Eigen::Vector3d> running = {{4, 4, 4}};
     ASSERT_TRUE(map.flood(running));
     EXPECT_TRUE(map.contains({18, 4, 4}));
-    EXPECT_TRUE(reportReach(map, object.inside, 1).parts.empty());
+    EXPECT_TRUE(reportReach(map, unblocked, object.inside, 1).parts.empty());
 }
 
 TEST(ReachReport, PartsComeLargestFirst)
@@ -128,9 +131,10 @@ TEST(ReachReport, PartsComeLargestFirst)
     reach::addBlock(cells, {8, 4, 4}, {16, 5, 5});
     reach::addBlock(cells, {-14, 4, 4}, {0, 5, 5});
     const Object object(reach::cubes(cells));
-    ReachMap map(object.surface, object.inside, {1, 1}, {});
+    ReachMap::Unblocked unblocked;
+    ReachMap map(object.surface, object.inside, {1, 1}, {}, {}, &unblocked);
     ASSERT_TRUE(map.flood({}));
-    const ReachReport report = reportReach(map, object.inside, 1);
+    const ReachReport report = reportReach(map, unblocked, object.inside, 1);
     ASSERT_EQ(report.parts.size(), 2u);
     EXPECT_LT(report.parts[0].centre.x(), 0);
     EXPECT_GT(report.parts[1].centre.x(), 8);

@@ -85,8 +85,8 @@ std::vector<Eigen::Vector3d> reachedOf(const ReachMap& map,
 struct Pair
 {
     Pair(const Object& object, const ReachMap::Radii& radii)
-        : whole(object.surface, object.inside, radii, kMargins, kWhole),
-          bricks(object.surface, object.inside, radii, kMargins, kBricks)
+        : whole(object.surface, object.inside, radii, kMargins, kWhole, &ofWhole),
+          bricks(object.surface, object.inside, radii, kMargins, kBricks, &ofBricks)
     {
         EXPECT_TRUE(whole.layout().isWhole());
         EXPECT_FALSE(bricks.layout().isWhole());
@@ -99,6 +99,8 @@ struct Pair
         ASSERT_EQ(bricks.reachedCount(), whole.reachedCount());
     }
 
+    ReachMap::Unblocked ofWhole;
+    ReachMap::Unblocked ofBricks;
     ReachMap whole;
     ReachMap bricks;
 };
@@ -308,8 +310,8 @@ TEST(SparseReach, ReportsTheSamePartsAsTheWholeGrid)
     const Object object(reach::cubes(cells));
     Pair maps(object, {1, 1});
     ASSERT_TRUE(maps.whole.flood({}) && maps.bricks.flood({}));
-    const ReachReport whole = reportReach(maps.whole, object.inside, 1);
-    const ReachReport bricks = reportReach(maps.bricks, object.inside, 1);
+    const ReachReport whole = reportReach(maps.whole, maps.ofWhole, object.inside, 1);
+    const ReachReport bricks = reportReach(maps.bricks, maps.ofBricks, object.inside, 1);
     EXPECT_GT(whole.unreachedVolume, 60);
     EXPECT_EQ(bricks.unreachedVolume, whole.unreachedVolume);
     EXPECT_EQ(bricks.resolution, whole.resolution);

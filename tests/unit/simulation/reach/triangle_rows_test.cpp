@@ -136,5 +136,55 @@ TEST(TriangleRows, ASearchGoesOnFromTheRowWhereItEnded)
     EXPECT_FALSE(rows.find(row, [](int, int, VoxelRun) { return true; }));
 }
 
+TEST(TriangleRows, ASearchAsksOnlyRowsThatAreWorthIt)
+{
+    // Of a large window and of a small one.
+    for (const double size : {90.0, 3.0})
+    {
+        const Surface surface(triangle({0, 0, 0}, {size, size, size}, {size, size, size / 4}));
+        const TriangleRows rows(gridAbout(surface), surface, 0, kReach);
+        const auto isWorth = [](int y, int z) { return (3 * y + z) % 7 == 0; };
+        const auto next = [&](int y, int z, int last, VoxelRun)
+        {
+            while (z <= last && !isWorth(y, z))
+            {
+                ++z;
+            }
+            return z;
+        };
+        std::vector<std::array<int, 2>> expected;
+        rows.forEach(
+            [&](int y, int z, VoxelRun)
+            {
+                if (isWorth(y, z))
+                {
+                    expected.push_back({y, z});
+                }
+            });
+        std::vector<std::array<int, 2>> found;
+        rows.forEach([&](int y, int z, VoxelRun) { found.push_back({y, z}); }, next);
+        EXPECT_GT(expected.size(), 3u);
+        EXPECT_EQ(found, expected);
+        // A search that went on from its number would find the same row again.
+        for (std::size_t k = 0; k < expected.size(); ++k)
+        {
+            std::uint64_t row = 0;
+            std::size_t seen = 0;
+            ASSERT_TRUE(rows.find(
+                row, [&](int, int, VoxelRun) { return seen++ == k; }, next));
+            ASSERT_TRUE(rows.find(
+                row,
+                [&](int y, int z, VoxelRun) {
+                    return expected[k] == std::array<int, 2>{y, z};
+                },
+                [](int, int z, int, VoxelRun) { return z; }));
+            std::size_t more = 0;
+            rows.find(
+                row, [&](int, int, VoxelRun) { return ++more > 1; }, next);
+            EXPECT_EQ(more, std::min<std::size_t>(2, expected.size() - k));
+        }
+    }
+}
+
 } // namespace
 } // namespace frostfill

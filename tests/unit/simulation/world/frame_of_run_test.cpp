@@ -25,7 +25,7 @@ TEST(FrameOfRun, MovesPartsTogetherThatLieFarApart)
     Scene scene;
     scene.object.up = Axis::z;
     const TriangleMesh mesh = cubesApart(3000);
-    const FrameOfRun frame(scene, mesh, 0.1);
+    const FrameOfRun frame(scene, mesh, boundingBox(mesh), 0.1);
     const TriangleMesh row = frame.toRun(mesh);
     EXPECT_NEAR(signedVolume(row), 2000, 1e-6);
     const Eigen::AlignedBox3d box = boundingBox(row);
@@ -38,7 +38,7 @@ TEST(FrameOfRun, MovesPartsTogetherThatLieFarApart)
 TEST(FrameOfRun, TakesPlacesBackToWhereTheirPartIs)
 {
     const TriangleMesh mesh = cubesApart(3000);
-    const FrameOfRun frame(Scene(), mesh, 0.1);
+    const FrameOfRun frame(Scene(), mesh, boundingBox(mesh), 0.1);
     for (const Eigen::Vector3d& p : {Eigen::Vector3d(0.2, 0.3, 0.4), {3000.9, 6000.1, 0.5}})
     {
         EXPECT_NEAR((frame.toMesh(frame.toRun(p)) - p).norm(), 0, 1e-9);
@@ -46,14 +46,19 @@ TEST(FrameOfRun, TakesPlacesBackToWhereTheirPartIs)
     }
 }
 
+FrameOfRun frameOf(const Scene& scene, double distance, double radius)
+{
+    const TriangleMesh mesh = cubesApart(distance);
+    return {scene, mesh, boundingBox(mesh), radius};
+}
+
 TEST(FrameOfRun, LeavesPartsWhereTheyAreWhenLittleIsToBeSaved)
 {
-    EXPECT_TRUE(FrameOfRun(Scene(), cubesApart(3), 0.1).moved.empty());
-    EXPECT_TRUE(FrameOfRun(Scene(), cubesApart(3000), 500).moved.empty());
+    EXPECT_TRUE(frameOf(Scene(), 3, 0.1).moved.empty());
+    EXPECT_TRUE(frameOf(Scene(), 3000, 500).moved.empty());
     Scene moving;
     moving.move.tilt = 10;
-    EXPECT_TRUE(FrameOfRun(moving, cubesApart(3000), 0.1).moved.empty())
-        << "forces depend on the place";
+    EXPECT_TRUE(frameOf(moving, 3000, 0.1).moved.empty()) << "forces depend on the place";
 }
 
 } // namespace

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "mesh/interior/surface.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+
+namespace frostfill
+{
+
+/// By which a distance may be wrong, a thousandfold. [1]
+inline constexpr double kDistanceRounding = 1e-9;
+
+/// Triangles that lie side by side, or one.
+struct TriangleGroup
+{
+    std::span<const std::uint32_t> triangles;
+    Eigen::AlignedBox3d box; ///< around them
+};
+
+/// Calls visit(group) for all triangles of a surface, in the order of its tree. Those that are
+/// small ask together what they are near: a group is no longer than `longest`, unless it is one
+/// triangle. Larger: more of what is asked for a group has to be asked for each of its triangles.
+template <class Visit>
+void forEachGroup(const Surface& surface, std::span<const std::uint32_t> triangles, double longest,
+                  Visit&& visit)
+{
+    TriangleGroup group{triangles, {}};
+    for (const std::uint32_t t : triangles)
+    {
+        for (const Eigen::Vector3d& corner : surface[t].corner)
+        {
+            group.box.extend(corner);
+        }
+    }
+    if (triangles.size() == 1 || group.box.sizes().maxCoeff() <= longest)
+    {
+        visit(group);
+        return;
+    }
+    forEachGroup(surface, triangles.first(triangles.size() / 2), longest, visit);
+    forEachGroup(surface, triangles.subspan(triangles.size() / 2), longest, visit);
+}
+template <class Visit>
+void forEachGroup(const Surface& surface, double longest, Visit&& visit)
+{
+    constexpr std::size_t kTogether = 16;
+    for (auto left = surface.tree().order(); !left.empty();)
+    {
+        const std::size_t count = std::min(kTogether, left.size());
+        forEachGroup(surface, left.first(count), longest, visit);
+        left = left.subspan(count);
+    }
+}
+
+/// The squared distances of a coordinate to the nearest and the farthest of a box, along one axis:
+/// those of three axes add up.
+struct SquaresToBox
+{
+    double nearest;
+    double farthest;
+
+    SquaresToBox(const Eigen::AlignedBox3d& box, Eigen::Index axis, double coordinate)
+    {
+        const double below = box.min()[axis] - coordinate;
+        const double above = coordinate - box.max()[axis];
+        const double outside = std::max({below, above, 0.0});
+        const double across = std::min(below, above);
+        nearest = outside * outside;
+        farthest = across * across;
+    }
+};
+
+/// Whether a point of the triangle is within `reach` of p. It is asked for the nearest one only
+/// where the ball around it does not decide.
+[[nodiscard]] inline bool isWithin(const Surface& surface, std::uint32_t triangle,
+                                   const Eigen::Vector3d& p, double reach)
+{
+    const TriangleBound& bound = surface.bound(triangle);
+    const double surelyOut = (1 + kDistanceRounding) * reach;
+    if (bound.toPlane(p) > surelyOut)
+    {
+        return false;
+    }
+    const double square = bound.toCentreSquared(p);
+    const double surelyIn = (1 - kDistanceRounding) * reach; // the centre is of the triangle
+    if (square <= surelyIn * surelyIn || !bound.ballIsWithin(surelyOut, square))
+    {
+        return square <= surelyIn * surelyIn;
+    }
+    const auto& [a, b, c] = surface[triangle].corner;
+    return (closestPointOnTriangle(p, a, b, c).point - p).squaredNorm() <= reach * reach;
+}
+
+} // namespace frostfill
