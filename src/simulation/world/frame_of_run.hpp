@@ -33,8 +33,8 @@ struct FrameOfRun
 
     FrameOfRun() = default;
     FrameOfRun(const Scene& scene, const Eigen::AlignedBox3d& box, double radius);
-    /// With the parts of a mesh, that has this box, moved together if they lie far apart, unless the
-    /// object moves.
+    /// With the parts of a mesh, that has this box, moved together if they lie far apart, unless
+    /// the object moves.
     FrameOfRun(const Scene& scene, const TriangleMesh& mesh, const Eigen::AlignedBox3d& box,
                double radius);
 

@@ -103,6 +103,31 @@ TEST(Surface, IsTheSameWhateverTheThreadsThatMakeIt)
     }
 }
 
+TEST(Surface, WithATreeThatMovedWithItsMeshFindsTheSame)
+{
+    const TriangleMesh mesh = shapes::torus(1, 0.4, 60, 20);
+    const Eigen::Vector3d origin(300, -100, 700);
+    const double length = 0.2;
+    TriangleMesh moved = mesh;
+    for (Eigen::Vector3d& vertex : moved.vertices)
+    {
+        vertex = (vertex - origin) / length;
+    }
+    const MeshIndex index(mesh);
+    TriangleBvh bvh(mesh, index.tree);
+    bvh.move(origin, length);
+    const Surface surface(moved, classifyWalls(mesh, index), index, bvh);
+    const Surface expected(moved);
+    for (std::uint32_t t = 0; t < surface.size(); ++t)
+    {
+        for (const double side : {-3.0, -0.1, 0.1, 0.7})
+        {
+            const Eigen::Vector3d p = surface.bound(t).centre + side * surface.bound(t).normal;
+            ASSERT_EQ(nearestDistance(surface, p, 9).value, nearestDistance(expected, p, 9).value);
+        }
+    }
+}
+
 TEST(Surface, TellsTheSideByTheNearestFeature)
 {
     const Surface surface = hinge(-0.5); // bent away from where the normals point

@@ -254,22 +254,6 @@ TEST(TriangleBvh, OfATreeFromBeforeTheMeshWasMovedFindsTheSame)
     expectNearest(Surface(moved, classifyWalls(mesh, index), index), 100, 5);
 }
 
-TEST(TriangleBvh, MovedWithItsMeshFindsTheSame)
-{
-    const TriangleMesh mesh = shapes::torus(1, 0.4, 60, 20);
-    const Eigen::Vector3d origin(300, -100, 700);
-    const double length = 0.2;
-    TriangleMesh moved = mesh;
-    for (Eigen::Vector3d& vertex : moved.vertices)
-    {
-        vertex = (vertex - origin) / length;
-    }
-    const MeshIndex index(mesh);
-    TriangleBvh bvh(mesh, index.tree);
-    bvh.move(origin, length);
-    expectNearest(Surface(moved, classifyWalls(mesh, index), index, bvh), 100, 1 / length);
-}
-
 TEST(TriangleBvh, LeavesNothingOutThatIsJustNearEnough)
 {
     const Surface surface(shapes::torus(1, 0.4, 120, 40), Walls());
