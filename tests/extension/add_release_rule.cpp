@@ -30,10 +30,10 @@ public:
             Eigen::Vector3d p(box.center().x(), y, box.center().z());
             if (world_.inside.contains(p) && depenetrate(world_, p, radius, kFarthest))
             {
-                const Eigen::Vector3d prepared = query.prepare ? query.prepare(p, radius) : p;
-                if (query.suits(prepared, radius))
+                Footprint seen; // for rules that look ahead
+                if ((!query.prepare || query.prepare(p, radius, seen)) && query.suits(p, radius))
                 {
-                    return prepared;
+                    return p;
                 }
             }
         }

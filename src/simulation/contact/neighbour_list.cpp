@@ -9,12 +9,12 @@
 namespace frostfill
 {
 
-void NeighbourList::ensure(const World& world, const Eigen::Vector3d& p, double radius,
+bool NeighbourList::ensure(const World& world, const Eigen::Vector3d& p, double radius,
                            double ahead)
 {
     if (world.scene.search.neighbourLists && radius_ == radius && room(p) >= ahead)
     {
-        return;
+        return false;
     }
     centre_ = p;
     radius_ = radius;
@@ -38,6 +38,7 @@ void NeighbourList::ensure(const World& world, const Eigen::Vector3d& p, double 
                             }
                         });
     listTriangles(world, p, radius + kSkin);
+    return true;
 }
 
 void NeighbourList::listTriangles(const World& world, const Eigen::Vector3d& p, double distance)

@@ -20,8 +20,8 @@ class NeighbourList
 {
 public:
     /// Makes sure that everything a sphere of `radius` centred within `ahead` of p may touch is
-    /// listed. `ahead` is at most the skin.
-    void ensure(const World& world, const Eigen::Vector3d& p, double radius, double ahead);
+    /// listed. `ahead` is at most the skin. Returns whether the list was made anew.
+    bool ensure(const World& world, const Eigen::Vector3d& p, double radius, double ahead);
 
     /// Forgets everything: the sphere is elsewhere now.
     void invalidate() { radius_ = -1; }

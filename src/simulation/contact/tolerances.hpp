@@ -33,6 +33,11 @@ inline constexpr double kCarryingGap = 0.005;
 /// they are moved. Smaller: rounding may overlap them.
 inline constexpr double kClearance = 1e-9;
 
+/// So much farther than it has looked a footprint reaches, for the rounding of sums taken in
+/// another order. [r] Larger: answers are found anew that have not changed. Smaller: one that has
+/// by a bit may be kept.
+inline constexpr double kSeenBeyond = 1e-9;
+
 // Carrying: the share of the weight that a sphere's contacts may leave. It grows from kSettled,
 // with which a sphere is frozen, over kCarried, with which it stays at rest, to the 0.1 of the
 // judge of a finished state, who has his own. Were they one, rounding could wake what has just been

@@ -6,6 +6,7 @@
 #include "simulation/engine/tolerances.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace frostfill
 {
@@ -19,6 +20,15 @@ DropAndRollEngine::DropAndRollEngine(World& world)
                                      expectedCount(world) / kMaxSets);
     stepSize_ = std::max<std::size_t>(1, expectedCount(world) / kMaxSets);
     world.clock.dt = kTimeOfSet * static_cast<double>(stepSize_) / static_cast<double>(setSize_);
+    query_.suits = [](const Eigen::Vector3d&, double) { return true; };
+    query_.ahead = std::max(kFewestAhead, kAheadOfThread * threads_.concurrency());
+    query_.prepare = [this](Eigen::Vector3d& place, double radius, Footprint& seen)
+    {
+        thread_local NeighbourList around; // keeps its memory
+        around.invalidate();
+        return dropAndRoll_.settle(place, radius, around, std::numeric_limits<double>::infinity(),
+                                   &seen);
+    };
     if (!observers_.release->any())
     {
         refuseTooLarge(world);
@@ -72,28 +82,18 @@ bool DropAndRollEngine::step()
 // Returns false when no place is left.
 bool DropAndRollEngine::placeOne()
 {
-    const ReleaseQuery anywhere = {.suits = [](const Eigen::Vector3d&, double) { return true; }};
-    while (const auto found = observers_.release->next(anywhere))
+    const auto found = observers_.release->next(query_);
+    if (found)
     {
-        if (settle(found->place, found->radius))
-        {
-            return true;
-        }
-        observers_.release->giveUp();
+        rest(found->place, found->radius);
     }
-    return false;
+    return found.has_value();
 }
 
-// Takes a sphere down from a clear place. Returns false when nothing there carries it.
-bool DropAndRollEngine::settle(Eigen::Vector3d place, double radius)
+void DropAndRollEngine::rest(const Eigen::Vector3d& place, double radius)
 {
-    if (!dropAndRoll_.settle(place, radius))
-    {
-        return false;
-    }
     const auto group = static_cast<std::uint32_t>(world_.spheres.size() / groupSize(world_));
     observers_.add(world_.spheres.addResting(place, radius, group), place, radius);
-    return true;
 }
 
 void DropAndRollEngine::releaseAt(std::span<const PlacedSphere> spheres)
@@ -102,10 +102,12 @@ void DropAndRollEngine::releaseAt(std::span<const PlacedSphere> spheres)
     for (const PlacedSphere& one : spheres)
     {
         Eigen::Vector3d place = one.place;
-        if (!depenetrate(world_, place, one.radius, kFarRelease) || !settle(place, one.radius))
+        if (!depenetrate(world_, place, one.radius, kFarRelease) ||
+            !dropAndRoll_.settle(place, one.radius))
         {
             refuseOverlap(world_, one);
         }
+        rest(place, one.radius);
     }
 }
 

@@ -21,12 +21,13 @@ public:
 
 private:
     bool placeOne();
-    bool settle(Eigen::Vector3d place, double radius);
+    void rest(const Eigen::Vector3d& place, double radius);
 
     World& world_;
     Threads threads_;
     RestObservers observers_;
     DropAndRoll dropAndRoll_;
+    ReleaseQuery query_; ///< a place to which a sphere comes down, where it stays
     SetRecorder clock_;
     std::size_t setSize_ = 1;
     std::size_t stepSize_ = 1; ///< spheres of a step: a set is shown and discarded bit by bit

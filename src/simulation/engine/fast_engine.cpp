@@ -104,21 +104,20 @@ void FastEngine::releaseWhenDue()
 std::size_t FastEngine::release(std::size_t wanted)
 {
     ReleaseQuery query;
-    query.ahead = true;
+    query.ahead = kDrawsAhead;
     query.givesUp = true; // when those that run have come to rest, every free place suits
     query.suits = [this](const Eigen::Vector3d& place, double radius)
     { return grid_.isClear(place, radius); };
     // Free flight is analytic: with Motion::skip a sphere appears where it would touch first.
     if (world_.scene.motion.mode == Motion::skip)
     {
-        query.prepare = [this](Eigen::Vector3d place, double radius)
+        query.prepare = [this](Eigen::Vector3d& place, double radius, Footprint& seen)
         {
-            dropAndRoll_.drop(place, radius);
-            return place;
+            dropAndRoll_.drop(place, radius, &seen);
+            return true;
         };
     }
     grid_.rebuild(running_);
-    observers_.release->clearLookahead();
     std::size_t found = 0;
     while (found < wanted && !world_.stop.isAsked())
     {

@@ -12,9 +12,10 @@
 namespace frostfill
 {
 
-bool DropAndRoll::settle(Eigen::Vector3d& p, double radius, NeighbourList& around,
-                         double farthest) const
+bool DropAndRoll::settle(Eigen::Vector3d& p, double radius, NeighbourList& around, double farthest,
+                         Footprint* seen) const
 {
+    const Path path{radius, around, seen};
     const Eigen::Vector3d start = p;
     double longest = kLongestSlide * radius;
     thread_local std::vector<Eigen::Vector3d> normals; // keeps its memory
@@ -24,7 +25,7 @@ bool DropAndRoll::settle(Eigen::Vector3d& p, double radius, NeighbourList& aroun
                                                   kStepsPerRadiusOfHeight * world_.height / radius);
     for (std::uint64_t step = 0; step < bound; ++step)
     {
-        around.ensure(world_, p, radius, kShortestLook);
+        look(path, p, kShortestLook);
         p += contactNormals(world_.surface, around, p, radius, kTouch, normals);
         const Eigen::Vector3d down = world_.pull.direction(p);
         const Eigen::Vector3d pull = projectToFree(down, normals);
@@ -32,8 +33,7 @@ bool DropAndRoll::settle(Eigen::Vector3d& p, double radius, NeighbourList& aroun
         {
             return true; // carried: see isCarried, which has no use for the pull
         }
-        if (!(normals.empty() ? fall(p, radius, around, down)
-                              : slide(p, radius, around, down, pull, longest)))
+        if (!(normals.empty() ? fall(p, path, down) : slide(p, path, down, pull, longest)))
         {
             return false;
         }
@@ -45,43 +45,56 @@ bool DropAndRoll::settle(Eigen::Vector3d& p, double radius, NeighbourList& aroun
     return false;
 }
 
-bool DropAndRoll::fall(Eigen::Vector3d& p, double radius, NeighbourList& around,
-                       const Eigen::Vector3d& down) const
+// A list that is up to date was looked for before, and is in the footprint already.
+void DropAndRoll::look(const Path& path, const Eigen::Vector3d& p, double ahead) const
+{
+    const bool anew = path.around.ensure(world_, p, path.radius, ahead);
+    if (anew && path.seen != nullptr)
+    {
+        path.seen->addBall(p, path.radius + NeighbourList::kSkin);
+    }
+}
+
+bool DropAndRoll::fall(Eigen::Vector3d& p, const Path& path, const Eigen::Vector3d& down) const
 {
     if (down.y() == -1)
     {
-        return drop(p, radius);
+        return drop(p, path.radius, path.seen);
     }
-    p += sphereCast(world_.surface, around, p, radius, down, around.room(p)) * down;
+    p += sphereCast(world_.surface, path.around, p, path.radius, down, path.around.room(p)) * down;
     return true;
 }
 
-bool DropAndRoll::drop(Eigen::Vector3d& p, double radius) const
+bool DropAndRoll::drop(Eigen::Vector3d& p, double radius, Footprint* seen) const
 {
     const std::optional<double> y = contactBelow(world_, falls_, p, radius);
+    if (seen != nullptr)
+    {
+        seen->addFall(p, radius, y.value_or(-std::numeric_limits<double>::infinity()));
+    }
     p.y() = y.value_or(p.y());
     return y.has_value();
 }
 
 // A straight part along the pull, then back to the contact that curves away from it. Both lose
 // height: the second leads against the contacts' forces, whose sum points up.
-bool DropAndRoll::slide(Eigen::Vector3d& p, double radius, NeighbourList& around,
-                        const Eigen::Vector3d& down, const Eigen::Vector3d& pull,
-                        double& longest) const
+bool DropAndRoll::slide(Eigen::Vector3d& p, const Path& path, const Eigen::Vector3d& down,
+                        const Eigen::Vector3d& pull, double& longest) const
 {
+    const auto& [radius, around, seen] = path;
     const double weight = pull.norm();
     const Eigen::Vector3d along = pull / weight;
     // Near the bottom of a curve the pull fades with the distance to it.
     const double length = std::min({longest, kBeyondTheBottom * weight * radius, around.room(p)});
-    const double path = sphereCast(world_.surface, around, p, radius, along, length);
-    p += path * along;
+    const double gone = sphereCast(world_.surface, around, p, radius, along, length);
+    p += gone * along;
 
     const Eigen::Vector3d forces = pull - down;
     const double force = forces.norm();
     if (force > kSettled)
     {
         // A contact that curves away is behind by about the square of the part.
-        around.ensure(world_, p, radius, path * path / radius);
+        look(path, p, gone * gone / radius);
         const Eigen::Vector3d back = -forces / force;
         const double limit = std::min(kRegain * radius, around.room(p));
         const double regained = sphereCast(world_.surface, around, p, radius, back, limit);
@@ -90,7 +103,7 @@ bool DropAndRoll::slide(Eigen::Vector3d& p, double radius, NeighbourList& around
             p += regained * back;
         }
     }
-    if (path < kShortestSlide * weight * radius)
+    if (gone < kShortestSlide * weight * radius)
     {
         longest /= 2;
         return longest > kShortestSlide * radius;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "simulation/contact/footprint.hpp"
 #include "simulation/contact/neighbour_list.hpp"
 #include "simulation/motion/fall_index.hpp"
 #include "simulation/world/world.hpp"
@@ -30,18 +31,26 @@ public:
     }
     /// The same with a neighbourhood of the caller's, which is up to date or invalid. False also
     /// when the place would be farther than `farthest` from p. Several threads may settle spheres
-    /// at once, each with a neighbourhood of its own.
+    /// at once, each with a neighbourhood of its own. `seen`, if given, grows by where this looks.
     [[nodiscard]] bool settle(Eigen::Vector3d& p, double radius, NeighbourList& around,
-                              double farthest = std::numeric_limits<double>::infinity()) const;
+                              double farthest = std::numeric_limits<double>::infinity(),
+                              Footprint* seen = nullptr) const;
 
     /// Takes p straight down to its first contact. False, and p stays, where there is none.
-    bool drop(Eigen::Vector3d& p, double radius) const;
+    bool drop(Eigen::Vector3d& p, double radius, Footprint* seen = nullptr) const;
 
 private:
-    bool fall(Eigen::Vector3d& p, double radius, NeighbourList& around,
-              const Eigen::Vector3d& down) const;
-    bool slide(Eigen::Vector3d& p, double radius, NeighbourList& around,
-               const Eigen::Vector3d& down, const Eigen::Vector3d& pull, double& longest) const;
+    /// Who moves, and what is known of where.
+    struct Path
+    {
+        double radius;
+        NeighbourList& around;
+        Footprint* seen;
+    };
+    void look(const Path& path, const Eigen::Vector3d& p, double ahead) const;
+    bool fall(Eigen::Vector3d& p, const Path& path, const Eigen::Vector3d& down) const;
+    bool slide(Eigen::Vector3d& p, const Path& path, const Eigen::Vector3d& down,
+               const Eigen::Vector3d& pull, double& longest) const;
 
     const World& world_;
     const FallIndex& falls_;

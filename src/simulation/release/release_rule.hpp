@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/threads.hpp"
+#include "simulation/contact/footprint.hpp"
 #include "simulation/world/part_table.hpp"
 #include "simulation/world/world.hpp"
 
@@ -15,12 +16,15 @@ namespace frostfill
 /// What is asked of a place for a sphere.
 struct ReleaseQuery
 {
-    /// Takes a place to where the sphere is to appear; as it is when empty.
-    std::function<Eigen::Vector3d(const Eigen::Vector3d& place, double radius)> prepare = {};
+    /// Takes a place to where the sphere is to appear, and returns whether it can stay there; if
+    /// not, the place is given up. Adds to `seen` where it looks for spheres at rest. When empty,
+    /// the place is taken as it is.
+    std::function<bool(Eigen::Vector3d& place, double radius, Footprint& seen)> prepare = {};
     /// Whether the sphere can appear at the place so prepared now. Later it may.
     std::function<bool(const Eigen::Vector3d& place, double radius)> suits = {};
-    /// `prepare` changes nothing and may be called on several threads at once.
-    bool ahead = false;
+    /// How many places in a row may be prepared ahead of their time, on several threads at once;
+    /// `prepare` then changes nothing else. [1]
+    std::size_t ahead = 0;
     /// Whether to give up for now after many places in a row that do not suit. Otherwise a place is
     /// found if there is one.
     bool givesUp = false;
@@ -45,12 +49,6 @@ public:
 
     /// To be called for each sphere that has come to rest.
     virtual void close(const Eigen::Vector3d& centre, double radius) = 0;
-
-    /// To be called when no sphere came to rest from the place found last.
-    virtual void giveUp() {}
-
-    /// To be called before the first search after something has come to rest.
-    virtual void clearLookahead() {}
 };
 
 /// `band`: how far below the highest ceiling spheres may appear while there is room at it [r];

@@ -59,9 +59,14 @@ void ReleaseSites::startSweep()
     forEachSlab(threads_, (count[2] + kSlabThickness - 1) / kSlabThickness, closeSlab);
 }
 
-// Whether a sphere at rest leaves no place in the site's cell, as SiteLattice::close would find.
+// Whether the site was closed, or a sphere at rest leaves no place in its cell, as
+// SiteLattice::close would find.
 bool ReleaseSites::isTaken(std::size_t site) const
 {
+    if (!sites_.isOpen(site))
+    {
+        return true;
+    }
     const Eigen::Vector3d centre = sites_.centre(site);
     bool taken = false;
     const SphereGrid& resting = world_.spheres.resting();
@@ -85,10 +90,47 @@ void ReleaseSites::dropCeiling(std::size_t index)
     window_ = std::min(window_, ceilings_.size());
 }
 
-std::size_t ReleaseSites::ceilingOfDraw(std::uint64_t number, std::size_t among) const
+std::size_t ReleaseSites::ceilingOfDraw(std::uint64_t number) const
 {
     const double choice = uniformRandom(world_.scene.seed, number, 0);
-    return ceilings_.size() - 1 - static_cast<std::size_t>(choice * static_cast<double>(among));
+    const auto among = static_cast<double>(highOnly_ ? window_ : ceilings_.size());
+    return ceilings_.size() - 1 - static_cast<std::size_t>(choice * among);
+}
+
+// A draw that is known to end its ceiling decides which ceilings are drawn after it. What is taken
+// stays so. Where ceilings are forgotten all the time, places are looked for here and now.
+Draw* ReleaseSites::expectPlace(double radius)
+{
+    const bool forgetting = draws_ < lastForgotten_ + kForgets;
+    while (!ceilings_.empty() && expected_ + 1 < draws_ + kMostAhead)
+    {
+        ++expected_;
+        const std::size_t index = ceilingOfDraw(expected_);
+        Draw& draw = ahead_.expect(key(expected_, radius));
+        if (!draw.isPlaced && (forgetting || isTaken(draw.key.site)))
+        {
+            findPlace(draw);
+        }
+        if (!draw.endsCeiling())
+        {
+            return &draw;
+        }
+        passed_.push_back({index, draw.key.site, window_});
+        dropCeiling(index);
+    }
+    return nullptr;
+}
+
+void ReleaseSites::rewind()
+{
+    for (; !passed_.empty(); passed_.pop_back())
+    {
+        const auto& [index, site, window] = passed_.back();
+        ceilings_.push_back(index < ceilings_.size() ? ceilings_[index] : site);
+        ceilings_[index] = site;
+        window_ = window;
+    }
+    expected_ = draws_;
 }
 
 // A site was opened inside, where walls are farther away than this.
@@ -98,42 +140,127 @@ Start ReleaseSites::startWithin(double way) const
 }
 
 // A clear place at a random point of the ceiling, or at its middle.
-std::optional<Eigen::Vector3d> ReleaseSites::placeOfDraw(std::uint64_t number,
-                                                         std::uint32_t site) const
+void ReleaseSites::findPlace(Draw& draw) const
 {
-    if (!sites_.isOpen(site) || isTaken(site))
+    draw.isPlaced = true;
+    draw.place.reset();
+    draw.stays = false;
+    if (isTaken(draw.key.site))
     {
-        return std::nullopt;
+        draw.isKnown = true;
+        return; // for ever
     }
+    const Eigen::Vector3d middle = sites_.centre(draw.key.site);
+    draw.seen.addBall(middle, radius_); // isTaken has looked there
+    const auto findNear = [&](Eigen::Vector3d p, double within, Start start)
+    {
+        draw.seen.addBall(p, radius_ + within);
+        if (depenetrate(world_, p, radius_, within, kMoves, start))
+        {
+            draw.place = p;
+        }
+    };
     const std::uint64_t seed = world_.scene.seed;
-    Eigen::Vector3d p = sites_.centre(site);
+    Eigen::Vector3d p = middle;
     // By at most half a cell along two axes.
-    p.x() += sites_.cell() * (uniformRandom(seed, number, 1) - 0.5);
-    p.z() += sites_.cell() * (uniformRandom(seed, number, 2) - 0.5);
-    if (depenetrate(world_, p, radius_, radius_, kMoves, startWithin(sites_.cell())))
+    p.x() += sites_.cell() * (uniformRandom(seed, draw.key.number, 1) - 0.5);
+    p.z() += sites_.cell() * (uniformRandom(seed, draw.key.number, 2) - 0.5);
+    findNear(p, radius_, startWithin(sites_.cell()));
+    if (!draw.place)
     {
-        return p;
+        findNear(middle, farthest(), startWithin(0));
     }
-    p = sites_.centre(site);
-    if (depenetrate(world_, p, radius_, farthest(), kMoves, startWithin(0)))
+    draw.isKnown = !draw.place;
+}
+
+void ReleaseSites::findOut(Draw& draw, const ReleaseQuery& query) const
+{
+    if (!draw.isPlaced)
     {
-        return p;
+        findPlace(draw);
+    }
+    draw.stays =
+        draw.place && (!query.prepare || query.prepare(*draw.place, draw.key.radius, draw.seen));
+    draw.isKnown = true;
+}
+
+const Draw& ReleaseSites::nextDraw(double radius, const ReleaseQuery& query,
+                                   const std::function<void()>& lookAhead)
+{
+    const Draw::Key next = key(draws_ + 1, radius);
+    if (!lookAhead)
+    {
+        lone_.forget();
+        lone_.key = next;
+        findOut(lone_, query);
+        return lone_;
+    }
+    if (const Draw* known = ahead_.find(next))
+    {
+        return *known;
+    }
+    lookAhead();
+    return *ahead_.find(next);
+}
+
+// A ceiling from which nothing can be released any more is forgotten.
+const Draw& ReleaseSites::take(const Draw& draw)
+{
+    draws_ = draw.key.number;
+    lastCeiling_ = ceilingOfDraw(draws_);
+    if (!draw.place)
+    {
+        lastForgotten_ = draws_;
+        sites_.closeSite(draw.key.site);
+        dropCeiling(lastCeiling_);
+    }
+    return draw;
+}
+
+std::optional<ReleaseSites::Found> ReleaseSites::find(double radius, const ReleaseQuery& query,
+                                                      const std::function<void()>& lookAhead)
+{
+    for (const bool highOnly : {true, false})
+    {
+        highOnly_ = highOnly;
+        for (int misses = 0; misses < kMaxMisses && !ceilings_.empty();)
+        {
+            const Draw& draw = take(nextDraw(radius, query, lookAhead));
+            if (draw.place && (!draw.stays || query.suits(*draw.place, radius)))
+            {
+                return Found{*draw.place, draw.stays};
+            }
+            misses += draw.place ? 1 : 0; // else a ceiling is forgotten, which ends by itself
+        }
+    }
+    return ceilings_.empty() ? sweep(radius, query) : std::nullopt;
+}
+
+std::optional<ReleaseSites::Found> ReleaseSites::sweep(double radius, const ReleaseQuery& query)
+{
+    startSweep();
+    sweep_ = sites_.nextOpen(sweep_);
+    int misses = 0;
+    for (std::size_t site = nextFree(sweep_);
+         site < sites_.end() && (!query.givesUp || misses < kMaxMisses); site = nextFree(site + 1))
+    {
+        Eigen::Vector3d place = place_;
+        Footprint unused;
+        const bool stays = !query.prepare || query.prepare(place, radius, unused);
+        if (!stays || query.suits(place, radius))
+        {
+            lastFree_ = site;
+            return Found{place, stays};
+        }
+        ++misses;
     }
     return std::nullopt;
 }
 
-// A ceiling from which nothing can be released any more is forgotten.
-std::optional<Eigen::Vector3d> ReleaseSites::take(const Draw& draw, std::size_t among)
+bool ReleaseSites::any()
 {
-    lastCeiling_ = ceilingOfDraw(draw.number, among);
-    ++sinceForgotten_;
-    if (!draw.place)
-    {
-        sinceForgotten_ = 0;
-        sites_.closeSite(draw.site);
-        dropCeiling(lastCeiling_);
-    }
-    return draw.place;
+    return find(radius_, {.suits = [](const Eigen::Vector3d&, double) { return true; }})
+        .has_value();
 }
 
 // The first open site from `site` on that has a clear place, which becomes place_; sites that turn

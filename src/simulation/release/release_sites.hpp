@@ -3,10 +3,13 @@
 
 #include "base/threads.hpp"
 #include "simulation/contact/depenetration.hpp"
+#include "simulation/release/lookahead.hpp"
+#include "simulation/release/release_rule.hpp"
 #include "simulation/release/site_lattice.hpp"
 #include "simulation/release/tolerances.hpp"
 #include "simulation/world/world.hpp"
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -25,60 +28,29 @@ public:
     /// `threads`: those that long work is shared with, which outlive this.
     ReleaseSites(const World& world, double radius, double band, Threads& threads);
 
-    /// A place that is clear of walls and of spheres at rest, taken from there to `prepare(place)`,
-    /// and for which `suits` then holds. Places that do not suit now are left for later. Empty when
-    /// there is none. With `ahead`, what the next draws lead to is found out on all threads at
-    /// once; `prepare` may then not change anything. The answer is the same. With `givesUp` a
-    /// search everywhere ends after as many places that do not suit as one below the ceilings.
-    template <class Prepare, class Suits>
-    [[nodiscard]] std::optional<Eigen::Vector3d> find(Prepare&& prepare, Suits&& suits,
-                                                      bool ahead = false, bool givesUp = false)
+    /// A place that is clear of walls and of spheres at rest, and what came of it.
+    struct Found
     {
-        for (const bool highOnly : {true, false})
-        {
-            for (int misses = 0; misses < kMaxMisses && !ceilings_.empty();)
-            {
-                const std::size_t among = highOnly ? window_ : ceilings_.size();
-                auto place = take(nextDraw(among, prepare, ahead), among);
-                if (place && suits(*place))
-                {
-                    return place;
-                }
-                misses += place ? 1 : 0; // else a ceiling is forgotten, which ends by itself
-            }
-        }
-        if (!ceilings_.empty())
-        {
-            return std::nullopt;
-        }
-        startSweep();
-        sweep_ = sites_.nextOpen(sweep_);
-        int misses = 0;
-        for (std::size_t site = nextFree(sweep_);
-             site < sites_.end() && (!givesUp || misses < kMaxMisses); site = nextFree(site + 1))
-        {
-            const Eigen::Vector3d place = prepare(place_);
-            if (suits(place))
-            {
-                lastFree_ = site;
-                return place;
-            }
-            ++misses;
-        }
-        return std::nullopt;
-    }
+        Eigen::Vector3d place; ///< prepared
+        bool stays;            ///< otherwise nothing is to be released from there any more
+    };
 
-    /// To be called when something has come to rest, or does not rest any more, since `find` looked
-    /// ahead.
-    void clearLookahead() { ahead_.clear(); }
+    /// A place for a sphere of the radius of these sites at most. Places that do not suit now are
+    /// left for later. Empty when there is none. `lookAhead`, if given, finds out the draws that
+    /// expectPlace leads to, the next at least; the answer is the same.
+    [[nodiscard]] std::optional<Found> find(double radius, const ReleaseQuery& query,
+                                            const std::function<void()>& lookAhead = {});
+
+    /// The draw after the last one taken, and further ones when called again, for a sphere of
+    /// `radius`: each comes to a place, as far as is known. None when all ceilings are gone, or too
+    /// many draws are expected. rewind() starts anew.
+    [[nodiscard]] Draw* expectPlace(double radius);
+    void rewind();
+    /// Finds out what a draw leads to. On any thread.
+    void findOut(Draw& draw, const ReleaseQuery& query) const;
 
     /// Whether a single place is free now.
-    [[nodiscard]] bool any()
-    {
-        return find([](const Eigen::Vector3d& p) { return p; },
-                    [](const Eigen::Vector3d&) { return true; })
-            .has_value();
-    }
+    [[nodiscard]] bool any();
 
     /// To be called for each sphere that has come to rest.
     void close(const Eigen::Vector3d& centre, double radius)
@@ -88,20 +60,13 @@ public:
         {
             sites_.close(centre, radius);
         }
+        ahead_.voidNear(centre, radius, draws_);
     }
 
     /// Gives up the site of the last place found, from which no sphere came to rest.
     void giveUp();
 
 private:
-    /// What a draw of a ceiling leads to: a place, or that there is none.
-    struct Draw
-    {
-        std::uint64_t number;
-        std::uint32_t site;
-        std::optional<Eigen::Vector3d> place;
-    };
-
     /// How far from its site a place may be that stands for it.
     [[nodiscard]] double farthest() const { return 2 * sites_.halfDiagonal(); }
     /// What is known of a place so far from an open site.
@@ -110,50 +75,16 @@ private:
     void startSweep();
     [[nodiscard]] bool isTaken(std::size_t site) const;
     void dropCeiling(std::size_t index);
-    [[nodiscard]] std::size_t ceilingOfDraw(std::uint64_t number, std::size_t among) const;
-    [[nodiscard]] std::optional<Eigen::Vector3d> placeOfDraw(std::uint64_t number,
-                                                             std::uint32_t site) const;
-    std::optional<Eigen::Vector3d> take(const Draw& draw, std::size_t among);
-
-    template <class Prepare>
-    [[nodiscard]] Draw outcome(std::uint64_t number, std::size_t among, Prepare&& prepare) const
+    [[nodiscard]] std::size_t ceilingOfDraw(std::uint64_t number) const;
+    [[nodiscard]] Draw::Key key(std::uint64_t number, double radius) const
     {
-        Draw draw{number, ceilings_[ceilingOfDraw(number, among)], std::nullopt};
-        if (const auto clear = placeOfDraw(number, draw.site))
-        {
-            draw.place = prepare(*clear);
-        }
-        return draw;
+        return {number, ceilings_[ceilingOfDraw(number)], radius};
     }
-
-    // What is known ahead of a draw holds as long as the same ceiling would be drawn.
-    [[nodiscard]] const Draw* knownAhead(std::uint64_t number, std::size_t among) const
-    {
-        if (ahead_.empty() || number < ahead_.front().number || number > ahead_.back().number)
-        {
-            return nullptr;
-        }
-        const Draw& draw = ahead_[number - ahead_.front().number];
-        return draw.site == ceilings_[ceilingOfDraw(number, among)] ? &draw : nullptr;
-    }
-
-    template <class Prepare>
-    [[nodiscard]] Draw nextDraw(std::size_t among, Prepare&& prepare, bool ahead)
-    {
-        const std::uint64_t number = ++draws_;
-        // A ceiling that is forgotten changes which ones are drawn next.
-        if (!ahead || threads_.concurrency() == 1 || sinceForgotten_ < kDrawsAhead / 2)
-        {
-            return outcome(number, among, prepare);
-        }
-        if (knownAhead(number, among) == nullptr)
-        {
-            ahead_.resize(kDrawsAhead);
-            threads_.forEach(kDrawsAhead, [&](std::size_t i)
-                             { ahead_[i] = outcome(number + i, among, prepare); });
-        }
-        return *knownAhead(number, among);
-    }
+    void findPlace(Draw& draw) const;
+    const Draw& nextDraw(double radius, const ReleaseQuery& query,
+                         const std::function<void()>& lookAhead);
+    const Draw& take(const Draw& draw);
+    [[nodiscard]] std::optional<Found> sweep(double radius, const ReleaseQuery& query);
     [[nodiscard]] std::size_t nextFree(std::size_t site);
 
     const World& world_;
@@ -168,9 +99,21 @@ private:
     std::size_t sweep_ = 0;       ///< all sites before this one are closed
     std::size_t lastFree_ = 0;    ///< the site found last in the sweep
     Eigen::Vector3d place_ = Eigen::Vector3d::Zero();
-    std::uint64_t draws_ = 0;
-    std::size_t sinceForgotten_ = 0; ///< draws, since one after which a ceiling was forgotten
-    std::vector<Draw> ahead_;        ///< by number, without gaps
+    bool highOnly_ = true;            ///< only ceilings in the window are drawn
+    std::uint64_t draws_ = 0;         ///< number of the last one taken
+    std::uint64_t lastForgotten_ = 0; ///< the last after which a ceiling was forgotten
+    Draw lone_;                       ///< of a search that does not look ahead
+    Lookahead ahead_;
+
+    // Since rewind().
+    std::uint64_t expected_ = 0; ///< number of the last draw that was expected
+    struct Passed
+    {
+        std::size_t index;
+        std::uint32_t site;
+        std::size_t window; ///< before it
+    };
+    std::vector<Passed> passed_; ///< ceilings that draws have ended that were expected
 };
 
 } // namespace frostfill

@@ -35,7 +35,8 @@ std::vector<double> classLimits(const RadiusDistribution& radii)
 
 } // namespace
 
-Releases::Releases(const World& world, double band, Threads& threads) : world_(world)
+Releases::Releases(const World& world, double band, Threads& threads)
+    : world_(world), threads_(threads)
 {
     for (const double limit : classLimits(world.radii))
     {
@@ -43,19 +44,25 @@ Releases::Releases(const World& world, double band, Threads& threads) : world_(w
     }
 }
 
+// A place at which a sphere cannot stay is given up, and with it the radius.
 std::optional<PlacedSphere> Releases::next(const ReleaseQuery& query)
 {
     while (!classes_.empty())
     {
         if (!drawn_)
         {
-            draw();
+            drawn_ = radiusOfDraw(++draws_);
         }
         const double radius = *drawn_;
-        if (const auto found = place(radius, query))
+        if (const auto found = find(radius, query))
         {
             drawn_.reset();
-            return PlacedSphere{*found, radius};
+            if (found->stays)
+            {
+                return PlacedSphere{found->place, radius};
+            }
+            classes_[lastClass_].sites.giveUp();
+            continue;
         }
         if (classes_.size() == 1 || classes_[lastClass_].sites.any())
         {
@@ -68,17 +75,60 @@ std::optional<PlacedSphere> Releases::next(const ReleaseQuery& query)
 
 std::optional<Eigen::Vector3d> Releases::place(double radius, const ReleaseQuery& query)
 {
+    while (const auto found = find(radius, query))
+    {
+        if (found->stays)
+        {
+            return found->place;
+        }
+        classes_[lastClass_].sites.giveUp();
+    }
+    return std::nullopt;
+}
+
+std::optional<ReleaseSites::Found> Releases::find(double radius, const ReleaseQuery& query)
+{
     if (radius > classes_.back().largest)
     {
         return std::nullopt;
     }
     lastClass_ = classOf(radius);
-    const auto prepare = [&](const Eigen::Vector3d& place)
-    { return query.prepare ? query.prepare(place, radius) : place; };
-    const auto suits = [&](const Eigen::Vector3d& place) { return query.suits(place, radius); };
-    // A draw that is known ahead is so for one radius.
-    return classes_[lastClass_].sites.find(prepare, suits, query.ahead && world_.radii.equal(),
-                                           query.givesUp);
+    ReleaseSites& sites = classes_[lastClass_].sites;
+    if (query.ahead == 0 || threads_.concurrency() == 1)
+    {
+        return sites.find(radius, query);
+    }
+    return sites.find(radius, query, [&] { lookAhead(radius, query); });
+}
+
+// The radii that come next, if each finds a place at once.
+void Releases::lookAhead(double radius, const ReleaseQuery& query)
+{
+    for (Class& one : classes_)
+    {
+        one.sites.rewind();
+    }
+    unknown_.clear();
+    std::uint64_t number = draws_;
+    for (std::size_t k = 0; k < query.ahead; ++k, radius = radiusOfDraw(++number))
+    {
+        ReleaseSites& sites = classes_[classOf(radius)].sites;
+        Draw* draw = sites.expectPlace(radius);
+        if (draw == nullptr)
+        {
+            break;
+        }
+        if (!draw->isKnown)
+        {
+            unknown_.push_back({&sites, draw});
+        }
+    }
+    for (Class& one : classes_)
+    {
+        one.sites.rewind();
+    }
+    threads_.forEachLarge(unknown_.size(), [&](std::size_t i)
+                          { unknown_[i].sites->findOut(*unknown_[i].draw, query); });
 }
 
 void Releases::close(const Eigen::Vector3d& centre, double radius)
@@ -89,10 +139,10 @@ void Releases::close(const Eigen::Vector3d& centre, double radius)
     }
 }
 
-void Releases::draw()
+double Releases::radiusOfDraw(std::uint64_t number) const
 {
-    drawn_ = world_.radii.draw(uniformRandom(world_.scene.seed, ++draws_, kRadiusDraw),
-                               classes_.back().largest);
+    return world_.radii.draw(uniformRandom(world_.scene.seed, number, kRadiusDraw),
+                             classes_.back().largest);
 }
 
 void Releases::dropClasses(std::size_t from)

@@ -27,9 +27,6 @@ public:
                                                        const ReleaseQuery& query) override;
     [[nodiscard]] bool any() override { return classes_.front().sites.any(); }
     void close(const Eigen::Vector3d& centre, double radius) override;
-    /// Gives up the site of the last place found.
-    void giveUp() override { classes_[lastClass_].sites.giveUp(); }
-    void clearLookahead() override { classes_.front().sites.clearLookahead(); }
 
 private:
     struct Class
@@ -37,15 +34,24 @@ private:
         double largest; ///< radius, for which its sites are
         ReleaseSites sites;
     };
-    void draw();
+    [[nodiscard]] std::optional<ReleaseSites::Found> find(double radius, const ReleaseQuery& query);
+    void lookAhead(double radius, const ReleaseQuery& query);
+    [[nodiscard]] double radiusOfDraw(std::uint64_t number) const;
     void dropClasses(std::size_t from);
     [[nodiscard]] std::size_t classOf(double radius) const;
 
     const World& world_;
+    Threads& threads_;
     std::vector<Class> classes_; ///< ascending; those that are done with are gone, but the first
     std::size_t lastClass_ = 0;
     std::optional<double> drawn_; ///< the next radius, for which there was no place yet
     std::uint64_t draws_ = 0;
+    struct Unknown
+    {
+        const ReleaseSites* sites;
+        Draw* draw;
+    };
+    std::vector<Unknown> unknown_; ///< draws that are found out next
 };
 
 } // namespace frostfill

@@ -32,9 +32,13 @@ inline constexpr double kDistanceSlack = 1e-9;
 /// Larger: time, when the object is crowded. Smaller: sets appear with fewer spheres than they
 /// could.
 inline constexpr int kMaxMisses = 64;
-/// Draws that are looked ahead at once, on all threads. The answer is the same for any. Larger:
-/// more of them are void when a ceiling is forgotten. Smaller: threads wait for each other.
-inline constexpr std::size_t kDrawsAhead = 128;
+/// Draws ahead of the next, up to which what they lead to is known. [1] The answer is the same for
+/// any. Larger: memory. Smaller: many threads have too little to do at once.
+inline constexpr std::size_t kMostAhead = 1024;
+/// Draws after one that forgets a ceiling, for which places are looked for one by one: which
+/// ceiling is forgotten decides what is drawn next. The answer is the same for any. Larger: threads
+/// wait. Smaller: more of what was found out ahead is void.
+inline constexpr std::uint64_t kForgets = 64;
 /// Layers of cells in a slab that is worth a thread's while. The answer is the same for any.
 inline constexpr int kSlabThickness = 8;
 

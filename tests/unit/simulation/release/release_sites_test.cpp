@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "simulation/release/release_sites.hpp"
-
 #include "base/random.hpp"
 #include "simulation/motion/drop_and_roll.hpp"
+#include "simulation/release/releases.hpp"
 
 #include <gtest/gtest.h>
 
@@ -41,21 +40,23 @@ TEST_F(ReleaseSitesTest, LookingAheadOnTwoThreadsFindsTheSamePlaces)
     const DropAndRoll descent(world, falls);
     Threads one(1);
     Threads two(2);
-    ReleaseSites plain(world, 1, 4, one);
-    ReleaseSites ahead(world, 1, 4, two);
-    const auto fall = [&](Eigen::Vector3d p)
+    Releases plain(world, 4, one);
+    Releases ahead(world, 4, two);
+    ReleaseQuery query;
+    query.ahead = 128;
+    query.prepare = [&](Eigen::Vector3d& p, double radius, Footprint& seen)
     {
-        descent.drop(p, 1);
-        return p;
+        descent.drop(p, radius, &seen);
+        return true;
     };
     // A third of the places do not suit, as where others run; which ones, the place decides.
-    const auto suits = [](const Eigen::Vector3d& p)
+    query.suits = [](const Eigen::Vector3d& p, double)
     { return std::fmod(std::abs(p.x()) * 1e3, 3.0) > 1; };
     std::size_t found = 0;
     for (;; ++found)
     {
-        const auto place = plain.find(fall, suits);
-        const auto other = ahead.find(fall, suits, true);
+        const auto place = plain.place(1, query);
+        const auto other = ahead.place(1, query);
         ASSERT_EQ(place, other) << found;
         if (!place)
         {
@@ -66,7 +67,6 @@ TEST_F(ReleaseSitesTest, LookingAheadOnTwoThreadsFindsTheSamePlaces)
             rest(world, falls, *place);
             plain.close(*place, 1);
             ahead.close(*place, 1);
-            ahead.clearLookahead();
         }
         if (found == 40 * 700)
         {
@@ -83,15 +83,14 @@ TEST_F(ReleaseSitesTest, GivesUpForNowWhenManyPlacesInARowDoNotSuit)
     Threads threads(1);
     ReleaseSites sites(world, 1, -1, threads);
     int asked = 0;
-    const auto asItIs = [](const Eigen::Vector3d& p) { return p; };
-    EXPECT_FALSE(sites.find(
-        asItIs,
-        [&](const Eigen::Vector3d&)
-        {
-            ++asked;
-            return false;
-        },
-        false, true));
+    ReleaseQuery query;
+    query.givesUp = true;
+    query.suits = [&](const Eigen::Vector3d&, double)
+    {
+        ++asked;
+        return false;
+    };
+    EXPECT_FALSE(sites.find(1, query));
     EXPECT_EQ(asked, kMaxMisses);
     EXPECT_TRUE(sites.any());
 }
@@ -103,12 +102,11 @@ TEST_F(ReleaseSitesTest, LeavesNoPlaceInAnObjectThatIsFull)
     FallIndex falls(world.spheres.resting().frame(), world.triangles);
     Threads threads(2);
     ReleaseSites sites(world, 1, 4, threads);
-    const auto asItIs = [](const Eigen::Vector3d& p) { return p; };
-    const auto any = [](const Eigen::Vector3d&) { return true; };
-    while (const auto place = sites.find(asItIs, any))
+    const ReleaseQuery any = {.suits = [](const Eigen::Vector3d&, double) { return true; }};
+    while (const auto found = sites.find(1, any))
     {
-        rest(world, falls, *place);
-        sites.close(*place, 1);
+        rest(world, falls, found->place);
+        sites.close(found->place, 1);
     }
     ASSERT_GT(world.spheres.size(), 500u); // hanging where they are, less dense than fallen ones
     std::uint64_t draw = 0;

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+#include "simulation/release/lookahead.hpp"
+
+#include "simulation/release/releases.hpp"
+#include "support/shapes.hpp"
+
+#include <frostfill/simulation.hpp>
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <string>
+
+namespace frostfill
+{
+namespace
+{
+
+Draw& findOut(Draw& draw, const Eigen::Vector3d& at)
+{
+    draw.place = at;
+    draw.isPlaced = true;
+    draw.isKnown = true;
+    draw.stays = true;
+    draw.seen.addBall(at, 1);
+    return draw;
+}
+
+TEST(LookaheadTest, KnowsADrawOnlyOfItsSiteAndRadius)
+{
+    Lookahead ahead;
+    EXPECT_EQ(ahead.find({7, 3, 1}), nullptr);
+    EXPECT_FALSE(ahead.expect({7, 3, 1}).isKnown);
+    EXPECT_EQ(ahead.find({7, 3, 1}), nullptr) << "it is not found out yet";
+    const Draw& draw = findOut(ahead.expect({7, 3, 1}), {0, 0, 0});
+    EXPECT_EQ(ahead.find({7, 3, 1}), &draw);
+    EXPECT_EQ(ahead.find({7, 4, 1}), nullptr);
+    EXPECT_EQ(ahead.find({7, 3, 0.9}), nullptr);
+    EXPECT_EQ(ahead.find({8, 3, 1}), nullptr);
+    EXPECT_EQ(&ahead.expect({7, 3, 1}), &draw);
+    EXPECT_TRUE(draw.isKnown);
+    EXPECT_FALSE(ahead.expect({7, 4, 1}).isKnown) << "another ceiling is drawn now";
+}
+
+TEST(LookaheadTest, ForgetsDrawsToComeThatASphereAtRestMayChange)
+{
+    Lookahead ahead;
+    for (std::uint64_t number = 1; number <= 4; ++number)
+    {
+        findOut(ahead.expect({number, 0, 1}), {10.0 * static_cast<double>(number), 0, 0});
+    }
+    ahead.voidNear({30, 1.5, 0}, 1, 1);
+    EXPECT_TRUE(ahead.find({2, 0, 1}));
+    EXPECT_FALSE(ahead.find({3, 0, 1}));
+    EXPECT_TRUE(ahead.find({4, 0, 1}));
+    ahead.voidNear({20, 1.5, 0}, 1, 2);
+    EXPECT_TRUE(ahead.find({2, 0, 1})) << "it has been taken";
+    EXPECT_TRUE(ahead.expect({3, 0, 1}).seen.meets({30, 0, 0}, 1) == false);
+}
+
+struct Rain
+{
+    const char* name;
+    TriangleMesh mesh;
+    Motion motion;
+    double smallest;
+};
+
+void PrintTo(const Rain& rain, std::ostream* out)
+{
+    *out << rain.name;
+}
+
+class LookingAhead : public ::testing::TestWithParam<Rain>
+{
+protected:
+    [[nodiscard]] static std::string hash(std::uint64_t seed, int threads)
+    {
+        Scene scene = presetScene(Preset::fast, "torus");
+        scene.motion.mode = GetParam().motion;
+        scene.spheres.count.reset();
+        scene.spheres.radius = Radii(GetParam().smallest, 0.12);
+        scene.seed = seed;
+        scene.threads = threads;
+        Simulation simulation(scene, GetParam().mesh);
+        while (simulation.step())
+        {
+        }
+        return simulation.stateHash();
+    }
+};
+
+// One thread never looks ahead: it is the oracle.
+TEST_P(LookingAhead, ChangesNoBit)
+{
+    for (std::uint64_t seed = 1; seed <= 4; ++seed)
+    {
+        const std::string alone = hash(seed, 1);
+        for (const int threads : {2, 3, 16})
+        {
+            EXPECT_EQ(hash(seed, threads), alone) << "seed " << seed << ", " << threads;
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Objects, LookingAhead,
+    ::testing::Values(Rain{"BoxDescend", shapes::box({-1, -1, -1}, {1, 1, 1}, 3), Motion::descend,
+                           0.12},
+                      Rain{"BoxSkip", shapes::box({-1, -1, -1}, {1, 1, 1}, 3), Motion::skip, 0.12},
+                      Rain{"TorusDescend", shapes::torus(), Motion::descend, 0.12},
+                      Rain{"TorusFall", shapes::torus(), Motion::fall, 0.12},
+                      Rain{"MixedDescend", shapes::torus(), Motion::descend, 0.08},
+                      Rain{"MixedSkip", shapes::torus(), Motion::skip, 0.08}),
+    [](const auto& about) { return about.param.name; });
+
+/// What a release rule finds when every place is taken at once, and how much of it was found out
+/// on other threads ahead of its time.
+class ReleasesAhead : public ::testing::Test
+{
+protected:
+    ReleasesAhead()
+    {
+        scene.spheres.count.reset();
+        scene.spheres.radius = 0.1;
+    }
+    Scene scene = presetScene(Preset::fast, "cube");
+    TriangleMesh mesh = builtInMesh("cube");
+};
+
+// Counted by calls of prepare: what is found out twice is work for nothing.
+TEST_F(ReleasesAhead, FindLittleOutTwice)
+{
+    World world(scene, mesh);
+    Threads threads(3);
+    Releases releases(world, world.height, threads);
+    std::atomic<int> prepared = 0;
+    ReleaseQuery query;
+    query.ahead = 16;
+    query.suits = [](const Eigen::Vector3d&, double) { return true; };
+    // Straight down to the floor, so that ever more places are in the way of each other.
+    query.prepare = [&](Eigen::Vector3d& place, double radius, Footprint& seen)
+    {
+        ++prepared;
+        seen.addFall(place, radius, -9);
+        return true;
+    };
+    int found = 0;
+    while (const auto next = releases.next(query))
+    {
+        releases.close(next->place, next->radius);
+        world.spheres.addResting(next->place, next->radius, 0);
+        ++found;
+    }
+    EXPECT_GT(found, 500); // hanging where they appear
+    EXPECT_LT(prepared, 2 * found);
+}
+
+TEST_F(ReleasesAhead, GiveUpAPlaceWhereNothingStays)
+{
+    World world(scene, mesh);
+    for (const int count : {1, 2})
+    {
+        Threads threads(count);
+        Releases releases(world, world.height, threads);
+        ReleaseQuery query;
+        query.ahead = 16;
+        query.suits = [](const Eigen::Vector3d&, double) { return true; };
+        query.prepare = [](Eigen::Vector3d& place, double, Footprint&) { return place.x() > 8; };
+        const auto next = releases.next(query);
+        ASSERT_TRUE(next);
+        EXPECT_GT(next->place.x(), 8);
+        query.prepare = [](Eigen::Vector3d&, double, Footprint&) { return false; };
+        EXPECT_FALSE(releases.next(query));
+    }
+}
+
+} // namespace
+} // namespace frostfill
