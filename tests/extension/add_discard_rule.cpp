@@ -25,8 +25,9 @@ private:
     std::size_t count_ = 0;
 };
 
-[[maybe_unused]] const DiscardRule kEveryOther = discardRules().add(
-    "every-other", [](World& world) { return std::make_unique<EveryOther>(world); });
+[[maybe_unused]] const DiscardRule kEveryOther =
+    discardRules().add("every-other", [](World& world, Threads& /*threads*/)
+                       { return std::make_unique<EveryOther>(world); });
 
 } // namespace
 } // namespace frostfill

@@ -11,17 +11,18 @@ namespace frostfill
 PartTable<DiscardRule, MakeDiscard>& discardRules()
 {
     static PartTable<DiscardRule, MakeDiscard> table = {
-        [](World&) { return nullptr; },                                      // none
-        [](World& world) { return std::make_unique<PaperDiscards>(world); }, // paper
-        [](World& world) { return std::make_unique<ExactDiscard>(world); },  // exact
+        [](World&, Threads&) { return nullptr; },                                      // none
+        [](World& world, Threads&) { return std::make_unique<PaperDiscards>(world); }, // paper
+        [](World& world, Threads& threads)
+        { return std::make_unique<ExactDiscard>(world, threads); }, // exact
     };
     return table;
 }
 
-std::unique_ptr<DiscardPart> makeDiscard(World& world)
+std::unique_ptr<DiscardPart> makeDiscard(World& world, Threads& threads)
 {
     const StageTimer timer(world.counts.times, Stage::discarding);
-    return discardRules()[world.scene.discard.rule](world);
+    return discardRules()[world.scene.discard.rule](world, threads);
 }
 
 } // namespace frostfill

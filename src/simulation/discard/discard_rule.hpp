@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/threads.hpp"
 #include "simulation/world/part_table.hpp"
 #include "simulation/world/world.hpp"
 
@@ -30,14 +31,14 @@ public:
     virtual void finish(bool /*full*/) {}
 };
 
-/// May return nothing, for a rule that never discards. The world outlives the part.
-using MakeDiscard = std::function<std::unique_ptr<DiscardPart>(World& world)>;
+/// May return nothing, for a rule that never discards. World and threads outlive the part.
+using MakeDiscard = std::function<std::unique_ptr<DiscardPart>(World& world, Threads& threads)>;
 
 /// Every discard rule by its name.
 [[nodiscard]] PartTable<DiscardRule, MakeDiscard>& discardRules();
 
 /// The one that the world's scene asks for; empty when nothing is to be discarded. Its time counts
 /// as that of discarding.
-[[nodiscard]] std::unique_ptr<DiscardPart> makeDiscard(World& world);
+[[nodiscard]] std::unique_ptr<DiscardPart> makeDiscard(World& world, Threads& threads);
 
 } // namespace frostfill

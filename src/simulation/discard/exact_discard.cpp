@@ -2,14 +2,13 @@
 #include "simulation/discard/exact_discard.hpp"
 
 #include "simulation/discard/tolerances.hpp"
-#include "simulation/reach/voxel_rows.hpp"
 
 #include <algorithm>
 #include <bit>
 
 namespace frostfill
 {
-ExactDiscard::ExactDiscard(World& world) : world_(world)
+ExactDiscard::ExactDiscard(World& world, Threads& threads) : world_(world), threads_(threads)
 {
     build();
 }
@@ -24,13 +23,13 @@ void ExactDiscard::build()
         margins.step *= radii.smallest;
         map_ = std::make_unique<ReachMap>(world_.surface, world_.inside, radii, margins,
                                           ReachMap::Resolution{kReachVoxel});
-        holding_.assign(map_->layout().words, 0);
         polygonWitness_.assign(world_.polygons.size(), kNoCube);
         // The margin is widest for the smallest contact.
         const double overlap = radii.smallest - map_->exclusion(radii.smallest);
         clear_ = std::make_unique<ClearSearch>(world_.spheres.resting(), world_.surface,
                                                world_.triangles, radii.smallest, overlap);
         clear_->halve(closer_ ? kHalvingsWhenNearlyFull : kHalvings);
+        held_ = std::make_unique<HeldCubes>(map_->layout(), *clear_);
         for (const Kept& kept : kept_)
         {
             map_->addResting(world_.spheres.position(kept.id), world_.spheres.radius(kept.id));
@@ -93,7 +92,7 @@ void ExactDiscard::refineNearTheEnd()
     {
         closer_ = true;
         clear_->halve(kHalvingsWhenNearlyFull);
-        std::fill(holding_.begin(), holding_.end(), 0);
+        held_->forgetAll();
     }
 }
 
@@ -139,9 +138,9 @@ void ExactDiscard::finish(bool full)
 void ExactDiscard::update(std::span<const Eigen::Vector3d> running)
 {
     const std::size_t before = kept_.size();
+    addToMap(pending_);
     for (const std::uint32_t id : pending_)
     {
-        addToMap(id);
         kept_.push_back({id});
     }
     pending_.clear();
@@ -155,58 +154,64 @@ void ExactDiscard::update(std::span<const Eigen::Vector3d> running)
     dropPolygons();
 }
 
-// Places that the sphere may take are no longer known to be there.
-void ExactDiscard::addToMap(std::uint32_t id)
+// Places that the spheres may take are no longer known to be there.
+void ExactDiscard::addToMap(std::span<const std::uint32_t> ids)
 {
-    const Eigen::Vector3d centre = world_.spheres.position(id);
-    const double radius = world_.spheres.radius(id);
-    map_->addResting(centre, radius);
-    const VoxelLayout& layout = map_->layout();
-    const BallRows rows(layout.frame, centre, radius + world_.radii.smallest(), kMeetsBall);
-    const VoxelRun widest = rows.widest();
-    if (widest.first > widest.last)
+    std::vector<Ball> balls;
+    balls.reserve(ids.size());
+    for (const std::uint32_t id : ids)
     {
-        return;
+        const Eigen::Vector3d p = world_.spheres.position(id);
+        balls.push_back({p.x(), p.y(), p.z(), world_.spheres.radius(id)});
     }
-    rows.window().forEach(
-        [&](int y, int z)
-        {
-            if (!layout.any(holding_, y, z, widest.first, widest.last))
-            {
-                return;
-            }
-            const VoxelRun run = rows.run(y, z);
-            if (run.first <= run.last)
-            {
-                layout.forEachWord(y, z, run.first, run.last,
-                                   [&](VoxelWord w) { holding_[w.word] &= ~w.bits; });
-            }
-        });
+    const BallSlabs slabs(map_->layout().frame, balls, map_->reachOf(world_.radii.largest()));
+    map_->addResting(slabs, threads_);
+    held_->forgetNear(slabs, world_.radii.smallest(), threads_);
 }
 
 // Looks at the oldest ones of those that are kept.
 void ExactDiscard::dropSpheres(std::size_t count)
 {
-    const auto end = kept_.begin() + static_cast<std::ptrdiff_t>(count);
-    const auto dropped = std::remove_if(kept_.begin(), end,
-                                        [this](Kept& kept)
-                                        {
-                                            const bool droppable = sphereDroppable(kept);
-                                            if (droppable)
-                                            {
-                                                world_.spheres.discard(kept.id);
-                                            }
-                                            return droppable;
-                                        });
-    kept_.erase(dropped, end);
+    droppable_.assign(count, 0);
+    threads_.forEach(count,
+                     [&](std::size_t i) { droppable_[i] = sphereDroppable(kept_[i]) ? 1 : 0; });
+    closeEmptyCubes();
+    std::size_t left = 0;
+    for (std::size_t i = 0; i < kept_.size(); ++i)
+    {
+        if (i < count && droppable_[i] != 0)
+        {
+            world_.spheres.discard(kept_[i].id);
+            continue;
+        }
+        kept_[left++] = kept_[i];
+    }
+    kept_.resize(left);
+}
+
+void ExactDiscard::dropPolygons()
+{
+    const std::size_t count = world_.polygons.size();
+    droppable_.assign(count, 0);
+    threads_.forEachLarge((count + kPolygonsInBlock - 1) / kPolygonsInBlock,
+                          [&](std::size_t block) { findDroppable(block); });
+    closeEmptyCubes();
+    for (std::uint32_t t = 0; t < count; ++t)
+    {
+        if (droppable_[t] != 0)
+        {
+            world_.discardPolygon(t);
+        }
+    }
 }
 
 // Those that follow each other in a mesh mostly lie beside each other, and have one witness.
-void ExactDiscard::dropPolygons()
+void ExactDiscard::findDroppable(std::size_t block)
 {
+    const std::size_t end = std::min(world_.polygons.size(), (block + 1) * kPolygonsInBlock);
     Cube last = kNoCube;
     bool lastStands = false;
-    for (std::uint32_t t = 0; t < world_.polygons.size(); ++t)
+    for (std::size_t t = block * kPolygonsInBlock; t < end; ++t)
     {
         if (world_.polygons[t] != PolygonState::active)
         {
@@ -217,51 +222,33 @@ void ExactDiscard::dropPolygons()
             last = polygonWitness_[t];
             lastStands = stands(last);
         }
-        if (!lastStands && polygonDroppable(t))
-        {
-            world_.discardPolygon(t);
-        }
+        droppable_[t] = !lastStands && polygonDroppable(static_cast<std::uint32_t>(t)) ? 1 : 0;
     }
 }
 
 bool ExactDiscard::sphereDroppable(Kept& kept)
 {
-    if (stands(kept.witness))
-    {
-        return false;
-    }
-    const bool droppable = map_->sphereDroppable(
-        world_.spheres.position(kept.id), world_.spheres.radius(kept.id), kept.cursor,
-        [this](int x, int y, int z) { return holdsPlace(x, y, z); });
-    kept.witness = lastHolding_;
-    return droppable;
+    return !stands(kept.witness) &&
+           map_->sphereDroppable(
+               world_.spheres.position(kept.id), world_.spheres.radius(kept.id), kept.cursor,
+               [&](int x, int y, int z) { return holdsPlace(x, y, z, kept.witness); });
 }
 
 bool ExactDiscard::polygonDroppable(std::uint32_t triangle)
 {
-    const bool droppable = map_->polygonDroppable(triangle, [this](int x, int y, int z)
-                                                  { return holdsPlace(x, y, z); });
-    polygonWitness_[triangle] = lastHolding_;
-    return droppable;
+    return map_->polygonDroppable(triangle, [&](int x, int y, int z)
+                                  { return holdsPlace(x, y, z, polygonWitness_[triangle]); });
 }
 
-// Whether a reached cube may hold a free place. Many obstacles ask for the same cube, which is
-// looked at only once until something comes to rest beside it.
-bool ExactDiscard::holdsPlace(int x, int y, int z)
+// Whether a reached cube may hold a free place: then it is a witness.
+bool ExactDiscard::holdsPlace(int x, int y, int z, Cube& witness)
 {
-    const VoxelWord cube = map_->layout().at(x, y, z);
-    if ((holding_[cube.word] & cube.bits) == 0)
+    if (!held_->mayHold(x, y, z))
     {
-        const GridFrame& frame = map_->layout().frame;
-        if (!clear_->mayBeClear(frame.centre(x, y, z), frame.cell))
-        {
-            map_->closeCube(x, y, z);
-            return false;
-        }
-        holding_[cube.word] |= cube.bits;
+        return false;
     }
-    lastHolding_ =
-        64 * static_cast<Cube>(cube.word) + static_cast<Cube>(std::countr_zero(cube.bits));
+    const VoxelWord cube = map_->layout().at(x, y, z);
+    witness = 64 * static_cast<Cube>(cube.word) + static_cast<Cube>(std::countr_zero(cube.bits));
     return true;
 }
 
@@ -278,7 +265,12 @@ bool ExactDiscard::stands(Cube witness)
         return false;
     }
     const auto c = map_->layout().coordinates(cube.word);
-    return holdsPlace(c[0] + static_cast<int>(witness % 64), c[1], c[2]);
+    return held_->mayHold(c[0] + static_cast<int>(witness % 64), c[1], c[2]);
+}
+
+void ExactDiscard::closeEmptyCubes()
+{
+    held_->drainEmpty([this](VoxelWord cubes) { map_->closeCubes(cubes); });
 }
 
 // A guard has tripped: some centre is where the map says that none can be. Everything comes back,

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "simulation/discard/discard_rule.hpp"
+#include "simulation/discard/held_cubes.hpp"
 #include "simulation/reach/clear_search.hpp"
 #include "simulation/reach/reach_map.hpp"
 
@@ -29,7 +30,7 @@ namespace frostfill
 class ExactDiscard final : public DiscardPart
 {
 public:
-    explicit ExactDiscard(World& world);
+    ExactDiscard(World& world, Threads& threads);
 
     void addResting(std::uint32_t id) override;
     void renumber(std::uint32_t from, std::uint32_t to) override;
@@ -56,27 +57,30 @@ private:
     [[nodiscard]] std::size_t batch() const;
     void update(std::span<const Eigen::Vector3d> running);
     void updateWithoutTheNewest();
-    void addToMap(std::uint32_t id);
+    void addToMap(std::span<const std::uint32_t> ids);
     void dropSpheres(std::size_t count);
     void dropPolygons();
+    void findDroppable(std::size_t block);
     [[nodiscard]] bool sphereDroppable(Kept& kept);
     [[nodiscard]] bool polygonDroppable(std::uint32_t triangle);
-    [[nodiscard]] bool holdsPlace(int x, int y, int z);
+    [[nodiscard]] bool holdsPlace(int x, int y, int z, Cube& witness);
     [[nodiscard]] bool stands(Cube witness);
+    void closeEmptyCubes();
     void refineNearTheEnd();
     void restoreAll();
 
     World& world_;
+    Threads& threads_;
     std::unique_ptr<ReachMap> map_;
     std::unique_ptr<ClearSearch> clear_;
+    std::unique_ptr<HeldCubes> held_;    ///< cubes of the map
     bool closer_ = false;                ///< cubes are halved as when the object is nearly full
     std::size_t violations_ = 0;         ///< guards that have tripped, each for wider margins
     std::vector<std::uint32_t> pending_; ///< at rest, but not yet in the map
     std::vector<Kept> kept_;             ///< spheres at rest in the map that are not dropped
     std::vector<Cube> polygonWitness_;   ///< [#T]
     std::vector<Eigen::Vector3d> centres_;
-    VoxelBits holding_;    ///< cubes that may hold a place: nothing has come to rest there since
-    Cube lastHolding_ = 0; ///< that holdsPlace has confirmed
+    std::vector<char> droppable_; ///< scratch: by number of what is looked at
 };
 
 } // namespace frostfill

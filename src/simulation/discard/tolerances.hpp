@@ -33,6 +33,10 @@ inline constexpr double kReachVoxel = 0.69;
 /// is tested for longer, and pictures jump when it goes.
 inline constexpr std::size_t kUpdates = 50;
 
+/// Polygons that one thread looks at in a row. Larger: threads wait for each other. Smaller: one
+/// witness is asked for more often.
+inline constexpr std::size_t kPolygonsInBlock = 256;
+
 /// The share of what fits that has come to rest when a run until full is nearly at its end. From
 /// then on cubes are halved more often: otherwise much is kept that only the last sphere's rest
 /// decides, and the last picture jumps. Larger: too few pictures are left. Smaller: time.

@@ -16,7 +16,7 @@ struct RestObservers
 {
     RestObservers(World& world, double band, Threads& threads)
         : falls(world.spheres.resting().frame(), world.triangles),
-          release(makeRelease(world, band, threads)), discard(makeDiscard(world))
+          release(makeRelease(world, band, threads)), discard(makeDiscard(world, threads))
     {
     }
 

@@ -50,7 +50,7 @@ PaperEngine::PaperEngine(World& world)
                   {world.scene.motion.restitution,
                    kBounceSteps * world.frame.gravity * chooseTimeStep(world)},
                   spheres_.get()),
-      release_(makeRelease(world, kPaperTopBand, threads_)), discard_(makeDiscard(world)),
+      release_(makeRelease(world, kPaperTopBand, threads_)), discard_(makeDiscard(world, threads_)),
       rest_(restMonitor(world)),
       setTimeLimit_(world.scene.freezing.setTimeLimit + 2 * fallTime(world.height))
 {

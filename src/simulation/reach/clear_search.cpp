@@ -9,20 +9,27 @@
 namespace frostfill
 {
 
-void ClearSearch::gather(const Eigen::Vector3d& middle, double edge)
+bool ClearSearch::mayBeClear(const Eigen::Vector3d& middle, double edge) const
 {
-    walls_.clear();
-    const std::span<const std::uint32_t> nearby = triangles_.near(middle);
-    many_ = nearby.size() > TriangleGrid::kShortList;
+    thread_local Nearby nearby; // keeps its memory
+    gather(middle, edge, nearby);
+    return search(middle, edge, halvings_, {0, nearby.balls.size()}, nearby);
+}
+
+void ClearSearch::gather(const Eigen::Vector3d& middle, double edge, Nearby& nearby) const
+{
+    nearby.walls.clear();
+    const std::span<const std::uint32_t> triangles = triangles_.near(middle);
+    nearby.many = triangles.size() > TriangleGrid::kShortList;
     const double distance = probe_ + kHalfDiagonal * edge;
-    for (const std::uint32_t id : many_ ? std::span<const std::uint32_t>{} : nearby)
+    for (const std::uint32_t id : nearby.many ? std::span<const std::uint32_t>{} : triangles)
     {
         if (surface_.bound(id).mayBeWithin(distance, middle))
         {
-            walls_.push_back(id);
+            nearby.walls.push_back(id);
         }
     }
-    balls_.clear();
+    nearby.balls.clear();
     const double reach = kHalfDiagonal * edge;
     resting_.forEachNear(middle, 1 + probe_ + reach,
                          [&](std::uint32_t row)
@@ -33,20 +40,20 @@ void ClearSearch::gather(const Eigen::Vector3d& middle, double edge)
                              if (row != ignored_ && (centre - middle).squaredNorm() <
                                                         (radius + reach) * (radius + reach))
                              {
-                                 balls_.push_back({centre, radius * radius, radius});
+                                 nearby.balls.push_back({centre, radius * radius, radius});
                              }
                          });
 }
 
 bool ClearSearch::search(const Eigen::Vector3d& middle, double edge, int halvings,
-                         const Obstacles& from)
+                         const Obstacles& from, Nearby& nearby) const
 {
-    Obstacles here{balls_.size(), 0};
+    Obstacles here{nearby.balls.size(), 0};
     Middle state;
     bool found = false;
-    if (!select(middle, edge / 2, from, state) && !walled(middle, edge, state))
+    if (!select(middle, edge / 2, from, nearby, state) && !walled(middle, edge, nearby, state))
     {
-        here.end = balls_.size();
+        here.end = nearby.balls.size();
         found = halvings == 0 || state.clear;
         // The part first that lies the way out, the opposite one last.
         const int first = (state.escape.x() < 0 ? 1 : 0) | (state.escape.y() < 0 ? 2 : 0) |
@@ -56,20 +63,20 @@ bool ClearSearch::search(const Eigen::Vector3d& middle, double edge, int halving
             const int part = first ^ k;
             const Eigen::Vector3d shift(0.5 - (part & 1), 0.5 - (part >> 1 & 1),
                                         0.5 - (part >> 2 & 1));
-            found = search(middle + edge / 2 * shift, edge / 2, halvings - 1, here);
+            found = search(middle + edge / 2 * shift, edge / 2, halvings - 1, here, nearby);
         }
     }
-    balls_.resize(here.begin);
+    nearby.balls.resize(here.begin);
     return found;
 }
 
 bool ClearSearch::select(const Eigen::Vector3d& middle, double half, const Obstacles& from,
-                         Middle& state)
+                         Nearby& nearby, Middle& state)
 {
     const double reach = 2 * kHalfDiagonal * half;
     for (std::size_t k = from.begin; k < from.end; ++k)
     {
-        const Exclusion ball = balls_[k];
+        const Exclusion ball = nearby.balls[k];
         const Eigen::Array3d apart = (ball.centre - middle).array().abs();
         if ((apart + half).square().sum() < ball.square)
         {
@@ -83,17 +90,18 @@ bool ClearSearch::select(const Eigen::Vector3d& middle, double half, const Obsta
         }
         if (square < (ball.radius + reach) * (ball.radius + reach))
         {
-            balls_.push_back(ball);
+            nearby.balls.push_back(ball);
         }
     }
     return false;
 }
 
-bool ClearSearch::walled(const Eigen::Vector3d& middle, double edge, Middle& state) const
+bool ClearSearch::walled(const Eigen::Vector3d& middle, double edge, const Nearby& nearby,
+                         Middle& state) const
 {
     const double exclusion = probe_ - overlap_ - kReachRounding;
     const double whole = std::max(0.0, exclusion - kHalfDiagonal * edge);
-    if (many_)
+    if (nearby.many)
     {
         const double limit = state.clear ? exclusion : whole;
         const WallPoint nearest = nearestWall(surface_, middle, limit, whole);
@@ -104,7 +112,7 @@ bool ClearSearch::walled(const Eigen::Vector3d& middle, double edge, Middle& sta
         }
         return nearest.square < whole * whole;
     }
-    for (const std::uint32_t id : walls_)
+    for (const std::uint32_t id : nearby.walls)
     {
         if (!surface_.bound(id).mayBeWithin(state.clear ? exclusion : whole, middle))
         {

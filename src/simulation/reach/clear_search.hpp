@@ -33,12 +33,8 @@ public:
     /// How often a cube is halved; see kHalvings, which it is at first.
     void halve(int times) { halvings_ = times; }
 
-    /// False only when no point of the cube is clear.
-    [[nodiscard]] bool mayBeClear(const Eigen::Vector3d& middle, double edge)
-    {
-        gather(middle, edge);
-        return search(middle, edge, halvings_, {0, balls_.size()});
-    }
+    /// False only when no point of the cube is clear. On any thread.
+    [[nodiscard]] bool mayBeClear(const Eigen::Vector3d& middle, double edge) const;
 
 private:
     struct Exclusion
@@ -47,7 +43,7 @@ private:
         double square; ///< of the radius
         double radius;
     };
-    /// What may exclude a part besides the walls: balls_[begin, end).
+    /// What may exclude a part besides the walls: balls[begin, end).
     struct Obstacles
     {
         std::size_t begin;
@@ -61,13 +57,24 @@ private:
         Eigen::Vector3d escape = Eigen::Vector3d::Zero(); ///< of all that excludes it
     };
 
-    void gather(const Eigen::Vector3d& middle, double edge);
-    /// What of `from` is near the part goes to the end of balls_. True when one excludes it all.
-    bool select(const Eigen::Vector3d& middle, double half, const Obstacles& from, Middle& state);
+    /// What is near the cube in hand.
+    struct Nearby
+    {
+        std::vector<Exclusion> balls; ///< of the cube, then of the part of it in hand, and so on
+        std::vector<std::uint32_t> walls; ///< triangles, unless they are many
+        bool many = false; ///< so that the nearest one is found by the surface's tree
+    };
 
-    bool search(const Eigen::Vector3d& middle, double edge, int halvings, const Obstacles& from);
+    void gather(const Eigen::Vector3d& middle, double edge, Nearby& nearby) const;
+    /// What of `from` is near the part goes to the end of the balls. True when one excludes it all.
+    static bool select(const Eigen::Vector3d& middle, double half, const Obstacles& from,
+                       Nearby& nearby, Middle& state);
+
+    bool search(const Eigen::Vector3d& middle, double edge, int halvings, const Obstacles& from,
+                Nearby& nearby) const;
     /// The same for walls.
-    bool walled(const Eigen::Vector3d& middle, double edge, Middle& state) const;
+    bool walled(const Eigen::Vector3d& middle, double edge, const Nearby& nearby,
+                Middle& state) const;
 
     const SphereGrid& resting_;
     const Surface& surface_;
@@ -76,9 +83,6 @@ private:
     double overlap_;
     int halvings_ = kHalvings;
     std::uint32_t ignored_ = kNone;
-    std::vector<Exclusion> balls_;     ///< of the cube, then of the part of it in hand, and so on
-    std::vector<std::uint32_t> walls_; ///< triangles near the cube, unless they are many
-    bool many_ = false;                ///< so that the nearest one is found by the surface's tree
 };
 
 } // namespace frostfill

@@ -31,23 +31,31 @@ TriangleMesh inRadii(TriangleMesh mesh, const Eigen::Vector3d& origin, double ra
 
 // A cube is blocked when one triangle excludes all of it; here those go, too, that several exclude
 // together. A cube whose middle is a place for a sphere is none of them.
-void closeCoveredCubes(ReachMap& map, ClearSearch& search)
+void closeCoveredCubes(ReachMap& map, const ClearSearch& search, Threads& threads)
 {
     const VoxelLayout& layout = map.layout();
-    const VoxelBits open = map.reached();
-    const VoxelBits clear = map.cubesFartherThan(map.radii().smallest, open);
-    const auto closeIfCovered = [&](int x, int y, int z)
+    const VoxelBits clear = map.cubesFartherThan(map.radii().smallest, map.reached());
+    VoxelBits covered(layout.words, 0);
+    threads.forEach(layout.words,
+                    [&](std::size_t word)
+                    {
+                        const auto look = [&](int x, int y, int z)
+                        {
+                            if (!search.mayBeClear(layout.frame.centre(x, y, z), layout.frame.cell))
+                            {
+                                covered[word] |= layout.at(x, y, z).bits;
+                            }
+                        };
+                        const std::uint64_t open = map.reached()[word];
+                        if ((open & ~clear[word]) != 0)
+                        {
+                            layout.forEachCube({word, open & ~clear[word]}, look);
+                        }
+                    });
+    for (std::size_t word = 0; word < covered.size(); ++word)
     {
-        const Eigen::Vector3d middle = layout.frame.centre(x, y, z);
-        if (!search.mayBeClear(middle, layout.frame.cell))
-        {
-            map.closeCube(x, y, z);
-        }
-    };
-    layout.forEachWord(
-        [&](VoxelWord w) {
-            layout.forEachCube({w.word, open[w.word] & ~clear[w.word]}, closeIfCovered);
-        });
+        map.closeCubes({word, covered[word]});
+    }
     (void)map.flood({});
 }
 
@@ -58,7 +66,8 @@ bool isThin(const UnreachablePart& part)
 }
 
 ReachInspection inspect(const Surface& surface, const TriangleGrid& triangles,
-                        const InsideTest& inside, double radius, std::size_t bytes)
+                        const InsideTest& inside, double radius, std::size_t bytes,
+                        Threads& threads)
 {
     ReachInspection result;
     ReachMap::Unblocked unblocked;
@@ -71,10 +80,10 @@ ReachInspection inspect(const Surface& surface, const TriangleGrid& triangles,
         return result;
     }
     const SphereGrid nothing(GridFrame{});
-    ClearSearch search(nothing, surface, triangles, radius, kReachRounding);
-    closeCoveredCubes(map, search);
+    const ClearSearch search(nothing, surface, triangles, radius, kReachRounding);
+    closeCoveredCubes(map, search, threads);
     const ReachReport report =
-        reportReach(map, unblocked, inside, kOneSphere * radius * radius * radius);
+        reportReach(map, unblocked, inside, kOneSphere * radius * radius * radius, threads);
     result.fits = map.reachedCount() > 0;
     result.unreachable = report.unreachedVolume;
     result.resolution = report.resolution;
@@ -122,14 +131,16 @@ ReachInspection inspectReach(const TriangleMesh& mesh, double radius, std::size_
     const TriangleGrid triangles(
         surface, GridFrame::cover(surface.box(), kTriangleCell, kGridMargin), kTriangleReach);
     const InsideTest inside(surface, triangles);
-    return inMeshUnits(inspect(surface, triangles, inside, 1, bytes), origin, radius);
+    Threads threads(0);
+    return inMeshUnits(inspect(surface, triangles, inside, 1, bytes, threads), origin, radius);
 }
 
 ReachInspection inspectReach(const World& world, std::size_t bytes)
 {
-    return inMeshUnits(
-        inspect(world.surface, world.triangles, world.inside, world.radii.smallest(), bytes),
-        world.frame.toMesh(Eigen::Vector3d::Zero()), world.frame.length);
+    Threads threads(world.scene.threads);
+    return inMeshUnits(inspect(world.surface, world.triangles, world.inside, world.radii.smallest(),
+                               bytes, threads),
+                       world.frame.toMesh(Eigen::Vector3d::Zero()), world.frame.length);
 }
 
 } // namespace frostfill

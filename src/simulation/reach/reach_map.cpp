@@ -26,7 +26,26 @@ void ReachMap::withdrawSeeds()
     seeds_.assign(layout_.words, 0);
 }
 
-void ReachMap::addResting(const Eigen::Vector3d& centre, double radius)
+void ReachMap::addResting(const BallSlabs& balls, Threads& threads)
+{
+    std::vector<std::vector<std::size_t>> marked(static_cast<std::size_t>(balls.count()));
+    forEachSlab(threads, balls.count(),
+                [&](int slab)
+                {
+                    for (const Ball& ball : balls.slab(slab))
+                    {
+                        closeBall(ball.position(), ball.radius,
+                                  marked[static_cast<std::size_t>(slab)]);
+                    }
+                });
+    for (const std::vector<std::size_t>& words : marked)
+    {
+        markedWords_.insert(markedWords_.end(), words.begin(), words.end());
+    }
+}
+
+void ReachMap::closeBall(const Eigen::Vector3d& centre, double radius,
+                         std::vector<std::size_t>& marked)
 {
     if (!active_)
     {
@@ -49,12 +68,13 @@ void ReachMap::addResting(const Eigen::Vector3d& centre, double radius)
             const VoxelRun run = rows.run(y, z);
             if (run.first <= run.last)
             {
-                layout_.forEachWord(y, z, run.first, run.last, [&](VoxelWord w) { block(w); });
+                layout_.forEachWord(y, z, run.first, run.last,
+                                    [&](VoxelWord w) { block(w, marked); });
             }
         });
 }
 
-void ReachMap::block(VoxelWord cubes)
+void ReachMap::block(VoxelWord cubes, std::vector<std::size_t>& marked)
 {
     const std::uint64_t bits = open_[cubes.word] & cubes.bits;
     if (bits == 0)
@@ -62,7 +82,7 @@ void ReachMap::block(VoxelWord cubes)
         return;
     }
     open_[cubes.word] &= ~bits;
-    mark({cubes.word, bits});
+    mark({cubes.word, bits}, marked);
 }
 
 bool ReachMap::contains(const Eigen::Vector3d& p) const

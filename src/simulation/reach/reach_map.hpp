@@ -3,7 +3,9 @@
 // and parts that are too narrow.
 #pragma once
 
+#include "base/threads.hpp"
 #include "mesh/interior/inside_test.hpp"
+#include "simulation/reach/ball_slabs.hpp"
 #include "simulation/reach/tolerances.hpp"
 #include "simulation/reach/triangle_rows.hpp"
 #include "simulation/reach/voxel_flood.hpp"
@@ -103,7 +105,14 @@ public:
 
     /// A sphere has come to rest; takes effect with the next flood or update. It may be added
     /// before the first flood.
-    void addResting(const Eigen::Vector3d& centre, double radius);
+    void addResting(const Eigen::Vector3d& centre, double radius)
+    {
+        closeBall(centre, radius, markedWords_);
+    }
+    /// The same for many, sorted by slabs as thick as reachOf() of the largest asks for.
+    void addResting(const BallSlabs& balls, Threads& threads);
+    /// How far from its centre a sphere at rest may close cubes.
+    [[nodiscard]] double reachOf(double radius) const { return radius + radii_.smallest; }
 
     /// Reaches what is connected with a seed or the centre of a running sphere. To be called once.
     /// Like update, returns false when a running centre is out of reach: a guard has failed.
@@ -149,8 +158,8 @@ public:
     /// leave nothing [r].
     [[nodiscard]] double exclusion(double contact) const;
 
-    /// Nothing in the cube is free; takes effect like addResting.
-    void closeCube(int x, int y, int z) { block(layout_.at(x, y, z)); }
+    /// Nothing in the cubes is free; takes effect like addResting.
+    void closeCubes(VoxelWord cubes) { block(cubes, markedWords_); }
 
     /// Those of some cubes whose middle is farther than this from the surface; of an active map.
     [[nodiscard]] VoxelBits cubesFartherThan(double distance, VoxelBits among) const;
@@ -172,11 +181,12 @@ private:
     }
     [[nodiscard]] VoxelBits unblockedCubes() const;
     void keepInside(const InsideTest& inside);
-    void block(VoxelWord cubes);
+    void closeBall(const Eigen::Vector3d& centre, double radius, std::vector<std::size_t>& marked);
+    void block(VoxelWord cubes, std::vector<std::size_t>& marked);
     void takeBlocked();
     bool anchorRunning(std::span<const Eigen::Vector3d> running);
     void settle(VoxelWord suspects);
-    void mark(VoxelWord cubes);
+    void mark(VoxelWord cubes, std::vector<std::size_t>& marked);
     template <class Confirm>
     bool findInRow(int y, int z, VoxelRun run, Confirm&& confirm) const;
     template <class Confirm>

@@ -81,28 +81,28 @@ bool isInside(const VoxelLayout& layout, const InsideTest& inside, VoxelWord cub
 // Cubes inside that no sphere covers. Only of the few that are blocked and that no sphere covers,
 // wherever they are, each is asked for its side.
 VoxelBits uncoveredCubes(const ReachMap& map, const ReachMap::Unblocked& unblocked,
-                         const InsideTest& inside)
+                         const InsideTest& inside, Threads& threads)
 {
     const VoxelLayout& layout = map.layout();
     const Dilation covered(layout, map.reached(), map.radii().smallest / layout.frame.cell);
     VoxelBits result(layout.words, 0);
-    const auto look = [&](VoxelWord w)
+    const auto look = [&](std::size_t word)
     {
-        const std::uint64_t blocked = w.bits & ~unblocked.all[w.word];
-        const std::uint64_t maybe = (blocked | unblocked.inside[w.word]) & ~map.reached()[w.word];
+        const std::uint64_t blocked = layout.inGrid(word) & ~unblocked.all[word];
+        const std::uint64_t maybe = (blocked | unblocked.inside[word]) & ~map.reached()[word];
         if (maybe == 0)
         {
             return;
         }
-        const std::uint64_t here = maybe & ~covered.word(w.word);
-        result[w.word] = here & unblocked.inside[w.word];
+        const std::uint64_t here = maybe & ~covered.word(word);
+        result[word] = here & unblocked.inside[word];
         for (std::uint64_t left = here & blocked; left != 0; left &= left - 1)
         {
-            const VoxelWord cube{w.word, left & -left};
-            result[w.word] |= isInside(layout, inside, cube) ? cube.bits : 0;
+            const VoxelWord cube{word, left & -left};
+            result[word] |= isInside(layout, inside, cube) ? cube.bits : 0;
         }
     };
-    layout.forEachWord(look);
+    threads.forEach(layout.words, look);
     return result;
 }
 
@@ -150,14 +150,14 @@ std::vector<UnreachablePart> findParts(const VoxelLayout& layout, VoxelBits cube
 } // namespace
 
 ReachReport reportReach(const ReachMap& map, const ReachMap::Unblocked& unblocked,
-                        const InsideTest& inside, double smallestPart)
+                        const InsideTest& inside, double smallestPart, Threads& threads)
 {
     ReachReport report;
     if (!map.active())
     {
         return report;
     }
-    VoxelBits uncovered = uncoveredCubes(map, unblocked, inside);
+    VoxelBits uncovered = uncoveredCubes(map, unblocked, inside, threads);
     std::size_t missed = 0;
     for (const std::uint64_t word : uncovered)
     {

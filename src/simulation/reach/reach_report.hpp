@@ -28,6 +28,7 @@ struct ReachReport
 /// `unblocked`: what the map had when it was made. `smallestPart` [r^3]: smaller parts are left
 /// out. An inactive map has nothing to report.
 [[nodiscard]] ReachReport reportReach(const ReachMap& map, const ReachMap::Unblocked& unblocked,
-                                      const InsideTest& inside, double smallestPart);
+                                      const InsideTest& inside, double smallestPart,
+                                      Threads& threads);
 
 } // namespace frostfill

@@ -107,11 +107,11 @@ void ReachMap::takeBlocked()
     markedWords_.clear();
 }
 
-void ReachMap::mark(VoxelWord cubes)
+void ReachMap::mark(VoxelWord cubes, std::vector<std::size_t>& marked)
 {
     if (marks_[cubes.word] == 0)
     {
-        markedWords_.push_back(cubes.word);
+        marked.push_back(cubes.word);
     }
     marks_[cubes.word] |= cubes.bits;
 }
@@ -129,7 +129,7 @@ bool ReachMap::anchorRunning(std::span<const Eigen::Vector3d> running)
             continue;
         }
         runningCubes_.push_back(cube);
-        mark(cube);
+        mark(cube, markedWords_);
     }
     return trusted;
 }
@@ -152,7 +152,7 @@ void ReachMap::settle(VoxelWord suspects)
             {
                 if (connected)
                 {
-                    mark(w);
+                    mark(w, markedWords_);
                 }
                 else
                 {

@@ -6,13 +6,13 @@ namespace frostfill
 
 std::uint64_t VoxelLayout::inGrid(std::size_t word) const
 {
-    if (VoxelBricks::isNowhere(word))
+    if (isNowhere(word))
     {
         return 0;
     }
     const auto [x, y, z] = coordinates(word);
     const int last = frame.count[0] - 1 - x;
-    const bool isRow = y < frame.count[1] && z < frame.count[2];
+    const bool isRow = y >= 0 && y < frame.count[1] && z < frame.count[2];
     return isRow && last >= 0 ? ~std::uint64_t{0} >> (63 - std::min(63, last)) : 0;
 }
 

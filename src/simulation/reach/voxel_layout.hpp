@@ -141,6 +141,8 @@ struct VoxelLayout
         }
         return false;
     }
+    /// The cubes of a word that are in the grid.
+    [[nodiscard]] std::uint64_t inGrid(std::size_t word) const;
     /// Calls visit(VoxelWord) for all words, with their cubes that are in the grid.
     template <class Visit>
     void forEachWord(Visit&& visit) const
@@ -225,8 +227,6 @@ struct VoxelLayout
     }
 
 private:
-    /// The cubes of a brick's word that are in the grid.
-    [[nodiscard]] std::uint64_t inGrid(std::size_t word) const;
     /// Those of them with a neighbour that is in no brick, or not in the grid.
     [[nodiscard]] std::uint64_t besideNothing(std::size_t word) const;
 

@@ -10,7 +10,10 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 namespace frostfill
 {
@@ -105,6 +108,46 @@ TEST(ExactDiscard, DropsMostOfWhatAPileCovers)
     }
 }
 
+// What is discarded, and when: the history that pictures and tables show.
+TEST(ExactDiscard, DropsTheSameAtTheSameTimeWithAnyNumberOfThreads)
+{
+    for (const Motion motion : {Motion::skip, Motion::descend})
+    {
+        for (const double smallest : {1.0, 0.3})
+        {
+            const auto history = [&](int threads)
+            {
+                Scene scene = sceneOf("cube", motion, 1, 1);
+                scene.spheres.count.reset();
+                scene.spheres.radius = Radii(0.09 * smallest, 0.09);
+                scene.threads = threads;
+                Simulation simulation(scene, builtInMesh("cube"));
+                std::vector<std::size_t> numbers;
+                std::string states;
+                while (simulation.step())
+                {
+                }
+                for (const SetRecord& set : simulation.sets())
+                {
+                    numbers.insert(numbers.end(),
+                                   {set.frozen, set.discarded, set.discardedPolygons});
+                }
+                for (std::size_t id = 0; id < simulation.sphereCount(); ++id)
+                {
+                    states += std::to_string(static_cast<int>(simulation.sphere(id).state));
+                }
+                return std::pair(numbers, states);
+            };
+            const auto one = history(1);
+            EXPECT_GT(one.first.size(), 30u);
+            for (const int threads : {2, 3, 8})
+            {
+                EXPECT_EQ(history(threads), one) << threads;
+            }
+        }
+    }
+}
+
 // A picture jumps in which the last sphere's rest decides about much of the object.
 TEST(ExactDiscard, LeavesFewPolygonsToTheEndOfARunUntilFull)
 {
@@ -167,7 +210,8 @@ protected:
 
     std::unique_ptr<World> world_;
     std::vector<std::uint32_t> ids_;
-    ExactDiscard discard_{*world_};
+    Threads threads_{2};
+    ExactDiscard discard_{*world_, threads_};
     /// Where the sphere is that runs in the hole.
     Eigen::Vector3d& runnerInTheHole()
     {

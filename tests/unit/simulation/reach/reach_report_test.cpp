@@ -72,7 +72,8 @@ TEST(ReachReport, BoxBehindANarrowNeckIsUnreachableFromTheOther)
     map.withdrawSeeds();
     const std::vector<Eigen::Vector3d> running = {{4, 4, 4}};
     ASSERT_TRUE(map.flood(running));
-    const ReachReport report = reportReach(map, unblocked, object.inside, kSphereVolume);
+    Threads threads(2);
+    const ReachReport report = reportReach(map, unblocked, object.inside, kSphereVolume, threads);
     ASSERT_EQ(report.parts.size(), 1u);
     EXPECT_GE(report.unreachedVolume, report.parts[0].volume);
     EXPECT_LT(report.unreachedVolume, 216 + 6 + 0.02 * 512) << "edges are narrow, too";
@@ -91,13 +92,14 @@ TEST(ReachReport, OnlyTheNeckIsUnreachableFromEverywhere)
     ReachMap::Unblocked unblocked;
     ReachMap map(object.surface, object.inside, {1, 1}, {}, {}, &unblocked);
     ASSERT_TRUE(map.flood({}));
-    const ReachReport report = reportReach(map, unblocked, object.inside, 1);
+    Threads threads(2);
+    const ReachReport report = reportReach(map, unblocked, object.inside, 1, threads);
     ASSERT_EQ(report.parts.size(), 1u);
     EXPECT_GT(report.parts[0].volume, 6 - 2 * 2);
     EXPECT_LT(report.parts[0].volume, 6);
     EXPECT_NEAR(report.parts[0].centre.x(), 11, 0.5);
     EXPECT_NEAR(report.parts[0].centre.y(), 3.5, 0.3);
-    EXPECT_TRUE(reportReach(map, unblocked, object.inside, 6).parts.empty()) << "a crumb";
+    EXPECT_TRUE(reportReach(map, unblocked, object.inside, 6, threads).parts.empty()) << "a crumb";
 
     // No sphere ever touches the neck's middle triangles.
     const auto isMiddle = [&](std::uint32_t t)
@@ -121,7 +123,8 @@ TEST(ReachReport, WidePassageLeavesNothingUnreachable)
     const std::vector<Eigen::Vector3d> running = {{4, 4, 4}};
     ASSERT_TRUE(map.flood(running));
     EXPECT_TRUE(map.contains({18, 4, 4}));
-    EXPECT_TRUE(reportReach(map, unblocked, object.inside, 1).parts.empty());
+    Threads threads(2);
+    EXPECT_TRUE(reportReach(map, unblocked, object.inside, 1, threads).parts.empty());
 }
 
 TEST(ReachReport, PartsComeLargestFirst)
@@ -134,7 +137,8 @@ TEST(ReachReport, PartsComeLargestFirst)
     ReachMap::Unblocked unblocked;
     ReachMap map(object.surface, object.inside, {1, 1}, {}, {}, &unblocked);
     ASSERT_TRUE(map.flood({}));
-    const ReachReport report = reportReach(map, unblocked, object.inside, 1);
+    Threads threads(2);
+    const ReachReport report = reportReach(map, unblocked, object.inside, 1, threads);
     ASSERT_EQ(report.parts.size(), 2u);
     EXPECT_LT(report.parts[0].centre.x(), 0);
     EXPECT_GT(report.parts[1].centre.x(), 8);

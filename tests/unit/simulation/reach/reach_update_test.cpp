@@ -19,6 +19,7 @@ using reach::Random;
 // be released any more, so that the set falls into the pockets of the runners.
 TEST(ReachUpdate, UpdateEqualsAFreshFloodBitForBit)
 {
+    Threads threads(3);
     for (std::uint64_t seed = 0; seed < 10; ++seed)
     {
         Random random(seed);
@@ -33,11 +34,14 @@ TEST(ReachUpdate, UpdateEqualsAFreshFloodBitForBit)
         constexpr int kRounds = 20;
         for (int round = 0; round < kRounds; ++round)
         {
+            std::vector<frostfill::Ball> came; // many at once, on threads
             for (int i = 0; i < batch; ++i)
             {
-                balls.push_back({random.point(-half, half), 1});
-                map.addResting(balls.back().centre, 1);
+                const Eigen::Vector3d p = random.point(-half, half);
+                balls.push_back({p, 1});
+                came.push_back({p.x(), p.y(), p.z(), 1});
             }
+            map.addResting(BallSlabs(map.layout().frame, came, map.reachOf(1)), threads);
             const bool withdrawn = round >= kRounds / 2;
             if (round == kRounds / 2)
             {

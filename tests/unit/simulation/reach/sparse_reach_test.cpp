@@ -310,8 +310,9 @@ TEST(SparseReach, ReportsTheSamePartsAsTheWholeGrid)
     const Object object(reach::cubes(cells));
     Pair maps(object, {1, 1});
     ASSERT_TRUE(maps.whole.flood({}) && maps.bricks.flood({}));
-    const ReachReport whole = reportReach(maps.whole, maps.ofWhole, object.inside, 1);
-    const ReachReport bricks = reportReach(maps.bricks, maps.ofBricks, object.inside, 1);
+    Threads threads(3);
+    const ReachReport whole = reportReach(maps.whole, maps.ofWhole, object.inside, 1, threads);
+    const ReachReport bricks = reportReach(maps.bricks, maps.ofBricks, object.inside, 1, threads);
     EXPECT_GT(whole.unreachedVolume, 60);
     EXPECT_EQ(bricks.unreachedVolume, whole.unreachedVolume);
     EXPECT_EQ(bricks.resolution, whole.resolution);

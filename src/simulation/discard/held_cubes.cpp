@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "simulation/discard/held_cubes.hpp"
+
+#include "simulation/reach/tolerances.hpp"
+#include "simulation/reach/voxel_rows.hpp"
+
+#include <algorithm>
+#include <atomic>
+
+namespace frostfill
+{
+namespace
+{
+
+bool has(VoxelBits& set, VoxelWord cube)
+{
+    return (std::atomic_ref(set[cube.word]).load(std::memory_order_relaxed) & cube.bits) != 0;
+}
+
+// Returns whether the word had none before.
+bool add(VoxelBits& set, VoxelWord cube)
+{
+    return std::atomic_ref(set[cube.word]).fetch_or(cube.bits, std::memory_order_relaxed) == 0;
+}
+
+} // namespace
+
+bool HeldCubes::mayHold(int x, int y, int z)
+{
+    const VoxelWord cube = layout_.at(x, y, z);
+    if (has(held_, cube))
+    {
+        return true;
+    }
+    if (has(empty_, cube))
+    {
+        return false;
+    }
+    const GridFrame& frame = layout_.frame;
+    if (search_.mayBeClear(frame.centre(x, y, z), frame.cell))
+    {
+        add(held_, cube);
+        return true;
+    }
+    if (add(empty_, cube))
+    {
+        const std::lock_guard guard(lock_);
+        emptyWords_.push_back(cube.word);
+    }
+    return false;
+}
+
+void HeldCubes::sortEmpty()
+{
+    std::sort(emptyWords_.begin(), emptyWords_.end());
+}
+
+void HeldCubes::forgetNear(const BallSlabs& balls, double distance, Threads& threads)
+{
+    forEachSlab(threads, balls.count(),
+                [&](int slab)
+                {
+                    for (const Ball& ball : balls.slab(slab))
+                    {
+                        forgetNear(ball, distance);
+                    }
+                });
+}
+
+void HeldCubes::forgetNear(const Ball& ball, double distance)
+{
+    const BallRows rows(layout_.frame, ball.position(), ball.radius + distance, kMeetsBall);
+    const VoxelRun widest = rows.widest();
+    if (widest.first > widest.last)
+    {
+        return;
+    }
+    rows.window().forEach(
+        [&](int y, int z)
+        {
+            if (!layout_.any(held_, y, z, widest.first, widest.last))
+            {
+                return;
+            }
+            const VoxelRun run = rows.run(y, z);
+            if (run.first <= run.last)
+            {
+                layout_.forEachWord(y, z, run.first, run.last,
+                                    [&](VoxelWord w) { held_[w.word] &= ~w.bits; });
+            }
+        });
+}
+
+void HeldCubes::forgetAll()
+{
+    std::fill(held_.begin(), held_.end(), 0);
+}
+
+} // namespace frostfill

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "simulation/discard/held_cubes.hpp"
+
+#include "support/shapes.hpp"
+#include "support/small_world.hpp"
+
+#include <gtest/gtest.h>
+
+namespace frostfill
+{
+namespace
+{
+
+/// A box with a sphere at rest in its middle; the search itself is the oracle.
+class HeldCubesTest : public ::testing::Test
+{
+protected:
+    HeldCubesTest()
+        : world(smallWorld(shapes::box({-4, -4, -4}, {4, 4, 4}))),
+          layout(GridFrame::cover(world->surface.box(), 0.69, 2)),
+          search(world->spheres.resting(), world->surface, world->triangles, 1, 1e-3)
+    {
+        rest({0, 0, 0});
+    }
+
+    Ball rest(const Eigen::Vector3d& place)
+    {
+        addResting(*world, place);
+        return {place.x(), place.y(), place.z(), 1};
+    }
+    template <class Visit>
+    void forEachCube(Visit&& visit) const
+    {
+        const auto& [nx, ny, nz] = layout.frame.count;
+        for (int z = 0; z < nz; ++z)
+        {
+            for (int y = 0; y < ny; ++y)
+            {
+                for (int x = 0; x < nx; ++x)
+                {
+                    visit(x, y, z);
+                }
+            }
+        }
+    }
+    [[nodiscard]] bool searched(int x, int y, int z) const
+    {
+        return search.mayBeClear(layout.frame.centre(x, y, z), layout.frame.cell);
+    }
+
+    std::unique_ptr<World> world;
+    VoxelLayout layout;
+    ClearSearch search;
+};
+
+TEST_F(HeldCubesTest, AnswerAsTheSearchOnAnyThread)
+{
+    HeldCubes cubes(layout, search);
+    Threads threads(4);
+    const auto planes = static_cast<std::size_t>(layout.frame.count[2]);
+    for (int round = 0; round < 2; ++round)
+    {
+        std::vector<int> wrong(4 * planes, 0);
+        threads.forEachLarge(4 * planes, // each plane is asked for four times, maybe at once
+                             [&](std::size_t i)
+                             {
+                                 const int z = static_cast<int>(i / 4);
+                                 for (int y = 0; y < layout.frame.count[1]; ++y)
+                                 {
+                                     for (int x = 0; x < layout.frame.count[0]; ++x)
+                                     {
+                                         wrong[i] += cubes.mayHold(x, y, z) != searched(x, y, z);
+                                     }
+                                 }
+                             });
+        EXPECT_EQ(wrong, std::vector<int>(4 * planes, 0));
+    }
+}
+
+TEST_F(HeldCubesTest, HandOverWhatWasFoundEmptyOnce)
+{
+    HeldCubes cubes(layout, search);
+    std::size_t empty = 0;
+    forEachCube([&](int x, int y, int z) { empty += cubes.mayHold(x, y, z) ? 0 : 1; });
+    std::size_t drained = 0;
+    std::size_t last = 0;
+    cubes.drainEmpty(
+        [&](VoxelWord words)
+        {
+            drained += static_cast<std::size_t>(std::popcount(words.bits));
+            EXPECT_GT(words.word, last);
+            last = words.word;
+        });
+    EXPECT_GT(empty, 100u);
+    EXPECT_EQ(drained, empty);
+    cubes.drainEmpty([](VoxelWord) { FAIL() << "twice"; });
+}
+
+TEST_F(HeldCubesTest, LookAgainWhereSomethingHasComeToRest)
+{
+    HeldCubes cubes(layout, search);
+    forEachCube([&](int x, int y, int z) { (void)cubes.mayHold(x, y, z); });
+    cubes.drainEmpty([](VoxelWord) {});
+    const std::vector<Ball> came = {rest({2, 0, 0}), rest({-2, 0.5, 0})};
+    Threads threads(2);
+    cubes.forgetNear(BallSlabs(layout.frame, came, 2), 1, threads);
+    int changed = 0;
+    forEachCube(
+        [&](int x, int y, int z)
+        {
+            const bool holds = searched(x, y, z);
+            EXPECT_EQ(cubes.mayHold(x, y, z), holds) << x << " " << y << " " << z;
+            changed += holds ? 0 : 1;
+        });
+    EXPECT_GT(changed, 0);
+    search.halve(7);
+    cubes.forgetAll();
+    forEachCube([&](int x, int y, int z) { EXPECT_EQ(cubes.mayHold(x, y, z), searched(x, y, z)); });
+}
+
+} // namespace
+} // namespace frostfill
