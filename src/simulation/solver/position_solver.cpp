@@ -5,6 +5,7 @@
 #include "simulation/solver/tolerances.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <utility>
 
@@ -98,22 +99,36 @@ void PositionSolver::sortByHeight()
 // floor. Returns the deepest penetration that it found.
 double PositionSolver::sweep(double yieldShare, double liftDepth)
 {
+    std::atomic<double> deepest = 0;
+    inOrder_.forEach(paired_, rank_,
+                     [&](std::uint32_t row)
+                     {
+                         const double depth = sweep(row, yieldShare, liftDepth);
+                         double before = deepest.load(std::memory_order_relaxed);
+                         while (depth > before && !deepest.compare_exchange_weak(
+                                                      before, depth, std::memory_order_relaxed))
+                         {
+                         }
+                     });
+    return deepest;
+}
+
+// Whether one is clear two of its neighbours may tell it at the same time.
+double PositionSolver::sweep(std::uint32_t row, double yieldShare, double liftDepth)
+{
     double deepest = 0;
-    for (const std::uint32_t row : paired_)
+    if (clear_[row] != 0)
     {
-        if (clear_[row] != 0)
+        return deepest;
+    }
+    const auto push = pushOff(row, yieldShare, liftDepth, deepest);
+    clear_[row] = push ? 0 : 1;
+    if (push && !push->isZero(0))
+    {
+        flight_.shift(row, *push);
+        for (const std::uint32_t other : pairs_.nearby(row))
         {
-            continue;
-        }
-        const auto push = pushOff(row, yieldShare, liftDepth, deepest);
-        clear_[row] = push ? 0 : 1;
-        if (push && !push->isZero(0))
-        {
-            flight_.shift(row, *push);
-            for (const std::uint32_t other : pairs_.nearby(row))
-            {
-                clear_[other] = 0;
-            }
+            std::atomic_ref(clear_[other]).store(0, std::memory_order_relaxed);
         }
     }
     return deepest;
@@ -127,7 +142,6 @@ std::optional<Eigen::Vector3d> PositionSolver::pushOff(std::uint32_t row, double
     const double radius = radii[row];
     const std::uint32_t rank = rank_[row];
     Eigen::Vector3d place = positions[row];
-    double deepestHere = deepest;
     bool touches = false;
     for (const std::uint32_t other : pairs_.nearby(row))
     {
@@ -138,7 +152,7 @@ std::optional<Eigen::Vector3d> PositionSolver::pushOff(std::uint32_t row, double
         }
         touches = true;
         const double depth = contact->depth;
-        deepestHere = std::max(deepestHere, depth);
+        deepest = std::max(deepest, depth);
         const bool takesRest =
             rank_[other] < rank && (velocitySolver_.yields(row) || !velocitySolver_.yields(other));
         const double share =
@@ -155,7 +169,6 @@ std::optional<Eigen::Vector3d> PositionSolver::pushOff(std::uint32_t row, double
     {
         return std::nullopt;
     }
-    deepest = deepestHere;
     const Eigen::Vector3d push = place - positions[row];
     const double length = push.norm();
     const double longest = kLongestPush * radius;

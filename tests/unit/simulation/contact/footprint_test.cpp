@@ -105,7 +105,11 @@ TEST_F(FootprintOfAPath, MeetsEverySphereThatChangesThePath)
         const Eigen::Vector3d from = chance();
         Footprint seen;
         const auto before = pathFrom(from, &seen);
-        const Eigen::Vector3d newcomer = pathFrom(chance()).first;
+        Eigen::Vector3d newcomer = pathFrom(chance()).first;
+        if (k % 2 == 0)
+        {
+            newcomer.y() = 6 - k % 7; // in the air, where paths fall
+        }
         const std::uint32_t id = addResting(*world, newcomer);
         // The index of falls has no way back, but bits too many only cost time.
         falls->insert(newcomer);
