@@ -80,7 +80,6 @@ void PositionSolver::sortByHeight()
     rank_.resize(running_.size());
     flown_.resize(running_.size());
     velocityBefore_.resize(running_.size());
-    clear_.assign(running_.size(), 0);
     for (const std::uint32_t row : paired_)
     {
         height_[row] = -running_.position[row].dot(down_);
@@ -92,6 +91,9 @@ void PositionSolver::sortByHeight()
     {
         rank_[paired_[rank]] = rank;
     }
+    inOrder_.prepare(paired_, rank_);
+    clear_.assign(paired_.size(), 0);
+    place_.resize(paired_.size());
 }
 
 // From below: a runner gives way by its share to those above it, whose turn is yet to come, and
@@ -99,17 +101,21 @@ void PositionSolver::sortByHeight()
 // floor. Returns the deepest penetration that it found.
 double PositionSolver::sweep(double yieldShare, double liftDepth)
 {
+    const std::span<const std::uint32_t> rows = inOrder_.rowBySlot();
+    for (std::size_t slot = 0; slot < rows.size(); ++slot)
+    {
+        place_[slot] = running_.position[rows[slot]];
+    }
     std::atomic<double> deepest = 0;
-    inOrder_.forEach(paired_, rank_,
-                     [&](std::uint32_t row)
-                     {
-                         const double depth = sweep(row, yieldShare, liftDepth);
-                         double before = deepest.load(std::memory_order_relaxed);
-                         while (depth > before && !deepest.compare_exchange_weak(
-                                                      before, depth, std::memory_order_relaxed))
-                         {
-                         }
-                     });
+    inOrder_.forEach(
+        [&](std::uint32_t row)
+        {
+            const double depth = sweep(row, yieldShare, liftDepth);
+            double before = deepest.load(std::memory_order_relaxed);
+            while (depth > before && !deepest.compare_exchange_weak(before, depth))
+            {
+            }
+        });
     return deepest;
 }
 
@@ -117,18 +123,23 @@ double PositionSolver::sweep(double yieldShare, double liftDepth)
 double PositionSolver::sweep(std::uint32_t row, double yieldShare, double liftDepth)
 {
     double deepest = 0;
-    if (clear_[row] != 0)
+    const std::uint32_t slot = inOrder_.slot(row);
+    if (clear_[slot] != 0)
     {
         return deepest;
     }
     const auto push = pushOff(row, yieldShare, liftDepth, deepest);
-    clear_[row] = push ? 0 : 1;
+    clear_[slot] = push ? 0 : 1;
     if (push && !push->isZero(0))
     {
         flight_.shift(row, *push);
+        place_[slot] = running_.position[row];
         for (const std::uint32_t other : pairs_.nearby(row))
         {
-            std::atomic_ref(clear_[other]).store(0, std::memory_order_relaxed);
+            if (rank_[other] != kNotInCrowd)
+            {
+                std::atomic_ref(clear_[inOrder_.slot(other)]).store(0, std::memory_order_relaxed);
+            }
         }
     }
     return deepest;
@@ -141,12 +152,18 @@ std::optional<Eigen::Vector3d> PositionSolver::pushOff(std::uint32_t row, double
     const std::span<const double> radii = std::as_const(running_.radius).all();
     const double radius = radii[row];
     const std::uint32_t rank = rank_[row];
-    Eigen::Vector3d place = positions[row];
+    const Eigen::Vector3d start = place_[inOrder_.slot(row)];
+    Eigen::Vector3d place = start;
     bool touches = false;
     for (const std::uint32_t other : pairs_.nearby(row))
     {
-        const auto contact = sphereContact(place - positions[other], radius + radii[other]);
-        if (!contact || rank_[other] == kNotInCrowd)
+        if (rank_[other] == kNotInCrowd)
+        {
+            continue;
+        }
+        const auto contact =
+            sphereContact(place - place_[inOrder_.slot(other)], radius + radii[other]);
+        if (!contact)
         {
             continue;
         }
@@ -169,7 +186,7 @@ std::optional<Eigen::Vector3d> PositionSolver::pushOff(std::uint32_t row, double
     {
         return std::nullopt;
     }
-    const Eigen::Vector3d push = place - positions[row];
+    const Eigen::Vector3d push = place - start;
     const double length = push.norm();
     const double longest = kLongestPush * radius;
     return length > longest ? Eigen::Vector3d(push * (longest / length)) : push;

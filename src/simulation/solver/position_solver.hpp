@@ -22,7 +22,7 @@ public:
     PositionSolver(RunningSpheres& running, RunnerGrid& grid, FreeFlight& flight, Threads& threads,
                    const SolverSettings& settings)
         : running_(running), pairs_(running, grid, threads), flight_(flight), settings_(settings),
-          velocitySolver_(running, flight, pairs_, settings), inOrder_(pairs_, threads)
+          velocitySolver_(running, flight, pairs_, settings), inOrder_(running, pairs_, threads)
     {
     }
 
@@ -65,6 +65,8 @@ private:
     std::vector<std::uint32_t> rank_;             ///< in the crowd
     std::vector<Eigen::Vector3d> flown_;          ///< position after this step's flight
     std::vector<Eigen::Vector3d> velocityBefore_; ///< at the end of that flight
+    // By slot of inOrder_, so that what one thread writes lies together.
+    std::vector<Eigen::Vector3d> place_; ///< where a sweep has put them so far
     /// Whether it touched none of those near it, none of which has been pushed since: it need not
     /// be looked at.
     std::vector<char> clear_;
