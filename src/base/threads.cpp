@@ -18,6 +18,7 @@ constexpr int kPartBits = 12;
 constexpr std::uint64_t kPartMask = (std::uint64_t{1} << kPartBits) - 1;
 constexpr std::size_t kPartsPerThread = 8; // so that one that is slow does not hold up the loop
 constexpr int kSpins = 20000;              // for work before a thread sleeps: some 200 us
+constexpr int kSpinsBeforeYield = 100;     // before others may have the core
 
 std::uint64_t atFront(std::uint64_t state)
 {
@@ -34,6 +35,18 @@ std::uint64_t parts(std::uint64_t state)
 bool allTaken(std::uint64_t state)
 {
     return atFront(state) + atBack(state) == parts(state);
+}
+
+void pauseAfter(int spin)
+{
+    if (spin % kSpinsBeforeYield == kSpinsBeforeYield - 1)
+    {
+        std::this_thread::yield();
+        return;
+    }
+#if defined(__x86_64__) || defined(__i386__)
+    __builtin_ia32_pause();
+#endif
 }
 
 } // namespace

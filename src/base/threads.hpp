@@ -15,20 +15,6 @@
 namespace frostfill
 {
 
-/// To be called after each look, counted from 0, for what another thread is about to do.
-inline void pauseAfter(int spin)
-{
-    constexpr int kSpinsBeforeYield = 100; // before others may have the core
-    if (spin % kSpinsBeforeYield == kSpinsBeforeYield - 1)
-    {
-        std::this_thread::yield();
-        return;
-    }
-#if defined(__x86_64__) || defined(__i386__)
-    __builtin_ia32_pause();
-#endif
-}
-
 /// Threads for the loops of a simulation. A loop's body may write only what belongs to its own
 /// index, so that results do not depend on the number of threads. One loop at a time.
 ///

@@ -5,7 +5,6 @@
 #include "simulation/solver/tolerances.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <utility>
 
@@ -80,6 +79,7 @@ void PositionSolver::sortByHeight()
     rank_.resize(running_.size());
     flown_.resize(running_.size());
     velocityBefore_.resize(running_.size());
+    clear_.assign(running_.size(), 0);
     for (const std::uint32_t row : paired_)
     {
         height_[row] = -running_.position[row].dot(down_);
@@ -91,9 +91,6 @@ void PositionSolver::sortByHeight()
     {
         rank_[paired_[rank]] = rank;
     }
-    inOrder_.prepare(paired_, rank_);
-    clear_.assign(paired_.size(), 0);
-    place_.resize(paired_.size());
 }
 
 // From below: a runner gives way by its share to those above it, whose turn is yet to come, and
@@ -101,44 +98,21 @@ void PositionSolver::sortByHeight()
 // floor. Returns the deepest penetration that it found.
 double PositionSolver::sweep(double yieldShare, double liftDepth)
 {
-    const std::span<const std::uint32_t> rows = inOrder_.rowBySlot();
-    for (std::size_t slot = 0; slot < rows.size(); ++slot)
-    {
-        place_[slot] = running_.position[rows[slot]];
-    }
-    std::atomic<double> deepest = 0;
-    inOrder_.forEach(
-        [&](std::uint32_t row)
-        {
-            const double depth = sweep(row, yieldShare, liftDepth);
-            double before = deepest.load(std::memory_order_relaxed);
-            while (depth > before && !deepest.compare_exchange_weak(before, depth))
-            {
-            }
-        });
-    return deepest;
-}
-
-// Whether one is clear two of its neighbours may tell it at the same time.
-double PositionSolver::sweep(std::uint32_t row, double yieldShare, double liftDepth)
-{
     double deepest = 0;
-    const std::uint32_t slot = inOrder_.slot(row);
-    if (clear_[slot] != 0)
+    for (const std::uint32_t row : paired_)
     {
-        return deepest;
-    }
-    const auto push = pushOff(row, yieldShare, liftDepth, deepest);
-    clear_[slot] = push ? 0 : 1;
-    if (push && !push->isZero(0))
-    {
-        flight_.shift(row, *push);
-        place_[slot] = running_.position[row];
-        for (const std::uint32_t other : pairs_.nearby(row))
+        if (clear_[row] != 0)
         {
-            if (rank_[other] != kNotInCrowd)
+            continue;
+        }
+        const auto push = pushOff(row, yieldShare, liftDepth, deepest);
+        clear_[row] = push ? 0 : 1;
+        if (push && !push->isZero(0))
+        {
+            flight_.shift(row, *push);
+            for (const std::uint32_t other : pairs_.nearby(row))
             {
-                std::atomic_ref(clear_[inOrder_.slot(other)]).store(0, std::memory_order_relaxed);
+                clear_[other] = 0;
             }
         }
     }
@@ -152,24 +126,19 @@ std::optional<Eigen::Vector3d> PositionSolver::pushOff(std::uint32_t row, double
     const std::span<const double> radii = std::as_const(running_.radius).all();
     const double radius = radii[row];
     const std::uint32_t rank = rank_[row];
-    const Eigen::Vector3d start = place_[inOrder_.slot(row)];
-    Eigen::Vector3d place = start;
+    Eigen::Vector3d place = positions[row];
+    double deepestHere = deepest;
     bool touches = false;
     for (const std::uint32_t other : pairs_.nearby(row))
     {
-        if (rank_[other] == kNotInCrowd)
-        {
-            continue;
-        }
-        const auto contact =
-            sphereContact(place - place_[inOrder_.slot(other)], radius + radii[other]);
-        if (!contact)
+        const auto contact = sphereContact(place - positions[other], radius + radii[other]);
+        if (!contact || rank_[other] == kNotInCrowd)
         {
             continue;
         }
         touches = true;
         const double depth = contact->depth;
-        deepest = std::max(deepest, depth);
+        deepestHere = std::max(deepestHere, depth);
         const bool takesRest =
             rank_[other] < rank && (velocitySolver_.yields(row) || !velocitySolver_.yields(other));
         const double share =
@@ -186,7 +155,8 @@ std::optional<Eigen::Vector3d> PositionSolver::pushOff(std::uint32_t row, double
     {
         return std::nullopt;
     }
-    const Eigen::Vector3d push = place - start;
+    deepest = deepestHere;
+    const Eigen::Vector3d push = place - positions[row];
     const double length = push.norm();
     const double longest = kLongestPush * radius;
     return length > longest ? Eigen::Vector3d(push * (longest / length)) : push;

@@ -3,7 +3,6 @@
 
 #include "simulation/motion/free_flight.hpp"
 #include "simulation/solver/broad_phase.hpp"
-#include "simulation/solver/ordered_loop.hpp"
 #include "simulation/solver/velocity_solver.hpp"
 
 #include <optional>
@@ -22,7 +21,7 @@ public:
     PositionSolver(RunningSpheres& running, RunnerGrid& grid, FreeFlight& flight, Threads& threads,
                    const SolverSettings& settings)
         : running_(running), pairs_(running, grid, threads), flight_(flight), settings_(settings),
-          velocitySolver_(running, flight, pairs_, settings), inOrder_(running, pairs_, threads)
+          velocitySolver_(running, flight, pairs_, settings)
     {
     }
 
@@ -45,9 +44,7 @@ private:
     /// `yieldShare`: part of its share by which one gives way to those above it; `liftDepth`:
     /// penetration depth from which one climbs the other [own radius].
     double sweep(double yieldShare, double liftDepth);
-    /// Of one runner. Returns its deepest penetration.
-    double sweep(std::uint32_t row, double yieldShare, double liftDepth);
-    /// `deepest` becomes its deepest penetration. Returns no push for what touches no other.
+    /// `deepest` starts at that of the rows before. Returns no push for what touches no other.
     [[nodiscard]] std::optional<Eigen::Vector3d> pushOff(std::uint32_t row, double yieldShare,
                                                          double liftDepth, double& deepest) const;
     void removeLiftEnergy();
@@ -57,7 +54,6 @@ private:
     FreeFlight& flight_;
     SolverSettings settings_;
     VelocitySolver velocitySolver_;
-    OrderedLoop inOrder_;
     Eigen::Vector3d down_ = {0, -1, 0}; ///< the pull's direction in this step
     std::vector<std::uint32_t> paired_; ///< runners that are in a pair, by row, lowest first
     // By row, of those in the crowd, in the step in hand.
@@ -65,8 +61,6 @@ private:
     std::vector<std::uint32_t> rank_;             ///< in the crowd
     std::vector<Eigen::Vector3d> flown_;          ///< position after this step's flight
     std::vector<Eigen::Vector3d> velocityBefore_; ///< at the end of that flight
-    // By slot of inOrder_, so that what one thread writes lies together.
-    std::vector<Eigen::Vector3d> place_; ///< where a sweep has put them so far
     /// Whether it touched none of those near it, none of which has been pushed since: it need not
     /// be looked at.
     std::vector<char> clear_;
