@@ -11,24 +11,31 @@
 namespace frostfill
 {
 
+ReleaseQuery queryOfRest(const DropAndRoll& dropAndRoll, std::size_t threads)
+{
+    ReleaseQuery query;
+    query.suits = [](const Eigen::Vector3d&, double) { return true; };
+    query.ahead = std::max(kFewestAhead, kAheadOfThread * threads);
+    query.prepare = [&dropAndRoll](Eigen::Vector3d& place, double radius, Footprint& seen)
+    {
+        thread_local NeighbourList around; // keeps its memory
+        around.invalidate();
+        return dropAndRoll.settle(place, radius, around, std::numeric_limits<double>::infinity(),
+                                  &seen);
+    };
+    return query;
+}
+
 DropAndRollEngine::DropAndRollEngine(World& world)
     : world_(world), threads_(world.scene.threads), observers_(world, world.height, threads_),
-      dropAndRoll_(world, observers_.falls)
+      dropAndRoll_(world, observers_.falls),
+      query_(queryOfRest(dropAndRoll_, threads_.concurrency()))
 {
     const SphereSettings& spheres = world.scene.spheres;
     setSize_ = std::max<std::size_t>(groupSize(world) * spheres.groupsPerSet,
                                      expectedCount(world) / kMaxSets);
     stepSize_ = std::max<std::size_t>(1, expectedCount(world) / kMaxSets);
     world.clock.dt = kTimeOfSet * static_cast<double>(stepSize_) / static_cast<double>(setSize_);
-    query_.suits = [](const Eigen::Vector3d&, double) { return true; };
-    query_.ahead = std::max(kFewestAhead, kAheadOfThread * threads_.concurrency());
-    query_.prepare = [this](Eigen::Vector3d& place, double radius, Footprint& seen)
-    {
-        thread_local NeighbourList around; // keeps its memory
-        around.invalidate();
-        return dropAndRoll_.settle(place, radius, around, std::numeric_limits<double>::infinity(),
-                                   &seen);
-    };
     if (!observers_.release->any())
     {
         refuseTooLarge(world);

@@ -9,6 +9,9 @@
 namespace frostfill
 {
 
+/// Asks for places to which spheres come down from clear ones, and where they stay.
+[[nodiscard]] ReleaseQuery queryOfRest(const DropAndRoll& dropAndRoll, std::size_t threads);
+
 /// Instant fill: spheres rain one by one from the object's ceilings and come down without dynamics,
 /// each to a place that carries it. Once nothing can be released at a ceiling, every other place
 /// that is still free is used, so that "full" means that no place is left.
@@ -27,7 +30,7 @@ private:
     Threads threads_;
     RestObservers observers_;
     DropAndRoll dropAndRoll_;
-    ReleaseQuery query_; ///< a place to which a sphere comes down, where it stays
+    ReleaseQuery query_;
     SetRecorder clock_;
     std::size_t setSize_ = 1;
     std::size_t stepSize_ = 1; ///< spheres of a step: a set is shown and discarded bit by bit
