@@ -61,6 +61,14 @@ struct Contact
     return contactOfSpheres(d, squared, reach);
 }
 
+/// A sphere that falls straight down touches another one this much above its centre, squared; not
+/// positive where it passes by. `aside` leads from one centre to the other, `reach` is the sum of
+/// the radii.
+[[nodiscard]] inline double squaredHeightOfTouch(const Eigen::Vector3d& aside, double reach)
+{
+    return reach * reach - aside.x() * aside.x() - aside.z() * aside.z();
+}
+
 /// The way on which a sphere leaves a contact: its normal, or up where the two centres are one.
 [[nodiscard]] inline Eigen::Vector3d separationDirection(const Contact& contact)
 {

@@ -41,10 +41,7 @@ bool Footprint::meetsParts(const Eigen::Vector3d& centre, double radius) const
     // As in a fall: where it would touch the sphere.
     const auto isOnWay = [&](const Fall& fall)
     {
-        const double reach = fall.radius + radius;
-        const double dx = centre.x() - fall.from.x();
-        const double dz = centre.z() - fall.from.z();
-        const double squared = reach * reach - dx * dx - dz * dz;
+        const double squared = squaredHeightOfTouch(centre - fall.from, fall.radius + radius);
         return squared > 0 && centre.y() < fall.from.y() &&
                centre.y() + std::sqrt(squared) > fall.end;
     };

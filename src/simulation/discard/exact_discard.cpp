@@ -161,8 +161,7 @@ void ExactDiscard::addToMap(std::span<const std::uint32_t> ids)
     balls.reserve(ids.size());
     for (const std::uint32_t id : ids)
     {
-        const Eigen::Vector3d p = world_.spheres.position(id);
-        balls.push_back({p.x(), p.y(), p.z(), world_.spheres.radius(id)});
+        balls.push_back(world_.spheres.resting()[world_.spheres.row(id)]);
     }
     const BallSlabs slabs(map_->layout().frame, balls, map_->reachOf(world_.radii.largest()));
     map_->addResting(slabs, threads_);

@@ -57,37 +57,12 @@ void HeldCubes::sortEmpty()
 
 void HeldCubes::forgetNear(const BallSlabs& balls, double distance, Threads& threads)
 {
-    forEachSlab(threads, balls.count(),
-                [&](int slab)
-                {
-                    for (const Ball& ball : balls.slab(slab))
-                    {
-                        forgetNear(ball, distance);
-                    }
-                });
-}
-
-void HeldCubes::forgetNear(const Ball& ball, double distance)
-{
-    const BallRows rows(layout_.frame, ball.position(), ball.radius + distance, kMeetsBall);
-    const VoxelRun widest = rows.widest();
-    if (widest.first > widest.last)
-    {
-        return;
-    }
-    rows.window().forEach(
-        [&](int y, int z)
+    balls.forEach(
+        threads,
+        [&](const Ball& ball, std::size_t)
         {
-            if (!layout_.any(held_, y, z, widest.first, widest.last))
-            {
-                return;
-            }
-            const VoxelRun run = rows.run(y, z);
-            if (run.first <= run.last)
-            {
-                layout_.forEachWord(y, z, run.first, run.last,
-                                    [&](VoxelWord w) { held_[w.word] &= ~w.bits; });
-            }
+            const BallRows rows(layout_.frame, ball.position(), ball.radius + distance, kMeetsBall);
+            rows.forEachWord(layout_, held_, [&](VoxelWord w) { held_[w.word] &= ~w.bits; });
         });
 }
 

@@ -47,7 +47,6 @@ public:
     void forgetAll();
 
 private:
-    void forgetNear(const Ball& ball, double distance);
     void sortEmpty();
 
     const VoxelLayout& layout_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/motion/vertical_drop.hpp"
 
+#include "simulation/contact/contact.hpp"
 #include "simulation/contact/sphere_cast.hpp"
 #include "simulation/motion/tolerances.hpp"
 
@@ -30,9 +31,7 @@ double contactInLayer(const World& world, const std::array<int, 3>& column, int 
                       {
                           const Ball& other = resting[row];
                           const double reach = radius + other.radius;
-                          const double dx = other.x - p.x();
-                          const double dz = other.z - p.z();
-                          const double squared = reach * reach - dx * dx - dz * dz;
+                          const double squared = squaredHeightOfTouch(other.position() - p, reach);
                           if (squared > 0 && p.y() - other.y > kSlides * reach)
                           {
                               highest =

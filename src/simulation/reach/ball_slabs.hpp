@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/threads.hpp"
 #include "geometry/grid_frame.hpp"
 #include "simulation/world/sphere_grid.hpp"
 
@@ -23,6 +24,20 @@ public:
     {
         const auto its = static_cast<std::size_t>(slab);
         return std::span(balls_).subspan(first_[its], first_[its + 1] - first_[its]);
+    }
+
+    /// Calls body(ball, slab) for each ball; see forEachSlab for what it may write.
+    template <class Body>
+    void forEach(Threads& threads, Body&& body) const
+    {
+        forEachSlab(threads, count(),
+                    [&](int its)
+                    {
+                        for (const Ball& ball : slab(its))
+                        {
+                            body(ball, static_cast<std::size_t>(its));
+                        }
+                    });
     }
 
 private:

@@ -29,15 +29,8 @@ void ReachMap::withdrawSeeds()
 void ReachMap::addResting(const BallSlabs& balls, Threads& threads)
 {
     std::vector<std::vector<std::size_t>> marked(static_cast<std::size_t>(balls.count()));
-    forEachSlab(threads, balls.count(),
-                [&](int slab)
-                {
-                    for (const Ball& ball : balls.slab(slab))
-                    {
-                        closeBall(ball.position(), ball.radius,
-                                  marked[static_cast<std::size_t>(slab)]);
-                    }
-                });
+    balls.forEach(threads, [&](const Ball& ball, std::size_t slab)
+                  { closeBall(ball.position(), ball.radius, marked[slab]); });
     for (const std::vector<std::size_t>& words : marked)
     {
         markedWords_.insert(markedWords_.end(), words.begin(), words.end());
@@ -51,27 +44,8 @@ void ReachMap::closeBall(const Eigen::Vector3d& centre, double radius,
     {
         return;
     }
-    const BallRows rows(layout_.frame, centre, exclusion(radius + radii_.smallest), kInsideBall);
-    const VoxelRun widest = rows.widest();
-    if (widest.first > widest.last)
-    {
-        return;
-    }
-    rows.window().forEach(
-        [&](int y, int z)
-        {
-            // Most rows that a sphere at rest meets have been closed by its neighbours.
-            if (!layout_.any(open_, y, z, widest.first, widest.last))
-            {
-                return;
-            }
-            const VoxelRun run = rows.run(y, z);
-            if (run.first <= run.last)
-            {
-                layout_.forEachWord(y, z, run.first, run.last,
-                                    [&](VoxelWord w) { block(w, marked); });
-            }
-        });
+    BallRows(layout_.frame, centre, exclusion(radius + radii_.smallest), kInsideBall)
+        .forEachWord(layout_, open_, [&](VoxelWord w) { block(w, marked); });
 }
 
 void ReachMap::block(VoxelWord cubes, std::vector<std::size_t>& marked)

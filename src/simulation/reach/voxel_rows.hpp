@@ -3,6 +3,7 @@
 
 #include "geometry/grid_frame.hpp"
 #include "simulation/reach/tolerances.hpp"
+#include "simulation/reach/voxel_layout.hpp"
 
 #include <algorithm>
 #include <array>
@@ -151,6 +152,31 @@ public:
         }
         const auto x = range(0, std::sqrt(rest) - half_);
         return {x[0], x[1]};
+    }
+
+    /// Calls visit(VoxelWord) for the cubes of all rows but those that have none in `set`: most
+    /// rows that a sphere at rest meets have been closed by its neighbours.
+    template <class Visit>
+    void forEachWord(const VoxelLayout& layout, const VoxelBits& set, Visit&& visit) const
+    {
+        const VoxelRun most = widest();
+        if (most.first > most.last)
+        {
+            return;
+        }
+        window_.forEach(
+            [&](int y, int z)
+            {
+                if (!layout.any(set, y, z, most.first, most.last))
+                {
+                    return;
+                }
+                const VoxelRun its = run(y, z);
+                if (its.first <= its.last)
+                {
+                    layout.forEachWord(y, z, its.first, its.last, visit);
+                }
+            });
     }
 
 private:

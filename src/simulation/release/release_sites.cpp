@@ -97,17 +97,17 @@ std::size_t ReleaseSites::ceilingOfDraw(std::uint64_t number) const
     return ceilings_.size() - 1 - static_cast<std::size_t>(choice * among);
 }
 
-// A draw that is known to end its ceiling decides which ceilings are drawn after it. What is taken
-// stays so. Where ceilings are forgotten all the time, places are looked for here and now.
+// A draw that is known to end its ceiling decides which ceilings are drawn after it. Where ceilings
+// are forgotten all the time, places are looked for here and now.
 Draw* ReleaseSites::expectPlace(double radius)
 {
     const bool forgetting = draws_ < lastForgotten_ + kForgets;
-    while (!ceilings_.empty() && expected_ + 1 < draws_ + kMostAhead)
+    while (!ceilings_.empty() && expected_ + 1 < kMostAhead)
     {
-        ++expected_;
-        const std::size_t index = ceilingOfDraw(expected_);
-        Draw& draw = ahead_.expect(key(expected_, radius));
-        if (!draw.isPlaced && (forgetting || isTaken(draw.key.site)))
+        const std::uint64_t number = draws_ + ++expected_;
+        const std::size_t index = ceilingOfDraw(number);
+        Draw& draw = ahead_.expect(key(number, radius));
+        if (!draw.isPlaced && forgetting)
         {
             findPlace(draw);
         }
@@ -130,7 +130,7 @@ void ReleaseSites::rewind()
         ceilings_[index] = site;
         window_ = window;
     }
-    expected_ = draws_;
+    expected_ = 0;
 }
 
 // A site was opened inside, where walls are farther away than this.
@@ -144,7 +144,6 @@ void ReleaseSites::findPlace(Draw& draw) const
 {
     draw.isPlaced = true;
     draw.place.reset();
-    draw.stays = false;
     if (isTaken(draw.key.site))
     {
         draw.isKnown = true;

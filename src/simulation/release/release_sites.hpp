@@ -43,7 +43,7 @@ public:
 
     /// The draw after the last one taken, and further ones when called again, for a sphere of
     /// `radius`: each comes to a place, as far as is known. None when all ceilings are gone, or too
-    /// many draws are expected. rewind() starts anew.
+    /// many draws are expected. rewind() is to be called before the next search.
     [[nodiscard]] Draw* expectPlace(double radius);
     void rewind();
     /// Finds out what a draw leads to. On any thread.
@@ -106,7 +106,7 @@ private:
     Lookahead ahead_;
 
     // Since rewind().
-    std::uint64_t expected_ = 0; ///< number of the last draw that was expected
+    std::uint64_t expected_ = 0; ///< draws after the last one taken
     struct Passed
     {
         std::size_t index;

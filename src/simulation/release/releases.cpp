@@ -104,10 +104,6 @@ std::optional<ReleaseSites::Found> Releases::find(double radius, const ReleaseQu
 // The radii that come next, if each finds a place at once.
 void Releases::lookAhead(double radius, const ReleaseQuery& query)
 {
-    for (Class& one : classes_)
-    {
-        one.sites.rewind();
-    }
     unknown_.clear();
     std::uint64_t number = draws_;
     for (std::size_t k = 0; k < query.ahead; ++k, radius = radiusOfDraw(++number))
