@@ -4,7 +4,6 @@
 #include "simulation/discard/tolerances.hpp"
 
 #include <algorithm>
-#include <bit>
 
 namespace frostfill
 {
@@ -23,7 +22,7 @@ void ExactDiscard::build()
         margins.step *= radii.smallest;
         map_ = std::make_unique<ReachMap>(world_.surface, world_.inside, radii, margins,
                                           ReachMap::Resolution{kReachVoxel});
-        polygonWitness_.assign(world_.polygons.size(), kNoCube);
+        polygons_ = std::make_unique<PolygonWitnesses>(world_.surface);
         // The margin is widest for the smallest contact.
         const double overlap = radii.smallest - map_->exclusion(radii.smallest);
         clear_ = std::make_unique<ClearSearch>(world_.spheres.resting(), world_.surface,
@@ -190,81 +189,34 @@ void ExactDiscard::dropSpheres(std::size_t count)
 
 void ExactDiscard::dropPolygons()
 {
-    const std::size_t count = world_.polygons.size();
-    droppable_.assign(count, 0);
-    threads_.forEachLarge((count + kPolygonsInBlock - 1) / kPolygonsInBlock,
-                          [&](std::size_t block) { findDroppable(block); });
+    const auto mayHold = [this](int x, int y, int z) { return held_->mayHold(x, y, z); };
+    const std::vector<std::uint32_t> untouchable =
+        polygons_->takeUntouchable(*map_, threads_, mayHold);
     closeEmptyCubes();
-    for (std::uint32_t t = 0; t < count; ++t)
+    for (const std::uint32_t polygon : untouchable)
     {
-        if (droppable_[t] != 0)
-        {
-            world_.discardPolygon(t);
-        }
-    }
-}
-
-// Those that follow each other in a mesh mostly lie beside each other, and have one witness.
-void ExactDiscard::findDroppable(std::size_t block)
-{
-    const std::size_t end = std::min(world_.polygons.size(), (block + 1) * kPolygonsInBlock);
-    Cube last = kNoCube;
-    bool lastStands = false;
-    for (std::size_t t = block * kPolygonsInBlock; t < end; ++t)
-    {
-        if (world_.polygons[t] != PolygonState::active)
-        {
-            continue;
-        }
-        if (polygonWitness_[t] != last)
-        {
-            last = polygonWitness_[t];
-            lastStands = stands(last);
-        }
-        droppable_[t] = !lastStands && polygonDroppable(static_cast<std::uint32_t>(t)) ? 1 : 0;
+        world_.discardPolygon(polygon);
     }
 }
 
 bool ExactDiscard::sphereDroppable(Kept& kept)
 {
-    return !stands(kept.witness) &&
+    const auto mayHold = [this](int x, int y, int z) { return held_->mayHold(x, y, z); };
+    return !map_->isReached(kept.witness, mayHold) &&
            map_->sphereDroppable(
                world_.spheres.position(kept.id), world_.spheres.radius(kept.id), kept.cursor,
                [&](int x, int y, int z) { return holdsPlace(x, y, z, kept.witness); });
 }
 
-bool ExactDiscard::polygonDroppable(std::uint32_t triangle)
-{
-    return map_->polygonDroppable(triangle, [&](int x, int y, int z)
-                                  { return holdsPlace(x, y, z, polygonWitness_[triangle]); });
-}
-
 // Whether a reached cube may hold a free place: then it is a witness.
-bool ExactDiscard::holdsPlace(int x, int y, int z, Cube& witness)
+bool ExactDiscard::holdsPlace(int x, int y, int z, CubeNumber& witness)
 {
     if (!held_->mayHold(x, y, z))
     {
         return false;
     }
-    const VoxelWord cube = map_->layout().at(x, y, z);
-    witness = 64 * static_cast<Cube>(cube.word) + static_cast<Cube>(std::countr_zero(cube.bits));
+    witness = numberOf(map_->layout().at(x, y, z));
     return true;
-}
-
-// Whether a place that was found before is still reached and free.
-bool ExactDiscard::stands(Cube witness)
-{
-    if (witness == kNoCube)
-    {
-        return false;
-    }
-    const VoxelWord cube = {witness / 64, std::uint64_t{1} << witness % 64};
-    if ((map_->reached()[cube.word] & cube.bits) == 0)
-    {
-        return false;
-    }
-    const auto c = map_->layout().coordinates(cube.word);
-    return held_->mayHold(c[0] + static_cast<int>(witness % 64), c[1], c[2]);
 }
 
 void ExactDiscard::closeEmptyCubes()

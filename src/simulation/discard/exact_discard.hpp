@@ -5,6 +5,7 @@
 
 #include "simulation/discard/discard_rule.hpp"
 #include "simulation/discard/held_cubes.hpp"
+#include "simulation/discard/polygon_witnesses.hpp"
 #include "simulation/reach/clear_search.hpp"
 #include "simulation/reach/reach_map.hpp"
 
@@ -43,14 +44,11 @@ public:
     void finish(bool full) override;
 
 private:
-    /// A cube by its number among all; see VoxelLayout.
-    using Cube = std::uint64_t;
-    static constexpr Cube kNoCube = ~Cube{0};
     struct Kept
     {
         std::uint32_t id;
         ReachMap::Cursor cursor = 0;
-        Cube witness = kNoCube; ///< a place from which it can be touched
+        CubeNumber witness = kNoCube; ///< a place from which it can be touched
     };
 
     void build();
@@ -60,11 +58,8 @@ private:
     void addToMap(std::span<const std::uint32_t> ids);
     void dropSpheres(std::size_t count);
     void dropPolygons();
-    void findDroppable(std::size_t block);
     [[nodiscard]] bool sphereDroppable(Kept& kept);
-    [[nodiscard]] bool polygonDroppable(std::uint32_t triangle);
-    [[nodiscard]] bool holdsPlace(int x, int y, int z, Cube& witness);
-    [[nodiscard]] bool stands(Cube witness);
+    [[nodiscard]] bool holdsPlace(int x, int y, int z, CubeNumber& witness);
     void closeEmptyCubes();
     void refineNearTheEnd();
     void restoreAll();
@@ -73,12 +68,12 @@ private:
     Threads& threads_;
     std::unique_ptr<ReachMap> map_;
     std::unique_ptr<ClearSearch> clear_;
-    std::unique_ptr<HeldCubes> held_;    ///< cubes of the map
+    std::unique_ptr<HeldCubes> held_; ///< cubes of the map
+    std::unique_ptr<PolygonWitnesses> polygons_;
     bool closer_ = false;                ///< cubes are halved as when the object is nearly full
     std::size_t violations_ = 0;         ///< guards that have tripped, each for wider margins
     std::vector<std::uint32_t> pending_; ///< at rest, but not yet in the map
     std::vector<Kept> kept_;             ///< spheres at rest in the map that are not dropped
-    std::vector<Cube> polygonWitness_;   ///< [#T]
     std::vector<Eigen::Vector3d> centres_;
     std::vector<char> droppable_; ///< scratch: by number of what is looked at
 };

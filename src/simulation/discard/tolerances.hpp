@@ -33,9 +33,9 @@ inline constexpr double kReachVoxel = 0.69;
 /// is tested for longer, and pictures jump when it goes.
 inline constexpr std::size_t kUpdates = 50;
 
-/// Polygons that one thread looks at in a row. Larger: threads wait for each other. Smaller: one
-/// witness is asked for more often.
-inline constexpr std::size_t kPolygonsInBlock = 256;
+/// Polygons that look for a witness together, where they are small enough. Larger: fewer are near
+/// the same cubes. Smaller: more of them ask for the same.
+inline constexpr std::size_t kPolygonsTogether = 16;
 
 /// The share of what fits that has come to rest when a run until full is nearly at its end. From
 /// then on cubes are halved more often: otherwise much is kept that only the last sphere's rest

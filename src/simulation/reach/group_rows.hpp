@@ -19,39 +19,73 @@ public:
     {
     }
 
-    /// Calls visit(y, z, run) for each row with those cubes that the box may be near.
+    /// Calls visit(y, z, run) for rows from `from` on, until it returns true, with those cubes that
+    /// the box may be near. Rows from the top down, as of a RowWindow.
     template <class Visit>
-    void forEach(Visit&& visit) const
+    void find(VoxelRow from, Visit&& visit) const
     {
         const auto [lowY, highY] = range(1, surelyOut_);
         const auto [lowZ, highZ] = range(2, surelyOut_);
-        for (int y = lowY; y <= highY; ++y)
+        int z = from.y > highY ? lowZ : std::max(lowZ, from.z);
+        for (int y = std::min(highY, from.y); y >= lowY; --y, z = lowZ)
         {
             const double leftOfY = surelyOut_ * surelyOut_ - squares(1, y).nearest;
-            for (int z = lowZ; z <= highZ; ++z)
+            for (; z <= highZ; ++z)
             {
                 const double left = leftOfY - squares(2, z).nearest;
                 const auto [first, last] = range(0, std::sqrt(std::max(0.0, left)));
-                if (left >= 0 && first <= last)
+                if (left >= 0 && first <= last && visit(y, z, VoxelRun{first, last}))
                 {
-                    visit(y, z, VoxelRun{first, last});
+                    return;
                 }
             }
         }
+    }
+    /// Calls visit(y, z, run) for all of them.
+    template <class Visit>
+    void forEach(Visit&& visit) const
+    {
+        find({},
+             [&](int y, int z, VoxelRun run)
+             {
+                 visit(y, z, run);
+                 return false;
+             });
     }
 
     /// Of a cube in such a row.
     [[nodiscard]] bool near(int x, int y, int z) const
     {
-        const double farthest =
-            squares(0, x).farthest + (squares(1, y).farthest + squares(2, z).farthest);
         const Eigen::Vector3d middle = frame_.centre(x, y, z);
-        return farthest <= surelyIn_ * surelyIn_ ||
+        return isNearAll(x, y, z) ||
                std::any_of(group_.triangles.begin(), group_.triangles.end(),
                            [&](std::uint32_t t) { return isWithin(surface_, t, middle, reach_); });
     }
+    /// Which of some triangles, a bit for each by its number in the group, it is near.
+    [[nodiscard]] std::uint64_t nearAmong(std::uint64_t some, int x, int y, int z) const
+    {
+        if (isNearAll(x, y, z))
+        {
+            return some;
+        }
+        const Eigen::Vector3d middle = frame_.centre(x, y, z);
+        std::uint64_t near = 0;
+        for (; some != 0; some &= some - 1)
+        {
+            const auto k = static_cast<std::size_t>(std::countr_zero(some));
+            const bool its = isWithin(surface_, group_.triangles[k], middle, reach_);
+            near |= std::uint64_t{its ? 1U : 0U} << k;
+        }
+        return near;
+    }
 
 private:
+    [[nodiscard]] bool isNearAll(int x, int y, int z) const
+    {
+        const double farthest =
+            squares(0, x).farthest + (squares(1, y).farthest + squares(2, z).farthest);
+        return farthest <= surelyIn_ * surelyIn_;
+    }
     [[nodiscard]] SquaresToBox squares(int axis, int cube) const
     {
         return {group_.box, axis, frame_.origin[axis] + (cube + 0.5) * frame_.cell};

@@ -94,7 +94,6 @@ ReachMap::ReachMap(const Surface& surface, const InsideTest& inside, const Radii
         unblocked->all = open_;
     }
     marks_.assign(layout_.words, 0);
-    triangleRow_.assign(surface.size(), 0);
     keepInside(inside);
     reachedCount_ = countCubes(open_);
     seeds_ = open_;

@@ -69,6 +69,17 @@ bool ReachMap::contains(const Eigen::Vector3d& p) const
     return (open_[cube.word] & cube.bits) != 0;
 }
 
+bool ReachMap::polygonDroppable(std::uint32_t triangle) const
+{
+    bool isNear = false;
+    const auto any = [](int, int, int) { return true; };
+    if (active_)
+    {
+        findNear({{&triangle, 1}, {}}, {}, any, [&](std::size_t, VoxelWord) { isNear = true; });
+    }
+    return active_ && !isNear;
+}
+
 bool ReachMap::reaches(const Eigen::Vector3d& p, double distance) const
 {
     if (!active_)

@@ -6,6 +6,7 @@
 #include "base/threads.hpp"
 #include "mesh/interior/inside_test.hpp"
 #include "simulation/reach/ball_slabs.hpp"
+#include "simulation/reach/group_rows.hpp"
 #include "simulation/reach/tolerances.hpp"
 #include "simulation/reach/triangle_rows.hpp"
 #include "simulation/reach/voxel_flood.hpp"
@@ -126,6 +127,18 @@ public:
     [[nodiscard]] bool contains(const Eigen::Vector3d& p) const;
     /// Some reached cube comes within `distance` of p.
     [[nodiscard]] bool reaches(const Eigen::Vector3d& p, double distance) const;
+    /// The cube is reached, and confirm(x, y, z) holds for it. No cube never is.
+    template <class Confirm>
+    [[nodiscard]] bool isReached(CubeNumber number, Confirm&& confirm) const
+    {
+        const VoxelWord cube = cubeOf(number);
+        if (number == kNoCube || (open_[cube.word] & cube.bits) == 0)
+        {
+            return false;
+        }
+        const auto c = layout_.coordinates(cube.word);
+        return confirm(c[0] + std::countr_zero(cube.bits), c[1], c[2]);
+    }
     [[nodiscard]] std::size_t reachedCount() const { return reachedCount_; }
 
     /// Where the search for a reached cube near an obstacle has got to. As the set only shrinks, a
@@ -144,16 +157,13 @@ public:
         Cursor fromTheTop = 0;
         return sphereDroppable(centre, radius, fromTheTop, [](int, int, int) { return true; });
     }
-    /// The same for a triangle. The map keeps the cursors of triangles.
-    template <class Confirm>
-    [[nodiscard]] bool polygonDroppable(std::uint32_t triangle, Confirm&& confirm)
-    {
-        return active_ && !findNearTriangle(triangle, confirm);
-    }
-    [[nodiscard]] bool polygonDroppable(std::uint32_t triangle)
-    {
-        return polygonDroppable(triangle, [](int, int, int) { return true; });
-    }
+    /// Looks for the same of each triangle of a group, up to 64 of them, among rows from `from` on:
+    /// calls found(k, cube) with its number in the group and the first cube that is confirmed.
+    /// Those that lie side by side ask together, and each finds what it would find by itself.
+    template <class Confirm, class Found>
+    void findNear(const TriangleGroup& group, VoxelRow from, Confirm&& confirm,
+                  Found&& found) const;
+    [[nodiscard]] bool polygonDroppable(std::uint32_t triangle) const;
     /// R': how near a centre may come to an obstacle with a contact distance; 0 when the margins
     /// leave nothing [r].
     [[nodiscard]] double exclusion(double contact) const;
@@ -175,9 +185,11 @@ private:
     {
         return radius + radii_.largest + margins_.query + kReachRounding;
     }
-    [[nodiscard]] double polygonReach() const
+    /// How far from a triangle the middle of such a cube may be.
+    [[nodiscard]] double polygonDistance() const
     {
-        return radii_.largest + margins_.query + kReachRounding;
+        return radii_.largest + margins_.query + kReachRounding +
+               kHalfDiagonal * layout_.frame.cell;
     }
     [[nodiscard]] VoxelBits unblockedCubes() const;
     void keepInside(const InsideTest& inside);
@@ -192,8 +204,9 @@ private:
     template <class Confirm>
     bool findNearSphere(const Eigen::Vector3d& p, double distance, Cursor& cursor,
                         Confirm&& confirm) const;
-    template <class Confirm>
-    bool findNearTriangle(std::uint32_t triangle, Confirm&& confirm);
+    template <class Confirm, class Found>
+    void findNearTriangle(std::uint32_t triangle, VoxelRow from, Confirm&& confirm,
+                          Found&& found) const;
 
     const Surface& surface_;
     Radii radii_;
@@ -213,7 +226,6 @@ private:
     std::vector<VoxelWord> unseeded_;     ///< no seeds any more
     std::vector<VoxelWord> runningCubes_; ///< seeds of the last update
     std::vector<VoxelWord> lost_;         ///< cubes that this flood or update took out of the set
-    std::vector<std::uint64_t> triangleRow_; ///< [#T] as a Cursor, but some have more rows
 };
 
 template <class Confirm>
@@ -243,15 +255,62 @@ bool ReachMap::findNearSphere(const Eigen::Vector3d& p, double distance, Cursor&
     return found;
 }
 
-template <class Confirm>
-bool ReachMap::findNearTriangle(std::uint32_t triangle, Confirm&& confirm)
+template <class Confirm, class Found>
+void ReachMap::findNear(const TriangleGroup& group, VoxelRow from, Confirm&& confirm,
+                        Found&& found) const
 {
-    const double distance = polygonReach() + kHalfDiagonal * layout_.frame.cell;
-    const TriangleRows rows(layout_.frame, surface_, triangle, distance);
+    if (group.triangles.size() == 1)
+    {
+        findNearTriangle(group.triangles[0], from, confirm, found);
+        return;
+    }
+    const GroupRows rows(layout_.frame, surface_, group, polygonDistance());
+    std::uint64_t left = ~std::uint64_t{0} >> (64 - group.triangles.size());
+    const auto take = [&](int x, int y, int z, VoxelWord cube)
+    {
+        std::uint64_t near = rows.nearAmong(left, x, y, z);
+        if (near != 0 && confirm(x, y, z))
+        {
+            left &= ~near;
+            for (; near != 0; near &= near - 1)
+            {
+                found(static_cast<std::size_t>(std::countr_zero(near)), cube);
+            }
+        }
+        return left == 0;
+    };
+    rows.find(from,
+              [&](int y, int z, VoxelRun run)
+              {
+                  return layout_.findInRow(open_, y, z, run.first, run.last,
+                                           [&](int x, VoxelWord cube)
+                                           { return take(x, y, z, cube); });
+              });
+}
+
+template <class Confirm, class Found>
+void ReachMap::findNearTriangle(std::uint32_t triangle, VoxelRow from, Confirm&& confirm,
+                                Found&& found) const
+{
+    const TriangleRows rows(layout_.frame, surface_, triangle, polygonDistance());
     const auto isNear = [&](int x, int y, int z) { return rows.near(x, y, z) && confirm(x, y, z); };
-    return rows.find(
-        triangleRow_[triangle],
-        [&](int y, int z, VoxelRun most) { return findInRow(y, z, rows.run(y, z, most), isNear); },
+    std::uint64_t row = rows.numberFrom(from);
+    rows.find(
+        row,
+        [&](int y, int z, VoxelRun most)
+        {
+            const VoxelRun run = rows.run(y, z, most);
+            return layout_.findInRow(open_, y, z, run.first, run.last,
+                                     [&](int x, VoxelWord cube)
+                                     {
+                                         const bool its = isNear(x, y, z);
+                                         if (its)
+                                         {
+                                             found(0, cube);
+                                         }
+                                         return its;
+                                     });
+        },
         [&](int y, int z, int last, VoxelRun most)
         { return layout_.firstRow(open_, y, z, last, most.first, most.last); });
 }

@@ -94,6 +94,8 @@ public:
                               row, [&](int y, int z) { return test(y, z, widest); },
                               [&](int y, int z, int last) { return next(y, z, last, widest); });
     }
+    /// The number of a row, or of the next one.
+    [[nodiscard]] std::uint64_t numberFrom(VoxelRow row) const { return window_.numberFrom(row); }
     /// Calls visit(y, z, most) for all rows, likewise.
     template <class Visit, class Next = EveryRow>
     void forEach(Visit&& visit, Next&& next = {}) const

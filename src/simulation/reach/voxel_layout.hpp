@@ -24,6 +24,18 @@ struct VoxelWord
     std::uint64_t bits;
 };
 
+/// A cube by its number among all that have a bit.
+using CubeNumber = std::uint64_t;
+inline constexpr CubeNumber kNoCube = ~CubeNumber{0};
+[[nodiscard]] inline CubeNumber numberOf(VoxelWord cube)
+{
+    return 64 * CubeNumber{cube.word} + static_cast<CubeNumber>(std::countr_zero(cube.bits));
+}
+[[nodiscard]] inline VoxelWord cubeOf(CubeNumber number)
+{
+    return {number / 64, std::uint64_t{1} << number % 64};
+}
+
 /// How the cubes of a grid are packed into words: rows run along x, planes lie level.
 ///
 /// The whole of a grid: every row ends in a bit that is never set, every plane in a row and the

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 /// Which cubes lie in a ball or near one, row by row.
 namespace frostfill
@@ -19,6 +20,18 @@ struct VoxelRun
 {
     int first;
     int last;
+};
+
+/// A row, by its place across x. Searches take rows from the top down, and of one height by z.
+struct VoxelRow
+{
+    int y = std::numeric_limits<int>::max(); ///< unless told, above all
+    int z = std::numeric_limits<int>::min();
+
+    [[nodiscard]] bool isBefore(const VoxelRow& other) const
+    {
+        return y != other.y ? y > other.y : z < other.z;
+    }
 };
 
 /// Whole numbers low..high that lie in [from, to] and are the number of a cube, without calls.
@@ -70,6 +83,16 @@ public:
     {
         return static_cast<std::uint64_t>(top_ - y) * static_cast<unsigned>(depth_) +
                static_cast<unsigned>(z - firstZ_);
+    }
+    /// The number of a row, or of the next one in the window.
+    [[nodiscard]] std::uint64_t numberFrom(VoxelRow row) const
+    {
+        if (row.y > top_ || count_ == 0)
+        {
+            return 0;
+        }
+        const int lastZ = firstZ_ + depth_ - 1;
+        return row.z > lastZ ? number(row.y - 1, firstZ_) : number(row.y, std::max(row.z, firstZ_));
     }
     /// Looks for a row from number `row` on for which test(y, z) holds. Leaves its number in `row`,
     /// or the number of rows when there is none. Asks only rows next(y, z, last): the first from z

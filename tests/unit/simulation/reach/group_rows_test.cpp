@@ -59,6 +59,90 @@ TEST(GroupRows, HaveTheCubesThatEachTriangleHas)
     EXPECT_GT(large, 100u);
 }
 
+TEST(GroupRows, AreFoundFromTheTopDownAndFromAnyRowOn)
+{
+    const Surface surface(shapes::torus(3, 1, 60, 30));
+    const GridFrame frame = GridFrame::cover(surface.box(), 0.69, 0.5);
+    TriangleGroup group;
+    forEachGroup(surface, 0.69,
+                 [&](const TriangleGroup& one)
+                 { group = one.triangles.size() > group.triangles.size() ? one : group; });
+    const GroupRows rows(frame, surface, group, 1.3);
+    std::vector<VoxelRow> all;
+    rows.forEach([&](int y, int z, VoxelRun) { all.push_back({y, z}); });
+    ASSERT_GT(all.size(), 10u);
+    for (std::size_t i = 1; i < all.size(); ++i)
+    {
+        EXPECT_TRUE(all[i - 1].isBefore(all[i]));
+        EXPECT_FALSE(all[i].isBefore(all[i - 1]));
+    }
+    for (std::size_t i = 0; i < all.size(); ++i)
+    {
+        std::size_t next = i;
+        rows.find(all[i],
+                  [&](int y, int z, VoxelRun)
+                  {
+                      EXPECT_EQ(y, all[next].y);
+                      EXPECT_EQ(z, all[next].z);
+                      return ++next == i + 3;
+                  });
+        EXPECT_EQ(next, std::min(i + 3, all.size()));
+    }
+}
+
+TEST(ReachMap, TrianglesSideBySideFindWhatEachFindsByItself)
+{
+    for (const TriangleMesh& mesh :
+         {shapes::torus(3, 1.5, 200, 100), shapes::torus(3, 1.5, 60, 200)})
+    {
+        const reach::Object object(mesh);
+        ReachMap map(object.surface, object.inside, {0.4, 0.4}, {}, {});
+        ASSERT_TRUE(map.active() && map.flood({}));
+        reach::Random random(11);
+        std::size_t together = 0;
+        for (int round = 0; round < 3; ++round)
+        {
+            std::set<std::array<int, 3>> asked;
+            std::set<std::array<int, 3>> askedTogether;
+            const auto confirms = [&](std::set<std::array<int, 3>>& cubes)
+            {
+                return [&cubes, round](int x, int y, int z)
+                {
+                    cubes.insert({x, y, z});
+                    return (7 * x + 5 * y + 3 * z) % (2 + round) == 0;
+                };
+            };
+            forEachGroup(object.surface, map.layout().frame.cell,
+                         [&](const TriangleGroup& group)
+                         {
+                             const VoxelRow from = {static_cast<int>(random.uniform(2, 20)),
+                                                    static_cast<int>(random.uniform(-3, 20))};
+                             const std::size_t size = group.triangles.size();
+                             std::vector<CubeNumber> alone(size, kNoCube);
+                             std::vector<CubeNumber> found(size, kNoCube);
+                             for (std::size_t k = 0; k < size; ++k)
+                             {
+                                 map.findNear({group.triangles.subspan(k, 1), {}}, from,
+                                              confirms(asked),
+                                              [&](std::size_t, VoxelWord cube)
+                                              { alone[k] = numberOf(cube); });
+                             }
+                             map.findNear(group, from, confirms(askedTogether),
+                                          [&](std::size_t k, VoxelWord cube)
+                                          {
+                                              EXPECT_EQ(found[k], kNoCube);
+                                              found[k] = numberOf(cube);
+                                          });
+                             EXPECT_EQ(found, alone);
+                             together += size > 1 ? 1 : 0;
+                         });
+            EXPECT_EQ(askedTogether, asked);
+            EXPECT_GT(asked.size(), 100u);
+        }
+        EXPECT_GT(together, 50u);
+    }
+}
+
 /// Each cube's distance to the surface, by looking at all triangles.
 std::vector<double> distances(const VoxelLayout& layout, const Surface& surface)
 {
