@@ -33,11 +33,7 @@ void ContactsColumn::update()
     }
     places_.resize(count, kNowhere);
     counts_.resize(count, 0);
-    const std::vector<std::uint32_t>& stateChanges = world_.spheres.changes();
-    for (; seen_ < stateChanges.size(); ++seen_)
-    {
-        look(stateChanges[seen_]);
-    }
+    world_.spheres.forEachChangedSince(seen_, [this](std::uint32_t id) { look(id); });
     for (const std::uint32_t id : world_.spheres.running().id.all())
     {
         look(id); // it may have the number of one that rested

@@ -40,19 +40,20 @@ void Guard::check()
                                                             : StrayKind::outside);
         }
     }
-    const std::vector<std::uint32_t>& changes = world_.spheres.changes();
-    for (; seen_ < changes.size(); ++seen_)
+    world_.spheres.forEachChangedSince(seen_, [this](std::uint32_t id) { checkAtRest(id); });
+}
+
+void Guard::checkAtRest(std::uint32_t id)
+{
+    if (world_.clock.stray || id >= world_.spheres.size() ||
+        world_.spheres.state(id) != SphereState::frozen)
     {
-        const std::uint32_t id = changes[seen_];
-        if (id >= world_.spheres.size() || world_.spheres.state(id) != SphereState::frozen)
-        {
-            continue;
-        }
-        const Eigen::Vector3d p = world_.spheres.position(id);
-        if (!p.allFinite() || !world_.inside.contains(p))
-        {
-            return report(id, p.allFinite() ? StrayKind::outside : StrayKind::notFinite);
-        }
+        return;
+    }
+    const Eigen::Vector3d p = world_.spheres.position(id);
+    if (!p.allFinite() || !world_.inside.contains(p))
+    {
+        report(id, p.allFinite() ? StrayKind::outside : StrayKind::notFinite);
     }
 }
 

@@ -19,6 +19,7 @@ public:
     void check();
 
 private:
+    void checkAtRest(std::uint32_t id);
     void report(std::uint32_t id, StrayKind kind);
 
     World& world_;

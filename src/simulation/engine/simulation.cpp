@@ -180,7 +180,7 @@ std::uint64_t Simulation::steps() const
 std::uint64_t Simulation::revision() const
 {
     const World& world = implementation_->world;
-    return world.clock.steps + world.spheres.changes().size() + world.counts.polygonChanges;
+    return world.clock.steps + world.spheres.changes().count() + world.counts.polygonChanges;
 }
 std::size_t Simulation::sphereCount() const
 {
@@ -276,14 +276,14 @@ void Simulation::capture(Snapshot& snapshot) const
     // their state since.
     auto& changed = snapshot.changed;
     changed.clear();
-    const std::vector<std::uint32_t>& changes = world.spheres.changes();
-    for (std::size_t k = snapshot.stateChangesSeen; k < changes.size(); ++k)
-    {
-        if (changes[k] < known)
-        {
-            changed.push_back(changes[k]);
-        }
-    }
+    world.spheres.forEachChangedSince(snapshot.stateChangesSeen,
+                                      [&](std::uint32_t id)
+                                      {
+                                          if (id < known)
+                                          {
+                                              changed.push_back(id);
+                                          }
+                                      });
     const std::span<const std::uint32_t> running = world.spheres.running().id.all();
     changed.insert(changed.end(), running.begin(), running.end());
     for (std::size_t id = known; id < count; ++id)
@@ -313,7 +313,6 @@ void Simulation::capture(Snapshot& snapshot) const
     }
     snapshot.origin = world.frame.origin;
     snapshot.pose = poseOf(world, std::max(0.0, world.clock.time - world.motionStart));
-    snapshot.stateChangesSeen = changes.size();
     snapshot.time = time();
     snapshot.step = world.clock.steps;
     snapshot.revision = revision();

@@ -38,7 +38,7 @@ public:
     {
         const auto row = static_cast<std::uint32_t>(size());
         balls_.push_back({p.x(), p.y(), p.z(), radius});
-        rows_.push_back({id, kEnd, false});
+        rows_.push_back({id & kLargestId, false, kEnd});
         link(row);
         extent_.extend(p);
         return row;
@@ -70,7 +70,7 @@ public:
     /// come to rest.
     void renumber(std::uint32_t row, std::uint32_t id)
     {
-        rows_[row].id = id;
+        rows_[row].id = id & kLargestId;
         linkTo(row) = rows_[row].next;
         link(row);
     }
@@ -170,6 +170,7 @@ private:
     }
 
     static constexpr std::uint32_t kEnd = 0xffffffff;
+    static constexpr std::uint32_t kLargestId = 0x7fffffff;
     GridFrame frame_;
     BrickedCells<> cells_;
     std::vector<std::uint32_t> head_; ///< [#cells_]
@@ -177,9 +178,9 @@ private:
     std::vector<Ball> balls_;
     struct Row
     {
-        std::uint32_t id;
+        std::uint32_t id : 31;
+        bool discarded : 1;
         std::uint32_t next; ///< row in the list of its cell
-        bool discarded;
     };
     std::vector<Row> rows_;
 };

@@ -4,12 +4,11 @@
 namespace frostfill
 {
 
-void Spheres::reserve(std::size_t count, std::size_t changes)
+void Spheres::reserve(std::size_t count)
 {
     where_.reserve(count);
     group_.reserve(count);
     resting_.reserve(count);
-    changes_.reserve(changes);
 }
 
 void Spheres::run(std::uint32_t id, const Eigen::Vector3d& place, double radius)
@@ -29,7 +28,7 @@ std::uint32_t Spheres::rest(std::uint32_t id, const Eigen::Vector3d& place, doub
 {
     const std::uint32_t row = resting_.insert(id, place, radius);
     where_[id] = 2 * row;
-    changes_.push_back(id);
+    changes_.add(id, size());
     return row;
 }
 
@@ -78,7 +77,7 @@ std::uint32_t Spheres::withdraw(std::uint32_t id)
             resting_.renumber(row(last), id);
         }
         where_[id] = where_[last];
-        changes_.push_back(id);
+        changes_.add(id, size());
     }
     where_.pop_back();
     group_.pop_back(); // a group goes with the id, not with the sphere
@@ -117,14 +116,14 @@ void Spheres::wake(std::uint32_t id)
         where_[resting_.id(gone)] = 2 * gone;
     }
     run(id, ball.position(), ball.radius);
-    changes_.push_back(id);
+    changes_.add(id, size());
 }
 
 void Spheres::discard(std::uint32_t id)
 {
     resting_.setDiscarded(row(id), true);
     ++discarded_;
-    changes_.push_back(id);
+    changes_.add(id, size());
 }
 
 void Spheres::restoreDiscarded()
@@ -134,7 +133,7 @@ void Spheres::restoreDiscarded()
         if (state(id) == SphereState::discarded)
         {
             resting_.setDiscarded(row(id), false);
-            changes_.push_back(id);
+            changes_.add(id, size());
         }
     }
     discarded_ = 0;

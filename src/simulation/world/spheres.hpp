@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "simulation/world/change_log.hpp"
 #include "simulation/world/running_spheres.hpp"
 #include "simulation/world/sphere_grid.hpp"
 
@@ -55,11 +56,16 @@ public:
     [[nodiscard]] std::size_t runningCount() const { return size() - resting_.size(); }
     [[nodiscard]] std::size_t frozenCount() const { return resting_.size() - discarded_; }
     [[nodiscard]] std::size_t discardedCount() const { return discarded_; }
-    /// Ids in the order in which their state changed.
-    [[nodiscard]] const std::vector<std::uint32_t>& changes() const { return changes_; }
+    [[nodiscard]] const ChangeLog& changes() const { return changes_; }
+    /// Calls visit(id) for each sphere whose state may have changed: see ChangeLog.
+    template <class Visit>
+    void forEachChangedSince(std::size_t& seen, Visit&& visit) const
+    {
+        changes_.forEachSince(seen, size(), visit);
+    }
 
     /// Room for so many, at rest in the end, without moving any in memory.
-    void reserve(std::size_t count, std::size_t changes);
+    void reserve(std::size_t count);
     /// A sphere appears and runs. Returns its id.
     std::uint32_t add(const Eigen::Vector3d& place, double radius, std::uint32_t group);
     /// The same for one that never runs.
@@ -90,7 +96,7 @@ private:
     SphereGrid resting_;
     std::vector<std::uint32_t> where_; ///< by id: twice the row, and kRuns
     std::vector<std::uint32_t> group_; ///< by id
-    std::vector<std::uint32_t> changes_;
+    ChangeLog changes_;
     std::size_t discarded_ = 0;
     bool gaps_ = false; ///< a running row is gone
 };

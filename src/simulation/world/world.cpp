@@ -146,7 +146,7 @@ World::World(const Scene& sceneOfRun, std::shared_ptr<const ObjectOfRun> sharedO
     const auto room =
         static_cast<std::size_t>(kRoomForSpheres * static_cast<double>(countThatFits(*this)));
     const std::size_t most = targetCount > 0 ? std::min(targetCount, room) : room;
-    spheres.reserve(most, scene.discard.rule == DiscardRule::none ? most : 2 * most);
+    spheres.reserve(most);
 }
 
 void World::restoreDiscarded()
