@@ -82,6 +82,33 @@ TEST(Stress, WhateverTheSceneNothingLeaksGainsEnergyOrDiffersFromOneRunToTheNext
     }
 }
 
+// In a narrow tube what freezes together is pushed about by its neighbours until the last moment.
+TEST(Stress, CrowdsInNarrowTubesEndCarried)
+{
+    const TriangleMesh mesh = shapes::torus(24, 2.6, 160, 20);
+    for (std::uint64_t seed = 1; seed <= 6; ++seed)
+    {
+        for (const bool bySet : {false, true})
+        {
+            SCOPED_TRACE("seed " + std::to_string(seed) + (bySet ? ", by set" : ""));
+            Scene scene = presetScene(Preset::fast, "torus");
+            scene.seed = seed;
+            scene.spheres.radius = 1;
+            scene.spheres.count = 300;
+            scene.spheres.groupSize = 1000;
+            scene.freezing.bySet = bySet;
+            QualityReport quality;
+            scene.threads = 1;
+            const std::string hash = runToItsEnd(scene, mesh, quality);
+            EXPECT_EQ(quality.unsupported, 0u);
+            EXPECT_EQ(quality.centresOutside, 0u);
+            EXPECT_LE(quality.maxOverlap, 1e-7);
+            scene.threads = 2;
+            EXPECT_EQ(runToItsEnd(scene, mesh, quality), hash);
+        }
+    }
+}
+
 struct Released
 {
     Released(Preset preset, const std::vector<PlacedSphere>& spheres)

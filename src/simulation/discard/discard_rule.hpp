@@ -21,6 +21,8 @@ public:
 
     /// A sphere has come to rest.
     virtual void addResting(std::uint32_t /*id*/) {}
+    /// One of those that were added since the last afterStep() runs again.
+    virtual void takeBack(std::uint32_t /*id*/) {}
     /// A sphere has got another id.
     virtual void renumber(std::uint32_t /*from*/, std::uint32_t /*to*/) {}
     /// Spheres have been frozen, for now no more.

@@ -46,6 +46,11 @@ void ExactDiscard::addResting(std::uint32_t id)
     pending_.push_back(id);
 }
 
+void ExactDiscard::takeBack(std::uint32_t id)
+{
+    std::erase(pending_, id);
+}
+
 void ExactDiscard::renumber(std::uint32_t from, std::uint32_t to)
 {
     std::replace(pending_.begin(), pending_.end(), from, to);

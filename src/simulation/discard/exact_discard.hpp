@@ -34,6 +34,7 @@ public:
     ExactDiscard(World& world, Threads& threads);
 
     void addResting(std::uint32_t id) override;
+    void takeBack(std::uint32_t id) override;
     void renumber(std::uint32_t from, std::uint32_t to) override;
 
     /// Checks that every running sphere is within the reached set; when one is not, everything

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
+#include <map>
 
 namespace frostfill
 {
@@ -16,7 +17,7 @@ Freezer::Freezer(World& world, RunnerGrid& grid, RestObservers& observers, FreeF
     : world_(world), running_(world.spheres.running()), grid_(grid), observers_(observers),
       flight_(flight), solver_(solver), threads_(threads), dropAndRoll_(world, observers.falls),
       island_(running_, flight, solver.pairs(), threads), resolver_(world, grid, flight, observers),
-      ageLimit_(ageLimit), layer_(spheresInLayer(world)),
+      support_(world), ageLimit_(ageLimit), layer_(spheresInLayer(world)),
       watch_(running_, [this](std::uint32_t row, RestWatch& watch)
              { watch = {.start = running_.position[row]}; })
 {
@@ -49,6 +50,7 @@ void Freezer::freeze(SetSchedule& sets)
     {
         return;
     }
+    frozen_.clear();
     carriedAt_.assign(running_.size(), std::nullopt);
     stale_.assign(running_.size(), 0);
     grid_.rebuild(running_);
@@ -58,6 +60,7 @@ void Freezer::freeze(SetSchedule& sets)
     }
     freezeOneByOne();
     world_.spheres.closeRanks();
+    wakeUncarried();
     if (observers_.discard)
     {
         observers_.discard->afterFreezing();
@@ -202,9 +205,45 @@ void Freezer::tryFreeze(std::uint32_t row, bool insist)
         stale_[moved] = 1;
     }
     world_.counts.overdue += tooOld ? 1 : 0;
+    frozen_.push_back({atRest, watch_[row].age, tooOld, insist});
     // Its id may have changed: one that was withdrawn has left its own to the last sphere.
     observers_.add(world_.spheres.resting().id(atRest), resting.place, resting.radius);
     tell(resting.place, resting.radius);
+}
+
+// Of those that have frozen together, some may have been moved aside by others, or have failed to
+// freeze, and what they carried runs again. It is as old as it was, so that it will not do so for
+// ever.
+void Freezer::wakeUncarried()
+{
+    const auto isTogether = [](const Frozen& one) { return one.together; };
+    if (std::none_of(frozen_.begin(), frozen_.end(), isTogether))
+    {
+        return;
+    }
+    std::map<std::uint32_t, double> ages; // by id
+    std::vector<std::uint32_t> ids;
+    for (const Frozen& one : frozen_)
+    {
+        if (!one.tooOld)
+        {
+            ids.push_back(world_.spheres.resting().id(one.atRest));
+            ages.emplace(ids.back(), one.age);
+        }
+    }
+    const std::size_t before = running_.size();
+    support_.wakeUncarried(
+        std::move(ids), [&](std::uint32_t id) { return ages.contains(id); },
+        [&](std::uint32_t id)
+        {
+            world_.spheres.wake(id);
+            watch_[world_.spheres.row(id)].age = ages.at(id);
+            observers_.takeBack(id);
+        });
+    if (running_.size() > before)
+    {
+        flight_.forgetNeighbours();
+    }
 }
 
 void Freezer::tell(const Eigen::Vector3d& place, double radius)

@@ -4,6 +4,7 @@
 #include "simulation/freezing/overlap_resolver.hpp"
 #include "simulation/freezing/rest_observers.hpp"
 #include "simulation/freezing/set_schedule.hpp"
+#include "simulation/freezing/support_at_rest.hpp"
 #include "simulation/motion/drop_and_roll.hpp"
 #include "simulation/motion/free_flight.hpp"
 #include "simulation/solver/position_solver.hpp"
@@ -35,11 +36,21 @@ public:
     void freeze(SetSchedule& sets);
 
 private:
+    /// One that has come to rest in this window.
+    struct Frozen
+    {
+        std::uint32_t atRest; ///< its row there
+        double age;
+        bool tooOld;
+        bool together;
+    };
+
     void findSleepy();
     void freezeTogether(std::uint32_t stillWindows);
     void freezeOneByOne();
     void findPlace(std::uint32_t row);
     void tryFreeze(std::uint32_t row, bool insist = false);
+    void wakeUncarried();
     /// Tells the runners nearby that a sphere has come to rest.
     void tell(const Eigen::Vector3d& place, double radius);
     [[nodiscard]] bool isOverdue(std::uint32_t row) const { return watch_[row].age > ageLimit_; }
@@ -56,6 +67,7 @@ private:
     DropAndRoll dropAndRoll_;
     SupportIsland island_;
     OverlapResolver resolver_;
+    SupportAtRest support_;
     double ageLimit_;
     double layer_; ///< spheres that cover the object's cross-section
     RunningColumn<RestWatch> watch_;
@@ -64,6 +76,7 @@ private:
     std::vector<char> stale_; ///< something has come to rest, or has moved, since that was found
     std::vector<std::uint32_t> sleepy_;   ///< runners to be frozen, the lowest first
     std::vector<std::uint32_t> together_; ///< those of an island, the lowest first
+    std::vector<Frozen> frozen_;
 };
 
 } // namespace frostfill

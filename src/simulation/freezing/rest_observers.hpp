@@ -31,6 +31,16 @@ struct RestObservers
         }
     }
 
+    /// It runs again, before anything else has been done about it. Falls look where it was in vain,
+    /// and nothing appears there any more.
+    void takeBack(std::uint32_t id)
+    {
+        if (discard)
+        {
+            discard->takeBack(id);
+        }
+    }
+
     FallIndex falls;
     std::unique_ptr<ReleasePart> release;
     std::unique_ptr<DiscardPart> discard; ///< empty when nothing is to be discarded

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/freezing/waker.hpp"
 
-#include "simulation/contact/contact.hpp"
 #include "simulation/freezing/tolerances.hpp"
 
 #include <algorithm>
@@ -87,69 +86,14 @@ bool Waker::wake()
         }
     }
     bool any = false;
-    while (!toLookAt.empty())
-    {
-        std::vector<std::uint32_t> next;
-        for (const std::uint32_t id : toLookAt)
+    support_.wakeUncarried(
+        std::move(toLookAt), [](std::uint32_t) { return true; },
+        [&](std::uint32_t id)
         {
-            if (world_.spheres.isRunning(id) || isSupported(id))
-            {
-                continue;
-            }
             any = true;
             world_.spheres.wake(id);
-            findTouching(id, next);
-        }
-        std::sort(next.begin(), next.end());
-        next.erase(std::unique(next.begin(), next.end()), next.end());
-        toLookAt = std::move(next);
-    }
-    return any;
-}
-
-void Waker::findTouching(std::uint32_t id, std::vector<std::uint32_t>& found) const
-{
-    const Eigen::Vector3d place = world_.spheres.position(id);
-    const double radius = world_.spheres.radius(id);
-    const SphereGrid& resting = world_.spheres.resting();
-    resting.forEachNear(
-        place, radius + 1 + kCarryingGap,
-        [&](std::uint32_t row)
-        {
-            const Ball& near = resting[row];
-            if (isWithin(near.position(), place, radius + near.radius + kCarryingGap))
-            {
-                found.push_back(resting.id(row));
-            }
         });
-}
-
-bool Waker::isSupported(std::uint32_t id)
-{
-    const Eigen::Vector3d place = world_.spheres.position(id);
-    const double radius = world_.spheres.radius(id);
-    const double gap = kCarryingGap * radius;
-    normals_.clear();
-    const SphereGrid& resting = world_.spheres.resting();
-    resting.forEachNear(place, radius + 1 + gap,
-                        [&](std::uint32_t row)
-                        {
-                            const Ball& near = resting[row];
-                            const auto contact =
-                                sphereContact(place - near.position(), radius + near.radius, gap);
-                            if (row != world_.spheres.row(id) && contact)
-                            {
-                                normals_.push_back(contact->normal);
-                            }
-                        });
-    for (const std::uint32_t t : world_.triangles.near(place, radius + gap, nearby_))
-    {
-        if (const auto contact = frontContact(world_.surface, t, place, radius, gap))
-        {
-            addNormal(normals_, contact->normal);
-        }
-    }
-    return isCarried(world_.pull.direction(place), normals_, kCarried);
+    return any;
 }
 
 } // namespace frostfill

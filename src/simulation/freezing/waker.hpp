@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "simulation/world/world.hpp"
+#include "simulation/freezing/support_at_rest.hpp"
 
 #include <array>
 #include <vector>
@@ -25,7 +25,7 @@ public:
         over
     };
 
-    explicit Waker(World& world) : world_(world) {}
+    explicit Waker(World& world) : world_(world), support_(world) {}
 
     [[nodiscard]] Phase phase() const { return phase_; }
     /// The object moves, or what that let go still runs.
@@ -56,16 +56,13 @@ private:
     }
     bool wake();
     [[nodiscard]] std::array<Eigen::Vector3d, 8> directionsAtCorners() const;
-    [[nodiscard]] bool isSupported(std::uint32_t id);
-    void findTouching(std::uint32_t id, std::vector<std::uint32_t>& found) const;
 
     World& world_;
+    SupportAtRest support_;
     Phase phase_ = Phase::filling;
     int looks_ = 0; ///< since the object stopped, after which something ran again
     std::array<Eigen::Vector3d, 8> lookedAt_; ///< the pull's direction at the box's corners when
                                               ///< all at rest were last looked at
-    std::vector<Eigen::Vector3d> normals_;    ///< scratch of isSupported
-    std::vector<std::uint32_t> nearby_;       ///< the same
 };
 
 } // namespace frostfill

@@ -60,16 +60,6 @@ std::optional<VoxelLayout> chooseLayout(const Surface& surface, const InsideTest
     return std::nullopt;
 }
 
-std::size_t countCubes(const VoxelBits& set)
-{
-    std::size_t count = 0;
-    for (const std::uint64_t word : set)
-    {
-        count += static_cast<std::size_t>(std::popcount(word));
-    }
-    return count;
-}
-
 } // namespace
 
 ReachMap::ReachMap(const Surface& surface, const InsideTest& inside, const Radii& radii,
@@ -96,7 +86,7 @@ ReachMap::ReachMap(const Surface& surface, const InsideTest& inside, const Radii
     marks_.assign(layout_.words, 0);
     keepInside(inside);
     reachedCount_ = countCubes(open_);
-    seeds_ = open_;
+    search_.releaseMemory();
     if (unblocked != nullptr)
     {
         unblocked->inside = open_;

@@ -8,22 +8,14 @@ namespace frostfill
 
 void ReachMap::withdrawSeeds()
 {
-    if (!active_)
+    for (std::size_t word = 0; flooded_ && seeded_ && word < open_.size(); ++word)
     {
-        return;
-    }
-    if (flooded_)
-    {
-        for (std::size_t word = 0; word < seeds_.size(); ++word)
+        if (open_[word] != 0)
         {
-            const std::uint64_t gone = seeds_[word] & open_[word];
-            if (gone != 0)
-            {
-                unseeded_.push_back({word, gone});
-            }
+            unseeded_.push_back({word, open_[word]});
         }
     }
-    seeds_.assign(layout_.words, 0);
+    seeded_ = false;
 }
 
 void ReachMap::addResting(const BallSlabs& balls, Threads& threads)

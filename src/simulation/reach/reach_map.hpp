@@ -197,7 +197,10 @@ private:
     void block(VoxelWord cubes, std::vector<std::size_t>& marked);
     void takeBlocked();
     bool anchorRunning(std::span<const Eigen::Vector3d> running);
+    void keepConnected();
+    void settleBeside(std::span<const VoxelWord> left);
     void settle(VoxelWord suspects);
+    void forgetMarks();
     void mark(VoxelWord cubes, std::vector<std::size_t>& marked);
     template <class Confirm>
     bool findInRow(int y, int z, VoxelRun run, Confirm&& confirm) const;
@@ -214,17 +217,17 @@ private:
     VoxelLayout layout_;
     bool active_ = false;
     bool flooded_ = false;
+    bool seeded_ = true; ///< spheres may be released in every cube
     std::optional<Eigen::Vector3d> leak_;
     std::size_t reachedCount_ = 0;
-    VoxelBits open_;  ///< not blocked and inside; once flooded, the reached cubes
-    VoxelBits seeds_; ///< cubes where spheres may be released; some may be blocked by now
+    VoxelBits open_; ///< not blocked and inside; once flooded, the reached cubes
     /// Between updates the cubes that were reached until spheres came to rest there; during an
-    /// update those that are known to be connected with a seed.
+    /// update those that are known to be connected with a running sphere.
     VoxelBits marks_;
     std::vector<std::size_t> markedWords_; ///< words of marks_ that are not empty
     VoxelFlood search_;
     std::vector<VoxelWord> unseeded_;     ///< no seeds any more
-    std::vector<VoxelWord> runningCubes_; ///< seeds of the last update
+    std::vector<VoxelWord> runningCubes_; ///< of the last update
     std::vector<VoxelWord> lost_;         ///< cubes that this flood or update took out of the set
 };
 

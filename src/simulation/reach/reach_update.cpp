@@ -11,34 +11,27 @@ bool ReachMap::flood(std::span<const Eigen::Vector3d> running)
     {
         return true;
     }
-    bool trusted = true;
-    const auto everything = [](VoxelWord) { return false; };
-    for (std::size_t word = 0; word < layout_.words; ++word)
-    {
-        if ((seeds_[word] & open_[word]) != 0)
-        {
-            search_.run(open_, {word, seeds_[word]}, everything);
-        }
-    }
-    runningCubes_.clear();
-    for (const Eigen::Vector3d& centre : running)
-    {
-        const VoxelWord cube = layout_.at(centre);
-        trusted = trusted && (open_[cube.word] & cube.bits) != 0;
-        search_.run(open_, cube, everything);
-        runningCubes_.push_back(cube);
-    }
-
-    VoxelBits reached(layout_.words, 0);
-    reachedCount_ = 0;
-    search_.drain(
-        [&](VoxelWord w)
-        {
-            reached[w.word] = w.bits;
-            reachedCount_ += static_cast<std::size_t>(std::popcount(w.bits));
-        });
     takeBlocked();
     unseeded_.clear();
+    const bool trusted = anchorRunning(running);
+    if (!seeded_)
+    {
+        keepConnected();
+    }
+    forgetMarks();
+    reachedCount_ = countCubes(open_);
+    flooded_ = true;
+    return trusted;
+}
+
+void ReachMap::keepConnected()
+{
+    for (const VoxelWord cube : runningCubes_)
+    {
+        search_.run(open_, cube, [](VoxelWord) { return false; });
+    }
+    VoxelBits reached(layout_.words, 0);
+    search_.drain([&](VoxelWord w) { reached[w.word] = w.bits; });
     for (std::size_t word = 0; word < layout_.words; ++word)
     {
         if ((open_[word] & ~reached[word]) != 0)
@@ -47,9 +40,6 @@ bool ReachMap::flood(std::span<const Eigen::Vector3d> running)
         }
     }
     open_ = std::move(reached);
-    search_.releaseMemory();
-    flooded_ = true;
-    return trusted;
 }
 
 // A cube can only be cut off when a neighbour was blocked, a seed was taken away or a running
@@ -67,6 +57,22 @@ bool ReachMap::update(std::span<const Eigen::Vector3d> running)
     const std::vector<VoxelWord> left = std::move(runningCubes_);
     const bool trusted = anchorRunning(running);
 
+    if (!seeded_)
+    {
+        settleBeside(left);
+    }
+    forgetMarks();
+
+    for (const VoxelWord lost : lost_)
+    {
+        reachedCount_ -= static_cast<std::size_t>(std::popcount(lost.bits));
+    }
+    return trusted;
+}
+
+// What was blocked, and where seeds or running spheres are gone.
+void ReachMap::settleBeside(std::span<const VoxelWord> left)
+{
     const std::size_t blockedWords = lost_.size();
     for (std::size_t i = 0; i < blockedWords; ++i)
     {
@@ -83,17 +89,15 @@ bool ReachMap::update(std::span<const Eigen::Vector3d> running)
     {
         settle(suspects);
     }
+}
+
+void ReachMap::forgetMarks()
+{
     for (const std::size_t word : markedWords_)
     {
         marks_[word] = 0;
     }
     markedWords_.clear();
-
-    for (const VoxelWord lost : lost_)
-    {
-        reachedCount_ -= static_cast<std::size_t>(std::popcount(lost.bits));
-    }
-    return trusted;
 }
 
 void ReachMap::takeBlocked()
@@ -102,9 +106,8 @@ void ReachMap::takeBlocked()
     for (const std::size_t word : markedWords_)
     {
         lost_.push_back({word, marks_[word]});
-        marks_[word] = 0;
     }
-    markedWords_.clear();
+    forgetMarks();
 }
 
 void ReachMap::mark(VoxelWord cubes, std::vector<std::size_t>& marked)
@@ -144,9 +147,9 @@ void ReachMap::settle(VoxelWord suspects)
         {
             return;
         }
-        const bool connected = search_.run(
-            open_, {word, unsettled & -unsettled},
-            [&](VoxelWord w) { return (w.bits & (marks_[w.word] | seeds_[w.word])) != 0; });
+        const bool connected =
+            search_.run(open_, {word, unsettled & -unsettled},
+                        [&](VoxelWord w) { return (w.bits & marks_[w.word]) != 0; });
         search_.drain(
             [&](VoxelWord w)
             {

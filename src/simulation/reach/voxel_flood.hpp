@@ -52,13 +52,14 @@ class VoxelFlood
 {
 public:
     VoxelFlood() = default;
-    explicit VoxelFlood(const VoxelLayout& layout) : layout_(layout), visited_(layout.words, 0) {}
+    explicit VoxelFlood(const VoxelLayout& layout) : layout_(layout) {}
 
     /// Visits what is connected with `start` inside `open`, until stop(VoxelWord) says that some
     /// cubes are enough. Returns whether it did. To be followed by drain.
     template <class Stop>
     bool run(const VoxelBits& open, VoxelWord start, Stop&& stop)
     {
+        visited_.resize(layout_.words, 0);
         push(open, start);
         while (!stack_.empty())
         {
@@ -95,12 +96,8 @@ public:
         touched_.clear();
     }
 
-    /// To be called after a flood of everything: what follows needs far less memory.
-    void releaseMemory()
-    {
-        stack_.shrink_to_fit();
-        touched_.shrink_to_fit();
-    }
+    /// To be called after a flood of everything that is drained: there may never be another.
+    void releaseMemory() { *this = VoxelFlood(layout_); }
 
 private:
     // Returns the cubes that had not been visited.

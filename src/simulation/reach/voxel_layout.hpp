@@ -17,6 +17,16 @@ namespace frostfill
 /// A set of cubes of a grid, one bit each, in the order of a VoxelLayout.
 using VoxelBits = std::vector<std::uint64_t>;
 
+[[nodiscard]] inline std::size_t countCubes(const VoxelBits& set)
+{
+    std::size_t count = 0;
+    for (const std::uint64_t word : set)
+    {
+        count += static_cast<std::size_t>(std::popcount(word));
+    }
+    return count;
+}
+
 /// Some cubes of one row: bit i of word `word`.
 struct VoxelWord
 {

@@ -203,14 +203,16 @@ void SiteLattice::listWords(const Eigen::AlignedBox3d& box, const InsideTest& in
             });
         if (static_cast<double>(words.size()) <= kMaxSites / 64)
         {
+            std::vector<Word> list;
             for (std::size_t word = 0; word < words.size(); ++word)
             {
                 if (words.isInGrid(words.cell(word)))
                 {
-                    list_.push_back(words.cell(word));
+                    list.push_back(words.cell(word));
                 }
             }
-            std::sort(list_.begin(), list_.end(), isBefore);
+            std::sort(list.begin(), list.end(), WordSpans::isBefore);
+            std::for_each(list.begin(), list.end(), [&](const Word& word) { list_.append(word); });
             return;
         }
         lattice_ = GridFrame::cover(box, kCellGrowth * lattice_.cell, 0);
@@ -220,21 +222,22 @@ void SiteLattice::listWords(const Eigen::AlignedBox3d& box, const InsideTest& in
 
 void SiteLattice::dropClosedWords()
 {
-    std::size_t kept = 0;
+    WordSpans kept;
     for (std::size_t word = 0; word < bits_.size(); ++word)
     {
         if (bits_[word] != 0)
         {
-            bits_[kept] = bits_[word];
-            list_[kept++] = list_[word];
+            bits_[kept.size()] = bits_[word];
+            kept.append(list_.place(word));
         }
     }
-    // One word is never dropped, so that the list is never empty.
-    kept = std::max(kept, std::min<std::size_t>(1, bits_.size()));
-    bits_.resize(kept);
+    if (kept.size() == 0 && !bits_.empty()) // a list without words would be that of a small one
+    {
+        kept.append(list_.place(0));
+    }
+    bits_.resize(kept.size());
     bits_.shrink_to_fit();
-    list_.resize(kept);
-    list_.shrink_to_fit();
+    list_ = std::move(kept);
 }
 
 void SiteLattice::close(const Eigen::Vector3d& centre, double radius)

@@ -5,11 +5,11 @@
 #include "geometry/bricked_cells.hpp"
 #include "mesh/interior/inside_test.hpp"
 #include "simulation/release/tolerances.hpp"
+#include "simulation/release/word_spans.hpp"
 #include "simulation/world/spheres.hpp"
 
 #include <algorithm>
 #include <cstdint>
-#include <tuple>
 #include <vector>
 
 namespace frostfill
@@ -59,23 +59,17 @@ public:
 
 private:
     class Opening;
-    /// A word among those of its row, and the row.
-    using Word = GridPlace;
-    static constexpr std::size_t kNone = ~std::size_t{0};
+    using Word = WordPlace;
+    static constexpr std::size_t kNone = WordSpans::kNone;
 
-    /// The order of words, and of sites.
-    static bool isBefore(const Word& a, const Word& b)
-    {
-        return std::tie(a[2], a[1], a[0]) < std::tie(b[2], b[1], b[0]);
-    }
     void listWords(const Eigen::AlignedBox3d& box, const InsideTest& inside);
     void dropClosedWords();
     void closeRun(int y, int z, int first, int last);
     [[nodiscard]] Word place(std::size_t word) const
     {
-        if (!list_.empty())
+        if (list_.size() > 0)
         {
-            return list_[word];
+            return list_.place(word);
         }
         const std::size_t row = word / wordsPerRow_;
         const auto rows = static_cast<std::size_t>(lattice_.count[1]);
@@ -85,27 +79,25 @@ private:
     /// Number of the first word from this one on.
     [[nodiscard]] std::size_t firstFrom(const Word& word) const
     {
-        if (list_.empty())
+        if (list_.size() == 0)
         {
             const auto rows = static_cast<std::size_t>(lattice_.count[1]);
             return (static_cast<std::size_t>(word[2]) * rows + static_cast<std::size_t>(word[1])) *
                        wordsPerRow_ +
                    static_cast<std::size_t>(word[0]);
         }
-        const auto found = std::lower_bound(list_.begin(), list_.end(), word, isBefore);
-        return static_cast<std::size_t>(found - list_.begin());
+        return list_.firstFrom(word);
     }
     /// Number of a word, or kNone.
     [[nodiscard]] std::size_t find(const Word& word) const
     {
-        const std::size_t number = firstFrom(word);
-        return list_.empty() || (number < list_.size() && list_[number] == word) ? number : kNone;
+        return list_.size() == 0 ? firstFrom(word) : list_.find(word);
     }
 
     double radius_;
     GridFrame lattice_;
     std::size_t wordsPerRow_;
-    std::vector<Word> list_;          ///< of a large lattice, ascending
+    WordSpans list_;                  ///< the words of a large lattice
     std::vector<std::uint64_t> bits_; ///< [#words]
 };
 
