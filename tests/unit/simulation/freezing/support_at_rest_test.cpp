@@ -64,7 +64,7 @@ TEST_F(SupportAtRestTest, WhatHangsInTheAirWakesAndAllThatItCarried)
     rest({0, -7, 0});
     rest({4, 0, 0}); // carried by the next until that has woken, and so on
     rest({4, -2, 0});
-    rest({4, -4, 0}); // on nothing
+    rest({4, -4, 0});                              // on nothing
     const std::uint32_t beside = rest({0, -5, 0}); // on the first
     EXPECT_EQ(wake(), (std::vector<std::uint32_t>{3, 2, 1}));
     EXPECT_TRUE(support.carries(beside));
