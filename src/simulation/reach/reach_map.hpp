@@ -163,6 +163,7 @@ public:
     template <class Confirm, class Found>
     void findNear(const TriangleGroup& group, VoxelRow from, Confirm&& confirm,
                   Found&& found) const;
+    /// Finds none for a triangle, whatever it may hold.
     [[nodiscard]] bool polygonDroppable(std::uint32_t triangle) const;
     /// R': how near a centre may come to an obstacle with a contact distance; 0 when the margins
     /// leave nothing [r].
@@ -296,7 +297,15 @@ void ReachMap::findNearTriangle(std::uint32_t triangle, VoxelRow from, Confirm&&
                                 Found&& found) const
 {
     const TriangleRows rows(layout_.frame, surface_, triangle, polygonDistance());
-    const auto isNear = [&](int x, int y, int z) { return rows.near(x, y, z) && confirm(x, y, z); };
+    const auto take = [&](int x, int y, int z, VoxelWord cube)
+    {
+        const bool its = rows.near(x, y, z) && confirm(x, y, z);
+        if (its)
+        {
+            found(0, cube);
+        }
+        return its;
+    };
     std::uint64_t row = rows.numberFrom(from);
     rows.find(
         row,
@@ -304,15 +313,7 @@ void ReachMap::findNearTriangle(std::uint32_t triangle, VoxelRow from, Confirm&&
         {
             const VoxelRun run = rows.run(y, z, most);
             return layout_.findInRow(open_, y, z, run.first, run.last,
-                                     [&](int x, VoxelWord cube)
-                                     {
-                                         const bool its = isNear(x, y, z);
-                                         if (its)
-                                         {
-                                             found(0, cube);
-                                         }
-                                         return its;
-                                     });
+                                     [&](int x, VoxelWord cube) { return take(x, y, z, cube); });
         },
         [&](int y, int z, int last, VoxelRun most)
         { return layout_.firstRow(open_, y, z, last, most.first, most.last); });

@@ -42,11 +42,11 @@ void ReachMap::keepConnected()
     open_ = std::move(reached);
 }
 
-// A cube can only be cut off when a neighbour was blocked, a seed was taken away or a running
-// sphere has left. From each such suspect a flood looks for a seed or for a cube that is known to
-// be connected with one. When it finds one, all it has seen is connected too; when it ends without,
-// all it has seen is lost. No cube is visited twice, so one update costs at most one flood, and
-// what lies beyond the nearest seed is not looked at.
+// As long as spheres may be released in every cube, none is cut off. Later one can only be when a
+// neighbour was blocked, its seeds were withdrawn or a running sphere has left. From each such
+// suspect a flood looks for a cube with a running sphere or one that is known to be connected with
+// one. When it finds one, all it has seen is connected too; when it ends without, all it has seen
+// is lost. No cube is visited twice, so one update costs at most one flood.
 bool ReachMap::update(std::span<const Eigen::Vector3d> running)
 {
     if (!active_)
