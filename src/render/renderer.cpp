@@ -206,6 +206,7 @@ void Renderer::render(const Snapshot& snapshot, Image& image)
 void Renderer::setCamera(const Camera& camera)
 {
     auto& own = *implementation_;
+    const auto moving = Clock::now();
     own.turned = 0;
     if (own.tiles)
     {
@@ -215,11 +216,13 @@ void Renderer::setCamera(const Camera& camera)
     {
         own.pipeline->lookFrom(camera);
     }
+    own.times[Stage::rendering] += secondsSince(moving);
 }
 
 void Renderer::turn(double degrees)
 {
     auto& own = *implementation_;
+    const auto moving = Clock::now();
     own.turned = degrees;
     if (own.tiles)
     {
@@ -229,6 +232,7 @@ void Renderer::turn(double degrees)
     {
         own.pipeline->turn(degrees);
     }
+    own.times[Stage::rendering] += secondsSince(moving);
 }
 
 void Renderer::renderPasses(const Snapshot& snapshot, PassPictures& pictures)

@@ -7,7 +7,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <span>
 #include <vector>
 
@@ -67,32 +66,29 @@ private:
 class TileLists
 {
 public:
-    /// boundsOf(thing) is around it in the picture; things keep their order.
-    template <typename BoundsOf>
-    TileLists(const TilePlaces& places, std::span<const std::uint32_t> things, BoundsOf boundsOf)
-        : starts_(places.count() + 1, 0)
+    explicit TileLists(const TilePlaces& places) : places_(places), things_(places.count()) {}
+
+    void clear()
     {
-        for (const std::uint32_t thing : things)
+        for (std::vector<std::uint32_t>& things : things_)
         {
-            places.each(boundsOf(thing), [&](std::size_t tile) { ++starts_[tile + 1]; });
+            things.clear();
         }
-        std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
-        things_.resize(starts_.back());
-        std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
-        for (const std::uint32_t thing : things)
-        {
-            places.each(boundsOf(thing), [&](std::size_t tile) { things_[next[tile]++] = thing; });
-        }
+    }
+    /// Things keep the order in which they are listed. `bounds` are around it in the picture.
+    void list(std::uint32_t thing, const PixelRectangle& bounds)
+    {
+        places_.each(bounds, [&](std::size_t tile) { things_[tile].push_back(thing); });
     }
 
     [[nodiscard]] std::span<const std::uint32_t> operator[](std::size_t tile) const
     {
-        return std::span(things_).subspan(starts_[tile], starts_[tile + 1] - starts_[tile]);
+        return things_[tile];
     }
 
 private:
-    std::vector<std::uint32_t> starts_; ///< [tiles + 1] into things_
-    std::vector<std::uint32_t> things_; ///< of a tile after those of the tile before
+    TilePlaces places_;
+    std::vector<std::vector<std::uint32_t>> things_; ///< [tiles]; memory stays
 };
 
 } // namespace frostfill

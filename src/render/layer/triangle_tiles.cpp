@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <numeric>
 
 namespace frostfill
 {
@@ -71,7 +70,7 @@ TriangleTiles::Bounds TriangleTiles::boundsOf(const std::array<glm::vec3, 3>& co
 
 TriangleTiles::TriangleTiles(const ShadedMesh& mesh, const Framing& framing,
                              const PictureSize& size)
-    : places_(size), marks_((mesh.triangles.size() + 63) / 64, 0)
+    : places_(size), inTiles_(places_), marks_((mesh.triangles.size() + 63) / 64, 0)
 {
     const glm::dmat4 toClip = framing.projection * framing.view;
     const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
@@ -79,10 +78,8 @@ TriangleTiles::TriangleTiles(const ShadedMesh& mesh, const Framing& framing,
     for (std::uint32_t t = 0; t < count; ++t)
     {
         bounds_.push_back(boundsOf(mesh.corners(t), toClip, size));
+        inTiles_.list(t, bounds_.back().pixels);
     }
-    std::vector<std::uint32_t> all(count);
-    std::iota(all.begin(), all.end(), 0U);
-    inTiles_.emplace(places_, all, [&](std::uint32_t t) { return bounds_[t].pixels; });
 }
 
 void TriangleTiles::find(std::span<const Part> parts)
@@ -92,7 +89,7 @@ void TriangleTiles::find(std::span<const Part> parts)
         places_.each(part.pixels,
                      [&](std::size_t tile)
                      {
-                         for (const std::uint32_t t : (*inTiles_)[tile])
+                         for (const std::uint32_t t : inTiles_[tile])
                          {
                              const bool meets = bounds_[t].nearest < part.furthest &&
                                                 bounds_[t].pixels.overlaps(part.pixels);

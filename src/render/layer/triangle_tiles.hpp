@@ -8,7 +8,6 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -54,7 +53,7 @@ private:
 
     TilePlaces places_;
     std::vector<Bounds> bounds_; ///< [#T]
-    std::optional<TileLists> inTiles_;
+    TileLists inTiles_;
     std::vector<std::uint64_t> marks_; ///< a bit a triangle; all 0 between calls
     std::vector<std::uint32_t> backs_;
     std::vector<std::uint32_t> fronts_;

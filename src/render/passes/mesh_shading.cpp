@@ -55,6 +55,12 @@ float angleAt(const std::array<glm::vec3, 3>& triangle, std::size_t corner)
 void smoothNormals(const TriangleMesh& mesh, ShadedMesh& shaded)
 {
     shaded.normals.resize(mesh.triangles.size());
+    std::vector<std::array<float, 3>> angles(mesh.triangles.size());
+    for (std::size_t t = 0; t < angles.size(); ++t)
+    {
+        const std::array<glm::vec3, 3> corners = shaded.corners(t);
+        angles[t] = {angleAt(corners, 0), angleAt(corners, 1), angleAt(corners, 2)};
+    }
     const VertexTriangles around(mesh);
     for (std::uint32_t vertex = 0; vertex < around.vertices(); ++vertex)
     {
@@ -73,7 +79,7 @@ void smoothNormals(const TriangleMesh& mesh, ShadedMesh& shaded)
                 const glm::vec3& neighbour = shaded.faceNormals[other];
                 if (glm::dot(face, neighbour) >= kCreaseCosine)
                 {
-                    sum += neighbour * angleAt(shaded.corners(other), cornerIn(other));
+                    sum += neighbour * angles[other][cornerIn(other)];
                 }
             }
             shaded.normals[own][cornerIn(own)] = sum == glm::vec3(0) ? face : unitOrZero(sum);
@@ -132,30 +138,66 @@ ShadedMesh shadeMesh(const TriangleMesh& mesh, const std::vector<glm::vec3>& pos
     return shaded;
 }
 
-std::vector<std::array<std::uint8_t, 3>> edgeStrengths(const ShadedMesh& mesh, const glm::vec3& eye,
-                                                       bool orthographic)
+EdgeStrengths::EdgeStrengths(const ShadedMesh& mesh)
+    : mesh_(mesh), plain_(3 * mesh.triangles.size()), strengths_(mesh.triangles.size()),
+      facesViewer_(mesh.triangles.size())
 {
-    std::vector<std::uint8_t> facesViewer(mesh.triangles.size());
-    for (std::size_t t = 0; t < facesViewer.size(); ++t)
-    {
-        const glm::vec3 towards =
-            orthographic ? eye : eye - mesh.positions[mesh.triangles[t].front()];
-        facesViewer[t] = glm::dot(mesh.faceNormals[t], towards) > 0 ? 1 : 0;
-    }
-    std::vector<std::array<std::uint8_t, 3>> strengths(mesh.triangles.size());
     for (const ShadedMesh::Edge& edge : mesh.edges)
     {
         const bool paired = edge.triangles[1] != ShadedMesh::Edge::kNone;
-        const bool outline =
-            paired && facesViewer[edge.triangles[0]] != facesViewer[edge.triangles[1]];
-        const std::uint8_t crease = edge.stray ? kPlain : std::max(edge.crease, kPlain);
-        const std::uint8_t strength = outline ? kOutline : crease;
+        std::array<Side, 2> sides{};
         for (std::size_t side = 0; side < (paired ? 2U : 1U); ++side)
         {
-            strengths[edge.triangles[side]][edge.corners[side]] = strength;
+            sides[side] = 3 * edge.triangles[side] + edge.corners[side];
+            plain_[sides[side]] = edge.stray ? kPlain : std::max(edge.crease, kPlain);
+        }
+        if (paired)
+        {
+            pairs_.push_back(sides);
         }
     }
-    return strengths;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    {
+        offsets_.push_back(
+            glm::dot(mesh.faceNormals[t], mesh.positions[mesh.triangles[t].front()]));
+    }
+    for (Side side = 0; side < plain_.size(); ++side)
+    {
+        strengths_[side / 3][side % 3] = plain_[side];
+    }
+}
+
+const std::vector<std::array<std::uint8_t, 3>>& EdgeStrengths::from(const glm::vec3& eye,
+                                                                    bool orthographic)
+{
+    for (std::size_t t = 0; t < facesViewer_.size(); ++t)
+    {
+        const float offset = orthographic ? 0 : offsets_[t];
+        facesViewer_[t] = glm::dot(mesh_.faceNormals[t], eye) > offset ? 1 : 0;
+    }
+    for (const Side side : outline_)
+    {
+        strengths_[side / 3][side % 3] = plain_[side];
+    }
+    outline_.clear();
+    for (const std::array<Side, 2>& pair : pairs_)
+    {
+        if (facesViewer_[pair[0] / 3] != facesViewer_[pair[1] / 3])
+        {
+            outline_.insert(outline_.end(), pair.begin(), pair.end());
+        }
+    }
+    for (const Side side : outline_)
+    {
+        strengths_[side / 3][side % 3] = kOutline;
+    }
+    return strengths_;
+}
+
+std::vector<std::array<std::uint8_t, 3>> edgeStrengths(const ShadedMesh& mesh, const glm::vec3& eye,
+                                                       bool orthographic)
+{
+    return EdgeStrengths(mesh).from(eye, orthographic);
 }
 
 } // namespace frostfill

@@ -66,6 +66,11 @@ FROSTFILL_INLINE bool any(Mask mask)
     return (words[0] | words[1] | words[2] | words[3]) != 0;
 }
 
+FROSTFILL_INLINE bool any(bool is)
+{
+    return is;
+}
+
 FROSTFILL_INLINE Floats min(Floats a, Floats b)
 {
     return a < b ? a : b; // one instruction, unlike select()
@@ -119,17 +124,19 @@ FROSTFILL_INLINE Words byteOf(Floats value)
     return reinterpret_cast<Words>(__builtin_convertvector(min(max(value, 0), 255) + 0.5F, Mask));
 }
 
-/// Both channels of a word times `share` / 255, rounded.
-FROSTFILL_INLINE Words scaled(Words channels, Words share)
+/// Both channels of a word, or of each of several, times `share` / 255, rounded.
+template <class Word>
+FROSTFILL_INLINE Word scaled(Word channels, Word share)
 {
-    const Words product = channels * share + 0x00800080U;
+    const Word product = channels * share + 0x00800080U;
     return ((product + ((product >> 8) & 0x00ff00ffU)) >> 8) & 0x00ff00ffU;
 }
 
 /// Premultiplied colours over what is below; all 0 is clear.
-FROSTFILL_INLINE Words blended(Words colour, Words below)
+template <class Word>
+FROSTFILL_INLINE Word blended(Word colour, Word below)
 {
-    const Words left = 255 - (colour >> 24);
+    const Word left = 255 - (colour >> 24);
     return (scaled(below & 0x00ff00ffU, left) + (colour & 0x00ff00ffU)) |
            (scaled((below >> 8) & 0x00ff00ffU, left) + ((colour >> 8) & 0x00ff00ffU)) << 8;
 }

@@ -105,27 +105,6 @@ void RestingTile::findFurthestAtTimes(const PixelRectangle& drawn)
     furthestOfAll_ = *std::min_element(furthest_.begin(), furthest_.end());
 }
 
-bool RestingTile::hides(const SphereBounds& sphere, const TilePart& whole) const
-{
-    const PixelRectangle in = whole.within(sphere.pixels);
-    if (in.empty())
-    {
-        return true;
-    }
-    for (int y = in.bottom / kBlock; samples_ && y <= (in.top - 1) / kBlock; ++y)
-    {
-        for (int x = in.left / kBlock; x <= (in.right - 1) / kBlock; ++x)
-        {
-            const int block = y * kBlocks + x;
-            if (furthest_[static_cast<std::size_t>(block)] < sphere.nearest)
-            {
-                return false;
-            }
-        }
-    }
-    return samples_ != nullptr;
-}
-
 void RestingTile::repaint(const SphereRaster& raster, const RestingSpheres& resting,
                           const TilePart& whole, bool cull)
 {

@@ -77,7 +77,26 @@ public:
              const TilePart& whole);
 
     /// Hidden in this tile by what is at rest.
-    [[nodiscard]] bool hides(const SphereBounds& sphere, const TilePart& whole) const;
+    [[nodiscard]] bool hides(const SphereBounds& bounds, const TilePart& whole) const
+    {
+        const PixelRectangle in = whole.within(bounds.pixels);
+        if (in.empty())
+        {
+            return true;
+        }
+        for (int y = in.bottom / kBlock; samples_ && y <= (in.top - 1) / kBlock; ++y)
+        {
+            for (int x = in.left / kBlock; x <= (in.right - 1) / kBlock; ++x)
+            {
+                const int block = y * kBlocks + x;
+                if (furthest_[static_cast<std::size_t>(block)] < bounds.nearest)
+                {
+                    return false;
+                }
+            }
+        }
+        return samples_ != nullptr;
+    }
     /// Copies a part, or the background where nothing lies.
     void copyTo(SampleTile& tile, const PixelRectangle& pixels) const;
 

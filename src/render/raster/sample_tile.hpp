@@ -78,9 +78,13 @@ struct TilePart
     /// A rectangle of the picture in this part.
     [[nodiscard]] PixelRectangle inside(const PixelRectangle& picture) const
     {
-        return common({picture.left - left, picture.bottom - bottom, picture.right - left,
-                       picture.top - bottom},
-                      pixels);
+        return common(inTile(picture), pixels);
+    }
+    /// The same, from the tile's corner.
+    [[nodiscard]] PixelRectangle inTile(const PixelRectangle& picture) const
+    {
+        return {picture.left - left, picture.bottom - bottom, picture.right - left,
+                picture.top - bottom};
     }
     /// The same, widened to whole lanes.
     [[nodiscard]] PixelRectangle within(const PixelRectangle& picture) const

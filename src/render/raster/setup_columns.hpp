@@ -48,7 +48,7 @@ struct SetupColumns
     std::array<Floats, 3> creaseDistance;
     std::array<Floats, 5> rest{}; ///< to whole blocks; written over what is set afterwards
     Mask alike;                   ///< the normals at the corners
-    Mask drawnEdges;              ///< whether any line along an edge is drawn
+    Mask edges;                   ///< whether any line along an edge is drawn
     Mask lines;                   ///< whether any line is
 };
 

@@ -37,12 +37,14 @@ public:
         const auto& own = vertices_[corner];
         return Doubles{valueOf(*own[0]), valueOf(*own[1]), valueOf(*own[2]), valueOf(*own[3])};
     }
+    /// valueOf(vertex, lane) in single precision.
     template <class ValueOf>
     [[nodiscard]] FROSTFILL_INLINE HalfFloats gatherSingle(std::size_t corner,
                                                            ValueOf valueOf) const
     {
         const auto& own = vertices_[corner];
-        return HalfFloats{valueOf(*own[0]), valueOf(*own[1]), valueOf(*own[2]), valueOf(*own[3])};
+        return HalfFloats{valueOf(*own[0], 0), valueOf(*own[1], 1), valueOf(*own[2], 2),
+                          valueOf(*own[3], 3)};
     }
     [[nodiscard]] FROSTFILL_INLINE std::array<DoubleVectors, 3> places() const
     {

@@ -25,20 +25,25 @@ void ShellRecord::add(std::size_t plane, std::size_t at,
 {
     for (std::size_t lane = 0; lane < kLanes; ++lane)
     {
-        if (colour[lane] == 0) // leaves what is below as it is
-        {
-            continue;
-        }
-        std::uint8_t& depth = depths_[plane][at + lane];
-        if (depth == kDeepest)
-        {
-            overflowed_ = true;
-            continue;
-        }
-        layers_[depth].inverseDepth[plane][at + lane] = inverseDepth[lane];
-        layers_[depth].colour[plane][at + lane] = colour[lane];
-        ++depth;
+        add(plane, at + lane, inverseDepth[lane], colour[lane]);
     }
+}
+
+void ShellRecord::add(std::size_t plane, std::size_t at, float inverseDepth, std::uint32_t colour)
+{
+    if (colour == 0) // leaves what is below as it is
+    {
+        return;
+    }
+    std::uint8_t& depth = depths_[plane][at];
+    if (depth == kDeepest)
+    {
+        overflowed_ = true;
+        return;
+    }
+    layers_[depth].inverseDepth[plane][at] = inverseDepth;
+    layers_[depth].colour[plane][at] = colour;
+    ++depth;
 }
 
 ShellLayers::ShellLayers(const ShellRecord& record, std::size_t planes) : planes_(planes)

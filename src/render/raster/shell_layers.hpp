@@ -24,6 +24,8 @@ public:
     /// Over kLanes samples in a plane from `at` on. Premultiplied colours, 0 for none.
     void add(std::size_t plane, std::size_t at, const std::array<float, kLanes>& inverseDepth,
              const std::array<std::uint32_t, kLanes>& colour);
+    /// Over one sample.
+    void add(std::size_t plane, std::size_t at, float inverseDepth, std::uint32_t colour);
     /// Whether anything was not kept.
     [[nodiscard]] bool overflowed() const { return overflowed_; }
 

@@ -4,6 +4,7 @@
 #include "render/layer/for_all.hpp"
 #include "render/passes/mesh_shading.hpp"
 #include "render/raster/shell_rows.hpp"
+#include "render/raster/shell_specks.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -16,12 +17,16 @@ namespace
 /// That one core sets up before another may take more.
 constexpr std::uint32_t kTrianglesPerTask = 256;
 
+/// In their order, and few enough to be found in the cache once more.
+constexpr std::size_t kDrawnAtOnce = 256;
+
 } // namespace
 
 ShellRaster::ShellRaster(const ShadedMesh& mesh, const Palette& palette, const MeshStrokes& strokes,
                          int samples, bool avx2)
-    : mesh_(mesh), strokes_(strokes), samples_(samples), avx2_(avx2),
-      states_(mesh.triangles.size(), PolygonState::active), places_(mesh.triangles.size())
+    : mesh_(mesh), strokes_(strokes), samples_(samples), avx2_(avx2), shape_(mesh),
+      states_(mesh.triangles.size(), PolygonState::active), places_(mesh.triangles.size()),
+      specks_(mesh.triangles.size())
 {
     const std::array<Colour, 2> colours = {palette.activePolygon, palette.discardedPolygon};
     for (std::size_t state = 0; state < colours.size(); ++state)
@@ -44,20 +49,24 @@ ShellRaster::ShellRaster(const ShadedMesh& mesh, const Palette& palette, const M
 
 void ShellRaster::lookFrom(const SphereUniforms& uniforms, bool orthographic,
                            const PictureSize& size,
-                           std::vector<std::array<std::uint8_t, 3>> edgeStrengths, float front,
+                           std::span<const std::array<std::uint8_t, 3>> edgeStrengths, float front,
                            bool edgeOn)
 {
     edgeOn_ = edgeOn;
     view_ = uniforms.view;
     grid_ = pixelGrid(uniforms.projection, orthographic, size);
+    rows_ = orthographic ? ShellRows{0, 0, 0, 0, strokes_.lineWidth}
+                         : ShellRows{grid_.left, grid_.bottom, grid_.perColumn, grid_.perRow,
+                                     strokes_.lineWidth};
     size_ = size;
-    edges_ = std::move(edgeStrengths);
+    edges_ = edgeStrengths;
     front_ = front;
-    vertices_.resize(mesh_.positions.size());
-    forAll(vertices_.size(), kTrianglesPerTask,
-           [&](std::size_t v) { vertices_[v] = placed(mesh_.positions[v]); });
-    forAll((places_.size() + kPlacedAtOnce - 1) / kPlacedAtOnce, kTrianglesPerTask / kPlacedAtOnce,
-           [&](std::size_t group) { place(static_cast<std::uint32_t>(group * kPlacedAtOnce)); });
+    vertices_.resize(shape_.positions.size());
+    placed_.resize(shape_.positions.size());
+    forAll((vertices_.size() + kLanes - 1) / kLanes, kTrianglesPerTask / kLanes,
+           [&](std::size_t group) { placeVertices(static_cast<std::uint32_t>(group * kLanes)); });
+    forAll((places_.size() + kLanes - 1) / kLanes, kTrianglesPerTask / kLanes,
+           [&](std::size_t group) { place(static_cast<std::uint32_t>(group * kLanes)); });
 }
 
 std::span<const std::uint32_t> ShellRaster::setStates(std::span<const PolygonState> states)
@@ -73,85 +82,93 @@ std::span<const std::uint32_t> ShellRaster::setStates(std::span<const PolygonSta
             changed_.push_back(static_cast<std::uint32_t>(t));
         }
     }
+    for (std::size_t i = 0; i < changed_.size() && !vertices_.empty(); ++i)
+    {
+        const std::uint32_t group = changed_[i] - changed_[i] % kLanes;
+        if (i == 0 || group != changed_[i - 1] - changed_[i - 1] % kLanes)
+        {
+            place(group); // specks have colours
+        }
+    }
     return changed_;
 }
 
 std::vector<std::uint32_t> ShellRaster::inDrawingOrder() const
 {
     std::vector<std::uint32_t> order;
-    order.reserve(places_.size());
-    for (const bool front : {false, true})
-    {
-        for (std::uint32_t t = 0; t < places_.size(); ++t)
-        {
-            if (const Place& place = places_[t]; place.front == front && !place.pixels.empty())
-            {
-                order.push_back(t);
-            }
-        }
-    }
+    eachInDrawingOrder([&](std::uint32_t t) { order.push_back(t); });
     return order;
 }
 
-/// Calls visit(setup, frame, pixels) for those that may be seen in a part.
-template <class Visit>
-void ShellRaster::eachIn(std::span<const std::uint32_t> triangles, const TilePart& part,
-                         const RestingTile* resting, Visit visit) const
+template <class Target>
+void ShellRaster::drawTo(Target& target, std::span<const std::uint32_t> triangles,
+                         const TilePart& part, const RestingTile* resting) const
 {
-    const ShellRows frame = grid_.orthographic
-                                ? ShellRows{0, 0, 0, 0, strokes_.lineWidth}
-                                : ShellRows{grid_.left, grid_.bottom, grid_.perColumn, grid_.perRow,
-                                            strokes_.lineWidth};
     std::array<Setup, kLanes> setups;
-    Some some;
-    const auto visitSome = [&]
+    Triangles toSetUp{};
+    std::size_t setUp = 0;
+    std::array<std::uint32_t, kDrawnAtOnce> some;
+    std::size_t count = 0;
+    const auto drawSome = [&]
     {
-        std::fill(some.triangles.begin() + static_cast<std::ptrdiff_t>(some.count),
-                  some.triangles.end(), some.triangles[some.count - 1]);
-        avx2_ ? setUpAvx2(some, setups) : setUpPlain(some, setups);
-        for (std::size_t i = 0; i < some.count; ++i)
+        if (setUp > 0)
         {
-            if (setups[i].seen)
+            std::fill(toSetUp.begin() + static_cast<std::ptrdiff_t>(setUp), toSetUp.end(),
+                      toSetUp[setUp - 1]);
+            avx2_ ? setUpAvx2(toSetUp, setups) : setUpPlain(toSetUp, setups);
+        }
+        const Setup* next = setups.data();
+        for (std::size_t i = 0; i < count; ++i)
+        {
+            const Place& place = places_[some[i]];
+            const PixelRectangle own = part.inTile(place.pixels());
+            const PixelRectangle pixels = common(own, part.pixels);
+            if (place.speck)
             {
-                visit(setups[i], frame, part.inside(places_[some.triangles[i]].pixels));
+                drawSpeck(avx2_, speckOf(some[i]), own, pixels, target);
+                continue;
+            }
+            const Setup& setup = *next++;
+            if (setup.seen)
+            {
+                drawShellRows(avx2_, samples_, setup, rows_, pixels, part, target);
             }
         }
-        some.count = 0;
+        count = 0;
+        setUp = 0;
     };
     for (const std::uint32_t triangle : triangles)
     {
         const Place& place = places_[triangle];
-        if (part.inside(place.pixels).empty() ||
-            (resting != nullptr && resting->hides({place.pixels, place.nearest}, part)))
+        const PixelRectangle pixels = place.pixels();
+        if (part.inside(pixels).empty() ||
+            (resting != nullptr && resting->hides({pixels, place.nearest}, part)))
         {
             continue;
         }
-        some.triangles[some.count++] = triangle;
-        if (some.count == kLanes)
+        some[count++] = triangle;
+        if (!place.speck)
         {
-            visitSome();
+            toSetUp[setUp++] = triangle;
+        }
+        if (count == kDrawnAtOnce || setUp == kLanes)
+        {
+            drawSome();
         }
     }
-    if (some.count > 0)
-    {
-        visitSome();
-    }
+    drawSome();
 }
 
 void ShellRaster::draw(std::span<const std::uint32_t> triangles, const TilePart& part,
                        SampleTile& tile, const RestingTile* resting) const
 {
-    eachIn(triangles, part, resting,
-           [&](const Setup& setup, const ShellRows& frame, const PixelRectangle& pixels)
-           { drawShellRows(avx2_, samples_, setup, frame, pixels, part, tile); });
+    drawTo(tile, triangles, part, resting);
 }
 
 void ShellRaster::record(std::span<const std::uint32_t> triangles, const TilePart& part,
                          ShellRecord& record) const
 {
-    eachIn(triangles, part, nullptr,
-           [&](const Setup& setup, const ShellRows& frame, const PixelRectangle& pixels)
-           { recordShellRows(avx2_, samples_, setup, frame, pixels, part, record); });
+    drawTo(record, triangles, part, nullptr);
 }
 
 } // namespace frostfill

@@ -6,6 +6,8 @@
 #include "render/raster/resting_tile.hpp"
 #include "render/raster/sample_tile.hpp"
 #include "render/raster/shell_layers.hpp"
+#include "render/raster/shell_specks.hpp"
+#include "render/raster/shell_vertices.hpp"
 #include "render/raster/sphere_raster.hpp"
 
 #include <array>
@@ -16,6 +18,19 @@
 namespace frostfill
 {
 
+namespace lanes
+{
+struct Slopes;
+}
+
+/// What drawing a triangle needs beside it. The ray through (x, y) is (left + perColumn * x, bottom
+/// + perRow * y, -1).
+struct ShellRows
+{
+    float left, bottom, perColumn, perRow;
+    float lineWidth;
+};
+
 /// Draws the shell as mesh.vert and mesh.frag do with FADING_LINES, a sample at a time. A length in
 /// the picture that is the same over most of a triangle is worked out once for it.
 class ShellRaster
@@ -25,22 +40,36 @@ public:
     ShellRaster(const ShadedMesh& mesh, const Palette& palette, const MeshStrokes& strokes,
                 int samples, bool avx2);
 
-    /// `front` is added to what is near without perspective. `edgeOn` draws small triangles as
-    /// densely as if they were seen at a grazing angle.
+    /// `edgeStrengths` must stay. `front` is added to what is near without perspective. `edgeOn`
+    /// draws small triangles as densely as if they were seen at a grazing angle.
     void lookFrom(const SphereUniforms& uniforms, bool orthographic, const PictureSize& size,
-                  std::vector<std::array<std::uint8_t, 3>> edgeStrengths, float front = 0,
+                  std::span<const std::array<std::uint8_t, 3>> edgeStrengths, float front = 0,
                   bool edgeOn = false);
     /// Takes the states of the triangles; those beyond the span's end are active. Returns which
     /// triangles have changed, until the next call.
     std::span<const std::uint32_t> setStates(std::span<const PolygonState> states);
 
     /// Around the samples that a triangle may cover; empty if it covers none.
-    [[nodiscard]] const PixelRectangle& bounds(std::uint32_t triangle) const
+    [[nodiscard]] PixelRectangle bounds(std::uint32_t triangle) const
     {
-        return places_[triangle].pixels;
+        return places_[triangle].pixels();
     }
     /// Those that may cover a sample, whatever their state: first those that turn their backs to
     /// the viewer, then those that face the viewer.
+    template <class Visit>
+    void eachInDrawingOrder(Visit visit) const
+    {
+        for (const bool front : {false, true})
+        {
+            for (std::uint32_t t = 0; t < places_.size(); ++t)
+            {
+                if (const Place& place = places_[t]; place.front == front && !place.empty())
+                {
+                    visit(t);
+                }
+            }
+        }
+    }
     [[nodiscard]] std::vector<std::uint32_t> inDrawingOrder() const;
     /// Blends one after another. What spheres at rest hide may be left out. Several threads may
     /// draw, each into a tile of its own.
@@ -82,30 +111,46 @@ private:
     /// What most triangles are passed over for, apart from what it takes to draw one.
     struct Place
     {
-        PixelRectangle pixels; ///< empty if it is seen edge-on
-        float nearest = 0;     ///< no point of it is nearer; see kNothing
-        bool front = false;    ///< faces the viewer
-        bool small = false;    ///< in the picture
+        std::array<std::int16_t, 4> edges{}; ///< as a PixelRectangle; empty if it shows no sample
+        float nearest = 0;                   ///< no point of it is nearer; see kNothing
+        bool front = false;                  ///< faces the viewer
+        bool small = false;                  ///< in the picture
+        bool speck = false;                  ///< drawn as a ShellSpeck
+        std::uint8_t which = 0;              ///< of the specks of its kLanes triangles
+
+        [[nodiscard]] PixelRectangle pixels() const
+        {
+            return {edges[0], edges[1], edges[2], edges[3]};
+        }
+        [[nodiscard]] bool empty() const { return edges[0] == edges[2]; }
+    };
+    [[nodiscard]] const ShellSpeck& speckOf(std::uint32_t triangle) const
+    {
+        return specks_[triangle - triangle % kLanes + places_[triangle].which];
+    }
+
+    /// Where a vertex is in the picture; what most triangles need.
+    struct PlacedVertex
+    {
+        glm::dvec2 pixel;
+        float nearest;              ///< inverse depth; largest where it is not ahead of the eye
+        float facing;               ///< cosine of the angle between the normal and the viewer
+        std::array<float, 2> light; ///< on the side that turns its back, and on the other
     };
 
-    /// A vertex before the camera.
+    /// A vertex before the camera; what else the others need.
     struct Vertex
     {
         /// (x, y, 1) in the picture times what they are divided by: the sides of a triangle are
         /// then planes through the origin, also where the eye's plane cuts it [Olano & Greer 1997].
         glm::dvec3 corner;
-        glm::dvec2 pixel;
-        double height; ///< inverse depth times corner.z
-        float nearest; ///< inverse depth
-        glm::vec3 ray; ///< from the eye, unit
+        double height;    ///< inverse depth times corner.z
+        glm::vec3 normal; ///< [eye space]
     };
 
-    /// Triangles whose looks are worked out at once.
-    struct Some
-    {
-        std::array<std::uint32_t, kLanes> triangles; ///< the last one again, where it is fewer
-        std::size_t count = 0;
-    };
+    /// Triangles whose looks are worked out at once; the last one again, where it is fewer.
+    using Triangles = std::array<std::uint32_t, kLanes>;
+    class PaintLanes;
 
     /// Of a state, and one side.
     struct Paint
@@ -120,25 +165,45 @@ private:
     {
         return paints_[static_cast<std::size_t>(state)][front ? 1 : 0];
     }
-    [[nodiscard]] Vertex placed(const glm::vec3& position) const;
-    static constexpr std::size_t kPlacedAtOnce = kLanes / 2;
+    /// Where so many vertices are, or fewer at the end, and how much light they have.
+    void placeVertices(std::uint32_t first);
+    void placeVerticesAvx2(std::uint32_t first);
+    void placeVerticesPlain(std::uint32_t first);
+    void placeVerticesAny(std::uint32_t first);
 
     /// Where so many triangles are in the picture, or fewer at the end.
     void place(std::uint32_t first);
     void placeAvx2(std::uint32_t first);
     void placePlain(std::uint32_t first);
     void placeAny(std::uint32_t first);
+    template <class Ends>
+    void placeHalf(std::uint32_t first, const Ends& ends);
+    struct SpeckSpots;
+    struct SpeckColours;
+    [[nodiscard]] SpeckSpots spotsOf(std::uint32_t first) const;
+    template <class Ends>
+    void placeSpecks(const SpeckSpots& spots, const Ends& lower, const Ends& upper);
+    template <class Ends, class Edges>
+    [[nodiscard]] SpeckColours coloursOf(const SpeckSpots& spots, const Ends& lower,
+                                         const Ends& upper, const Edges& edges,
+                                         const lanes::Slopes& slopes) const;
+    [[nodiscard]] bool facesViewer(std::uint32_t triangle) const;
     /// How some look.
-    void setUpAvx2(const Some& some, std::array<Setup, kLanes>& setups) const;
-    void setUpPlain(const Some& some, std::array<Setup, kLanes>& setups) const;
-    void setUpAny(const Some& some, std::array<Setup, kLanes>& setups) const;
-    template <class Slopes, class Columns>
-    void setSurfaces(const Some& some, const Slopes& slopes, Columns& columns) const;
-    template <class Slopes, class Columns>
-    void setStrokes(const Some& some, const Slopes& slopes, Columns& columns) const;
-    template <class Visit>
-    void eachIn(std::span<const std::uint32_t> triangles, const TilePart& part,
-                const RestingTile* resting, Visit visit) const;
+    void setUpAvx2(const Triangles& triangles, std::array<Setup, kLanes>& setups) const;
+    void setUpPlain(const Triangles& triangles, std::array<Setup, kLanes>& setups) const;
+    void setUpAny(const Triangles& triangles, std::array<Setup, kLanes>& setups) const;
+    template <class Ends, class Columns>
+    void setLight(const Triangles& triangles, const Ends& lower, const Ends& upper,
+                  const lanes::Slopes& slopes, Columns& columns) const;
+    template <class Columns>
+    void setSurfaces(const Triangles& triangles, const lanes::Slopes& slopes,
+                     Columns& columns) const;
+    template <class Columns>
+    void setStrokes(const Triangles& triangles, const PaintLanes& paints,
+                    const lanes::Slopes& slopes, Columns& columns) const;
+    template <class Target>
+    void drawTo(Target& target, std::span<const std::uint32_t> triangles, const TilePart& part,
+                const RestingTile* resting) const;
 
     const ShadedMesh& mesh_;
     MeshStrokes strokes_;
@@ -147,13 +212,17 @@ private:
     std::array<std::array<Paint, 2>, 2> paints_; ///< [PolygonState][front]
     glm::mat4 view_{1};
     PixelGrid grid_;
+    ShellRows rows_{};
     PictureSize size_;
     float front_ = 0;
     bool edgeOn_ = false;
-    std::vector<Vertex> vertices_;                   ///< [#V] for this camera
-    std::vector<std::array<std::uint8_t, 3>> edges_; ///< [#T]
-    std::vector<PolygonState> states_;               ///< [#T]
-    std::vector<Place> places_;                      ///< [#T] for this camera
+    ShellVertices shape_;
+    std::vector<Vertex> vertices_;                       ///< [shape_] for this camera
+    std::vector<PlacedVertex> placed_;                   ///< [shape_] for this camera
+    std::span<const std::array<std::uint8_t, 3>> edges_; ///< [#T]
+    std::vector<PolygonState> states_;                   ///< [#T]
+    std::vector<Place> places_;                          ///< [#T] for this camera
+    std::vector<ShellSpeck> specks_; ///< [#T] those of kLanes triangles together
     std::vector<std::uint32_t> changed_;
 };
 

@@ -261,9 +261,8 @@ void drawShellRows(bool avx2, int samples, const ShellRaster::Setup& setup, cons
                                                           tile);
 }
 
-void recordShellRows(bool avx2, int samples, const ShellRaster::Setup& setup,
-                     const ShellRows& frame, const PixelRectangle& pixels, const TilePart& part,
-                     ShellRecord& record)
+void drawShellRows(bool avx2, int samples, const ShellRaster::Setup& setup, const ShellRows& frame,
+                   const PixelRectangle& pixels, const TilePart& part, ShellRecord& record)
 {
     (avx2 ? drawAvx2<ShellRecord> : drawPlain<ShellRecord>)(samples, setup, frame, pixels, part,
                                                             record);

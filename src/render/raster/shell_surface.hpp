@@ -37,6 +37,30 @@ FROSTFILL_INLINE Floats curved(const ShellRaster::Setup& s, const ShellRows& f, 
                                    along(0.802F, 0.134F, 0.582F), along(0.258F, 0.602F, -0.756F));
 }
 
+/// Others' creases are not drawn from here on, where their distance is 1 at most.
+inline constexpr float kCreaseEnd = 0.9F;
+
+/// How far from its middle a line is seen. [pixel]
+inline float reachOf(float lineWidth)
+{
+    return lineWidth + 0.5F;
+}
+
+/// How much of it the surface covers that faces the viewer so far.
+template <class Value>
+FROSTFILL_INLINE Floats shareOf(Value density, Value rimDensity, Floats facing)
+{
+    return min(density + rimDensity * ((1 - facing) * (1 - facing)), 0.85F);
+}
+
+/// How much the outline of a smooth surface covers.
+template <class Value>
+FROSTFILL_INLINE Floats contourOf(Value contour, Value pixelsOfFacing, Floats facing, float reach)
+{
+    return contour * (1 - smoothstep(0.3F, 0.5F, facing)) *
+           clamped(reach - 0.5F * facing * pixelsOfFacing);
+}
+
 /// Of the surface: how much it covers and the light on it; and how much its lines cover.
 template <bool lines>
 FROSTFILL_INLINE std::pair<SurfaceSample, Floats>
@@ -62,12 +86,12 @@ surfaceAndLine(const ShellRaster::Setup& s, const ShellRows& f, Floats x, Floats
     {
         surface.light = curved(s, f, x, y, b0, b1, b2, facing);
     }
-    surface.share = min(s.density + s.rimDensity * ((1 - facing) * (1 - facing)), 0.85F);
+    surface.share = shareOf(s.density, s.rimDensity, facing);
     if constexpr (!lines)
     {
         return {surface, Floats{}};
     }
-    const float reach = f.lineWidth + 0.5F;
+    const float reach = reachOf(f.lineWidth);
     Floats line{};
     if (s.edges)
     {
@@ -76,14 +100,13 @@ surfaceAndLine(const ShellRaster::Setup& s, const ShellRows& f, Floats x, Floats
     }
     if (s.contour > 0)
     {
-        line = max(line, s.contour * (1 - smoothstep(0.3F, 0.5F, facing)) *
-                             clamped(reach - 0.5F * facing * s.pixelsOfFacing));
+        line = max(line, contourOf(s.contour, s.pixelsOfFacing, facing, reach));
     }
     if (s.crease > 0)
     {
         const Floats off =
             b0 * s.creaseDistance[0] + b1 * s.creaseDistance[1] + b2 * s.creaseDistance[2];
-        line = max(line, s.crease * (1 - smoothstep(0.6F, 0.9F, off)) *
+        line = max(line, s.crease * (1 - smoothstep(0.6F, kCreaseEnd, off)) *
                              clamped(reach - off * s.pixelsOfCrease));
     }
     surface.share *= 1 - line;

@@ -42,16 +42,16 @@ SwatchRaster::SwatchRaster(const Viewpoint& viewpoint, int samples, bool avx2)
     }
     const TriangleMesh mesh = squares(legend.polygons(), height);
     mesh_ = shadeMesh(mesh, positionsOf(mesh));
-    auto strengths = edgeStrengths(mesh_, {0, 0, 1}, true);
-    for (std::size_t t = 0; t + 1 < strengths.size(); t += 2)
+    edges_ = edgeStrengths(mesh_, {0, 0, 1}, true);
+    for (std::size_t t = 0; t + 1 < edges_.size(); t += 2)
     {
-        strengths[t][1] = strengths[t + 1][2] = 0; // the diagonals
+        edges_[t][1] = edges_[t + 1][2] = 0; // the diagonals
     }
     ShellRaster& polygons =
         *(polygons_ = std::make_unique<ShellRaster>(mesh_, shellPalette(settings.style),
                                                     strokesFor(settings), samples, avx2));
     // With perspective the programs take them for being seen edge-on.
-    polygons.lookFrom(flat, true, settings.size, std::move(strengths), 2 * kInFront,
+    polygons.lookFrom(flat, true, settings.size, edges_, 2 * kInFront,
                       !viewpoint.framing().orthographic);
     std::vector<PolygonState> states;
     for (const Legend::Swatch& swatch : legend.polygons())

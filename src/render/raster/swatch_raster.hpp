@@ -25,8 +25,9 @@ public:
 private:
     std::unique_ptr<SphereRaster> raster_;
     std::vector<SphereInstance> spheres_;
-    std::vector<SphereBounds> placed_; ///< [spheres]
-    ShadedMesh mesh_;                  ///< of the polygons
+    std::vector<SphereBounds> placed_;               ///< [spheres]
+    ShadedMesh mesh_;                                ///< of the polygons
+    std::vector<std::array<std::uint8_t, 3>> edges_; ///< of its triangles
     std::unique_ptr<ShellRaster> polygons_;
     std::vector<std::uint32_t> triangles_; ///< all of the mesh
     PixelRectangle pixels_;

@@ -31,7 +31,8 @@ bool TilePipeline::draws(const RenderSettings& settings)
 
 TilePipeline::TilePipeline(const TriangleMesh& mesh, const RenderSettings& settings, bool avx2)
     : viewpoint_(mesh, settings), size_(settings.size),
-      samples_(settings.samples > 1 ? kMaxTileSamples : 1), avx2_(avx2), grid_(size_)
+      samples_(settings.samples > 1 ? kMaxTileSamples : 1), avx2_(avx2), grid_(size_),
+      triangles_(grid_)
 {
     if (size_.width > kLongestEdge || size_.height > kLongestEdge)
     {
@@ -59,8 +60,11 @@ TilePipeline::TilePipeline(const TriangleMesh& mesh, const RenderSettings& setti
 void TilePipeline::addShell(const TriangleMesh& mesh, const std::vector<glm::vec3>& positions)
 {
     shaded_ = shadeMesh(mesh, positions, true);
+    edges_.emplace(shaded_);
     shell_ = std::make_unique<ShellRaster>(shaded_, shellPalette(viewpoint_.settings().style),
                                            strokesFor(viewpoint_.settings()), samples_, avx2_);
+    shaded_.normals = {}; // both have what they need of these
+    shaded_.edges = {};
     if (viewpoint_.settings().staticLayer)
     {
         keptShell_ = std::make_unique<KeptShell>(*shell_, grid_.count(),
@@ -95,8 +99,8 @@ void TilePipeline::useFraming()
     if (shell_)
     {
         shell_->lookFrom(uniforms, framing.orthographic, size_,
-                         edgeStrengths(shaded_, glm::vec3(framing.eye), framing.orthographic));
-        triangles_.reset();
+                         edges_->from(glm::vec3(framing.eye), framing.orthographic));
+        trianglesListed_ = false;
         if (keptShell_)
         {
             keptShell_->forget();
@@ -139,10 +143,12 @@ const std::vector<PixelRectangle>& TilePipeline::draw(const Snapshot& snapshot, 
                        });
         }
     }
-    if (shell_ && !triangles_)
+    if (shell_ && !trianglesListed_)
     {
-        triangles_.emplace(grid_, shell_->inDrawingOrder(),
-                           [&](std::uint32_t triangle) { return shell_->bounds(triangle); });
+        triangles_.clear();
+        shell_->eachInDrawingOrder([&](std::uint32_t triangle)
+                                   { triangles_.list(triangle, shell_->bounds(triangle)); });
+        trianglesListed_ = true;
     }
     stale_ = false;
     layer_->follow(drawList_.resting(), startAgain ? 0 : changes.firstArrival);
@@ -244,7 +250,7 @@ PixelRectangle TilePipeline::compose(std::size_t tile, SampleTile& work, Image& 
     }
     if (shell_)
     {
-        const auto triangles = (*triangles_)[tile];
+        const auto triangles = triangles_[tile];
         keptShell_ ? keptShell_->draw(tile, triangles, dirty, work, resting)
                    : shell_->draw(triangles, dirty, work);
     }

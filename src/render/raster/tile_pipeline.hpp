@@ -60,9 +60,11 @@ private:
     bool avx2_;
     TileGrid grid_;
     ShadedMesh shaded_;
+    std::optional<EdgeStrengths> edges_; ///< of the shell
     std::unique_ptr<ShellRaster> shell_;
     std::unique_ptr<KeptShell> keptShell_; ///< unless everything is drawn each time
-    std::optional<TileLists> triangles_;   ///< of the shell, for this camera, once needed
+    TileLists triangles_;                  ///< of the shell, for this camera, once needed
+    bool trianglesListed_ = false;
     std::optional<TileView> view_;
     std::optional<TileLayer> layer_;
     std::unique_ptr<SwatchRaster> swatches_;

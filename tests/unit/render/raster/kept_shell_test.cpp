@@ -50,8 +50,8 @@ public:
         shaded_ = shadeMesh(mesh, positions);
         shell_ = std::make_unique<ShellRaster>(shaded_, shellPalette(settings_.style),
                                                strokesFor(settings_), samples, avx2);
-        shell_->lookFrom(uniformsOf(framing_, settings_), false, settings_.size,
-                         edgeStrengths(shaded_, glm::vec3(framing_.eye), false));
+        edges_ = edgeStrengths(shaded_, glm::vec3(framing_.eye), false);
+        shell_->lookFrom(uniformsOf(framing_, settings_), false, settings_.size, edges_);
         kept_ = std::make_unique<KeptShell>(*shell_, TileGrid(settings_.size).count(),
                                             static_cast<std::size_t>(samples), avx2, mostBytes);
     }
@@ -113,6 +113,7 @@ private:
     RenderSettings settings_;
     Framing framing_;
     ShadedMesh shaded_;
+    std::vector<std::array<std::uint8_t, 3>> edges_;
     std::unique_ptr<ShellRaster> shell_;
     std::unique_ptr<KeptShell> kept_;
     Numbers numbers_;

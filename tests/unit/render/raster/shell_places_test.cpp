@@ -54,14 +54,14 @@ protected:
             positions_.emplace_back(framing_.toUnit(vertex));
         }
         shaded_ = shadeMesh(mesh_, positions_);
+        edges_ = edgeStrengths(shaded_, glm::vec3(framing_.eye), false);
     }
 
     [[nodiscard]] ShellRaster shell(bool avx2) const
     {
         ShellRaster result(shaded_, shellPalette(settings_.style), strokesFor(settings_),
                            GetParam(), avx2);
-        result.lookFrom(uniformsOf(framing_, settings_), false, settings_.size,
-                        edgeStrengths(shaded_, glm::vec3(framing_.eye), false));
+        result.lookFrom(uniformsOf(framing_, settings_), false, settings_.size, edges_);
         return result;
     }
 
@@ -85,6 +85,7 @@ protected:
     Framing framing_;
     std::vector<glm::vec3> positions_;
     ShadedMesh shaded_;
+    std::vector<std::array<std::uint8_t, 3>> edges_;
 };
 
 double area(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
