@@ -9,6 +9,7 @@
 #include "simulation/world/memory_need.hpp"
 #include "simulation/world/tolerances.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -18,6 +19,17 @@ namespace
 {
 
 constexpr double kOneSphere = 4.0 / 3.0 * std::numbers::pi; // [r^3]
+
+/// For each cell of a radius of a mesh of its own, and for each near walls: the map, of which no
+/// cube is made larger, and the lists of triangles. [bytes]
+constexpr double kBytesPerCell = 5;
+constexpr double kBytesPerWallCell = 20;
+
+double memoryOf(const ObjectSize& object)
+{
+    const double cells = object.cells();
+    return kBytesPerCell * cells + kBytesPerWallCell * std::min(cells, object.wallCells());
+}
 
 /// In radii, about the middle of the mesh's box.
 TriangleMesh inRadii(TriangleMesh mesh, const Eigen::Vector3d& origin, double radius)
@@ -123,7 +135,7 @@ ReachInspection inspectReach(const TriangleMesh& mesh, double radius, std::size_
 {
     const Eigen::Vector3d origin = boundingBox(mesh).center();
     const Surface surface(inRadii(mesh, origin, radius));
-    if (memoryNeed(ObjectSize(surface.mesh()), 0) > static_cast<double>(bytes) ||
+    if (memoryOf(ObjectSize(surface.mesh())) > static_cast<double>(bytes) ||
         surface.box().sizes().maxCoeff() > kMaxLength)
     {
         return {};

@@ -11,6 +11,7 @@
 #include "simulation/reach/triangle_rows.hpp"
 #include "simulation/reach/voxel_flood.hpp"
 #include "simulation/reach/voxel_rows.hpp"
+#include "simulation/world/tolerances.hpp"
 
 #include <optional>
 #include <span>
@@ -74,9 +75,9 @@ public:
     };
     struct Resolution
     {
-        double voxel = 0.5;                         ///< edge of a cube, in smallest radii
-        std::size_t bytes = std::size_t{512} << 20; ///< above which cubes are made larger
-        std::size_t wholeGrid = kWholeGrid;         ///< see there
+        double voxel = 0.5;                 ///< edge of a cube, in smallest radii
+        std::size_t bytes = kMostMapBytes;  ///< above which cubes are made larger
+        std::size_t wholeGrid = kWholeGrid; ///< see there
     };
     /// Cubes.
     struct Unblocked

@@ -14,35 +14,38 @@ namespace frostfill
 namespace
 {
 
-/// For each sphere: position, velocity, states [bytes]. Runs of a million in a cube take 137 with
-/// their grids.
-constexpr double kMemoryPerSphere = 80;
-/// For each cell of a radius: the grids, release sites, and the map of what is within reach
-/// [bytes]. In a cube of 55 million, runs of a few spheres take 6.1.
-constexpr double kMemoryPerCell = 5;
+/// For each sphere: position, velocity, states [bytes]. In a cube, runs of a million take 131 with
+/// their grids, of a hundred million 73.
+constexpr double kMemoryPerSphere = 52;
+/// For each cell of a radius: the grids and release sites [bytes].
+constexpr double kMemoryPerCell = 1.1;
+/// And the map of what is within reach, while it may have cubes that are small enough. In a cube of
+/// 55 million cells, runs of a few spheres take 6.1 with all.
+constexpr double kMapPerCell = 3.9;
 /// And near walls: lists of triangles, bricks that are partly in use. In a frame of bars, runs of a
 /// few spheres take 50 with 11 million of such cells.
 constexpr double kMemoryPerWallCell = 20;
 /// By which a radius grows until its spheres have room. Larger: larger radii are named than needed.
 constexpr double kRadiusGrowth = 1.001;
 
-double cellsNearWalls(const ObjectSize& object)
-{
-    return 2 * kTriangleReach * object.area;
-}
-
 } // namespace
+
+double ObjectSize::wallCells() const
+{
+    return 2 * kTriangleReach * area;
+}
 
 double ObjectSize::cells() const
 {
-    return std::min((box.array() + 2 * kGridMargin).prod(), volume + cellsNearWalls(*this));
+    return std::min((box.array() + 2 * kGridMargin).prod(), volume + wallCells());
 }
 
 double memoryNeed(const ObjectSize& object, double spheres)
 {
     const double cells = object.cells();
     return kMemoryPerSphere * spheres + kMemoryPerCell * cells +
-           kMemoryPerWallCell * std::min(cells, cellsNearWalls(object));
+           std::min(kMapPerCell * cells, static_cast<double>(kMostMapBytes)) +
+           kMemoryPerWallCell * std::min(cells, object.wallCells());
 }
 
 void requireMemory(const Scene& scene, const MeshReport& object, double radius, double spheres,

@@ -26,6 +26,8 @@ struct ObjectSize
     /// Cells of a radius that its grids have: inside and within reach of the walls, at most all of
     /// the box.
     [[nodiscard]] double cells() const;
+    /// Those within reach of the walls.
+    [[nodiscard]] double wallCells() const;
 
     Eigen::Vector3d box;
     double volume;

@@ -35,6 +35,9 @@ inline constexpr double kLargeBox = 1e9;
 /// An object with more cells inside and near its walls is refused: its grids take some ten bytes a
 /// cell, and minutes.
 inline constexpr double kMaxCells = 1e9;
+/// Memory of the map of what is within reach above which its cubes are made larger. Larger: memory.
+/// Smaller: huge runs discard less, or nothing. [bytes]
+inline constexpr std::size_t kMostMapBytes = std::size_t{512} << 20;
 /// So is one whose box is longer than this [r]: the numbers of its cells would not fit.
 inline constexpr double kMaxLength = 2e7;
 /// Memory is set aside for so many times the spheres that fit by the estimate. Smaller: arrays of a
