@@ -180,7 +180,7 @@ std::uint64_t Simulation::steps() const
 std::uint64_t Simulation::revision() const
 {
     const World& world = implementation_->world;
-    return world.clock.steps + world.spheres.changes().count() + world.counts.polygonChanges;
+    return world.clock.steps + world.spheres.changeCount() + world.counts.polygonChanges;
 }
 std::size_t Simulation::sphereCount() const
 {

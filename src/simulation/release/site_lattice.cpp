@@ -47,12 +47,12 @@ public:
         const std::size_t last = sites_.firstFrom({0, 0, end});
         for (std::size_t first = sites_.firstFrom({0, 0, z}); first < last;)
         {
-            const Word start = sites_.place(first);
+            const WordPlace start = sites_.place(first);
             std::size_t next = first + 1;
-            for (Word word = start; next < last; ++next) // words without a gap
+            for (WordPlace word = start; next < last; ++next) // words without a gap
             {
-                const Word other = sites_.place(next);
-                if (other != Word{word[0] + 1, word[1], word[2]})
+                const WordPlace other = sites_.place(next);
+                if (other != WordPlace{word[0] + 1, word[1], word[2]})
                 {
                     break;
                 }
@@ -73,7 +73,7 @@ private:
     };
 
     // What is not known of the row before, because it has no such word, counts as anything.
-    void takeOver(std::size_t words, const Word& start)
+    void takeOver(std::size_t words, const WordPlace& start)
     {
         const std::int64_t row = std::int64_t{start[2]} * lattice_.count[1] + start[1];
         for (std::size_t k = 0; k < words; ++k)
@@ -89,7 +89,7 @@ private:
         }
     }
 
-    void openWords(std::size_t first, std::size_t words, const Word& start)
+    void openWords(std::size_t first, std::size_t words, const WordPlace& start)
     {
         takeOver(words, start);
         const int begin = 64 * start[0];
@@ -203,7 +203,7 @@ void SiteLattice::listWords(const Eigen::AlignedBox3d& box, const InsideTest& in
             });
         if (static_cast<double>(words.size()) <= kMaxSites / 64)
         {
-            std::vector<Word> list;
+            std::vector<WordPlace> list;
             for (std::size_t word = 0; word < words.size(); ++word)
             {
                 if (words.isInGrid(words.cell(word)))
@@ -212,7 +212,8 @@ void SiteLattice::listWords(const Eigen::AlignedBox3d& box, const InsideTest& in
                 }
             }
             std::sort(list.begin(), list.end(), WordSpans::isBefore);
-            std::for_each(list.begin(), list.end(), [&](const Word& word) { list_.append(word); });
+            std::for_each(list.begin(), list.end(),
+                          [&](const WordPlace& word) { list_.append(word); });
             return;
         }
         lattice_ = GridFrame::cover(box, kCellGrowth * lattice_.cell, 0);

@@ -59,13 +59,12 @@ public:
 
 private:
     class Opening;
-    using Word = WordPlace;
     static constexpr std::size_t kNone = WordSpans::kNone;
 
     void listWords(const Eigen::AlignedBox3d& box, const InsideTest& inside);
     void dropClosedWords();
     void closeRun(int y, int z, int first, int last);
-    [[nodiscard]] Word place(std::size_t word) const
+    [[nodiscard]] WordPlace place(std::size_t word) const
     {
         if (list_.size() > 0)
         {
@@ -77,7 +76,7 @@ private:
                 static_cast<int>(row / rows)};
     }
     /// Number of the first word from this one on.
-    [[nodiscard]] std::size_t firstFrom(const Word& word) const
+    [[nodiscard]] std::size_t firstFrom(const WordPlace& word) const
     {
         if (list_.size() == 0)
         {
@@ -89,7 +88,7 @@ private:
         return list_.firstFrom(word);
     }
     /// Number of a word, or kNone.
-    [[nodiscard]] std::size_t find(const Word& word) const
+    [[nodiscard]] std::size_t find(const WordPlace& word) const
     {
         return list_.size() == 0 ? firstFrom(word) : list_.find(word);
     }

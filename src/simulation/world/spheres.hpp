@@ -56,7 +56,8 @@ public:
     [[nodiscard]] std::size_t runningCount() const { return size() - resting_.size(); }
     [[nodiscard]] std::size_t frozenCount() const { return resting_.size() - discarded_; }
     [[nodiscard]] std::size_t discardedCount() const { return discarded_; }
-    [[nodiscard]] const ChangeLog& changes() const { return changes_; }
+    /// So often has the state of a sphere changed.
+    [[nodiscard]] std::size_t changeCount() const { return changes_.count(); }
     /// Calls visit(id) for each sphere whose state may have changed: see ChangeLog.
     template <class Visit>
     void forEachChangedSince(std::size_t& seen, Visit&& visit) const
