@@ -66,11 +66,6 @@ FROSTFILL_INLINE bool any(Mask mask)
     return (words[0] | words[1] | words[2] | words[3]) != 0;
 }
 
-FROSTFILL_INLINE bool any(bool is)
-{
-    return is;
-}
-
 FROSTFILL_INLINE Floats min(Floats a, Floats b)
 {
     return a < b ? a : b; // one instruction, unlike select()
@@ -99,6 +94,12 @@ FROSTFILL_INLINE Floats clamped(Floats value)
 FROSTFILL_INLINE Floats joined(HalfFloats lower, HalfFloats upper)
 {
     return __builtin_shufflevector(lower, upper, 0, 1, 2, 3, 4, 5, 6, 7);
+}
+
+FROSTFILL_INLINE std::array<Floats, 3> joined(const std::array<HalfFloats, 3>& lower,
+                                              const std::array<HalfFloats, 3>& upper)
+{
+    return {joined(lower[0], upper[0]), joined(lower[1], upper[1]), joined(lower[2], upper[2])};
 }
 
 FROSTFILL_INLINE Floats root(Floats value)

@@ -54,18 +54,10 @@ FROSTFILL_INLINE ShellSides<HalfFloats> sidesOf(const Corners<Vertex>& corners)
 FROSTFILL_INLINE ShellSides<Floats> joined(const ShellSides<HalfFloats>& lower,
                                            const ShellSides<HalfFloats>& upper)
 {
-    ShellSides<Floats> sides;
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-        sides.across[i] = joined(lower.across[i], upper.across[i]);
-        sides.upwards[i] = joined(lower.upwards[i], upper.upwards[i]);
-        sides.from[i] = joined(lower.from[i], upper.from[i]);
-        sides.least[i] = joined(lower.least[i], upper.least[i]);
-        sides.share[i] = joined(lower.share[i], upper.share[i]);
-        sides.near[i] = joined(lower.near[i], upper.near[i]);
-        sides.divisors[i] = joined(lower.divisors[i], upper.divisors[i]);
-    }
-    return sides;
+    return {joined(lower.across, upper.across),    joined(lower.upwards, upper.upwards),
+            joined(lower.from, upper.from),        joined(lower.least, upper.least),
+            joined(lower.share, upper.share),      joined(lower.near, upper.near),
+            joined(lower.divisors, upper.divisors)};
 }
 
 } // namespace frostfill::lanes

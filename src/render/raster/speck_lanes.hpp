@@ -54,16 +54,9 @@ FROSTFILL_INLINE SpeckEdges<HalfFloats> edgesOf(const std::array<Doubles, 3>& x,
 FROSTFILL_INLINE SpeckEdges<Floats> joined(const SpeckEdges<HalfFloats>& lower,
                                            const SpeckEdges<HalfFloats>& upper)
 {
-    SpeckEdges<Floats> edges;
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-        edges.across[i] = joined(lower.across[i], upper.across[i]);
-        edges.upwards[i] = joined(lower.upwards[i], upper.upwards[i]);
-        edges.from[i] = joined(lower.from[i], upper.from[i]);
-        edges.least[i] = joined(lower.least[i], upper.least[i]);
-    }
-    edges.area = joined(lower.area, upper.area);
-    return edges;
+    return {joined(lower.across, upper.across), joined(lower.upwards, upper.upwards),
+            joined(lower.from, upper.from), joined(lower.least, upper.least),
+            joined(lower.area, upper.area)};
 }
 
 /// Which samples are covered, those of two rows each.
