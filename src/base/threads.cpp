@@ -17,7 +17,6 @@ namespace
 constexpr int kPartBits = 12;
 constexpr std::uint64_t kPartMask = (std::uint64_t{1} << kPartBits) - 1;
 constexpr std::size_t kPartsPerThread = 8; // so that one that is slow does not hold up the loop
-constexpr int kSpins = 20000;              // for work before a thread sleeps: some 200 us
 constexpr int kSpinsBeforeYield = 100;     // before others may have the core
 
 std::uint64_t atFront(std::uint64_t state)
@@ -37,7 +36,15 @@ bool allTaken(std::uint64_t state)
     return atFront(state) + atBack(state) == parts(state);
 }
 
-void pauseAfter(int spin)
+} // namespace
+
+Threads::Threads(int count)
+    : concurrency_(count > 0 ? static_cast<std::size_t>(count)
+                             : static_cast<std::size_t>(coresAtHand()))
+{
+}
+
+void Threads::pauseAfter(int spin)
 {
     if (spin % kSpinsBeforeYield == kSpinsBeforeYield - 1)
     {
@@ -47,14 +54,6 @@ void pauseAfter(int spin)
 #if defined(__x86_64__) || defined(__i386__)
     __builtin_ia32_pause();
 #endif
-}
-
-} // namespace
-
-Threads::Threads(int count)
-    : concurrency_(count > 0 ? static_cast<std::size_t>(count)
-                             : static_cast<std::size_t>(coresAtHand()))
-{
 }
 
 Threads::~Threads()
@@ -68,7 +67,7 @@ Threads::~Threads()
     }
 }
 
-void Threads::share(std::size_t count, Run run, const void* body)
+std::size_t Threads::gather()
 {
     try
     {
@@ -81,6 +80,12 @@ void Threads::share(std::size_t count, Run run, const void* body)
     {
         concurrency_ = helpers_.size() + 1; // where no more can be started, fewer do the same
     }
+    return concurrency_;
+}
+
+void Threads::share(std::size_t count, Run run, const void* body)
+{
+    gather();
     run_.store(run, std::memory_order_relaxed);
     body_.store(body, std::memory_order_relaxed);
     count_.store(count, std::memory_order_relaxed);
@@ -99,6 +104,7 @@ void Threads::share(std::size_t count, Run run, const void* body)
     }
     if (failure_)
     {
+        failed_ = false;
         std::rethrow_exception(std::exchange(failure_, nullptr));
     }
 }
@@ -159,6 +165,7 @@ void Threads::runPart(std::size_t part, std::size_t all)
     {
         const std::lock_guard lock(failureLock_);
         failure_ = failure_ ? failure_ : std::current_exception();
+        failed_ = true;
     }
     partsDone_.fetch_add(1, std::memory_order_release);
 }

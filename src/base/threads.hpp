@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <exception>
 #include <mutex>
+#include <stdexcept>
 #include <thread>
 #include <type_traits>
 #include <vector>
@@ -61,6 +62,29 @@ public:
         forEach(count, body, 2);
     }
 
+    /// Starts all threads. Returns how many there are, which is how many bodies forEachAtOnce takes.
+    std::size_t gather();
+    /// Calls body(i) for each i below `count`, at most gather(), each on a thread of its own, so
+    /// that bodies may wait for one another.
+    template <class Body>
+    void forEachAtOnce(std::size_t count, Body&& body)
+    {
+        forEach(count, body, 2);
+    }
+    /// For a body of such a loop: returns once isSo(), and throws if another body has thrown.
+    template <class Condition>
+    void waitUntil(Condition&& isSo) const
+    {
+        for (int spin = 0; !isSo(); ++spin)
+        {
+            if (failed_)
+            {
+                throw std::runtime_error("another thread of the same loop has failed");
+            }
+            pauseAfter(spin % kSpins);
+        }
+    }
+
 private:
     using Run = void (*)(const void* body, std::size_t i);
 
@@ -68,8 +92,10 @@ private:
     void help();
     bool takePart(bool front);
     void runPart(std::size_t part, std::size_t all);
+    static void pauseAfter(int spin);
 
     static constexpr std::size_t kWorthSharing = 32;
+    static constexpr int kSpins = 20000; ///< for work before a thread sleeps: some 200 us
 
     std::size_t concurrency_;
     std::vector<std::thread> helpers_; ///< begin with the first loop that is shared
@@ -83,6 +109,7 @@ private:
     std::atomic<Run> run_ = nullptr;
     std::atomic<const void*> body_ = nullptr;
     std::atomic<std::size_t> count_ = 0;
+    std::atomic<bool> failed_ = false; ///< a body of this loop
     std::mutex failureLock_;
     std::exception_ptr failure_; ///< the first that a body has thrown
 };

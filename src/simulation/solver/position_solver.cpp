@@ -5,22 +5,37 @@
 #include "simulation/solver/tolerances.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
-#include <utility>
 
 namespace frostfill
 {
 
+namespace
+{
+
+/// Members that are pushed say so to those nearby, of other strips as well, where several may at
+/// once. Who looks whether it was told has waited for those.
+std::atomic_ref<char> flag(char& value)
+{
+    return std::atomic_ref<char>(value);
+}
+
+} // namespace
+
 void PositionSolver::resolve(double dt)
 {
     down_ = flight_.down();
-    findPairs();
-    for (const std::uint32_t row : paired_)
+    gatherAll();
+    if (crowd_.size() == 0)
     {
-        flown_[row] = running_.position[row];
-        velocityBefore_[row] = running_.velocity[row];
+        return;
     }
-    velocitySolver_.resolve(paired_, rank_, down_, dt);
+    flown_.resize(crowd_.size());
+    crowd_.forEachMember(
+        [this](std::uint32_t slot)
+        { flown_[slot] = {crowd_[slot].position, running_.velocity[crowd_[slot].row]}; });
+    velocitySolver_.resolve(down_, dt);
     const int mutual = settings_.stiff ? settings_.sweeps / 4 : settings_.sweeps * 3 / 4;
     for (int k = 0; k < settings_.sweeps; ++k)
     {
@@ -29,14 +44,14 @@ void PositionSolver::resolve(double dt)
             break;
         }
     }
-    removeLiftEnergy();
+    crowd_.forEachMember([this](std::uint32_t slot) { removeLiftEnergy(slot); });
 }
 
 void PositionSolver::separate()
 {
     for (int k = 0; k < kMaxSeparations; ++k)
     {
-        findPairs();
+        gatherAll();
         if (sweep(k % 2, 0) < kApart)
         {
             return;
@@ -46,9 +61,9 @@ void PositionSolver::separate()
 
 void PositionSolver::separate(std::span<const std::uint32_t> some)
 {
-    rank_.assign(running_.size(), kNotInCrowd);
-    paired_.assign(some.begin(), some.end());
-    sortByHeight();
+    crowd_.gather(some, down_);
+    turns_.start();
+    clear_.assign(crowd_.size(), 0);
     for (int k = 0; k < kMaxSeparations; ++k)
     {
         if (sweep(k % 2, kDeep) < kApart)
@@ -59,38 +74,12 @@ void PositionSolver::separate(std::span<const std::uint32_t> some)
 }
 
 // All that follows concerns only runners in pairs; what is at rest none of them overlaps.
-void PositionSolver::findPairs()
+void PositionSolver::gatherAll()
 {
     pairs_.findPairs();
-    paired_.clear();
-    for (std::uint32_t row = 0; row < running_.size(); ++row)
-    {
-        if (!pairs_.nearby(row).empty())
-        {
-            paired_.push_back(row);
-        }
-    }
-    sortByHeight();
-}
-
-void PositionSolver::sortByHeight()
-{
-    height_.resize(running_.size());
-    rank_.resize(running_.size());
-    flown_.resize(running_.size());
-    velocityBefore_.resize(running_.size());
-    clear_.assign(running_.size(), 0);
-    for (const std::uint32_t row : paired_)
-    {
-        height_[row] = -running_.position[row].dot(down_);
-    }
-    std::sort(paired_.begin(), paired_.end(),
-              [&](std::uint32_t a, std::uint32_t b)
-              { return height_[a] < height_[b] || (height_[a] == height_[b] && a < b); });
-    for (std::uint32_t rank = 0; rank < paired_.size(); ++rank)
-    {
-        rank_[paired_[rank]] = rank;
-    }
+    crowd_.gather(down_);
+    turns_.start();
+    clear_.assign(crowd_.size(), 0);
 }
 
 // From below: a runner gives way by its share to those above it, whose turn is yet to come, and
@@ -98,51 +87,68 @@ void PositionSolver::sortByHeight()
 // floor. Returns the deepest penetration that it found.
 double PositionSolver::sweep(double yieldShare, double liftDepth)
 {
-    double deepest = 0;
-    for (const std::uint32_t row : paired_)
-    {
-        if (clear_[row] != 0)
+    turns_.startSweep();
+    std::atomic<double> deepest = 0;
+    crowd_.forEachStrip(
+        [&](std::size_t k)
         {
-            continue;
-        }
-        const auto push = pushOff(row, yieldShare, liftDepth, deepest);
-        clear_[row] = push ? 0 : 1;
-        if (push && !push->isZero(0))
-        {
-            flight_.shift(row, *push);
-            for (const std::uint32_t other : pairs_.nearby(row))
+            const double here = sweep(crowd_.strips()[k], yieldShare, liftDepth);
+            double known = deepest;
+            while (here > known && !deepest.compare_exchange_weak(known, here))
             {
-                clear_[other] = 0;
+            }
+        });
+    return deepest;
+}
+
+double PositionSolver::sweep(const Crowd::Strip& strip, double yieldShare, double liftDepth)
+{
+    double deepest = 0;
+    for (std::uint32_t slot = strip.begin; slot < strip.end; ++slot)
+    {
+        turns_.awaitLower(slot);
+        if (flag(clear_[slot]).load(std::memory_order_relaxed) == 0)
+        {
+            const auto push = pushOff(slot, yieldShare, liftDepth, deepest);
+            flag(clear_[slot]).store(push ? 0 : 1, std::memory_order_relaxed);
+            if (push && !push->isZero(0))
+            {
+                flight_.shift(crowd_[slot].row, *push);
+                crowd_.follow(slot);
+                for (const Crowd::Near& near : crowd_.near(slot))
+                {
+                    flag(clear_[near.slot]).store(0, std::memory_order_relaxed);
+                }
             }
         }
+        turns_.endTurn(slot);
     }
     return deepest;
 }
 
-std::optional<Eigen::Vector3d> PositionSolver::pushOff(std::uint32_t row, double yieldShare,
+std::optional<Eigen::Vector3d> PositionSolver::pushOff(std::uint32_t slot, double yieldShare,
                                                        double liftDepth, double& deepest) const
 {
-    const std::span<const Eigen::Vector3d> positions = std::as_const(running_.position).all();
-    const std::span<const double> radii = std::as_const(running_.radius).all();
-    const double radius = radii[row];
-    const std::uint32_t rank = rank_[row];
-    Eigen::Vector3d place = positions[row];
+    const Crowd::Member& member = crowd_[slot];
+    const double radius = member.radius;
+    Eigen::Vector3d place = member.position;
     double deepestHere = deepest;
     bool touches = false;
-    for (const std::uint32_t other : pairs_.nearby(row))
+    for (const Crowd::Near& near : crowd_.near(slot))
     {
-        const auto contact = sphereContact(place - positions[other], radius + radii[other]);
-        if (!contact || rank_[other] == kNotInCrowd)
+        const Crowd::Member& other = crowd_[near.slot];
+        const auto contact = sphereContact(place - other.position, radius + other.radius);
+        if (!contact)
         {
             continue;
         }
         touches = true;
         const double depth = contact->depth;
         deepestHere = std::max(deepestHere, depth);
-        const bool takesRest =
-            rank_[other] < rank && (velocitySolver_.yields(row) || !velocitySolver_.yields(other));
+        const bool takesRest = near.isLower != 0 && (velocitySolver_.yields(member.row) ||
+                                                     !velocitySolver_.yields(other.row));
         const double share =
-            takesRest ? 1 : yieldShare * velocitySolver_.shareOf(row, other, down_);
+            takesRest ? 1 : yieldShare * velocitySolver_.shareOf(member, other, down_);
         Eigen::Vector3d away = contact->normal;
         if (takesRest && depth > liftDepth * radius)
         {
@@ -156,25 +162,23 @@ std::optional<Eigen::Vector3d> PositionSolver::pushOff(std::uint32_t row, double
         return std::nullopt;
     }
     deepest = deepestHere;
-    const Eigen::Vector3d push = place - positions[row];
+    const Eigen::Vector3d push = place - member.position;
     const double length = push.norm();
     const double longest = kLongestPush * radius;
     return length > longest ? Eigen::Vector3d(push * (longest / length)) : push;
 }
 
 // What is lifted is slowed down by as much energy.
-void PositionSolver::removeLiftEnergy()
+void PositionSolver::removeLiftEnergy(std::uint32_t slot)
 {
-    for (const std::uint32_t row : paired_)
+    const auto& [position, velocityBefore] = flown_[slot];
+    Eigen::Vector3d& velocity = running_.velocity[crowd_[slot].row];
+    const double fall =
+        (crowd_[slot].position - position).dot(flight_.pullAt(position, velocityBefore));
+    const double squared = velocity.squaredNorm();
+    if (fall < 0 && squared > 0)
     {
-        Eigen::Vector3d& velocity = running_.velocity[row];
-        const double fall = (running_.position[row] - flown_[row])
-                                .dot(flight_.pullAt(flown_[row], velocityBefore_[row]));
-        const double squared = velocity.squaredNorm();
-        if (fall < 0 && squared > 0)
-        {
-            velocity *= std::sqrt(std::max(0.0, 1 + 2 * fall / squared));
-        }
+        velocity *= std::sqrt(std::max(0.0, 1 + 2 * fall / squared));
     }
 }
 

@@ -3,6 +3,8 @@
 
 #include "simulation/motion/free_flight.hpp"
 #include "simulation/solver/broad_phase.hpp"
+#include "simulation/solver/crowd.hpp"
+#include "simulation/solver/turns.hpp"
 #include "simulation/solver/velocity_solver.hpp"
 
 #include <optional>
@@ -21,7 +23,8 @@ public:
     PositionSolver(RunningSpheres& running, RunnerGrid& grid, FreeFlight& flight, Threads& threads,
                    const SolverSettings& settings)
         : running_(running), pairs_(running, grid, threads), flight_(flight), settings_(settings),
-          velocitySolver_(running, flight, pairs_, settings)
+          crowd_(running, pairs_, threads), turns_(crowd_),
+          velocitySolver_(running, flight, crowd_, turns_, settings)
     {
     }
 
@@ -37,30 +40,31 @@ public:
     [[nodiscard]] VelocitySolver& velocities() { return velocitySolver_; }
 
 private:
-    static constexpr std::uint32_t kNotInCrowd = 0xffffffff;
-
-    void findPairs();
-    void sortByHeight();
+    void gatherAll();
     /// `yieldShare`: part of its share by which one gives way to those above it; `liftDepth`:
     /// penetration depth from which one climbs the other [own radius].
     double sweep(double yieldShare, double liftDepth);
-    /// `deepest` starts at that of the rows before. Returns no push for what touches no other.
-    [[nodiscard]] std::optional<Eigen::Vector3d> pushOff(std::uint32_t row, double yieldShare,
+    double sweep(const Crowd::Strip& strip, double yieldShare, double liftDepth);
+    /// `deepest` starts at that of the members before. Returns no push for who touches no other.
+    [[nodiscard]] std::optional<Eigen::Vector3d> pushOff(std::uint32_t slot, double yieldShare,
                                                          double liftDepth, double& deepest) const;
-    void removeLiftEnergy();
+    void removeLiftEnergy(std::uint32_t slot);
 
     RunningSpheres& running_;
     BroadPhase pairs_;
     FreeFlight& flight_;
     SolverSettings settings_;
+    Crowd crowd_;
+    Turns turns_;
     VelocitySolver velocitySolver_;
     Eigen::Vector3d down_ = {0, -1, 0}; ///< the pull's direction in this step
-    std::vector<std::uint32_t> paired_; ///< runners that are in a pair, by row, lowest first
-    // By row, of those in the crowd, in the step in hand.
-    std::vector<double> height_;                  ///< against the pull [r]
-    std::vector<std::uint32_t> rank_;             ///< in the crowd
-    std::vector<Eigen::Vector3d> flown_;          ///< position after this step's flight
-    std::vector<Eigen::Vector3d> velocityBefore_; ///< at the end of that flight
+    // By slot, in the step in hand.
+    struct Flown
+    {
+        Eigen::Vector3d position; ///< after this step's flight
+        Eigen::Vector3d velocity; ///< at its end
+    };
+    std::vector<Flown> flown_;
     /// Whether it touched none of those near it, none of which has been pushed since: it need not
     /// be looked at.
     std::vector<char> clear_;

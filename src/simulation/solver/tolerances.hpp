@@ -18,6 +18,14 @@ inline constexpr double kPairMargin = 0.3;
 /// Runners up to which all pairs are looked at, which is faster than a grid for so few.
 inline constexpr std::size_t kFewRunners = 64;
 
+// Crowds on several threads. The answer is the same for any.
+
+/// Members of a strip at least. Larger: small crowds are left to fewer threads. Smaller: threads
+/// wait for each other.
+inline constexpr std::size_t kFewestInStrip = 32;
+/// Members for each strip that tell where strips end. Larger: time. Smaller: strips are less alike.
+inline constexpr std::size_t kSamplesOfStrip = 64;
+
 // Position solver.
 
 /// Longest push in one sweep. [own radius] Larger: spheres jump over their neighbours. Smaller:

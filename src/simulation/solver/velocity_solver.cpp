@@ -9,16 +9,12 @@
 
 namespace frostfill
 {
+
 // Approach to what is at rest is lost.
-void VelocitySolver::stopAtRest(std::uint32_t row)
+void VelocitySolver::stopAtRest(std::uint32_t slot)
 {
-    const std::vector<Eigen::Vector3d>& normals = flight_.normals(row);
-    if (normals.empty())
-    {
-        return;
-    }
-    Eigen::Vector3d velocity = running_.velocity[row];
-    for (const Eigen::Vector3d& normal : normals)
+    Eigen::Vector3d& velocity = velocity_[slot];
+    for (const Eigen::Vector3d& normal : normals_[slot])
     {
         const double approach = normal.dot(velocity);
         if (approach < 0)
@@ -26,113 +22,137 @@ void VelocitySolver::stopAtRest(std::uint32_t row)
             velocity -= approach * normal;
         }
     }
-    running_.velocity[row] = velocity;
 }
 
-double VelocitySolver::shareOf(std::uint32_t a, std::uint32_t b, const Eigen::Vector3d& down) const
+double VelocitySolver::shareOf(const Crowd::Member& a, const Crowd::Member& b,
+                               const Eigen::Vector3d& down) const
 {
-    if (yields(a) != yields(b))
+    const bool yields = this->yields(a.row);
+    if (yields != this->yields(b.row))
     {
-        return yields(a) ? 1 : 0;
+        return yields ? 1 : 0;
     }
-    if (!yields(a))
+    if (!yields)
     {
-        const double ya = -running_.position[a].dot(down);
-        const double yb = -running_.position[b].dot(down);
-        return ya < yb || (ya == yb && running_.id[a] < running_.id[b]) ? 0 : 1;
+        const double ya = -a.position.dot(down);
+        const double yb = -b.position.dot(down);
+        return ya < yb || (ya == yb && running_.id[a.row] < running_.id[b.row]) ? 0 : 1;
     }
-    const double ra = running_.radius[a];
-    const double rb = running_.radius[b];
-    return ra == rb ? 0.5 : massOf(rb) / (massOf(ra) + massOf(rb));
+    return a.radius == b.radius ? 0.5
+                                : massOf(b.radius) / (massOf(a.radius) + massOf(b.radius));
 }
 
 // One pair after another, the lowest first, and each with what is at rest. A few rounds carry the
 // floor's reaction up a pile.
-void VelocitySolver::resolve(std::span<const std::uint32_t> paired,
-                             std::span<const std::uint32_t> rank, const Eigen::Vector3d& down,
-                             double dt)
+void VelocitySolver::resolve(const Eigen::Vector3d& down, double dt)
 {
     down_ = down;
-    findContacts(paired, rank, dt);
-    for (int round = 0; round < kRounds; ++round)
-    {
-        for (const ContactPair& contact : contacts_)
+    contacts_.resize(std::max(contacts_.size(), crowd_.strips().size()));
+    endOfContacts_.resize(crowd_.size());
+    velocity_.resize(crowd_.size());
+    normals_.resize(crowd_.size());
+    crowd_.forEachStrip([&](std::size_t strip) { findContacts(strip, dt); });
+    crowd_.forEachStrip(
+        [&](std::size_t strip)
         {
-            collide(contact);
-        }
-    }
-    if (settings_.stiff)
-    {
-        stopOnLower();
-    }
+            for (std::uint32_t round = 0; round < kRounds; ++round)
+            {
+                const auto [begin, end] = crowd_.strips()[strip];
+                for (std::uint32_t slot = begin; slot < end; ++slot)
+                {
+                    turns_.awaitRound(slot, round);
+                    for (const ContactPair& contact : contactsBelow(strip, slot))
+                    {
+                        collide(slot, contact);
+                    }
+                    turns_.endRound(slot);
+                }
+            }
+        });
+    turns_.startSweep();
+    crowd_.forEachStrip(
+        [&](std::size_t strip)
+        {
+            const auto [begin, end] = crowd_.strips()[strip];
+            for (std::uint32_t slot = begin; slot < end; ++slot)
+            {
+                if (settings_.stiff)
+                {
+                    turns_.awaitLower(slot);
+                    stopOnLower(slot, contactsBelow(strip, slot));
+                    turns_.endTurn(slot);
+                }
+                running_.velocity[crowd_[slot].row] = velocity_[slot];
+            }
+        });
 }
 
 // Shock propagation [Guendelman et al. 2003]: what the rounds have left of an approach is lost, as
 // if the lower ones could not give way. No faster than it was, since what carries it may move.
-void VelocitySolver::stopOnLower()
+void VelocitySolver::stopOnLower(std::uint32_t upper, std::span<const ContactPair> contacts)
 {
-    for (auto first = contacts_.begin(); first != contacts_.end();)
+    if (contacts.empty())
     {
-        const auto last =
-            std::find_if(first, contacts_.end(),
-                         [&](const ContactPair& contact) { return contact.upper != first->upper; });
-        Eigen::Vector3d& velocity = running_.velocity[first->upper];
-        const double before = velocity.squaredNorm();
-        bool approaches = true;
-        for (int k = 0; k < kRounds && approaches; ++k)
+        return;
+    }
+    Eigen::Vector3d& velocity = velocity_[upper];
+    const double before = velocity.squaredNorm();
+    bool approaches = true;
+    for (int k = 0; k < kRounds && approaches; ++k)
+    {
+        approaches = false;
+        for (const ContactPair& contact : contacts)
         {
-            approaches = false;
-            for (auto contact = first; contact != last; ++contact)
+            const double approach = (velocity - velocity_[contact.lower]).dot(contact.normal);
+            if (approach < -contact.allowed - kSlow)
             {
-                const double approach =
-                    (velocity - running_.velocity[contact->lower]).dot(contact->normal);
-                if (approach < -contact->allowed - kSlow)
-                {
-                    velocity -= (approach + contact->allowed) * contact->normal;
-                    approaches = true;
-                }
+                velocity -= (approach + contact.allowed) * contact.normal;
+                approaches = true;
             }
-            stopAtRest(first->upper);
         }
-        const double after = velocity.squaredNorm();
-        if (after > before)
-        {
-            velocity *= std::sqrt(before / after);
-        }
-        first = last;
+        stopAtRest(upper);
+    }
+    const double after = velocity.squaredNorm();
+    if (after > before)
+    {
+        velocity *= std::sqrt(before / after);
     }
 }
 
 // Of those that overlap or soon will, the lowest first.
-void VelocitySolver::findContacts(std::span<const std::uint32_t> paired,
-                                  std::span<const std::uint32_t> rank, double dt)
+void VelocitySolver::findContacts(std::size_t strip, double dt)
 {
-    contacts_.clear();
-    for (const std::uint32_t upper : paired)
+    std::vector<ContactPair>& contacts = contacts_[strip];
+    contacts.clear();
+    const auto [begin, end] = crowd_.strips()[strip];
+    for (std::uint32_t slot = begin; slot < end; ++slot)
     {
-        const Eigen::Vector3d position = running_.position[upper];
-        const double radius = running_.radius[upper];
-        for (const std::uint32_t lower : pairs_.nearby(upper))
+        const Crowd::Member& upper = crowd_[slot];
+        velocity_[slot] = running_.velocity[upper.row];
+        normals_[slot] = flight_.normals(upper.row);
+        for (const Crowd::Near& near : crowd_.near(slot))
         {
-            if (rank[lower] >= rank[upper])
+            if (near.isLower == 0)
             {
                 continue;
             }
-            const auto contact = sphereContact(position - running_.position[lower],
-                                               radius + running_.radius[lower], kSoon);
+            const Crowd::Member& lower = crowd_[near.slot];
+            const auto contact = sphereContact(upper.position - lower.position,
+                                               upper.radius + lower.radius, kSoon);
             if (contact && !contact->normal.isZero(0))
             {
                 const double gap = -contact->depth;
-                contacts_.push_back({upper, lower, contact->normal, std::max(0.0, gap / dt)});
+                contacts.push_back({near.slot, contact->normal, std::max(0.0, gap / dt)});
             }
         }
+        endOfContacts_[slot] = static_cast<std::uint32_t>(contacts.size());
     }
 }
 
-void VelocitySolver::collide(const ContactPair& contact)
+void VelocitySolver::collide(std::uint32_t upper, const ContactPair& contact)
 {
-    Eigen::Vector3d& ofUpper = running_.velocity[contact.upper];
-    Eigen::Vector3d& ofLower = running_.velocity[contact.lower];
+    Eigen::Vector3d& ofUpper = velocity_[upper];
+    Eigen::Vector3d& ofLower = velocity_[contact.lower];
     const double approach = (ofUpper - ofLower).dot(contact.normal);
     const Restitution& restitution = settings_.restitution;
     const bool bounces = restitution.bounces(approach);
@@ -141,9 +161,11 @@ void VelocitySolver::collide(const ContactPair& contact)
         return;
     }
     const double change = bounces ? restitution.change(approach) : -contact.allowed - approach;
-    ofUpper += contact.normal * (change * shareOf(contact.upper, contact.lower, down_));
-    ofLower -= contact.normal * (change * shareOf(contact.lower, contact.upper, down_));
-    stopAtRest(contact.upper);
+    const Crowd::Member& a = crowd_[upper];
+    const Crowd::Member& b = crowd_[contact.lower];
+    ofUpper += contact.normal * (change * shareOf(a, b, down_));
+    ofLower -= contact.normal * (change * shareOf(b, a, down_));
+    stopAtRest(upper);
     stopAtRest(contact.lower);
 }
 

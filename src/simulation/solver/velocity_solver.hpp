@@ -4,7 +4,8 @@
 #pragma once
 
 #include "simulation/motion/free_flight.hpp"
-#include "simulation/solver/broad_phase.hpp"
+#include "simulation/solver/crowd.hpp"
+#include "simulation/solver/turns.hpp"
 
 #include <algorithm>
 #include <span>
@@ -29,18 +30,16 @@ struct SolverSettings
 class VelocitySolver
 {
 public:
-    /// `flight` knows what is at rest and touches each, `pairs` who is near whom.
-    VelocitySolver(RunningSpheres& running, FreeFlight& flight, const BroadPhase& pairs,
+    /// `flight` knows what is at rest and touches each; `turns` are those of `crowd`.
+    VelocitySolver(RunningSpheres& running, FreeFlight& flight, const Crowd& crowd, Turns& turns,
                    const SolverSettings& settings)
-        : running_(running), flight_(flight), pairs_(pairs), settings_(settings),
+        : running_(running), flight_(flight), crowd_(crowd), turns_(turns), settings_(settings),
           yields_(running, [](std::uint32_t, char& yields) { yields = 1; })
     {
     }
 
-    /// `crowd`: runners that are in a pair, by row, the lowest first; `rank`: where in it each is,
-    /// by row; `down`: the direction of the pull.
-    void resolve(std::span<const std::uint32_t> paired, std::span<const std::uint32_t> rank,
-                 const Eigen::Vector3d& down, double dt);
+    /// Velocities of the crowd, which has just been gathered. `down`: the direction of the pull.
+    void resolve(const Eigen::Vector3d& down, double dt);
 
     /// Whether it gives way to other runners. One that nothing at rest has carried for long stops
     /// giving way, so that it comes down to something that does.
@@ -48,30 +47,41 @@ public:
     void stopYielding(std::uint32_t row) { yields_[row] = 0; }
     void letAllYield() { std::fill(yields_.all().begin(), yields_.all().end(), char{1}); }
     /// How much of what parts a and b is a's to do. Of two that do not give way, the lower does it.
-    [[nodiscard]] double shareOf(std::uint32_t a, std::uint32_t b,
+    [[nodiscard]] double shareOf(const Crowd::Member& a, const Crowd::Member& b,
                                  const Eigen::Vector3d& down) const;
 
 private:
     struct ContactPair
     {
-        std::uint32_t upper, lower; ///< runners, by row
-        Eigen::Vector3d normal;     ///< from the lower to the upper
-        double allowed;             ///< approach that only closes the gap [sqrt(g r)]
+        std::uint32_t lower;    ///< slot
+        Eigen::Vector3d normal; ///< from the lower to the upper
+        double allowed;         ///< approach that only closes the gap [sqrt(g r)]
     };
 
-    void findContacts(std::span<const std::uint32_t> paired, std::span<const std::uint32_t> rank,
-                      double dt);
-    void collide(const ContactPair& contact);
-    void stopOnLower();
-    void stopAtRest(std::uint32_t row);
+    void findContacts(std::size_t strip, double dt);
+    [[nodiscard]] std::span<const ContactPair> contactsBelow(std::size_t strip,
+                                                             std::uint32_t slot) const
+    {
+        const std::uint32_t begin =
+            slot == crowd_.strips()[strip].begin ? 0 : endOfContacts_[slot - 1];
+        return {contacts_[strip].data() + begin, endOfContacts_[slot] - begin};
+    }
+    void collide(std::uint32_t upper, const ContactPair& contact);
+    void stopOnLower(std::uint32_t upper, std::span<const ContactPair> contacts);
+    void stopAtRest(std::uint32_t slot);
 
     RunningSpheres& running_;
     FreeFlight& flight_;
-    const BroadPhase& pairs_;
+    const Crowd& crowd_;
+    Turns& turns_;
     SolverSettings settings_;
     RunningColumn<char> yields_;
     Eigen::Vector3d down_ = {0, -1, 0};
-    std::vector<ContactPair> contacts_; ///< the lowest first
+    std::vector<std::vector<ContactPair>> contacts_; ///< by strip, the lowest first
+    // By slot.
+    std::vector<std::uint32_t> endOfContacts_; ///< of those with the members below it
+    std::vector<Eigen::Vector3d> velocity_;
+    std::vector<std::span<const Eigen::Vector3d>> normals_; ///< of what is at rest and touches it
 };
 
 } // namespace frostfill

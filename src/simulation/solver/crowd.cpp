@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include "simulation/solver/crowd.hpp"
+
+#include "simulation/solver/tolerances.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace frostfill
+{
+namespace
+{
+
+/// The axis along which strips follow one another: the one farther from level with the pull.
+int axisOfStrips(const Eigen::Vector3d& down)
+{
+    return std::abs(down.x()) <= std::abs(down.z()) ? 0 : 2;
+}
+
+} // namespace
+
+void Crowd::gather(const Eigen::Vector3d& down)
+{
+    order_.clear();
+    for (std::uint32_t row = 0; row < running_.size(); ++row)
+    {
+        if (!pairs_.nearby(row).empty())
+        {
+            order_.push_back({-running_.position[row].dot(down), row, 0});
+        }
+    }
+    sortByHeight(down);
+}
+
+void Crowd::gather(std::span<const std::uint32_t> rows, const Eigen::Vector3d& down)
+{
+    order_.clear();
+    for (const std::uint32_t row : rows)
+    {
+        order_.push_back({-running_.position[row].dot(down), row, 0});
+    }
+    sortByHeight(down);
+}
+
+void Crowd::sortByHeight(const Eigen::Vector3d& down)
+{
+    std::sort(order_.begin(), order_.end(),
+              [](const Height& a, const Height& b)
+              { return a.height < b.height || (a.height == b.height && a.row < b.row); });
+    cutIntoStrips(down);
+
+    const std::size_t size = order_.size();
+    members_.resize(size);
+    firstNear_.resize(size + 1);
+    nearCount_.resize(size);
+    isShared_.resize(size);
+    slot_.assign(running_.size(), kNone);
+    std::vector<std::uint32_t> next(strips_.size());
+    std::transform(strips_.begin(), strips_.end(), next.begin(),
+                   [](const Strip& strip) { return strip.begin; });
+    std::size_t first = 0;
+    for (std::uint32_t rank = 0; rank < size; ++rank)
+    {
+        const std::uint32_t row = order_[rank].row;
+        const std::uint32_t slot = next[order_[rank].strip]++;
+        members_[slot].row = row;
+        members_[slot].rank = rank;
+        slot_[row] = slot;
+    }
+    for (std::uint32_t slot = 0; slot < size; ++slot)
+    {
+        firstNear_[slot] = first;
+        first += pairs_.nearby(members_[slot].row).size();
+    }
+    firstNear_[size] = first;
+    nearby_.resize(first);
+    forEachStrip([this](std::size_t k) { enlist(k); });
+}
+
+// Where strips end, some of the members tell: it changes nothing but who waits for whom.
+void Crowd::cutIntoStrips(const Eigen::Vector3d& down)
+{
+    const std::size_t size = order_.size();
+    const std::size_t most = size / kFewestInStrip;
+    const std::size_t count = most <= 1 ? 1 : std::min(most, threads_.gather());
+    if (count == 1)
+    {
+        strips_.assign(1, {0, static_cast<std::uint32_t>(size)});
+        return;
+    }
+    const int axis = axisOfStrips(down);
+    const auto at = [&](std::size_t rank) { return running_.position[order_[rank].row][axis]; };
+    const std::size_t samples = std::min(size, kSamplesOfStrip * count);
+    std::vector<double> sample(samples);
+    for (std::size_t k = 0; k < samples; ++k)
+    {
+        sample[k] = at(k * size / samples);
+    }
+    std::sort(sample.begin(), sample.end());
+    borders_.clear();
+    for (std::size_t k = 1; k < count; ++k)
+    {
+        borders_.push_back(sample[k * samples / count]);
+    }
+    strips_.assign(count, {0, 0});
+    for (std::size_t rank = 0; rank < size; ++rank)
+    {
+        const auto border = std::upper_bound(borders_.begin(), borders_.end(), at(rank));
+        order_[rank].strip = static_cast<std::uint32_t>(border - borders_.begin());
+        ++strips_[order_[rank].strip].end;
+    }
+    std::uint32_t begin = 0;
+    for (Strip& strip : strips_)
+    {
+        strip.begin = begin;
+        strip.end = begin += strip.end;
+    }
+}
+
+void Crowd::enlist(std::size_t k)
+{
+    const Strip& strip = strips_[k];
+    for (std::uint32_t slot = strip.begin; slot < strip.end; ++slot)
+    {
+        Member& member = members_[slot];
+        member.position = running_.position[member.row];
+        member.radius = running_.radius[member.row];
+        Near* next = nearby_.data() + firstNear_[slot];
+        bool shared = false;
+        for (const std::uint32_t row : pairs_.nearby(member.row))
+        {
+            const std::uint32_t other = slot_[row];
+            if (other == kNone)
+            {
+                continue;
+            }
+            const bool foreign = other < strip.begin || other >= strip.end;
+            shared = shared || foreign;
+            *next++ = {other, members_[other].rank < member.rank, foreign};
+        }
+        nearCount_[slot] =
+            static_cast<std::uint32_t>(next - (nearby_.data() + firstNear_[slot]));
+        isShared_[slot] = shared ? 1 : 0;
+    }
+}
+
+} // namespace frostfill

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/threads.hpp"
+#include "simulation/solver/broad_phase.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace frostfill
+{
+
+/// The runners that the solvers take in hand, one after another, the lowest first, and whom each
+/// may touch. What a solver reads of a member lies beside what it reads of the next.
+///
+/// With several threads the crowd is cut into strips of equal numbers, side by side. Each strip is
+/// taken by one thread in the same order, at the same time as the others; see Turns.
+class Crowd
+{
+public:
+    struct Member
+    {
+        Eigen::Vector3d position;
+        double radius;
+        std::uint32_t row;
+        std::uint32_t rank; ///< in the order of the whole crowd
+    };
+    /// One of the members that another may touch.
+    struct Near
+    {
+        std::uint32_t slot : 30;
+        std::uint32_t isLower : 1; ///< its turn comes first
+        std::uint32_t isForeign : 1; ///< of another strip
+    };
+    /// Members with neighbouring slots, in the order of their turns.
+    struct Strip
+    {
+        std::uint32_t begin;
+        std::uint32_t end;
+    };
+
+    Crowd(RunningSpheres& running, const BroadPhase& pairs, Threads& threads)
+        : running_(running), pairs_(pairs), threads_(threads)
+    {
+    }
+
+    /// All runners that are in a pair. `down`: direction of the pull.
+    void gather(const Eigen::Vector3d& down);
+    /// These only, by row, as if the others were not there.
+    void gather(std::span<const std::uint32_t> rows, const Eigen::Vector3d& down);
+
+    [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(members_.size()); }
+    [[nodiscard]] std::span<const Strip> strips() const { return strips_; }
+
+    // By slot.
+    [[nodiscard]] const Member& operator[](std::uint32_t slot) const { return members_[slot]; }
+    /// Those that it may touch, by ascending row.
+    [[nodiscard]] std::span<const Near> near(std::uint32_t slot) const
+    {
+        return {nearby_.data() + firstNear_[slot], nearCount_[slot]};
+    }
+    /// So many are near to members before it; of size(): to all.
+    [[nodiscard]] std::size_t firstNear(std::uint32_t slot) const { return firstNear_[slot]; }
+    /// Whether some of those are of another strip.
+    [[nodiscard]] bool isShared(std::uint32_t slot) const { return isShared_[slot] != 0; }
+    /// Its runner has been moved.
+    void follow(std::uint32_t slot)
+    {
+        members_[slot].position = running_.position[members_[slot].row];
+    }
+
+    /// Calls body(k) for each strip, on a thread of its own.
+    template <class Body>
+    void forEachStrip(Body&& body) const
+    {
+        threads_.forEachAtOnce(strips_.size(), body);
+    }
+    /// Calls body(slot) for each member in the order of a strip, on a thread for each strip.
+    template <class Body>
+    void forEachMember(Body&& body) const
+    {
+        forEachStrip(
+            [&](std::size_t k)
+            {
+                for (std::uint32_t slot = strips_[k].begin; slot < strips_[k].end; ++slot)
+                {
+                    body(slot);
+                }
+            });
+    }
+    [[nodiscard]] Threads& threads() const { return threads_; }
+
+private:
+    static constexpr std::uint32_t kNone = 0xffffffff;
+
+    void sortByHeight(const Eigen::Vector3d& down);
+    void cutIntoStrips(const Eigen::Vector3d& down);
+    void enlist(std::size_t strip);
+
+    RunningSpheres& running_;
+    const BroadPhase& pairs_;
+    Threads& threads_;
+    struct Height
+    {
+        double height; ///< against the pull [r]
+        std::uint32_t row;
+        std::uint32_t strip;
+    };
+    std::vector<Height> order_; ///< the lowest first
+    std::vector<double> borders_; ///< between strips
+    std::vector<Strip> strips_;
+    std::vector<Member> members_;
+    std::vector<std::size_t> firstNear_;
+    std::vector<std::uint32_t> nearCount_;
+    std::vector<char> isShared_;
+    std::vector<Near> nearby_;
+    std::vector<std::uint32_t> slot_; ///< by row
+};
+
+} // namespace frostfill

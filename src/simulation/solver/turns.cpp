@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "simulation/solver/turns.hpp"
+
+namespace frostfill
+{
+
+void Turns::start()
+{
+    sweep_ = 0;
+    if (crowd_.strips().size() == 1)
+    {
+        return;
+    }
+    done_.assign(crowd_.size(), 0);
+    changes_.assign(crowd_.size(), 0);
+    turnCount_.assign(crowd_.size(), 0);
+    turns_.resize(crowd_.firstNear(crowd_.size()) + crowd_.size());
+    crowd_.forEachMember([this](std::uint32_t slot) { findTurns(slot); });
+}
+
+// Of those who may be changed from two strips only.
+void Turns::findTurns(std::uint32_t slot)
+{
+    Turn* next = turns_.data() + crowd_.firstNear(slot) + slot;
+    const auto add = [&](std::uint32_t changed)
+    {
+        if (crowd_.isShared(changed))
+        {
+            *next++ = turnOf(slot, changed);
+            ++turnCount_[slot];
+        }
+    };
+    add(slot);
+    for (const Crowd::Near& near : crowd_.near(slot))
+    {
+        if (near.isLower != 0)
+        {
+            add(near.slot);
+        }
+    }
+}
+
+// Whoever is changed has its own turn first, which comes before those of all above it.
+Turns::Turn Turns::turnOf(std::uint32_t slot, std::uint32_t changed) const
+{
+    Turn turn = {changed, 0, 1};
+    const std::uint32_t rank = crowd_[slot].rank;
+    for (const Crowd::Near& near : crowd_.near(changed))
+    {
+        if (near.isLower == 0)
+        {
+            ++turn.all;
+            turn.ordinal += crowd_[near.slot].rank < rank ? 1 : 0;
+        }
+    }
+    turn.ordinal += changed == slot ? 0 : 1;
+    return turn;
+}
+
+void Turns::awaitLower(std::uint32_t slot)
+{
+    if (!crowd_.isShared(slot))
+    {
+        return;
+    }
+    for (const Crowd::Near& near : crowd_.near(slot))
+    {
+        if (near.isLower != 0 && near.isForeign != 0)
+        {
+            crowd_.threads().waitUntil(
+                [&] { return at(done_[near.slot]).load(std::memory_order_acquire) == sweep_; });
+        }
+    }
+}
+
+void Turns::awaitRound(std::uint32_t slot, std::uint32_t round)
+{
+    if (crowd_.strips().size() == 1)
+    {
+        return;
+    }
+    for (const Turn& turn : turns(slot))
+    {
+        const std::uint32_t before = round * turn.all + turn.ordinal;
+        crowd_.threads().waitUntil(
+            [&] { return at(changes_[turn.slot]).load(std::memory_order_acquire) == before; });
+    }
+}
+
+void Turns::endRound(std::uint32_t slot)
+{
+    if (crowd_.strips().size() == 1)
+    {
+        return;
+    }
+    for (const Turn& turn : turns(slot))
+    {
+        const auto changes = at(changes_[turn.slot]);
+        changes.store(changes.load(std::memory_order_relaxed) + 1, std::memory_order_release);
+    }
+}
+
+} // namespace frostfill

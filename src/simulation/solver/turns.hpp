@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "simulation/solver/crowd.hpp"
+
+#include <atomic>
+#include <cstdint>
+#include <vector>
+
+namespace frostfill
+{
+
+/// Lets the strips of a crowd be taken at the same time with the bits of one member after another.
+/// Members of one strip follow each other anyhow; a member that may touch one of another strip
+/// waits until that one has had as many turns as it would have had by then. What is treated lowest
+/// first waits only for what is below it, so the wait ends: the lowest member whose turn is due
+/// waits for nobody. Graph colouring, which Box3D uses for this, would change the order, and
+/// with it the bits and the way in which the floor's reaction climbs a pile.
+class Turns
+{
+public:
+    explicit Turns(const Crowd& crowd) : crowd_(crowd) {}
+
+    /// To be called for each crowd that has been gathered.
+    void start();
+
+    /// A sweep begins, in which a member's turn reads those nearby and changes only itself.
+    void startSweep() { ++sweep_; }
+    /// Returns once those below have had their turn in this sweep.
+    void awaitLower(std::uint32_t slot);
+    void endTurn(std::uint32_t slot)
+    {
+        if (crowd_.isShared(slot))
+        {
+            at(done_[slot]).store(sweep_, std::memory_order_release);
+        }
+    }
+
+    /// Rounds, counted from 0, in which a member's turn changes itself and those nearby below it.
+    void awaitRound(std::uint32_t slot, std::uint32_t round);
+    void endRound(std::uint32_t slot);
+
+private:
+    /// A member's place in the turns of a round in which somebody's part is changed.
+    struct Turn
+    {
+        std::uint32_t slot;    ///< of who is changed
+        std::uint32_t ordinal; ///< of this turn, among those of a round that change it
+        std::uint32_t all;     ///< such turns
+    };
+    [[nodiscard]] static std::atomic_ref<std::uint32_t> at(std::uint32_t& count)
+    {
+        return std::atomic_ref<std::uint32_t>(count);
+    }
+    void findTurns(std::uint32_t slot);
+    [[nodiscard]] Turn turnOf(std::uint32_t slot, std::uint32_t changed) const;
+    [[nodiscard]] std::span<const Turn> turns(std::uint32_t slot) const
+    {
+        return {turns_.data() + crowd_.firstNear(slot) + slot, turnCount_[slot]};
+    }
+
+    const Crowd& crowd_;
+    std::uint32_t sweep_ = 0;
+    // By slot.
+    std::vector<std::uint32_t> done_;      ///< the last sweep in which it has had its turn
+    std::vector<std::uint32_t> changes_;   ///< turns that have changed it in rounds
+    std::vector<std::uint32_t> turnCount_;
+    std::vector<Turn> turns_;
+};
+
+} // namespace frostfill
