@@ -53,7 +53,7 @@ FastEngine::FastEngine(World& world)
     : world_(world), running_(world.spheres.running()), threads_(world.scene.threads),
       grid_(world.spheres.resting().frame()), observers_(world, releaseBand(world), threads_),
       flight_(world, {{world.scene.motion.restitution}}), dropAndRoll_(world, observers_.falls),
-      sets_(world, ageLimit(world)), solver_(running_, grid_, flight_, threads_,
+      sets_(world, ageLimit(world)), solver_(running_, flight_, threads_,
                                              {.restitution = {world.scene.motion.restitution},
                                               .sweeps = sweeps(world),
                                               .stiff = !sets_.keepsSets()}),

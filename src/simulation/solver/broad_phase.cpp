@@ -4,65 +4,106 @@
 #include "simulation/contact/contact.hpp"
 #include "simulation/solver/tolerances.hpp"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
+#include <cmath>
 
 namespace frostfill
 {
-namespace
-{
-
-bool mayTouch(const Eigen::Vector3d& a, double radiusOfA, const Eigen::Vector3d& b,
-              double radiusOfB)
-{
-    return isWithin(a, b, radiusOfA + radiusOfB + kPairMargin);
-}
-
-} // namespace
 
 void BroadPhase::findPairs()
 {
-    if (running_.size() <= kFewRunners)
+    if (running_.size() == 0)
     {
-        findAmongAll();
         return;
     }
-    grid_.rebuild(running_);
-    threads_.forEach(running_.size(),
-                     [&](std::size_t i) { findInGrid(static_cast<std::uint32_t>(i)); });
+    layOutCells();
+    sortIntoCells();
+    threads_.forEach(nodes_.size(), [&](std::size_t i) { findNear(nodes_[i]); });
 }
 
-void BroadPhase::findAmongAll()
+// No radius is larger than 1, so pairs are in the same cell or in neighbours. Few runners far apart
+// get larger cells, or looking through empty ones would take longer than looking at the runners.
+void BroadPhase::layOutCells()
 {
-    const std::span<const Eigen::Vector3d> position = running_.position.all();
-    const std::span<const double> radius = running_.radius.all();
-    for (std::uint32_t i = 0; i < position.size(); ++i)
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& p : running_.position.all())
     {
-        nearby_[i].clear();
-        for (std::uint32_t k = 0; k < i; ++k)
+        box.extend(p);
+    }
+    low_ = box.min();
+    const double most = kCellsForRunner * running_.size();
+    for (edge_ = (2 + kPairMargin) * kBeyondRounding;; edge_ *= kCoarser)
+    {
+        const Eigen::Array3d cells = (box.sizes() / edge_).array().floor() + 1;
+        if (cells.prod() <= most || (cells == 1).all())
         {
-            if (mayTouch(position[i], radius[i], position[k], radius[k]))
-            {
-                nearby_[i].push_back(k);
-                nearby_[k].push_back(i);
-            }
+            count_ = {static_cast<int>(cells.x()), static_cast<int>(cells.y()),
+                      static_cast<int>(cells.z())};
+            return;
         }
     }
 }
 
-void BroadPhase::findInGrid(std::uint32_t row)
+std::uint32_t BroadPhase::cellOf(const Eigen::Vector3d& p) const
 {
-    const Eigen::Vector3d& position = running_.position[row];
-    const double radius = running_.radius[row];
-    std::vector<std::uint32_t>& nearby = nearby_[row];
+    const auto along = [&](int axis)
+    { return std::min(static_cast<int>((p[axis] - low_[axis]) / edge_), count_[axis] - 1); };
+    return static_cast<std::uint32_t>((along(2) * count_[1] + along(1)) * count_[0] + along(0));
+}
+
+void BroadPhase::sortIntoCells()
+{
+    first_.assign(static_cast<std::size_t>(count_[0]) * count_[1] * count_[2] + 1, 0);
+    cells_.resize(running_.size());
+    nodes_.resize(running_.size());
+    for (std::uint32_t row = 0; row < running_.size(); ++row)
+    {
+        cells_[row] = cellOf(running_.position[row]);
+        ++first_[cells_[row]];
+    }
+    std::uint32_t end = 0;
+    for (std::uint32_t& first : first_)
+    {
+        end += first;
+        first = end;
+    }
+    for (std::uint32_t row = running_.size(); row-- > 0;)
+    {
+        nodes_[--first_[cells_[row]]] = {running_.position[row], running_.radius[row], row,
+                                         cells_[row]};
+    }
+}
+
+void BroadPhase::findNear(const Node& node)
+{
+    std::vector<std::uint32_t>& nearby = nearby_[node.row];
     nearby.clear();
-    grid_.forEachNear(position, radius + 1 + kPairMargin,
-                      [&](std::uint32_t k, const Eigen::Vector3d& p, double radiusThere)
-                      {
-                          if (mayTouch(position, radius, p, radiusThere) && k != row)
-                          {
-                              nearby.push_back(k);
-                          }
-                      });
+    const auto cell = static_cast<int>(node.cell);
+    const int x = cell % count_[0];
+    const int y = cell / count_[0] % count_[1];
+    const int z = cell / count_[0] / count_[1];
+    const int left = std::max(0, x - 1);
+    const int right = std::min(count_[0] - 1, x + 1);
+    for (int nz = std::max(0, z - 1); nz <= std::min(count_[2] - 1, z + 1); ++nz)
+    {
+        for (int ny = std::max(0, y - 1); ny <= std::min(count_[1] - 1, y + 1); ++ny)
+        {
+            const int line = (nz * count_[1] + ny) * count_[0];
+            const std::uint32_t end = first_[static_cast<std::size_t>(line + right + 1)];
+            for (std::uint32_t k = first_[static_cast<std::size_t>(line + left)]; k < end; ++k)
+            {
+                const Node& other = nodes_[k];
+                if (isWithin(node.position, other.position,
+                             node.radius + other.radius + kPairMargin) &&
+                    other.row != node.row)
+                {
+                    nearby.push_back(other.row);
+                }
+            }
+        }
+    }
     std::sort(nearby.begin(), nearby.end());
 }
 

@@ -2,21 +2,23 @@
 #pragma once
 
 #include "base/threads.hpp"
-#include "simulation/contact/runner_grid.hpp"
+#include "simulation/world/running_spheres.hpp"
 
+#include <array>
+#include <span>
 #include <vector>
 
 namespace frostfill
 {
 
 /// Finds the pairs of running spheres that touch, or may within a step. What the solvers look at
-/// afterwards are only these.
+/// afterwards are only these. Runners are sorted into cells that fit around them alone, so that
+/// those of three neighbouring cells lie one after another in memory.
 class BroadPhase
 {
 public:
-    /// `grid` may be rebuilt at each search.
-    BroadPhase(RunningSpheres& running, RunnerGrid& grid, Threads& threads)
-        : running_(running), grid_(grid), threads_(threads), nearby_(running)
+    BroadPhase(RunningSpheres& running, Threads& threads)
+        : running_(running), threads_(threads), nearby_(running)
     {
     }
 
@@ -29,13 +31,29 @@ public:
     }
 
 private:
-    void findAmongAll();
-    void findInGrid(std::uint32_t row);
+    /// A runner, with all that a search needs in one place of memory.
+    struct Node
+    {
+        Eigen::Vector3d position;
+        double radius;
+        std::uint32_t row;
+        std::uint32_t cell;
+    };
+
+    void layOutCells();
+    void sortIntoCells();
+    [[nodiscard]] std::uint32_t cellOf(const Eigen::Vector3d& p) const;
+    void findNear(const Node& node);
 
     RunningSpheres& running_;
-    RunnerGrid& grid_;
     Threads& threads_;
     RunningColumn<std::vector<std::uint32_t>> nearby_;
+    Eigen::Vector3d low_ = Eigen::Vector3d::Zero(); ///< corner of the first cell
+    double edge_ = 1;                               ///< of a cell [r]
+    std::array<int, 3> count_ = {1, 1, 1};          ///< of cells
+    std::vector<std::uint32_t> first_;              ///< by cell, x fastest: its first node
+    std::vector<std::uint32_t> cells_;              ///< by row
+    std::vector<Node> nodes_;                       ///< by cell, then by row
 };
 
 } // namespace frostfill

@@ -136,7 +136,7 @@ void Crowd::enlist(std::size_t k)
             }
             const bool foreign = other < strip.begin || other >= strip.end;
             shared = shared || foreign;
-            *next++ = {other, members_[other].rank < member.rank, foreign};
+            *next++ = {other & kLargestSlot, members_[other].rank < member.rank, foreign};
         }
         nearCount_[slot] =
             static_cast<std::uint32_t>(next - (nearby_.data() + firstNear_[slot]));

@@ -93,6 +93,7 @@ public:
 
 private:
     static constexpr std::uint32_t kNone = 0xffffffff;
+    static constexpr std::uint32_t kLargestSlot = 0x3fffffff;
 
     void sortByHeight(const Eigen::Vector3d& down);
     void cutIntoStrips(const Eigen::Vector3d& down);

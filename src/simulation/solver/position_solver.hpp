@@ -19,10 +19,9 @@ namespace frostfill
 class PositionSolver
 {
 public:
-    /// `grid` may be rebuilt at each step.
-    PositionSolver(RunningSpheres& running, RunnerGrid& grid, FreeFlight& flight, Threads& threads,
+    PositionSolver(RunningSpheres& running, FreeFlight& flight, Threads& threads,
                    const SolverSettings& settings)
-        : running_(running), pairs_(running, grid, threads), flight_(flight), settings_(settings),
+        : running_(running), pairs_(running, threads), flight_(flight), settings_(settings),
           crowd_(running, pairs_, threads), turns_(crowd_),
           velocitySolver_(running, flight, crowd_, turns_, settings)
     {

@@ -15,8 +15,13 @@ namespace frostfill
 /// Gap up to which two runners are a pair, because they may touch within the step. [r] A step is at
 /// most 0.33 sqrt(r/g) long. Larger: more pairs to look at. Smaller: fast spheres overlap first.
 inline constexpr double kPairMargin = 0.3;
-/// Runners up to which all pairs are looked at, which is faster than a grid for so few.
-inline constexpr std::size_t kFewRunners = 64;
+/// Cells for each runner at most. Larger: time for empty cells. Smaller: more runners to look at.
+inline constexpr double kCellsForRunner = 2;
+/// By how much cells grow until there are few enough. Larger: fewer and fuller ones than need be.
+inline constexpr double kCoarser = 1.25;
+/// So much larger are cells than what pairs need, so that no rounding puts a pair into cells that
+/// are no neighbours. [1]
+inline constexpr double kBeyondRounding = 1 + 1e-9;
 
 // Crowds on several threads. The answer is the same for any.
 

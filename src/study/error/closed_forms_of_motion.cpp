@@ -221,9 +221,8 @@ void measureHeadOnPair(ClosedFormPoints& points, double dt)
     world->pull.uniform.setZero(); // weightless, so that the closed form holds
     FreeFlight flight(*world, lossless(kRestitution));
     Threads threads(1);
-    RunnerGrid grid(world->spheres.resting().frame());
     RunningSpheres& pair = world->spheres.running();
-    PositionSolver positionSolver(pair, grid, flight, threads, {.restitution = {kRestitution, 0}});
+    PositionSolver positionSolver(pair, flight, threads, {.restitution = {kRestitution, 0}});
     world->spheres.add({-3, 0, 0}, 1, 0);
     world->spheres.add({1, 0, 0}, 1, 0);
     pair.velocity[0] = {kSpeed, 0, 0};

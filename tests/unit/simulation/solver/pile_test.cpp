@@ -75,8 +75,7 @@ struct Pile
     RunningSpheres& running = world.spheres.running();
     FreeFlight flight{world, {}};
     Threads threads{1};
-    RunnerGrid grid{world.spheres.resting().frame()};
-    PositionSolver positionSolver{running, grid, flight, threads, {}};
+    PositionSolver positionSolver{running, flight, threads, {}};
 };
 
 std::vector<Eigen::Vector3d> column(int height)
@@ -242,7 +241,7 @@ TEST(SupportIsland, LooksAtNobodyWhoIsStillBeingMoved)
     for (const std::vector<std::uint32_t>& order : {std::vector{0U, 1U}, {1U, 0U}})
     {
         Pile pile(places);
-        BroadPhase pairs(pile.running, pile.grid, pile.threads);
+        BroadPhase pairs(pile.running, pile.threads);
         pairs.findPairs();
         std::vector<std::uint32_t> members = order;
         SupportIsland(pile.running, pile.flight, pairs, pile.threads).keep(members);
