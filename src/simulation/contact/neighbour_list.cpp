@@ -18,10 +18,7 @@ bool NeighbourList::ensure(const World& world, const Eigen::Vector3d& p, double 
     }
     centre_ = p;
     radius_ = radius;
-    x.clear();
-    y.clear();
-    z.clear();
-    reach.clear();
+    spheres_.clear();
     const SphereGrid& resting = world.spheres.resting();
     resting.forEachNear(p, radius + 1 + kSkin,
                         [&](std::uint32_t row)
@@ -31,10 +28,7 @@ bool NeighbourList::ensure(const World& world, const Eigen::Vector3d& p, double 
                             if (isWithin(other.position(), p, contact + kSkin) &&
                                 !resting.isDiscarded(row))
                             {
-                                x.push_back(other.x);
-                                y.push_back(other.y);
-                                z.push_back(other.z);
-                                reach.push_back(contact);
+                                spheres_.push_back({other.x, other.y, other.z, contact});
                             }
                         });
     listTriangles(world, p, radius + kSkin);
@@ -126,10 +120,7 @@ bool NeighbourList::add(const Eigen::Vector3d& p, double radius)
     {
         return false;
     }
-    x.push_back(p.x());
-    y.push_back(p.y());
-    z.push_back(p.z());
-    reach.push_back(contact);
+    spheres_.push_back({p.x(), p.y(), p.z(), contact});
     return true;
 }
 

@@ -15,14 +15,13 @@ namespace
 double castAtSpheres(const NeighbourList& around, const Eigen::Vector3d& p,
                      const Eigen::Vector3d& direction, double limit)
 {
-    for (std::size_t k = 0; k < around.spheres(); ++k)
+    for (const auto& [x, y, z, reach] : around.spheres())
     {
-        const double dx = around.x[k] - p.x();
-        const double dy = around.y[k] - p.y();
-        const double dz = around.z[k] - p.z();
+        const double dx = x - p.x();
+        const double dy = y - p.y();
+        const double dz = z - p.z();
         const double along = dx * direction.x() + dy * direction.y() + dz * direction.z();
         const double squared = dx * dx + dy * dy + dz * dz;
-        const double reach = around.reach[k];
         const double discriminant = reach * reach - (squared - along * along);
         if (along < kSlides * reach || discriminant <= 0)
         {
@@ -104,10 +103,9 @@ Eigen::Vector3d contactNormals(const Surface& surface, NeighbourList& around,
     Eigen::Vector3d pushOut = Eigen::Vector3d::Zero();
     double deepest = kCrept * radius;
     normals.clear();
-    for (std::size_t k = 0; k < around.spheres(); ++k)
+    for (const Ball& other : around.spheres())
     {
-        const Eigen::Vector3d d(p.x() - around.x[k], p.y() - around.y[k], p.z() - around.z[k]);
-        if (const auto contact = sphereContact(d, around.reach[k], gap))
+        if (const auto contact = sphereContact(p - other.position(), other.radius, gap))
         {
             normals.push_back(contact->normal);
         }

@@ -279,7 +279,7 @@ void FastEngine::countTests()
     std::uint64_t pairs = 0;
     for (std::uint32_t row = 0; row < running_.size(); ++row)
     {
-        world_.counts.operations.runningFrozenTests += flight_.around(row).spheres();
+        world_.counts.operations.runningFrozenTests += flight_.around(row).spheres().size();
         world_.counts.operations.spherePolygonTests += flight_.around(row).trianglesTested();
         pairs += solver_.pairs().nearby(row).size();
     }

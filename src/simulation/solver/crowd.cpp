@@ -50,7 +50,9 @@ void Crowd::sortByHeight(const Eigen::Vector3d& down)
     cutIntoStrips(down);
 
     const std::size_t size = order_.size();
-    members_.resize(size);
+    balls_.resize(size);
+    rows_.resize(size);
+    ranks_.resize(size);
     firstNear_.resize(size + 1);
     nearCount_.resize(size);
     isShared_.resize(size);
@@ -63,14 +65,14 @@ void Crowd::sortByHeight(const Eigen::Vector3d& down)
     {
         const std::uint32_t row = order_[rank].row;
         const std::uint32_t slot = next[order_[rank].strip]++;
-        members_[slot].row = row;
-        members_[slot].rank = rank;
+        rows_[slot] = row;
+        ranks_[slot] = rank;
         slot_[row] = slot;
     }
     for (std::uint32_t slot = 0; slot < size; ++slot)
     {
         firstNear_[slot] = first;
-        first += pairs_.nearby(members_[slot].row).size();
+        first += pairs_.nearby(rows_[slot]).size();
     }
     firstNear_[size] = first;
     nearby_.resize(first);
@@ -122,12 +124,11 @@ void Crowd::enlist(std::size_t k)
     const Strip& strip = strips_[k];
     for (std::uint32_t slot = strip.begin; slot < strip.end; ++slot)
     {
-        Member& member = members_[slot];
-        member.position = running_.position[member.row];
-        member.radius = running_.radius[member.row];
+        balls_[slot].radius = running_.radius[rows_[slot]];
+        follow(slot);
         Near* next = nearby_.data() + firstNear_[slot];
         bool shared = false;
-        for (const std::uint32_t row : pairs_.nearby(member.row))
+        for (const std::uint32_t row : pairs_.nearby(rows_[slot]))
         {
             const std::uint32_t other = slot_[row];
             if (other == kNone)
@@ -136,7 +137,7 @@ void Crowd::enlist(std::size_t k)
             }
             const bool foreign = other < strip.begin || other >= strip.end;
             shared = shared || foreign;
-            *next++ = {other & kLargestSlot, members_[other].rank < member.rank, foreign};
+            *next++ = {other & kLargestSlot, ranks_[other] < ranks_[slot], foreign};
         }
         nearCount_[slot] =
             static_cast<std::uint32_t>(next - (nearby_.data() + firstNear_[slot]));

@@ -3,6 +3,7 @@
 
 #include "base/threads.hpp"
 #include "simulation/solver/broad_phase.hpp"
+#include "simulation/world/sphere_grid.hpp"
 
 #include <cstdint>
 #include <span>
@@ -19,13 +20,6 @@ namespace frostfill
 class Crowd
 {
 public:
-    struct Member
-    {
-        Eigen::Vector3d position;
-        double radius;
-        std::uint32_t row;
-        std::uint32_t rank; ///< in the order of the whole crowd
-    };
     /// One of the members that another may touch.
     struct Near
     {
@@ -50,11 +44,14 @@ public:
     /// These only, by row, as if the others were not there.
     void gather(std::span<const std::uint32_t> rows, const Eigen::Vector3d& down);
 
-    [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(members_.size()); }
+    [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(rows_.size()); }
     [[nodiscard]] std::span<const Strip> strips() const { return strips_; }
 
     // By slot.
-    [[nodiscard]] const Member& operator[](std::uint32_t slot) const { return members_[slot]; }
+    [[nodiscard]] const Ball& operator[](std::uint32_t slot) const { return balls_[slot]; }
+    [[nodiscard]] std::uint32_t row(std::uint32_t slot) const { return rows_[slot]; }
+    /// In the order of the whole crowd.
+    [[nodiscard]] std::uint32_t rank(std::uint32_t slot) const { return ranks_[slot]; }
     /// Those that it may touch, by ascending row.
     [[nodiscard]] std::span<const Near> near(std::uint32_t slot) const
     {
@@ -67,7 +64,8 @@ public:
     /// Its runner has been moved.
     void follow(std::uint32_t slot)
     {
-        members_[slot].position = running_.position[members_[slot].row];
+        const Eigen::Vector3d& p = running_.position[rows_[slot]];
+        balls_[slot] = {p.x(), p.y(), p.z(), balls_[slot].radius};
     }
 
     /// Calls body(k) for each strip, on a thread of its own.
@@ -111,7 +109,9 @@ private:
     std::vector<Height> order_; ///< the lowest first
     std::vector<double> borders_; ///< between strips
     std::vector<Strip> strips_;
-    std::vector<Member> members_;
+    std::vector<Ball> balls_;
+    std::vector<std::uint32_t> rows_;
+    std::vector<std::uint32_t> ranks_;
     std::vector<std::size_t> firstNear_;
     std::vector<std::uint32_t> nearCount_;
     std::vector<char> isShared_;

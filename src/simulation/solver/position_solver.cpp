@@ -14,6 +14,10 @@ namespace frostfill
 namespace
 {
 
+/// Members whose neighbourhood is asked for before it is needed. Rows lie in memory as they were
+/// released, not from below.
+constexpr std::uint32_t kAhead = 4;
+
 /// Members that are pushed say so to those nearby, of other strips as well, where several may at
 /// once. Who looks whether it was told has waited for those.
 std::atomic_ref<char> flag(char& value)
@@ -34,7 +38,7 @@ void PositionSolver::resolve(double dt)
     flown_.resize(crowd_.size());
     crowd_.forEachMember(
         [this](std::uint32_t slot)
-        { flown_[slot] = {crowd_[slot].position, running_.velocity[crowd_[slot].row]}; });
+        { flown_[slot] = {crowd_[slot].position(), running_.velocity[crowd_.row(slot)]}; });
     velocitySolver_.resolve(down_, dt);
     const int mutual = settings_.stiff ? settings_.sweeps / 4 : settings_.sweeps * 3 / 4;
     for (int k = 0; k < settings_.sweeps; ++k)
@@ -106,6 +110,10 @@ double PositionSolver::sweep(const Crowd::Strip& strip, double yieldShare, doubl
     double deepest = 0;
     for (std::uint32_t slot = strip.begin; slot < strip.end; ++slot)
     {
+        if (slot + kAhead < strip.end)
+        {
+            flight_.prefetch(crowd_.row(slot + kAhead));
+        }
         turns_.awaitLower(slot);
         if (flag(clear_[slot]).load(std::memory_order_relaxed) == 0)
         {
@@ -113,7 +121,7 @@ double PositionSolver::sweep(const Crowd::Strip& strip, double yieldShare, doubl
             flag(clear_[slot]).store(push ? 0 : 1, std::memory_order_relaxed);
             if (push && !push->isZero(0))
             {
-                flight_.shift(crowd_[slot].row, *push);
+                flight_.shift(crowd_.row(slot), *push);
                 crowd_.follow(slot);
                 for (const Crowd::Near& near : crowd_.near(slot))
                 {
@@ -129,15 +137,15 @@ double PositionSolver::sweep(const Crowd::Strip& strip, double yieldShare, doubl
 std::optional<Eigen::Vector3d> PositionSolver::pushOff(std::uint32_t slot, double yieldShare,
                                                        double liftDepth, double& deepest) const
 {
-    const Crowd::Member& member = crowd_[slot];
-    const double radius = member.radius;
-    Eigen::Vector3d place = member.position;
+    const double radius = crowd_[slot].radius;
+    const Eigen::Vector3d before = crowd_[slot].position();
+    Eigen::Vector3d place = before;
     double deepestHere = deepest;
     bool touches = false;
     for (const Crowd::Near& near : crowd_.near(slot))
     {
-        const Crowd::Member& other = crowd_[near.slot];
-        const auto contact = sphereContact(place - other.position, radius + other.radius);
+        const Ball& other = crowd_[near.slot];
+        const auto contact = sphereContact(place - other.position(), radius + other.radius);
         if (!contact)
         {
             continue;
@@ -145,10 +153,11 @@ std::optional<Eigen::Vector3d> PositionSolver::pushOff(std::uint32_t slot, doubl
         touches = true;
         const double depth = contact->depth;
         deepestHere = std::max(deepestHere, depth);
-        const bool takesRest = near.isLower != 0 && (velocitySolver_.yields(member.row) ||
-                                                     !velocitySolver_.yields(other.row));
+        const bool takesRest =
+            near.isLower != 0 && (velocitySolver_.yields(crowd_.row(slot)) ||
+                                  !velocitySolver_.yields(crowd_.row(near.slot)));
         const double share =
-            takesRest ? 1 : yieldShare * velocitySolver_.shareOf(member, other, down_);
+            takesRest ? 1 : yieldShare * velocitySolver_.shareOf(slot, near.slot, down_);
         Eigen::Vector3d away = contact->normal;
         if (takesRest && depth > liftDepth * radius)
         {
@@ -162,7 +171,7 @@ std::optional<Eigen::Vector3d> PositionSolver::pushOff(std::uint32_t slot, doubl
         return std::nullopt;
     }
     deepest = deepestHere;
-    const Eigen::Vector3d push = place - member.position;
+    const Eigen::Vector3d push = place - before;
     const double length = push.norm();
     const double longest = kLongestPush * radius;
     return length > longest ? Eigen::Vector3d(push * (longest / length)) : push;
@@ -172,9 +181,9 @@ std::optional<Eigen::Vector3d> PositionSolver::pushOff(std::uint32_t slot, doubl
 void PositionSolver::removeLiftEnergy(std::uint32_t slot)
 {
     const auto& [position, velocityBefore] = flown_[slot];
-    Eigen::Vector3d& velocity = running_.velocity[crowd_[slot].row];
+    Eigen::Vector3d& velocity = running_.velocity[crowd_.row(slot)];
     const double fall =
-        (crowd_[slot].position - position).dot(flight_.pullAt(position, velocityBefore));
+        (crowd_[slot].position() - position).dot(flight_.pullAt(position, velocityBefore));
     const double squared = velocity.squaredNorm();
     if (fall < 0 && squared > 0)
     {

@@ -44,13 +44,13 @@ void Turns::findTurns(std::uint32_t slot)
 Turns::Turn Turns::turnOf(std::uint32_t slot, std::uint32_t changed) const
 {
     Turn turn = {changed, 0, 1};
-    const std::uint32_t rank = crowd_[slot].rank;
+    const std::uint32_t rank = crowd_.rank(slot);
     for (const Crowd::Near& near : crowd_.near(changed))
     {
         if (near.isLower == 0)
         {
             ++turn.all;
-            turn.ordinal += crowd_[near.slot].rank < rank ? 1 : 0;
+            turn.ordinal += crowd_.rank(near.slot) < rank ? 1 : 0;
         }
     }
     turn.ordinal += changed == slot ? 0 : 1;

@@ -24,22 +24,24 @@ void VelocitySolver::stopAtRest(std::uint32_t slot)
     }
 }
 
-double VelocitySolver::shareOf(const Crowd::Member& a, const Crowd::Member& b,
-                               const Eigen::Vector3d& down) const
+double VelocitySolver::shareOf(std::uint32_t a, std::uint32_t b, const Eigen::Vector3d& down) const
 {
-    const bool yields = this->yields(a.row);
-    if (yields != this->yields(b.row))
+    const bool yields = this->yields(crowd_.row(a));
+    if (yields != this->yields(crowd_.row(b)))
     {
         return yields ? 1 : 0;
     }
     if (!yields)
     {
-        const double ya = -a.position.dot(down);
-        const double yb = -b.position.dot(down);
-        return ya < yb || (ya == yb && running_.id[a.row] < running_.id[b.row]) ? 0 : 1;
+        const double ya = -crowd_[a].position().dot(down);
+        const double yb = -crowd_[b].position().dot(down);
+        const bool isLower =
+            ya < yb || (ya == yb && running_.id[crowd_.row(a)] < running_.id[crowd_.row(b)]);
+        return isLower ? 0 : 1;
     }
-    return a.radius == b.radius ? 0.5
-                                : massOf(b.radius) / (massOf(a.radius) + massOf(b.radius));
+    const double ra = crowd_[a].radius;
+    const double rb = crowd_[b].radius;
+    return ra == rb ? 0.5 : massOf(rb) / (massOf(ra) + massOf(rb));
 }
 
 // One pair after another, the lowest first, and each with what is at rest. A few rounds carry the
@@ -82,7 +84,7 @@ void VelocitySolver::resolve(const Eigen::Vector3d& down, double dt)
                     stopOnLower(slot, contactsBelow(strip, slot));
                     turns_.endTurn(slot);
                 }
-                running_.velocity[crowd_[slot].row] = velocity_[slot];
+                running_.velocity[crowd_.row(slot)] = velocity_[slot];
             }
         });
 }
@@ -127,17 +129,17 @@ void VelocitySolver::findContacts(std::size_t strip, double dt)
     const auto [begin, end] = crowd_.strips()[strip];
     for (std::uint32_t slot = begin; slot < end; ++slot)
     {
-        const Crowd::Member& upper = crowd_[slot];
-        velocity_[slot] = running_.velocity[upper.row];
-        normals_[slot] = flight_.normals(upper.row);
+        const Ball& upper = crowd_[slot];
+        velocity_[slot] = running_.velocity[crowd_.row(slot)];
+        normals_[slot] = flight_.normals(crowd_.row(slot));
         for (const Crowd::Near& near : crowd_.near(slot))
         {
             if (near.isLower == 0)
             {
                 continue;
             }
-            const Crowd::Member& lower = crowd_[near.slot];
-            const auto contact = sphereContact(upper.position - lower.position,
+            const Ball& lower = crowd_[near.slot];
+            const auto contact = sphereContact(upper.position() - lower.position(),
                                                upper.radius + lower.radius, kSoon);
             if (contact && !contact->normal.isZero(0))
             {
@@ -161,10 +163,8 @@ void VelocitySolver::collide(std::uint32_t upper, const ContactPair& contact)
         return;
     }
     const double change = bounces ? restitution.change(approach) : -contact.allowed - approach;
-    const Crowd::Member& a = crowd_[upper];
-    const Crowd::Member& b = crowd_[contact.lower];
-    ofUpper += contact.normal * (change * shareOf(a, b, down_));
-    ofLower -= contact.normal * (change * shareOf(b, a, down_));
+    ofUpper += contact.normal * (change * shareOf(upper, contact.lower, down_));
+    ofLower -= contact.normal * (change * shareOf(contact.lower, upper, down_));
     stopAtRest(upper);
     stopAtRest(contact.lower);
 }
