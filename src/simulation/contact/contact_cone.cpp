@@ -32,6 +32,10 @@ bool leadsIntoNone(std::span<const Eigen::Vector3d> normals, const Eigen::Vector
 Eigen::Vector3d projectToFree(const Eigen::Vector3d& vector,
                               std::span<const Eigen::Vector3d> normals)
 {
+    if (normals.empty())
+    {
+        return vector;
+    }
     const double tolerance = kLeadsInto * vector.norm();
     if (leadsIntoNone(normals, vector, tolerance))
     {

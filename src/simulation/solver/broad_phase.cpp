@@ -11,16 +11,45 @@
 
 namespace frostfill
 {
+namespace
+{
+
+bool mayTouch(const Eigen::Vector3d& a, double radiusOfA, const Eigen::Vector3d& b,
+              double radiusOfB)
+{
+    return isWithin(a, b, radiusOfA + radiusOfB + kPairMargin);
+}
+
+} // namespace
 
 void BroadPhase::findPairs()
 {
-    if (running_.size() == 0)
+    if (running_.size() <= kFewRunners)
     {
+        findAmongAll();
         return;
     }
     layOutCells();
     sortIntoCells();
     threads_.forEach(nodes_.size(), [&](std::size_t i) { findNear(nodes_[i]); });
+}
+
+void BroadPhase::findAmongAll()
+{
+    const std::span<const Eigen::Vector3d> position = running_.position.all();
+    const std::span<const double> radius = running_.radius.all();
+    for (std::uint32_t i = 0; i < position.size(); ++i)
+    {
+        nearby_[i].clear();
+        for (std::uint32_t k = 0; k < i; ++k)
+        {
+            if (mayTouch(position[i], radius[i], position[k], radius[k]))
+            {
+                nearby_[i].push_back(k);
+                nearby_[k].push_back(i);
+            }
+        }
+    }
 }
 
 // No radius is larger than 1, so pairs are in the same cell or in neighbours. Few runners far apart
@@ -95,8 +124,7 @@ void BroadPhase::findNear(const Node& node)
             for (std::uint32_t k = first_[static_cast<std::size_t>(line + left)]; k < end; ++k)
             {
                 const Node& other = nodes_[k];
-                if (isWithin(node.position, other.position,
-                             node.radius + other.radius + kPairMargin) &&
+                if (mayTouch(node.position, node.radius, other.position, other.radius) &&
                     other.row != node.row)
                 {
                     nearby.push_back(other.row);

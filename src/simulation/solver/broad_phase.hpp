@@ -40,6 +40,7 @@ private:
         std::uint32_t cell;
     };
 
+    void findAmongAll();
     void layOutCells();
     void sortIntoCells();
     [[nodiscard]] std::uint32_t cellOf(const Eigen::Vector3d& p) const;

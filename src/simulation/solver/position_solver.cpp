@@ -145,20 +145,27 @@ std::optional<Eigen::Vector3d> PositionSolver::pushOff(std::uint32_t slot, doubl
     for (const Crowd::Near& near : crowd_.near(slot))
     {
         const Ball& other = crowd_[near.slot];
-        const auto contact = sphereContact(place - other.position(), radius + other.radius);
-        if (!contact)
+        const Eigen::Vector3d way = place - other.position();
+        const double reach = radius + other.radius;
+        const double squared = way.squaredNorm();
+        if (squared >= reach * reach)
         {
             continue;
         }
         touches = true;
-        const double depth = contact->depth;
+        const Contact contact = contactOfSpheres(way, squared, reach);
+        const double depth = contact.depth;
         deepestHere = std::max(deepestHere, depth);
         const bool takesRest =
             near.isLower != 0 && (velocitySolver_.yields(crowd_.row(slot)) ||
                                   !velocitySolver_.yields(crowd_.row(near.slot)));
+        if (!takesRest && yieldShare == 0)
+        {
+            continue;
+        }
         const double share =
             takesRest ? 1 : yieldShare * velocitySolver_.shareOf(slot, near.slot, down_);
-        Eigen::Vector3d away = contact->normal;
+        Eigen::Vector3d away = contact.normal;
         if (takesRest && depth > liftDepth * radius)
         {
             // Spheres pressed into a row on the floor or in a corner leave it upwards.

@@ -15,6 +15,8 @@ namespace frostfill
 /// Gap up to which two runners are a pair, because they may touch within the step. [r] A step is at
 /// most 0.33 sqrt(r/g) long. Larger: more pairs to look at. Smaller: fast spheres overlap first.
 inline constexpr double kPairMargin = 0.3;
+/// Runners up to which all pairs are looked at, which is faster than cells for so few.
+inline constexpr std::size_t kFewRunners = 64;
 /// Cells for each runner at most. Larger: time for empty cells. Smaller: more runners to look at.
 inline constexpr double kCellsForRunner = 2;
 /// By how much cells grow until there are few enough. Larger: fewer and fuller ones than need be.

@@ -57,12 +57,8 @@ Turns::Turn Turns::turnOf(std::uint32_t slot, std::uint32_t changed) const
     return turn;
 }
 
-void Turns::awaitLower(std::uint32_t slot)
+void Turns::awaitForeignLower(std::uint32_t slot)
 {
-    if (!crowd_.isShared(slot))
-    {
-        return;
-    }
     for (const Crowd::Near& near : crowd_.near(slot))
     {
         if (near.isLower != 0 && near.isForeign != 0)
@@ -73,12 +69,8 @@ void Turns::awaitLower(std::uint32_t slot)
     }
 }
 
-void Turns::awaitRound(std::uint32_t slot, std::uint32_t round)
+void Turns::awaitTurns(std::uint32_t slot, std::uint32_t round)
 {
-    if (crowd_.strips().size() == 1)
-    {
-        return;
-    }
     for (const Turn& turn : turns(slot))
     {
         const std::uint32_t before = round * turn.all + turn.ordinal;
@@ -87,12 +79,8 @@ void Turns::awaitRound(std::uint32_t slot, std::uint32_t round)
     }
 }
 
-void Turns::endRound(std::uint32_t slot)
+void Turns::endTurns(std::uint32_t slot)
 {
-    if (crowd_.strips().size() == 1)
-    {
-        return;
-    }
     for (const Turn& turn : turns(slot))
     {
         const auto changes = at(changes_[turn.slot]);

@@ -24,10 +24,22 @@ public:
     /// To be called for each crowd that has been gathered.
     void start();
 
+    /// Whether a turn of this member may be waited for, in sweeps or rounds.
+    [[nodiscard]] bool isAwaited(std::uint32_t slot) const
+    {
+        return crowd_.strips().size() > 1 && (crowd_.isShared(slot) || turnCount_[slot] > 0);
+    }
+
     /// A sweep begins, in which a member's turn reads those nearby and changes only itself.
     void startSweep() { ++sweep_; }
     /// Returns once those below have had their turn in this sweep.
-    void awaitLower(std::uint32_t slot);
+    void awaitLower(std::uint32_t slot)
+    {
+        if (crowd_.isShared(slot))
+        {
+            awaitForeignLower(slot);
+        }
+    }
     void endTurn(std::uint32_t slot)
     {
         if (crowd_.isShared(slot))
@@ -37,8 +49,20 @@ public:
     }
 
     /// Rounds, counted from 0, in which a member's turn changes itself and those nearby below it.
-    void awaitRound(std::uint32_t slot, std::uint32_t round);
-    void endRound(std::uint32_t slot);
+    void awaitRound(std::uint32_t slot, std::uint32_t round)
+    {
+        if (crowd_.strips().size() > 1)
+        {
+            awaitTurns(slot, round);
+        }
+    }
+    void endRound(std::uint32_t slot)
+    {
+        if (crowd_.strips().size() > 1)
+        {
+            endTurns(slot);
+        }
+    }
 
 private:
     /// A member's place in the turns of a round in which somebody's part is changed.
@@ -53,6 +77,9 @@ private:
         return std::atomic_ref<std::uint32_t>(count);
     }
     void findTurns(std::uint32_t slot);
+    void awaitForeignLower(std::uint32_t slot);
+    void awaitTurns(std::uint32_t slot, std::uint32_t round);
+    void endTurns(std::uint32_t slot);
     [[nodiscard]] Turn turnOf(std::uint32_t slot, std::uint32_t changed) const;
     [[nodiscard]] std::span<const Turn> turns(std::uint32_t slot) const
     {

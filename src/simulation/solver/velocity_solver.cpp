@@ -24,7 +24,8 @@ void VelocitySolver::stopAtRest(std::uint32_t slot)
     }
 }
 
-double VelocitySolver::shareOf(std::uint32_t a, std::uint32_t b, const Eigen::Vector3d& down) const
+double VelocitySolver::shareOfUnlike(std::uint32_t a, std::uint32_t b,
+                                     const Eigen::Vector3d& down) const
 {
     const bool yields = this->yields(crowd_.row(a));
     if (yields != this->yields(crowd_.row(b)))
@@ -44,49 +45,64 @@ double VelocitySolver::shareOf(std::uint32_t a, std::uint32_t b, const Eigen::Ve
     return ra == rb ? 0.5 : massOf(rb) / (massOf(ra) + massOf(rb));
 }
 
+// Calls visit(upper, contacts).
+template <class Visit>
+void VelocitySolver::forEachUnit(std::size_t strip, Visit&& visit) const
+{
+    const auto& [units, contacts] = strips_[strip];
+    std::uint32_t begin = 0;
+    for (const Unit& unit : units)
+    {
+        visit(unit.upper, std::span(contacts.data() + begin, unit.end - begin));
+        begin = unit.end;
+    }
+}
+
 // One pair after another, the lowest first, and each with what is at rest. A few rounds carry the
 // floor's reaction up a pile.
 void VelocitySolver::resolve(const Eigen::Vector3d& down, double dt)
 {
     down_ = down;
-    contacts_.resize(std::max(contacts_.size(), crowd_.strips().size()));
-    endOfContacts_.resize(crowd_.size());
+    strips_.resize(std::max(strips_.size(), crowd_.strips().size()));
     velocity_.resize(crowd_.size());
     normals_.resize(crowd_.size());
     crowd_.forEachStrip([&](std::size_t strip) { findContacts(strip, dt); });
-    crowd_.forEachStrip(
-        [&](std::size_t strip)
-        {
-            for (std::uint32_t round = 0; round < kRounds; ++round)
-            {
-                const auto [begin, end] = crowd_.strips()[strip];
-                for (std::uint32_t slot = begin; slot < end; ++slot)
-                {
-                    turns_.awaitRound(slot, round);
-                    for (const ContactPair& contact : contactsBelow(strip, slot))
+    crowd_.forEachStrip([&](std::size_t strip) { collideInRounds(strip); });
+    if (settings_.stiff)
+    {
+        turns_.startSweep();
+        crowd_.forEachStrip([&](std::size_t strip) { stopOnLower(strip); });
+    }
+    crowd_.forEachMember([&](std::uint32_t slot)
+                         { running_.velocity[crowd_.row(slot)] = velocity_[slot]; });
+}
+
+void VelocitySolver::collideInRounds(std::size_t strip)
+{
+    for (std::uint32_t round = 0; round < kRounds; ++round)
+    {
+        forEachUnit(strip,
+                    [&](std::uint32_t upper, std::span<const ContactPair> contacts)
                     {
-                        collide(slot, contact);
-                    }
-                    turns_.endRound(slot);
-                }
-            }
-        });
-    turns_.startSweep();
-    crowd_.forEachStrip(
-        [&](std::size_t strip)
-        {
-            const auto [begin, end] = crowd_.strips()[strip];
-            for (std::uint32_t slot = begin; slot < end; ++slot)
-            {
-                if (settings_.stiff)
+                        turns_.awaitRound(upper, round);
+                        for (const ContactPair& contact : contacts)
+                        {
+                            collide(upper, contact);
+                        }
+                        turns_.endRound(upper);
+                    });
+    }
+}
+
+void VelocitySolver::stopOnLower(std::size_t strip)
+{
+    forEachUnit(strip,
+                [&](std::uint32_t upper, std::span<const ContactPair> contacts)
                 {
-                    turns_.awaitLower(slot);
-                    stopOnLower(slot, contactsBelow(strip, slot));
-                    turns_.endTurn(slot);
-                }
-                running_.velocity[crowd_.row(slot)] = velocity_[slot];
-            }
-        });
+                    turns_.awaitLower(upper);
+                    stopOnLower(upper, contacts);
+                    turns_.endTurn(upper);
+                });
 }
 
 // Shock propagation [Guendelman et al. 2003]: what the rounds have left of an approach is lost, as
@@ -124,11 +140,13 @@ void VelocitySolver::stopOnLower(std::uint32_t upper, std::span<const ContactPai
 // Of those that overlap or soon will, the lowest first.
 void VelocitySolver::findContacts(std::size_t strip, double dt)
 {
-    std::vector<ContactPair>& contacts = contacts_[strip];
+    auto& [units, contacts] = strips_[strip];
+    units.clear();
     contacts.clear();
     const auto [begin, end] = crowd_.strips()[strip];
     for (std::uint32_t slot = begin; slot < end; ++slot)
     {
+        const std::size_t first = contacts.size();
         const Ball& upper = crowd_[slot];
         velocity_[slot] = running_.velocity[crowd_.row(slot)];
         normals_[slot] = flight_.normals(crowd_.row(slot));
@@ -147,7 +165,11 @@ void VelocitySolver::findContacts(std::size_t strip, double dt)
                 contacts.push_back({near.slot, contact->normal, std::max(0.0, gap / dt)});
             }
         }
-        endOfContacts_[slot] = static_cast<std::uint32_t>(contacts.size());
+        const auto last = static_cast<std::uint32_t>(contacts.size());
+        if (last > first || turns_.isAwaited(slot))
+        {
+            units.push_back({slot, last});
+        }
     }
 }
 

@@ -48,7 +48,14 @@ public:
     void letAllYield() { std::fill(yields_.all().begin(), yields_.all().end(), char{1}); }
     /// How much of what parts two of the crowd, given by slot, is a's to do. Of two that do not give way, the lower does it.
     [[nodiscard]] double shareOf(std::uint32_t a, std::uint32_t b,
-                                 const Eigen::Vector3d& down) const;
+                                 const Eigen::Vector3d& down) const
+    {
+        if (crowd_[a].radius == crowd_[b].radius && yields(crowd_.row(a)) && yields(crowd_.row(b)))
+        {
+            return 0.5;
+        }
+        return shareOfUnlike(a, b, down);
+    }
 
 private:
     struct ContactPair
@@ -58,17 +65,28 @@ private:
         double allowed;         ///< approach that only closes the gap [sqrt(g r)]
     };
 
-    void findContacts(std::size_t strip, double dt);
-    [[nodiscard]] std::span<const ContactPair> contactsBelow(std::size_t strip,
-                                                             std::uint32_t slot) const
+    /// A member that is in contact with some below it, or whose turn others wait for.
+    struct Unit
     {
-        const std::uint32_t begin =
-            slot == crowd_.strips()[strip].begin ? 0 : endOfContacts_[slot - 1];
-        return {contacts_[strip].data() + begin, endOfContacts_[slot] - begin};
-    }
+        std::uint32_t upper; ///< slot
+        std::uint32_t end;   ///< of its contacts; they begin where those of the one before end
+    };
+    /// In the order of turns.
+    struct InStrip
+    {
+        std::vector<Unit> units;
+        std::vector<ContactPair> contacts;
+    };
+    void findContacts(std::size_t strip, double dt);
+    template <class Visit>
+    void forEachUnit(std::size_t strip, Visit&& visit) const;
     void collide(std::uint32_t upper, const ContactPair& contact);
+    void collideInRounds(std::size_t strip);
+    void stopOnLower(std::size_t strip);
     void stopOnLower(std::uint32_t upper, std::span<const ContactPair> contacts);
     void stopAtRest(std::uint32_t slot);
+    [[nodiscard]] double shareOfUnlike(std::uint32_t a, std::uint32_t b,
+                                       const Eigen::Vector3d& down) const;
 
     RunningSpheres& running_;
     FreeFlight& flight_;
@@ -77,9 +95,8 @@ private:
     SolverSettings settings_;
     RunningColumn<char> yields_;
     Eigen::Vector3d down_ = {0, -1, 0};
-    std::vector<std::vector<ContactPair>> contacts_; ///< by strip, the lowest first
+    std::vector<InStrip> strips_;
     // By slot.
-    std::vector<std::uint32_t> endOfContacts_; ///< of those with the members below it
     std::vector<Eigen::Vector3d> velocity_;
     std::vector<std::span<const Eigen::Vector3d>> normals_; ///< of what is at rest and touches it
 };
