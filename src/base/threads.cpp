@@ -40,7 +40,8 @@ bool allTaken(std::uint64_t state)
 
 Threads::Threads(int count)
     : concurrency_(count > 0 ? static_cast<std::size_t>(count)
-                             : static_cast<std::size_t>(coresAtHand()))
+                             : static_cast<std::size_t>(coresAtHand())),
+      cores_(static_cast<std::size_t>(coresAtHand()))
 {
 }
 
@@ -69,6 +70,20 @@ Threads::~Threads()
 
 std::size_t Threads::gather()
 {
+    start();
+    const std::size_t awake = awake_.load(std::memory_order_acquire);
+    if (awake < helpers_.size())
+    {
+        // A loop without parts: whoever looks for one goes on looking.
+        const std::uint64_t loop = (state_.load(std::memory_order_relaxed) >> (3 * kPartBits)) + 1;
+        state_.store(loop << (3 * kPartBits), std::memory_order_release);
+        state_.notify_all();
+    }
+    return atOnce_ > 0 ? atOnce_ : std::min(1 + awake, cores_);
+}
+
+void Threads::start()
+{
     try
     {
         while (helpers_.size() + 1 < concurrency_)
@@ -80,12 +95,11 @@ std::size_t Threads::gather()
     {
         concurrency_ = helpers_.size() + 1; // where no more can be started, fewer do the same
     }
-    return concurrency_;
 }
 
 void Threads::share(std::size_t count, Run run, const void* body)
 {
-    gather();
+    start();
     run_.store(run, std::memory_order_relaxed);
     body_.store(body, std::memory_order_relaxed);
     count_.store(count, std::memory_order_relaxed);
@@ -111,6 +125,7 @@ void Threads::share(std::size_t count, Run run, const void* body)
 
 void Threads::help()
 {
+    ++awake_;
     std::uint64_t seen = state_.load(std::memory_order_acquire);
     while (!over_)
     {
@@ -126,7 +141,9 @@ void Threads::help()
         }
         if (allTaken(seen) && !over_)
         {
+            --awake_;
             state_.wait(seen, std::memory_order_acquire);
+            ++awake_;
         }
     }
 }

@@ -31,6 +31,8 @@ class Threads
 public:
     /// 0 takes as many as there are cores.
     explicit Threads(int count);
+    /// `atOnce`: gather() always returns this, however few cores there are and whoever is asleep.
+    Threads(int count, std::size_t atOnce) : Threads(count) { atOnce_ = atOnce; }
     ~Threads();
     Threads(const Threads&) = delete;
     Threads& operator=(const Threads&) = delete;
@@ -62,10 +64,11 @@ public:
         forEach(count, body, 2);
     }
 
-    /// Starts all threads. Returns how many there are, which is how many bodies forEachAtOnce takes.
+    /// Wakes all threads. Returns how many bodies forEachAtOnce may be given so that none waits for
+    /// a thread that has yet to wake up, or for a core.
     std::size_t gather();
-    /// Calls body(i) for each i below `count`, at most gather(), each on a thread of its own, so
-    /// that bodies may wait for one another.
+    /// Calls body(i) for each i below `count`, at most what gather() has returned, each on a thread
+    /// of its own, so that bodies may wait for one another.
     template <class Body>
     void forEachAtOnce(std::size_t count, Body&& body)
     {
@@ -88,6 +91,7 @@ public:
 private:
     using Run = void (*)(const void* body, std::size_t i);
 
+    void start();
     void share(std::size_t count, Run run, const void* body);
     void help();
     bool takePart(bool front);
@@ -98,12 +102,15 @@ private:
     static constexpr int kSpins = 20000; ///< for work before a thread sleeps: some 200 us
 
     std::size_t concurrency_;
+    std::size_t cores_;
+    std::size_t atOnce_ = 0; ///< 0: as many as are awake and have a core
     std::vector<std::thread> helpers_; ///< begin with the first loop that is shared
 
     /// Loops so far, parts of this loop, and how many of them are taken: see the source. A part is
     /// taken by adding one, so no part is ever taken of a loop that is over.
     std::atomic<std::uint64_t> state_ = 0;
     std::atomic<std::size_t> partsDone_ = 0;
+    std::atomic<std::size_t> awake_ = 0; ///< helpers that look for work, or do some
     std::atomic<bool> over_ = false;
     // Of this loop; read only by those who hold one of its parts, and while there are some.
     std::atomic<Run> run_ = nullptr;

@@ -76,7 +76,6 @@ void Crowd::sortByHeight(const Eigen::Vector3d& down)
     }
     firstNear_[size] = first;
     nearby_.resize(first);
-    forEachStrip([this](std::size_t k) { enlist(k); });
 }
 
 // Where strips end, some of the members tell: it changes nothing but who waits for whom.

@@ -39,10 +39,13 @@ public:
     {
     }
 
-    /// All runners that are in a pair. `down`: direction of the pull.
+    /// All runners that are in a pair. `down`: direction of the pull. Members are known once each
+    /// strip has been enlisted.
     void gather(const Eigen::Vector3d& down);
     /// These only, by row, as if the others were not there.
     void gather(std::span<const std::uint32_t> rows, const Eigen::Vector3d& down);
+    /// Finds out where members of a strip are, and whom each may touch.
+    void enlist(std::size_t strip);
 
     [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(rows_.size()); }
     [[nodiscard]] std::span<const Strip> strips() const { return strips_; }
@@ -74,18 +77,14 @@ public:
     {
         threads_.forEachAtOnce(strips_.size(), body);
     }
-    /// Calls body(slot) for each member in the order of a strip, on a thread for each strip.
+    /// Calls body(slot) for each member of a strip, in the order of their turns.
     template <class Body>
-    void forEachMember(Body&& body) const
+    void forEachMember(std::size_t strip, Body&& body) const
     {
-        forEachStrip(
-            [&](std::size_t k)
-            {
-                for (std::uint32_t slot = strips_[k].begin; slot < strips_[k].end; ++slot)
-                {
-                    body(slot);
-                }
-            });
+        for (std::uint32_t slot = strips_[strip].begin; slot < strips_[strip].end; ++slot)
+        {
+            body(slot);
+        }
     }
     [[nodiscard]] Threads& threads() const { return threads_; }
 
@@ -95,7 +94,6 @@ private:
 
     void sortByHeight(const Eigen::Vector3d& down);
     void cutIntoStrips(const Eigen::Vector3d& down);
-    void enlist(std::size_t strip);
 
     RunningSpheres& running_;
     const BroadPhase& pairs_;

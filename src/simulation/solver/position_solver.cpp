@@ -36,19 +36,28 @@ void PositionSolver::resolve(double dt)
         return;
     }
     flown_.resize(crowd_.size());
-    crowd_.forEachMember(
-        [this](std::uint32_t slot)
-        { flown_[slot] = {crowd_[slot].position(), running_.velocity[crowd_.row(slot)]}; });
-    velocitySolver_.resolve(down_, dt);
-    const int mutual = settings_.stiff ? settings_.sweeps / 4 : settings_.sweeps * 3 / 4;
-    for (int k = 0; k < settings_.sweeps; ++k)
-    {
-        if (sweep(k <= mutual ? 1 : 0, kDeep) < settings_.tolerance)
+    velocitySolver_.start(down_);
+    const Sweeps sweeps = {.most = settings_.sweeps,
+                           .tolerance = settings_.tolerance,
+                           .mutual = settings_.stiff ? settings_.sweeps / 4
+                                                     : settings_.sweeps * 3 / 4,
+                           .alternate = false,
+                           .liftDepth = kDeep};
+    crowd_.forEachStrip(
+        [&](std::size_t strip)
         {
-            break;
-        }
-    }
-    crowd_.forEachMember([this](std::uint32_t slot) { removeLiftEnergy(slot); });
+            crowd_.enlist(strip);
+            turns_.meet();
+            turns_.findTurns(strip);
+            crowd_.forEachMember(
+                strip, [this](std::uint32_t slot)
+                { flown_[slot] = {crowd_[slot].position(), running_.velocity[crowd_.row(slot)]}; });
+            velocitySolver_.findContacts(strip, dt);
+            turns_.meet();
+            velocitySolver_.resolve(strip);
+            sweep(strip, sweeps);
+            crowd_.forEachMember(strip, [this](std::uint32_t slot) { removeLiftEnergy(slot); });
+        });
 }
 
 void PositionSolver::separate()
@@ -56,7 +65,19 @@ void PositionSolver::separate()
     for (int k = 0; k < kMaxSeparations; ++k)
     {
         gatherAll();
-        if (sweep(k % 2, 0) < kApart)
+        double deepest = 0;
+        crowd_.forEachStrip(
+            [&](std::size_t strip)
+            {
+                crowd_.enlist(strip);
+                turns_.meet();
+                const double all = sweep(strip, {1, 0, k % 2 == 0 ? -1 : 0, false, 0});
+                if (strip == 0)
+                {
+                    deepest = all;
+                }
+            });
+        if (deepest < kApart)
         {
             return;
         }
@@ -66,15 +87,14 @@ void PositionSolver::separate()
 void PositionSolver::separate(std::span<const std::uint32_t> some)
 {
     crowd_.gather(some, down_);
-    turns_.start();
-    clear_.assign(crowd_.size(), 0);
-    for (int k = 0; k < kMaxSeparations; ++k)
-    {
-        if (sweep(k % 2, kDeep) < kApart)
+    start();
+    crowd_.forEachStrip(
+        [&](std::size_t strip)
         {
-            return;
-        }
-    }
+            crowd_.enlist(strip);
+            turns_.meet();
+            sweep(strip, {kMaxSeparations, kApart, 0, true, kDeep});
+        });
 }
 
 // All that follows concerns only runners in pairs; what is at rest none of them overlaps.
@@ -82,39 +102,55 @@ void PositionSolver::gatherAll()
 {
     pairs_.findPairs();
     crowd_.gather(down_);
+    start();
+}
+
+void PositionSolver::start()
+{
     turns_.start();
     clear_.assign(crowd_.size(), 0);
+    deepest_.resize(std::max(deepest_.size(), crowd_.strips().size()));
+}
+
+double PositionSolver::sweep(std::size_t strip, const Sweeps& sweeps)
+{
+    double deepest = 0;
+    for (int k = 0; k < sweeps.most; ++k)
+    {
+        const bool mutual = sweeps.alternate ? k % 2 == 1 : k <= sweeps.mutual;
+        const std::size_t now = static_cast<std::size_t>(k) % 2;
+        deepest_[strip][now] =
+            sweepOnce(strip, kSweepOfVelocities + 1 + static_cast<std::uint32_t>(k), mutual ? 1 : 0,
+                      sweeps.liftDepth);
+        turns_.meet();
+        deepest = 0;
+        for (std::size_t other = 0; other < crowd_.strips().size(); ++other)
+        {
+            deepest = std::max(deepest, deepest_[other][now]);
+        }
+        if (deepest < sweeps.tolerance)
+        {
+            break;
+        }
+    }
+    return deepest;
 }
 
 // From below: a runner gives way by its share to those above it, whose turn is yet to come, and
 // takes what is left of the overlap with those below, so that one sweep lifts a whole pile off its
 // floor. Returns the deepest penetration that it found.
-double PositionSolver::sweep(double yieldShare, double liftDepth)
-{
-    turns_.startSweep();
-    std::atomic<double> deepest = 0;
-    crowd_.forEachStrip(
-        [&](std::size_t k)
-        {
-            const double here = sweep(crowd_.strips()[k], yieldShare, liftDepth);
-            double known = deepest;
-            while (here > known && !deepest.compare_exchange_weak(known, here))
-            {
-            }
-        });
-    return deepest;
-}
-
-double PositionSolver::sweep(const Crowd::Strip& strip, double yieldShare, double liftDepth)
+double PositionSolver::sweepOnce(std::size_t strip, std::uint32_t number, double yieldShare,
+                                 double liftDepth)
 {
     double deepest = 0;
-    for (std::uint32_t slot = strip.begin; slot < strip.end; ++slot)
+    const std::uint32_t end = crowd_.strips()[strip].end;
+    for (std::uint32_t slot = crowd_.strips()[strip].begin; slot < end; ++slot)
     {
-        if (slot + kAhead < strip.end)
+        if (slot + kAhead < end)
         {
             flight_.prefetch(crowd_.row(slot + kAhead));
         }
-        turns_.awaitLower(slot);
+        turns_.awaitLower(slot, number);
         if (flag(clear_[slot]).load(std::memory_order_relaxed) == 0)
         {
             const auto push = pushOff(slot, yieldShare, liftDepth, deepest);
@@ -129,7 +165,7 @@ double PositionSolver::sweep(const Crowd::Strip& strip, double yieldShare, doubl
                 }
             }
         }
-        turns_.endTurn(slot);
+        turns_.endTurn(slot, number);
     }
     return deepest;
 }

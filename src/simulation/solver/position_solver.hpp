@@ -7,6 +7,7 @@
 #include "simulation/solver/turns.hpp"
 #include "simulation/solver/velocity_solver.hpp"
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -39,11 +40,21 @@ public:
     [[nodiscard]] VelocitySolver& velocities() { return velocitySolver_; }
 
 private:
+    /// How members are taken apart.
+    struct Sweeps
+    {
+        int most;
+        double tolerance; ///< penetration depth at which they end early [r]
+        /// Sweeps to begin with in which one gives way to those above it by its share.
+        int mutual;
+        bool alternate;   ///< but in every other sweep instead
+        double liftDepth; ///< penetration depth from which one climbs the other [own radius]
+    };
     void gatherAll();
-    /// `yieldShare`: part of its share by which one gives way to those above it; `liftDepth`:
-    /// penetration depth from which one climbs the other [own radius].
-    double sweep(double yieldShare, double liftDepth);
-    double sweep(const Crowd::Strip& strip, double yieldShare, double liftDepth);
+    void start();
+    /// Returns the deepest penetration that the last sweep found in any strip.
+    double sweep(std::size_t strip, const Sweeps& sweeps);
+    double sweepOnce(std::size_t strip, std::uint32_t number, double yieldShare, double liftDepth);
     /// `deepest` starts at that of the members before. Returns no push for who touches no other.
     [[nodiscard]] std::optional<Eigen::Vector3d> pushOff(std::uint32_t slot, double yieldShare,
                                                          double liftDepth, double& deepest) const;
@@ -67,6 +78,7 @@ private:
     /// Whether it touched none of those near it, none of which has been pushed since: it need not
     /// be looked at.
     std::vector<char> clear_;
+    std::vector<std::array<double, 2>> deepest_; ///< by strip, of this sweep or the one before
 };
 
 } // namespace frostfill

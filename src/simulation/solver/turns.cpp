@@ -6,8 +6,8 @@ namespace frostfill
 
 void Turns::start()
 {
-    sweep_ = 0;
-    if (crowd_.strips().size() == 1)
+    met_ = 0;
+    if (!isShared())
     {
         return;
     }
@@ -15,11 +15,30 @@ void Turns::start()
     changes_.assign(crowd_.size(), 0);
     turnCount_.assign(crowd_.size(), 0);
     turns_.resize(crowd_.firstNear(crowd_.size()) + crowd_.size());
-    crowd_.forEachMember([this](std::uint32_t slot) { findTurns(slot); });
+}
+
+void Turns::meet()
+{
+    const std::size_t strips = crowd_.strips().size();
+    if (strips == 1)
+    {
+        return;
+    }
+    const std::size_t before = met_.fetch_add(1, std::memory_order_acq_rel);
+    const std::size_t all = (before / strips + 1) * strips;
+    crowd_.threads().waitUntil([&] { return met_.load(std::memory_order_acquire) >= all; });
+}
+
+void Turns::findTurns(std::size_t strip)
+{
+    if (isShared())
+    {
+        crowd_.forEachMember(strip, [this](std::uint32_t slot) { findTurnsOf(slot); });
+    }
 }
 
 // Of those who may be changed from two strips only.
-void Turns::findTurns(std::uint32_t slot)
+void Turns::findTurnsOf(std::uint32_t slot)
 {
     Turn* next = turns_.data() + crowd_.firstNear(slot) + slot;
     const auto add = [&](std::uint32_t changed)
@@ -57,16 +76,23 @@ Turns::Turn Turns::turnOf(std::uint32_t slot, std::uint32_t changed) const
     return turn;
 }
 
-void Turns::awaitForeignLower(std::uint32_t slot)
+void Turns::awaitForeignLower(std::uint32_t slot, std::uint32_t sweep)
 {
     for (const Crowd::Near& near : crowd_.near(slot))
     {
         if (near.isLower != 0 && near.isForeign != 0)
         {
             crowd_.threads().waitUntil(
-                [&] { return at(done_[near.slot]).load(std::memory_order_acquire) == sweep_; });
+                [&] { return at(done_[near.slot]).load(std::memory_order_acquire) >= sweep; });
         }
     }
+}
+
+void Turns::awaitOwnTurns(std::uint32_t slot, std::uint32_t rounds)
+{
+    const std::uint32_t all = rounds * turns(slot).front().all;
+    crowd_.threads().waitUntil(
+        [&] { return at(changes_[slot]).load(std::memory_order_acquire) == all; });
 }
 
 void Turns::awaitTurns(std::uint32_t slot, std::uint32_t round)

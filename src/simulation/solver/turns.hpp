@@ -10,6 +10,9 @@
 namespace frostfill
 {
 
+/// The sweep in which velocities are taken from those below; later ones are of positions.
+inline constexpr std::uint32_t kSweepOfVelocities = 1;
+
 /// Lets the strips of a crowd be taken at the same time with the bits of one member after another.
 /// Members of one strip follow each other anyhow; a member that may touch one of another strip
 /// waits until that one has had as many turns as it would have had by then. What is treated lowest
@@ -21,46 +24,58 @@ class Turns
 public:
     explicit Turns(const Crowd& crowd) : crowd_(crowd) {}
 
-    /// To be called for each crowd that has been gathered.
+    /// To be called for each crowd that is gathered, before its strips are taken.
     void start();
+    /// Returns once all strips have come here.
+    void meet();
 
-    /// Whether a turn of this member may be waited for, in sweeps or rounds.
+    // Sweeps, numbered from 1, in which a member's turn reads those nearby and changes only itself.
+
+    /// Returns once those below have had their turn.
+    void awaitLower(std::uint32_t slot, std::uint32_t sweep)
+    {
+        if (crowd_.isShared(slot))
+        {
+            awaitForeignLower(slot, sweep);
+        }
+    }
+    void endTurn(std::uint32_t slot, std::uint32_t sweep)
+    {
+        if (crowd_.isShared(slot))
+        {
+            at(done_[slot]).store(sweep, std::memory_order_release);
+        }
+    }
+
+    // Rounds, numbered from 0, in which a member's turn changes itself and those nearby below it.
+
+    /// To be called in each strip before its rounds, and for all strips before the first round.
+    void findTurns(std::size_t strip);
+    /// Whether a turn of this member may be waited for.
     [[nodiscard]] bool isAwaited(std::uint32_t slot) const
     {
-        return crowd_.strips().size() > 1 && (crowd_.isShared(slot) || turnCount_[slot] > 0);
+        return isShared() && (crowd_.isShared(slot) || turnCount_[slot] > 0);
     }
-
-    /// A sweep begins, in which a member's turn reads those nearby and changes only itself.
-    void startSweep() { ++sweep_; }
-    /// Returns once those below have had their turn in this sweep.
-    void awaitLower(std::uint32_t slot)
-    {
-        if (crowd_.isShared(slot))
-        {
-            awaitForeignLower(slot);
-        }
-    }
-    void endTurn(std::uint32_t slot)
-    {
-        if (crowd_.isShared(slot))
-        {
-            at(done_[slot]).store(sweep_, std::memory_order_release);
-        }
-    }
-
-    /// Rounds, counted from 0, in which a member's turn changes itself and those nearby below it.
     void awaitRound(std::uint32_t slot, std::uint32_t round)
     {
-        if (crowd_.strips().size() > 1)
+        if (isShared())
         {
             awaitTurns(slot, round);
         }
     }
     void endRound(std::uint32_t slot)
     {
-        if (crowd_.strips().size() > 1)
+        if (isShared())
         {
             endTurns(slot);
+        }
+    }
+    /// Returns once so many rounds are over for this member.
+    void awaitRounds(std::uint32_t slot, std::uint32_t rounds)
+    {
+        if (crowd_.isShared(slot))
+        {
+            awaitOwnTurns(slot, rounds);
         }
     }
 
@@ -76,8 +91,10 @@ private:
     {
         return std::atomic_ref<std::uint32_t>(count);
     }
-    void findTurns(std::uint32_t slot);
-    void awaitForeignLower(std::uint32_t slot);
+    [[nodiscard]] bool isShared() const { return crowd_.strips().size() > 1; }
+    void findTurnsOf(std::uint32_t slot);
+    void awaitForeignLower(std::uint32_t slot, std::uint32_t sweep);
+    void awaitOwnTurns(std::uint32_t slot, std::uint32_t rounds);
     void awaitTurns(std::uint32_t slot, std::uint32_t round);
     void endTurns(std::uint32_t slot);
     [[nodiscard]] Turn turnOf(std::uint32_t slot, std::uint32_t changed) const;
@@ -87,7 +104,7 @@ private:
     }
 
     const Crowd& crowd_;
-    std::uint32_t sweep_ = 0;
+    std::atomic<std::size_t> met_ = 0; ///< comings of strips
     // By slot.
     std::vector<std::uint32_t> done_;      ///< the last sweep in which it has had its turn
     std::vector<std::uint32_t> changes_;   ///< turns that have changed it in rounds

@@ -40,9 +40,9 @@ double VelocitySolver::shareOfUnlike(std::uint32_t a, std::uint32_t b,
             ya < yb || (ya == yb && running_.id[crowd_.row(a)] < running_.id[crowd_.row(b)]);
         return isLower ? 0 : 1;
     }
-    const double ra = crowd_[a].radius;
-    const double rb = crowd_[b].radius;
-    return ra == rb ? 0.5 : massOf(rb) / (massOf(ra) + massOf(rb));
+    const double massOfA = massOf(crowd_[a].radius);
+    const double massOfB = massOf(crowd_[b].radius);
+    return massOfB / (massOfA + massOfB);
 }
 
 // Calls visit(upper, contacts).
@@ -58,23 +58,29 @@ void VelocitySolver::forEachUnit(std::size_t strip, Visit&& visit) const
     }
 }
 
-// One pair after another, the lowest first, and each with what is at rest. A few rounds carry the
-// floor's reaction up a pile.
-void VelocitySolver::resolve(const Eigen::Vector3d& down, double dt)
+void VelocitySolver::start(const Eigen::Vector3d& down)
 {
     down_ = down;
     strips_.resize(std::max(strips_.size(), crowd_.strips().size()));
     velocity_.resize(crowd_.size());
     normals_.resize(crowd_.size());
-    crowd_.forEachStrip([&](std::size_t strip) { findContacts(strip, dt); });
-    crowd_.forEachStrip([&](std::size_t strip) { collideInRounds(strip); });
+}
+
+// One pair after another, the lowest first, and each with what is at rest. A few rounds carry the
+// floor's reaction up a pile.
+void VelocitySolver::resolve(std::size_t strip)
+{
+    collideInRounds(strip);
     if (settings_.stiff)
     {
-        turns_.startSweep();
-        crowd_.forEachStrip([&](std::size_t strip) { stopOnLower(strip); });
+        stopOnLower(strip);
     }
-    crowd_.forEachMember([&](std::uint32_t slot)
-                         { running_.velocity[crowd_.row(slot)] = velocity_[slot]; });
+    crowd_.forEachMember(strip,
+                         [this](std::uint32_t slot)
+                         {
+                             turns_.awaitRounds(slot, kRounds);
+                             running_.velocity[crowd_.row(slot)] = velocity_[slot];
+                         });
 }
 
 void VelocitySolver::collideInRounds(std::size_t strip)
@@ -99,9 +105,10 @@ void VelocitySolver::stopOnLower(std::size_t strip)
     forEachUnit(strip,
                 [&](std::uint32_t upper, std::span<const ContactPair> contacts)
                 {
-                    turns_.awaitLower(upper);
+                    turns_.awaitRounds(upper, kRounds);
+                    turns_.awaitLower(upper, kSweepOfVelocities);
                     stopOnLower(upper, contacts);
-                    turns_.endTurn(upper);
+                    turns_.endTurn(upper, kSweepOfVelocities);
                 });
 }
 

@@ -38,8 +38,12 @@ public:
     {
     }
 
-    /// Velocities of the crowd, which has just been gathered. `down`: the direction of the pull.
-    void resolve(const Eigen::Vector3d& down, double dt);
+    /// To be called for each crowd that is gathered. `down`: the direction of the pull.
+    void start(const Eigen::Vector3d& down);
+    // Then for each strip of it: the first, once all strips are enlisted, and the second, once the
+    // first is done for all. The runners' velocities are those of afterwards.
+    void findContacts(std::size_t strip, double dt);
+    void resolve(std::size_t strip);
 
     /// Whether it gives way to other runners. One that nothing at rest has carried for long stops
     /// giving way, so that it comes down to something that does.
@@ -77,7 +81,6 @@ private:
         std::vector<Unit> units;
         std::vector<ContactPair> contacts;
     };
-    void findContacts(std::size_t strip, double dt);
     template <class Visit>
     void forEachUnit(std::size_t strip, Visit&& visit) const;
     void collide(std::uint32_t upper, const ContactPair& contact);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "base/cores.hpp"
 #include "base/threads.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <set>
 #include <stdexcept>
 #include <vector>
@@ -93,6 +95,69 @@ TEST(Threads, DoTwoThingsAtOnce)
                              met += here == 2 ? 1 : 0;
                          });
     EXPECT_EQ(met, 2);
+}
+
+// A ball that goes round: each body waits until it has come to it.
+TEST(Threads, TakeBodiesAtOnceThatWaitForOneAnother)
+{
+    for (const std::size_t count : {1U, 2U, 3U, 16U})
+    {
+        Threads threads(16, count);
+        ASSERT_EQ(threads.gather(), count);
+        std::size_t ball = 0;
+        std::atomic<std::size_t> thrown = 0;
+        std::set<std::thread::id> seen;
+        threads.forEachAtOnce(count,
+                              [&](std::size_t k)
+                              {
+                                  for (std::size_t lap = 0; lap < 20; ++lap)
+                                  {
+                                      threads.waitUntil([&] { return thrown == lap * count + k; });
+                                      seen.insert(std::this_thread::get_id());
+                                      ++ball; // by whoever has it alone
+                                      ++thrown;
+                                  }
+                              });
+        EXPECT_EQ(ball, 20 * count);
+        EXPECT_EQ(seen.size(), count);
+    }
+}
+
+TEST(Threads, WaitNoLongerForABodyThatHasThrown)
+{
+    Threads threads(3, 3);
+    for (int repeat = 0; repeat < 20; ++repeat)
+    {
+        const auto body = [&](std::size_t k)
+        {
+            if (k == 1)
+            {
+                throw std::out_of_range("the first");
+            }
+            threads.waitUntil([] { return false; });
+        };
+        EXPECT_THROW(threads.forEachAtOnce(3, body), std::out_of_range);
+        std::atomic<int> done = 0;
+        threads.forEachAtOnce(3, [&](std::size_t) { ++done; });
+        ASSERT_EQ(done, 3);
+    }
+}
+
+// More would wait for a core, and one that sleeps takes long to come.
+TEST(Threads, GatherNoMoreThanHaveACoreAndAreAwake)
+{
+    Threads threads(64);
+    for (int look = 0; look < 1000; ++look)
+    {
+        EXPECT_LE(threads.gather(), static_cast<std::size_t>(coresAtHand()));
+    }
+    std::size_t awake = 2;
+    for (int wait = 10; awake > 1 && wait < 10'000; wait *= 2)
+    {
+        std::this_thread::sleep_for(std::chrono::milliseconds(wait));
+        awake = threads.gather();
+    }
+    EXPECT_EQ(awake, 1U) << "all have gone to sleep";
 }
 
 TEST(Threads, LeaveALoopThatIsTooShortToTheCaller)
