@@ -103,7 +103,7 @@ private:
 
     std::size_t concurrency_;
     std::size_t cores_;
-    std::size_t atOnce_ = 0; ///< 0: as many as are awake and have a core
+    std::size_t atOnce_ = 0;           ///< 0: as many as are awake and have a core
     std::vector<std::thread> helpers_; ///< begin with the first loop that is shared
 
     /// Loops so far, parts of this loop, and how many of them are taken: see the source. A part is

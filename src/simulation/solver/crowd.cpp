@@ -29,7 +29,7 @@ void Crowd::gather(const Eigen::Vector3d& down)
             order_.push_back({-running_.position[row].dot(down), row, 0});
         }
     }
-    sortByHeight(down);
+    arrange(down);
 }
 
 void Crowd::gather(std::span<const std::uint32_t> rows, const Eigen::Vector3d& down)
@@ -39,16 +39,20 @@ void Crowd::gather(std::span<const std::uint32_t> rows, const Eigen::Vector3d& d
     {
         order_.push_back({-running_.position[row].dot(down), row, 0});
     }
-    sortByHeight(down);
+    arrange(down);
 }
 
-void Crowd::sortByHeight(const Eigen::Vector3d& down)
+void Crowd::arrange(const Eigen::Vector3d& down)
 {
     std::sort(order_.begin(), order_.end(),
               [](const Height& a, const Height& b)
               { return a.height < b.height || (a.height == b.height && a.row < b.row); });
     cutIntoStrips(down);
+    giveSlots();
+}
 
+void Crowd::giveSlots()
+{
     const std::size_t size = order_.size();
     balls_.resize(size);
     rows_.resize(size);
@@ -57,18 +61,20 @@ void Crowd::sortByHeight(const Eigen::Vector3d& down)
     nearCount_.resize(size);
     isShared_.resize(size);
     slot_.assign(running_.size(), kNone);
-    std::vector<std::uint32_t> next(strips_.size());
-    std::transform(strips_.begin(), strips_.end(), next.begin(),
-                   [](const Strip& strip) { return strip.begin; });
-    std::size_t first = 0;
+    next_.clear();
+    for (const Strip& strip : strips_)
+    {
+        next_.push_back(strip.begin);
+    }
     for (std::uint32_t rank = 0; rank < size; ++rank)
     {
         const std::uint32_t row = order_[rank].row;
-        const std::uint32_t slot = next[order_[rank].strip]++;
+        const std::uint32_t slot = next_[order_[rank].strip]++;
         rows_[slot] = row;
         ranks_[slot] = rank;
         slot_[row] = slot;
     }
+    std::size_t first = 0;
     for (std::uint32_t slot = 0; slot < size; ++slot)
     {
         firstNear_[slot] = first;
@@ -92,16 +98,16 @@ void Crowd::cutIntoStrips(const Eigen::Vector3d& down)
     const int axis = axisOfStrips(down);
     const auto at = [&](std::size_t rank) { return running_.position[order_[rank].row][axis]; };
     const std::size_t samples = std::min(size, kSamplesOfStrip * count);
-    std::vector<double> sample(samples);
+    sample_.resize(samples);
     for (std::size_t k = 0; k < samples; ++k)
     {
-        sample[k] = at(k * size / samples);
+        sample_[k] = at(k * size / samples);
     }
-    std::sort(sample.begin(), sample.end());
+    std::sort(sample_.begin(), sample_.end());
     borders_.clear();
     for (std::size_t k = 1; k < count; ++k)
     {
-        borders_.push_back(sample[k * samples / count]);
+        borders_.push_back(sample_[k * samples / count]);
     }
     strips_.assign(count, {0, 0});
     for (std::size_t rank = 0; rank < size; ++rank)
@@ -138,8 +144,7 @@ void Crowd::enlist(std::size_t k)
             shared = shared || foreign;
             *next++ = {other & kLargestSlot, ranks_[other] < ranks_[slot], foreign};
         }
-        nearCount_[slot] =
-            static_cast<std::uint32_t>(next - (nearby_.data() + firstNear_[slot]));
+        nearCount_[slot] = static_cast<std::uint32_t>(next - (nearby_.data() + firstNear_[slot]));
         isShared_[slot] = shared ? 1 : 0;
     }
 }

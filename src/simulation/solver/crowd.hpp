@@ -24,7 +24,7 @@ public:
     struct Near
     {
         std::uint32_t slot : 30;
-        std::uint32_t isLower : 1; ///< its turn comes first
+        std::uint32_t isLower : 1;   ///< its turn comes first
         std::uint32_t isForeign : 1; ///< of another strip
     };
     /// Members with neighbouring slots, in the order of their turns.
@@ -60,7 +60,7 @@ public:
     {
         return {nearby_.data() + firstNear_[slot], nearCount_[slot]};
     }
-    /// So many are near to members before it; of size(): to all.
+    /// Where its list begins in a list of all; of size(): at most how long that is.
     [[nodiscard]] std::size_t firstNear(std::uint32_t slot) const { return firstNear_[slot]; }
     /// Whether some of those are of another strip.
     [[nodiscard]] bool isShared(std::uint32_t slot) const { return isShared_[slot] != 0; }
@@ -92,8 +92,9 @@ private:
     static constexpr std::uint32_t kNone = 0xffffffff;
     static constexpr std::uint32_t kLargestSlot = 0x3fffffff;
 
-    void sortByHeight(const Eigen::Vector3d& down);
+    void arrange(const Eigen::Vector3d& down);
     void cutIntoStrips(const Eigen::Vector3d& down);
+    void giveSlots();
 
     RunningSpheres& running_;
     const BroadPhase& pairs_;
@@ -104,8 +105,10 @@ private:
         std::uint32_t row;
         std::uint32_t strip;
     };
-    std::vector<Height> order_; ///< the lowest first
-    std::vector<double> borders_; ///< between strips
+    std::vector<Height> order_;       ///< the lowest first
+    std::vector<double> borders_;     ///< between strips
+    std::vector<double> sample_;      ///< of places along the axis of strips
+    std::vector<std::uint32_t> next_; ///< by strip: the slot to be given next
     std::vector<Strip> strips_;
     std::vector<Ball> balls_;
     std::vector<std::uint32_t> rows_;

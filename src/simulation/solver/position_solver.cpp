@@ -37,12 +37,9 @@ void PositionSolver::resolve(double dt)
     }
     flown_.resize(crowd_.size());
     velocitySolver_.start(down_);
-    const Sweeps sweeps = {.most = settings_.sweeps,
-                           .tolerance = settings_.tolerance,
-                           .mutual = settings_.stiff ? settings_.sweeps / 4
-                                                     : settings_.sweeps * 3 / 4,
-                           .alternate = false,
-                           .liftDepth = kDeep};
+    const int mutual = settings_.stiff ? settings_.sweeps / 4 : settings_.sweeps * 3 / 4;
+    const Sweeps sweeps = {settings_.sweeps, settings_.tolerance, kDeep,
+                           [mutual](int sweep) { return sweep <= mutual; }};
     crowd_.forEachStrip(
         [&](std::size_t strip)
         {
@@ -50,8 +47,10 @@ void PositionSolver::resolve(double dt)
             turns_.meet();
             turns_.findTurns(strip);
             crowd_.forEachMember(
-                strip, [this](std::uint32_t slot)
-                { flown_[slot] = {crowd_[slot].position(), running_.velocity[crowd_.row(slot)]}; });
+                strip,
+                [this](std::uint32_t slot) {
+                    flown_[slot] = {crowd_[slot].position(), running_.velocity[crowd_.row(slot)]};
+                });
             velocitySolver_.findContacts(strip, dt);
             turns_.meet();
             velocitySolver_.resolve(strip);
@@ -71,7 +70,7 @@ void PositionSolver::separate()
             {
                 crowd_.enlist(strip);
                 turns_.meet();
-                const double all = sweep(strip, {1, 0, k % 2 == 0 ? -1 : 0, false, 0});
+                const double all = sweep(strip, {1, 0, 0, [k](int) { return k % 2 == 1; }});
                 if (strip == 0)
                 {
                     deepest = all;
@@ -93,7 +92,7 @@ void PositionSolver::separate(std::span<const std::uint32_t> some)
         {
             crowd_.enlist(strip);
             turns_.meet();
-            sweep(strip, {kMaxSeparations, kApart, 0, true, kDeep});
+            sweep(strip, {kMaxSeparations, kApart, kDeep, [](int k) { return k % 2 == 1; }});
         });
 }
 
@@ -117,11 +116,10 @@ double PositionSolver::sweep(std::size_t strip, const Sweeps& sweeps)
     double deepest = 0;
     for (int k = 0; k < sweeps.most; ++k)
     {
-        const bool mutual = sweeps.alternate ? k % 2 == 1 : k <= sweeps.mutual;
         const std::size_t now = static_cast<std::size_t>(k) % 2;
+        const std::uint32_t number = kSweepOfVelocities + 1 + static_cast<std::uint32_t>(k);
         deepest_[strip][now] =
-            sweepOnce(strip, kSweepOfVelocities + 1 + static_cast<std::uint32_t>(k), mutual ? 1 : 0,
-                      sweeps.liftDepth);
+            sweepOnce(strip, number, sweeps.isMutual(k) ? 1 : 0, sweeps.liftDepth);
         turns_.meet();
         deepest = 0;
         for (std::size_t other = 0; other < crowd_.strips().size(); ++other)

@@ -8,6 +8,7 @@
 #include "simulation/solver/velocity_solver.hpp"
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -45,10 +46,9 @@ private:
     {
         int most;
         double tolerance; ///< penetration depth at which they end early [r]
-        /// Sweeps to begin with in which one gives way to those above it by its share.
-        int mutual;
-        bool alternate;   ///< but in every other sweep instead
         double liftDepth; ///< penetration depth from which one climbs the other [own radius]
+        /// Whether in a sweep, counted from 0, one gives way to those above it by its share.
+        std::function<bool(int sweep)> isMutual;
     };
     void gatherAll();
     void start();

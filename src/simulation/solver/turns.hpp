@@ -106,8 +106,8 @@ private:
     const Crowd& crowd_;
     std::atomic<std::size_t> met_ = 0; ///< comings of strips
     // By slot.
-    std::vector<std::uint32_t> done_;      ///< the last sweep in which it has had its turn
-    std::vector<std::uint32_t> changes_;   ///< turns that have changed it in rounds
+    std::vector<std::uint32_t> done_;    ///< the last sweep in which it has had its turn
+    std::vector<std::uint32_t> changes_; ///< turns that have changed it in rounds
     std::vector<std::uint32_t> turnCount_;
     std::vector<Turn> turns_;
 };

@@ -50,7 +50,8 @@ public:
     [[nodiscard]] bool yields(std::uint32_t row) const { return yields_[row] != 0; }
     void stopYielding(std::uint32_t row) { yields_[row] = 0; }
     void letAllYield() { std::fill(yields_.all().begin(), yields_.all().end(), char{1}); }
-    /// How much of what parts two of the crowd, given by slot, is a's to do. Of two that do not give way, the lower does it.
+    /// How much of what parts two of the crowd, given by slot, is a's to do. Of two that do not
+    /// give way, the lower does it.
     [[nodiscard]] double shareOf(std::uint32_t a, std::uint32_t b,
                                  const Eigen::Vector3d& down) const
     {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "base/cores.hpp"
 #include "base/threads.hpp"
+
+#include "base/cores.hpp"
 
 #include <gtest/gtest.h>
 

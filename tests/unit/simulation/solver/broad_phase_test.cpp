@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Pairs of runners against all pairs.
 
-#include "base/random.hpp"
 #include "simulation/solver/broad_phase.hpp"
+
+#include "base/random.hpp"
 #include "simulation/solver/tolerances.hpp"
 #include "simulation/world/spheres.hpp"
 

@@ -134,18 +134,18 @@ TEST_P(CrowdTest, GivesTurnsOfASweepInTheOrderOfOne)
             all.turns.meet();
             for (std::uint32_t sweep = 1; sweep <= 20; ++sweep)
             {
-                all.crowd.forEachMember(
-                    strip,
-                    [&](std::uint32_t slot)
-                    {
-                        all.turns.awaitLower(slot, sweep);
-                        for (const Crowd::Near& near : all.crowd.near(slot))
-                        {
-                            EXPECT_EQ(turnsHad[near.slot], near.isLower != 0 ? sweep : sweep - 1);
-                        }
-                        ++turnsHad[slot];
-                        all.turns.endTurn(slot, sweep);
-                    });
+                all.crowd.forEachMember(strip,
+                                        [&](std::uint32_t slot)
+                                        {
+                                            all.turns.awaitLower(slot, sweep);
+                                            for (const Crowd::Near& near : all.crowd.near(slot))
+                                            {
+                                                EXPECT_EQ(turnsHad[near.slot],
+                                                          near.isLower != 0 ? sweep : sweep - 1);
+                                            }
+                                            ++turnsHad[slot];
+                                            all.turns.endTurn(slot, sweep);
+                                        });
                 all.turns.meet();
             }
         });
@@ -172,21 +172,20 @@ TEST_P(CrowdTest, GivesTurnsOfRoundsInTheOrderOfOne)
                 { log[all.crowd.row(slot)].emplace_back(round, all.crowd.row(by)); };
                 for (std::uint32_t round = 0; round < kRoundsHere; ++round)
                 {
-                    all.crowd.forEachMember(
-                        strip,
-                        [&](std::uint32_t slot)
-                        {
-                            all.turns.awaitRound(slot, round);
-                            change(slot, round, slot);
-                            for (const Crowd::Near& near : all.crowd.near(slot))
-                            {
-                                if (near.isLower != 0)
-                                {
-                                    change(near.slot, round, slot);
-                                }
-                            }
-                            all.turns.endRound(slot);
-                        });
+                    all.crowd.forEachMember(strip,
+                                            [&](std::uint32_t slot)
+                                            {
+                                                all.turns.awaitRound(slot, round);
+                                                change(slot, round, slot);
+                                                for (const Crowd::Near& near : all.crowd.near(slot))
+                                                {
+                                                    if (near.isLower != 0)
+                                                    {
+                                                        change(near.slot, round, slot);
+                                                    }
+                                                }
+                                                all.turns.endRound(slot);
+                                            });
                 }
                 // Whoever has had all its rounds is changed no more.
                 all.crowd.forEachMember(
@@ -198,8 +197,9 @@ TEST_P(CrowdTest, GivesTurnsOfRoundsInTheOrderOfOne)
                         const auto isLast = [](const auto& turn)
                         { return turn.first == kRoundsHere - 1; };
                         const auto near = all.crowd.near(slot);
-                        const auto above = std::count_if(near.begin(), near.end(), [](const auto& one)
-                                                         { return one.isLower == 0; });
+                        const auto above =
+                            std::count_if(near.begin(), near.end(),
+                                          [](const auto& one) { return one.isLower == 0; });
                         EXPECT_EQ(std::count_if(turns.begin(), turns.end(), isLast), above + 1);
                     });
             });

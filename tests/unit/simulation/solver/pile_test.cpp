@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // What runners do to one another: collisions, pushes, and who carries whom in a pile.
 
+#include "unit/simulation/solver/pile.hpp"
+
 #include "base/random.hpp"
 #include "oracle/motion.hpp"
 #include "simulation/engine/make_engine.hpp"
 #include "simulation/quality/quality.hpp"
 #include "simulation/world/state_hash.hpp"
 #include "support/shapes.hpp"
-#include "unit/simulation/solver/pile.hpp"
 
 #include <gtest/gtest.h>
 
