@@ -68,7 +68,7 @@ Threads::~Threads()
     }
 }
 
-std::size_t Threads::gather()
+std::size_t Threads::gather(bool takeLong)
 {
     start();
     const std::size_t awake = awake_.load(std::memory_order_acquire);
@@ -79,7 +79,7 @@ std::size_t Threads::gather()
         state_.store(loop << (3 * kPartBits), std::memory_order_release);
         state_.notify_all();
     }
-    return atOnce_ > 0 ? atOnce_ : std::min(1 + awake, cores_);
+    return atOnce_ > 0 ? atOnce_ : std::min(1 + (takeLong ? helpers_.size() : awake), cores_);
 }
 
 void Threads::start()

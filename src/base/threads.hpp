@@ -65,8 +65,8 @@ public:
     }
 
     /// Wakes all threads. Returns how many bodies forEachAtOnce may be given so that none waits for
-    /// a thread that has yet to wake up, or for a core.
-    std::size_t gather();
+    /// a core, nor, unless they take long, for a thread that has yet to wake up.
+    std::size_t gather(bool takeLong);
     /// Calls body(i) for each i below `count`, at most what gather() has returned, each on a thread
     /// of its own, so that bodies may wait for one another.
     template <class Body>

@@ -57,16 +57,23 @@ void BroadPhase::findAmongAll()
 void BroadPhase::layOutCells()
 {
     Eigen::AlignedBox3d box;
+    bool finite = true; // or the guard will tell at the end of the step
     for (const Eigen::Vector3d& p : running_.position.all())
     {
         box.extend(p);
+        finite = finite && p.allFinite();
     }
     low_ = box.min();
+    count_ = {1, 1, 1};
+    if (!finite)
+    {
+        return;
+    }
     const double most = kCellsForRunner * running_.size();
     for (edge_ = (2 + kPairMargin) * kBeyondRounding;; edge_ *= kCoarser)
     {
         const Eigen::Array3d cells = (box.sizes() / edge_).array().floor() + 1;
-        if (cells.prod() <= most || (cells == 1).all())
+        if (cells.prod() <= most)
         {
             count_ = {static_cast<int>(cells.x()), static_cast<int>(cells.y()),
                       static_cast<int>(cells.z())};
@@ -78,8 +85,12 @@ void BroadPhase::layOutCells()
 std::uint32_t BroadPhase::cellOf(const Eigen::Vector3d& p) const
 {
     const auto along = [&](int axis)
-    { return std::min(static_cast<int>((p[axis] - low_[axis]) / edge_), count_[axis] - 1); };
-    return static_cast<std::uint32_t>((along(2) * count_[1] + along(1)) * count_[0] + along(0));
+    {
+        return count_[axis] == 1
+                   ? 0
+                   : std::min(static_cast<int>((p[axis] - low_[axis]) / edge_), count_[axis] - 1);
+    };
+    return cellAt(along(0), along(1), along(2));
 }
 
 void BroadPhase::sortIntoCells()
@@ -119,9 +130,8 @@ void BroadPhase::findNear(const Node& node)
     {
         for (int ny = std::max(0, y - 1); ny <= std::min(count_[1] - 1, y + 1); ++ny)
         {
-            const int line = (nz * count_[1] + ny) * count_[0];
-            const std::uint32_t end = first_[static_cast<std::size_t>(line + right + 1)];
-            for (std::uint32_t k = first_[static_cast<std::size_t>(line + left)]; k < end; ++k)
+            const std::uint32_t end = first_[cellAt(right, ny, nz) + 1];
+            for (std::uint32_t k = first_[cellAt(left, ny, nz)]; k < end; ++k)
             {
                 const Node& other = nodes_[k];
                 if (mayTouch(node.position, node.radius, other.position, other.radius) &&

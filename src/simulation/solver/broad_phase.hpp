@@ -43,6 +43,10 @@ private:
     void findAmongAll();
     void layOutCells();
     void sortIntoCells();
+    [[nodiscard]] std::uint32_t cellAt(int x, int y, int z) const
+    {
+        return static_cast<std::uint32_t>((z * count_[1] + y) * count_[0] + x);
+    }
     [[nodiscard]] std::uint32_t cellOf(const Eigen::Vector3d& p) const;
     void findNear(const Node& node);
 

@@ -89,7 +89,7 @@ void Crowd::cutIntoStrips(const Eigen::Vector3d& down)
 {
     const std::size_t size = order_.size();
     const std::size_t most = size / kFewestInStrip;
-    const std::size_t count = most <= 1 ? 1 : std::min(most, threads_.gather());
+    const std::size_t count = most <= 1 ? 1 : std::min(most, threads_.gather(size >= kWorthWaking));
     if (count == 1)
     {
         strips_.assign(1, {0, static_cast<std::uint32_t>(size)});

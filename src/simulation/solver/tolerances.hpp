@@ -30,6 +30,10 @@ inline constexpr double kBeyondRounding = 1 + 1e-9;
 /// Members of a strip at least. Larger: small crowds are left to fewer threads. Smaller: threads
 /// wait for each other.
 inline constexpr std::size_t kFewestInStrip = 32;
+/// Members of a crowd for which threads that sleep are waited for: a step of theirs takes
+/// milliseconds, waking up some 50 us. Larger: one thread is left alone with more. Smaller: it
+/// waits.
+inline constexpr std::size_t kWorthWaking = 2000;
 /// Members for each strip that tell where strips end. Larger: time. Smaller: strips are less alike.
 inline constexpr std::size_t kSamplesOfStrip = 64;
 

@@ -104,7 +104,7 @@ TEST(Threads, TakeBodiesAtOnceThatWaitForOneAnother)
     for (const std::size_t count : {1U, 2U, 3U, 16U})
     {
         Threads threads(16, count);
-        ASSERT_EQ(threads.gather(), count);
+        ASSERT_EQ(threads.gather(false), count);
         std::size_t ball = 0;
         std::atomic<std::size_t> thrown = 0;
         std::set<std::thread::id> seen;
@@ -150,15 +150,18 @@ TEST(Threads, GatherNoMoreThanHaveACoreAndAreAwake)
     Threads threads(64);
     for (int look = 0; look < 1000; ++look)
     {
-        EXPECT_LE(threads.gather(), static_cast<std::size_t>(coresAtHand()));
+        EXPECT_LE(threads.gather(false), static_cast<std::size_t>(coresAtHand()));
     }
     std::size_t awake = 2;
-    for (int wait = 10; awake > 1 && wait < 10'000; wait *= 2)
+    std::chrono::milliseconds wait(10);
+    for (; awake > 1 && wait.count() < 10'000; wait *= 2)
     {
-        std::this_thread::sleep_for(std::chrono::milliseconds(wait));
-        awake = threads.gather();
+        std::this_thread::sleep_for(wait);
+        awake = threads.gather(false);
     }
     EXPECT_EQ(awake, 1U) << "all have gone to sleep";
+    std::this_thread::sleep_for(wait); // and again
+    EXPECT_EQ(threads.gather(true), static_cast<std::size_t>(coresAtHand()));
 }
 
 TEST(Threads, LeaveALoopThatIsTooShortToTheCaller)

@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace frostfill
 {
 namespace
@@ -105,6 +107,18 @@ TEST(BroadPhase, FindsPairsOnEitherSideOfABorder)
                 EXPECT_EQ(found[50].size(), gap < kPairMargin ? 2U : 0U);
             }
         }
+    }
+}
+
+// A step that has gone wrong still has to come to its end, where the guard reports it.
+TEST(BroadPhase, EndsWhereAPlaceIsNoNumber)
+{
+    for (const double wrong : {std::nan(""), HUGE_VAL, -HUGE_VAL, 1e300})
+    {
+        Runners runners;
+        scatter(runners, 100, {12, 12, 12}, 1, 7);
+        runners.spheres.running().position[40].y() = wrong;
+        EXPECT_EQ(runners.found(), runners.expected());
     }
 }
 
