@@ -72,7 +72,7 @@ public:
     template <class Body>
     void forEachAtOnce(std::size_t count, Body&& body)
     {
-        forEach(count, body, 2);
+        forEachLarge(count, body);
     }
     /// For a body of such a loop: returns once isSo(), and throws if another body has thrown.
     template <class Condition>

@@ -111,8 +111,7 @@ void BroadPhase::sortIntoCells()
     }
     for (std::uint32_t row = running_.size(); row-- > 0;)
     {
-        nodes_[--first_[cells_[row]]] = {running_.position[row], running_.radius[row], row,
-                                         cells_[row]};
+        nodes_[--first_[cells_[row]]] = {running_.position[row], running_.radius[row], row};
     }
 }
 
@@ -120,7 +119,7 @@ void BroadPhase::findNear(const Node& node)
 {
     std::vector<std::uint32_t>& nearby = nearby_[node.row];
     nearby.clear();
-    const auto cell = static_cast<int>(node.cell);
+    const auto cell = static_cast<int>(cells_[node.row]);
     const int x = cell % count_[0];
     const int y = cell / count_[0] % count_[1];
     const int z = cell / count_[0] / count_[1];

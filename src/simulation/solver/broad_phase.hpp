@@ -37,7 +37,6 @@ private:
         Eigen::Vector3d position;
         double radius;
         std::uint32_t row;
-        std::uint32_t cell;
     };
 
     void findAmongAll();

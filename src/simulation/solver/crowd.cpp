@@ -11,7 +11,8 @@ namespace frostfill
 namespace
 {
 
-/// The axis along which strips follow one another: the one farther from level with the pull.
+/// The axis along which strips follow one another: of x and z the one that leads less along the
+/// pull.
 int axisOfStrips(const Eigen::Vector3d& down)
 {
     return std::abs(down.x()) <= std::abs(down.z()) ? 0 : 2;
@@ -26,7 +27,7 @@ void Crowd::gather(const Eigen::Vector3d& down)
     {
         if (!pairs_.nearby(row).empty())
         {
-            order_.push_back({-running_.position[row].dot(down), row, 0});
+            enter(row, down);
         }
     }
     arrange(down);
@@ -37,9 +38,14 @@ void Crowd::gather(std::span<const std::uint32_t> rows, const Eigen::Vector3d& d
     order_.clear();
     for (const std::uint32_t row : rows)
     {
-        order_.push_back({-running_.position[row].dot(down), row, 0});
+        enter(row, down);
     }
     arrange(down);
+}
+
+void Crowd::enter(std::uint32_t row, const Eigen::Vector3d& down)
+{
+    order_.push_back({-running_.position[row].dot(down), row, 0});
 }
 
 void Crowd::arrange(const Eigen::Vector3d& down)

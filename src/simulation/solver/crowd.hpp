@@ -92,6 +92,7 @@ private:
     static constexpr std::uint32_t kNone = 0xffffffff;
     static constexpr std::uint32_t kLargestSlot = 0x3fffffff;
 
+    void enter(std::uint32_t row, const Eigen::Vector3d& down);
     void arrange(const Eigen::Vector3d& down);
     void cutIntoStrips(const Eigen::Vector3d& down);
     void giveSlots();

@@ -7,7 +7,7 @@ namespace frostfill
 void Turns::start()
 {
     met_ = 0;
-    if (!isShared())
+    if (!hasSeveralStrips())
     {
         return;
     }
@@ -31,7 +31,7 @@ void Turns::meet()
 
 void Turns::findTurns(std::size_t strip)
 {
-    if (isShared())
+    if (hasSeveralStrips())
     {
         crowd_.forEachMember(strip, [this](std::uint32_t slot) { findTurnsOf(slot); });
     }

@@ -54,18 +54,18 @@ public:
     /// Whether a turn of this member may be waited for.
     [[nodiscard]] bool isAwaited(std::uint32_t slot) const
     {
-        return isShared() && (crowd_.isShared(slot) || turnCount_[slot] > 0);
+        return hasSeveralStrips() && (crowd_.isShared(slot) || turnCount_[slot] > 0);
     }
     void awaitRound(std::uint32_t slot, std::uint32_t round)
     {
-        if (isShared())
+        if (hasSeveralStrips())
         {
             awaitTurns(slot, round);
         }
     }
     void endRound(std::uint32_t slot)
     {
-        if (isShared())
+        if (hasSeveralStrips())
         {
             endTurns(slot);
         }
@@ -91,7 +91,7 @@ private:
     {
         return std::atomic_ref<std::uint32_t>(count);
     }
-    [[nodiscard]] bool isShared() const { return crowd_.strips().size() > 1; }
+    [[nodiscard]] bool hasSeveralStrips() const { return crowd_.strips().size() > 1; }
     void findTurnsOf(std::uint32_t slot);
     void awaitForeignLower(std::uint32_t slot, std::uint32_t sweep);
     void awaitOwnTurns(std::uint32_t slot, std::uint32_t rounds);
