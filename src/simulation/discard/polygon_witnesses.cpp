@@ -53,7 +53,7 @@ std::vector<std::uint32_t> PolygonWitnesses::takeUntouchable(const ReachMap& map
 {
     std::vector<WatchLists::Watcher> fallen = lists_.takeFallen(
         threads, [&](CubeNumber witness) { return map.isReached(witness, mayHold); });
-    threads.forEach((fallen.size() + kPolygonsTogether - 1) / kPolygonsTogether,
+    threads.forEachLarge((fallen.size() + kPolygonsTogether - 1) / kPolygonsTogether,
                     [&](std::size_t i)
                     {
                         const auto rest = Watchers(fallen).subspan(i * kPolygonsTogether);

@@ -124,7 +124,7 @@ void Freezer::freezeTogether(std::uint32_t stillWindows)
 // next window.
 void Freezer::freezeOneByOne()
 {
-    threads_.forEach(sleepy_.size(),
+    threads_.forEachLarge(sleepy_.size(),
                      [&](std::size_t i)
                      {
                          const std::uint32_t row = sleepy_[i];
