@@ -47,6 +47,13 @@ function showErrors() {
     ["Energy gained", readable(error.energy_gain)],
     ["Discards restored", readable(error.restored_discards)],
     ["Share of the volume in spheres", `${(100 * error.packing_fraction).toFixed(1)} %`]] : [];
+  const joint = error?.equilibrium;
+  if (joint) {
+    rows.push([`Unbalanced, friction ${readable(joint.friction)}`,
+      `${readable(joint.unbalanced)} of ${readable(joint.at_rest)}`],
+      ["Stands from a friction of",
+        joint.least_friction === null ? "more than 8" : readable(joint.least_friction)]);
+  }
   rows.push(["Rounding of places in this page", `${readable(facts.film.error_over_radius)} r`]);
   if (facts.shell_distance) {
     rows.push(["Shell in this page", `${readable(facts.triangles)} of ` +

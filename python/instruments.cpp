@@ -61,7 +61,7 @@ QualityReport check(const py::object& centres, const py::object& radii, const py
     }
     const GivenMesh given = readGivenMesh(mesh, vertices, triangles);
     const py::gil_scoped_release release;
-    return judgePacking(given.load(scene.object.load).mesh, packing, scene.object.up);
+    return judgePacking(given.load(scene.object.load).mesh, packing, scene.object.up, scene.judge);
 }
 
 /// The mesh as it is read and as it is filled, and the repairs between.

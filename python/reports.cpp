@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 #include <pybind11/eigen.h>
+#include <pybind11/stl.h>
 
 namespace py = pybind11;
 
@@ -63,6 +64,26 @@ void addQuality(py::module_& module)
         "[unit^3] of the mesh, estimated from the number of spheres; NaN unless full of equal "
         "ones");
     add("volume_estimate_error", &R::volumeEstimateError, "[unit^3] its uncertainty");
+    add("equilibrium", &R::equilibrium,
+        "whether all that is at rest stays so together; None unless judge_friction is given");
+    addText(report);
+}
+
+void addEquilibrium(py::module_& module)
+{
+    py::class_<EquilibriumReport> report(
+        module, "EquilibriumReport",
+        "Whether forces in all contacts at once balance all spheres at rest, under a friction.");
+    const auto add = [&](const char* name, auto member, const char* help)
+    { report.def_readonly(name, member, help); };
+    using R = EquilibriumReport;
+    add("friction", &R::friction, "under which it was judged");
+    add("spheres", &R::spheres, "at rest");
+    add("unbalanced", &R::unbalanced, "spheres that miss more than judge_unbalance of their weight");
+    add("largest", &R::largest, "[own weight] what is missing on a sphere at most");
+    add("settled", &R::settled, "False: forces were still changing when they were taken");
+    add("least_friction", &R::leastFriction,
+        "with which all but one in a hundred are balanced; inf: none up to 8");
     addText(report);
 }
 
@@ -116,6 +137,7 @@ void addVolume(py::module_& module)
 
 void addReports(py::module_& module)
 {
+    addEquilibrium(module);
     addQuality(module);
     addMeshReport(module);
     addVolume(module);

@@ -65,9 +65,10 @@ struct Column
     bool exported = true;
     bool python = true; ///< an array of a state in Python
     bool colour = true; ///< a choice of --color-by
+    bool onRequest = false; ///< it takes long: carried only where it gives spheres their colours
 
     /// Its value, of a column that each state has in a field of its own: of all built-in ones but
-    /// `contacts`. Null for a column that a snapshot carries, see ColumnValues.
+    /// `contacts` and `unbalance`. Null for a column that a snapshot carries, see ColumnValues.
     double (*fixed)(const SphereRow& row) = nullptr;
     /// Computes a carried value from what the sphere has. Null for a column that only the
     /// simulation knows, see simulation/columns.
@@ -113,8 +114,8 @@ private:
     const Column* column_;
 };
 
-/// One of each carried column, without values.
-[[nodiscard]] std::vector<ColumnValues> carriedColumns();
+/// One of each carried column, without values; of those on request only the one that is asked for.
+[[nodiscard]] std::vector<ColumnValues> carriedColumns(std::string_view asked = {});
 
 /// Null if the column is not among them.
 [[nodiscard]] const ColumnValues* findValues(std::span<const ColumnValues> values,

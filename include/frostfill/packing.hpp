@@ -37,6 +37,7 @@ struct Packing
 
 /// Judges spheres in a closed, outward mesh. What only a run knows, such as energies, is 0. Throws
 /// Error badData for a radius that is not above 0.
-[[nodiscard]] QualityReport judgePacking(const TriangleMesh& mesh, const Packing& packing, Axis up);
+[[nodiscard]] QualityReport judgePacking(const TriangleMesh& mesh, const Packing& packing, Axis up,
+                                         const JudgeSettings& settings = {});
 
 } // namespace frostfill

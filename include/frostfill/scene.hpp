@@ -157,6 +157,14 @@ struct DiscardSettings
     double closeness = 0.3; ///< [r] largest distance of a covering sphere along the vertex normal
 };
 
+/// How the spheres at rest are judged at the end. Changes no bit of the run.
+struct JudgeSettings
+{
+    std::optional<double> friction; ///< [1] of all contacts; if given, whether all that is at rest
+                                    ///< stays so together is judged, too
+    double unbalance = 0.1; ///< [own weight] that forces may miss on a sphere that is balanced
+};
+
 struct SearchSettings
 {
     SphereSearch spheres = SphereSearch::allPairs;
@@ -205,6 +213,7 @@ struct Scene
     MoveSettings move;
     DiscardSettings discard;
     SearchSettings search;
+    JudgeSettings judge;
     FrameSettings frames;
     PictureSize size;
     Camera camera;

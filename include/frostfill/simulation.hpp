@@ -38,6 +38,23 @@ struct SetRecord
     OperationCounts operations;
 };
 
+/// Whether all spheres at rest stay so together, when nothing holds any of them but the others and
+/// the walls: whether some forces in all contacts balance all of them at once. Normal forces push,
+/// tangential ones are at most the friction times as large, no force bends a contact or rolls on
+/// it. A sphere is unbalanced when more than JudgeSettings::unbalance is missing: of its weight, or
+/// of a torque of its weight times its radius.
+struct EquilibriumReport
+{
+    double friction = 0;        ///< [1] under which it was judged
+    std::size_t spheres = 0;    ///< at rest
+    std::size_t unbalanced = 0; ///< of them
+    double largest = 0;         ///< [own weight] that is missing on a sphere
+    bool settled = false;       ///< false: forces were still changing when they were taken
+    /// [1] With it all but one in a hundred are balanced, with a hundredth less they are not;
+    /// infinite if no friction up to 8 will do.
+    double leastFriction = 0;
+};
+
 /// The quality of a state. Overlaps are penetration depths over the radius, the smaller one of two.
 struct QualityReport
 {
@@ -57,6 +74,7 @@ struct QualityReport
     double volumeEstimate = 0; ///< [unit^3] N v / phi + c r S; NaN unless full of equal spheres
     /// [unit^3] uncertainty: largest error over the calibration shapes, and scatter of packings
     double volumeEstimateError = 0;
+    std::optional<EquilibriumReport> equilibrium; ///< if it is asked for: JudgeSettings::friction
 };
 
 /// What is wrong with a sphere that is where none can be.

@@ -2,6 +2,7 @@
 #include "app/commands.hpp"
 #include "app/progress/message.hpp"
 #include "app/scene_options.hpp"
+#include "output/quality_json.hpp"
 
 #include <frostfill/error.hpp>
 #include <frostfill/packing.hpp>
@@ -12,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -26,6 +28,7 @@ constexpr const char* kCheckExamples = R"(Examples:
   frostfill check output/torus                                a run of our own, against its mesh
   frostfill check packing.csv --mesh part.stl --up z --max-overlap 0.01
   frostfill check dump.lammpstrj --mesh box.stl --json
+  frostfill check output/torus --judge-friction 0.3           does it stand as a whole?
 
 FILE is the directory of a run, a run.frost, a table with columns x, y, z and radius (CSV, or
 separated by semicolons or spaces), extended XYZ, or a LAMMPS dump; of several moments the last.
@@ -37,7 +40,7 @@ struct CheckArguments
     std::string mesh;
     std::optional<double> radius;
     std::optional<double> mostOverlap, mostWallOverlap;
-    std::optional<std::size_t> mostOutside, mostUnsupported;
+    std::optional<std::size_t> mostOutside, mostUnsupported, mostUnbalanced;
     bool json = false;
     GivenOptions given;
 };
@@ -79,15 +82,33 @@ std::vector<std::string> exceeded(const CheckArguments& arguments, const Quality
     compare(arguments.mostWallOverlap, quality.maxWallOverlap, "largest overlap with a wall");
     compare(arguments.mostOutside, quality.centresOutside + quality.notFinite, "centres outside");
     compare(arguments.mostUnsupported, quality.unsupported, "spheres that nothing carries");
+    if (quality.equilibrium)
+    {
+        compare(arguments.mostUnbalanced, quality.equilibrium->unbalanced, "unbalanced spheres");
+    }
     return faults;
+}
+
+void row(const std::string& what, const std::string& value)
+{
+    fmt::print("{:<28} {}\n", what, value);
+}
+
+void printEquilibrium(const EquilibriumReport& joint)
+{
+    row(fmt::format("unbalanced, friction {:g}", joint.friction),
+        fmt::format("{} of {} at rest; at most {:.3g} of the weight is missing{}", joint.unbalanced,
+                    joint.spheres, joint.largest,
+                    joint.settled ? "" : ", or less: forces had not settled"));
+    row("stands from a friction of", std::isfinite(joint.leastFriction)
+                                         ? fmt::format("{:.3g}", joint.leastFriction)
+                                         : "more than 8");
 }
 
 void printTable(const Packing& packing, const QualityReport& quality)
 {
     const auto [smallest, largest] =
         std::minmax_element(packing.radii.begin(), packing.radii.end());
-    const auto row = [](const char* what, const std::string& value)
-    { fmt::print("{:<28} {}\n", what, value); };
     row("spheres", fmt::format("{}, from {}", packing.centres.size(), packing.format));
     row("radii", *smallest == *largest ? fmt::format("{:.6g}", *largest)
                                        : fmt::format("{:.6g} to {:.6g}", *smallest, *largest));
@@ -100,6 +121,10 @@ void printTable(const Packing& packing, const QualityReport& quality)
     const auto resting = std::count(packing.atRest.begin(), packing.atRest.end(), true);
     row("spheres that nothing carries",
         fmt::format("{} of {} at rest", quality.unsupported, resting));
+    if (quality.equilibrium)
+    {
+        printEquilibrium(*quality.equilibrium);
+    }
     row("volume of the mesh", fmt::format("{:.6g}", quality.meshVolume));
     row("volume of the spheres", fmt::format("{:.6g}, {:.2f} % of it", quality.sphereVolume,
                                              100 * quality.sphereVolume / quality.meshVolume));
@@ -110,22 +135,14 @@ void printJson(const Packing& packing, const QualityReport& quality,
 {
     const auto [smallest, largest] =
         std::minmax_element(packing.radii.begin(), packing.radii.end());
-    const nlohmann::ordered_json json = {
+    nlohmann::ordered_json json = {
         {"format", packing.format},
         {"spheres", packing.centres.size()},
         {"at_rest", std::count(packing.atRest.begin(), packing.atRest.end(), true)},
         {"smallest_radius", *smallest},
-        {"largest_radius", *largest},
-        {"max_overlap_over_radius", quality.maxOverlap},
-        {"mean_overlap_over_radius", quality.meanOverlap},
-        {"max_wall_overlap_over_radius", quality.maxWallOverlap},
-        {"centres_outside", quality.centresOutside},
-        {"not_finite", quality.notFinite},
-        {"unsupported_frozen", quality.unsupported},
-        {"volume_mesh", quality.meshVolume},
-        {"volume_spheres", quality.sphereVolume},
-        {"packing_fraction", quality.sphereVolume / quality.meshVolume},
-        {"exceeded", faults}};
+        {"largest_radius", *largest}};
+    json.update(qualityJson(quality));
+    json["exceeded"] = faults;
     fmt::print("{}\n", json.dump(2));
 }
 
@@ -135,8 +152,13 @@ int check(const CheckArguments& arguments)
     Scene scene;
     scene.object.up = packing.up.value_or(scene.object.up);
     applyGivenOptions(arguments.given, scene);
+    if (arguments.mostUnbalanced && !scene.judge.friction)
+    {
+        throw Error(ErrorCode::usage, "--max-unbalanced needs a friction under which spheres are "
+                                      "balanced: give --judge-friction");
+    }
     const TriangleMesh mesh = meshOf(arguments, packing, scene);
-    const QualityReport quality = judgePacking(mesh, packing, scene.object.up);
+    const QualityReport quality = judgePacking(mesh, packing, scene.object.up, scene.judge);
     const std::vector<std::string> faults = exceeded(arguments, quality);
     if (arguments.json)
     {
@@ -160,7 +182,7 @@ Command addCheckCommand(CLI::App& program)
 {
     const auto arguments = std::make_shared<CheckArguments>();
     CLI::App* command = program.add_subcommand(
-        "check", "Judge a packing from any program: overlaps, walls, centres outside, support");
+        "check", "Judge a packing from any program: overlaps, walls, centres outside, support, balance");
     command->footer(kCheckExamples);
     command->add_option("FILE", arguments->file, "The packing")->required();
     command
@@ -179,6 +201,8 @@ Command addCheckCommand(CLI::App& program)
           "Exit with 2 if more centres are outside, or are not numbers", "N");
     limit("--max-unsupported", arguments->mostUnsupported,
           "Exit with 2 if more spheres at rest have no support", "N");
+    limit("--max-unbalanced", arguments->mostUnbalanced,
+          "Exit with 2 if more spheres are unbalanced; needs --judge-friction", "N");
     command->add_flag("--json", arguments->json, "Print JSON");
     return [arguments] { return check(*arguments); };
 }

@@ -37,6 +37,10 @@ std::string runHash(const Scene& scene, const TriangleMesh& mesh)
     FnvHash hash;
     nlohmann::ordered_json json = sceneToJson(same);
     json["frames"].erase("keep_run");
+    if (!same.judge.friction)
+    {
+        json.erase("judge"); // else a colour may depend on it
+    }
     hash.add(json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
     addAll(mesh.vertices, hash);
     addAll(mesh.triangles, hash);

@@ -146,9 +146,10 @@ Packing readPacking(const std::filesystem::path& file, double radius)
     return packing;
 }
 
-QualityReport judgePacking(const TriangleMesh& mesh, const Packing& packing, Axis up)
+QualityReport judgePacking(const TriangleMesh& mesh, const Packing& packing, Axis up,
+                           const JudgeSettings& settings)
 {
-    return examine(mesh, packing.centres, packing.radii, packing.atRest, up);
+    return examine(mesh, packing.centres, packing.radii, packing.atRest, up, settings);
 }
 
 } // namespace frostfill

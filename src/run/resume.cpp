@@ -23,8 +23,9 @@ namespace
 {
 
 /// With these a run may be resumed differently: they change no bit.
-constexpr std::array<std::string_view, 4> kWithoutEffect = {"threads", "picture.static_layer",
-                                                            "picture.backend", "frames.keep_run"};
+constexpr std::array<std::string_view, 6> kWithoutEffect = {
+    "threads",         "picture.static_layer", "picture.backend",
+    "frames.keep_run", "judge.friction",       "judge.unbalance"};
 
 void refuseAnotherScene(const Scene& begun, const Scene& now,
                         const std::filesystem::path& directory)

@@ -3,6 +3,7 @@
 
 #include "base/posix_file.hpp"
 #include "output/atomic_file.hpp"
+#include "output/quality_json.hpp"
 #include "output/run_hash.hpp"
 #include "output/scene_json.hpp"
 #include "run/machine_json.hpp"
@@ -62,21 +63,13 @@ Json polygonsJson(const std::vector<PolygonState>& polygons)
 
 Json errorJson(const QualityReport& quality)
 {
-    return {{"max_overlap_over_radius", quality.maxOverlap},
-            {"mean_overlap_over_radius", quality.meanOverlap},
-            {"max_wall_overlap_over_radius", quality.maxWallOverlap},
-            {"centres_outside", quality.centresOutside},
-            {"not_finite", quality.notFinite},
-            {"unsupported_frozen", quality.unsupported},
-            {"energy_gain", quality.energyGain},
-            {"energy_above_start", quality.energyExcess},
-            {"restored_discards", quality.restoredDiscards},
-            {"volume_mesh", quality.meshVolume},
-            {"volume_spheres", quality.sphereVolume},
-            {"packing_fraction",
-             quality.meshVolume > 0 ? quality.sphereVolume / quality.meshVolume : 0},
-            {"volume_estimate", quality.volumeEstimate},
-            {"volume_estimate_error", quality.volumeEstimateError}};
+    Json json = qualityJson(quality);
+    json["energy_gain"] = quality.energyGain;
+    json["energy_above_start"] = quality.energyExcess;
+    json["restored_discards"] = quality.restoredDiscards;
+    json["volume_estimate"] = quality.volumeEstimate;
+    json["volume_estimate_error"] = quality.volumeEstimateError;
+    return json;
 }
 
 Json timeJson(const RunRecord& run)

@@ -107,6 +107,18 @@ std::deque<Column> builtIn()
          .changes = ColumnChanges::atRest,
          .of = ColumnOf::resting,
          .high = kKissingNumber},
+        {.name = "unbalance",
+         .plural = "unbalances",
+         .title = "Unbalance",
+         .unit = "own weight",
+         .help = "of a sphere at rest: what forces in all contacts together miss of its weight; 0 "
+                 "while it runs",
+         .type = ColumnType::float32,
+         .changes = ColumnChanges::atRest,
+         .of = ColumnOf::resting,
+         .digits = 11,
+         .python = false,
+         .onRequest = true},
     };
 }
 
@@ -209,12 +221,12 @@ bool ColumnValues::set(std::size_t sphere, double value)
     return std::exchange(bits[sphere], now) != now;
 }
 
-std::vector<ColumnValues> carriedColumns()
+std::vector<ColumnValues> carriedColumns(std::string_view asked)
 {
     std::vector<ColumnValues> carried;
     for (const Column& column : table())
     {
-        if (column.isCarried())
+        if (column.isCarried() && (!column.onRequest || column.name == asked))
         {
             carried.emplace_back(column);
         }

@@ -175,7 +175,8 @@ std::vector<const Option*> optionsFor(OptionUse use)
         const bool draws = isIn(kPictureGroups, option.group) && !isIn(kOfTheRun, option.key);
         if (use == OptionUse::filling || (use == OptionUse::pictures && draws) ||
             (use == OptionUse::loading && loads) ||
-            (use == OptionUse::judging && (loads || option.key == "object.up")))
+            (use == OptionUse::judging &&
+             (loads || option.key == "object.up" || option.key.starts_with("judge."))))
         {
             options.push_back(&option);
         }

@@ -9,6 +9,8 @@ namespace
 constexpr double kLargestGroup = 1e6;
 constexpr double kMaxThreads = 1024;
 constexpr double kMaxSweeps = 1000;
+constexpr double kLargestFriction = 8;
+constexpr double kLeastUnbalance = 1e-4;
 // What no run needs, and what would overflow, underflow or go on for ever in it.
 constexpr double kLargestNumber = 1e9;
 constexpr double kLargestGravity = 1e6;
@@ -186,6 +188,23 @@ void addFreezing(TableBuilder& table)
         .above(0, kLongestWait);
 }
 
+void addJudge(TableBuilder& table)
+{
+    table.heading("Judging what is at rest");
+    table
+        .add("judge.friction", "--judge-friction",
+             "Judge whether all spheres at rest stay so together under this friction, and find the "
+             "least one; none: each by itself",
+             FROSTFILL_FIELD(judge.friction))
+        .orUnset("none")
+        .range(0, kLargestFriction);
+    table
+        .add("judge.unbalance", "--judge-unbalance",
+             "Share of its weight that may be missing on a sphere that is balanced",
+             FROSTFILL_FIELD(judge.unbalance))
+        .range(kLeastUnbalance, 1);
+}
+
 void addDiscards(TableBuilder& table)
 {
     table.heading("Threads");
@@ -233,6 +252,7 @@ void addRunOptions(TableBuilder& table)
     addMotion(table);
     addMove(table);
     addFreezing(table);
+    addJudge(table);
     addDiscards(table);
 }
 

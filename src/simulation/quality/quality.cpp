@@ -4,6 +4,8 @@
 #include "base/threads.hpp"
 #include "mesh/interior/winding_columns.hpp"
 #include "scene/packing_estimate.hpp"
+#include "simulation/quality/beside.hpp"
+#include "simulation/quality/equilibrium.hpp"
 #include "simulation/quality/support.hpp"
 #include "simulation/quality/tolerances.hpp"
 
@@ -22,7 +24,6 @@ namespace frostfill
 namespace
 {
 
-constexpr double kUnsupported = 0.1;  // [1] of the weight that may remain uncarried
 constexpr std::size_t kInPart = 4096; // spheres that one thread looks at in one go
 /// Up to so many spheres the judge sorts them itself; beyond it the memory for that is missed.
 constexpr std::size_t kMaxSorted = 100'000;
@@ -96,8 +97,8 @@ private:
         const bool resting = !world_.spheres.isRunning(id);
         normals_.clear();
         meetSpheres(id, p, resting);
-        meetWalls(id, p);
-        if (resting && !contactsCanCarry(world_.pull.direction(p), normals_, kUnsupported))
+        meetWalls(p, world_.spheres.radius(id));
+        if (resting && !contactsCanCarry(world_.pull.direction(p), normals_, kUnbalanced))
         {
             ++report_.unsupported;
         }
@@ -107,59 +108,39 @@ private:
     void meetSpheres(std::uint32_t id, const Eigen::Vector3d& p, bool resting)
     {
         const double radius = world_.spheres.radius(id);
-        const double gap = kContactGap * radius;
-        all_.forEachNear(p, radius + 1 + gap,
-                         [&](std::uint32_t row)
-                         {
-                             const std::uint32_t other = all_.id(row);
-                             if (other == id)
-                             {
-                                 return;
-                             }
-                             const Ball& ball = all_[row];
-                             const Eigen::Vector3d d = p - ball.position();
-                             const double distance = d.norm();
-                             const double depth = radius + ball.radius - distance;
-                             if (depth >= 0 && other > id)
-                             {
-                                 const double share = depth / std::min(radius, ball.radius);
-                                 report_.maxOverlap = std::max(report_.maxOverlap, share);
-                                 overlapSum_ += share;
-                                 ++pairs_;
-                             }
-                             if (depth > -gap && distance > 0 && resting &&
-                                 !world_.spheres.isRunning(other))
-                             {
-                                 normals_.push_back(d / distance);
-                             }
-                         });
+        forEachSphereBeside(all_, id, p, radius,
+                            [&](std::uint32_t row, const Eigen::Vector3d& apart, double depth)
+                            {
+                                const std::uint32_t other = all_.id(row);
+                                if (depth >= 0 && other > id)
+                                {
+                                    addOverlap(depth / std::min(radius, all_[row].radius));
+                                }
+                                const double distance = apart.norm();
+                                if (distance > 0 && resting && !world_.spheres.isRunning(other))
+                                {
+                                    normals_.push_back(apart / distance);
+                                }
+                            });
     }
 
-    void meetWalls(std::uint32_t id, const Eigen::Vector3d& p)
+    void addOverlap(double share)
     {
-        const double radius = world_.spheres.radius(id);
-        for (const std::uint32_t t :
-             world_.triangles.near(p, radius + kContactGap * radius, nearby_))
-        {
-            const auto& [a, b, c] = world_.surface[t].corner;
-            const Eigen::Vector3d away = p - closestPointOnTriangle(p, a, b, c).point;
-            const double distance = away.norm(); // walls act from both sides
-            if (distance > radius + kContactGap * radius)
+        report_.maxOverlap = std::max(report_.maxOverlap, share);
+        overlapSum_ += share;
+        ++pairs_;
+    }
+
+    void meetWalls(const Eigen::Vector3d& p, double radius)
+    {
+        forEachTriangleBeside(
+            world_, p, radius, nearby_,
+            [&](std::uint32_t, const Eigen::Vector3d& away, double distance)
             {
-                continue;
-            }
-            report_.maxWallOverlap = std::max(report_.maxWallOverlap, (radius - distance) / radius);
-            if (distance <= kOnWall)
-            {
-                continue; // a centre on the wall is not beside it
-            }
-            const Eigen::Vector3d normal = away / distance;
-            const auto same = [&](const Eigen::Vector3d& n) { return n.dot(normal) > 1 - 1e-12; };
-            if (std::none_of(normals_.begin(), normals_.end(), same))
-            {
-                normals_.push_back(normal);
-            }
-        }
+                report_.maxWallOverlap =
+                    std::max(report_.maxWallOverlap, (radius - distance) / radius);
+                addNormal(normals_, away, distance);
+            });
     }
 
     void estimateVolume()
@@ -222,11 +203,17 @@ QualityReport examine(const World& world)
     {
         parts.front().add(parts[i]);
     }
-    return parts.front().report();
+    QualityReport report = parts.front().report();
+    if (world.scene.judge.friction)
+    {
+        report.equilibrium = judgeEquilibrium(world);
+    }
+    return report;
 }
 
 QualityReport examine(const TriangleMesh& mesh, std::span<const Eigen::Vector3d> centres,
-                      std::span<const double> radii, const std::vector<bool>& atRest, Axis up)
+                      std::span<const double> radii, const std::vector<bool>& atRest, Axis up,
+                      const JudgeSettings& settings)
 {
     if (centres.size() != radii.size() || centres.size() != atRest.size())
     {
@@ -245,6 +232,7 @@ QualityReport examine(const TriangleMesh& mesh, std::span<const Eigen::Vector3d>
     }
     Scene scene = presetScene(Preset::fast, "packing");
     scene.object.up = up;
+    scene.judge = settings;
     if (!radii.empty())
     {
         const auto [smallest, largest] = std::minmax_element(radii.begin(), radii.end());

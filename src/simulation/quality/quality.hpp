@@ -24,6 +24,6 @@ namespace frostfill
 [[nodiscard]] QualityReport examine(const TriangleMesh& mesh,
                                     std::span<const Eigen::Vector3d> centres,
                                     std::span<const double> radii, const std::vector<bool>& atRest,
-                                    Axis up = Axis::y);
+                                    Axis up = Axis::y, const JudgeSettings& settings = {});
 
 } // namespace frostfill

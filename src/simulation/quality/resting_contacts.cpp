@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/quality/resting_contacts.hpp"
 
-#include "simulation/quality/tolerances.hpp"
+#include "simulation/quality/beside.hpp"
 
 #include <algorithm>
 #include <array>
@@ -16,18 +16,10 @@ namespace
 
 std::uint32_t spheresBeside(const World& world, std::uint32_t id, const Eigen::Vector3d& p)
 {
-    const double radius = world.spheres.radius(id);
-    const double gap = kContactGap * radius;
     std::uint32_t count = 0;
-    const SphereGrid& resting = world.spheres.resting();
-    resting.forEachNear(p, radius + 1 + gap,
-                        [&](std::uint32_t row)
-                        {
-                            const double distance = (p - resting[row].position()).norm();
-                            const double depth = radius + resting[row].radius - distance;
-                            const bool isOther = resting.id(row) != id && distance > 0;
-                            count += isOther && depth > -gap ? 1 : 0;
-                        });
+    forEachSphereBeside(world.spheres.resting(), id, p, world.spheres.radius(id),
+                        [&](std::uint32_t, const Eigen::Vector3d& apart, double)
+                        { count += apart.isZero(0) ? 0 : 1; });
     return count;
 }
 
@@ -72,23 +64,18 @@ std::uint32_t piecesOf(std::size_t triangles, std::vector<std::pair<Edge, std::s
 
 std::uint32_t wallsBeside(const World& world, std::uint32_t id, const Eigen::Vector3d& p)
 {
-    const double reach = world.spheres.radius(id) * (1 + kContactGap);
+    const double radius = world.spheres.radius(id);
+    const double reach = radius * (1 + kContactGap);
     std::size_t triangles = 0;
     std::vector<std::pair<Edge, std::size_t>> edges;
     std::vector<std::uint32_t> nearby;
-    for (const std::uint32_t t : world.triangles.near(p, reach, nearby))
+    const auto enter = [&](std::uint32_t t, const Eigen::Vector3d&, double distance)
     {
-        if (!world.surface.bound(t).mayBeWithin(reach, p))
+        if (distance <= kOnWall)
         {
-            continue;
+            return;
         }
         const auto& corner = world.surface[t].corner;
-        const double distance =
-            (p - closestPointOnTriangle(p, corner[0], corner[1], corner[2]).point).norm();
-        if (distance > reach || distance <= kOnWall)
-        {
-            continue;
-        }
         const auto& vertices = world.surface.mesh().triangles[t];
         for (std::size_t k = 0; k < 3; ++k)
         {
@@ -99,7 +86,8 @@ std::uint32_t wallsBeside(const World& world, std::uint32_t id, const Eigen::Vec
             }
         }
         ++triangles;
-    }
+    };
+    forEachTriangleBeside(world, p, radius, nearby, enter);
     return piecesOf(triangles, edges);
 }
 

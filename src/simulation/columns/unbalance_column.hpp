@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "simulation/columns/world_columns.hpp"
+
+#include <mutex>
+#include <optional>
+#include <vector>
+
+namespace frostfill
+{
+
+/// What is missing on a sphere at rest, see unbalanceAtRest: found for all of them at once, whenever
+/// one is asked for after something has come to rest or woken.
+class UnbalanceColumn final : public WorldColumn
+{
+public:
+    explicit UnbalanceColumn(const World& world) : world_(world) {}
+
+    [[nodiscard]] double value(std::uint32_t id) const override;
+    void update() override;
+    [[nodiscard]] std::span<const std::uint32_t> changes() const override { return changes_; }
+
+private:
+    const World& world_;
+    mutable std::mutex lock_;                ///< of the next two
+    mutable std::optional<std::size_t> seen_; ///< Spheres::changeCount when they were found
+    mutable std::vector<double> missing_;    ///< by row at rest
+    std::vector<double> told_;               ///< [#S] as of the last update
+    std::vector<std::uint32_t> changes_;
+};
+
+} // namespace frostfill

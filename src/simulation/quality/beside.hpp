@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "simulation/quality/tolerances.hpp"
+#include "simulation/world/world.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+/// What a sphere touches, as the judge sees it: whatever is nearer than kContactGap of its own
+/// radius.
+namespace frostfill
+{
+
+/// Calls visit(row, apart, depth) for the spheres beside one that has this id: `apart` leads from
+/// there to p, `depth` is negative for a gap [r].
+template <class Visit>
+void forEachSphereBeside(const SphereGrid& spheres, std::uint32_t id, const Eigen::Vector3d& p,
+                         double radius, Visit&& visit)
+{
+    const double gap = kContactGap * radius;
+    spheres.forEachNear(p, radius + 1 + gap,
+                        [&](std::uint32_t row)
+                        {
+                            const Eigen::Vector3d apart = p - spheres[row].position();
+                            const double depth = radius + spheres[row].radius - apart.norm();
+                            if (depth > -gap && spheres.id(row) != id)
+                            {
+                                visit(row, apart, depth);
+                            }
+                        });
+}
+
+/// Calls visit(triangle, away, distance) for the triangles beside a sphere: `away` leads to p from
+/// the nearest point [r]. Walls act from both sides. `scratch` keeps its memory.
+template <class Visit>
+void forEachTriangleBeside(const World& world, const Eigen::Vector3d& p, double radius,
+                           std::vector<std::uint32_t>& scratch, Visit&& visit)
+{
+    const double reach = radius * (1 + kContactGap);
+    for (const std::uint32_t t : world.triangles.near(p, reach, scratch))
+    {
+        if (!world.surface.bound(t).mayBeWithin(reach, p))
+        {
+            continue;
+        }
+        const auto& [a, b, c] = world.surface[t].corner;
+        const Eigen::Vector3d away = p - closestPointOnTriangle(p, a, b, c).point;
+        const double distance = away.norm();
+        if (distance <= reach)
+        {
+            visit(t, away, distance);
+        }
+    }
+}
+
+/// Adds the unit vector from a wall to the centre beside it, unless it is there already. A centre
+/// on a wall is not beside it.
+inline void addNormal(std::vector<Eigen::Vector3d>& normals, const Eigen::Vector3d& away,
+                      double distance)
+{
+    const Eigen::Vector3d normal = away / distance;
+    const auto same = [&](const Eigen::Vector3d& n) { return n.dot(normal) > kSameWall; };
+    if (distance > kOnWall && std::none_of(normals.begin(), normals.end(), same))
+    {
+        normals.push_back(normal);
+    }
+}
+
+} // namespace frostfill

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/threads.hpp"
+#include "simulation/world/world.hpp"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <vector>
+
+namespace frostfill
+{
+
+/// Spheres at rest, and where they push one another and walls push them.
+struct ContactNetwork
+{
+    static constexpr std::uint32_t kWall = 0xffffffff;
+
+    struct Body
+    {
+        Eigen::Vector3d pull; ///< acceleration that acts on it, about as long as 1
+        double radius;        ///< [r]
+    };
+    /// One that pushes `upon` along the normal, and `from`, unless that is kWall, against it.
+    struct Contact
+    {
+        Eigen::Vector3d normal;
+        std::uint32_t upon;
+        std::uint32_t from;
+    };
+
+    std::vector<Body> bodies;
+    std::vector<Contact> contacts;
+};
+
+/// Of all spheres at rest, by their rows. Two are in contact when the gap between them is below
+/// kContactGap of the smaller radius; see forEachTriangleBeside for walls.
+[[nodiscard]] ContactNetwork networkAtRest(const World& world, Threads& threads);
+
+} // namespace frostfill

@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: MIT
+#include "simulation/quality/joint_balance.hpp"
+
+#include "simulation/quality/tolerances.hpp"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace frostfill
+{
+namespace
+{
+
+constexpr std::size_t kTakenTogether = 256; // contacts or bodies that one thread takes in one go
+constexpr double kInertia = 0.4;     // of a full sphere, over mass and square of the radius
+constexpr int kPowerSteps = 30;      // of the power method, which needs no accuracy
+constexpr double kSafety = 1.1;      // on what it finds from below
+
+double massOf(const ContactNetwork::Body& body)
+{
+    return body.radius * body.radius * body.radius;
+}
+
+/// The nearest force whose tangential part is at most `friction` times its normal one.
+Eigen::Vector3d projectToCone(const Eigen::Vector3d& force, const Eigen::Vector3d& normal,
+                              double friction)
+{
+    const double along = force.dot(normal);
+    const Eigen::Vector3d across = force - along * normal;
+    const double length = across.norm();
+    if (length <= friction * along)
+    {
+        return force;
+    }
+    const double onto = (along + friction * length) / (1 + friction * friction);
+    if (onto <= 0)
+    {
+        return Eigen::Vector3d::Zero();
+    }
+    return onto * normal + friction * onto / length * across;
+}
+
+/// Whether forces leave far too many unbalanced, and hardly fewer than half the looks ago.
+bool isHopeless(const std::vector<std::size_t>& looks, std::size_t except)
+{
+    const auto now = static_cast<double>(looks.back());
+    return looks.size() >= kFewestLooks &&
+           now > kFarTooMany * static_cast<double>(except + 1) &&
+           now > kHardlyFewer * static_cast<double>(looks[looks.size() / 2]);
+}
+
+/// Calls body(first, last, part) for parts of a fixed size, so that sums do not depend on threads.
+template <class Body>
+void forEachPart(Threads& threads, std::size_t count, Body&& body)
+{
+    threads.forEachLarge((count + kTakenTogether - 1) / kTakenTogether, [&](std::size_t part)
+                         { body(part * kTakenTogether, std::min(count, (part + 1) * kTakenTogether), part); });
+}
+
+} // namespace
+
+JointBalance::JointBalance(const ContactNetwork& network, Threads& threads)
+    : network_(network), threads_(threads),
+      force_(network.contacts.size(), Eigen::Vector3d::Zero()), ahead_(force_), next_(force_),
+      firstContact_(network.bodies.size() + 1, 0),
+      acceleration_(network.bodies.size(), Eigen::Vector3d::Zero()), spin_(acceleration_)
+{
+    const auto& contacts = network.contacts;
+    const auto forEachEnd = [&](auto&& visit)
+    {
+        for (std::uint32_t k = 0; k < contacts.size(); ++k)
+        {
+            visit(contacts[k].upon, 2 * k);
+            if (contacts[k].from != ContactNetwork::kWall)
+            {
+                visit(contacts[k].from, 2 * k + 1);
+            }
+        }
+    };
+    forEachEnd([&](std::uint32_t body, std::uint32_t) { ++firstContact_[body + 1]; });
+    for (std::size_t body = 1; body < firstContact_.size(); ++body)
+    {
+        firstContact_[body] += firstContact_[body - 1];
+    }
+    contactsOf_.resize(firstContact_.back());
+    std::vector<std::uint32_t> next(firstContact_.begin(), firstContact_.end() - 1);
+    forEachEnd([&](std::uint32_t body, std::uint32_t end) { contactsOf_[next[body]++] = end; });
+}
+
+// Forces lie at the points of contact, so the torque on both bodies is the same but for the radius.
+void JointBalance::accelerate(const Vectors& force, bool pulled)
+{
+    forEachPart(threads_, network_.bodies.size(),
+                [&](std::size_t first, std::size_t last, std::size_t)
+                {
+                    for (std::size_t body = first; body < last; ++body)
+                    {
+                        Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+                        Eigen::Vector3d torque = Eigen::Vector3d::Zero();
+                        for (std::uint32_t k = firstContact_[body]; k < firstContact_[body + 1];
+                             ++k)
+                        {
+                            const std::uint32_t contact = contactsOf_[k] / 2;
+                            const Eigen::Vector3d& f = force[contact];
+                            contactsOf_[k] % 2 == 0 ? sum += f : sum -= f;
+                            torque -= network_.contacts[contact].normal.cross(f);
+                        }
+                        const double mass = massOf(network_.bodies[body]);
+                        acceleration_[body] = sum / mass;
+                        if (pulled)
+                        {
+                            acceleration_[body] += network_.bodies[body].pull;
+                        }
+                        spin_[body] = torque / (kInertia * mass);
+                    }
+                });
+}
+
+// The acceleration of one surface against the other, at the point of contact.
+Eigen::Vector3d JointBalance::approach(std::size_t contact) const
+{
+    const auto& [normal, upon, from] = network_.contacts[contact];
+    if (from == ContactNetwork::kWall)
+    {
+        return acceleration_[upon] - spin_[upon].cross(normal);
+    }
+    return acceleration_[upon] - acceleration_[from] -
+           (spin_[upon] + spin_[from]).cross(normal);
+}
+
+// By how much a force in it accelerates its own surfaces. Without friction none turns.
+double JointBalance::compliance(std::size_t contact) const
+{
+    const auto& [normal, upon, from] = network_.contacts[contact];
+    double inverse = 1 / massOf(network_.bodies[upon]);
+    if (from != ContactNetwork::kWall)
+    {
+        inverse += 1 / massOf(network_.bodies[from]);
+    }
+    return friction_ > 0 ? inverse * (1 + 1 / kInertia) : inverse;
+}
+
+// The largest eigenvalue of what forces do to each other, by the power method.
+void JointBalance::findStiffness()
+{
+    const std::size_t count = network_.contacts.size();
+    for (std::size_t k = 0; k < count; ++k)
+    {
+        next_[k] = network_.contacts[k].normal;
+        if (friction_ > 0)
+        {
+            next_[k] += next_[k].unitOrthogonal();
+        }
+    }
+    for (int k = 0; k < kPowerSteps; ++k)
+    {
+        accelerate(next_, false);
+        double before = 0;
+        double after = 0;
+        for (std::size_t contact = 0; contact < count; ++contact)
+        {
+            const double compliance = this->compliance(contact);
+            const Eigen::Vector3d& normal = network_.contacts[contact].normal;
+            Eigen::Vector3d change = approach(contact) / compliance;
+            if (friction_ == 0)
+            {
+                change = change.dot(normal) * normal;
+            }
+            before += next_[contact].squaredNorm() * compliance;
+            after += change.squaredNorm() * compliance;
+            next_[contact] = change;
+        }
+        stiffness_ = std::sqrt(after / before);
+        for (Eigen::Vector3d& one : next_)
+        {
+            one /= stiffness_;
+        }
+    }
+    stiffness_ *= kSafety;
+}
+
+JointBalance::Progress JointBalance::step()
+{
+    std::vector<Progress> parts(network_.contacts.size() / kTakenTogether + 1);
+    forEachPart(threads_, network_.contacts.size(),
+                [&](std::size_t first, std::size_t last, std::size_t part)
+                {
+                    for (std::size_t k = first; k < last; ++k)
+                    {
+                        const double along = 1 / (compliance(k) * stiffness_);
+                        next_[k] = projectToCone(ahead_[k] - along * approach(k),
+                                                 network_.contacts[k].normal, friction_);
+                        const Eigen::Vector3d slope = (ahead_[k] - next_[k]) / along;
+                        parts[part].uphill += slope.dot(next_[k] - force_[k]);
+                        parts[part].steepest =
+                            std::max(parts[part].steepest, slope.squaredNorm());
+                    }
+                });
+    Progress all;
+    for (const Progress& part : parts)
+    {
+        all.uphill += part.uphill;
+        all.steepest = std::max(all.steepest, part.steepest);
+    }
+    all.steepest = std::sqrt(all.steepest);
+    return all;
+}
+
+void JointBalance::moveOn(double momentum)
+{
+    forEachPart(threads_, force_.size(),
+                [&](std::size_t first, std::size_t last, std::size_t)
+                {
+                    for (std::size_t k = first; k < last; ++k)
+                    {
+                        ahead_[k] = next_[k] + momentum * (next_[k] - force_[k]);
+                    }
+                });
+    std::swap(force_, next_);
+}
+
+Balance JointBalance::solve(double friction, const BalanceGoal& goal)
+{
+    if (friction != friction_ && !force_.empty())
+    {
+        friction_ = friction;
+        findStiffness();
+    }
+    for (std::size_t k = 0; k < force_.size(); ++k)
+    {
+        force_[k] = projectToCone(force_[k], network_.contacts[k].normal, friction);
+    }
+    ahead_ = force_;
+    double time = 1; // Nesterov's sequence
+    Balance balance;
+    std::vector<std::size_t> looks; // unbalanced spheres
+    for (int k = 1; k <= kMostForceSteps && !balance.settled; ++k)
+    {
+        accelerate(ahead_, true);
+        const Progress progress = step();
+        const double later = progress.uphill > 0 ? 1 : (1 + std::sqrt(1 + 4 * time * time)) / 2;
+        moveOn(progress.uphill > 0 ? 0 : (time - 1) / later);
+        time = later;
+        if (k % kLookEvery == 0 || k == kMostForceSteps)
+        {
+            accelerate(force_, true);
+            balance = look(goal);
+            looks.push_back(balance.unbalanced);
+            balance.settled = progress.steepest <= kSettledForces * goal.unbalance ||
+                              (goal.ends && (balance.unbalanced <= goal.except ||
+                                             isHopeless(looks, goal.except)));
+        }
+    }
+    return balance;
+}
+
+double JointBalance::unbalance(std::uint32_t body) const
+{
+    return std::max(acceleration_[body].norm(), kInertia * spin_[body].norm());
+}
+
+Balance JointBalance::look(const BalanceGoal& goal) const
+{
+    Balance balance;
+    for (std::uint32_t body = 0; body < network_.bodies.size(); ++body)
+    {
+        const double missing = unbalance(body);
+        balance.unbalanced += missing > goal.unbalance ? 1 : 0;
+        balance.largest = std::max(balance.largest, missing);
+    }
+    return balance;
+}
+
+// From forces that hold the packing under more friction.
+double leastFriction(const ContactNetwork& network, double unbalance, std::size_t except,
+                     Threads& threads)
+{
+    JointBalance forces(network, threads);
+    const BalanceGoal goal = {unbalance, except, true};
+    const auto stands = [&](double friction)
+    { return forces.solve(friction, goal).unbalanced <= except; };
+    if (stands(0))
+    {
+        return 0;
+    }
+    double falls = 0;
+    double holds = 1;
+    while (!stands(holds))
+    {
+        falls = holds;
+        holds *= 2;
+        if (holds > kMostFriction)
+        {
+            return std::numeric_limits<double>::infinity();
+        }
+    }
+    while (holds - falls > kFrictionStep * holds)
+    {
+        const double middle = (falls + holds) / 2;
+        (stands(middle) ? holds : falls) = middle;
+    }
+    return holds;
+}
+
+} // namespace frostfill

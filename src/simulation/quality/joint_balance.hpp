@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/threads.hpp"
+#include "simulation/quality/contact_network.hpp"
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace frostfill
+{
+
+/// When forces are good enough.
+struct BalanceGoal
+{
+    double unbalance = 0;   ///< [own weight] that may be missing on a sphere
+    std::size_t except = 0; ///< so many spheres may miss more
+    bool ends = false;      ///< once that is reached; otherwise forces go on getting better
+};
+
+/// How well the forces of all contacts together hold the spheres.
+struct Balance
+{
+    std::size_t unbalanced = 0; ///< spheres that miss more than the goal allows
+    double largest = 0;         ///< [own weight] that is missing on a sphere
+    bool settled = false; ///< no better forces are to be expected; otherwise the steps have run out
+};
+
+/// Looks for forces in all contacts of a packing at once that hold every sphere: normal forces push
+/// and never pull, tangential ones are at most the friction times as large (Coulomb's cone), and on
+/// each sphere forces and torques add up to none. Nothing is known of how the packing came to be,
+/// so what stands here can stand; what does not stand cannot.
+///
+/// Where they cannot hold all, what is missing is as little as can be, summed up over squares of
+/// accelerations times masses. Without friction these are the accelerations with which the spheres
+/// then begin to move [Gauss 1829, principle of least constraint].
+///
+/// Convex, in three unknowns a contact; solved by projected gradients with momentum that is dropped
+/// where it leads uphill [Nesterov 1983; O'Donoghue & Candès 2015; for granular matter Mazhar et
+/// al. 2015]. A step costs some 40 ns a contact; steps grow with the height of the pile.
+class JointBalance
+{
+public:
+    /// Both outlive this.
+    JointBalance(const ContactNetwork& network, Threads& threads);
+
+    /// Begins with the forces of the last call.
+    Balance solve(double friction, const BalanceGoal& goal);
+
+    /// What is missing on a body since the last call [own weight]: of the force, or of the torque
+    /// over its radius, whichever is more.
+    [[nodiscard]] double unbalance(std::uint32_t body) const;
+
+    /// The force in a contact since the last call, on the body that it pushes. Units of the run, a
+    /// mass being the cube of a radius.
+    [[nodiscard]] const Eigen::Vector3d& force(std::size_t contact) const { return force_[contact]; }
+
+private:
+    using Vectors = std::vector<Eigen::Vector3d>;
+    /// What steps of some contacts come to.
+    struct Progress
+    {
+        double uphill = 0;   ///< above 0: the momentum leads uphill
+        double steepest = 0; ///< change of an acceleration
+    };
+
+    template <class Body>
+    void forEachBody(Body&& body) const;
+    void accelerate(const Vectors& force, bool pulled);
+    [[nodiscard]] Eigen::Vector3d approach(std::size_t contact) const;
+    [[nodiscard]] double compliance(std::size_t contact) const;
+    void findStiffness();
+    Progress step();
+    void moveOn(double momentum);
+    [[nodiscard]] Balance look(const BalanceGoal& goal) const;
+
+    const ContactNetwork& network_;
+    Threads& threads_;
+    double friction_ = std::numeric_limits<double>::quiet_NaN();
+    double stiffness_ = 1; ///< the steepest slope of a step, for contacts of compliance 1
+
+    // By contact.
+    Vectors force_;
+    Vectors ahead_; ///< forces, with their momentum
+    Vectors next_;
+    // By body.
+    std::vector<std::uint32_t> firstContact_; ///< [#bodies + 1] in contactsOf_
+    std::vector<std::uint32_t> contactsOf_;   ///< the contact twice, plus 1 for the one that pushes
+    Vectors acceleration_;
+    Vectors spin_; ///< angular acceleration times radius
+};
+
+/// The least friction with which all but `except` bodies miss at most `unbalance` of their weight,
+/// to kFrictionStep of itself; infinite when none up to kMostFriction will do. By bisection.
+[[nodiscard]] double leastFriction(const ContactNetwork& network, double unbalance,
+                                   std::size_t except, Threads& threads);
+
+} // namespace frostfill
