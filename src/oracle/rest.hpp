@@ -42,4 +42,34 @@ namespace frostfill::oracle
     return 2 * std::sqrt(2.0 / 3.0);
 }
 
+/// The friction from which a sphere stays on two or three others on a floor that touch each other:
+/// the tangent of half the angle between the vertical and the line from its centre to one below it.
+/// Both contacts of a lower sphere need the same tangential force, as it turns about neither, and
+/// its contact with the upper one bears less.
+[[nodiscard]] inline double frictionOfPyramid(int below)
+{
+    const double sine = below == 2 ? 0.5 : 1 / std::sqrt(3.0);
+    return sine / (1 + std::sqrt(1 - sine * sine));
+}
+
+/// The friction from which three spheres stand between two walls: the middle one lies against the
+/// others in lines that rise by this angle [rad], and only the walls carry them.
+[[nodiscard]] inline double frictionOfArch(double rise)
+{
+    return 3 * std::sin(rise) / (1 + 3 * std::cos(rise));
+}
+
+/// How fast a sphere begins to sink that lies without friction on two that touch on a floor. [g]
+[[nodiscard]] inline double sinkingBetweenTwo()
+{
+    return 1.0 / 7;
+}
+
+/// How fast a sphere begins to roll down a plane that falls by this angle [rad], if it does not
+/// slip. [g]
+[[nodiscard]] inline double rollingDown(double angle)
+{
+    return std::sin(angle) * 5 / 7;
+}
+
 } // namespace frostfill::oracle

@@ -3,9 +3,11 @@
 #include "fault/program.hpp"
 #include "support/temporary_folder.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -76,6 +78,42 @@ TEST_F(CheckCommand, EndsWithTwoWhereMoreIsFoundThanMayBe)
     EXPECT_NE(lost.errors.find("centres outside 1, more than 0"), std::string::npos) << lost.errors;
 }
 
+// Two on the floor and one between them: 30 degrees.
+TEST_F(CheckCommand, SaysFromWhichFrictionAPileStands)
+{
+    writeFile(folder_ / "pile.csv",
+              fmt::format("x,y,z,radius\n-0.2,-0.8,0,0.2\n0.2,-0.8,0,0.2\n0,{},0,0.2\n",
+                          -0.8 + 0.2 * std::sqrt(3.0)));
+    const std::string command = "check pile.csv --mesh cube --judge-unbalance 0.001";
+    const auto judge = [&](const std::string& friction)
+    {
+        const Answer answer = run(command + " --json --judge-friction " + friction);
+        EXPECT_EQ(answer.code, 0) << answer.errors;
+        return nlohmann::json::parse(answer.output)["equilibrium"];
+    };
+    const double least = 2 - std::sqrt(3.0); // tan 15 degrees
+    const auto falls = judge("0.25");
+    EXPECT_EQ(falls["friction"], 0.25);
+    EXPECT_EQ(falls["at_rest"], 3);
+    EXPECT_GT(falls["unbalanced"], 0);
+    EXPECT_TRUE(falls["settled"]);
+    EXPECT_NEAR(falls["least_friction"].get<double>(), least, 0.01 * least);
+    EXPECT_EQ(judge("0.28")["unbalanced"], 0);
+    EXPECT_FALSE(
+        nlohmann::json::parse(run("check pile.csv --mesh cube --json").output).contains("equilibrium"));
+    const Answer table = run(command + " --judge-friction 0.25");
+    EXPECT_NE(table.output.find("unbalanced, friction 0.25"), std::string::npos) << table.output;
+    EXPECT_NE(table.output.find("stands from a friction of    0.2"), std::string::npos)
+        << table.output;
+    EXPECT_EQ(run(command + " --judge-friction 0.28 --max-unbalanced 0").code, 0);
+    const Answer more = run(command + " --judge-friction 0.25 --max-unbalanced 0");
+    EXPECT_EQ(more.code, 2);
+    EXPECT_NE(more.errors.find("unbalanced spheres"), std::string::npos) << more.errors;
+    writeFile(folder_ / "air.csv", "x,y,z,radius\n0,0,0,0.2\n");
+    const Answer air = run("check air.csv --mesh cube --judge-friction 1");
+    EXPECT_NE(air.output.find("more than 8"), std::string::npos) << air.output;
+}
+
 TEST_F(CheckCommand, RefusesInASentenceWhatItCannotMeasure)
 {
     writeFile(folder_ / "bad.csv", "x,y,z,radius\n0,0,0,0.1\n0,0,zero,0.1\n");
@@ -94,6 +132,12 @@ TEST_F(CheckCommand, RefusesInASentenceWhatItCannotMeasure)
         {"check flat.csv --mesh cube", 65, "above 0"},
         {"check two.csv --mesh missing.stl", 66, "missing.stl"},
         {"check two.csv --mesh cube --max-overlap -1", 64, "--max-overlap"},
+        {"check two.csv --mesh cube --judge-friction -1", 64, "--judge-friction"},
+        {"check two.csv --mesh cube --judge-friction 9", 64, "0 to 8"},
+        {"check two.csv --mesh cube --judge-friction much", 64, "none"},
+        {"check two.csv --mesh cube --judge-unbalance 0", 64, "--judge-unbalance"},
+        {"check two.csv --mesh cube --max-unbalanced 3", 64, "--judge-friction"},
+        {"check two.csv --mesh cube --judge-friction 1 --max-unbalanced -3", 64, "--max-unbalanced"},
     };
     for (const Case& each : cases)
     {

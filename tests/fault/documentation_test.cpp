@@ -8,6 +8,7 @@
 #include "support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <regex>
@@ -169,6 +170,43 @@ TEST(Documentation, EveryCommandThatIsShownWorks)
 TEST(Documentation, EveryStudyThatIsShownWorks) // with the label `long`
 {
     expectShownCommandsWork(true);
+}
+
+/// What `check` says of all spheres of a run together.
+nlohmann::json standingOf(const std::filesystem::path& folder, const std::string& friction)
+{
+    const Answer answer =
+        test::runProgram("check pile --json --judge-friction " + friction, folder);
+    EXPECT_EQ(answer.code, 0) << answer.errors;
+    return nlohmann::json::parse(answer.output)["equilibrium"];
+}
+
+TEST(Documentation, ThePilesInItsTableStandAsItSays)
+{
+    const std::string page = readFile(kSource / "docs/accuracy.md");
+    const std::regex row(R"(\| `(--[^`]*)` \| ([0-9]+) \| ([0-9]+) \| ([0-9.]+) \|)");
+    int rows = 0;
+    for (std::sregex_iterator found(page.begin(), page.end(), row); found != std::sregex_iterator();
+         ++found, ++rows)
+    {
+        const test::TemporaryFolder folder;
+        const std::string options = (*found)[1];
+        ASSERT_EQ(test::runProgram("fill cube --count 2000 --frames none --quiet --out pile " +
+                                       options,
+                                   folder.path())
+                      .code,
+                  0)
+            << options;
+        const auto loose = standingOf(folder.path(), "0");
+        const auto rough = standingOf(folder.path(), "0.3");
+        // Compilers round differently.
+        EXPECT_NEAR(loose["unbalanced"].get<double>(), std::stod((*found)[2]), 10) << options;
+        EXPECT_NEAR(rough["unbalanced"].get<double>(), std::stod((*found)[3]), 3) << options;
+        EXPECT_NEAR(rough["least_friction"].get<double>(), std::stod((*found)[4]), 0.005)
+            << options;
+        EXPECT_NEAR(rough["least_friction"].get<double>(), 0.2, 0.05) << "the README's 0.2";
+    }
+    EXPECT_EQ(rows, 4);
 }
 
 TEST(Documentation, ThePageOfOptionsIsWhatTheProgramPrints)

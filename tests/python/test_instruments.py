@@ -41,6 +41,30 @@ class Check(FolderCase):
             self.assertIn(theirs, said)
             self.assertAlmostEqual(ours, said[theirs], 12, theirs)
 
+    def test_says_from_which_friction_a_pile_stands(self):
+        # Two on the floor and one between them: 30 degrees.
+        pile = [[0.3, 0.1, 0.5], [0.5, 0.1, 0.5], [0.4, 0.1 + 0.1 * 3 ** 0.5, 0.5]]
+        self.assertIsNone(frostfill.check(pile, 0.1, CUBE, FACES).equilibrium)
+        for friction, falls in [(0.25, True), (0.28, False)]:
+            report = frostfill.check(pile, 0.1, CUBE, FACES, judge_friction=friction,
+                                     judge_unbalance=0.001)
+            joint = report.equilibrium
+            self.assertEqual((joint.friction, joint.spheres, joint.settled), (friction, 3, True))
+            self.assertEqual((joint.unbalanced > 0, joint.largest > 0.001), (falls, falls))
+            self.assertAlmostEqual(joint.least_friction / (2 - 3 ** 0.5), 1, 2)
+        air = frostfill.check([[0.5, 0.5, 0.5]], 0.1, CUBE, FACES, judge_friction=1).equilibrium
+        self.assertEqual((air.unbalanced, air.largest, air.least_friction), (1, 1, numpy.inf))
+        self.assertIn("least_friction=inf", repr(air))
+
+    def test_judges_a_run_together_when_told_to(self):
+        run = frostfill.fill("torus", count=60, judge_friction=0.5, out=self.folder / "stands")
+        summary = json.loads((self.folder / "stands" / "summary.json").read_text())
+        report = frostfill.check(run.centres, run.radii, run.vertices, run.triangles,
+                                 judge_friction=0.5)
+        self.assertEqual(summary["error"]["equilibrium"]["at_rest"], report.equilibrium.spheres)
+        self.assertAlmostEqual(summary["error"]["equilibrium"]["least_friction"],
+                               report.equilibrium.least_friction, 2)
+
     def test_counts_places_that_are_no_numbers(self):
         report = frostfill.check([[numpy.nan, 0, 0], [0.5, 0.5, 0.5]], 0.1, CUBE, FACES)
         self.assertEqual(report.not_finite, 1)

@@ -21,10 +21,11 @@ double UnbalanceColumn::value(std::uint32_t id) const
 
 void UnbalanceColumn::update()
 {
-    if (seen_ == world_.spheres.changeCount())
+    if (toldAt_ == world_.spheres.changeCount())
     {
         return;
     }
+    toldAt_ = world_.spheres.changeCount();
     told_.resize(world_.spheres.size(), 0);
     for (std::uint32_t id = 0; id < told_.size(); ++id)
     {

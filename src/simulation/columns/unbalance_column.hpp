@@ -23,10 +23,11 @@ public:
 
 private:
     const World& world_;
-    mutable std::mutex lock_;                ///< of the next two
+    mutable std::mutex lock_;                 ///< of the next two
     mutable std::optional<std::size_t> seen_; ///< Spheres::changeCount when they were found
-    mutable std::vector<double> missing_;    ///< by row at rest
-    std::vector<double> told_;               ///< [#S] as of the last update
+    mutable std::vector<double> missing_;     ///< by row at rest
+    std::optional<std::size_t> toldAt_;       ///< Spheres::changeCount at the last update
+    std::vector<double> told_;                ///< [#S] the values then
     std::vector<std::uint32_t> changes_;
 };
 

@@ -41,10 +41,12 @@ std::vector<double> unbalanceAtRest(const World& world)
     const ContactNetwork network = networkAtRest(world, threads);
     JointBalance forces(network, threads);
     (void)forces.solve(frictionOf(world), {.unbalance = world.scene.judge.unbalance});
+    const double noise = kSettledForces * world.scene.judge.unbalance;
     std::vector<double> missing(network.bodies.size());
     for (std::uint32_t body = 0; body < missing.size(); ++body)
     {
-        missing[body] = forces.unbalance(body);
+        const double found = forces.unbalance(body);
+        missing[body] = found > noise ? found : 0;
     }
     return missing;
 }

@@ -31,7 +31,7 @@ Eigen::Vector3d projectToCone(const Eigen::Vector3d& force, const Eigen::Vector3
     const double along = force.dot(normal);
     const Eigen::Vector3d across = force - along * normal;
     const double length = across.norm();
-    if (length <= friction * along)
+    if (along >= 0 && length <= friction * along)
     {
         return force;
     }
@@ -40,7 +40,8 @@ Eigen::Vector3d projectToCone(const Eigen::Vector3d& force, const Eigen::Vector3
     {
         return Eigen::Vector3d::Zero();
     }
-    return onto * normal + friction * onto / length * across;
+    const double share = length > 0 ? friction * onto / length : 0;
+    return onto * normal + share * across;
 }
 
 /// Whether forces leave far too many unbalanced, and hardly fewer than half the looks ago.

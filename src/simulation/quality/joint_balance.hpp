@@ -34,11 +34,11 @@ struct Balance
 ///
 /// Where they cannot hold all, what is missing is as little as can be, summed up over squares of
 /// accelerations times masses. Without friction these are the accelerations with which the spheres
-/// then begin to move [Gauss 1829, principle of least constraint].
+/// then begin to move: the principle of least constraint [Gauss 1829].
 ///
-/// Convex, in three unknowns a contact; solved by projected gradients with momentum that is dropped
-/// where it leads uphill [Nesterov 1983; O'Donoghue & Candès 2015; for granular matter Mazhar et
-/// al. 2015]. A step costs some 40 ns a contact; steps grow with the height of the pile.
+/// Convex, in three unknowns a contact; solved by projected gradients with momentum [Nesterov 1983],
+/// which is dropped where it leads uphill [O'Donoghue & Candes 2015], as for granular matter in
+/// [Mazhar et al. 2015]. A step costs some 40 ns a contact; steps grow with the height of the pile.
 class JointBalance
 {
 public:

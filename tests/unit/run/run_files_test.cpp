@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <limits>
 
 namespace frostfill
 {
@@ -64,15 +65,26 @@ TEST_F(RunFiles, SummariseEveryNumberOfTheJudgeUnderItsName)
                            {"centres_outside", 4},
                            {"not_finite", 5},
                            {"unsupported_frozen", 6},
-                           {"energy_gain", 0.07},
-                           {"energy_above_start", 0.08},
-                           {"restored_discards", 9},
                            {"volume_mesh", 10.0},
                            {"volume_spheres", 11.0},
                            {"packing_fraction", 1.1},
+                           {"energy_gain", 0.07},
+                           {"energy_above_start", 0.08},
+                           {"restored_discards", 9},
                            {"volume_estimate", 12.0},
                            {"volume_estimate_error", 13.0}};
     EXPECT_EQ(error, expected) << error.dump(1);
+}
+
+TEST_F(RunFiles, SummariseHowAllSpheresStandTogetherIfThatWasJudged)
+{
+    EXPECT_FALSE(summary()["error"].contains("equilibrium"));
+    result.quality.equilibrium =
+        EquilibriumReport{0.25, 40, 3, 0.5, true, std::numeric_limits<double>::infinity()};
+    const Json expected = {{"friction", 0.25},  {"at_rest", 40},   {"unbalanced", 3},
+                           {"largest_unbalance", 0.5}, {"settled", true}, {"least_friction", nullptr}};
+    const Json found = Json::parse(summary()["error"]["equilibrium"].dump());
+    EXPECT_EQ(found, expected) << found.dump(1);
 }
 
 TEST_F(RunFiles, SummariseWhatTheSimulationCounted)

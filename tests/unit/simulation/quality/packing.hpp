@@ -25,9 +25,10 @@ public:
     {
         return add(centre, radius, false);
     }
-    [[nodiscard]] QualityReport in(const TriangleMesh& mesh, Axis up = Axis::y) const
+    [[nodiscard]] QualityReport in(const TriangleMesh& mesh, Axis up = Axis::y,
+                                   const JudgeSettings& settings = {}) const
     {
-        return examine(mesh, centres_, radii_, atRest_, up);
+        return examine(mesh, centres_, radii_, atRest_, up, settings);
     }
 
 private:

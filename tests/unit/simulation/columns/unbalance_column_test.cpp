@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "simulation/columns/unbalance_column.hpp"
+
+#include "oracle/rest.hpp"
+#include "support/expect_error.hpp"
+#include "support/shapes.hpp"
+#include "support/small_world.hpp"
+#include "unit/simulation/engine/small_torus.hpp"
+#include "unit/simulation/quality/packing.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+namespace frostfill
+{
+namespace
+{
+
+using Eigen::Vector3d;
+
+TEST(UnbalanceColumn, KnowsWhatIsMissingOnEachSphereAtRest)
+{
+    const auto world = smallWorld(room());
+    const auto runs = world->spheres.add({5, 0, 5}, 1, 0);
+    const auto stands = addResting(*world, {5, -9, 5});
+    const auto left = addResting(*world, {-1, -9, 0});
+    addResting(*world, {1, -9, 0});
+    const auto top = addResting(*world, {0, -9 + std::sqrt(3.0), 0});
+    const auto hangs = addResting(*world, {-6, 0, 0});
+    const UnbalanceColumn column(*world);
+    EXPECT_EQ(column.value(runs), 0);
+    EXPECT_NEAR(column.value(stands), 0, 1e-3);
+    EXPECT_NEAR(column.value(top), oracle::sinkingBetweenTwo(), 0.01);
+    EXPECT_NEAR(column.value(left), oracle::sinkingBetweenTwo() * std::sqrt(3.0), 0.01);
+    EXPECT_EQ(column.value(hangs), 1);
+}
+
+TEST(UnbalanceColumn, TellsOfAllThatChangesWhoeverAsksInBetween)
+{
+    const auto world = smallWorld(room());
+    UnbalanceColumn column(*world);
+    const auto low = addResting(*world, {0, -9, 0});
+    const auto high = addResting(*world, {0, -7, 0});
+    column.update();
+    EXPECT_TRUE(column.changes().empty()) << "both stand";
+    world->spheres.wake(low);
+    EXPECT_EQ(column.value(high), 1) << "asked before the update";
+    column.update();
+    ASSERT_EQ(column.changes().size(), 1U);
+    EXPECT_EQ(column.changes().front(), high);
+    world->spheres.freeze(low);
+    world->spheres.closeRanks();
+    column.update();
+    EXPECT_EQ(column.changes().size(), 2U);
+    EXPECT_NEAR(column.value(high), 0, 1e-3);
+}
+
+TEST(UnbalanceColumn, JudgesUnderTheFrictionOfTheScene)
+{
+    Scene scene = presetScene(Preset::fast, "torus");
+    scene.spheres.radius = 1;
+    scene.judge.friction = 1;
+    World world(scene, room());
+    world.spheres.addResting({-1, -9, 0}, 1, 0);
+    world.spheres.addResting({1, -9, 0}, 1, 0);
+    const auto top = world.spheres.addResting({0, -9 + std::sqrt(3.0), 0}, 1, 0);
+    EXPECT_LT(UnbalanceColumn(world).value(top), 0.1);
+}
+
+TEST(UnbalanceColumn, IsCarriedOnlyWhereItIsAskedFor)
+{
+    const auto has = [](const std::vector<ColumnValues>& columns)
+    { return findValues(columns, *findColumn("unbalance")) != nullptr; };
+    EXPECT_FALSE(has(carriedColumns()));
+    EXPECT_FALSE(has(carriedColumns("contacts")));
+    EXPECT_TRUE(has(carriedColumns("unbalance")));
+    Scene scene = test::smallTorus();
+    EXPECT_FALSE(has(Simulation(scene, shapes::torus()).columns()));
+    scene.style.colourBy = "unbalance";
+    EXPECT_TRUE(has(Simulation(scene, shapes::torus()).columns()));
+}
+
+} // namespace
+} // namespace frostfill
