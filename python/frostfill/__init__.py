@@ -17,6 +17,7 @@ False
 from ._frostfill import (
     BadData,
     CannotCreate,
+    EquilibriumReport,
     Error,
     InputMissing,
     MeshReport,
@@ -47,6 +48,7 @@ __all__ = [
     "Picture",
     "check",
     "QualityReport",
+    "EquilibriumReport",
     "inspect",
     "Inspection",
     "MeshReport",

@@ -51,6 +51,8 @@ def fill(
         rest_speed: float = ...,
         rest_window: float = ...,
         set_time_limit: float = ...,
+        judge_friction: float | Literal['none'] | None = ...,
+        judge_unbalance: float = ...,
         threads: int = ...,
         discard: Literal['none', 'paper', 'exact'] = ...,
         discard_epsilon: float = ...,
@@ -70,7 +72,7 @@ def fill(
         samples: int = ...,
         supersample: int = ...,
         style: Literal['clean', 'paper', 'dark', 'studio'] = ...,
-        color_by: Literal['state', 'group', 'set', 'speed', 'height', 'contacts'] = ...,
+        color_by: Literal['state', 'group', 'set', 'speed', 'height', 'contacts', 'unbalance'] = ...,
         cutaway: str | int | Sequence[int] | Sequence[str] = ...,
         ambient_occlusion: bool = ...,
         legend: bool = ...,
@@ -178,7 +180,7 @@ class Run:
         samples: int = ...,
         supersample: int = ...,
         style: Literal['clean', 'paper', 'dark', 'studio'] = ...,
-        color_by: Literal['state', 'group', 'set', 'speed', 'height', 'contacts'] = ...,
+        color_by: Literal['state', 'group', 'set', 'speed', 'height', 'contacts', 'unbalance'] = ...,
         cutaway: str | int | Sequence[int] | Sequence[str] = ...,
         ambient_occlusion: bool = ...,
         legend: bool = ...,
@@ -216,7 +218,7 @@ class Run:
         samples: int = ...,
         supersample: int = ...,
         style: Literal['clean', 'paper', 'dark', 'studio'] = ...,
-        color_by: Literal['state', 'group', 'set', 'speed', 'height', 'contacts'] = ...,
+        color_by: Literal['state', 'group', 'set', 'speed', 'height', 'contacts', 'unbalance'] = ...,
         cutaway: str | int | Sequence[int] | Sequence[str] = ...,
         ambient_occlusion: bool = ...,
         legend: bool = ...,
@@ -302,6 +304,8 @@ class Simulation:
         rest_speed: float = ...,
         rest_window: float = ...,
         set_time_limit: float = ...,
+        judge_friction: float | Literal['none'] | None = ...,
+        judge_unbalance: float = ...,
         threads: int = ...,
         discard: Literal['none', 'paper', 'exact'] = ...,
         discard_epsilon: float = ...,
@@ -321,7 +325,7 @@ class Simulation:
         samples: int = ...,
         supersample: int = ...,
         style: Literal['clean', 'paper', 'dark', 'studio'] = ...,
-        color_by: Literal['state', 'group', 'set', 'speed', 'height', 'contacts'] = ...,
+        color_by: Literal['state', 'group', 'set', 'speed', 'height', 'contacts', 'unbalance'] = ...,
         cutaway: str | int | Sequence[int] | Sequence[str] = ...,
         ambient_occlusion: bool = ...,
         legend: bool = ...,
@@ -370,7 +374,7 @@ class Simulation:
         samples: int = ...,
         supersample: int = ...,
         style: Literal['clean', 'paper', 'dark', 'studio'] = ...,
-        color_by: Literal['state', 'group', 'set', 'speed', 'height', 'contacts'] = ...,
+        color_by: Literal['state', 'group', 'set', 'speed', 'height', 'contacts', 'unbalance'] = ...,
         cutaway: str | int | Sequence[int] | Sequence[str] = ...,
         ambient_occlusion: bool = ...,
         legend: bool = ...,
@@ -528,6 +532,8 @@ def check(
         lid: bool = ...,
         wrap: float | Literal['auto', 'none'] | None = ...,
         unite: bool = ...,
+        judge_friction: float | Literal['none'] | None = ...,
+        judge_unbalance: float = ...,
     ) -> QualityReport:
     """Judges spheres in a mesh, from any source.
 
@@ -576,6 +582,30 @@ class QualityReport:
     @property
     def volume_estimate_error(self) -> float:
         """[unit^3] its uncertainty"""
+    @property
+    def equilibrium(self) -> EquilibriumReport | None:
+        """whether all that is at rest stays so together; None unless judge_friction is given"""
+
+class EquilibriumReport:
+    """Whether forces in all contacts at once balance all spheres at rest, under a friction."""
+    @property
+    def friction(self) -> float:
+        """under which it was judged"""
+    @property
+    def spheres(self) -> int:
+        """at rest"""
+    @property
+    def unbalanced(self) -> int:
+        """spheres that miss more than judge_unbalance of their weight"""
+    @property
+    def largest(self) -> float:
+        """[own weight] what is missing on a sphere at most"""
+    @property
+    def settled(self) -> bool:
+        """False: forces were still changing when they were taken"""
+    @property
+    def least_friction(self) -> float:
+        """with which all but one in a hundred are balanced; inf: none up to 8"""
 
 def inspect(
         mesh: str | PathLike[str] | None = ...,
@@ -682,6 +712,8 @@ def volume(
         rest_speed: float = ...,
         rest_window: float = ...,
         set_time_limit: float = ...,
+        judge_friction: float | Literal['none'] | None = ...,
+        judge_unbalance: float = ...,
         threads: int = ...,
         discard: Literal['none', 'paper', 'exact'] = ...,
         discard_epsilon: float = ...,
@@ -701,7 +733,7 @@ def volume(
         samples: int = ...,
         supersample: int = ...,
         style: Literal['clean', 'paper', 'dark', 'studio'] = ...,
-        color_by: Literal['state', 'group', 'set', 'speed', 'height', 'contacts'] = ...,
+        color_by: Literal['state', 'group', 'set', 'speed', 'height', 'contacts', 'unbalance'] = ...,
         cutaway: str | int | Sequence[int] | Sequence[str] = ...,
         ambient_occlusion: bool = ...,
         legend: bool = ...,

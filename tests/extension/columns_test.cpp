@@ -174,8 +174,8 @@ TEST(Columns, RefuseNamesAndTypesThatCannotBe)
 
 TEST(Columns, AreChoicesOfColours)
 {
-    const std::vector<std::string> expected = {"state",  "group",    "set",          "speed",
-                                               "height", "contacts", "axis_distance"};
+    const std::vector<std::string> expected = {"state",  "group",    "set",       "speed",
+                                               "height", "contacts", "unbalance", "axis_distance"};
     EXPECT_EQ(colourColumns(), expected);
     expectError(
         ErrorCode::badData,
