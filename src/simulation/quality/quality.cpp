@@ -98,7 +98,7 @@ private:
         normals_.clear();
         meetSpheres(id, p, resting);
         meetWalls(p, world_.spheres.radius(id));
-        if (resting && !contactsCanCarry(world_.pull.direction(p), normals_, kUnbalanced))
+        if (resting && !contactsCanCarry(world_.pull.direction(p), normals_, kUnsupported))
         {
             ++report_.unsupported;
         }

@@ -18,12 +18,14 @@ inline constexpr double kOnWall = 1e-12;
 /// that meet in a very flat edge is missed. Larger: a wall of many triangles counts many times.
 inline constexpr double kSameWall = 1 - 1e-12;
 
-// Whether all that is at rest stays so together.
+/// Share of its weight that the contacts of a supported sphere may leave, all others being held.
+/// Larger: what begins to fall counts as supported. Smaller: what hovers by the solvers' tolerances
+/// does not.
+inline constexpr double kUnsupported = 0.1;
 
-/// Share of its own weight by which the forces on a sphere may miss it. A sphere for which more is
-/// missing is unbalanced. Larger: what begins to fall counts as standing. Smaller: the least
-/// friction of a pile of thousands is that of its loosest spheres, and takes longer to find.
-inline constexpr double kUnbalanced = 0.1;
+// Whether all that is at rest stays so together. How much of its weight may be missing on a balanced
+// sphere is the scene's: see JudgeSettings.
+
 /// Share of the spheres that may be unbalanced in a packing that stands. Larger: a part of it may
 /// fall. Smaller: one sphere that hangs on a friction of its own decides for thousands.
 inline constexpr double kLoose = 0.01;
@@ -32,8 +34,8 @@ inline constexpr double kLoose = 0.01;
 inline constexpr double kMostFriction = 8;
 /// To which share of itself the least friction is found. Smaller: time.
 inline constexpr double kFrictionStep = 0.01;
-/// Forces are found when no step changes an acceleration by more of kUnbalanced. Larger: forces
-/// that have not yet spread to the foot of a pile. Smaller: time.
+/// Forces are found when no step changes an acceleration by more of what may be missing. Larger:
+/// forces that have not yet spread to the foot of a pile. Smaller: time.
 inline constexpr double kSettledForces = 0.01;
 /// Steps after which forces that go on changing are taken as they are: near the least friction
 /// there is always a step to go. Smaller: high piles are said to fall. Larger: time.
