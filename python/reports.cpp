@@ -79,7 +79,8 @@ void addEquilibrium(py::module_& module)
     using R = EquilibriumReport;
     add("friction", &R::friction, "under which it was judged");
     add("spheres", &R::spheres, "at rest");
-    add("unbalanced", &R::unbalanced, "spheres that miss more than judge_unbalance of their weight");
+    add("unbalanced", &R::unbalanced,
+        "spheres that miss more than judge_unbalance of their weight");
     add("largest", &R::largest, "[own weight] what is missing on a sphere at most");
     add("settled", &R::settled, "False: forces were still changing when they were taken");
     add("least_friction", &R::leastFriction,

@@ -63,8 +63,8 @@ struct Column
     double high = 1;  ///< likewise
     bool file = true; ///< in spheres.csv
     bool exported = true;
-    bool python = true; ///< an array of a state in Python
-    bool colour = true; ///< a choice of --color-by
+    bool python = true;     ///< an array of a state in Python
+    bool colour = true;     ///< a choice of --color-by
     bool onRequest = false; ///< it takes long: carried only where it gives spheres their colours
 
     /// Its value, of a column that each state has in a field of its own: of all built-in ones but

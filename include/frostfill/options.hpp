@@ -78,7 +78,7 @@ enum class OptionUse : std::uint8_t
     pictures, ///< of a run that is over: of frames, picture and camera all but what decides which
               ///< states there are
     loading,  ///< how an open or broken mesh is made whole
-    judging,  ///< what a mesh is in which spheres lie: loading, the axis up; and how they are judged
+    judging, ///< what a mesh is in which spheres lie: loading, the axis up; and how they are judged
 };
 
 /// The options of a use, in the order of the table.

@@ -182,7 +182,8 @@ Command addCheckCommand(CLI::App& program)
 {
     const auto arguments = std::make_shared<CheckArguments>();
     CLI::App* command = program.add_subcommand(
-        "check", "Judge a packing from any program: overlaps, walls, centres outside, support, balance");
+        "check",
+        "Judge a packing from any program: overlaps, walls, centres outside, support, balance");
     command->footer(kCheckExamples);
     command->add_option("FILE", arguments->file, "The packing")->required();
     command

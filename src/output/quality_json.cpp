@@ -19,12 +19,10 @@ nlohmann::ordered_json qualityJson(const QualityReport& quality)
          quality.meshVolume > 0 ? quality.sphereVolume / quality.meshVolume : 0}};
     if (const auto& joint = quality.equilibrium)
     {
-        json["equilibrium"] = {{"friction", joint->friction},
-                               {"at_rest", joint->spheres},
-                               {"unbalanced", joint->unbalanced},
-                               {"largest_unbalance", joint->largest},
-                               {"settled", joint->settled},
-                               {"least_friction", joint->leastFriction}};
+        json["equilibrium"] = {
+            {"friction", joint->friction},     {"at_rest", joint->spheres},
+            {"unbalanced", joint->unbalanced}, {"largest_unbalance", joint->largest},
+            {"settled", joint->settled},       {"least_friction", joint->leastFriction}};
     }
     return json;
 }

@@ -99,8 +99,8 @@ TEST_F(CheckCommand, SaysFromWhichFrictionAPileStands)
     EXPECT_TRUE(falls["settled"]);
     EXPECT_NEAR(falls["least_friction"].get<double>(), least, 0.01 * least);
     EXPECT_EQ(judge("0.28")["unbalanced"], 0);
-    EXPECT_FALSE(
-        nlohmann::json::parse(run("check pile.csv --mesh cube --json").output).contains("equilibrium"));
+    EXPECT_FALSE(nlohmann::json::parse(run("check pile.csv --mesh cube --json").output)
+                     .contains("equilibrium"));
     const Answer table = run(command + " --judge-friction 0.25");
     EXPECT_NE(table.output.find("unbalanced, friction 0.25"), std::string::npos) << table.output;
     EXPECT_NE(table.output.find("stands from a friction of    0.2"), std::string::npos)
@@ -137,7 +137,8 @@ TEST_F(CheckCommand, RefusesInASentenceWhatItCannotMeasure)
         {"check two.csv --mesh cube --judge-friction much", 64, "none"},
         {"check two.csv --mesh cube --judge-unbalance 0", 64, "--judge-unbalance"},
         {"check two.csv --mesh cube --max-unbalanced 3", 64, "--judge-friction"},
-        {"check two.csv --mesh cube --judge-friction 1 --max-unbalanced -3", 64, "--max-unbalanced"},
+        {"check two.csv --mesh cube --judge-friction 1 --max-unbalanced -3", 64,
+         "--max-unbalanced"},
     };
     for (const Case& each : cases)
     {

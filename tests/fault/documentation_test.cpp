@@ -191,11 +191,11 @@ TEST(Documentation, ThePilesInItsTableStandAsItSays)
     {
         const test::TemporaryFolder folder;
         const std::string options = (*found)[1];
-        ASSERT_EQ(test::runProgram("fill cube --count 2000 --frames none --quiet --out pile " +
-                                       options,
-                                   folder.path())
-                      .code,
-                  0)
+        ASSERT_EQ(
+            test::runProgram("fill cube --count 2000 --frames none --quiet --out pile " + options,
+                             folder.path())
+                .code,
+            0)
             << options;
         const auto loose = standingOf(folder.path(), "0");
         const auto rough = standingOf(folder.path(), "0.3");

@@ -10,8 +10,8 @@
 namespace frostfill
 {
 
-/// What is missing on a sphere at rest, see unbalanceAtRest: found for all of them at once, whenever
-/// one is asked for after something has come to rest or woken.
+/// What is missing on a sphere at rest, see unbalanceAtRest: found for all of them at once,
+/// whenever one is asked for after something has come to rest or woken.
 class UnbalanceColumn final : public WorldColumn
 {
 public:

@@ -15,9 +15,9 @@ namespace
 {
 
 constexpr std::size_t kTakenTogether = 256; // contacts or bodies that one thread takes in one go
-constexpr double kInertia = 0.4;     // of a full sphere, over mass and square of the radius
-constexpr int kPowerSteps = 30;      // of the power method, which needs no accuracy
-constexpr double kSafety = 1.1;      // on what it finds from below
+constexpr double kInertia = 0.4;            // of a full sphere, over mass and square of the radius
+constexpr int kPowerSteps = 30;             // of the power method, which needs no accuracy
+constexpr double kSafety = 1.1;             // on what it finds from below
 
 double massOf(const ContactNetwork::Body& body)
 {
@@ -48,8 +48,7 @@ Eigen::Vector3d projectToCone(const Eigen::Vector3d& force, const Eigen::Vector3
 bool isHopeless(const std::vector<std::size_t>& looks, std::size_t except)
 {
     const auto now = static_cast<double>(looks.back());
-    return looks.size() >= kFewestLooks &&
-           now > kFarTooMany * static_cast<double>(except + 1) &&
+    return looks.size() >= kFewestLooks && now > kFarTooMany * static_cast<double>(except + 1) &&
            now > kHardlyFewer * static_cast<double>(looks[looks.size() / 2]);
 }
 
@@ -57,8 +56,9 @@ bool isHopeless(const std::vector<std::size_t>& looks, std::size_t except)
 template <class Body>
 void forEachPart(Threads& threads, std::size_t count, Body&& body)
 {
-    threads.forEachLarge((count + kTakenTogether - 1) / kTakenTogether, [&](std::size_t part)
-                         { body(part * kTakenTogether, std::min(count, (part + 1) * kTakenTogether), part); });
+    threads.forEachLarge(
+        (count + kTakenTogether - 1) / kTakenTogether, [&](std::size_t part)
+        { body(part * kTakenTogether, std::min(count, (part + 1) * kTakenTogether), part); });
 }
 
 } // namespace
@@ -128,8 +128,7 @@ Eigen::Vector3d JointBalance::approach(std::size_t contact) const
     {
         return acceleration_[upon] - spin_[upon].cross(normal);
     }
-    return acceleration_[upon] - acceleration_[from] -
-           (spin_[upon] + spin_[from]).cross(normal);
+    return acceleration_[upon] - acceleration_[from] - (spin_[upon] + spin_[from]).cross(normal);
 }
 
 // By how much a force in it accelerates its own surfaces. Without friction none turns.
@@ -196,8 +195,7 @@ JointBalance::Progress JointBalance::step()
                                                  network_.contacts[k].normal, friction_);
                         const Eigen::Vector3d slope = (ahead_[k] - next_[k]) / along;
                         parts[part].uphill += slope.dot(next_[k] - force_[k]);
-                        parts[part].steepest =
-                            std::max(parts[part].steepest, slope.squaredNorm());
+                        parts[part].steepest = std::max(parts[part].steepest, slope.squaredNorm());
                     }
                 });
     Progress all;

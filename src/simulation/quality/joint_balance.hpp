@@ -36,9 +36,10 @@ struct Balance
 /// accelerations times masses. Without friction these are the accelerations with which the spheres
 /// then begin to move: the principle of least constraint [Gauss 1829].
 ///
-/// Convex, in three unknowns a contact; solved by projected gradients with momentum [Nesterov 1983],
-/// which is dropped where it leads uphill [O'Donoghue & Candes 2015], as for granular matter in
-/// [Mazhar et al. 2015]. A step costs some 40 ns a contact; steps grow with the height of the pile.
+/// Convex, in three unknowns a contact; solved by projected gradients with momentum [Nesterov
+/// 1983], which is dropped where it leads uphill [O'Donoghue & Candes 2015], as for granular matter
+/// in [Mazhar et al. 2015]. A step costs some 40 ns a contact; steps grow with the height of the
+/// pile.
 class JointBalance
 {
 public:
@@ -54,7 +55,10 @@ public:
 
     /// The force in a contact since the last call, on the body that it pushes. Units of the run, a
     /// mass being the cube of a radius.
-    [[nodiscard]] const Eigen::Vector3d& force(std::size_t contact) const { return force_[contact]; }
+    [[nodiscard]] const Eigen::Vector3d& force(std::size_t contact) const
+    {
+        return force_[contact];
+    }
 
 private:
     using Vectors = std::vector<Eigen::Vector3d>;

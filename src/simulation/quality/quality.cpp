@@ -133,14 +133,13 @@ private:
 
     void meetWalls(const Eigen::Vector3d& p, double radius)
     {
-        forEachTriangleBeside(
-            world_, p, radius, nearby_,
-            [&](std::uint32_t, const Eigen::Vector3d& away, double distance)
-            {
-                report_.maxWallOverlap =
-                    std::max(report_.maxWallOverlap, (radius - distance) / radius);
-                addNormal(normals_, away, distance);
-            });
+        forEachTriangleBeside(world_, p, radius, nearby_,
+                              [&](std::uint32_t, const Eigen::Vector3d& away, double distance)
+                              {
+                                  report_.maxWallOverlap = std::max(report_.maxWallOverlap,
+                                                                    (radius - distance) / radius);
+                                  addNormal(normals_, away, distance);
+                              });
     }
 
     void estimateVolume()

@@ -23,8 +23,8 @@ inline constexpr double kSameWall = 1 - 1e-12;
 /// does not.
 inline constexpr double kUnsupported = 0.1;
 
-// Whether all that is at rest stays so together. How much of its weight may be missing on a balanced
-// sphere is the scene's: see JudgeSettings.
+// Whether all that is at rest stays so together. How much of its weight may be missing on a
+// balanced sphere is the scene's: see JudgeSettings.
 
 /// Share of the spheres that may be unbalanced in a packing that stands. Larger: a part of it may
 /// fall. Smaller: one sphere that hangs on a friction of its own decides for thousands.

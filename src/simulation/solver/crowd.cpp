@@ -96,13 +96,19 @@ void Crowd::cutIntoStrips(const Eigen::Vector3d& down)
     const std::size_t size = order_.size();
     const std::size_t most = size / kFewestInStrip;
     const std::size_t count = most <= 1 ? 1 : std::min(most, threads_.gather(size >= kWorthWaking));
+    stripsTouch_ = false;
     if (count == 1)
     {
         strips_.assign(1, {0, static_cast<std::uint32_t>(size)});
         return;
     }
+    stripsTouch_ = size > kMostInClusters || !findClusters(size / count);
     const int axis = axisOfStrips(down);
-    const auto at = [&](std::size_t rank) { return running_.position[order_[rank].row][axis]; };
+    const auto at = [&](std::size_t rank)
+    {
+        const std::size_t lead = stripsTouch_ ? rank : lead_[rank];
+        return running_.position[order_[lead].row][axis];
+    };
     const std::size_t samples = std::min(size, kSamplesOfStrip * count);
     sample_.resize(samples);
     for (std::size_t k = 0; k < samples; ++k)
@@ -128,6 +134,58 @@ void Crowd::cutIntoStrips(const Eigen::Vector3d& down)
         strip.begin = begin;
         strip.end = begin += strip.end;
     }
+}
+
+// Of members that touch one another, and others that do, all have the same lead. Returns false if
+// more than `largest` hang together.
+bool Crowd::findClusters(std::size_t largest)
+{
+    const auto size = static_cast<std::uint32_t>(order_.size());
+    std::vector<std::uint32_t>& rankOf = slot_;
+    rankOf.assign(running_.size(), kNone);
+    lead_.resize(size);
+    inCluster_.assign(size, 1);
+    for (std::uint32_t rank = 0; rank < size; ++rank)
+    {
+        rankOf[order_[rank].row] = rank;
+        lead_[rank] = rank;
+    }
+    for (std::uint32_t rank = 0; rank < size; ++rank)
+    {
+        for (const std::uint32_t row : pairs_.nearby(order_[rank].row))
+        {
+            if (rankOf[row] >= rank)
+            {
+                continue; // each pair once; or no member
+            }
+            const std::uint32_t a = leadOf(rank);
+            const std::uint32_t b = leadOf(rankOf[row]);
+            if (a != b)
+            {
+                lead_[std::max(a, b)] = std::min(a, b);
+                inCluster_[std::min(a, b)] += inCluster_[std::max(a, b)];
+                if (inCluster_[std::min(a, b)] > largest)
+                {
+                    return false;
+                }
+            }
+        }
+    }
+    for (std::uint32_t rank = 0; rank < size; ++rank)
+    {
+        lead_[rank] = lead_[lead_[rank]]; // of those below, all know the lowest already
+    }
+    return true;
+}
+
+// On the way others learn of a lower one.
+std::uint32_t Crowd::leadOf(std::uint32_t rank)
+{
+    while (lead_[rank] != rank)
+    {
+        rank = lead_[rank] = lead_[lead_[rank]];
+    }
+    return rank;
 }
 
 void Crowd::enlist(std::size_t k)

@@ -16,7 +16,9 @@ namespace frostfill
 /// may touch. What a solver reads of a member lies beside what it reads of the next.
 ///
 /// With several threads the crowd is cut into strips of equal numbers, side by side. Each strip is
-/// taken by one thread in the same order, at the same time as the others; see Turns.
+/// taken by one thread in the same order, at the same time as the others; see Turns. A small crowd
+/// mostly falls into clusters that do not touch one another. Then no cluster is cut, and no strip
+/// waits for another.
 class Crowd
 {
 public:
@@ -49,6 +51,8 @@ public:
 
     [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(rows_.size()); }
     [[nodiscard]] std::span<const Strip> strips() const { return strips_; }
+    /// Whether members of one strip may touch those of another.
+    [[nodiscard]] bool stripsTouch() const { return stripsTouch_; }
 
     // By slot.
     [[nodiscard]] const Ball& operator[](std::uint32_t slot) const { return balls_[slot]; }
@@ -95,6 +99,8 @@ private:
     void enter(std::uint32_t row, const Eigen::Vector3d& down);
     void arrange(const Eigen::Vector3d& down);
     void cutIntoStrips(const Eigen::Vector3d& down);
+    [[nodiscard]] bool findClusters(std::size_t largest);
+    [[nodiscard]] std::uint32_t leadOf(std::uint32_t rank);
     void giveSlots();
 
     RunningSpheres& running_;
@@ -107,6 +113,9 @@ private:
         std::uint32_t strip;
     };
     std::vector<Height> order_;       ///< the lowest first
+    std::vector<std::uint32_t> lead_; ///< by rank: another one of its cluster, at last the lowest
+    std::vector<std::uint32_t> inCluster_; ///< by rank of its lowest: how many they are
+    bool stripsTouch_ = false;
     std::vector<double> borders_;     ///< between strips
     std::vector<double> sample_;      ///< of places along the axis of strips
     std::vector<std::uint32_t> next_; ///< by strip: the slot to be given next

@@ -64,19 +64,15 @@ void PositionSolver::separate()
     for (int k = 0; k < kMaxSeparations; ++k)
     {
         gatherAll();
-        double deepest = 0;
         crowd_.forEachStrip(
             [&](std::size_t strip)
             {
                 crowd_.enlist(strip);
                 turns_.meet();
-                const double all = sweep(strip, {1, 0, 0, [k](int) { return k % 2 == 1; }});
-                if (strip == 0)
-                {
-                    deepest = all;
-                }
+                sweep(strip, {1, 0, 0, [k](int) { return k % 2 == 1; }});
             });
-        if (deepest < kApart)
+        const auto end = deepest_.begin() + static_cast<std::ptrdiff_t>(crowd_.strips().size());
+        if (std::all_of(deepest_.begin(), end, [](double depth) { return depth < kApart; }))
         {
             return;
         }
@@ -111,27 +107,19 @@ void PositionSolver::start()
     deepest_.resize(std::max(deepest_.size(), crowd_.strips().size()));
 }
 
-double PositionSolver::sweep(std::size_t strip, const Sweeps& sweeps)
+// A strip in which spheres are still deep goes on without having heard of the others.
+void PositionSolver::sweep(std::size_t strip, const Sweeps& sweeps)
 {
-    double deepest = 0;
     for (int k = 0; k < sweeps.most; ++k)
     {
-        const std::size_t now = static_cast<std::size_t>(k) % 2;
-        const std::uint32_t number = kSweepOfVelocities + 1 + static_cast<std::uint32_t>(k);
-        deepest_[strip][now] =
-            sweepOnce(strip, number, sweeps.isMutual(k) ? 1 : 0, sweeps.liftDepth);
-        turns_.meet();
-        deepest = 0;
-        for (std::size_t other = 0; other < crowd_.strips().size(); ++other)
-        {
-            deepest = std::max(deepest, deepest_[other][now]);
-        }
-        if (deepest < sweeps.tolerance)
+        const std::uint32_t number = kFirstOfPositions + static_cast<std::uint32_t>(k);
+        deepest_[strip] = sweepOnce(strip, number, sweeps.isMutual(k) ? 1 : 0, sweeps.liftDepth);
+        const bool isDeep = deepest_[strip] >= sweeps.tolerance;
+        if (k + 1 < sweeps.most && turns_.isLast(strip, number, isDeep))
         {
             break;
         }
     }
-    return deepest;
 }
 
 // From below: a runner gives way by its share to those above it, whose turn is yet to come, and
@@ -149,6 +137,10 @@ double PositionSolver::sweepOnce(std::size_t strip, std::uint32_t number, double
             flight_.prefetch(crowd_.row(slot + kAhead));
         }
         turns_.awaitLower(slot, number);
+        if (number > kFirstOfPositions)
+        {
+            turns_.awaitUpper(slot, number - 1);
+        }
         if (flag(clear_[slot]).load(std::memory_order_relaxed) == 0)
         {
             const auto push = pushOff(slot, yieldShare, liftDepth, deepest);

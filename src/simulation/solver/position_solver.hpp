@@ -7,7 +7,6 @@
 #include "simulation/solver/turns.hpp"
 #include "simulation/solver/velocity_solver.hpp"
 
-#include <array>
 #include <functional>
 #include <optional>
 #include <span>
@@ -52,8 +51,7 @@ private:
     };
     void gatherAll();
     void start();
-    /// Returns the deepest penetration that the last sweep found in any strip.
-    double sweep(std::size_t strip, const Sweeps& sweeps);
+    void sweep(std::size_t strip, const Sweeps& sweeps);
     double sweepOnce(std::size_t strip, std::uint32_t number, double yieldShare, double liftDepth);
     /// `deepest` starts at that of the members before. Returns no push for who touches no other.
     [[nodiscard]] std::optional<Eigen::Vector3d> pushOff(std::uint32_t slot, double yieldShare,
@@ -78,7 +76,7 @@ private:
     /// Whether it touched none of those near it, none of which has been pushed since: it need not
     /// be looked at.
     std::vector<char> clear_;
-    std::vector<std::array<double, 2>> deepest_; ///< by strip, of this sweep or the one before
+    std::vector<double> deepest_; ///< by strip: penetration that its last sweep has found
 };
 
 } // namespace frostfill

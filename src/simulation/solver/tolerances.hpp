@@ -30,6 +30,9 @@ inline constexpr double kBeyondRounding = 1 + 1e-9;
 /// Members of a strip at least. Larger: small crowds are left to fewer threads. Smaller: threads
 /// wait for each other.
 inline constexpr std::size_t kFewestInStrip = 32;
+/// Members up to which a crowd is searched for clusters that do not touch. Larger: time, in vain
+/// where a pile hangs together. Smaller: strips wait for one another.
+inline constexpr std::size_t kMostInClusters = 2000;
 /// Members of a crowd for which threads that sleep are waited for: a step of theirs takes
 /// milliseconds, waking up some 50 us. Larger: one thread is left alone with more. Smaller: it
 /// waits.

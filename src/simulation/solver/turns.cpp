@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/solver/turns.hpp"
 
+#include <algorithm>
+
 namespace frostfill
 {
 
 void Turns::start()
 {
     met_ = 0;
-    if (!hasSeveralStrips())
+    ends_.assign(crowd_.strips().size(), 0);
+    if (!crowd_.stripsTouch())
     {
         return;
     }
@@ -20,7 +23,7 @@ void Turns::start()
 void Turns::meet()
 {
     const std::size_t strips = crowd_.strips().size();
-    if (strips == 1)
+    if (!crowd_.stripsTouch())
     {
         return;
     }
@@ -31,7 +34,7 @@ void Turns::meet()
 
 void Turns::findTurns(std::size_t strip)
 {
-    if (hasSeveralStrips())
+    if (crowd_.stripsTouch())
     {
         crowd_.forEachMember(strip, [this](std::uint32_t slot) { findTurnsOf(slot); });
     }
@@ -76,16 +79,42 @@ Turns::Turn Turns::turnOf(std::uint32_t slot, std::uint32_t changed) const
     return turn;
 }
 
-void Turns::awaitForeignLower(std::uint32_t slot, std::uint32_t sweep)
+void Turns::awaitForeign(std::uint32_t slot, bool lower, std::uint32_t sweep)
 {
     for (const Crowd::Near& near : crowd_.near(slot))
     {
-        if (near.isLower != 0 && near.isForeign != 0)
+        if (near.isForeign != 0 && (near.isLower != 0) == lower)
         {
             crowd_.threads().waitUntil(
                 [&] { return at(done_[near.slot]).load(std::memory_order_acquire) >= sweep; });
         }
     }
+}
+
+// Another one that is in a later sweep has heard that this one was not the last.
+bool Turns::isLast(std::size_t strip, std::uint32_t sweep, bool goesOn)
+{
+    if (crowd_.strips().size() == 1)
+    {
+        return !goesOn;
+    }
+    at(ends_[strip]).store(2 * sweep + (goesOn ? 1 : 0), std::memory_order_release);
+    if (goesOn)
+    {
+        return false;
+    }
+    return std::all_of(ends_.begin(), ends_.end(),
+                       [&](std::uint32_t& other)
+                       {
+                           std::uint32_t end = 0;
+                           crowd_.threads().waitUntil(
+                               [&]
+                               {
+                                   end = at(other).load(std::memory_order_acquire);
+                                   return end >= 2 * sweep;
+                               });
+                           return end == 2 * sweep;
+                       });
 }
 
 void Turns::awaitOwnTurns(std::uint32_t slot, std::uint32_t rounds)

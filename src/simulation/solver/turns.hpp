@@ -10,8 +10,9 @@
 namespace frostfill
 {
 
-/// The sweep in which velocities are taken from those below; later ones are of positions.
+/// The sweep in which velocities are taken from those below, and the first of those of positions.
 inline constexpr std::uint32_t kSweepOfVelocities = 1;
+inline constexpr std::uint32_t kFirstOfPositions = 2;
 
 /// Lets the strips of a crowd be taken at the same time with the bits of one member after another.
 /// Members of one strip follow each other anyhow; a member that may touch one of another strip
@@ -26,7 +27,7 @@ public:
 
     /// To be called for each crowd that is gathered, before its strips are taken.
     void start();
-    /// Returns once all strips have come here.
+    /// Returns once all strips have come here, if some of them touch.
     void meet();
 
     // Sweeps, numbered from 1, in which a member's turn reads those nearby and changes only itself.
@@ -36,7 +37,15 @@ public:
     {
         if (crowd_.isShared(slot))
         {
-            awaitForeignLower(slot, sweep);
+            awaitForeign(slot, true, sweep);
+        }
+    }
+    /// The same for those above: they are to be read as this sweep has left them.
+    void awaitUpper(std::uint32_t slot, std::uint32_t sweep)
+    {
+        if (crowd_.isShared(slot))
+        {
+            awaitForeign(slot, false, sweep);
         }
     }
     void endTurn(std::uint32_t slot, std::uint32_t sweep)
@@ -46,6 +55,9 @@ public:
             at(done_[slot]).store(sweep, std::memory_order_release);
         }
     }
+    /// To be called at the end of each sweep but the last that there can be: whether no strip goes
+    /// on. One that goes on waits for nobody.
+    [[nodiscard]] bool isLast(std::size_t strip, std::uint32_t sweep, bool goesOn);
 
     // Rounds, numbered from 0, in which a member's turn changes itself and those nearby below it.
 
@@ -54,18 +66,18 @@ public:
     /// Whether a turn of this member may be waited for.
     [[nodiscard]] bool isAwaited(std::uint32_t slot) const
     {
-        return hasSeveralStrips() && (crowd_.isShared(slot) || turnCount_[slot] > 0);
+        return crowd_.stripsTouch() && (crowd_.isShared(slot) || turnCount_[slot] > 0);
     }
     void awaitRound(std::uint32_t slot, std::uint32_t round)
     {
-        if (hasSeveralStrips())
+        if (crowd_.stripsTouch())
         {
             awaitTurns(slot, round);
         }
     }
     void endRound(std::uint32_t slot)
     {
-        if (hasSeveralStrips())
+        if (crowd_.stripsTouch())
         {
             endTurns(slot);
         }
@@ -91,9 +103,8 @@ private:
     {
         return std::atomic_ref<std::uint32_t>(count);
     }
-    [[nodiscard]] bool hasSeveralStrips() const { return crowd_.strips().size() > 1; }
     void findTurnsOf(std::uint32_t slot);
-    void awaitForeignLower(std::uint32_t slot, std::uint32_t sweep);
+    void awaitForeign(std::uint32_t slot, bool lower, std::uint32_t sweep);
     void awaitOwnTurns(std::uint32_t slot, std::uint32_t rounds);
     void awaitTurns(std::uint32_t slot, std::uint32_t round);
     void endTurns(std::uint32_t slot);
@@ -105,6 +116,8 @@ private:
 
     const Crowd& crowd_;
     std::atomic<std::size_t> met_ = 0; ///< comings of strips
+    /// By strip: twice the last sweep that it has ended, and one more if it goes on.
+    std::vector<std::uint32_t> ends_;
     // By slot.
     std::vector<std::uint32_t> done_;    ///< the last sweep in which it has had its turn
     std::vector<std::uint32_t> changes_; ///< turns that have changed it in rounds

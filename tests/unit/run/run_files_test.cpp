@@ -81,8 +81,9 @@ TEST_F(RunFiles, SummariseHowAllSpheresStandTogetherIfThatWasJudged)
     EXPECT_FALSE(summary()["error"].contains("equilibrium"));
     result.quality.equilibrium =
         EquilibriumReport{0.25, 40, 3, 0.5, true, std::numeric_limits<double>::infinity()};
-    const Json expected = {{"friction", 0.25},  {"at_rest", 40},   {"unbalanced", 3},
-                           {"largest_unbalance", 0.5}, {"settled", true}, {"least_friction", nullptr}};
+    const Json expected = {{"friction", 0.25}, {"at_rest", 40},
+                           {"unbalanced", 3},  {"largest_unbalance", 0.5},
+                           {"settled", true},  {"least_friction", nullptr}};
     const Json found = Json::parse(summary()["error"]["equilibrium"].dump());
     EXPECT_EQ(found, expected) << found.dump(1);
 }

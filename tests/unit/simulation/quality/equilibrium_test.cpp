@@ -58,8 +58,9 @@ TEST(Equilibrium, SaysWhetherAPyramidStandsUnderTheFrictionGiven)
 
 TEST(Equilibrium, AllowsATenthOfTheWeightUnlessAnotherShareIsGiven)
 {
-    const double fine =
-        pyramidInRoom().in(room(), Axis::y, {.friction = 0, .unbalance = 1e-3}).equilibrium->leastFriction;
+    const double fine = pyramidInRoom()
+                            .in(room(), Axis::y, {.friction = 0, .unbalance = 1e-3})
+                            .equilibrium->leastFriction;
     const double coarse =
         pyramidInRoom().in(room(), Axis::y, {.friction = 0}).equilibrium->leastFriction;
     EXPECT_LT(coarse, 0.9 * fine);
@@ -101,8 +102,8 @@ TEST(Equilibrium, LetsOneInAHundredFall)
 TEST(ContactNetwork, HasEachPairOnceAndEachWallForEachSphere)
 {
     const auto world = smallWorld(room());
-    addResting(*world, {-9, -9, 0});     // in an edge of the room
-    addResting(*world, {-7, -9, 0});     // touches it
+    addResting(*world, {-9, -9, 0});    // in an edge of the room
+    addResting(*world, {-7, -9, 0});    // touches it
     addResting(*world, {-7, -6.98, 0}); // a gap of two hundredths of r: none
     world->spheres.add({-5, -9, 0}, 1, 0);
     Threads threads(1);
