@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What is told beside the picture: name, verdict, counts, errors, machine, the command.
 
-const kOutcomes = { full: "Full: no place is left.", "count reached": "All spheres are in.",
+const kOutcomes = { full: "Full: no place is left.",
+  "inlets reached": "The heap has reached the inlets.", "count reached": "All spheres are in.",
   stopped: "The run was stopped.", failed: "The run has failed." };
 
 function fillList(list, rows) {

@@ -102,7 +102,8 @@ struct FillResult
     double smallestRadius = 0; ///< [mesh unit]
     double largestRadius = 0;  ///< [mesh unit]
     bool full = false;
-    bool stopped = false; ///< by stopRequested
+    bool inletsReached = false; ///< no sphere comes through the inlets any more
+    bool stopped = false;       ///< by stopRequested
     /// A run until full was stopped because its spheres take more than the object's volume.
     bool overfull = false;
     /// [mesh unit] With which the spheres asked for are expected to fit, the largest of several; if
@@ -136,8 +137,8 @@ struct FillResult
 /// inputMissing if none was kept there, or badData.
 [[nodiscard]] FillRequest resumeRequest(const std::filesystem::path& directory);
 
-/// How the run in a directory has ended, as in summary.json: "full", "count reached", "stopped" or
-/// "failed"; empty if it has not.
+/// How the run in a directory has ended, as in summary.json: "full", "inlets reached", "count
+/// reached", "stopped" or "failed"; empty if it has not.
 [[nodiscard]] std::string outcomeOfRun(const std::filesystem::path& directory);
 
 /// Reads the scene of a run: from a scene file (TOML), or from the summary.json of a run to repeat.

@@ -100,6 +100,15 @@ struct Radii
 };
 
 /// Number and size of the spheres, and how they appear (PAPER: gamma, k).
+/// A round, level opening through which spheres come into the object.
+struct Inlet
+{
+    Eigen::Vector3d centre = Eigen::Vector3d::Zero(); ///< [mesh unit]
+    double radius = 0;                                ///< [mesh unit] of the opening
+
+    friend bool operator==(const Inlet&, const Inlet&) = default;
+};
+
 struct SphereSettings
 {
     std::optional<Radii> radius;        ///< [mesh unit]; if not given, it follows from the count
@@ -109,6 +118,9 @@ struct SphereSettings
                                  ///< object is large, or to pour in the animation's duration
     std::uint32_t groupsPerSet = 2;              ///< k: groups that appear together
     ReleaseRule release = ReleaseRule::ceilings; ///< where spheres appear
+    /// If there are some, spheres appear in these openings and nowhere else, until the heap below
+    /// reaches them.
+    std::vector<Inlet> inlets = {};
 };
 
 /// How a sphere moves. Lengths in r and times in sqrt(r/g) keep the defaults independent of units.

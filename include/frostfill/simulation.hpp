@@ -157,6 +157,7 @@ public:
     /// with the paper's preset spheres may leave the object, and its judge counts them.
     [[nodiscard]] const std::optional<StraySphere>& stray() const;
     [[nodiscard]] bool full() const;             ///< the run is over because no sphere fits
+    [[nodiscard]] bool inletsReached() const;    ///< the run is over because the inlets are blocked
     [[nodiscard]] double time() const;           ///< [s] simulated
     [[nodiscard]] double timeStep() const;       ///< [s]
     [[nodiscard]] double radius() const;         ///< [mesh unit] the largest of the scene

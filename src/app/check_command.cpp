@@ -2,7 +2,7 @@
 #include "app/commands.hpp"
 #include "app/progress/message.hpp"
 #include "app/scene_options.hpp"
-#include "output/quality_json.hpp"
+#include "run/quality_json.hpp"
 
 #include <frostfill/error.hpp>
 #include <frostfill/packing.hpp>

@@ -63,7 +63,7 @@ std::string radiusAdvice(const std::optional<Radii>& given, const FillResult& re
 /// What would fill an object that the count leaves partly empty.
 std::string fillingText(const Scene& scene, const FillResult& result)
 {
-    if (result.full || result.stopped || scene.spheres.untilFull ||
+    if (result.full || result.inletsReached || result.stopped || scene.spheres.untilFull ||
         result.fitting <= result.spheres)
     {
         return "";
@@ -126,6 +126,11 @@ void printResult(const Scene& scene, const FillResult& result)
     else if (result.full)
     {
         fmt::print("full: after {} spheres, no other one fits\n", result.spheres);
+    }
+    else if (result.inletsReached)
+    {
+        fmt::print("the heap has reached the inlets: after {} spheres, no other one comes in\n",
+                   result.spheres);
     }
     fmt::print("{}", fillingText(scene, result));
     if (result.skippedFrames > 0)

@@ -41,6 +41,10 @@ std::string runHash(const Scene& scene, const TriangleMesh& mesh)
     {
         json.erase("judge"); // else a colour may depend on it
     }
+    if (same.spheres.inlets.empty())
+    {
+        json["spheres"].erase("inlets"); // as before there were any
+    }
     hash.add(json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
     addAll(mesh.vertices, hash);
     addAll(mesh.triangles, hash);

@@ -163,6 +163,7 @@ void judge(const Scene& scene, const Simulation& simulation, FillResult& result)
     result.smallestRadius = simulation.smallestRadius();
     result.largestRadius = simulation.radius();
     result.full = simulation.full();
+    result.inletsReached = simulation.inletsReached();
     const auto& asked = scene.spheres.count;
     if (result.full && asked && result.spheres < *asked)
     {

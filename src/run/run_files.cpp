@@ -3,10 +3,10 @@
 
 #include "base/posix_file.hpp"
 #include "output/atomic_file.hpp"
-#include "output/quality_json.hpp"
 #include "output/run_hash.hpp"
 #include "output/scene_json.hpp"
 #include "run/machine_json.hpp"
+#include "run/quality_json.hpp"
 #include "run/set_table.hpp"
 #include "scene/frame_selection.hpp"
 
@@ -171,7 +171,7 @@ const char* outcome(const FillResult& result)
     {
         return "stopped";
     }
-    return result.full ? "full" : "count reached";
+    return result.full ? "full" : result.inletsReached ? "inlets reached" : "count reached";
 }
 
 } // namespace

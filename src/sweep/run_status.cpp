@@ -55,7 +55,8 @@ bool isOf(const Json& summary, const Scene& scene, const std::string& runHash)
 bool hasReachedItsEnd(const Json& summary)
 {
     const auto outcome = summary.find("outcome");
-    return outcome != summary.end() && (*outcome == "full" || *outcome == "count reached");
+    return outcome != summary.end() &&
+           (*outcome == "full" || *outcome == "inlets reached" || *outcome == "count reached");
 }
 
 std::size_t picturesIn(const std::filesystem::path& folder)

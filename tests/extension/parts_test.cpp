@@ -160,6 +160,22 @@ TEST(PartsFromOutside, ReleaseRuleSaysWhereSpheresAppear)
     }
 }
 
+TEST(PartsFromOutside, ReleaseRuleDoesNotGoWithInlets)
+{
+    const Scene scene = sceneWith("fast", "[object]\nmesh = \"sphere\"\n"
+                                          "[spheres]\ncount = 6\nrelease = \"column\"\n"
+                                          "inlets = \"0,0,0,0.5\"\n");
+    try
+    {
+        (void)started(scene);
+        FAIL();
+    }
+    catch (const Error& error)
+    {
+        EXPECT_NE(std::string(error.what()).find("--inlet"), std::string::npos) << error.what();
+    }
+}
+
 TEST(PartsFromOutside, AreNamedInScenesLikeThoseThatAreBuiltIn)
 {
     const Scene scene = sceneWith("paper", "[motion]\nintegrator = \"midpoint\"\n"

@@ -112,6 +112,36 @@ TEST_F(FillCommand, FillsUntilFullWhenOnlyARadiusIsGiven)
     EXPECT_EQ(nlohmann::json::parse(answer.output)["outcome"], "full");
 }
 
+TEST_F(FillCommand, FillsThroughInletsUntilTheHeapReachesThem)
+{
+    const std::string inlets = " --inlet '0.3,0.2,0,0.25;-0.3,0.2,0,0.25' --frames none ";
+    const Answer answer = run("fill cube --radius 0.2 --quiet --json" + inlets + "--out heap");
+    ASSERT_EQ(answer.code, 0) << answer.errors;
+    const auto summary = nlohmann::json::parse(answer.output);
+    EXPECT_EQ(summary["outcome"], "inlets reached");
+    EXPECT_EQ(summary["scene"]["spheres"]["inlets"], "0.3,0.2,0,0.25;-0.3,0.2,0,0.25");
+    EXPECT_TRUE(summary["error"]["volume_estimate"].is_null());
+    const Answer again = run("fill --scene heap/summary.json --out again");
+    EXPECT_EQ(again.code, 0) << again.errors;
+    EXPECT_NE(again.output.find("the heap has reached the inlets"), std::string::npos)
+        << again.output;
+    EXPECT_EQ(again.output.find("--until-full"), std::string::npos) << again.output;
+    EXPECT_EQ(readFile(folder_ / "heap/spheres.csv"), readFile(folder_ / "again/spheres.csv"));
+    for (const auto& [value, says] :
+         std::vector<std::pair<std::string, std::string>>{{"0,0,0", "X,Y,Z,RADIUS"},
+                                                          {"0,0,0,0", "above 0"},
+                                                          {"0,0,0,0.3;", "semicolons"},
+                                                          {"here", "none"},
+                                                          {"0,5,0,0.3", "not inside"},
+                                                          {"0,0,0,0.1", "narrower"}})
+    {
+        const Answer wrong =
+            run("fill cube --radius 0.2 --frames none --out wrong --inlet '" + value + "'");
+        EXPECT_EQ(wrong.code, 64) << value;
+        EXPECT_NE(wrong.errors.find(says), std::string::npos) << value << ": " << wrong.errors;
+    }
+}
+
 TEST_F(FillCommand, TellsThatItsDirectoryCannotBeCreated)
 {
     writeFile(folder_ / "file", "");

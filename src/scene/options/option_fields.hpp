@@ -76,6 +76,9 @@ inline constexpr double kLargestLength = 1e12;
 /// "none", "plane:X,Y,Z,OFFSET" or "wedge:FROM,TO".
 [[nodiscard]] std::string cutawayText(const Cutaway& cutaway);
 [[nodiscard]] bool readCutaway(std::string_view text, Cutaway& cutaway);
+/// "none", or "X,Y,Z,RADIUS", several separated by semicolons.
+[[nodiscard]] std::string inletsText(const std::vector<Inlet>& inlets);
+[[nodiscard]] bool readInlets(std::string_view text, std::vector<Inlet>& inlets);
 /// "none", or names separated by commas.
 [[nodiscard]] std::string passesText(const Passes& passes);
 [[nodiscard]] bool readPasses(std::string_view text, Passes& passes);
@@ -112,6 +115,10 @@ inline OptionValue toValue(const Radii& field)
 inline OptionValue toValue(const Cutaway& field)
 {
     return cutawayText(field);
+}
+inline OptionValue toValue(const std::vector<Inlet>& field)
+{
+    return inletsText(field);
 }
 inline OptionValue toValue(const Passes& field)
 {
@@ -168,6 +175,10 @@ bool fromValue(Field& field, const OptionValue& value)
     else if constexpr (std::is_same_v<Field, Cutaway>)
     {
         return readCutaway(std::get<std::string>(value), field);
+    }
+    else if constexpr (std::is_same_v<Field, std::vector<Inlet>>)
+    {
+        return readInlets(std::get<std::string>(value), field);
     }
     else if constexpr (std::is_same_v<Field, Passes>)
     {
@@ -260,6 +271,12 @@ Option fieldOption(Option option, Access access)
     {
         option.placeholder = "none|all|depth,normal,identity";
         option.form = "none, all, or a list of depth, normal and identity";
+    }
+    if constexpr (std::is_same_v<Field, std::vector<Inlet>>)
+    {
+        option.placeholder = "none|X,Y,Z,RADIUS[;...]";
+        option.form =
+            "none, or X,Y,Z,RADIUS with a radius above 0, several separated by semicolons";
     }
     option.get = [access](const Scene& scene) { return toValue(access(scene)); };
     option.set = [access](Scene& scene, const OptionValue& value)

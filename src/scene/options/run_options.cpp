@@ -78,6 +78,10 @@ void addSpheres(TableBuilder& table)
              FROSTFILL_FIELD(spheres.groupsPerSet))
         .range(1, kLargestGroup);
     table.add("spheres.release", "", "Where spheres appear", FROSTFILL_FIELD(spheres.release));
+    table.add("spheres.inlets", "--inlet",
+              "Openings through which spheres come in, until the heap below reaches them: centre "
+              "and radius [mesh unit], several separated by semicolons",
+              FROSTFILL_FIELD(spheres.inlets));
     table.add("seed", "--seed", "Seed of the random numbers", FROSTFILL_FIELD(seed))
         .range(0, kLargestWhole);
 }

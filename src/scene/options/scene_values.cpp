@@ -189,6 +189,39 @@ bool readCutaway(std::string_view text, Cutaway& cutaway)
     return true;
 }
 
+std::string inletsText(const std::vector<Inlet>& inlets)
+{
+    std::string text;
+    for (const Inlet& inlet : inlets)
+    {
+        const Eigen::Vector3d& c = inlet.centre;
+        text += fmt::format("{}{},{},{},{}", text.empty() ? "" : ";", c.x(), c.y(), c.z(),
+                            inlet.radius);
+    }
+    return text.empty() ? "none" : text;
+}
+
+bool readInlets(std::string_view text, std::vector<Inlet>& inlets)
+{
+    inlets.clear();
+    while (text != "none")
+    {
+        const std::string_view one = text.substr(0, text.find(';'));
+        std::vector<double> numbers;
+        if (!readNumbers(one, numbers) || numbers.size() != 4 || numbers[3] < kSmallestLength)
+        {
+            return false;
+        }
+        inlets.push_back({{numbers[0], numbers[1], numbers[2]}, numbers[3]});
+        if (one.size() == text.size())
+        {
+            break;
+        }
+        text.remove_prefix(one.size() + 1);
+    }
+    return true;
+}
+
 std::string passesText(const Passes& passes)
 {
     std::string text;

@@ -48,6 +48,11 @@ void validateScene(const Scene& scene)
         throw Error(ErrorCode::usage, "spheres.group_size (--group-size) is 0, but with the preset "
                                       "paper it must be at least 1");
     }
+    if (!scene.spheres.inlets.empty() && scene.spheres.release != ReleaseRule::ceilings)
+    {
+        throw Error(ErrorCode::usage, "spheres appear in openings (spheres.inlets, --inlet) or by "
+                                      "another rule (spheres.release), not both");
+    }
     if (!scene.spheres.radius && !scene.spheres.count)
     {
         throw Error(ErrorCode::usage, "no radius and no number of spheres; give --radius, "

@@ -58,6 +58,7 @@ bool DropAndRollEngine::step()
         clock_.open(world_, 0);
     }
     std::size_t placed = 0;
+    bool noPlace = false;
     {
         const StageTimer timer(world_.counts.times, Stage::motion);
         bool stopped = false;
@@ -67,10 +68,14 @@ bool DropAndRollEngine::step()
         }
         inSet_ += placed;
         world_.counts.sets.back().spheres = inSet_;
-        world_.clock.full = placed < wanted && !stopped;
+        noPlace = placed < wanted && !stopped;
     }
     ++world_.clock.steps;
-    world_.clock.finished = world_.clock.full || world_.spheres.size() == world_.targetCount;
+    if (noPlace)
+    {
+        endForWantOfPlaces(world_, *observers_.release);
+    }
+    world_.clock.finished = noPlace || world_.spheres.size() == world_.targetCount;
     if (DiscardPart* discard = observers_.discard.get())
     {
         const StageTimer timer(world_.counts.times, Stage::discarding);

@@ -256,7 +256,10 @@ void FastEngine::discard()
 
 void FastEngine::finish()
 {
-    world_.clock.full = world_.targetCount == 0 || world_.spheres.size() < world_.targetCount;
+    if (world_.targetCount == 0 || world_.spheres.size() < world_.targetCount)
+    {
+        endForWantOfPlaces(world_, *observers_.release);
+    }
     world_.clock.finished = true;
     if (waker_.phase() == Waker::Phase::over)
     {

@@ -157,6 +157,10 @@ bool Simulation::full() const
 {
     return implementation_->world.clock.full;
 }
+bool Simulation::inletsReached() const
+{
+    return implementation_->world.clock.inletsReached;
+}
 double Simulation::time() const
 {
     return implementation_->world.clock.time * implementation_->world.frame.time;

@@ -101,7 +101,10 @@ bool PaperEngine::startNextSet()
     {
         return true;
     }
-    world_.clock.full = world_.targetCount == 0 || world_.spheres.size() < world_.targetCount;
+    if (world_.targetCount == 0 || world_.spheres.size() < world_.targetCount)
+    {
+        endForWantOfPlaces(world_, *release_);
+    }
     clock_.close(world_);
     return false;
 }

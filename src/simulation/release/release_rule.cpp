@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/release/release_rule.hpp"
 
+#include "simulation/release/inlets.hpp"
 #include "simulation/release/releases.hpp"
 
 namespace frostfill
@@ -17,7 +18,16 @@ PartTable<ReleaseRule, MakeRelease>& releaseRules()
 
 std::unique_ptr<ReleasePart> makeRelease(const World& world, double band, Threads& threads)
 {
+    if (!world.scene.spheres.inlets.empty())
+    {
+        return std::make_unique<Inlets>(world);
+    }
     return releaseRules()[world.scene.spheres.release](world, band, threads);
+}
+
+void endForWantOfPlaces(World& world, const ReleasePart& release)
+{
+    (release.findsEveryPlace() ? world.clock.full : world.clock.inletsReached) = true;
 }
 
 } // namespace frostfill

@@ -47,6 +47,9 @@ public:
     /// Whether a single place is free now, for the smallest radius.
     [[nodiscard]] virtual bool any() = 0;
 
+    /// Whether the object is full once there is no place; otherwise there may be others.
+    [[nodiscard]] virtual bool findsEveryPlace() const { return true; }
+
     /// To be called for each sphere that has come to rest.
     virtual void close(const Eigen::Vector3d& centre, double radius) = 0;
 };
@@ -59,8 +62,11 @@ using MakeRelease =
 /// Every release rule by its name.
 [[nodiscard]] PartTable<ReleaseRule, MakeRelease>& releaseRules();
 
-/// The one that the world's scene asks for.
+/// The one that the world's scene asks for: its inlets, if there are some.
 [[nodiscard]] std::unique_ptr<ReleasePart> makeRelease(const World& world, double band,
                                                        Threads& threads);
+
+/// The run is over because nothing can appear any more.
+void endForWantOfPlaces(World& world, const ReleasePart& release);
 
 } // namespace frostfill

@@ -52,4 +52,13 @@ inline constexpr double kWidestClass = 1.1;
 /// Which of the random numbers of a draw the radius takes; 0 to 2 are those of the sites.
 inline constexpr std::uint64_t kRadiusDraw = 3;
 
+// Inlets.
+
+/// Places in a row that are taken, after which there is no room in the inlets for now. Larger:
+/// time. Smaller: a heap that has all but reached them ends the run.
+inline constexpr int kMaxMissesInInlets = 256;
+/// How far a place may be moved out of an overlap. [own radius] Larger: spheres appear beside the
+/// opening. Smaller: places are missed.
+inline constexpr double kOffInInlet = 0.01;
+
 } // namespace frostfill

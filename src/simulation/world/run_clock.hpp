@@ -16,7 +16,8 @@ struct RunClock
     double time = 0;
     std::uint64_t steps = 0;
     bool finished = false;
-    bool full = false;
+    bool full = false;                ///< no sphere fits anywhere
+    bool inletsReached = false;       ///< none fits into an inlet
     std::optional<StraySphere> stray; ///< why the run was stopped
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "output/quality_json.hpp"
+#include "run/quality_json.hpp"
 
 namespace frostfill
 {
