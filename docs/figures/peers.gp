@@ -22,6 +22,8 @@ plot data using (on("Frostfill","seconds")):(clip(on("Frostfill","worst"))) with
         pointtype 5 pointsize 1.6 linecolor rgb blue title "Frostfill", \
     data using (on("Bullet","seconds")):(clip(on("Bullet","worst"))) with points \
         pointtype 9 pointsize 1.8 linecolor rgb orange title "Bullet", \
+    data using (on("ODE","seconds")):(clip(on("ODE","worst"))) with points \
+        pointtype 13 pointsize 2 linecolor rgb green title "ODE", \
     data using (on("LIGGGHTS","seconds")):(clip(on("LIGGGHTS","worst"))) with points \
         pointtype 7 pointsize 1.6 linecolor rgb vermillion title "LIGGGHTS", \
     data using (restless("seconds")):(clip(restless("worst"))) with points pointtype 2 \

@@ -298,7 +298,7 @@ Command addBenchCommand(CLI::App& program)
         if (bench.run == benchError)
         {
             one->add_flag("--peers", arguments->peers,
-                          "Also run other engines on the same spheres (Bullet, LIGGGHTS)");
+                          "Also run other engines on the same spheres (Bullet, ODE, LIGGGHTS)");
             one->add_option("--object", arguments->objects,
                             "Also estimate the volume of this mesh; may be repeated")
                 ->type_name("FILE");

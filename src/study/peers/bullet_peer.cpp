@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "base/processor_time.hpp"
 #include "simulation/contact/contact.hpp"
-#include "study/peers/peer.hpp"
-#include "study/peers/pouring.hpp"
-#include "study/peers/rest_detector.hpp"
+#include "study/peers/rigid_body_run.hpp"
 
 // As it comes: its headers do not hold to our warnings.
 #pragma GCC diagnostic push
@@ -36,7 +33,8 @@ class BulletWorld
 {
 public:
     explicit BulletWorld(const PeerTask& task)
-        : world_(&dispatcher_, &broadphase_, &solver_, &configuration_)
+        : restitution_(std::sqrt(static_cast<btScalar>(task.restitution))),
+          world_(&dispatcher_, &broadphase_, &solver_, &configuration_)
     {
         world_.setGravity({0, -1, 0});
         world_.getSolverInfo().m_restitutionVelocityThreshold = kBounceSpeed;
@@ -68,10 +66,7 @@ public:
         return places;
     }
 
-    void addSphere(const Eigen::Vector3d& place, double restitution)
-    {
-        addBody(kMass, &sphere_, place, restitution);
-    }
+    void addSphere(const Eigen::Vector3d& place) { addBody(kMass, &sphere_, place); }
 
 private:
     void addMesh(const PeerTask& task)
@@ -84,10 +79,9 @@ private:
         }
         walls_ = std::make_unique<btBvhTriangleMeshShape>(&triangles_, true);
         walls_->setMargin(0);
-        addBody(0, walls_.get(), {0, 0, 0}, task.restitution);
+        addBody(0, walls_.get(), {0, 0, 0});
     }
-    void addBody(btScalar mass, btCollisionShape* shape, const Eigen::Vector3d& place,
-                 double restitution)
+    void addBody(btScalar mass, btCollisionShape* shape, const Eigen::Vector3d& place)
     {
         const btScalar inertia = mass * btScalar(0.4);
         btRigidBody::btRigidBodyConstructionInfo info(mass, nullptr, shape,
@@ -95,14 +89,14 @@ private:
         info.m_startWorldTransform.setIdentity();
         info.m_startWorldTransform.setOrigin(toBullet(place));
         info.m_friction = 0;
-        // Of two bodies Bullet takes the product.
-        info.m_restitution = std::sqrt(static_cast<btScalar>(restitution));
-        info.m_linearSleepingThreshold = kPeerStill / kPeerWindow;
+        info.m_restitution = restitution_;
+        info.m_linearSleepingThreshold = static_cast<btScalar>(kPeerStill / kPeerWindow);
         info.m_angularSleepingThreshold = 1;
         bodies_.push_back(std::make_unique<btRigidBody>(info));
         world_.addRigidBody(bodies_.back().get());
     }
 
+    btScalar restitution_; ///< of each body; of two Bullet takes the product
     btDefaultCollisionConfiguration configuration_;
     btCollisionDispatcher dispatcher_{&configuration_};
     btDbvtBroadphase broadphase_;
@@ -123,35 +117,7 @@ bool hasBullet()
 
 PeerResult runBullet(const PeerTask& task, double step)
 {
-    const ProcessorClock clock;
-    BulletWorld world(task);
-    PeerResult result;
-    RestDetector watch;
-    Pouring pouring(task);
-    double nextLook = 0;
-    double nextPour = 0;
-    while (!result.atRest && result.simulated < task.timeLimit &&
-           clock.seconds() < task.secondsLimit)
-    {
-        if (world.size() < task.count && result.simulated >= nextPour)
-        {
-            for (const Eigen::Vector3d& place : pouring.next(world.places()))
-            {
-                world.addSphere(place, task.restitution);
-            }
-            nextPour = result.simulated + kPeerPourEvery;
-        }
-        world.step(step);
-        result.simulated += step;
-        if (world.size() == task.count && result.simulated >= nextLook)
-        {
-            result.atRest = watch.look(world.places());
-            nextLook = result.simulated + kPeerWindow;
-        }
-    }
-    result.seconds = clock.seconds();
-    result.places = world.places();
-    return result;
+    return runRigidBodies<BulletWorld>(task, step);
 }
 
 } // namespace frostfill

@@ -44,6 +44,10 @@ struct PeerResult
 [[nodiscard]] bool hasBullet();
 [[nodiscard]] PeerResult runBullet(const PeerTask& task, double step);
 
+/// ODE, by its quick step. Throws Error missingProgram when it was not built in.
+[[nodiscard]] bool hasOde();
+[[nodiscard]] PeerResult runOde(const PeerTask& task, double step);
+
 /// LIGGGHTS, soft spheres by Hertz's law, as a program of that name.
 [[nodiscard]] bool hasLiggghts();
 /// `stiffness`: Young's modulus in units of density g r.

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <numbers>
 
@@ -119,16 +120,32 @@ void markPeerFront(std::vector<PeerPoint>& points)
 
 using PeerRun = std::function<PeerPoint()>;
 
+/// An engine of rigid bodies, which runs by steps of a given length.
+struct RigidBodyPeer
+{
+    const char* name;
+    bool (*has)();
+    PeerResult (*run)(const PeerTask&, double step);
+};
+constexpr RigidBodyPeer kRigidBodyPeers[] = {
+    {"Bullet", hasBullet, runBullet},
+    {"ODE", hasOde, runOde},
+};
+
 void addOthers(std::vector<PeerRun>& runs, const PeerTask& task)
 {
-    if (hasBullet())
+    for (const RigidBodyPeer& peer : kRigidBodyPeers)
     {
+        if (!peer.has())
+        {
+            continue;
+        }
         for (const double step : {0.12, 0.06})
         {
             runs.emplace_back(
-                [&task, step] {
-                    return theirs(task, "Bullet", fmt::format("step {:g}", step),
-                                  runBullet(task, step));
+                [&task, &peer, step] {
+                    return theirs(task, peer.name, fmt::format("step {:g}", step),
+                                  peer.run(task, step));
                 });
         }
     }
@@ -150,11 +167,13 @@ void addOthers(std::vector<PeerRun>& runs, const PeerTask& task)
 
 void requirePeers()
 {
-    if (!hasBullet() && !hasLiggghts())
+    const bool builtIn = std::any_of(std::begin(kRigidBodyPeers), std::end(kRigidBodyPeers),
+                                     [](const RigidBodyPeer& peer) { return peer.has(); });
+    if (!builtIn && !hasLiggghts())
     {
         throw Error(ErrorCode::missingProgram,
-                    "no other engine to compare with: apt-get install libbullet-dev and configure "
-                    "with -DFROSTFILL_PEERS=ON, or apt-get install liggghts");
+                    "no other engine to compare with: apt-get install libbullet-dev or libode-dev "
+                    "and configure with -DFROSTFILL_PEERS=ON, or apt-get install liggghts");
     }
 }
 

@@ -2,8 +2,6 @@
 #include "study/error/closed_forms.hpp"
 #include "study/error/error_finish.hpp"
 #include "study/error/error_study.hpp"
-#include "study/peers/pouring.hpp"
-#include "study/peers/rest_detector.hpp"
 #include "study/stability/stability_study.hpp"
 #include "study/stability/stress_meshes.hpp"
 
@@ -269,46 +267,6 @@ TEST(ContactSweeps, TakeRunningSpheresFartherApart)
         }
     }
     EXPECT_LT(overlap[1], 0.5 * overlap[0]);
-}
-
-TEST(Peers, PourSpheresClearOfEachOtherAndOfTheWalls)
-{
-    PeerTask task;
-    task.mesh = boxMesh({-6, -6, -6}, {6, 6, 6}, 1);
-    task.count = 60;
-    Pouring pouring(task);
-    std::vector<Eigen::Vector3d> all = pouring.next({});
-    const std::size_t atOnce = all.size();
-    EXPECT_GT(atOnce, 10u);
-    EXPECT_TRUE(pouring.next(all).empty()); // nothing has made room
-    for (Eigen::Vector3d& p : all)
-    {
-        p.y() -= 8;
-    }
-    for (const Eigen::Vector3d& p : pouring.next(all))
-    {
-        all.push_back(p);
-    }
-    EXPECT_GT(all.size(), atOnce);
-    EXPECT_LE(all.size(), task.count);
-    for (std::size_t i = 0; i < all.size(); ++i)
-    {
-        EXPECT_LE(std::max(std::abs(all[i].x()), std::abs(all[i].z())), 5);
-        for (std::size_t j = i + 1; j < all.size(); ++j)
-        {
-            EXPECT_GE((all[i] - all[j]).norm(), 2);
-        }
-    }
-}
-
-TEST(Peers, ComeToRestByTheCommonRule)
-{
-    RestDetector watch;
-    std::vector<Eigen::Vector3d> places(10, Eigen::Vector3d::Zero());
-    EXPECT_FALSE(watch.look(places)); // there was nothing to compare with
-    EXPECT_TRUE(watch.look(places));
-    places[3].x() += 2 * kPeerStill;
-    EXPECT_FALSE(watch.look(places));
 }
 
 } // namespace
