@@ -62,4 +62,9 @@ void measureCones(ClosedFormPoints& points);
 void measureCorner(ClosedFormPoints& points);
 void measureThreeSpheres(ClosedFormPoints& points);
 
+// What all spheres together need to stand, and how one rolls.
+void measurePyramids(ClosedFormPoints& points);
+void measureArches(ClosedFormPoints& points);
+void measureRolling(ClosedFormPoints& points);
+
 } // namespace frostfill

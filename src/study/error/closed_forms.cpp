@@ -60,6 +60,9 @@ std::vector<ClosedFormPoint> measureClosedForms(bool quick)
     measureCones(points);
     measureCorner(points);
     measureThreeSpheres(points);
+    measurePyramids(points);
+    measureArches(points);
+    measureRolling(points);
     return points.take();
 }
 

@@ -27,7 +27,8 @@ struct ClosedFormPoint
 };
 
 /// Free fall, throw, bounce, bounces to rest, head-on pair, incline, bowl, groove, cone, corner and
-/// three spheres, by the integrators and steps that there are.
+/// three spheres, by the integrators and steps that there are; and what the judge says of pyramids,
+/// arches and a sphere that rolls.
 [[nodiscard]] std::vector<ClosedFormPoint> measureClosedForms(bool quick);
 
 [[nodiscard]] Table closedFormsCsv(const std::vector<ClosedFormPoint>& points);
