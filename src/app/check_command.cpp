@@ -2,7 +2,7 @@
 #include "app/commands.hpp"
 #include "app/progress/message.hpp"
 #include "app/scene_options.hpp"
-#include "run/quality_json.hpp"
+#include "run/run_files.hpp"
 
 #include <frostfill/error.hpp>
 #include <frostfill/packing.hpp>

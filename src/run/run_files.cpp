@@ -6,7 +6,6 @@
 #include "output/run_hash.hpp"
 #include "output/scene_json.hpp"
 #include "run/machine_json.hpp"
-#include "run/quality_json.hpp"
 #include "run/set_table.hpp"
 #include "scene/frame_selection.hpp"
 
@@ -175,6 +174,28 @@ const char* outcome(const FillResult& result)
 }
 
 } // namespace
+
+Json qualityJson(const QualityReport& quality)
+{
+    Json json = {{"max_overlap_over_radius", quality.maxOverlap},
+                 {"mean_overlap_over_radius", quality.meanOverlap},
+                 {"max_wall_overlap_over_radius", quality.maxWallOverlap},
+                 {"centres_outside", quality.centresOutside},
+                 {"not_finite", quality.notFinite},
+                 {"unsupported_frozen", quality.unsupported},
+                 {"volume_mesh", quality.meshVolume},
+                 {"volume_spheres", quality.sphereVolume},
+                 {"packing_fraction",
+                  quality.meshVolume > 0 ? quality.sphereVolume / quality.meshVolume : 0}};
+    if (const auto& joint = quality.equilibrium)
+    {
+        json["equilibrium"] = {
+            {"friction", joint->friction},     {"at_rest", joint->spheres},
+            {"unbalanced", joint->unbalanced}, {"largest_unbalance", joint->largest},
+            {"settled", joint->settled},       {"least_friction", joint->leastFriction}};
+    }
+    return json;
+}
 
 std::string summaryText(const RunRecord& run)
 {

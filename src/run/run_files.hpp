@@ -8,6 +8,8 @@
 #include <frostfill/fill.hpp>
 #include <frostfill/mesh.hpp>
 
+#include <nlohmann/json.hpp>
+
 #include <string>
 
 namespace frostfill
@@ -24,6 +26,10 @@ struct RunRecord
     StageTimes times;       ///< of simulation and pictures together
     std::size_t stride = 1; ///< every stride-th of the selected frames was kept
 };
+
+/// What the judge says of any packing, by the names of summary.json. What was not judged is left
+/// out, and a number that is infinite is null.
+[[nodiscard]] nlohmann::ordered_json qualityJson(const QualityReport& quality);
 
 /// The text of summary.json.
 [[nodiscard]] std::string summaryText(const RunRecord& run);

@@ -125,16 +125,17 @@ void Freezer::freezeTogether(std::uint32_t stillWindows)
 void Freezer::freezeOneByOne()
 {
     threads_.forEachLarge(sleepy_.size(),
-                     [&](std::size_t i)
-                     {
-                         const std::uint32_t row = sleepy_[i];
-                         // One that is overdue may go far, where it would not be told of others.
-                         stale_[row] = isOverdue(row) ? 1 : 0;
-                         if (stale_[row] == 0 && !running_.isGone(row))
-                         {
-                             findPlace(row);
-                         }
-                     });
+                          [&](std::size_t i)
+                          {
+                              const std::uint32_t row = sleepy_[i];
+                              // One that is overdue may go far, where it would not be told of
+                              // others.
+                              stale_[row] = isOverdue(row) ? 1 : 0;
+                              if (stale_[row] == 0 && !running_.isGone(row))
+                              {
+                                  findPlace(row);
+                              }
+                          });
     for (const std::uint32_t row : sleepy_)
     {
         if (running_.isGone(row))

@@ -59,8 +59,7 @@ void measureArches(ClosedFormPoints& points)
         const double half = step.x() + 1;
         const TriangleMesh mesh = boxMesh({-half, -8, -8}, {half, 8, 8});
         addLeastFriction(points, "arch stands", "rise", rise * 180 / std::numbers::pi, mesh,
-                         {{0, 0, 0}, step, {-step.x(), step.y(), 0}},
-                         oracle::frictionOfArch(rise));
+                         {{0, 0, 0}, step, {-step.x(), step.y(), 0}}, oracle::frictionOfArch(rise));
     }
 }
 

@@ -3,8 +3,7 @@
 
 #include "base/random.hpp"
 #include "simulation/solver/tolerances.hpp"
-#include "simulation/solver/turns.hpp"
-#include "unit/simulation/solver/pile.hpp"
+#include "unit/simulation/solver/crowd_of_pile.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,19 +14,6 @@ namespace frostfill
 namespace
 {
 
-/// Runners one beside the other, shaken, some pressed into others; radii from `smallest` to 1.
-std::vector<Eigen::Vector3d> shakenPlaces(std::uint64_t seed)
-{
-    std::vector<Eigen::Vector3d> places;
-    for (std::uint64_t k = 0; k < 343; ++k)
-    {
-        const auto at = [&](std::uint64_t n, std::uint64_t axis)
-        { return 1.95 * (static_cast<double>(n) - 3) + 0.4 * uniformRandom(seed, k, axis) - 0.2; };
-        places.emplace_back(at(k % 7, 0), at(k / 49, 1) - 1, at(k / 7 % 7, 2));
-    }
-    return places;
-}
-
 std::vector<double> unlikeRadii(std::uint64_t seed)
 {
     std::vector<double> radii;
@@ -37,42 +23,6 @@ std::vector<double> unlikeRadii(std::uint64_t seed)
     }
     return radii;
 }
-
-/// Pairs of runners far from one another, pressed into one another, and one of `longest`.
-std::vector<Eigen::Vector3d> clusters(std::uint64_t seed, int longest = 2)
-{
-    std::vector<Eigen::Vector3d> places;
-    for (std::uint64_t k = 0; k < 64; ++k)
-    {
-        const auto at = [&](std::uint64_t n, std::uint64_t axis)
-        { return 3.9 * (static_cast<double>(n) - 1.5) + 0.2 * uniformRandom(seed, k, axis); };
-        places.emplace_back(at(k % 4, 0), at(k / 16, 1), at(k / 4 % 4, 2));
-        places.emplace_back(places.back() + Eigen::Vector3d(0.2, 0.5, 0.1));
-    }
-    for (int k = 2; k < longest; ++k)
-    {
-        places.emplace_back(places[1] + 1e-3 * k * Eigen::Vector3d(1, 0, 0));
-    }
-    return places;
-}
-
-/// A crowd of all runners of a pile.
-struct CrowdOfPile
-{
-    explicit CrowdOfPile(std::size_t strips) : CrowdOfPile(strips, shakenPlaces(1)) {}
-    CrowdOfPile(std::size_t strips, const std::vector<Eigen::Vector3d>& places)
-        : pile(places, std::vector<double>(places.size(), places.size() == 343 ? 1 : 0.6), strips)
-    {
-        pairs.findPairs();
-        crowd.gather({0, -1, 0});
-        turns.start();
-    }
-
-    Pile pile;
-    BroadPhase pairs{pile.running, pile.threads};
-    Crowd crowd{pile.running, pairs, pile.threads};
-    Turns turns{crowd};
-};
 
 class CrowdTest : public testing::TestWithParam<int>
 {
@@ -142,35 +92,6 @@ TEST_P(CrowdTest, KnowsWhoIsNearLowerAndOfAnotherStrip)
     }
 }
 
-TEST_P(CrowdTest, CutsNoClusterOfAFew)
-{
-    CrowdOfPile all(strips(), clusters(1));
-    const Crowd& crowd = all.crowd;
-    all.crowd.forEachStrip([&](std::size_t strip) { all.crowd.enlist(strip); });
-    EXPECT_FALSE(crowd.stripsTouch());
-    ASSERT_EQ(crowd.strips().size(), std::min<std::size_t>(strips(), 128 / kFewestInStrip));
-    std::uint32_t pairs = 0;
-    for (const Crowd::Strip& strip : crowd.strips())
-    {
-        EXPECT_GE(strip.end - strip.begin, 128 / crowd.strips().size() / 2) << "of equal numbers";
-        for (std::uint32_t slot = strip.begin; slot < strip.end; ++slot)
-        {
-            EXPECT_FALSE(crowd.isShared(slot));
-            pairs += static_cast<std::uint32_t>(crowd.near(slot).size());
-        }
-    }
-    EXPECT_EQ(pairs, 128U);
-}
-
-TEST_P(CrowdTest, CutsWhatHangsTogetherAndIsMoreThanItsShare)
-{
-    const bool several = strips() > 1;
-    EXPECT_EQ(CrowdOfPile(strips()).crowd.stripsTouch(), several);
-    const bool touch = CrowdOfPile(strips(), clusters(1, 60)).crowd.stripsTouch();
-    EXPECT_EQ(touch, strips() >= 8) << "60 hang together, of 186 in 3 strips, or in 5";
-    EXPECT_EQ(CrowdOfPile(strips(), clusters(1, 200)).crowd.stripsTouch(), several);
-}
-
 // What each member sees of those nearby is what it would see if all came one after another.
 TEST_P(CrowdTest, GivesTurnsOfASweepInTheOrderOfOne)
 {
@@ -202,33 +123,6 @@ TEST_P(CrowdTest, GivesTurnsOfASweepInTheOrderOfOne)
             }
         });
     EXPECT_EQ(std::count(turnsHad.begin(), turnsHad.end(), 20U), 343);
-}
-
-TEST_P(CrowdTest, EndsInAllStripsWithTheSweepAfterWhichNoneGoesOn)
-{
-    for (const auto& places : {shakenPlaces(1), clusters(1)})
-    {
-        CrowdOfPile all(strips(), places);
-        const std::size_t count = all.crowd.strips().size();
-        for (std::size_t longest = 0; longest < count; ++longest)
-        {
-            all.turns.start();
-            std::vector<std::uint32_t> ends(count);
-            all.crowd.forEachStrip(
-                [&](std::size_t strip)
-                {
-                    // Each strip has its own reasons; one has some for longer.
-                    const auto own = static_cast<std::uint32_t>(strip == longest ? 7 : strip % 3);
-                    std::uint32_t sweep = 1;
-                    while (!all.turns.isLast(strip, sweep, sweep <= own))
-                    {
-                        ++sweep;
-                    }
-                    ends[strip] = sweep;
-                });
-            EXPECT_EQ(ends, std::vector<std::uint32_t>(count, 8));
-        }
-    }
 }
 
 TEST_P(CrowdTest, GivesTurnsOfRoundsInTheOrderOfOne)
@@ -311,25 +205,6 @@ TEST_P(CrowdTest, MovesAsOneThreadMovesIt)
                     ASSERT_EQ(alone.running.position[row], many.running.position[row]);
                     ASSERT_EQ(alone.running.velocity[row], many.running.velocity[row]);
                 }
-            }
-        }
-    }
-}
-
-TEST_P(CrowdTest, MovesClustersAsOneThreadMovesThem)
-{
-    for (const int longest : {2, 60, 200})
-    {
-        Pile alone(clusters(3, longest), {});
-        Pile many(clusters(3, longest), {}, strips());
-        for (int k = 0; k < 15; ++k)
-        {
-            alone.step();
-            many.step();
-            for (std::uint32_t row = 0; row < alone.running.size(); ++row)
-            {
-                ASSERT_EQ(alone.running.position[row], many.running.position[row]) << k;
-                ASSERT_EQ(alone.running.velocity[row], many.running.velocity[row]) << k;
             }
         }
     }

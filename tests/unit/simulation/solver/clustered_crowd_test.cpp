@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// Crowds of clusters that do not touch, and strips that go on without each other.
+
+#include "simulation/solver/tolerances.hpp"
+#include "unit/simulation/solver/crowd_of_pile.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace frostfill
+{
+namespace
+{
+
+class ClusteredCrowdTest : public testing::TestWithParam<int>
+{
+protected:
+    [[nodiscard]] std::size_t strips() const { return static_cast<std::size_t>(GetParam()); }
+};
+
+TEST_P(ClusteredCrowdTest, CutsNoClusterOfAFew)
+{
+    CrowdOfPile all(strips(), clusters(1));
+    const Crowd& crowd = all.crowd;
+    all.crowd.forEachStrip([&](std::size_t strip) { all.crowd.enlist(strip); });
+    EXPECT_FALSE(crowd.stripsTouch());
+    ASSERT_EQ(crowd.strips().size(), std::min<std::size_t>(strips(), 128 / kFewestInStrip));
+    std::uint32_t pairs = 0;
+    for (const Crowd::Strip& strip : crowd.strips())
+    {
+        EXPECT_GE(strip.end - strip.begin, 128 / crowd.strips().size() / 2) << "of equal numbers";
+        for (std::uint32_t slot = strip.begin; slot < strip.end; ++slot)
+        {
+            EXPECT_FALSE(crowd.isShared(slot));
+            pairs += static_cast<std::uint32_t>(crowd.near(slot).size());
+        }
+    }
+    EXPECT_EQ(pairs, 128U);
+}
+
+TEST_P(ClusteredCrowdTest, CutsWhatHangsTogetherAndIsMoreThanItsShare)
+{
+    const bool several = strips() > 1;
+    EXPECT_EQ(CrowdOfPile(strips()).crowd.stripsTouch(), several);
+    const bool touch = CrowdOfPile(strips(), clusters(1, 60)).crowd.stripsTouch();
+    EXPECT_EQ(touch, strips() >= 8) << "60 hang together, of 186 in 3 strips, or in 5";
+    EXPECT_EQ(CrowdOfPile(strips(), clusters(1, 200)).crowd.stripsTouch(), several);
+}
+
+TEST_P(ClusteredCrowdTest, EndsInAllStripsWithTheSweepAfterWhichNoneGoesOn)
+{
+    for (const auto& places : {shakenPlaces(1), clusters(1)})
+    {
+        CrowdOfPile all(strips(), places);
+        const std::size_t count = all.crowd.strips().size();
+        for (std::size_t longest = 0; longest < count; ++longest)
+        {
+            all.turns.start();
+            std::vector<std::uint32_t> ends(count);
+            all.crowd.forEachStrip(
+                [&](std::size_t strip)
+                {
+                    // Each strip has its own reasons; one has some for longer.
+                    const auto own = static_cast<std::uint32_t>(strip == longest ? 7 : strip % 3);
+                    std::uint32_t sweep = 1;
+                    while (!all.turns.isLast(strip, sweep, sweep <= own))
+                    {
+                        ++sweep;
+                    }
+                    ends[strip] = sweep;
+                });
+            EXPECT_EQ(ends, std::vector<std::uint32_t>(count, 8));
+        }
+    }
+}
+
+TEST_P(ClusteredCrowdTest, MovesClustersAsOneThreadMovesThem)
+{
+    for (const int longest : {2, 60, 200})
+    {
+        Pile alone(clusters(3, longest), {});
+        Pile many(clusters(3, longest), {}, strips());
+        for (int k = 0; k < 15; ++k)
+        {
+            alone.step();
+            many.step();
+            for (std::uint32_t row = 0; row < alone.running.size(); ++row)
+            {
+                ASSERT_EQ(alone.running.position[row], many.running.position[row]) << k;
+                ASSERT_EQ(alone.running.velocity[row], many.running.velocity[row]) << k;
+            }
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(OfStrips, ClusteredCrowdTest, testing::Values(1, 2, 3, 8, 16),
+                         testing::PrintToStringParamName());
+
+} // namespace
+} // namespace frostfill
