@@ -54,12 +54,12 @@ std::vector<std::uint32_t> PolygonWitnesses::takeUntouchable(const ReachMap& map
     std::vector<WatchLists::Watcher> fallen = lists_.takeFallen(
         threads, [&](CubeNumber witness) { return map.isReached(witness, mayHold); });
     threads.forEachLarge((fallen.size() + kPolygonsTogether - 1) / kPolygonsTogether,
-                    [&](std::size_t i)
-                    {
-                        const auto rest = Watchers(fallen).subspan(i * kPolygonsTogether);
-                        findWitnesses(map, mayHold,
-                                      rest.first(std::min(kPolygonsTogether, rest.size())));
-                    });
+                         [&](std::size_t i)
+                         {
+                             const auto rest = Watchers(fallen).subspan(i * kPolygonsTogether);
+                             findWitnesses(map, mayHold,
+                                           rest.first(std::min(kPolygonsTogether, rest.size())));
+                         });
     std::vector<std::uint32_t> untouchable;
     const auto isOut = [&](const WatchLists::Watcher& one)
     {
