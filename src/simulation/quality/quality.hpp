@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Room: the judge of a state: overlaps, support, centres outside, energy. It shares no code with
-// what it judges except the closest point.
+// Room: the judge of a state: overlaps, support, centres outside, energy; and whether all that
+// rests stands together. It shares no code with what it judges except the closest point.
 #pragma once
 
 #include "simulation/world/world.hpp"
