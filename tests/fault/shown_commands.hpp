@@ -73,9 +73,13 @@ inline std::string madeSmall(std::string arguments)
     }
     if (name == "fill")
     {
-        for (const char* option : {"count", "radius", "size", "max-frames"})
+        for (const char* option : {"count", "size", "max-frames"})
         {
             without(option);
+        }
+        if (arguments.find("--inlet") == std::string::npos) // too narrow for larger spheres
+        {
+            without("radius");
         }
         const bool draws = arguments.find("--frames none") == std::string::npos;
         small = draws ? " --count 6 --size 64x48 --max-frames 2" : " --count 6";
