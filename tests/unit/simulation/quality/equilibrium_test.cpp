@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -129,16 +130,21 @@ TEST(ContactNetwork, HasEachPairOnceAndEachWallForEachSphere)
     EXPECT_EQ(walls, 3U);
 }
 
-TEST(ContactNetwork, MeasuresGapsInTheSmallerRadius)
+TEST(ContactNetwork, MeasuresGapsInTheSmallerRadiusWhicheverCameFirst)
 {
     for (const double share : {0.9, 1.1})
     {
-        const auto world = smallWorld(room());
-        const double gap = share * kContactGap * 0.5;
-        world->spheres.addResting({0, 0, 0}, 1, 0);
-        world->spheres.addResting({1.5 + gap, 0, 0}, 0.5, 0);
-        Threads threads(1);
-        EXPECT_EQ(networkAtRest(*world, threads).contacts.size(), share < 1 ? 1U : 0U) << share;
+        for (const bool smallFirst : {false, true})
+        {
+            const auto world = smallWorld(room());
+            const double gap = share * kContactGap * 0.5;
+            const std::array radii = {smallFirst ? 0.5 : 1, smallFirst ? 1 : 0.5};
+            world->spheres.addResting({0, 0, 0}, radii[0], 0);
+            world->spheres.addResting({1.5 + gap, 0, 0}, radii[1], 0);
+            Threads threads(1);
+            EXPECT_EQ(networkAtRest(*world, threads).contacts.size(), share < 1 ? 1U : 0U)
+                << share << smallFirst;
+        }
     }
 }
 
