@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/quality/joint_balance.hpp"
 
+#include "base/random.hpp"
 #include "simulation/quality/tolerances.hpp"
 
 #include <Eigen/Geometry>
@@ -143,16 +144,20 @@ double JointBalance::compliance(std::size_t contact) const
     return friction_ > 0 ? inverse * (1 + 1 / kInertia) : inverse;
 }
 
-// The largest eigenvalue of what forces do to each other, by the power method.
+// The largest eigenvalue of what forces do to each other, by the power method. It is 1 at least, as
+// a force moves its own surfaces by its compliance. Forces begin at random: even ones would cancel
+// out where walls face each other.
 void JointBalance::findStiffness()
 {
     const std::size_t count = network_.contacts.size();
     for (std::size_t k = 0; k < count; ++k)
     {
-        next_[k] = network_.contacts[k].normal;
+        const auto random = [k](std::uint64_t n) { return 0.5 + uniformRandom(0, k, n); };
+        const Eigen::Vector3d& normal = network_.contacts[k].normal;
+        next_[k] = random(0) * normal;
         if (friction_ > 0)
         {
-            next_[k] += next_[k].unitOrthogonal();
+            next_[k] += normal.cross(Eigen::Vector3d(random(1), random(2), random(3)));
         }
     }
     for (int k = 0; k < kPowerSteps; ++k)
@@ -173,7 +178,7 @@ void JointBalance::findStiffness()
             after += change.squaredNorm() * compliance;
             next_[contact] = change;
         }
-        stiffness_ = std::sqrt(after / before);
+        stiffness_ = std::max(1.0, std::sqrt(after / before));
         for (Eigen::Vector3d& one : next_)
         {
             one /= stiffness_;

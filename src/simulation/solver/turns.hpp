@@ -16,10 +16,10 @@ inline constexpr std::uint32_t kFirstOfPositions = 2;
 
 /// Lets the strips of a crowd be taken at the same time with the bits of one member after another.
 /// Members of one strip follow each other anyhow; a member that may touch one of another strip
-/// waits until that one has had as many turns as it would have had by then. What is treated lowest
-/// first waits only for what is below it, so the wait ends: the lowest member whose turn is due
-/// waits for nobody. Graph colouring, which Box3D uses for this, would change the order, and
-/// with it the bits and the way in which the floor's reaction climbs a pile.
+/// waits until that one has had as many turns as it would have had by then: those below it in the
+/// same sweep, those above it in the one before. So the wait ends: of all turns that are due, the
+/// one that would come first waits for nobody. Graph colouring, which Box3D uses for this, would
+/// change the order, and with it the bits and the way in which the floor's reaction climbs a pile.
 class Turns
 {
 public:

@@ -91,6 +91,14 @@ TEST(JointBalance, LetsASphereRollDownAPlane)
     }
 }
 
+TEST(JointBalance, HoldsASphereBetweenWallsThatFaceEachOtherByFrictionOnly)
+{
+    const ContactNetwork network =
+        HandNetwork().add({0, 0, 0}).wall(0, {1, 0, 0}).wall(0, {-1, 0, 0}).network();
+    EXPECT_NEAR(unbalanceOf(network, 0, 0), 1, 1e-12);
+    EXPECT_LT(unbalanceOf(network, 0, 0.5), kFine);
+}
+
 TEST(JointBalance, FindsTheFrictionFromWhichAPyramidStands)
 {
     for (const int below : {2, 3})
