@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// Figures that README and docs/ state, against the program and against recorded runs.
+
+#include "fault/program.hpp"
+#include "support/paths.hpp"
+#include "support/temporary_folder.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <limits>
+#include <regex>
+#include <sstream>
+#include <string>
+
+namespace frostfill
+{
+namespace
+{
+
+using test::Answer;
+using test::readFile;
+
+const std::filesystem::path kRepository = testing_support::sourceFolder();
+/// What `check` says of all spheres of a run together.
+nlohmann::json standingOf(const std::filesystem::path& folder, const std::string& friction)
+{
+    const Answer answer =
+        test::runProgram("check pile --json --judge-friction " + friction, folder);
+    EXPECT_EQ(answer.code, 0) << answer.errors;
+    return nlohmann::json::parse(answer.output)["equilibrium"];
+}
+
+TEST(DocumentedFigures, ThePilesInItsTableStandAsItSays)
+{
+    const std::string page = readFile(kRepository / "docs/accuracy.md");
+    const std::regex row(R"(\| `(--[^`]*)` \| ([0-9]+) \| ([0-9]+) \| ([0-9.]+) \|)");
+    int rows = 0;
+    for (std::sregex_iterator found(page.begin(), page.end(), row); found != std::sregex_iterator();
+         ++found, ++rows)
+    {
+        const test::TemporaryFolder folder;
+        const std::string options = (*found)[1];
+        ASSERT_EQ(
+            test::runProgram("fill cube --count 2000 --frames none --quiet --out pile " + options,
+                             folder.path())
+                .code,
+            0)
+            << options;
+        const auto loose = standingOf(folder.path(), "0");
+        const auto rough = standingOf(folder.path(), "0.3");
+        // Compilers round differently.
+        EXPECT_NEAR(loose["unbalanced"].get<double>(), std::stod((*found)[2]), 10) << options;
+        EXPECT_NEAR(rough["unbalanced"].get<double>(), std::stod((*found)[3]), 3) << options;
+        EXPECT_NEAR(rough["least_friction"].get<double>(), std::stod((*found)[4]), 0.005)
+            << options;
+        EXPECT_NEAR(rough["least_friction"].get<double>(), 0.2, 0.05) << "the README's 0.2";
+    }
+    EXPECT_EQ(rows, 4);
+}
+
+// By the recorded run of `bench error --peers`, of engines that came to rest.
+TEST(DocumentedFigures, TheReadmeNamesTheFastestOtherEngine)
+{
+    std::istringstream table(readFile(kRepository / "docs/figures/peers.csv"));
+    std::string fastest;
+    double least = std::numeric_limits<double>::infinity();
+    std::string ours;
+    const std::regex row("([^,]+),([^,]+),([0-9.]+),[^,]+,([01]),.*");
+    for (std::string line; std::getline(table, line);)
+    {
+        std::smatch cells;
+        if (!std::regex_match(line, cells, row))
+        {
+            continue; // the head
+        }
+        const double seconds = std::stod(cells[3]);
+        if (cells[1] == "Frostfill")
+        {
+            ours = cells[2] == "skip" ? fmt::format("{:.2f} s", seconds) : ours;
+        }
+        else if (cells[4] == "1" && seconds < least)
+        {
+            least = seconds;
+            fastest = cells[1];
+        }
+    }
+    const std::string readme =
+        std::regex_replace(readFile(kRepository / "README.md"), std::regex("\n"), " ");
+    const std::string sentence = fmt::format(
+        "The fastest of the other engines that we could measure, {}, takes {:.0f} s for 10,000 "
+        "spheres that `skip` pours into half the cube in {}",
+        fastest, least, ours);
+    EXPECT_NE(readme.find(sentence), std::string::npos) << "the README lacks: " << sentence;
+}
+
+} // namespace
+} // namespace frostfill
