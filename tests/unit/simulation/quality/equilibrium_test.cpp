@@ -91,7 +91,8 @@ TEST(Equilibrium, LetsOneInAHundredFall)
         }
         for (int k = 0; k < 100; ++k) // on the floor, apart from each other
         {
-            packing.add({1.7 * (k % 10) - 7.6, -9.2, 1.7 * (k / 10) - 7.6}, 0.8);
+            const int row = k / 10;
+            packing.add({1.7 * (k % 10) - 7.6, -9.2, 1.7 * row - 7.6}, 0.8);
         }
         const EquilibriumReport joint =
             packing.in(room(), Axis::y, {.friction = 0}).equilibrium.value();

@@ -188,52 +188,59 @@ double leastRest(const Eigen::MatrixXd& directions, const Eigen::VectorXd& load)
     return least;
 }
 
+/// Three bodies of different sizes with nine contacts in any directions.
+ContactNetwork randomNetwork(std::uint64_t trial)
+{
+    const auto draw = [&](std::uint64_t n) { return uniformRandom(11, trial, n); };
+    constexpr std::uint32_t kBodies = 3;
+    HandNetwork random;
+    for (std::uint32_t body = 0; body < kBodies; ++body)
+    {
+        random.add(Vector3d(body, 0, 0), 0.5 + draw(body));
+    }
+    for (std::uint64_t n = 10; n < 100; n += 10)
+    {
+        const Vector3d normal =
+            Vector3d(draw(n) - 0.5, draw(n + 1) - 0.4, draw(n + 2) - 0.5).normalized();
+        const auto upon = static_cast<std::uint32_t>(kBodies * draw(n + 3));
+        const auto from = static_cast<std::uint32_t>(kBodies * draw(n + 4));
+        upon == from ? random.wall(upon, normal) : random.push(upon, from, normal);
+    }
+    return random.network();
+}
+
 TEST(JointBalance, LeavesAsLittleAsTheBestOfAllSetsOfContactsLeaves)
 {
     for (std::uint64_t trial = 0; trial < 60; ++trial)
     {
-        const auto draw = [&](std::uint64_t n) { return uniformRandom(11, trial, n); };
-        HandNetwork random;
-        constexpr std::uint32_t kBodies = 3;
-        constexpr std::uint32_t kContacts = 9;
-        for (std::uint32_t body = 0; body < kBodies; ++body)
-        {
-            random.add(Vector3d(body, 0, 0), 0.5 + draw(body));
-        }
-        for (std::uint32_t k = 0; k < kContacts; ++k)
-        {
-            const std::uint64_t n = 10 + 8 * k;
-            const Vector3d normal =
-                Vector3d(draw(n) - 0.5, draw(n + 1) - 0.4, draw(n + 2) - 0.5).normalized();
-            const auto upon = static_cast<std::uint32_t>(kBodies * draw(n + 3));
-            const auto from = static_cast<std::uint32_t>(kBodies * draw(n + 4));
-            upon == from ? random.wall(upon, normal) : random.push(upon, from, normal);
-        }
-        const ContactNetwork network = random.network();
+        const ContactNetwork network = randomNetwork(trial);
+        const auto bodies = static_cast<Eigen::Index>(network.bodies.size());
+        const auto contacts = static_cast<Eigen::Index>(network.contacts.size());
+        const auto rowOf = [](std::uint32_t body) { return 3 * Eigen::Index{body}; };
         // In accelerations times square roots of masses.
-        Eigen::MatrixXd directions = Eigen::MatrixXd::Zero(3 * kBodies, kContacts);
-        Eigen::VectorXd load(3 * kBodies);
-        Eigen::VectorXd left(3 * kBodies);
         const auto rootOf = [&](std::uint32_t body)
         { return std::pow(network.bodies[body].radius, 1.5); };
-        for (std::uint32_t k = 0; k < kContacts; ++k)
+        Eigen::MatrixXd directions = Eigen::MatrixXd::Zero(3 * bodies, contacts);
+        for (Eigen::Index k = 0; k < contacts; ++k)
         {
-            const auto& [normal, upon, from] = network.contacts[k];
-            directions.block<3, 1>(3 * upon, k) += normal / rootOf(upon);
+            const auto& [normal, upon, from] = network.contacts[static_cast<std::size_t>(k)];
+            directions.block<3, 1>(rowOf(upon), k) += normal / rootOf(upon);
             if (from != ContactNetwork::kWall)
             {
-                directions.block<3, 1>(3 * from, k) -= normal / rootOf(from);
+                directions.block<3, 1>(rowOf(from), k) -= normal / rootOf(from);
             }
         }
         Threads threads(1);
         JointBalance forces(network, threads);
         (void)forces.solve(0, {.unbalance = 1e-6});
-        for (std::uint32_t body = 0; body < kBodies; ++body)
+        Eigen::VectorXd load(3 * bodies);
+        Eigen::VectorXd left(bodies);
+        for (std::uint32_t body = 0; body < network.bodies.size(); ++body)
         {
-            load.segment<3>(3 * body) = rootOf(body) * network.bodies[body].pull;
+            load.segment<3>(rowOf(body)) = rootOf(body) * network.bodies[body].pull;
             left[body] = rootOf(body) * forces.unbalance(body);
         }
-        EXPECT_NEAR(left.head(kBodies).norm(), leastRest(directions, load), 1e-4) << trial;
+        EXPECT_NEAR(left.norm(), leastRest(directions, load), 1e-4) << trial;
     }
 }
 
