@@ -53,7 +53,7 @@ function showErrors() {
     rows.push([`Unbalanced, friction ${readable(joint.friction)}`,
       `${readable(joint.unbalanced)} of ${readable(joint.at_rest)}`],
       ["Stands from a friction of",
-        joint.least_friction === null ? "more than 8" : readable(joint.least_friction)]);
+        joint.least_friction === null ? "none up to 8" : readable(joint.least_friction)]);
   }
   rows.push(["Rounding of places in this page", `${readable(facts.film.error_over_radius)} r`]);
   if (facts.shell_distance) {

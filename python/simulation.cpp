@@ -210,6 +210,9 @@ void addFacts(py::class_<Stepper>& simulation)
         "full", [](const Simulation& s) { return s.full(); },
         "The run is over because no sphere fits any more.");
     fact(
+        "inlets_reached", [](const Simulation& s) { return s.inletsReached(); },
+        "The run is over because no sphere comes through the inlets any more.");
+    fact(
         "time", [](const Simulation& s) { return s.time(); }, "Simulated time, in seconds.");
     fact(
         "time_step", [](const Simulation& s) { return s.timeStep(); }, "In seconds.");

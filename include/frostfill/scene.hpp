@@ -99,7 +99,6 @@ struct Radii
     friend bool operator==(const Radii&, const Radii&) = default;
 };
 
-/// Number and size of the spheres, and how they appear (PAPER: gamma, k).
 /// A round, level opening through which spheres come into the object.
 struct Inlet
 {
@@ -109,6 +108,7 @@ struct Inlet
     friend bool operator==(const Inlet&, const Inlet&) = default;
 };
 
+/// Number and size of the spheres, and how they appear (PAPER: gamma, k).
 struct SphereSettings
 {
     std::optional<Radii> radius;        ///< [mesh unit]; if not given, it follows from the count
@@ -169,9 +169,11 @@ struct DiscardSettings
     double closeness = 0.3; ///< [r] largest distance of a covering sphere along the vertex normal
 };
 
-/// How the spheres at rest are judged at the end. Changes no bit of the run.
+/// How the spheres at rest are judged. Changes no bit of their state.
 struct JudgeSettings
 {
+    static constexpr double kMostFriction = 8; ///< up to which the least one is looked for
+
     std::optional<double> friction; ///< [1] of all contacts; if given, whether all that is at rest
                                     ///< stays so together is judged, too
     double unbalance = 0.1; ///< [own weight] that forces may miss on a sphere that is balanced

@@ -40,9 +40,9 @@ struct SetRecord
 
 /// Whether all spheres at rest stay so together, when nothing holds any of them but the others and
 /// the walls: whether some forces in all contacts balance all of them at once. Normal forces push,
-/// tangential ones are at most the friction times as large, no force bends a contact or rolls on
-/// it. A sphere is unbalanced when more than JudgeSettings::unbalance is missing: of its weight, or
-/// of a torque of its weight times its radius.
+/// tangential ones are at most the friction times as large, and contacts transmit no moment. A
+/// sphere is unbalanced when more than JudgeSettings::unbalance is missing: of its weight, or of a
+/// torque of its weight times its radius.
 struct EquilibriumReport
 {
     double friction = 0;        ///< [1] under which it was judged
@@ -51,7 +51,7 @@ struct EquilibriumReport
     double largest = 0;         ///< [own weight] that is missing on a sphere
     bool settled = false;       ///< false: forces were still changing when they were taken
     /// [1] With it all but one in a hundred are balanced, with a hundredth less they are not;
-    /// infinite if no friction up to 8 will do.
+    /// infinite if no friction up to JudgeSettings::kMostFriction will do.
     double leastFriction = 0;
 };
 

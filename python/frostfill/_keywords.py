@@ -33,7 +33,7 @@ def _annotation(row):
     if {"on", "off"} <= set(row["choices"]):
         kinds = kinds + ["bool"]
     if row["type"] == "text" and not row["choices"]:
-        kinds = kinds + ["int", "Sequence[int]", "Sequence[str]"]
+        kinds = kinds + ["int", "Sequence[float]", "Sequence[str]"]
     words = row["words"] + ([row["nothing"]] if row["nothing"] else [])
     if words and row["type"] not in ("text", "radii"):
         kinds = kinds + [_literal(words)]

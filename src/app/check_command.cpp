@@ -99,10 +99,11 @@ void printEquilibrium(const EquilibriumReport& joint)
     row(fmt::format("unbalanced, friction {:g}", joint.friction),
         fmt::format("{} of {} at rest; at most {:.3g} of the weight is missing{}", joint.unbalanced,
                     joint.spheres, joint.largest,
-                    joint.settled ? "" : ", or less: forces had not settled"));
-    row("stands from a friction of", std::isfinite(joint.leastFriction)
-                                         ? fmt::format("{:.3g}", joint.leastFriction)
-                                         : "more than 8");
+                    joint.settled ? "" : " (an upper bound: forces had not settled)"));
+    row("stands from a friction of",
+        std::isfinite(joint.leastFriction)
+            ? fmt::format("{:.3g}", joint.leastFriction)
+            : fmt::format("none up to {:g}", JudgeSettings::kMostFriction));
 }
 
 void printTable(const Packing& packing, const QualityReport& quality)
@@ -152,10 +153,13 @@ int check(const CheckArguments& arguments)
     Scene scene;
     scene.object.up = packing.up.value_or(scene.object.up);
     applyGivenOptions(arguments.given, scene);
-    if (arguments.mostUnbalanced && !scene.judge.friction)
+    const bool asks =
+        arguments.mostUnbalanced || scene.judge.unbalance != JudgeSettings{}.unbalance;
+    if (asks && !scene.judge.friction)
     {
-        throw Error(ErrorCode::usage, "--max-unbalanced needs a friction under which spheres are "
-                                      "balanced: give --judge-friction");
+        throw Error(ErrorCode::usage,
+                    "--max-unbalanced and --judge-unbalance need a friction under "
+                    "which spheres are balanced: give --judge-friction");
     }
     const TriangleMesh mesh = meshOf(arguments, packing, scene);
     const QualityReport quality = judgePacking(mesh, packing, scene.object.up, scene.judge);

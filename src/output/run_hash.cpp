@@ -37,9 +37,9 @@ std::string runHash(const Scene& scene, const TriangleMesh& mesh)
     FnvHash hash;
     nlohmann::ordered_json json = sceneToJson(same);
     json["frames"].erase("keep_run");
-    if (!same.judge.friction)
+    if (same.style.colourBy != "unbalance")
     {
-        json.erase("judge"); // else a colour may depend on it
+        json.erase("judge"); // nothing else that is seen depends on it
     }
     if (same.spheres.inlets.empty())
     {

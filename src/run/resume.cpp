@@ -22,7 +22,8 @@ namespace frostfill
 namespace
 {
 
-/// With these a run may be resumed differently: they change no bit.
+/// With these a run may be resumed differently: they change no bit. Those of the judge do, where
+/// spheres are coloured by what it finds.
 constexpr std::array<std::string_view, 6> kWithoutEffect = {
     "threads",         "picture.static_layer", "picture.backend",
     "frames.keep_run", "judge.friction",       "judge.unbalance"};
@@ -64,9 +65,11 @@ std::string sceneDifference(const Scene& begun, const Scene& now)
 {
     for (const Option& option : sceneOptions())
     {
-        if (std::find(kWithoutEffect.begin(), kWithoutEffect.end(), option.key) ==
-                kWithoutEffect.end() &&
-            option.get(begun) != option.get(now))
+        const bool hasEffect =
+            std::find(kWithoutEffect.begin(), kWithoutEffect.end(), option.key) ==
+                kWithoutEffect.end() ||
+            (begun.style.colourBy == "unbalance" && option.key.starts_with("judge."));
+        if (hasEffect && option.get(begun) != option.get(now))
         {
             return fmt::format("{} = {}, not {}", option.key, optionText(option, option.get(begun)),
                                optionText(option, option.get(now)));

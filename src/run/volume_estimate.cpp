@@ -45,6 +45,12 @@ VolumeEstimate estimateVolume(const Scene& scene, const LoadedMesh& mesh,
                               const std::function<bool()>& stopRequested)
 {
     validateScene(scene);
+    if (!scene.spheres.inlets.empty())
+    {
+        throw Error(ErrorCode::usage,
+                    "--estimate-volume needs an object that is filled everywhere: "
+                    "omit --inlet");
+    }
     if (scene.spheres.radius && !scene.spheres.radius->equal())
     {
         throw Error(ErrorCode::usage, "--estimate-volume needs one radius: the packing fraction is "

@@ -111,7 +111,7 @@ TEST_F(CheckCommand, SaysFromWhichFrictionAPileStands)
     EXPECT_NE(more.errors.find("unbalanced spheres"), std::string::npos) << more.errors;
     writeFile(folder_ / "air.csv", "x,y,z,radius\n0,0,0,0.2\n");
     const Answer air = run("check air.csv --mesh cube --judge-friction 1");
-    EXPECT_NE(air.output.find("more than 8"), std::string::npos) << air.output;
+    EXPECT_NE(air.output.find("none up to 8"), std::string::npos) << air.output;
 }
 
 TEST_F(CheckCommand, RefusesInASentenceWhatItCannotMeasure)
@@ -137,6 +137,7 @@ TEST_F(CheckCommand, RefusesInASentenceWhatItCannotMeasure)
         {"check two.csv --mesh cube --judge-friction much", 64, "none"},
         {"check two.csv --mesh cube --judge-unbalance 0", 64, "--judge-unbalance"},
         {"check two.csv --mesh cube --max-unbalanced 3", 64, "--judge-friction"},
+        {"check two.csv --mesh cube --judge-unbalance 0.3", 64, "--judge-friction"},
         {"check two.csv --mesh cube --judge-friction 1 --max-unbalanced -3", 64,
          "--max-unbalanced"},
     };

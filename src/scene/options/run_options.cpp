@@ -9,7 +9,6 @@ namespace
 constexpr double kLargestGroup = 1e6;
 constexpr double kMaxThreads = 1024;
 constexpr double kMaxSweeps = 1000;
-constexpr double kLargestFriction = 8;
 constexpr double kLeastUnbalance = 1e-4;
 // What no run needs, and what would overflow, underflow or go on for ever in it.
 constexpr double kLargestNumber = 1e9;
@@ -198,10 +197,10 @@ void addJudge(TableBuilder& table)
     table
         .add("judge.friction", "--judge-friction",
              "Judge whether all spheres at rest stay so together under this friction, and find the "
-             "least one; none: each by itself",
+             "least one; none: only whether each is supported by what is around it",
              FROSTFILL_FIELD(judge.friction))
         .orUnset("none")
-        .range(0, kLargestFriction);
+        .range(0, JudgeSettings::kMostFriction);
     table
         .add("judge.unbalance", "--judge-unbalance",
              "Share of its weight that may be missing on a sphere that is balanced",

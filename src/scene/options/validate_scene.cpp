@@ -48,6 +48,12 @@ void validateScene(const Scene& scene)
         throw Error(ErrorCode::usage, "spheres.group_size (--group-size) is 0, but with the preset "
                                       "paper it must be at least 1");
     }
+    if (scene.judge.unbalance != JudgeSettings{}.unbalance && !scene.judge.friction &&
+        scene.style.colourBy != "unbalance")
+    {
+        throw Error(ErrorCode::usage, "judge.unbalance (--judge-unbalance) needs a friction: give "
+                                      "judge.friction (--judge-friction)");
+    }
     if (!scene.spheres.inlets.empty() && scene.spheres.release != ReleaseRule::ceilings)
     {
         throw Error(ErrorCode::usage, "spheres appear in openings (spheres.inlets, --inlet) or by "

@@ -11,7 +11,7 @@ namespace frostfill
 {
 
 /// What is missing on a sphere at rest, see unbalanceAtRest: found for all of them at once,
-/// whenever one is asked for after something has come to rest or woken.
+/// whenever one is asked for after something has come to rest or woken, or the object has moved.
 class UnbalanceColumn final : public WorldColumn
 {
 public:
@@ -22,12 +22,23 @@ public:
     [[nodiscard]] std::span<const std::uint32_t> changes() const override { return changes_; }
 
 private:
+    /// All that the values depend on.
+    struct Moment
+    {
+        std::size_t changes; ///< of spheres' states
+        Eigen::Vector3d pull;
+        Eigen::Vector3d spin;
+
+        bool operator==(const Moment&) const = default;
+    };
+    [[nodiscard]] Moment now() const;
+
     const World& world_;
-    mutable std::mutex lock_;                 ///< of the next two
-    mutable std::optional<std::size_t> seen_; ///< Spheres::changeCount when they were found
-    mutable std::vector<double> missing_;     ///< by row at rest
-    std::optional<std::size_t> toldAt_;       ///< Spheres::changeCount at the last update
-    std::vector<double> told_;                ///< [#S] the values then
+    mutable std::mutex lock_;             ///< of the next two
+    mutable std::optional<Moment> seen_;  ///< when they were found
+    mutable std::vector<double> missing_; ///< by row at rest
+    std::optional<Moment> toldAt_;        ///< the last update
+    std::vector<double> told_;            ///< [#S] the values then
     std::vector<std::uint32_t> changes_;
 };
 

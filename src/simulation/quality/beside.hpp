@@ -33,7 +33,8 @@ void forEachSphereBeside(const SphereGrid& spheres, std::uint32_t id, const Eige
 }
 
 /// Calls visit(triangle, away, distance) for the triangles beside a sphere: `away` leads to p from
-/// the nearest point [r]. Walls act from both sides. `scratch` keeps its memory.
+/// the nearest point [r]. Walls act from both sides. `scratch` keeps its memory. The bounds of
+/// triangles, by which the engine leaves some out, are not asked: a wrong one would go unseen.
 template <class Visit>
 void forEachTriangleBeside(const World& world, const Eigen::Vector3d& p, double radius,
                            std::vector<std::uint32_t>& scratch, Visit&& visit)
@@ -41,10 +42,6 @@ void forEachTriangleBeside(const World& world, const Eigen::Vector3d& p, double 
     const double reach = radius * (1 + kContactGap);
     for (const std::uint32_t t : world.triangles.near(p, reach, scratch))
     {
-        if (!world.surface.bound(t).mayBeWithin(reach, p))
-        {
-            continue;
-        }
         const auto& [a, b, c] = world.surface[t].corner;
         const Eigen::Vector3d away = p - closestPointOnTriangle(p, a, b, c).point;
         const double distance = away.norm();

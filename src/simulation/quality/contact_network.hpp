@@ -19,7 +19,7 @@ struct ContactNetwork
 
     struct Body
     {
-        Eigen::Vector3d pull; ///< acceleration that acts on it, about as long as 1
+        Eigen::Vector3d pull; ///< direction in which it is pulled; 0 where it is weightless
         double radius;        ///< [r]
     };
     /// One that pushes `upon` along the normal, and `from`, unless that is kWall, against it.

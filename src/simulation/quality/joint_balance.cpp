@@ -178,7 +178,7 @@ void JointBalance::findStiffness()
             after += change.squaredNorm() * compliance;
             next_[contact] = change;
         }
-        stiffness_ = std::max(1.0, std::sqrt(after / before));
+        stiffness_ = before > 0 ? std::max(1.0, std::sqrt(after / before)) : 1;
         for (Eigen::Vector3d& one : next_)
         {
             one /= stiffness_;
@@ -228,9 +228,10 @@ void JointBalance::moveOn(double momentum)
 
 Balance JointBalance::solve(double friction, const BalanceGoal& goal)
 {
-    if (friction != friction_ && !force_.empty())
+    const bool isKnown = friction_ >= 0 && (friction > 0) == (friction_ > 0);
+    friction_ = friction;
+    if (!isKnown && !force_.empty())
     {
-        friction_ = friction;
         findStiffness();
     }
     for (std::size_t k = 0; k < force_.size(); ++k)
@@ -278,7 +279,7 @@ Balance JointBalance::look(const BalanceGoal& goal) const
     return balance;
 }
 
-// From forces that hold the packing under more friction.
+// Each search begins with the forces of the one before.
 double leastFriction(const ContactNetwork& network, double unbalance, std::size_t except,
                      Threads& threads)
 {
@@ -296,12 +297,12 @@ double leastFriction(const ContactNetwork& network, double unbalance, std::size_
     {
         falls = holds;
         holds *= 2;
-        if (holds > kMostFriction)
+        if (holds > JudgeSettings::kMostFriction)
         {
             return std::numeric_limits<double>::infinity();
         }
     }
-    while (holds - falls > kFrictionStep * holds)
+    while (holds - falls > std::max(kFrictionStep * holds, kLeastFriction))
     {
         const double middle = (falls + holds) / 2;
         (stands(middle) ? holds : falls) = middle;

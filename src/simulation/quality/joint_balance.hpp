@@ -24,13 +24,13 @@ struct Balance
 {
     std::size_t unbalanced = 0; ///< spheres that miss more than the goal allows
     double largest = 0;         ///< [own weight] that is missing on a sphere
-    bool settled = false; ///< no better forces are to be expected; otherwise the steps have run out
+    bool settled = false;       ///< the forces are good enough, or are not worth another step
 };
 
 /// Looks for forces in all contacts of a packing at once that hold every sphere: normal forces push
 /// and never pull, tangential ones are at most the friction times as large (Coulomb's cone), and on
 /// each sphere forces and torques add up to none. Nothing is known of how the packing came to be,
-/// so what stands here can stand; what does not stand cannot.
+/// so what stands here can stand. What does not stand cannot, but for forces that had not settled.
 ///
 /// Where they cannot hold all, what is missing is as little as can be, summed up over squares of
 /// accelerations times masses. Without friction these are the accelerations with which the spheres
@@ -69,8 +69,6 @@ private:
         double steepest = 0; ///< change of an acceleration
     };
 
-    template <class Body>
-    void forEachBody(Body&& body) const;
     void accelerate(const Vectors& force, bool pulled);
     [[nodiscard]] Eigen::Vector3d approach(std::size_t contact) const;
     [[nodiscard]] double compliance(std::size_t contact) const;
@@ -96,7 +94,8 @@ private:
 };
 
 /// The least friction with which all but `except` bodies miss at most `unbalance` of their weight,
-/// to kFrictionStep of itself; infinite when none up to kMostFriction will do. By bisection.
+/// to kFrictionStep of itself or kLeastFriction; infinite when none up to
+/// JudgeSettings::kMostFriction will do. By bisection.
 [[nodiscard]] double leastFriction(const ContactNetwork& network, double unbalance,
                                    std::size_t except, Threads& threads);
 

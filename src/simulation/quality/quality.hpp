@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Room: the judge of a state: overlaps, support, centres outside, energy; and whether all that
-// rests stands together. It shares no code with what it judges except the closest point.
+// rests stands together. It shares no code with what it judges except the closest point and the
+// grids.
 #pragma once
 
 #include "simulation/world/world.hpp"
@@ -8,8 +9,6 @@
 #include <span>
 #include <vector>
 
-/// The judge of a state: overlaps, walls, support, centres outside. It asks its own oracles and
-/// shares nothing with what it judges but the closest point of a triangle and the grids.
 namespace frostfill
 {
 

@@ -4,7 +4,6 @@
 #include "simulation/quality/beside.hpp"
 
 #include <algorithm>
-#include <array>
 #include <numeric>
 #include <utility>
 #include <vector>

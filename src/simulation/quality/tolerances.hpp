@@ -29,11 +29,10 @@ inline constexpr double kUnsupported = 0.1;
 /// Share of the spheres that may be unbalanced in a packing that stands. Larger: a part of it may
 /// fall. Smaller: one sphere that hangs on a friction of its own decides for thousands.
 inline constexpr double kLoose = 0.01;
-/// Friction up to which the least one is looked for. [1] Smaller: packings stand that are said not
-/// to.
-inline constexpr double kMostFriction = 8;
 /// To which share of itself the least friction is found. Smaller: time.
 inline constexpr double kFrictionStep = 0.01;
+/// Least friction that is told from none. [1] Smaller: time, where hardly any is needed.
+inline constexpr double kLeastFriction = 1e-3;
 /// Forces are found when no step changes an acceleration by more of what may be missing. Larger:
 /// forces that have not yet spread to the foot of a pile. Smaller: time.
 inline constexpr double kSettledForces = 0.01;

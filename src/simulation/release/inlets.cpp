@@ -18,7 +18,7 @@ namespace frostfill
 namespace
 {
 
-void refuse(const Inlet& inlet, const char* why)
+[[noreturn]] void refuse(const Inlet& inlet, const char* why)
 {
     throw Error(ErrorCode::usage,
                 fmt::format("the inlet at ({:g} {:g} {:g}) with the radius {:g} {}",
@@ -37,12 +37,17 @@ Inlets::Inlets(const World& world) : world_(world)
                                  area += inlet.radius * inlet.radius};
         if (!world.inside.contains(opening.centre))
         {
-            refuse(inlet, "is not inside the object: give a centre inside, such as just below the "
-                          "top");
+            refuse(inlet, "is not inside the object: give a centre inside, more than a sphere's "
+                          "radius below the top");
         }
         if (opening.radius < world.radii.largest())
         {
             refuse(inlet, "is narrower than the largest sphere: give a larger radius");
+        }
+        if (world.spheres.resting().size() == 0 && !letsIn(opening))
+        {
+            refuse(inlet, "leaves no room for a sphere: put it more than a sphere's radius away "
+                          "from walls");
         }
         openings_.push_back(opening);
     }
@@ -75,8 +80,8 @@ std::optional<Eigen::Vector3d> Inlets::place(double radius, const ReleaseQuery& 
     {
         Eigen::Vector3d p = draw(radius);
         Footprint unused;
-        if (world_.inside.contains(p) && depenetrate(world_, p, radius, kOffInInlet * radius) &&
-            (!query.prepare || query.prepare(p, radius, unused)) && query.suits(p, radius))
+        if (isClear(p, radius) && (!query.prepare || query.prepare(p, radius, unused)) &&
+            query.suits(p, radius))
         {
             return p;
         }
@@ -91,17 +96,44 @@ bool Inlets::any()
         .has_value();
 }
 
-// Evenly over the openings.
+// An opening with a probability in proportion to its area.
 Eigen::Vector3d Inlets::draw(double radius)
 {
-    const auto random = [&, number = ++draws_](std::uint64_t k)
-    { return uniformRandom(world_.scene.seed, number, k); };
-    const double choice = random(0);
+    const double choice = uniformRandom(world_.scene.seed, ++draws_, 0);
     const auto among = std::find_if(openings_.begin(), openings_.end() - 1,
                                     [&](const Opening& one) { return choice < one.share; });
-    const double arm = (among->radius - radius) * std::sqrt(random(1));
+    return placeIn(*among, radius, draws_);
+}
+
+// Evenly over the opening.
+Eigen::Vector3d Inlets::placeIn(const Opening& opening, double radius, std::uint64_t number) const
+{
+    const auto random = [&](std::uint64_t k)
+    { return uniformRandom(world_.scene.seed, number, k); };
+    const double arm = (opening.radius - radius) * std::sqrt(random(1));
     const double angle = 2 * std::numbers::pi * random(2);
-    return among->centre + arm * Eigen::Vector3d(std::cos(angle), 0, std::sin(angle));
+    return opening.centre + arm * Eigen::Vector3d(std::cos(angle), 0, std::sin(angle));
+}
+
+bool Inlets::isClear(Eigen::Vector3d& place, double radius) const
+{
+    return world_.inside.contains(place) &&
+           depenetrate(world_, place, radius, kOffInInlet * radius);
+}
+
+// Of the largest spheres.
+bool Inlets::letsIn(const Opening& opening) const
+{
+    const double radius = world_.radii.largest();
+    for (std::uint64_t number = 0; number < kMaxMissesInInlets; ++number)
+    {
+        Eigen::Vector3d place = placeIn(opening, radius, number);
+        if (isClear(place, radius))
+        {
+            return true;
+        }
+    }
+    return false;
 }
 
 } // namespace frostfill

@@ -9,14 +9,14 @@
 namespace frostfill
 {
 
-/// Spheres appear at random places in the scene's inlets, wholly within the openings, as if they
-/// came out of hoppers of which one is as wide as it is drawn often. When the heap below leaves no
-/// room in any of them, nothing appears any more, however much of the object is empty.
+/// Spheres appear at random places in the scene's inlets, within the openings to kOffInInlet. An
+/// inlet is chosen with a probability in proportion to its area. When the heap below leaves no room
+/// in any of them, nothing appears any more, however much of the object is empty.
 class Inlets final : public ReleasePart
 {
 public:
-    /// The world outlives this. Throws Error usage for an inlet outside of the object, or one that
-    /// is narrower than the largest sphere.
+    /// The world outlives this. Throws Error usage for an inlet outside of the object, one that is
+    /// narrower than the largest sphere, and one that walls leave no room in.
     explicit Inlets(const World& world);
 
     [[nodiscard]] std::optional<PlacedSphere> next(const ReleaseQuery& query) override;
@@ -34,6 +34,10 @@ private:
         double share;           ///< of the area of all, up to this one
     };
     [[nodiscard]] Eigen::Vector3d draw(double radius);
+    [[nodiscard]] Eigen::Vector3d placeIn(const Opening& opening, double radius,
+                                          std::uint64_t number) const;
+    [[nodiscard]] bool isClear(Eigen::Vector3d& place, double radius) const;
+    [[nodiscard]] bool letsIn(const Opening& opening) const;
 
     const World& world_;
     std::vector<Opening> openings_;

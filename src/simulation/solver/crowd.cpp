@@ -136,8 +136,7 @@ void Crowd::cutIntoStrips(const Eigen::Vector3d& down)
     }
 }
 
-// Of members that touch one another, and others that do, all have the same lead. Returns false if
-// more than `largest` hang together.
+// All members of a cluster get the same lead. Returns false if one has more than `largest`.
 bool Crowd::findClusters(std::size_t largest)
 {
     const auto size = static_cast<std::uint32_t>(order_.size());

@@ -17,8 +17,8 @@ namespace frostfill
 ///
 /// With several threads the crowd is cut into strips of equal numbers, side by side. Each strip is
 /// taken by one thread in the same order, at the same time as the others; see Turns. A small crowd
-/// mostly falls into clusters that do not touch one another. Then no cluster is cut, and no strip
-/// waits for another.
+/// mostly falls into clusters that do not touch one another. Then no cluster is cut, and no member
+/// waits for one of another strip.
 class Crowd
 {
 public:

@@ -56,7 +56,7 @@ public:
         }
     }
     /// To be called at the end of each sweep but the last that there can be: whether no strip goes
-    /// on. One that goes on waits for nobody.
+    /// on. Returns at once in one that does.
     [[nodiscard]] bool isLast(std::size_t strip, std::uint32_t sweep, bool goesOn);
 
     // Rounds, numbered from 0, in which a member's turn changes itself and those nearby below it.

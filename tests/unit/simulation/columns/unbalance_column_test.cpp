@@ -2,7 +2,6 @@
 #include "simulation/columns/unbalance_column.hpp"
 
 #include "oracle/rest.hpp"
-#include "support/expect_error.hpp"
 #include "support/shapes.hpp"
 #include "support/small_world.hpp"
 #include "unit/simulation/engine/small_torus.hpp"
@@ -10,8 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <set>
+#include <cmath>
 
 namespace frostfill
 {

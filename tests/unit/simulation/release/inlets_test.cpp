@@ -115,6 +115,17 @@ TEST(Inlets, AreRefusedOutsideAndWhereNoSphereComesThrough)
             const Simulation none(sceneWith({{{0, 0, 0}, 0.09}}), cube);
         },
         "radius 0.09", "narrower than the largest sphere");
+    expectError(
+        ErrorCode::usage,
+        [&] {
+            const Simulation none(sceneWith({{{0, 0.95, 0}, 0.3}}), cube);
+        },
+        "(0 0.95 0)", "no room for a sphere");
+    // The smaller ones would come through, the larger never.
+    Scene unlike = sceneWith({{{0, 0.93, 0}, 0.3}});
+    unlike.spheres.radius = Radii(0.05, 0.1);
+    expectError(
+        ErrorCode::usage, [&] { const Simulation none(unlike, cube); }, "no room for a sphere");
 }
 
 TEST(Inlets, EndARunWhenTheHeapReachesThem)

@@ -21,7 +21,7 @@ protected:
 
 TEST_P(ClusteredCrowdTest, CutsNoClusterOfAFew)
 {
-    CrowdOfPile all(strips(), clusters(1));
+    CrowdOfPile all(strips(), clusters(1), 0.6);
     const Crowd& crowd = all.crowd;
     all.crowd.forEachStrip([&](std::size_t strip) { all.crowd.enlist(strip); });
     EXPECT_FALSE(crowd.stripsTouch());
@@ -43,16 +43,16 @@ TEST_P(ClusteredCrowdTest, CutsWhatHangsTogetherAndIsMoreThanItsShare)
 {
     const bool several = strips() > 1;
     EXPECT_EQ(CrowdOfPile(strips()).crowd.stripsTouch(), several);
-    const bool touch = CrowdOfPile(strips(), clusters(1, 60)).crowd.stripsTouch();
+    const bool touch = CrowdOfPile(strips(), clusters(1, 60), 0.6).crowd.stripsTouch();
     EXPECT_EQ(touch, strips() >= 8) << "60 hang together, of 186 in 3 strips, or in 5";
-    EXPECT_EQ(CrowdOfPile(strips(), clusters(1, 200)).crowd.stripsTouch(), several);
+    EXPECT_EQ(CrowdOfPile(strips(), clusters(1, 200), 0.6).crowd.stripsTouch(), several);
 }
 
 TEST_P(ClusteredCrowdTest, EndsInAllStripsWithTheSweepAfterWhichNoneGoesOn)
 {
     for (const auto& places : {shakenPlaces(1), clusters(1)})
     {
-        CrowdOfPile all(strips(), places);
+        CrowdOfPile all(strips(), places, 0.6);
         const std::size_t count = all.crowd.strips().size();
         for (std::size_t longest = 0; longest < count; ++longest)
         {

@@ -10,7 +10,7 @@
 namespace frostfill
 {
 
-/// Runners one beside the other, shaken, some pressed into others; radii from `smallest` to 1.
+/// Runners one beside the other, shaken, some pressed into others.
 inline std::vector<Eigen::Vector3d> shakenPlaces(std::uint64_t seed)
 {
     std::vector<Eigen::Vector3d> places;
@@ -44,9 +44,9 @@ inline std::vector<Eigen::Vector3d> clusters(std::uint64_t seed, int longest = 2
 /// A crowd of all runners of a pile.
 struct CrowdOfPile
 {
-    explicit CrowdOfPile(std::size_t strips) : CrowdOfPile(strips, shakenPlaces(1)) {}
-    CrowdOfPile(std::size_t strips, const std::vector<Eigen::Vector3d>& places)
-        : pile(places, std::vector<double>(places.size(), places.size() == 343 ? 1 : 0.6), strips)
+    explicit CrowdOfPile(std::size_t strips) : CrowdOfPile(strips, shakenPlaces(1), 1) {}
+    CrowdOfPile(std::size_t strips, const std::vector<Eigen::Vector3d>& places, double radius)
+        : pile(places, std::vector<double>(places.size(), radius), strips)
     {
         pairs.findPairs();
         crowd.gather({0, -1, 0});
