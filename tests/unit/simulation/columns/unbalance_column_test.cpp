@@ -55,6 +55,19 @@ TEST(UnbalanceColumn, TellsOfAllThatChangesWhoeverAsksInBetween)
     EXPECT_NEAR(column.value(high), 0, 1e-3);
 }
 
+TEST(UnbalanceColumn, FollowsThePullOfAMovingObject)
+{
+    const auto world = smallWorld(room());
+    const auto low = addResting(*world, {0, -9, 0});
+    UnbalanceColumn column(*world);
+    column.update();
+    EXPECT_EQ(column.value(low), 0);
+    world->pull.uniform = Eigen::Vector3d(1, -1, 0).normalized(); // it leans
+    column.update();
+    EXPECT_NEAR(column.value(low), std::sqrt(0.5), 1e-3);
+    EXPECT_EQ(column.changes().size(), 1U);
+}
+
 TEST(UnbalanceColumn, JudgesUnderTheFrictionOfTheScene)
 {
     Scene scene = presetScene(Preset::fast, "torus");
