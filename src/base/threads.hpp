@@ -3,6 +3,7 @@
 // programs. Nothing here knows of spheres or meshes.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -120,6 +121,15 @@ private:
     std::mutex failureLock_;
     std::exception_ptr failure_; ///< the first that a body has thrown
 };
+
+/// Calls body(first, last, part) for parts of `size`, the last one of what is left: few bodies that
+/// take long, and sums over parts that do not depend on the number of threads.
+template <class Body>
+void forEachPart(Threads& threads, std::size_t count, std::size_t size, Body&& body)
+{
+    threads.forEachLarge((count + size - 1) / size, [&](std::size_t part)
+                         { body(part * size, std::min(count, (part + 1) * size), part); });
+}
 
 /// Calls body(slab) for each slab below `count`: every other one first, then those between, so that
 /// a body may also write what belongs to the slabs beside its own.

@@ -3,6 +3,7 @@
 
 #include "base/fnv_hash.hpp"
 #include "output/scene_json.hpp"
+#include "scene/shown_unbalance.hpp"
 
 #include <fmt/format.h>
 
@@ -37,9 +38,9 @@ std::string runHash(const Scene& scene, const TriangleMesh& mesh)
     FnvHash hash;
     nlohmann::ordered_json json = sceneToJson(same);
     json["frames"].erase("keep_run");
-    if (same.style.colourBy != "unbalance")
+    if (!showsUnbalance(same))
     {
-        json.erase("judge"); // nothing else that is seen depends on it
+        json.erase("judge");
     }
     if (same.spheres.inlets.empty())
     {

@@ -3,6 +3,7 @@
 
 #include "run/run_head.hpp"
 #include "run_file/file_of_run.hpp"
+#include "scene/shown_unbalance.hpp"
 
 #include <frostfill/error.hpp>
 #include <frostfill/measure.hpp>
@@ -22,11 +23,17 @@ namespace frostfill
 namespace
 {
 
-/// With these a run may be resumed differently: they change no bit. Those of the judge do, where
-/// spheres are coloured by what it finds.
-constexpr std::array<std::string_view, 6> kWithoutEffect = {
-    "threads",         "picture.static_layer", "picture.backend",
-    "frames.keep_run", "judge.friction",       "judge.unbalance"};
+/// With these a run may be resumed differently: they change no bit.
+constexpr std::array<std::string_view, 4> kWithoutEffect = {"threads", "picture.static_layer",
+                                                            "picture.backend", "frames.keep_run"};
+
+bool hasEffect(const Option& option, const Scene& scene)
+{
+    return option.key.starts_with("judge.")
+               ? showsUnbalance(scene)
+               : std::find(kWithoutEffect.begin(), kWithoutEffect.end(), option.key) ==
+                     kWithoutEffect.end();
+}
 
 void refuseAnotherScene(const Scene& begun, const Scene& now,
                         const std::filesystem::path& directory)
@@ -65,11 +72,7 @@ std::string sceneDifference(const Scene& begun, const Scene& now)
 {
     for (const Option& option : sceneOptions())
     {
-        const bool hasEffect =
-            std::find(kWithoutEffect.begin(), kWithoutEffect.end(), option.key) ==
-                kWithoutEffect.end() ||
-            (begun.style.colourBy == "unbalance" && option.key.starts_with("judge."));
-        if (hasEffect && option.get(begun) != option.get(now))
+        if (hasEffect(option, begun) && option.get(begun) != option.get(now))
         {
             return fmt::format("{} = {}, not {}", option.key, optionText(option, option.get(begun)),
                                optionText(option, option.get(now)));

@@ -154,14 +154,10 @@ private:
         {
             solid[tree_.order()[place]] = !boxes_[place].isEmpty();
         }
-        const std::size_t vertices = around.vertices();
-        const auto searchSome = [&](std::size_t part)
-        {
-            searchFans(
-                around, solid,
-                {part * kVerticesTogether, std::min((part + 1) * kVerticesTogether, vertices)});
-        };
-        threads_.forEachLarge((vertices + kVerticesTogether - 1) / kVerticesTogether, searchSome);
+        forEachPart(threads_, around.vertices(), kVerticesTogether,
+                    [&](std::size_t first, std::size_t last, std::size_t) {
+                        searchFans(around, solid, {first, last});
+                    });
     }
 
     void searchFans(const VertexTriangles& around, const std::vector<bool>& solid,

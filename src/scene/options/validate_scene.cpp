@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "scene/shown_unbalance.hpp"
+
 #include <frostfill/error.hpp>
 #include <frostfill/options.hpp>
 
@@ -49,7 +51,7 @@ void validateScene(const Scene& scene)
                                       "paper it must be at least 1");
     }
     if (scene.judge.unbalance != JudgeSettings{}.unbalance && !scene.judge.friction &&
-        scene.style.colourBy != "unbalance")
+        !showsUnbalance(scene))
     {
         throw Error(ErrorCode::usage, "judge.unbalance (--judge-unbalance) needs a friction: give "
                                       "judge.friction (--judge-friction)");

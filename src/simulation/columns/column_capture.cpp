@@ -75,16 +75,15 @@ std::vector<ColumnValues> ColumnCapture::all()
     {
         const WorldColumn* source = sourceOf(values.column());
         values.bits.resize(count);
-        threads.forEachLarge(count / kInPart + 1,
-                             [&](std::size_t part)
-                             {
-                                 const std::size_t end = std::min(count, (part + 1) * kInPart);
-                                 for (std::size_t id = part * kInPart; id < end; ++id)
-                                 {
-                                     values.set(id, valueOf(values.column(), source,
-                                                            static_cast<std::uint32_t>(id)));
-                                 }
-                             });
+        forEachPart(threads, count, kInPart,
+                    [&](std::size_t first, std::size_t last, std::size_t)
+                    {
+                        for (std::size_t id = first; id < last; ++id)
+                        {
+                            values.set(id, valueOf(values.column(), source,
+                                                   static_cast<std::uint32_t>(id)));
+                        }
+                    });
     }
     return columns;
 }

@@ -53,13 +53,9 @@ std::vector<std::uint32_t> PolygonWitnesses::takeUntouchable(const ReachMap& map
 {
     std::vector<WatchLists::Watcher> fallen = lists_.takeFallen(
         threads, [&](CubeNumber witness) { return map.isReached(witness, mayHold); });
-    threads.forEachLarge((fallen.size() + kPolygonsTogether - 1) / kPolygonsTogether,
-                         [&](std::size_t i)
-                         {
-                             const auto rest = Watchers(fallen).subspan(i * kPolygonsTogether);
-                             findWitnesses(map, mayHold,
-                                           rest.first(std::min(kPolygonsTogether, rest.size())));
-                         });
+    forEachPart(threads, fallen.size(), kPolygonsTogether,
+                [&](std::size_t first, std::size_t last, std::size_t)
+                { findWitnesses(map, mayHold, Watchers(fallen).subspan(first, last - first)); });
     std::vector<std::uint32_t> untouchable;
     const auto isOut = [&](const WatchLists::Watcher& one)
     {

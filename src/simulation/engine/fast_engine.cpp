@@ -256,10 +256,7 @@ void FastEngine::discard()
 
 void FastEngine::finish()
 {
-    if (world_.targetCount == 0 || world_.spheres.size() < world_.targetCount)
-    {
-        endForWantOfPlaces(world_, *observers_.release);
-    }
+    endForWantOfPlaces(world_, *observers_.release);
     world_.clock.finished = true;
     if (waker_.phase() == Waker::Phase::over)
     {

@@ -101,10 +101,7 @@ bool PaperEngine::startNextSet()
     {
         return true;
     }
-    if (world_.targetCount == 0 || world_.spheres.size() < world_.targetCount)
-    {
-        endForWantOfPlaces(world_, *release_);
-    }
+    endForWantOfPlaces(world_, *release_);
     clock_.close(world_);
     return false;
 }

@@ -68,19 +68,17 @@ ContactNetwork networkAtRest(const World& world, Threads& threads)
     ContactNetwork network;
     network.bodies.resize(count);
     std::vector<NetworkPart> parts(count / kLookedAtTogether + 1);
-    threads.forEachLarge(
-        parts.size(),
-        [&](std::size_t i)
-        {
-            const std::size_t end = std::min(count, (i + 1) * kLookedAtTogether);
-            for (std::size_t row = i * kLookedAtTogether; row < end; ++row)
-            {
-                const Ball& ball = resting[static_cast<std::uint32_t>(row)];
-                network.bodies[row] = {world.pull.direction(ball.position()), ball.radius};
-            }
-            parts[i].look(world, static_cast<std::uint32_t>(i * kLookedAtTogether),
-                          static_cast<std::uint32_t>(end));
-        });
+    forEachPart(threads, count, kLookedAtTogether,
+                [&](std::size_t first, std::size_t last, std::size_t part)
+                {
+                    for (std::size_t row = first; row < last; ++row)
+                    {
+                        const Ball& ball = resting[static_cast<std::uint32_t>(row)];
+                        network.bodies[row] = {world.pull.direction(ball.position()), ball.radius};
+                    }
+                    parts[part].look(world, static_cast<std::uint32_t>(first),
+                                     static_cast<std::uint32_t>(last));
+                });
     for (const NetworkPart& part : parts)
     {
         network.contacts.insert(network.contacts.end(), part.contacts().begin(),

@@ -53,15 +53,6 @@ bool isHopeless(const std::vector<std::size_t>& looks, std::size_t except)
            now > kHardlyFewer * static_cast<double>(looks[looks.size() / 2]);
 }
 
-/// Calls body(first, last, part) for parts of a fixed size, so that sums do not depend on threads.
-template <class Body>
-void forEachPart(Threads& threads, std::size_t count, Body&& body)
-{
-    threads.forEachLarge(
-        (count + kTakenTogether - 1) / kTakenTogether, [&](std::size_t part)
-        { body(part * kTakenTogether, std::min(count, (part + 1) * kTakenTogether), part); });
-}
-
 } // namespace
 
 JointBalance::JointBalance(const ContactNetwork& network, Threads& threads)
@@ -95,7 +86,7 @@ JointBalance::JointBalance(const ContactNetwork& network, Threads& threads)
 // Forces lie at the points of contact, so the torque on both bodies is the same but for the radius.
 void JointBalance::accelerate(const Vectors& force, bool pulled)
 {
-    forEachPart(threads_, network_.bodies.size(),
+    forEachPart(threads_, network_.bodies.size(), kTakenTogether,
                 [&](std::size_t first, std::size_t last, std::size_t)
                 {
                     for (std::size_t body = first; body < last; ++body)
@@ -190,7 +181,7 @@ void JointBalance::findStiffness()
 JointBalance::Progress JointBalance::step()
 {
     std::vector<Progress> parts(network_.contacts.size() / kTakenTogether + 1);
-    forEachPart(threads_, network_.contacts.size(),
+    forEachPart(threads_, network_.contacts.size(), kTakenTogether,
                 [&](std::size_t first, std::size_t last, std::size_t part)
                 {
                     for (std::size_t k = first; k < last; ++k)
@@ -215,7 +206,7 @@ JointBalance::Progress JointBalance::step()
 
 void JointBalance::moveOn(double momentum)
 {
-    forEachPart(threads_, force_.size(),
+    forEachPart(threads_, force_.size(), kTakenTogether,
                 [&](std::size_t first, std::size_t last, std::size_t)
                 {
                     for (std::size_t k = first; k < last; ++k)

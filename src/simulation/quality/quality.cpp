@@ -190,14 +190,11 @@ QualityReport examine(const World& world)
     std::vector<Examination> parts(
         count / kInPart + 1,
         Examination(world, gathered ? *gathered : world.spheres.resting(), winding));
-    Threads(world.scene.threads)
-        .forEachLarge(parts.size(),
-                      [&](std::size_t i)
-                      {
-                          const auto end = std::min(count, (i + 1) * kInPart);
-                          parts[i].look(static_cast<std::uint32_t>(i * kInPart),
-                                        static_cast<std::uint32_t>(end));
-                      });
+    Threads threads(world.scene.threads);
+    forEachPart(
+        threads, count, kInPart,
+        [&](std::size_t first, std::size_t last, std::size_t part)
+        { parts[part].look(static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(last)); });
     for (std::size_t i = 1; i < parts.size(); ++i)
     {
         parts.front().add(parts[i]);

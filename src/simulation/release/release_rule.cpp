@@ -27,6 +27,10 @@ std::unique_ptr<ReleasePart> makeRelease(const World& world, double band, Thread
 
 void endForWantOfPlaces(World& world, const ReleasePart& release)
 {
+    if (world.targetCount > 0 && world.spheres.size() >= world.targetCount)
+    {
+        return;
+    }
     (release.findsEveryPlace() ? world.clock.full : world.clock.inletsReached) = true;
 }
 

@@ -66,7 +66,7 @@ using MakeRelease =
 [[nodiscard]] std::unique_ptr<ReleasePart> makeRelease(const World& world, double band,
                                                        Threads& threads);
 
-/// The run is over because nothing can appear any more.
+/// Nothing can appear any more: says why the run is over, unless its count is reached.
 void endForWantOfPlaces(World& world, const ReleasePart& release);
 
 } // namespace frostfill

@@ -40,6 +40,24 @@ TEST_P(ThreadsTest, VisitEachIndexOnce)
     }
 }
 
+TEST_P(ThreadsTest, TakePartsOfAFixedSizeAndTheLastOfWhatIsLeft)
+{
+    for (const std::size_t count : {0U, 1U, 9U, 10U, 11U, 95U})
+    {
+        std::vector<std::size_t> partOf(count, 99);
+        forEachPart(threads, count, 10,
+                    [&](std::size_t first, std::size_t last, std::size_t part)
+                    {
+                        EXPECT_LE(last, count);
+                        std::fill(partOf.data() + first, partOf.data() + last, part);
+                    });
+        for (std::size_t i = 0; i < count; ++i)
+        {
+            EXPECT_EQ(partOf[i], i / 10) << i << " of " << count;
+        }
+    }
+}
+
 TEST_P(ThreadsTest, ThrowWhatABodyThrowsAndGoOn)
 {
     for (int repeat = 0; repeat < 50; ++repeat)
