@@ -66,6 +66,21 @@ void addQuality(py::module_& module)
     add("volume_estimate_error", &R::volumeEstimateError, "[unit^3] its uncertainty");
     add("equilibrium", &R::equilibrium,
         "whether all that is at rest stays so together; None unless judge_friction is given");
+    add("settling", &R::settling, "how all settled together; None unless rest is joint");
+    addText(report);
+}
+
+void addSettling(py::module_& module)
+{
+    py::class_<SettlingReport> report(module, "SettlingReport",
+                                      "How all spheres have settled together.");
+    const auto add = [&](const char* name, auto member, const char* help)
+    { report.def_readonly(name, member, help); };
+    using R = SettlingReport;
+    add("rounds", &R::rounds, "times that all have settled; the object is filled up in between");
+    add("settled", &R::settled, "False: some still moved when they were frozen");
+    add("missing", &R::missing, "[own weight] that forces miss on a sphere in the end, at most");
+    add("overlap", &R::overlap, "[radius] that was left, at most");
     addText(report);
 }
 
@@ -139,6 +154,7 @@ void addVolume(py::module_& module)
 void addReports(py::module_& module)
 {
     addEquilibrium(module);
+    addSettling(module);
     addQuality(module);
     addMeshReport(module);
     addVolume(module);

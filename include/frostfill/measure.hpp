@@ -42,12 +42,13 @@ enum class Stage : std::uint8_t
     freezing,
     discarding,
     releasing, ///< the search for release sites
+    settling,  ///< of all spheres together
     rendering,
     readback,
     encoding,
     writing,
 };
-inline constexpr std::size_t kStageCount = 10;
+inline constexpr std::size_t kStageCount = 11;
 
 /// "sphere_sphere", "sphere_polygon", ...: the names used in files.
 [[nodiscard]] const char* stageName(Stage stage);

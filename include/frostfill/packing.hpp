@@ -26,6 +26,7 @@ struct Packing
     /// The mesh and the axis up, if the file is a run of our own.
     std::optional<TriangleMesh> mesh;
     std::optional<Axis> up;
+    double settledWith = 0; ///< [1] friction under which a run's spheres settled together
 };
 
 /// Reads spheres from the directory of a run, a run file, a table of text with columns x, y, z and

@@ -67,6 +67,12 @@ enum class Motion : std::uint8_t
     descend, ///< drop-and-roll: no dynamics; each sphere moves down to a place that carries it
 };
 
+enum class Rest : std::uint8_t
+{
+    each,  ///< every sphere rests on what is at rest, as if nothing could move that
+    joint, ///< then all settle together, until forces in all contacts at once hold them
+};
+
 /// The object to fill.
 struct ObjectSettings
 {
@@ -161,6 +167,16 @@ struct FreezingSettings
     std::optional<FreezingRule> rule;
 };
 
+/// What rest is, in the end. Friction acts while all settle together; the motions that fill the
+/// object have none.
+struct RestSettings
+{
+    Rest mode = Rest::each;
+    double friction = 0;                ///< [1] Coulomb's, of two spheres
+    std::optional<double> wallFriction; ///< [1] Coulomb's, of a wall; if not given, as of spheres
+    double rollingFriction = 0; ///< [1] moment that resists rolling, over normal force and radius
+};
+
 /// What is no longer tested (PAPER: equation 3 and covered polygons).
 struct DiscardSettings
 {
@@ -177,6 +193,8 @@ struct JudgeSettings
     std::optional<double> friction; ///< [1] of all contacts; if given, whether all that is at rest
                                     ///< stays so together is judged, too
     double unbalance = 0.1; ///< [own weight] that forces may miss on a sphere that is balanced
+    /// [1] under which spheres settled that a program judges. A scene has RestSettings for that.
+    double settledWith = 0;
 };
 
 struct SearchSettings
@@ -224,6 +242,7 @@ struct Scene
     SphereSettings spheres;
     MotionSettings motion;
     FreezingSettings freezing;
+    RestSettings rest;
     MoveSettings move;
     DiscardSettings discard;
     SearchSettings search;

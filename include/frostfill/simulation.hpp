@@ -55,6 +55,15 @@ struct EquilibriumReport
     double leastFriction = 0;
 };
 
+/// How all spheres have settled together: see Rest::joint.
+struct SettlingReport
+{
+    std::size_t rounds = 0; ///< times that all have settled; the object is filled up in between
+    bool settled = false;   ///< false: some still moved when they were frozen the last time
+    double missing = 0;     ///< [own weight] that forces miss on a sphere in the end, at most
+    double overlap = 0;     ///< [r] that was left, at most
+};
+
 /// The quality of a state. Overlaps are penetration depths over the radius, the smaller one of two.
 struct QualityReport
 {
@@ -63,7 +72,9 @@ struct QualityReport
     double maxWallOverlap = 0;      ///< [r] between a sphere and the mesh
     std::size_t centresOutside = 0; ///< by winding number
     std::size_t notFinite = 0;
-    std::size_t unsupported = 0; ///< spheres at rest whose contacts cannot carry their weight
+    /// Spheres at rest whose contacts cannot carry their weight if nothing gives way: without
+    /// friction, or with the one under which all settled or are judged.
+    std::size_t unsupported = 0;
     double energyGain = 0;   ///< largest growth of the total energy in one step, relative to the
                              ///< energy of a fall through the height of the object
     double energyExcess = 0; ///< largest excess of the energy over its start plus the work done,
@@ -75,6 +86,7 @@ struct QualityReport
     /// [unit^3] uncertainty: largest error over the calibration shapes, and scatter of packings
     double volumeEstimateError = 0;
     std::optional<EquilibriumReport> equilibrium; ///< if it is asked for: JudgeSettings::friction
+    std::optional<SettlingReport> settling;       ///< of a run with Rest::joint
 };
 
 /// What is wrong with a sphere that is where none can be.

@@ -29,7 +29,7 @@ const char* stageName(Stage stage)
 {
     static constexpr std::array<const char*, kStageCount> kNames = {
         "sphere_sphere", "sphere_polygon", "motion",   "freezing", "discarding",
-        "releasing",     "rendering",      "readback", "encoding", "writing"};
+        "releasing",     "settling",       "rendering", "readback", "encoding", "writing"};
     return kNames[static_cast<std::size_t>(stage)];
 }
 

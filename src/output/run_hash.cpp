@@ -42,6 +42,10 @@ std::string runHash(const Scene& scene, const TriangleMesh& mesh)
     {
         json.erase("judge");
     }
+    if (same.rest.mode == Rest::each)
+    {
+        json.erase("rest");
+    }
     if (same.spheres.inlets.empty())
     {
         json["spheres"].erase("inlets"); // as before there were any

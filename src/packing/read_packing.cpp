@@ -36,18 +36,26 @@ bool isRunFile(const std::filesystem::path& file)
     return stream.read(mark.data(), 8) && mark == "frostrun";
 }
 
-/// The axis up of the scene in a head or a summary; none if it says nothing of it.
-std::optional<Axis> axisUp(const std::string& text)
+/// Takes over what a packing has of the scene in a head or a summary, as far as that says it.
+void enterScene(const std::string& text, Packing& packing)
 {
+    using Pointer = nlohmann::json::json_pointer;
     const auto json = nlohmann::json::parse(text, nullptr, false);
-    const nlohmann::json::json_pointer place("/scene/object/up");
-    if (!json.is_object() || !json.contains(place) || !json[place].is_string())
-    {
-        return std::nullopt;
-    }
+    const auto at = [&](const char* place)
+    { return json.is_object() ? json.value(Pointer(place), nlohmann::json()) : nlohmann::json(); };
     Scene scene;
-    const bool known = setOption(*findOption("object.up"), scene, json[place].get<std::string>());
-    return known ? std::optional(scene.object.up) : std::nullopt;
+    if (const auto up = at("/scene/object/up");
+        up.is_string() && setOption(*findOption("object.up"), scene, up.get<std::string>()))
+    {
+        packing.up = scene.object.up;
+    }
+    for (const char* place : {"/scene/rest/friction", "/scene/rest/wall_friction"})
+    {
+        if (const auto friction = at(place); friction.is_number())
+        {
+            packing.settledWith = std::max(packing.settledWith, friction.get<double>());
+        }
+    }
 }
 
 Packing lastOfRun(const std::filesystem::path& file)
@@ -69,7 +77,7 @@ Packing lastOfRun(const std::filesystem::path& file)
         packing.atRest.push_back(state != SphereState::running);
     }
     packing.mesh = reader.mesh();
-    packing.up = axisUp(reader.head());
+    enterScene(reader.head(), packing);
     return packing;
 }
 
@@ -99,7 +107,7 @@ Packing readDirectory(const std::filesystem::path& directory)
     const std::string text = contentOf(table);
     Packing packing = packingOf(readTable({text, table.string()}, 0), "the tables of a run");
     packing.mesh = readMesh(directory / "mesh.ply");
-    packing.up = axisUp(contentOf(directory / "summary.json"));
+    enterScene(contentOf(directory / "summary.json"), packing);
     return packing;
 }
 
@@ -149,7 +157,9 @@ Packing readPacking(const std::filesystem::path& file, double radius)
 QualityReport judgePacking(const TriangleMesh& mesh, const Packing& packing, Axis up,
                            const JudgeSettings& settings)
 {
-    return examine(mesh, packing.centres, packing.radii, packing.atRest, up, settings);
+    JudgeSettings judge = settings;
+    judge.settledWith = std::max(judge.settledWith, packing.settledWith);
+    return examine(mesh, packing.centres, packing.radii, packing.atRest, up, judge);
 }
 
 } // namespace frostfill

@@ -194,6 +194,13 @@ Json qualityJson(const QualityReport& quality)
             {"unbalanced", joint->unbalanced}, {"largest_unbalance", joint->largest},
             {"settled", joint->settled},       {"least_friction", joint->leastFriction}};
     }
+    if (const auto& settling = quality.settling)
+    {
+        json["settling"] = {{"rounds", settling->rounds},
+                            {"settled", settling->settled},
+                            {"largest_unbalance", settling->missing},
+                            {"overlap_over_radius", settling->overlap}};
+    }
     return json;
 }
 

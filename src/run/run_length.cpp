@@ -67,6 +67,7 @@ bool descends(const Scene& scene)
 Scene withoutExtras(const Scene& scene)
 {
     Scene bare = scene;
+    bare.rest = {}; // takes longer than the filling, for few seconds that are shown of it
     if (scene.preset == Preset::fast && scene.discard.rule == DiscardRule::exact)
     {
         bare.discard.rule = DiscardRule::none;

@@ -62,6 +62,12 @@ std::optional<std::string> findFaultOfFast(const FillResult& result, double rest
                            "--restitution or a longer --set-time-limit",
                            spheres(quality.unsupported), result.spheres);
     }
+    if (quality.settling && !quality.settling->settled)
+    {
+        return fmt::format("the spheres had not settled together when they were frozen: {:.2g} of "
+                           "its weight is missing on one; try more --friction, or --rest each",
+                           quality.settling->missing);
+    }
     return std::nullopt;
 }
 

@@ -32,6 +32,11 @@ struct EnumNames<Motion>
 };
 
 template <>
+struct EnumNames<Rest>
+{
+    static constexpr std::array<const char*, 2> kNames = {"each", "joint"};
+};
+template <>
 struct EnumNames<Backend>
 {
     static constexpr std::array<const char*, 7> kNames = {

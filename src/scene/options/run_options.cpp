@@ -191,6 +191,33 @@ void addFreezing(TableBuilder& table)
         .above(0, kLongestWait);
 }
 
+void addRest(TableBuilder& table)
+{
+    table.heading("Rest of all together");
+    table.add("rest.mode", "--rest",
+              "each: on what is at rest, sphere by sphere; joint: then all settle together until "
+              "forces hold them all",
+              FROSTFILL_FIELD(rest.mode));
+    table
+        .add("rest.friction", "--friction", "Friction of spheres while all settle together",
+             FROSTFILL_FIELD(rest.friction))
+        .range(0, JudgeSettings::kMostFriction)
+        .of(Preset::fast);
+    table
+        .add("rest.wall_friction", "--wall-friction",
+             "Friction of walls while all settle together; auto: that of spheres",
+             FROSTFILL_FIELD(rest.wallFriction))
+        .orUnset("auto")
+        .range(0, JudgeSettings::kMostFriction)
+        .of(Preset::fast);
+    table
+        .add("rest.rolling_friction", "--rolling-friction",
+             "Moment that resists rolling while all settle together, over normal force and radius",
+             FROSTFILL_FIELD(rest.rollingFriction))
+        .range(0, 1)
+        .of(Preset::fast);
+}
+
 void addJudge(TableBuilder& table)
 {
     table.heading("Judging what is at rest");
@@ -255,6 +282,7 @@ void addRunOptions(TableBuilder& table)
     addMotion(table);
     addMove(table);
     addFreezing(table);
+    addRest(table);
     addJudge(table);
     addDiscards(table);
 }

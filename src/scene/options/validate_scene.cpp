@@ -9,6 +9,36 @@
 namespace frostfill
 {
 
+namespace
+{
+
+void validateRest(const Scene& scene)
+{
+    const RestSettings& rest = scene.rest;
+    if (rest.mode == Rest::each)
+    {
+        if (rest.friction != 0 || rest.wallFriction || rest.rollingFriction != 0)
+        {
+            throw Error(ErrorCode::usage,
+                        "friction (--friction, --wall-friction, --rolling-friction) acts while all "
+                        "spheres settle together: give rest.mode (--rest) joint");
+        }
+        return;
+    }
+    if (scene.preset == Preset::paper)
+    {
+        throw Error(ErrorCode::usage, "the preset paper lets no spheres settle together: omit "
+                                      "rest.mode (--rest), or use the preset fast");
+    }
+    if (scene.move.any())
+    {
+        throw Error(ErrorCode::usage, "spheres settle together (rest.mode, --rest joint) in an "
+                                      "object that stands still: omit --tilt, --turn and --shake");
+    }
+}
+
+} // namespace
+
 void validateScene(const Scene& scene)
 {
     // A value that the table refuses is out of range.
@@ -61,6 +91,7 @@ void validateScene(const Scene& scene)
         throw Error(ErrorCode::usage, "spheres appear in openings (spheres.inlets, --inlet) or by "
                                       "another rule (spheres.release), not both");
     }
+    validateRest(scene);
     if (!scene.spheres.radius && !scene.spheres.count)
     {
         throw Error(ErrorCode::usage, "no radius and no number of spheres; give --radius, "

@@ -36,7 +36,7 @@ DropAndRollEngine::DropAndRollEngine(World& world)
                                      expectedCount(world) / kMaxSets);
     stepSize_ = std::max<std::size_t>(1, expectedCount(world) / kMaxSets);
     world.clock.dt = kTimeOfSet * static_cast<double>(stepSize_) / static_cast<double>(setSize_);
-    if (!observers_.release->any())
+    if (world.spheres.size() == 0 && !observers_.release->any())
     {
         refuseTooLarge(world);
     }

@@ -59,7 +59,7 @@ FastEngine::FastEngine(World& world)
                                               .stiff = !sets_.keepsSets()}),
       freezer_(world, grid_, observers_, flight_, solver_, threads_, ageLimit(world)), waker_(world)
 {
-    if (!observers_.release->any())
+    if (world.spheres.size() == 0 && !observers_.release->any())
     {
         refuseTooLarge(world);
     }

@@ -3,12 +3,16 @@
 
 #include "simulation/engine/drop_and_roll_engine.hpp"
 #include "simulation/engine/fast_engine.hpp"
+#include "simulation/engine/joint_rest_engine.hpp"
 #include "simulation/paper/paper_engine.hpp"
 
 namespace frostfill
 {
 
-std::unique_ptr<Engine> makeEngine(World& world)
+namespace
+{
+
+std::unique_ptr<Engine> makeFilling(World& world)
 {
     if (world.scene.preset == Preset::paper)
     {
@@ -19,6 +23,17 @@ std::unique_ptr<Engine> makeEngine(World& world)
         return std::make_unique<DropAndRollEngine>(world);
     }
     return std::make_unique<FastEngine>(world);
+}
+
+} // namespace
+
+std::unique_ptr<Engine> makeEngine(World& world)
+{
+    if (world.scene.rest.mode == Rest::joint)
+    {
+        return std::make_unique<JointRestEngine>(world, makeFilling);
+    }
+    return makeFilling(world);
 }
 
 } // namespace frostfill

@@ -10,14 +10,19 @@
 namespace frostfill
 {
 
-/// What depends on the spheres at rest. It is updated for each that comes to rest: where falls
-/// end, where spheres can appear, and what is discarded.
+/// What depends on the spheres at rest. It knows those that are at rest when it is made, and is
+/// updated for each that comes to rest: where falls end, where spheres can appear, and what is
+/// discarded.
 struct RestObservers
 {
     RestObservers(World& world, double band, Threads& threads)
         : falls(world.spheres.resting().frame(), world.triangles),
           release(makeRelease(world, band, threads)), discard(makeDiscard(world, threads))
     {
+        for (std::uint32_t id = 0; id < world.spheres.size(); ++id)
+        {
+            add(id, world.spheres.position(id), world.spheres.radius(id));
+        }
     }
 
     /// Sphere `id` has come to rest.

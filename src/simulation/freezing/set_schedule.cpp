@@ -13,6 +13,14 @@ SetSchedule::SetSchedule(World& world, double ageLimit)
     : world_(world), rule_(makeFreezing(world)), ageLimit_(ageLimit), groupSize_(groupSize(world)),
       size_(groupSize_ * world.scene.spheres.groupsPerSet)
 {
+    startGroups();
+}
+
+// After those of the spheres that are there.
+void SetSchedule::startGroups()
+{
+    const std::size_t spheres = world_.spheres.size();
+    nextGroup_ = spheres == 0 ? 0 : world_.spheres.group(spheres - 1) + 1;
 }
 
 SetProgress SetSchedule::progress(std::size_t running) const
@@ -63,7 +71,7 @@ void SetSchedule::endSearch(std::size_t found)
 
 void SetSchedule::placed(std::size_t spheres)
 {
-    nextGroup_ = world_.spheres.group(world_.spheres.size() - 1) + 1;
+    startGroups();
     openRecord(spheres);
 }
 

@@ -40,6 +40,7 @@ public:
     void closeRecord() { record_.close(world_); }
 
 private:
+    void startGroups();
     [[nodiscard]] SetProgress progress(std::size_t running) const;
 
     World& world_;

@@ -42,6 +42,14 @@ SphereGrid gatherAll(const World& world)
     return all;
 }
 
+/// The one under which spheres at rest settled or are judged.
+double frictionOf(const Scene& scene)
+{
+    const RestSettings& rest = scene.rest;
+    return std::max({rest.friction, rest.wallFriction.value_or(0), scene.judge.settledWith,
+                     scene.judge.friction.value_or(0)});
+}
+
 /// Looks at some of the spheres.
 class Examination
 {
@@ -98,11 +106,18 @@ private:
         normals_.clear();
         meetSpheres(id, p, resting);
         meetWalls(p, world_.spheres.radius(id));
-        if (resting && !contactsCanCarry(world_.pull.direction(p), normals_, kUnsupported))
+        if (resting && !isCarried(world_.pull.direction(p)))
         {
             ++report_.unsupported;
         }
         sumOfCubes_ += std::pow(world_.spheres.radius(id), 3);
+    }
+
+    [[nodiscard]] bool isCarried(const Eigen::Vector3d& pull) const
+    {
+        const double friction = frictionOf(world_.scene);
+        return contactsCanCarry(pull, normals_, kUnsupported) ||
+               (friction > 0 && frictionCanCarry(pull, normals_, friction, kUnsupported));
     }
 
     void meetSpheres(std::uint32_t id, const Eigen::Vector3d& p, bool resting)
@@ -200,6 +215,10 @@ QualityReport examine(const World& world)
         parts.front().add(parts[i]);
     }
     QualityReport report = parts.front().report();
+    if (world.clock.settling.rounds > 0)
+    {
+        report.settling = world.clock.settling;
+    }
     if (world.scene.judge.friction)
     {
         report.equilibrium = judgeEquilibrium(world);

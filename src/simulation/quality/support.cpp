@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/quality/support.hpp"
 
+#include "simulation/quality/joint_balance.hpp"
+
 #include <Eigen/Geometry>
 
 #include <array>
@@ -75,6 +77,21 @@ bool contactsCanCarry(const Eigen::Vector3d& pull, std::span<const Eigen::Vector
         }
     }
     return false;
+}
+
+// As a network of one sphere between walls.
+bool frictionCanCarry(const Eigen::Vector3d& pull, std::span<const Eigen::Vector3d> normals,
+                      double friction, double allowed)
+{
+    ContactNetwork network;
+    network.bodies.push_back({pull, 1});
+    for (const Eigen::Vector3d& normal : normals)
+    {
+        network.contacts.push_back({normal, 0, ContactNetwork::kWall});
+    }
+    Threads alone(1);
+    const BalanceGoal goal{.unbalance = allowed, .except = 0, .ends = true};
+    return JointBalance(network, alone).solve(friction, goal).unbalanced == 0;
 }
 
 } // namespace frostfill

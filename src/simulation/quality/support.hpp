@@ -14,4 +14,10 @@ namespace frostfill
 [[nodiscard]] bool contactsCanCarry(const Eigen::Vector3d& pull,
                                     std::span<const Eigen::Vector3d> normals, double allowed);
 
+/// The same with friction: tangential forces up to `friction` times the normal ones, and no torque.
+/// `allowed` is a share of the pull.
+[[nodiscard]] bool frictionCanCarry(const Eigen::Vector3d& pull,
+                                    std::span<const Eigen::Vector3d> normals, double friction,
+                                    double allowed);
+
 } // namespace frostfill

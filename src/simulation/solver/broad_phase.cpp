@@ -2,7 +2,6 @@
 #include "simulation/solver/broad_phase.hpp"
 
 #include "simulation/contact/contact.hpp"
-#include "simulation/solver/tolerances.hpp"
 
 #include <Eigen/Geometry>
 
@@ -11,16 +10,12 @@
 
 namespace frostfill
 {
-namespace
-{
 
-bool mayTouch(const Eigen::Vector3d& a, double radiusOfA, const Eigen::Vector3d& b,
-              double radiusOfB)
+bool BroadPhase::mayTouch(const Eigen::Vector3d& a, double radiusOfA, const Eigen::Vector3d& b,
+                          double radiusOfB) const
 {
-    return isWithin(a, b, radiusOfA + radiusOfB + kPairMargin);
+    return isWithin(a, b, radiusOfA + radiusOfB + margin_);
 }
-
-} // namespace
 
 void BroadPhase::findPairs()
 {
@@ -70,7 +65,7 @@ void BroadPhase::layOutCells()
         return;
     }
     const double most = kCellsForRunner * running_.size();
-    for (edge_ = (2 + kPairMargin) * kBeyondRounding;; edge_ *= kCoarser)
+    for (edge_ = (2 + margin_) * kBeyondRounding;; edge_ *= kCoarser)
     {
         const Eigen::Array3d cells = (box.sizes() / edge_).array().floor() + 1;
         if (cells.prod() <= most)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/threads.hpp"
+#include "simulation/solver/tolerances.hpp"
 #include "simulation/world/running_spheres.hpp"
 
 #include <array>
@@ -17,8 +18,9 @@ namespace frostfill
 class BroadPhase
 {
 public:
-    BroadPhase(RunningSpheres& running, Threads& threads)
-        : running_(running), threads_(threads), nearby_(running)
+    /// `margin`: gap up to which two are a pair. [r]
+    BroadPhase(RunningSpheres& running, Threads& threads, double margin = kPairMargin)
+        : running_(running), threads_(threads), margin_(margin), nearby_(running)
     {
     }
 
@@ -39,6 +41,8 @@ private:
         std::uint32_t row;
     };
 
+    [[nodiscard]] bool mayTouch(const Eigen::Vector3d& a, double radiusOfA,
+                                const Eigen::Vector3d& b, double radiusOfB) const;
     void findAmongAll();
     void layOutCells();
     void sortIntoCells();
@@ -51,6 +55,7 @@ private:
 
     RunningSpheres& running_;
     Threads& threads_;
+    double margin_;
     RunningColumn<std::vector<std::uint32_t>> nearby_;
     Eigen::Vector3d low_ = Eigen::Vector3d::Zero(); ///< corner of the first cell
     double edge_ = 1;                               ///< of a cell [r]

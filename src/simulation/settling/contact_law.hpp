@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+// Room: all spheres at once, with spin and friction, until they rest together: the discrete element
+// method [Cundall & Strack 1979].
+#pragma once
+
+#include "simulation/contact/contact.hpp"
+#include "simulation/settling/tolerances.hpp"
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace frostfill
+{
+
+/// Of all contacts. Lengths in r, stiffness in m g / r.
+struct ContactLaw
+{
+    double stiffness = 0; ///< of two spheres of radius 1
+    double restitution = 0;
+    double friction = 0; ///< Coulomb's, of two spheres
+    double wallFriction = 0;
+    double rollingFriction = 0; ///< of both
+};
+
+/// A linear spring and a dashpot beside it.
+struct Spring
+{
+    double stiffness = 0;
+    double damping = 0;
+
+    /// `radius`: the harmonic mean of two, or that of a sphere at a wall: so overlaps are alike for
+    /// large and small spheres under pressure. `mass` is the reduced one. The damping is that which
+    /// leaves the restitution [Schwager & Poschel 2007, without their end of contact].
+    Spring(const ContactLaw& law, double radius, double mass) : stiffness(law.stiffness * radius)
+    {
+        const double log = std::log(std::clamp(law.restitution, kLeastRestitution, 1.0));
+        damping = -2 * log *
+                  std::sqrt(stiffness * mass / (std::numbers::pi * std::numbers::pi + log * log));
+    }
+    Spring() = default;
+
+    /// One of several springs side by side.
+    [[nodiscard]] Spring part(double share) const
+    {
+        Spring part;
+        part.stiffness = share * stiffness;
+        part.damping = share * damping;
+        return part;
+    }
+};
+
+/// What a contact knows from one step to the next.
+struct ContactMemory
+{
+    Eigen::Vector3d slide = Eigen::Vector3d::Zero(); ///< [r] stretch of the spring along it
+    Eigen::Vector3d roll = Eigen::Vector3d::Zero();  ///< [r] of the one against rolling
+    double held = 0;                                 ///< [m g] normal force without an overlap
+
+    /// Springs become stiffer by a factor; what friction holds stays.
+    void stiffen(double factor)
+    {
+        slide /= factor;
+        roll /= factor;
+    }
+};
+
+/// Where and how two surfaces meet.
+struct Touch
+{
+    Eigen::Vector3d normal;   ///< towards the sphere that is pushed
+    Eigen::Vector3d velocity; ///< of its surface against the other one
+    Eigen::Vector3d rolling;  ///< the same of its rolling: see momentOf
+    double depth;             ///< by which they overlap
+};
+
+/// What a step does to contacts.
+struct ContactStep
+{
+    double dt = 0;
+    /// [1/sqrt(r/g)] Rate at which an overlap, and kGapAtRest, turns into a force without one. In
+    /// equilibrium no overlap is left [the method of multipliers: Hestenes 1969, Powell 1969].
+    double hardening = 0;
+};
+
+/// A spring and a dashpot along a surface that give way where they would be stronger than `most`.
+[[nodiscard]] inline Eigen::Vector3d holdBack(const Spring& spring, double most, const Touch& touch,
+                                              const Eigen::Vector3d& velocity, double dt,
+                                              Eigen::Vector3d& stretch)
+{
+    const Eigen::Vector3d along = velocity - velocity.dot(touch.normal) * touch.normal;
+    stretch += dt * along;
+    stretch -= stretch.dot(touch.normal) * touch.normal;
+    const double stiffness = kTangentialStiffness * spring.stiffness;
+    Eigen::Vector3d force =
+        -stiffness * stretch - std::sqrt(kTangentialStiffness) * spring.damping * along;
+    const double squared = force.squaredNorm();
+    if (squared > most * most)
+    {
+        force *= most / std::sqrt(squared);
+        stretch = -force / stiffness;
+    }
+    return force;
+}
+
+/// A contact's normal force, which never pulls.
+[[nodiscard]] inline double normalForce(const Spring& spring, const Touch& touch,
+                                        const ContactStep& step, ContactMemory& memory)
+{
+    const double approach = touch.velocity.dot(touch.normal);
+    const double push = spring.stiffness * touch.depth + memory.held - spring.damping * approach;
+    if (step.hardening > 0)
+    {
+        const double overlap = touch.depth + kGapAtRest;
+        memory.held =
+            std::max(0.0, memory.held + step.dt * step.hardening * spring.stiffness * overlap);
+    }
+    return std::max(0.0, push);
+}
+
+/// Energy in a contact's springs.
+[[nodiscard]] inline double elasticEnergy(const Spring& spring, double depth,
+                                          const ContactMemory& memory)
+{
+    const double squeezed = std::max(0.0, depth + memory.held / spring.stiffness);
+    return spring.stiffness / 2 *
+           (squeezed * squeezed +
+            kTangentialStiffness * (memory.slide.squaredNorm() + memory.roll.squaredNorm()));
+}
+
+/// Moment of inertia of a full sphere over its radius. Units of the run.
+[[nodiscard]] inline double inertiaOverRadius(double radius)
+{
+    return 0.4 * massOf(radius) * radius;
+}
+
+/// A force at a sphere's surface, and what turns the sphere.
+struct SurfaceForce
+{
+    Eigen::Vector3d force = Eigen::Vector3d::Zero();
+    Eigen::Vector3d torque = Eigen::Vector3d::Zero(); ///< over the radius, of the force
+    Eigen::Vector3d moment = Eigen::Vector3d::Zero(); ///< of what resists rolling
+};
+
+/// The force of a contact and its torque, which is the same for both spheres but for the radius;
+/// and the moment that resists rolling, at most the rolling friction times the normal force times
+/// `arm` [Luding 2008, eqs. 17 to 20]: the reduced radius.
+[[nodiscard]] inline SurfaceForce forceOf(const Spring& spring, double friction,
+                                          double rollingFriction, double arm, const Touch& touch,
+                                          const ContactStep& step, ContactMemory& memory)
+{
+    const double push = normalForce(spring, touch, step, memory);
+    SurfaceForce result;
+    result.force = push * touch.normal;
+    if (friction > 0)
+    {
+        const Eigen::Vector3d hold =
+            holdBack(spring, friction * push, touch, touch.velocity, step.dt, memory.slide);
+        result.force += hold;
+        result.torque = hold.cross(touch.normal);
+    }
+    if (rollingFriction > 0)
+    {
+        result.moment = arm * touch.normal.cross(holdBack(spring, rollingFriction * push, touch,
+                                                          touch.rolling, step.dt, memory.roll));
+    }
+    return result;
+}
+
+} // namespace frostfill

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/threads.hpp"
+#include "simulation/settling/contact_law.hpp"
+#include "simulation/solver/broad_phase.hpp"
+#include "simulation/world/running_spheres.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace frostfill
+{
+
+/// Pairs of running spheres that touch, or may before they are listed anew [Verlet 1967], and what
+/// their contacts know.
+class PairContacts
+{
+public:
+    PairContacts(RunningSpheres& running, const RunningColumn<Eigen::Vector3d>& spin,
+                 const ContactLaw& law, Threads& threads)
+        : running_(running), spin_(spin), law_(law), threads_(threads),
+          broadPhase_(running, threads, kListMargin)
+    {
+    }
+
+    /// Pairs of the list before, of the same rows, keep what they know.
+    void list();
+    /// The law has become stiffer by a factor.
+    void stiffen(double factor);
+    void push(const ContactStep& step);
+    /// Of all pairs on one sphere, since the last push().
+    [[nodiscard]] SurfaceForce on(std::uint32_t row) const;
+
+    [[nodiscard]] double deepest() const; ///< overlap [r], as spheres lie now
+    [[nodiscard]] double energy() const;  ///< in springs
+
+private:
+    struct Pair
+    {
+        std::uint32_t a, b; ///< rows; a is below b
+        Spring spring;
+    };
+    [[nodiscard]] Pair pairOf(std::uint32_t a, std::uint32_t b) const;
+    void sortByRow();
+    void pushApart(std::size_t k, const ContactStep& step);
+
+    RunningSpheres& running_;
+    const RunningColumn<Eigen::Vector3d>& spin_;
+    const ContactLaw& law_;
+    Threads& threads_;
+    BroadPhase broadPhase_;
+    // By pair, ascending in a, then in b.
+    std::vector<Pair> pairs_;
+    std::vector<ContactMemory> memory_;
+    std::vector<SurfaceForce> forces_; ///< on b
+    // By row.
+    std::vector<std::uint32_t> firstPair_; ///< [#rows + 1] in pairs_: those whose a it is
+    std::vector<std::uint32_t> firstEnd_;  ///< [#rows + 1] in ends_
+    std::vector<std::uint32_t> ends_;      ///< the pair twice, plus 1 for its b
+};
+
+} // namespace frostfill

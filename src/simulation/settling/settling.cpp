@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "simulation/settling/settling.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+namespace frostfill
+{
+namespace
+{
+
+ContactLaw lawOf(const World& world)
+{
+    const RestSettings& rest = world.scene.rest;
+    return {.stiffness = kStiffnessOfHeight * std::max(1.0, world.height),
+            .restitution = world.scene.motion.restitution,
+            .friction = rest.friction,
+            .wallFriction = rest.wallFriction.value_or(rest.friction),
+            .rollingFriction = rest.rollingFriction};
+}
+
+} // namespace
+
+Settling::Settling(World& world, Threads& threads)
+    : world_(world), running_(world.spheres.running()), motion_(world, lawOf(world), threads)
+{
+}
+
+void Settling::begin()
+{
+    world_.restoreDiscarded();
+    const std::size_t known = order_.size();
+    order_.resize(world_.spheres.size());
+    std::iota(order_.begin() + static_cast<std::ptrdiff_t>(known), order_.end(),
+              static_cast<std::uint32_t>(known));
+    wakeInOrder(known);
+    motion_.listAnew();
+    phase_ = Phase::flows;
+    inPhase_ = 0;
+    motion_.stiffen(1 / stiffened_);
+    stiffened_ = 1;
+    ++world_.clock.settling.rounds;
+}
+
+// Those that ran before get the same rows as then, which what contacts know goes by. New ones run
+// behind them, side by side where they lie side by side.
+void Settling::wakeInOrder(std::size_t first)
+{
+    const auto key = [this](std::uint32_t id)
+    {
+        const auto [x, y, z] =
+            world_.spheres.resting().frame().coordinates(world_.spheres.position(id));
+        return std::tuple(z, y, x, id);
+    };
+    std::sort(order_.begin() + static_cast<std::ptrdiff_t>(first), order_.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+    mass_ = 0;
+    for (const std::uint32_t id : order_)
+    {
+        mass_ += massOf(world_.spheres.radius(id));
+        world_.spheres.wake(id);
+    }
+}
+
+bool Settling::step()
+{
+    const bool over = phase_ == Phase::flows ? flow() : harden();
+    ++world_.clock.steps;
+    world_.clock.time += kTimeOfLook;
+    return over;
+}
+
+bool Settling::flow()
+{
+    const double before = motion_.energy();
+    motion_.advance(kTimeOfLook, {});
+    world_.counts.energy.enter(before, motion_.energy(), mass_ * world_.height);
+    inPhase_ += kTimeOfLook;
+    if (isCalm() || inPhase_ >= kLongestFlow)
+    {
+        phase_ = Phase::hardens;
+        inPhase_ = 0;
+    }
+    return false;
+}
+
+// Lifts spheres by what has weighed them down: work that is not counted.
+bool Settling::harden()
+{
+    if (stiffened_ < kStiffest)
+    {
+        motion_.stiffen(kStiffer);
+        stiffened_ *= kStiffer;
+    }
+    motion_.advance(kTimeOfLook, {1 / kHardening, kDrag});
+    inPhase_ += kTimeOfLook;
+    if (!rests() && inPhase_ < kLongestHardening)
+    {
+        return false;
+    }
+    report();
+    freeze();
+    return true;
+}
+
+bool Settling::isCalm() const
+{
+    return static_cast<double>(motion_.unrest().moving) <=
+           kFewMove * static_cast<double>(running_.size());
+}
+
+bool Settling::rests() const
+{
+    const Unrest& unrest = motion_.unrest();
+    return unrest.missing <= kMissingAtRest && unrest.speed <= kSpeedAtRest &&
+           motion_.deepest() <= kOverlapAtRest;
+}
+
+void Settling::report()
+{
+    SettlingReport& report = world_.clock.settling;
+    report.settled = rests();
+    report.missing = motion_.unrest().missing;
+    report.overlap = std::max(0.0, motion_.deepest());
+}
+
+void Settling::freeze()
+{
+    for (std::uint32_t id = 0; id < world_.spheres.size(); ++id)
+    {
+        world_.spheres.freeze(id);
+    }
+    world_.spheres.closeRanks();
+}
+
+} // namespace frostfill

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/threads.hpp"
+#include "simulation/settling/granular_motion.hpp"
+#include "simulation/world/world.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace frostfill
+{
+
+/// Lets all spheres at rest run again at once, under the friction of the scene, until they rest
+/// together; then they freeze again.
+///
+/// First they move as soft spheres do that have weight and spin. When few still move, drag calms
+/// them, and every contact grows stiffer and hardens: its overlap goes into a force that needs
+/// none. So in the end forces balance, and spheres that carry each other are kGapAtRest apart.
+///
+/// Contacts keep their forces when all freezes. If the object is filled up in between and all runs
+/// again, only what is new disturbs the rest.
+class Settling
+{
+public:
+    /// Both outlive this.
+    Settling(World& world, Threads& threads);
+
+    /// All at rest run again, discarded or not.
+    void begin();
+    /// Some time. Returns whether it is over: all have come to rest, or have been moving for too
+    /// long, and are frozen.
+    [[nodiscard]] bool step();
+
+private:
+    enum class Phase
+    {
+        flows,
+        hardens,
+    };
+    void wakeInOrder(std::size_t first);
+    bool flow();
+    bool harden();
+    [[nodiscard]] bool isCalm() const;
+    [[nodiscard]] bool rests() const;
+    void freeze();
+    void report();
+
+    World& world_;
+    RunningSpheres& running_;
+    GranularMotion motion_;
+    std::vector<std::uint32_t> order_; ///< ids, by the row in which each of them runs
+    Phase phase_ = Phase::flows;
+    double inPhase_ = 0;   ///< time since it began
+    double stiffened_ = 1; ///< by this factor
+    double mass_ = 0;      ///< of all
+};
+
+} // namespace frostfill

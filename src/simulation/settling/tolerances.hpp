@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+
+namespace frostfill
+{
+
+// The numbers of settling together. Units of the run: r, g, and the mass of a sphere of radius 1.
+// Where no source is named, the value was found by trial on the four objects, with friction 0, 0.3
+// and 0.6.
+
+// Contacts.
+
+/// Stiffness of a contact for each r of the object's height [m g / r^2]: a column of spheres as
+/// high as the object presses its lowest one in by a hundredth. Larger: shorter steps. Smaller:
+/// what has filled the object is squeezed before it settles.
+inline constexpr double kStiffnessOfHeight = 100;
+/// Stiffness along a contact over that across it [Silbert et al. 2001].
+inline constexpr double kTangentialStiffness = 2.0 / 7;
+/// A time step over the square root of mass over stiffness. Larger: steps are not stable. Smaller:
+/// time.
+inline constexpr double kStepOfSettling = 0.2;
+/// The least restitution that is told from none: below, contacts would be all dashpot.
+inline constexpr double kLeastRestitution = 0.01;
+
+// Lists of what may touch.
+
+/// Gap up to which two spheres are listed, or a triangle beside a sphere [r]. Larger: longer lists.
+/// Smaller: they are made anew more often.
+inline constexpr double kListMargin = 0.1;
+/// Two walls whose normals differ by less than this, one minus the cosine, are one. Normals of one
+/// plane differ by 1e-13.
+inline constexpr double kOneWall = 1e-9;
+/// Cosine from which two walls share a push: 26 degrees. Larger: round walls of many triangles are
+/// too stiff for the step. Smaller: a blunt edge pushes as one of its faces would.
+inline constexpr double kSharesPush = 0.9;
+/// The least share of a wall that has one. Smaller: rounding decides.
+inline constexpr double kLeastShare = 1e-3;
+/// Cosine from which a contact with a wall goes on in one with another wall. Larger: a sphere that
+/// rolls over an edge forgets what friction holds.
+inline constexpr double kGoesOn = 0.8;
+
+// Rest.
+
+/// The schedule looks at all after this time [sqrt(r/g)], and a picture may show it.
+inline constexpr double kTimeOfLook = 0.5;
+/// A sphere moves if more than this is missing on it [own weight].
+inline constexpr double kMissingOnMoving = 0.01;
+/// Share of the spheres that may still move when contacts begin to harden. Larger: drag slows down
+/// what still flows. Smaller: everybody waits for few.
+inline constexpr double kFewMove = 0.01;
+/// After this time contacts harden, whatever moves [sqrt(r/g)]. Without friction a pile sinks for a
+/// hundred.
+inline constexpr double kLongestFlow = 200;
+/// Time t in which an overlap turns into a force [sqrt(r/g)]. Larger: time. Its product with the
+/// drag c has to be above 1, or what swings swings ever more: on a spring of frequency w,
+/// x''' + c x'' + w^2 x' + w^2 / t x = 0 [Hurwitz 1895].
+inline constexpr double kHardening = 0.7;
+/// Drag of all motion meanwhile [1/sqrt(r/g)]. Larger: soft piles take longer. Smaller: see above.
+inline constexpr double kDrag = 3;
+/// Contacts grow stiffer by the first at each look, until they are so by the second in all. A
+/// contact on which a force rests that needs no overlap gives way to the side the more, the softer
+/// it is: without friction, what is too soft never comes to rest. Larger: shorter steps. Smaller:
+/// forces swing.
+inline constexpr double kStiffer = 1.5;
+inline constexpr double kStiffest = 50;
+/// Gap that contacts harden to [r]. Larger: spheres hang in the air. Smaller: the tenth of it by
+/// which they differ in the end is an overlap for longer.
+inline constexpr double kGapAtRest = 1e-5;
+/// Overlap that is left [r].
+inline constexpr double kOverlapAtRest = 1e-8;
+/// What may be missing on a sphere in the end [own weight]. The judge's 0.1 is another thing.
+inline constexpr double kMissingAtRest = 0.05;
+/// Speed that is left, which rest takes away [sqrt(g r)].
+inline constexpr double kSpeedAtRest = 0.01;
+/// After this time all is frozen as it is [sqrt(r/g)], and the report says so.
+inline constexpr double kLongestHardening = 150;
+
+// What one thread does in one go.
+inline constexpr std::size_t kPairsTogether = 512;
+inline constexpr std::size_t kSpheresTogether = 256;
+inline constexpr std::size_t kWallsTogether = 32;
+
+} // namespace frostfill

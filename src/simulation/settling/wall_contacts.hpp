@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/threads.hpp"
+#include "simulation/contact/neighbour_list.hpp"
+#include "simulation/settling/contact_law.hpp"
+#include "simulation/world/world.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace frostfill
+{
+
+/// Walls that running spheres touch, and what those contacts know. A round wall of many triangles
+/// touches a sphere in many places, whose normals differ by little. As one spring each they would
+/// be as stiff as they are many, so those that push about the same way share one, by their depths.
+class WallContacts
+{
+public:
+    WallContacts(World& world, const RunningColumn<Eigen::Vector3d>& spin, const ContactLaw& law,
+                 Threads& threads)
+        : world_(world), running_(world.spheres.running()), spin_(spin), law_(law),
+          threads_(threads), around_(running_)
+    {
+    }
+
+    /// Which spheres may touch walls. Those of the list before, by row, keep what they know.
+    void list();
+    /// The law has become stiffer by a factor.
+    void stiffen(double factor);
+    void push(const ContactStep& step);
+    /// Of all walls on one sphere, since the last push().
+    [[nodiscard]] const SurfaceForce& on(std::uint32_t row) const
+    {
+        static const SurfaceForce kNone;
+        return placeOf_[row] == kNowhere ? kNone : beside_[placeOf_[row]].force;
+    }
+
+    [[nodiscard]] double deepest() const; ///< overlap [r], as of the last push()
+    [[nodiscard]] double energy() const;  ///< in springs
+
+private:
+    static constexpr std::uint32_t kNowhere = 0xffffffff;
+    struct Wall
+    {
+        Eigen::Vector3d normal;
+        double depth;
+        Spring spring;
+        ContactMemory memory;
+    };
+    /// A sphere beside walls.
+    struct Beside
+    {
+        std::uint32_t row;
+        std::vector<Wall> walls;
+        SurfaceForce force;
+    };
+
+    void pushOff(Beside& one, const ContactStep& step);
+    void touch(Beside& one);
+    [[nodiscard]] double reachOf(const Beside& one) const;
+    void findWalls(std::uint32_t row, double gap, std::vector<Wall>& walls);
+    static void passOn(const std::vector<Wall>& before, std::vector<Wall>& now);
+    void shareSprings(double radius, double gap, std::vector<Wall>& walls) const;
+
+    World& world_;
+    RunningSpheres& running_;
+    const RunningColumn<Eigen::Vector3d>& spin_;
+    const ContactLaw& law_;
+    Threads& threads_;
+    RunningColumn<NeighbourList> around_;
+    std::vector<Beside> beside_;         ///< ascending in row
+    std::vector<std::uint32_t> placeOf_; ///< by row: in beside_, or kNowhere
+};
+
+} // namespace frostfill
