@@ -16,12 +16,17 @@
 namespace frostfill
 {
 
+/// The damping ratio with which a linear spring and dashpot that never pull leave this restitution:
+/// sin p, where (pi - 2 p) tan p = -ln e [Schwager & Poschel 2007, in closed form]. Below e^-2,
+/// which is that of critical damping, it is 1.
+[[nodiscard]] double dampingRatioFor(double restitution);
+
 /// Of all contacts. Lengths in r, stiffness in m g / r.
 struct ContactLaw
 {
-    double stiffness = 0; ///< of two spheres of radius 1
-    double restitution = 0;
-    double friction = 0; ///< Coulomb's, of two spheres
+    double stiffness = 0;    ///< of two spheres of radius 1
+    double dampingRatio = 1; ///< damping over the critical one: see dampingRatioFor
+    double friction = 0;     ///< Coulomb's, of two spheres
     double wallFriction = 0;
     double rollingFriction = 0; ///< of both
 };
@@ -33,17 +38,14 @@ struct Spring
     double damping = 0;
 
     /// `radius`: the harmonic mean of two, or that of a sphere at a wall: so overlaps are alike for
-    /// large and small spheres under pressure. `mass` is the reduced one. The damping is that which
-    /// leaves the restitution [Schwager & Poschel 2007, without their end of contact].
+    /// large and small spheres under pressure. `mass` is the reduced one.
     Spring(const ContactLaw& law, double radius, double mass) : stiffness(law.stiffness * radius)
     {
-        const double log = std::log(std::clamp(law.restitution, kLeastRestitution, 1.0));
-        damping = -2 * log *
-                  std::sqrt(stiffness * mass / (std::numbers::pi * std::numbers::pi + log * log));
+        damping = 2 * law.dampingRatio * std::sqrt(stiffness * mass);
     }
     Spring() = default;
 
-    /// One of several springs side by side.
+    /// One of several springs side by side, or as many of them.
     [[nodiscard]] Spring part(double share) const
     {
         Spring part;
@@ -81,8 +83,9 @@ struct Touch
 struct ContactStep
 {
     double dt = 0;
-    /// [1/sqrt(r/g)] Rate at which an overlap, and kGapAtRest, turns into a force without one. In
-    /// equilibrium no overlap is left [the method of multipliers: Hestenes 1969, Powell 1969].
+    /// [1/sqrt(r/g)] Rate at which an overlap turns into a force without one. In equilibrium none
+    /// is left [the method of multipliers: Hestenes 1969, Powell 1969], but a gap of up to
+    /// kGapAtRest.
     double hardening = 0;
 };
 
@@ -112,7 +115,7 @@ struct ContactStep
 {
     const double approach = touch.velocity.dot(touch.normal);
     const double push = spring.stiffness * touch.depth + memory.held - spring.damping * approach;
-    if (step.hardening > 0)
+    if (step.hardening > 0 && (touch.depth > 0 || touch.depth < -kGapAtRest))
     {
         const double overlap = touch.depth + kGapAtRest;
         memory.held =

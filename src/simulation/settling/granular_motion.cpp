@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/settling/granular_motion.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace frostfill
 {
@@ -12,6 +14,13 @@ GranularMotion::GranularMotion(World& world, const ContactLaw& law, Threads& thr
       listedAt_(running_), pairs_(running_, spin_, law_, threads),
       walls_(world, spin_, law_, threads)
 {
+    listAnew();
+}
+
+void GranularMotion::listAnew()
+{
+    isListed_ = false;
+    active_.assign(running_.size(), 1);
 }
 
 void GranularMotion::stiffen(double factor)
@@ -26,10 +35,16 @@ void GranularMotion::advance(double time, const Course& course)
 {
     const double longest = kStepOfSettling * world_.radii.smallest() / std::sqrt(law_.stiffness);
     const auto steps = static_cast<std::size_t>(std::ceil(time / longest));
+    if (isListed_)
+    {
+        spread();
+        choose();
+    }
     for (std::size_t k = 0; k < steps; ++k)
     {
         step({time / static_cast<double>(steps), course.hardening}, course.drag);
     }
+    look(course.hardening > 0);
 }
 
 void GranularMotion::list()
@@ -40,8 +55,48 @@ void GranularMotion::list()
     {
         listedAt_[row] = running_.position[row];
     }
-    parts_.resize((running_.size() + kSpheresTogether - 1) / kSpheresTogether);
     isListed_ = true;
+    choose();
+}
+
+// To those around the active ones, ring by ring.
+void GranularMotion::spread()
+{
+    for (int ring = 0; ring < kRingsAround; ++ring)
+    {
+        const std::vector<char> before = active_;
+        pairs_.forEach(
+            [&](std::uint32_t a, std::uint32_t b)
+            {
+                active_[a] = static_cast<char>(active_[a] | before[b]);
+                active_[b] = static_cast<char>(active_[b] | before[a]);
+            });
+    }
+    const auto count = std::count(active_.begin(), active_.end(), 1);
+    if (static_cast<double>(count) > kMostChosen * static_cast<double>(active_.size()))
+    {
+        std::fill(active_.begin(), active_.end(), 1);
+    }
+}
+
+void GranularMotion::choose()
+{
+    rows_.clear();
+    for (std::uint32_t row = 0; row < running_.size(); ++row)
+    {
+        if (active_[row] != 0)
+        {
+            rows_.push_back(row);
+        }
+        else
+        {
+            running_.velocity[row].setZero();
+            spin_[row].setZero();
+        }
+    }
+    squareMoved_.resize((rows_.size() + kSpheresTogether - 1) / kSpheresTogether);
+    pairs_.choose(active_);
+    walls_.choose(active_);
 }
 
 void GranularMotion::step(const ContactStep& step, double drag)
@@ -52,46 +107,78 @@ void GranularMotion::step(const ContactStep& step, double drag)
     }
     pairs_.push(step);
     walls_.push(step);
-    forEachPart(threads_, running_.size(), kSpheresTogether,
+    forEachPart(threads_, rows_.size(), kSpheresTogether,
                 [&](std::size_t first, std::size_t last, std::size_t part)
                 {
-                    Part& sum = parts_[part];
-                    sum = {};
-                    for (auto row = static_cast<std::uint32_t>(first); row < last; ++row)
+                    double most = 0;
+                    for (std::size_t k = first; k < last; ++k)
                     {
-                        sum.unrest.add(move(row, step.dt, drag));
-                        const double moved =
-                            (running_.position[row] - listedAt_[row]).squaredNorm();
-                        sum.squareMoved = std::max(sum.squareMoved, moved);
+                        most = std::max(most, move(rows_[k], step.dt, drag));
                     }
+                    squareMoved_[part] = most;
                 });
-    unrest_ = {};
-    for (const Part& part : parts_)
-    {
-        unrest_.add(part.unrest);
-        // Two that have come nearer by half of the margin: the other half is for what is held.
-        isListed_ = isListed_ && part.squareMoved < kListMargin * kListMargin / 16;
-    }
+    // Two that have come nearer by half of the margin: the other half is for what is held.
+    isListed_ = std::all_of(squareMoved_.begin(), squareMoved_.end(),
+                            [](double square) { return square < kListMargin * kListMargin / 16; });
 }
 
-Unrest GranularMotion::move(std::uint32_t row, double dt, double drag)
+SurfaceForce GranularMotion::forceOn(std::uint32_t row) const
 {
-    const double radius = running_.radius[row];
-    const double mass = massOf(radius);
     SurfaceForce sum = pairs_.on(row);
     const SurfaceForce& walls = walls_.on(row);
     sum.force += walls.force;
-    sum.torque += walls.torque + (sum.moment + walls.moment) / radius;
+    sum.torque += walls.torque;
+    sum.moment += walls.moment;
+    return sum;
+}
+
+Eigen::Vector3d GranularMotion::accelerationOf(std::uint32_t row, const SurfaceForce& sum) const
+{
+    return sum.force / massOf(running_.radius[row]) +
+           world_.pull.at(running_.position[row], {0, 0, 0});
+}
+
+// Returns the square of how far it is from where it was listed.
+double GranularMotion::move(std::uint32_t row, double dt, double drag)
+{
+    const SurfaceForce sum = forceOn(row);
+    const double radius = running_.radius[row];
+    const double keeps = 1 - dt * drag;
     Eigen::Vector3d& position = running_.position[row];
     Eigen::Vector3d& velocity = running_.velocity[row];
-    const Eigen::Vector3d acceleration = sum.force / mass + world_.pull.at(position, {0, 0, 0});
-    velocity = (1 - dt * drag) * (velocity + dt * acceleration);
+    velocity = keeps * (velocity + dt * accelerationOf(row, sum));
     position += dt * velocity;
-    spin_[row] = (1 - dt * drag) * (spin_[row] + dt / inertiaOverRadius(radius) * sum.torque);
-    const double missing = acceleration.norm();
-    const double squared = velocity.squaredNorm();
-    return {missing, missing > kMissingOnMoving ? std::size_t{1} : 0, std::sqrt(squared),
-            (mass * squared + inertiaOverRadius(radius) * radius * spin_[row].squaredNorm()) / 2};
+    spin_[row] =
+        keeps * (spin_[row] + dt / inertiaOverRadius(radius) * (sum.torque + sum.moment / radius));
+    return (position - listedAt_[row]).squaredNorm();
+}
+
+void GranularMotion::look(bool hardens)
+{
+    unrest_ = {};
+    for (std::uint32_t row = 0; row < running_.size(); ++row)
+    {
+        const double radius = running_.radius[row];
+        const double missing = accelerationOf(row, forceOn(row)).norm();
+        const double squared = running_.velocity[row].squaredNorm();
+        unrest_.missing = std::max(unrest_.missing, missing);
+        unrest_.moving += missing > kMissingOnMoving ? 1 : 0;
+        unrest_.speed = std::max(unrest_.speed, std::sqrt(squared));
+        unrest_.kinetic += (massOf(radius) * squared +
+                            inertiaOverRadius(radius) * radius * spin_[row].squaredNorm()) /
+                           2;
+        active_[row] = missing > kQuiet || squared > kQuiet * kQuiet ? 1 : 0;
+    }
+    const auto enter = [&](std::uint32_t row, double overlap)
+    {
+        unrest_.overlap = std::max(unrest_.overlap, overlap);
+        if (hardens && overlap > kOverlapAtRest)
+        {
+            active_[row] = 1;
+        }
+    };
+    pairs_.forEachOverlap(enter);
+    walls_.forEachOverlap(enter);
 }
 
 double GranularMotion::energy() const

@@ -15,19 +15,16 @@ struct Unrest
     double missing = 0;     ///< [own weight] on a sphere, at most
     std::size_t moving = 0; ///< spheres on which kMissingOnMoving is missing
     double speed = 0;       ///< [sqrt(g r)] of the fastest
+    double overlap = 0;     ///< [r] the deepest
     double kinetic = 0;     ///< energy, with that of spin
-
-    void add(const Unrest& other)
-    {
-        missing = std::max(missing, other.missing);
-        moving += other.moving;
-        speed = std::max(speed, other.speed);
-        kinetic += other.kinetic;
-    }
 };
 
 /// Moves all running spheres together, with spin, by forces of soft contacts, in small explicit
 /// steps. The same bits on any number of threads.
+///
+/// Spheres that are all but at rest, and whose contacts do not overlap where contacts harden, are
+/// not moved, unless one near them is: their forces stay as they were. Whether they rest is looked
+/// at with all forces as they are, so in the end nothing depends on it but where the rest lies.
 class GranularMotion
 {
 public:
@@ -40,16 +37,18 @@ public:
         double hardening = 0; ///< see ContactStep
         double drag = 0;      ///< of all motion [1/sqrt(r/g)]
     };
-    /// For a time [sqrt(r/g)], in steps that the stiffness allows.
+    /// For a time [sqrt(r/g)], in steps that the stiffness allows. Who is to be moved is looked at
+    /// before.
     void advance(double time, const Course& course);
     /// All contacts become stiffer by a factor; friction holds what it held.
     void stiffen(double factor);
-    /// To be called when there are other spheres, or they are elsewhere.
-    void listAnew() { isListed_ = false; }
+    /// To be called when there are other spheres, or they are elsewhere: all are moved.
+    void listAnew();
 
-    /// As the last step found it.
+    /// As all lie at the end of the last advance().
     [[nodiscard]] const Unrest& unrest() const { return unrest_; }
-    [[nodiscard]] double deepest() const { return std::max(pairs_.deepest(), walls_.deepest()); }
+    /// Spheres that the last advance() has moved.
+    [[nodiscard]] std::size_t moved() const { return rows_.size(); }
     /// Of motion, spin, height and springs.
     [[nodiscard]] double energy() const;
     [[nodiscard]] const Eigen::Vector3d& spin(std::uint32_t row) const { return spin_[row]; }
@@ -57,8 +56,13 @@ public:
 
 private:
     void list();
+    void choose();
+    void spread();
     void step(const ContactStep& step, double drag);
-    [[nodiscard]] Unrest move(std::uint32_t row, double dt, double drag);
+    [[nodiscard]] SurfaceForce forceOn(std::uint32_t row) const;
+    [[nodiscard]] Eigen::Vector3d accelerationOf(std::uint32_t row, const SurfaceForce& sum) const;
+    [[nodiscard]] double move(std::uint32_t row, double dt, double drag);
+    void look(bool hardens);
 
     World& world_;
     RunningSpheres& running_;
@@ -69,13 +73,9 @@ private:
     PairContacts pairs_;
     WallContacts walls_;
     bool isListed_ = false;
-    /// Of some spheres each.
-    struct Part
-    {
-        Unrest unrest;
-        double squareMoved = 0; ///< since contacts were listed
-    };
-    std::vector<Part> parts_;
+    std::vector<char> active_;        ///< by row: it is not at rest, or near one that is not
+    std::vector<std::uint32_t> rows_; ///< the active ones, ascending
+    std::vector<double> squareMoved_; ///< by part of rows_: since contacts were listed, at most
     Unrest unrest_;
 };
 

@@ -20,9 +20,11 @@ void PairContacts::list()
     broadPhase_.findPairs();
     const std::vector<Pair> before = std::move(pairs_);
     const std::vector<ContactMemory> known = std::move(memory_);
+    const std::vector<SurfaceForce> forcesBefore = std::move(forces_);
     const std::vector<std::uint32_t> firstBefore = std::move(firstPair_);
     pairs_.clear();
     memory_.clear();
+    forces_.clear();
     firstPair_.assign(running_.size() + 1, 0);
     for (std::uint32_t a = 0; a < running_.size(); ++a)
     {
@@ -40,11 +42,12 @@ void PairContacts::list()
             {
             }
             pairs_.push_back(pairOf(a, b));
-            memory_.push_back(old < end && before[old].b == b ? known[old] : ContactMemory());
+            const bool isKnown = old < end && before[old].b == b;
+            memory_.push_back(isKnown ? known[old] : ContactMemory());
+            forces_.push_back(isKnown ? forcesBefore[old] : SurfaceForce());
         }
     }
     firstPair_.back() = static_cast<std::uint32_t>(pairs_.size());
-    forces_.assign(pairs_.size(), {});
     sortByRow();
 }
 
@@ -78,14 +81,26 @@ void PairContacts::stiffen(double factor)
     }
 }
 
+void PairContacts::choose(const std::vector<char>& active)
+{
+    chosen_.clear();
+    for (std::uint32_t k = 0; k < pairs_.size(); ++k)
+    {
+        if (active[pairs_[k].a] != 0 || active[pairs_[k].b] != 0)
+        {
+            chosen_.push_back(k);
+        }
+    }
+}
+
 void PairContacts::push(const ContactStep& step)
 {
-    forEachPart(threads_, pairs_.size(), kPairsTogether,
+    forEachPart(threads_, chosen_.size(), kPairsTogether,
                 [&](std::size_t first, std::size_t last, std::size_t)
                 {
                     for (std::size_t k = first; k < last; ++k)
                     {
-                        pushApart(k, step);
+                        pushApart(chosen_[k], step);
                     }
                 });
 }
@@ -128,17 +143,6 @@ SurfaceForce PairContacts::on(std::uint32_t row) const
         sum.torque += one.torque;
     }
     return sum;
-}
-
-double PairContacts::deepest() const
-{
-    double deepest = 0;
-    for (const auto& [a, b, spring] : pairs_)
-    {
-        const double apart = (running_.position[b] - running_.position[a]).norm();
-        deepest = std::max(deepest, running_.radius[a] + running_.radius[b] - apart);
-    }
-    return deepest;
 }
 
 double PairContacts::energy() const

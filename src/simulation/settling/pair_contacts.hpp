@@ -28,12 +28,37 @@ public:
     void list();
     /// The law has become stiffer by a factor.
     void stiffen(double factor);
+    /// From now on push() looks only at pairs of which one at least is active, by row; the others
+    /// go on pushing as they did.
+    void choose(const std::vector<char>& active);
     void push(const ContactStep& step);
     /// Of all pairs on one sphere, since the last push().
     [[nodiscard]] SurfaceForce on(std::uint32_t row) const;
 
-    [[nodiscard]] double deepest() const; ///< overlap [r], as spheres lie now
-    [[nodiscard]] double energy() const;  ///< in springs
+    /// Calls visit(a, b) for the rows of each pair.
+    template <class Visit>
+    void forEach(Visit&& visit) const
+    {
+        for (const Pair& pair : pairs_)
+        {
+            visit(pair.a, pair.b);
+        }
+    }
+    /// Calls visit(row, overlap) for both of each pair that overlaps, as spheres lie now [r].
+    template <class Visit>
+    void forEachOverlap(Visit&& visit) const
+    {
+        for (const auto& [a, b, spring] : pairs_)
+        {
+            const double apart = (running_.position[b] - running_.position[a]).norm();
+            if (const double overlap = running_.radius[a] + running_.radius[b] - apart; overlap > 0)
+            {
+                visit(a, overlap);
+                visit(b, overlap);
+            }
+        }
+    }
+    [[nodiscard]] double energy() const; ///< in springs
 
 private:
     struct Pair
@@ -53,7 +78,8 @@ private:
     // By pair, ascending in a, then in b.
     std::vector<Pair> pairs_;
     std::vector<ContactMemory> memory_;
-    std::vector<SurfaceForce> forces_; ///< on b
+    std::vector<SurfaceForce> forces_;  ///< on b
+    std::vector<std::uint32_t> chosen_; ///< in pairs_
     // By row.
     std::vector<std::uint32_t> firstPair_; ///< [#rows + 1] in pairs_: those whose a it is
     std::vector<std::uint32_t> firstEnd_;  ///< [#rows + 1] in ends_

@@ -14,7 +14,7 @@ ContactLaw lawOf(const World& world)
 {
     const RestSettings& rest = world.scene.rest;
     return {.stiffness = kStiffnessOfHeight * std::max(1.0, world.height),
-            .restitution = world.scene.motion.restitution,
+            .dampingRatio = std::min(kMostDamping, dampingRatioFor(world.scene.motion.restitution)),
             .friction = rest.friction,
             .wallFriction = rest.wallFriction.value_or(rest.friction),
             .rollingFriction = rest.rollingFriction};
@@ -104,17 +104,21 @@ bool Settling::harden()
     return true;
 }
 
+double Settling::shareMoving() const
+{
+    return static_cast<double>(motion_.unrest().moving) / static_cast<double>(running_.size());
+}
+
 bool Settling::isCalm() const
 {
-    return static_cast<double>(motion_.unrest().moving) <=
-           kFewMove * static_cast<double>(running_.size());
+    return shareMoving() <= kFewMove;
 }
 
 bool Settling::rests() const
 {
     const Unrest& unrest = motion_.unrest();
-    return unrest.missing <= kMissingAtRest && unrest.speed <= kSpeedAtRest &&
-           motion_.deepest() <= kOverlapAtRest;
+    return shareMoving() <= kMovingAtRest && unrest.missing <= kMissingAtRest &&
+           unrest.overlap <= kOverlapAtRest;
 }
 
 void Settling::report()
@@ -122,7 +126,7 @@ void Settling::report()
     SettlingReport& report = world_.clock.settling;
     report.settled = rests();
     report.missing = motion_.unrest().missing;
-    report.overlap = std::max(0.0, motion_.deepest());
+    report.overlap = motion_.unrest().overlap;
 }
 
 void Settling::freeze()

@@ -41,6 +41,7 @@ private:
     void wakeInOrder(std::size_t first);
     bool flow();
     bool harden();
+    [[nodiscard]] double shareMoving() const;
     [[nodiscard]] bool isCalm() const;
     [[nodiscard]] bool rests() const;
     void freeze();

@@ -44,19 +44,32 @@ void WallContacts::stiffen(double factor)
     {
         for (Wall& wall : one.walls)
         {
+            wall.spring = wall.spring.part(factor);
             wall.memory.stiffen(factor);
+        }
+    }
+}
+
+void WallContacts::choose(const std::vector<char>& active)
+{
+    chosen_.clear();
+    for (std::uint32_t k = 0; k < beside_.size(); ++k)
+    {
+        if (active[beside_[k].row] != 0)
+        {
+            chosen_.push_back(k);
         }
     }
 }
 
 void WallContacts::push(const ContactStep& step)
 {
-    forEachPart(threads_, beside_.size(), kWallsTogether,
+    forEachPart(threads_, chosen_.size(), kWallsTogether,
                 [&](std::size_t first, std::size_t last, std::size_t)
                 {
                     for (std::size_t k = first; k < last; ++k)
                     {
-                        pushOff(beside_[k], step);
+                        pushOff(beside_[chosen_[k]], step);
                     }
                 });
 }
@@ -156,19 +169,6 @@ void WallContacts::shareSprings(double radius, double gap, std::vector<Wall>& wa
         const double own = wall.depth + gap;
         wall.spring = whole.part(own < all ? std::max(own / all, kLeastShare) : 1);
     }
-}
-
-double WallContacts::deepest() const
-{
-    double deepest = 0;
-    for (const Beside& one : beside_)
-    {
-        for (const Wall& wall : one.walls)
-        {
-            deepest = std::max(deepest, wall.depth);
-        }
-    }
-    return deepest;
 }
 
 double WallContacts::energy() const

@@ -29,6 +29,8 @@ public:
     void list();
     /// The law has become stiffer by a factor.
     void stiffen(double factor);
+    /// From now on push() looks only at active spheres, by row; the others are pushed as they were.
+    void choose(const std::vector<char>& active);
     void push(const ContactStep& step);
     /// Of all walls on one sphere, since the last push().
     [[nodiscard]] const SurfaceForce& on(std::uint32_t row) const
@@ -37,8 +39,22 @@ public:
         return placeOf_[row] == kNowhere ? kNone : beside_[placeOf_[row]].force;
     }
 
-    [[nodiscard]] double deepest() const; ///< overlap [r], as of the last push()
-    [[nodiscard]] double energy() const;  ///< in springs
+    /// Calls visit(row, overlap) for each sphere in a wall, as of the last push() [r].
+    template <class Visit>
+    void forEachOverlap(Visit&& visit) const
+    {
+        for (const Beside& one : beside_)
+        {
+            for (const Wall& wall : one.walls)
+            {
+                if (wall.depth > 0)
+                {
+                    visit(one.row, wall.depth);
+                }
+            }
+        }
+    }
+    [[nodiscard]] double energy() const; ///< in springs
 
 private:
     static constexpr std::uint32_t kNowhere = 0xffffffff;
@@ -71,6 +87,7 @@ private:
     Threads& threads_;
     RunningColumn<NeighbourList> around_;
     std::vector<Beside> beside_;         ///< ascending in row
+    std::vector<std::uint32_t> chosen_;  ///< in beside_
     std::vector<std::uint32_t> placeOf_; ///< by row: in beside_, or kNowhere
 };
 
