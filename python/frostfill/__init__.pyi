@@ -52,6 +52,10 @@ def fill(
         rest_speed: float = ...,
         rest_window: float = ...,
         set_time_limit: float = ...,
+        rest: Literal['each', 'joint'] = ...,
+        friction: float = ...,
+        wall_friction: float | Literal['auto'] | None = ...,
+        rolling_friction: float = ...,
         judge_friction: float | Literal['none'] | None = ...,
         judge_unbalance: float = ...,
         threads: int = ...,
@@ -306,6 +310,10 @@ class Simulation:
         rest_speed: float = ...,
         rest_window: float = ...,
         set_time_limit: float = ...,
+        rest: Literal['each', 'joint'] = ...,
+        friction: float = ...,
+        wall_friction: float | Literal['auto'] | None = ...,
+        rolling_friction: float = ...,
         judge_friction: float | Literal['none'] | None = ...,
         judge_unbalance: float = ...,
         threads: int = ...,
@@ -590,6 +598,9 @@ class QualityReport:
     @property
     def equilibrium(self) -> EquilibriumReport | None:
         """whether all that is at rest stays so together; None unless judge_friction is given"""
+    @property
+    def settling(self) -> SettlingReport | None:
+        """how all settled together; None unless rest is joint"""
 
 class EquilibriumReport:
     """Whether forces in all contacts at once balance all spheres at rest, under a friction."""
@@ -718,6 +729,10 @@ def volume(
         rest_speed: float = ...,
         rest_window: float = ...,
         set_time_limit: float = ...,
+        rest: Literal['each', 'joint'] = ...,
+        friction: float = ...,
+        wall_friction: float | Literal['auto'] | None = ...,
+        rolling_friction: float = ...,
         judge_friction: float | Literal['none'] | None = ...,
         judge_unbalance: float = ...,
         threads: int = ...,

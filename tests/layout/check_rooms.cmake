@@ -40,10 +40,11 @@ room(simulation/reach ${core})
 room(simulation/discard ${core} simulation/contact simulation/reach)
 set(parts simulation/contact simulation/motion simulation/solver simulation/release simulation/reach
           simulation/discard)
+room(simulation/settling ${core} simulation/contact simulation/solver)
 room(simulation/freezing ${core} ${parts})
 room(simulation/paper ${core} simulation/contact simulation/motion simulation/discard
      simulation/release)
-list(APPEND parts simulation/freezing simulation/paper)
+list(APPEND parts simulation/settling simulation/freezing simulation/paper)
 room(simulation/quality ${core})
 room(simulation/columns ${core} simulation/quality)
 room(simulation/engine ${core} ${parts} simulation/quality simulation/columns)

@@ -17,7 +17,7 @@ namespace frostfill
 {
 
 /// The damping ratio with which a linear spring and dashpot that never pull leave this restitution:
-/// sin p, where (pi - 2 p) tan p = -ln e [Schwager & Poschel 2007, in closed form]. Below e^-2,
+/// sin p, where (pi - 2 p) tan p = -ln e [Schwager & Poschel 2007], in closed form. Below e^-2,
 /// which is that of critical damping, it is 1.
 [[nodiscard]] double dampingRatioFor(double restitution);
 
@@ -84,7 +84,7 @@ struct ContactStep
 {
     double dt = 0;
     /// [1/sqrt(r/g)] Rate at which an overlap turns into a force without one. In equilibrium none
-    /// is left [the method of multipliers: Hestenes 1969, Powell 1969], but a gap of up to
+    /// is left by the method of multipliers [Hestenes 1969] [Powell 1969], but a gap of up to
     /// kGapAtRest.
     double hardening = 0;
 };
@@ -150,7 +150,7 @@ struct SurfaceForce
 
 /// The force of a contact and its torque, which is the same for both spheres but for the radius;
 /// and the moment that resists rolling, at most the rolling friction times the normal force times
-/// `arm` [Luding 2008, eqs. 17 to 20]: the reduced radius.
+/// `arm` [Luding 2008]: the reduced radius.
 [[nodiscard]] inline SurfaceForce forceOf(const Spring& spring, double friction,
                                           double rollingFriction, double arm, const Touch& touch,
                                           const ContactStep& step, ContactMemory& memory)
