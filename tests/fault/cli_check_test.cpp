@@ -114,6 +114,32 @@ TEST_F(CheckCommand, SaysFromWhichFrictionAPileStands)
     EXPECT_NE(air.output.find("none up to 8"), std::string::npos) << air.output;
 }
 
+TEST_F(CheckCommand, JudgesARunUnderTheFrictionWithWhichItHasSettled)
+{
+    ASSERT_EQ(run("fill cube --count 60 --radius 0.2 --motion skip --rest joint --friction 0.5 "
+                  "--frames none --out settled")
+                  .code,
+              0);
+    const auto error =
+        nlohmann::json::parse(test::readFile(folder_ / "settled/summary.json"))["error"];
+    EXPECT_EQ(error["settling"]["rounds"], 1);
+    EXPECT_EQ(error["settling"]["settled"], true);
+    EXPECT_LT(error["settling"]["largest_unbalance"], 0.1);
+    const Answer answer = run("check settled --json --judge-friction 0.5 --max-unbalanced 0");
+    EXPECT_EQ(answer.code, 0) << answer.errors;
+    const auto again = nlohmann::json::parse(run("check settled --json").output);
+    EXPECT_EQ(again["unsupported_frozen"], 0);
+    EXPECT_EQ(error["unsupported_frozen"], 0);
+    for (const char* wrong : {"--friction 0.3", "--rest joint --friction -1", "--rest together",
+                              "--rest joint --tilt 20", "--rest joint --preset paper",
+                              "--rest joint --rolling-friction much", "--wall-friction 0.1"})
+    {
+        const Answer refused = run(std::string("fill cube --count 5 --out no ") + wrong);
+        EXPECT_EQ(refused.code, 64) << wrong;
+        EXPECT_NE(refused.errors.find("--"), std::string::npos) << refused.errors;
+    }
+}
+
 TEST_F(CheckCommand, RefusesInASentenceWhatItCannotMeasure)
 {
     writeFile(folder_ / "bad.csv", "x,y,z,radius\n0,0,0,0.1\n0,0,zero,0.1\n");

@@ -60,6 +60,35 @@ TEST(DocumentedFigures, ThePilesInItsTableStandAsItSays)
     EXPECT_EQ(rows, 4);
 }
 
+TEST(DocumentedFigures, ThePilesThatHaveSettledTogetherStandAsItsTableSays)
+{
+    const std::string page = readFile(kRepository / "docs/accuracy.md");
+    const std::regex row(R"(\| friction ([0-9.]+) \| ([0-9]+) \| ([0-9.]+) \|)");
+    int rows = 0;
+    for (std::sregex_iterator found(page.begin(), page.end(), row); found != std::sregex_iterator();
+         ++found)
+    {
+        const std::string friction = (*found)[1];
+        if (friction == "0")
+        {
+            continue; // half a minute
+        }
+        ++rows;
+        const test::TemporaryFolder folder;
+        ASSERT_EQ(test::runProgram("fill cube --count 2000 --motion skip --frames none --quiet "
+                                   "--out pile --rest joint --friction " +
+                                       friction,
+                                   folder.path())
+                      .code,
+                  0);
+        const auto stands = standingOf(folder.path(), friction);
+        EXPECT_EQ(stands["unbalanced"].get<int>(), std::stoi((*found)[2])) << friction;
+        EXPECT_NEAR(stands["least_friction"].get<double>(), std::stod((*found)[3]), 0.02)
+            << friction;
+    }
+    EXPECT_EQ(rows, 2);
+}
+
 // By the recorded run of `bench error --peers`, of engines that came to rest.
 TEST(DocumentedFigures, TheReadmeNamesTheFastestOtherEngine)
 {

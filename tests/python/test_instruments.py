@@ -65,6 +65,17 @@ class Check(FolderCase):
         self.assertAlmostEqual(summary["error"]["equilibrium"]["least_friction"],
                                report.equilibrium.least_friction, 2)
 
+    def test_says_how_all_have_settled_together(self):
+        simulation = frostfill.Simulation("cube", radius=0.2, count=30, rest="joint", friction=0.4)
+        while simulation.step():
+            pass
+        settling = simulation.quality().settling
+        self.assertEqual((settling.rounds, settling.settled), (1, True))
+        self.assertLess(settling.missing, 0.1)
+        self.assertLessEqual(settling.overlap, 1e-8)
+        with self.assertRaisesRegex(Exception, "--rest"):
+            frostfill.Simulation("cube", radius=0.2, friction=0.4)
+
     def test_counts_places_that_are_no_numbers(self):
         report = frostfill.check([[numpy.nan, 0, 0], [0.5, 0.5, 0.5]], 0.1, CUBE, FACES)
         self.assertEqual(report.not_finite, 1)

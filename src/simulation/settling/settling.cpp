@@ -104,20 +104,18 @@ bool Settling::harden()
     return true;
 }
 
-double Settling::shareMoving() const
-{
-    return static_cast<double>(motion_.unrest().moving) / static_cast<double>(running_.size());
-}
-
 bool Settling::isCalm() const
 {
-    return shareMoving() <= kFewMove;
+    return static_cast<double>(motion_.unrest().moving) <=
+           kFewMove * static_cast<double>(running_.size());
 }
 
 bool Settling::rests() const
 {
     const Unrest& unrest = motion_.unrest();
-    return shareMoving() <= kMovingAtRest && unrest.missing <= kMissingAtRest &&
+    const auto count = static_cast<double>(running_.size());
+    const double most = std::max(kMovingAtRest * count, std::min(kFewMoveAtRest, kFewMove * count));
+    return static_cast<double>(unrest.moving) <= most && unrest.missing <= kMissingAtRest &&
            unrest.overlap <= kOverlapAtRest;
 }
 

@@ -41,7 +41,6 @@ private:
     void wakeInOrder(std::size_t first);
     bool flow();
     bool harden();
-    [[nodiscard]] double shareMoving() const;
     [[nodiscard]] bool isCalm() const;
     [[nodiscard]] bool rests() const;
     void freeze();

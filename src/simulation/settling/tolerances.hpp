@@ -79,13 +79,15 @@ inline constexpr double kStiffer = 1.5;
 inline constexpr double kStiffest = 50;
 /// Gap that contacts harden to, at most [r]. Larger: spheres hang in the air. Smaller: the tenth of
 /// it by which they differ in the end is an overlap for longer.
-inline constexpr double kGapAtRest = 1e-4;
+inline constexpr double kGapAtRest = 2e-5;
 /// Overlap that is left [r].
 inline constexpr double kOverlapAtRest = 1e-8;
-/// Share of the spheres that may still move in the end, and what may be missing on those [own
-/// weight]. The judge has a tenth of his own. Larger: what creeps is taken to rest. Smaller: the
-/// softest places of a large pile decide how long all takes.
-inline constexpr double kMovingAtRest = 1e-3;
+/// Share of the spheres that may still move in the end, or kFewMove of them but no more than this
+/// many; and what may be missing on those [own weight]: what rolls down a gentle slope would for
+/// long. The judge has a
+/// tenth of his own. Larger: what creeps is taken to rest.
+inline constexpr double kMovingAtRest = 5e-3;
+inline constexpr double kFewMoveAtRest = 5;
 inline constexpr double kMissingAtRest = 0.1;
 /// After this time all is frozen as it is [sqrt(r/g)], and the report says so.
 inline constexpr double kLongestHardening = 150;

@@ -117,7 +117,7 @@ TEST(Settling, MovesNothingThatHasSettledAndLetsOnlyWhatIsNewComeToRest)
     {
         before.push_back(world->spheres.position(id));
     }
-    const auto added = addResting(*world, {8.9, -8.5, 8.9});
+    const auto added = addResting(*world, {8.9, -8.5, -8.9});
     settle(settling);
     for (std::uint32_t id = 0; id < before.size(); ++id)
     {
