@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/settling/contact_law.hpp"
 
+#include <cmath>
+#include <numbers>
+
 namespace frostfill
 {
 

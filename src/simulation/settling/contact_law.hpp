@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-// Room: all spheres at once, with spin and friction, until they rest together: the discrete element
-// method [Cundall & Strack 1979].
 #pragma once
 
 #include "simulation/contact/contact.hpp"

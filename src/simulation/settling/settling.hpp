@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Room: all spheres at once, with spin and friction, until they rest together: the discrete element
+// method [Cundall & Strack 1979].
 #pragma once
 
 #include "base/threads.hpp"

@@ -119,6 +119,20 @@ std::string nameOfWay(const ::testing::TestParamInfo<bool>& info)
 
 INSTANTIATE_TEST_SUITE_P(BothWays, CentresOutside, ::testing::Bool(), nameOfWay);
 
+TEST(Examine, CountsOnTheFrictionUnderWhichSpheresSettled)
+{
+    HandPacking wedged;
+    wedged.add({0, 0, 0});
+    const TriangleMesh gap = shapes::box({-1, -5, -5}, {1, 5, 5});
+    EXPECT_EQ(wedged.in(gap).unsupported, 1U);
+    JudgeSettings settled;
+    settled.settledWith = 0.3;
+    EXPECT_EQ(wedged.in(gap, Axis::y, settled).unsupported, 0U);
+    JudgeSettings asked;
+    asked.friction = 0.3;
+    EXPECT_EQ(wedged.in(gap, Axis::y, asked).unsupported, 0U);
+}
+
 TEST(Examine, AddsUpVolumes)
 {
     const QualityReport report =

@@ -107,5 +107,22 @@ TEST(Support, AgreesWithProjectedGradientsOnRandomContacts)
     }
 }
 
+// Two steep contacts, each so far from level: normal and friction forces of both add up to the
+// weight, without a torque, if the friction is above the tangent of half of what they lack.
+TEST(Support, FrictionCarriesBetweenTwoFacesThatDivergeUpToItsAngle)
+{
+    const Eigen::Vector3d down(0, -1, 0);
+    for (const double opening : {0.1, 0.3})
+    {
+        // The faces lean out: their normals lead a little down.
+        const Normals faces = {{std::cos(opening), -std::sin(opening), 0},
+                               {-std::cos(opening), -std::sin(opening), 0}};
+        EXPECT_FALSE(contactsCanCarry(down, faces, 0.1));
+        EXPECT_TRUE(frictionCanCarry(down, faces, 1.1 * std::tan(opening), 0.01)) << opening;
+        EXPECT_FALSE(frictionCanCarry(down, faces, 0.9 * std::tan(opening), 0.01)) << opening;
+    }
+    EXPECT_FALSE(frictionCanCarry(down, Normals{{0.6, 0.8, 0}}, 5, 0.1)) << "it rolls";
+}
+
 } // namespace
 } // namespace frostfill
