@@ -28,8 +28,8 @@ OperationCounts operator-(const OperationCounts& a, const OperationCounts& b)
 const char* stageName(Stage stage)
 {
     static constexpr std::array<const char*, kStageCount> kNames = {
-        "sphere_sphere", "sphere_polygon", "motion",   "freezing", "discarding",
-        "releasing",     "settling",       "rendering", "readback", "encoding", "writing"};
+        "sphere_sphere", "sphere_polygon", "motion",   "freezing", "discarding", "releasing",
+        "settling",      "rendering",      "readback", "encoding", "writing"};
     return kNames[static_cast<std::size_t>(stage)];
 }
 

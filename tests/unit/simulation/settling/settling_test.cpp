@@ -78,7 +78,7 @@ std::unique_ptr<World> heap(double friction)
     auto world = worldWithFriction(friction, friction);
     for (int k = 0; k < 150; ++k)
     {
-        const Vector3d site(k % 5, k / 25, k / 5 % 5);
+        const Vector3d site = Eigen::Vector3i(k % 5, k / 25, k / 5 % 5).cast<double>();
         addResting(*world, Vector3d(-8.9, -8.9, -8.9) + 2.05 * site +
                                0.01 * Vector3d(k * 7 % 5 - 2, 0, k * 3 % 5 - 2));
     }
@@ -121,7 +121,7 @@ TEST(Settling, MovesNothingThatHasSettledAndLetsOnlyWhatIsNewComeToRest)
     settle(settling);
     for (std::uint32_t id = 0; id < before.size(); ++id)
     {
-        EXPECT_LT((world->spheres.position(id) - before[id]).norm(), 0.002) << id;
+        EXPECT_LT((world->spheres.position(id) - before[id]).norm(), 3e-5) << id;
     }
     EXPECT_NEAR(world->spheres.position(added).y(), -9, 1e-4);
     EXPECT_EQ(world->clock.settling.rounds, 2U);
