@@ -68,6 +68,7 @@ struct FillProgress
     double time = 0; ///< [s] simulated; of the pictures, if the run is over
     /// To expect. 0 while the run is simulated, and otherwise it is over and its pictures are made.
     std::size_t pictures = 0;
+    bool settles = false; ///< all spheres settle together: see Simulation::settles
 };
 
 /// What the caller wants to hear. Every function may be empty.

@@ -168,9 +168,10 @@ public:
     /// The sphere for which the run was stopped: a fault of the mesh or of ours. Preset fast only;
     /// with the paper's preset spheres may leave the object, and its judge counts them.
     [[nodiscard]] const std::optional<StraySphere>& stray() const;
-    [[nodiscard]] bool full() const;             ///< the run is over because no sphere fits
-    [[nodiscard]] bool inletsReached() const;    ///< the run is over because the inlets are blocked
-    [[nodiscard]] double time() const;           ///< [s] simulated
+    [[nodiscard]] bool full() const;          ///< the run is over because no sphere fits
+    [[nodiscard]] bool inletsReached() const; ///< the run is over because the inlets are blocked
+    [[nodiscard]] bool settles() const; ///< with Rest::joint: all run at once, and settle together
+    [[nodiscard]] double time() const;  ///< [s] simulated
     [[nodiscard]] double timeStep() const;       ///< [s]
     [[nodiscard]] double radius() const;         ///< [mesh unit] the largest of the scene
     [[nodiscard]] double smallestRadius() const; ///< [mesh unit] the smallest of the scene

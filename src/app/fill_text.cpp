@@ -132,6 +132,11 @@ void printResult(const Scene& scene, const FillResult& result)
         fmt::print("the heap has reached the inlets: after {} spheres, no other one comes in\n",
                    result.spheres);
     }
+    if (const auto& settling = result.quality.settling; settling && settling->settled)
+    {
+        fmt::print("all spheres rest together: at most {:.2g} of its weight is missing on any\n",
+                   settling->missing);
+    }
     fmt::print("{}", fillingText(scene, result));
     if (result.skippedFrames > 0)
     {

@@ -157,7 +157,8 @@ RunEnd stepThrough(Simulation& simulation, const FrameRecorder* recorder,
         if (observer.progressed)
         {
             observer.progressed({simulation.sphereCount(), simulation.restingCount(), expected,
-                                 recorder != nullptr ? recorder->count() : 0, simulation.time()});
+                                 recorder != nullptr ? recorder->count() : 0, simulation.time(), 0,
+                                 simulation.settles()});
         }
         if (observer.stopRequested && observer.stopRequested())
         {

@@ -82,7 +82,8 @@ void JsonProgress::show(const FillProgress& progress, const std::string& run)
     }
     else
     {
-        show("simulating", progress.spheres, progress.expected, "spheres", run);
+        show(progress.settles ? "settling" : "simulating", progress.spheres, progress.expected,
+             "spheres", run);
     }
 }
 

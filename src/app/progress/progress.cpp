@@ -104,6 +104,12 @@ void ProgressBar::update(const FillProgress& progress)
         return;
     }
     const double done = share(progress.spheres, progress.expected);
+    if (progress.settles)
+    {
+        line_.show(done, fmt::format("{} spheres settle together, {:.2f} s simulated, {} frames",
+                                     progress.spheres, progress.time, progress.frames));
+        return;
+    }
     line_.show(done, fmt::format("{}/{} spheres, {:.2f} s simulated, {} frames, {} left",
                                  progress.spheres, progress.expected, progress.time,
                                  progress.frames, line_.left(done)));

@@ -45,6 +45,7 @@ bool JointRestEngine::fill()
     world_.clock.inletsReached = false;
     filling_.reset();
     settling_.begin();
+    world_.clock.settles = true;
     record_.open(world_, 0);
     return true;
 }
@@ -60,6 +61,7 @@ void JointRestEngine::settle()
     {
         record_.close(world_);
         settled_ = world_.spheres.size();
+        world_.clock.settles = false;
         filling_ = makeFilling_(world_);
     }
 }

@@ -161,6 +161,10 @@ bool Simulation::inletsReached() const
 {
     return implementation_->world.clock.inletsReached;
 }
+bool Simulation::settles() const
+{
+    return implementation_->world.clock.settles;
+}
 double Simulation::time() const
 {
     return implementation_->world.clock.time * implementation_->world.frame.time;

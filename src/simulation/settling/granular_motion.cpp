@@ -40,7 +40,7 @@ void GranularMotion::advance(double time, const Course& course)
         spread();
         choose();
     }
-    for (std::size_t k = 0; k < steps; ++k)
+    for (std::size_t k = 0; k < steps && !world_.stop.isAsked(); ++k)
     {
         step({time / static_cast<double>(steps), course.hardening}, course.drag);
     }

@@ -18,6 +18,7 @@ struct RunClock
     bool finished = false;
     bool full = false;                ///< no sphere fits anywhere
     bool inletsReached = false;       ///< none fits into an inlet
+    bool settles = false;             ///< all run at once, and settle together
     SettlingReport settling;          ///< of Rest::joint
     std::optional<StraySphere> stray; ///< why the run was stopped
 };

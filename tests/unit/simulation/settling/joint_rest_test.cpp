@@ -108,6 +108,7 @@ TEST(JointRest, ShowsEverySphereRunWhileAllSettle)
     {
         simulation.capture(snapshot);
         allRan = allRan || snapshot.running == 40;
+        EXPECT_EQ(simulation.settles(), snapshot.running == 40);
     }
     EXPECT_TRUE(allRan);
 }
