@@ -64,9 +64,9 @@ ScenePainter::ScenePainter(const GlFunctions& gl, const TriangleMesh& mesh,
             flatSpherePass_.emplace(gl_, flat, samplePositions, settings_.style,
                                     strokesFor(settings).lineWidth);
         }
-        if (variant_.cutaway)
+        if (!variant_.orthographic || variant_.cutaway)
         {
-            wholeMeshPass_.emplace(gl_, flat, shellPalette(settings_.style), strokesFor(settings));
+            flatMeshPass_.emplace(gl_, flat, shellPalette(settings_.style), strokesFor(settings));
         }
         uploadSwatches();
     }
@@ -91,28 +91,11 @@ void ScenePainter::uploadMesh(const TriangleMesh& mesh, const std::vector<glm::v
 
 void ScenePainter::uploadSwatches()
 {
-    const double height = settings_.size.height;
-    const TriangleMesh mesh = squares(legend_.polygons(), height);
-    const ShadedMesh shaded = shadeMesh(mesh, positionsOf(mesh));
-    auto strengths = edgeStrengths(shaded, {0, 0, 1}, true);
-    strengths[0][1] = strengths[1][2] = strengths[2][1] = strengths[3][2] = 0; // the diagonals
-    swatches_.reset(new Swatches{SphereBuffer(gl_), MeshBuffer(gl_, shaded, strengths)});
-
-    std::vector<SphereInstance> spheres;
-    for (const Legend::Swatch& swatch : legend_.spheres())
-    {
-        spheres.push_back({static_cast<float>(swatch.x), static_cast<float>(height - swatch.y), 0,
-                           static_cast<float>(swatch.halfSize),
-                           static_cast<std::uint32_t>(swatch.state),
-                           colours_.ofSwatch(static_cast<SphereState>(swatch.state))});
-    }
-    swatches_->spheres.update(spheres);
-    std::vector<PolygonState> states;
-    for (const Legend::Swatch& swatch : legend_.polygons())
-    {
-        states.insert(states.end(), 2, static_cast<PolygonState>(swatch.state));
-    }
-    swatches_->polygons.update(states);
+    const SwatchShapes shapes = swatchShapes(legend_, colours_, settings_.size.height);
+    swatches_.reset(
+        new Swatches{SphereBuffer(gl_), MeshBuffer(gl_, shapes.polygons, shapes.strengths)});
+    swatches_->spheres.update(shapes.spheres);
+    swatches_->polygons.update(shapes.states);
     flatUniforms_.projection = pixelProjection(settings_.size);
     flatUniforms_.supersample = uniforms_.supersample;
     flatUniforms_.depthSlope = -0.5F * flatUniforms_.projection[2][2];
@@ -213,7 +196,7 @@ void ScenePainter::paintOccluders(std::span<const SphereInstance> spheres,
                                   const SphereProjector& projector)
 {
     shrunk_.clear();
-    if (variant_.cutaway)
+    if (!variant_.orthographic || variant_.cutaway)
     {
         return; // what a cut leaves of a small sphere may be nearer than what it leaves of the full
     }
@@ -287,7 +270,7 @@ void ScenePainter::paintLegend()
 
 void ScenePainter::paintSwatchPolygons()
 {
-    (wholeMeshPass_ ? *wholeMeshPass_ : meshPass_)
+    (flatMeshPass_ ? *flatMeshPass_ : meshPass_)
         .draw(swatches_->polygons, flatUniforms_.view, flatUniforms_.projection);
 }
 

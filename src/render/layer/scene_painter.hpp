@@ -112,7 +112,7 @@ private:
     std::optional<SpherePass> flatSpherePass_;  ///< not in perspective, not cut, for the swatches
     std::optional<SpherePass> plainSpherePass_; ///< without multisampling, for occluders
     MeshPass meshPass_;
-    std::optional<MeshPass> wholeMeshPass_; ///< not cut, for the swatches
+    std::optional<MeshPass> flatMeshPass_; ///< as flatSpherePass_
     SphereBuffer spheres_;
     ShadedMesh shaded_;
     std::unique_ptr<MeshBuffer> shell_;

@@ -1,22 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "render/layer/swatch_mesh.hpp"
 
-#include <array>
-#include <cstdint>
+#include <frostfill/mesh.hpp>
 
 namespace frostfill
 {
-
-glm::mat4 pixelProjection(const PictureSize& size)
+namespace
 {
-    glm::mat4 projection(0);
-    projection[0][0] = 2.0F / static_cast<float>(size.width);
-    projection[1][1] = 2.0F / static_cast<float>(size.height);
-    projection[2][2] = -1e-5F;
-    projection[3] = {-1, -1, -0.99F, 1};
-    return projection;
-}
 
+/// Two triangles for each swatch, which face the viewer.
 TriangleMesh squares(const std::vector<Legend::Swatch>& swatches, double height)
 {
     TriangleMesh mesh;
@@ -34,14 +26,45 @@ TriangleMesh squares(const std::vector<Legend::Swatch>& swatches, double height)
     return mesh;
 }
 
-std::vector<glm::vec3> positionsOf(const TriangleMesh& mesh)
+} // namespace
+
+SwatchShapes swatchShapes(const Legend& legend, const SphereColours& colours, int height)
 {
+    SwatchShapes shapes;
+    for (const Legend::Swatch& swatch : legend.spheres())
+    {
+        shapes.spheres.push_back(
+            {static_cast<float>(swatch.x), static_cast<float>(height - swatch.y), 0,
+             static_cast<float>(swatch.halfSize), static_cast<std::uint32_t>(swatch.state),
+             colours.ofSwatch(static_cast<SphereState>(swatch.state))});
+    }
+    const TriangleMesh mesh = squares(legend.polygons(), height);
     std::vector<glm::vec3> positions;
     for (const Eigen::Vector3d& vertex : mesh.vertices)
     {
         positions.emplace_back(vertex.x(), vertex.y(), vertex.z());
     }
-    return positions;
+    shapes.polygons = shadeMesh(mesh, positions);
+    shapes.strengths = edgeStrengths(shapes.polygons, {0, 0, 1}, true);
+    for (std::size_t t = 0; t + 1 < shapes.strengths.size(); t += 2)
+    {
+        shapes.strengths[t][1] = shapes.strengths[t + 1][2] = 0; // the diagonals
+    }
+    for (const Legend::Swatch& swatch : legend.polygons())
+    {
+        shapes.states.insert(shapes.states.end(), 2, static_cast<PolygonState>(swatch.state));
+    }
+    return shapes;
+}
+
+glm::mat4 pixelProjection(const PictureSize& size)
+{
+    glm::mat4 projection(0);
+    projection[0][0] = 2.0F / static_cast<float>(size.width);
+    projection[1][1] = 2.0F / static_cast<float>(size.height);
+    projection[2][2] = -1e-5F;
+    projection[3] = {-1, -1, -0.99F, 1};
+    return projection;
 }
 
 } // namespace frostfill

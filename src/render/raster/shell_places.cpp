@@ -196,7 +196,7 @@ FROSTFILL_INLINE void ShellRaster::placeHalf(std::uint32_t first, const Ends& en
     const HalfInts height = boxes.top - boxes.bottom;
     const HalfInts small = (width < kSmall) & (height < kSmall);
     const HalfInts speck =
-        (width <= (edgeOn_ ? 0 : ShellSpeck::kEdge)) & (height <= ShellSpeck::kEdge) & (width > 0);
+        (width <= ShellSpeck::kEdge) & (height <= ShellSpeck::kEdge) & (width > 0);
     const auto edges = boxes.each();
     const HalfFloats bound = nearest + kNearer * (nearest < 0 ? -nearest : nearest);
     for (std::size_t lane = 0; lane < std::min<std::size_t>(kHalf, places_.size() - first); ++lane)

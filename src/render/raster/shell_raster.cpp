@@ -49,10 +49,8 @@ ShellRaster::ShellRaster(const ShadedMesh& mesh, const Palette& palette, const M
 
 void ShellRaster::lookFrom(const SphereUniforms& uniforms, bool orthographic,
                            const PictureSize& size,
-                           std::span<const std::array<std::uint8_t, 3>> edgeStrengths, float front,
-                           bool edgeOn)
+                           std::span<const std::array<std::uint8_t, 3>> edgeStrengths, float front)
 {
-    edgeOn_ = edgeOn;
     view_ = uniforms.view;
     grid_ = pixelGrid(uniforms.projection, orthographic, size);
     rows_ = orthographic ? ShellRows{0, 0, 0, 0, strokes_.lineWidth}

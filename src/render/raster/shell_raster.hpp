@@ -40,11 +40,9 @@ public:
     ShellRaster(const ShadedMesh& mesh, const Palette& palette, const MeshStrokes& strokes,
                 int samples, bool avx2);
 
-    /// `edgeStrengths` must stay. `front` is added to what is near without perspective. `edgeOn`
-    /// draws small triangles as densely as if they were seen at a grazing angle.
+    /// `edgeStrengths` must stay. `front` is added to what is near without perspective.
     void lookFrom(const SphereUniforms& uniforms, bool orthographic, const PictureSize& size,
-                  std::span<const std::array<std::uint8_t, 3>> edgeStrengths, float front = 0,
-                  bool edgeOn = false);
+                  std::span<const std::array<std::uint8_t, 3>> edgeStrengths, float front = 0);
     /// Takes the states of the triangles; those beyond the span's end are active. Returns which
     /// triangles have changed, until the next call.
     std::span<const std::uint32_t> setStates(std::span<const PolygonState> states);
@@ -215,7 +213,6 @@ private:
     ShellRows rows_{};
     PictureSize size_;
     float front_ = 0;
-    bool edgeOn_ = false;
     ShellVertices shape_;
     std::vector<Vertex> vertices_;                       ///< [shape_] for this camera
     std::vector<PlacedVertex> placed_;                   ///< [shape_] for this camera

@@ -55,7 +55,6 @@ FROSTFILL_INLINE void ShellRaster::setSurfaces(const Triangles& triangles,
         };
         normals[i] = {ofNormal(0), ofNormal(1), ofNormal(2)};
         columns.normals[i] = {normals[i].x, normals[i].y, normals[i].z};
-        columns.facing[i] = edgeOn_ ? Floats{} : columns.facing[i];
     }
     const Mask alike = min(min(dot(normals[0], normals[1]), dot(normals[1], normals[2])),
                            dot(normals[2], normals[0])) > kFlat;

@@ -2,7 +2,6 @@
 #include "render/raster/swatch_raster.hpp"
 
 #include "render/layer/painter_settings.hpp"
-#include "render/layer/swatch_mesh.hpp"
 
 namespace frostfill
 {
@@ -23,42 +22,20 @@ SwatchRaster::SwatchRaster(const Viewpoint& viewpoint, int samples, bool avx2)
     flat.projection = pixelProjection(settings.size);
     raster_ = std::make_unique<SphereRaster>(
         flat, true, settings.size, settings.style.palette.background, samples, avx2, kInFront);
-    const auto height = static_cast<double>(settings.size.height);
-    for (const Legend::Swatch& swatch : legend.spheres())
+    shapes_ = swatchShapes(legend, viewpoint.colours(), settings.size.height);
+    for (const SphereInstance& sphere : shapes_.spheres)
     {
-        const SphereInstance sphere = {
-            static_cast<float>(swatch.x),
-            static_cast<float>(height - swatch.y),
-            0,
-            static_cast<float>(swatch.halfSize),
-            static_cast<std::uint32_t>(swatch.state),
-            viewpoint.colours().ofSwatch(static_cast<SphereState>(swatch.state))};
-        const auto left = static_cast<int>(swatch.x - swatch.halfSize) - 1;
-        const auto bottom = static_cast<int>(height - swatch.y - swatch.halfSize) - 1;
-        const auto edge = static_cast<int>(2 * swatch.halfSize) + 4;
-        spheres_.push_back(sphere);
+        const auto left = static_cast<int>(sphere.x - sphere.radius) - 1;
+        const auto bottom = static_cast<int>(sphere.y - sphere.radius) - 1;
+        const auto edge = static_cast<int>(2 * sphere.radius) + 4;
         placed_.push_back({{left, bottom, left + edge, bottom + edge}, 0});
         pixels_ = around(pixels_, placed_.back().pixels);
     }
-    const TriangleMesh mesh = squares(legend.polygons(), height);
-    mesh_ = shadeMesh(mesh, positionsOf(mesh));
-    edges_ = edgeStrengths(mesh_, {0, 0, 1}, true);
-    for (std::size_t t = 0; t + 1 < edges_.size(); t += 2)
-    {
-        edges_[t][1] = edges_[t + 1][2] = 0; // the diagonals
-    }
     ShellRaster& polygons =
-        *(polygons_ = std::make_unique<ShellRaster>(mesh_, shellPalette(settings.style),
+        *(polygons_ = std::make_unique<ShellRaster>(shapes_.polygons, shellPalette(settings.style),
                                                     strokesFor(settings), samples, avx2));
-    // With perspective the programs take them for being seen edge-on.
-    polygons.lookFrom(flat, true, settings.size, edges_, 2 * kInFront,
-                      !viewpoint.framing().orthographic);
-    std::vector<PolygonState> states;
-    for (const Legend::Swatch& swatch : legend.polygons())
-    {
-        states.insert(states.end(), 2, static_cast<PolygonState>(swatch.state));
-    }
-    polygons.setStates(states);
+    polygons.lookFrom(flat, true, settings.size, shapes_.strengths, 2 * kInFront);
+    polygons.setStates(shapes_.states);
     triangles_ = polygons.inDrawingOrder();
     for (const std::uint32_t triangle : triangles_)
     {
@@ -68,9 +45,9 @@ SwatchRaster::SwatchRaster(const Viewpoint& viewpoint, int samples, bool avx2)
 
 void SwatchRaster::draw(const TilePart& part, SampleTile& tile)
 {
-    for (std::size_t i = 0; i < spheres_.size(); ++i)
+    for (std::size_t i = 0; i < shapes_.spheres.size(); ++i)
     {
-        raster_->draw(spheres_[i], placed_[i].pixels, part, tile);
+        raster_->draw(shapes_.spheres[i], placed_[i].pixels, part, tile);
     }
     polygons_->draw(triangles_, part, tile);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "render/layer/swatch_mesh.hpp"
 #include "render/overlay/viewpoint.hpp"
 #include "render/raster/resting_tile.hpp"
 #include "render/raster/shell_raster.hpp"
@@ -24,12 +25,10 @@ public:
 
 private:
     std::unique_ptr<SphereRaster> raster_;
-    std::vector<SphereInstance> spheres_;
-    std::vector<SphereBounds> placed_;               ///< [spheres]
-    ShadedMesh mesh_;                                ///< of the polygons
-    std::vector<std::array<std::uint8_t, 3>> edges_; ///< of its triangles
+    SwatchShapes shapes_;
+    std::vector<SphereBounds> placed_; ///< of the spheres
     std::unique_ptr<ShellRaster> polygons_;
-    std::vector<std::uint32_t> triangles_; ///< all of the mesh
+    std::vector<std::uint32_t> triangles_; ///< of the polygons
     PixelRectangle pixels_;
 };
 
