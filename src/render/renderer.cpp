@@ -81,31 +81,18 @@ bool drawsWithoutOpenGl(const RenderSettings& settings)
 
 struct Renderer::Implementation
 {
-    Implementation(const TriangleMesh& itsMesh, const RenderSettings& wanted) : settings(wanted)
+    Implementation(const TriangleMesh& mesh, const RenderSettings& wanted) : settings(wanted)
     {
         if (drawsWithoutOpenGl(settings))
         {
-            mesh = itsMesh;
             tiles.emplace(mesh, enlarged(settings));
         }
         else
         {
-            pipeline = std::make_unique<Pipeline>(itsMesh, enlarged(settings));
+            pipeline = std::make_unique<Pipeline>(mesh, enlarged(settings));
         }
     }
 
-    /// OpenGL, which what is drawn in tiles needs only for other pictures of the same view.
-    Pipeline& withOpenGl()
-    {
-        if (!pipeline)
-        {
-            RenderSettings own = tiles->viewpoint().settings();
-            own.backend = Backend::automatic;
-            pipeline = std::make_unique<Pipeline>(mesh, own);
-            pipeline->turn(turned);
-        }
-        return *pipeline;
-    }
     [[nodiscard]] const Legend& legend() const
     {
         return tiles ? tiles->viewpoint().legend() : pipeline->legend();
@@ -126,7 +113,7 @@ struct Renderer::Implementation
         if (settings.style.ambientOcclusion && !snapshot.centres.empty())
         {
             const double reach = kOcclusionReach * meanRadius(snapshot) * framing().scale;
-            withOpenGl().drawSurfaces(snapshot, {whole.width, whole.height}, surfaces);
+            pipeline->drawSurfaces(snapshot, {whole.width, whole.height}, surfaces);
             applyAmbientLight(ambientLight(surfaces, framing(), reach), whole);
         }
         for (const Legend::Piece& piece : legend().pieces(snapshot))
@@ -141,10 +128,8 @@ struct Renderer::Implementation
     }
 
     RenderSettings settings;
-    TriangleMesh mesh;                  ///< if it is drawn in tiles
-    std::optional<TilePipeline> tiles;  ///< draws the picture, or else the pipeline does
-    std::unique_ptr<Pipeline> pipeline; ///< once needed
-    double turned = 0;                  ///< [degree]
+    std::optional<TilePipeline> tiles; ///< draws the picture, or else the pipeline does
+    std::unique_ptr<Pipeline> pipeline;
     AnnotatedPicture picture;
     StageTimes times;
     Image whole; ///< if the picture is finished as a whole
@@ -207,7 +192,6 @@ void Renderer::setCamera(const Camera& camera)
 {
     auto& own = *implementation_;
     const auto moving = Clock::now();
-    own.turned = 0;
     if (own.tiles)
     {
         own.tiles->lookFrom(camera);
@@ -223,7 +207,6 @@ void Renderer::turn(double degrees)
 {
     auto& own = *implementation_;
     const auto moving = Clock::now();
-    own.turned = degrees;
     if (own.tiles)
     {
         own.tiles->turn(degrees);
@@ -239,9 +222,9 @@ void Renderer::renderPasses(const Snapshot& snapshot, PassPictures& pictures)
 {
     auto& own = *implementation_;
     const auto drawing = Clock::now();
-    Pipeline& pipeline = own.withOpenGl();
-    pipeline.drawSurfaces(snapshot, own.settings.size, own.surfaces);
-    makePassPictures(own.surfaces, pipeline.framing(), pictures);
+    own.tiles ? own.tiles->drawSurfaces(snapshot, own.settings.size, own.surfaces)
+              : own.pipeline->drawSurfaces(snapshot, own.settings.size, own.surfaces);
+    makePassPictures(own.surfaces, own.framing(), pictures);
     own.times[Stage::rendering] += secondsSince(drawing);
 }
 

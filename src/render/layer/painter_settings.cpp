@@ -58,6 +58,10 @@ SphereUniforms uniformsOf(const Framing& framing, const RenderSettings& settings
     uniforms.heightPlane = framing.heightPlane;
     uniforms.distancePlane = framing.distancePlane;
     uniforms.haze = settings.style.look == Look::paper ? 0 : kHaze;
+    if (const auto planes = cutPlanesOf(settings, framing))
+    {
+        uniforms.cutPlanes = toEyeSpace(*planes, framing);
+    }
     return uniforms;
 }
 
@@ -71,6 +75,22 @@ ShaderVariant variantOf(const RenderSettings& settings, const TriangleMesh& mesh
             .outlines = paper,
             .fadingLines = !asInThePaper,
             .studio = settings.style.look == Look::studio};
+}
+
+ShaderVariant variantOfSwatches(ShaderVariant variant)
+{
+    variant.orthographic = true;
+    variant.cutaway = false;
+    variant.studio = false;
+    return variant;
+}
+
+std::optional<CutPlanes> cutPlanesOf(const RenderSettings& settings, const Framing& framing)
+{
+    const Cutaway& cutaway = settings.style.cutaway;
+    return cutaway.kind == Cutaway::Kind::none
+               ? std::nullopt
+               : std::optional(cutPlanes(cutaway, framing, settings.up));
 }
 
 Palette shellPalette(const Style& style)

@@ -34,15 +34,11 @@ ScenePainter::ScenePainter(const GlFunctions& gl, const TriangleMesh& mesh,
       meshPass_(gl, variant_, shellPalette(settings_.style), strokesFor(settings)),
       spheres_(gl, variant_.studio), regions_(settings.size.width, settings.size.height)
 {
-    if (variant_.cutaway)
-    {
-        cutPlanes_ = cutPlanes(settings_.style.cutaway, framing, settings.up);
-    }
     const std::vector<glm::vec3> positions = inUnitSpace(mesh, framing);
     studio_ = studioOf(mesh, positions, settings, framing);
     if (studio_)
     {
-        sphereOcclusion_.emplace(studio_->lamp, cutPlanes_);
+        sphereOcclusion_.emplace(studio_->lamp, cutPlanesOf(settings_, framing));
     }
     if (studio_ && studio_->ground)
     {
@@ -55,10 +51,7 @@ ScenePainter::ScenePainter(const GlFunctions& gl, const TriangleMesh& mesh,
     }
     if (legend_.visible())
     {
-        ShaderVariant flat = variant_;
-        flat.orthographic = true;
-        flat.cutaway = false;
-        flat.studio = false;
+        const ShaderVariant flat = variantOfSwatches(variant_);
         if (!variant_.orthographic || variant_.cutaway || variant_.studio)
         {
             flatSpherePass_.emplace(gl_, flat, samplePositions, settings_.style,
@@ -109,9 +102,8 @@ void ScenePainter::setView(const Framing& framing)
     {
         studio_->light(framing, uniforms_);
     }
-    if (cutPlanes_)
+    if (variant_.cutaway)
     {
-        uniforms_.cutPlanes = toEyeSpace(*cutPlanes_, framing);
         meshPass_.setCutPlanes(uniforms_.cutPlanes);
     }
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "render/framing/cutaway_planes.hpp"
 #include "render/framing/framing.hpp"
 #include "render/framing/pixel_rectangle.hpp"
 #include "render/layer/dirty_rectangles.hpp"
@@ -100,7 +99,6 @@ private:
     const SphereColours& colours_;
     RenderSettings settings_;
     ShaderVariant variant_;
-    std::optional<CutPlanes> cutPlanes_;
     std::optional<Studio> studio_;
     std::optional<SphereOcclusion> sphereOcclusion_;
     std::unique_ptr<GroundPass> ground_;

@@ -175,28 +175,35 @@ const SphereDrawList::Changes& SphereDrawList::update(const Snapshot& snapshot,
     return changes_;
 }
 
-void SphereDrawList::sortFrontToBack(const Framing& framing)
+std::vector<std::uint32_t> nearestFirst(std::span<const SphereInstance> spheres,
+                                        const Framing& framing)
 {
     // The eye is a point, or without perspective a direction.
     const glm::vec3 eye(framing.eye);
     const float eyeDistance = glm::length(eye);
-    std::vector<Keyed> order(resting_.size());
+    std::vector<Keyed> order(spheres.size());
     forAll(order.size(), kSpheresPerTask,
            [&](std::size_t i)
            {
-               const glm::vec3 centre(resting_[i].x, resting_[i].y, resting_[i].z);
+               const glm::vec3 centre(spheres[i].x, spheres[i].y, spheres[i].z);
                const float distance = framing.orthographic
                                           ? -glm::dot(centre, eye)
                                           : glm::length(centre - eye) - eyeDistance;
                order[i] = Keyed{sortKey(distance)} << kPlaceBits | i;
            });
     sortByKey(order);
+    return {order.begin(), order.end()}; // without the keys
+}
+
+void SphereDrawList::sortFrontToBack(const Framing& framing)
+{
+    const std::vector<std::uint32_t> order = nearestFirst(resting_, framing);
     std::vector<SphereInstance> spheres(order.size());
     std::vector<std::uint32_t> ids(order.size());
     forAll(order.size(), kSpheresPerTask,
            [&](std::size_t i)
            {
-               const auto from = static_cast<std::uint32_t>(order[i]);
+               const std::uint32_t from = order[i];
                spheres[i] = resting_[from];
                ids[i] = restingIds_[from];
                places_[ids[i]] = static_cast<std::uint32_t>(i);

@@ -17,6 +17,10 @@ namespace frostfill
 /// Nearest first pays from so many spheres at rest: only then are many of them found hidden.
 inline constexpr std::size_t kSortFrom = 2000;
 
+/// The places of spheres in the order of their distance from the viewer.
+[[nodiscard]] std::vector<std::uint32_t> nearestFirst(std::span<const SphereInstance> spheres,
+                                                      const Framing& framing);
+
 /// The spheres of the last snapshot in the order in which they are drawn: those at rest first, in
 /// the order in which they came to rest, then those that run, by id. Where two surfaces have the
 /// same depth the one that is drawn first stays, so that pictures depend on the order; and it has

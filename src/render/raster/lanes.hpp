@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "render/raster/lights.hpp"
 #include "render/raster/sample_tile.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -146,6 +148,19 @@ FROSTFILL_INLINE Word blended(Word colour, Word below)
 FROSTFILL_INLINE Floats iota()
 {
     return Floats{0, 1, 2, 3, 4, 5, 6, 7};
+}
+
+/// As common.glsl has it.
+FROSTFILL_INLINE Floats stripes(Floats phase, float share, float width)
+{
+    // Truncating serves for floor: phases are above -4.
+    const Floats fraction =
+        phase - (__builtin_convertvector(__builtin_convertvector(phase + 4, Mask), Floats) - 4);
+    const Floats fromMiddle = max(fraction - 0.5F, 0.5F - fraction);
+    const Floats crisp =
+        clamped((fromMiddle - 0.5F * (1 - share)) * (1 / std::max(width, 1e-4F)) + 0.5F);
+    const float mean = std::clamp(2.5F * width - 0.75F, 0.0F, 1.0F);
+    return crisp + (share - crisp) * mean;
 }
 
 /// Light on a surface; common.glsl has the same.

@@ -97,6 +97,8 @@ public:
         }
         return samples_ != nullptr;
     }
+    /// What is drawn; null where nothing lies.
+    [[nodiscard]] const SampleTile* samples() const { return samples_.get(); }
     /// Copies a part, or the background where nothing lies.
     void copyTo(SampleTile& tile, const PixelRectangle& pixels) const;
 

@@ -25,10 +25,15 @@ FROSTFILL_INLINE Floats along(const Vectors& a, float x, float y, float z)
     return a.x * x + a.y * y + a.z * z;
 }
 
+FROSTFILL_INLINE Floats along(const Vectors& a, const LightWay& way)
+{
+    return along(a, way.x, way.y, way.z);
+}
+
 FROSTFILL_INLINE Floats lightOn(const Vectors& normal)
 {
-    return lightOf(normal.y, along(normal, -0.424F, 0.636F, 0.645F),
-                   along(normal, 0.802F, 0.134F, 0.582F), along(normal, 0.258F, 0.602F, -0.756F));
+    return lightOf(normal.y, along(normal, kKeyLight), along(normal, kFillLight),
+                   along(normal, kBackLight));
 }
 
 template <class ValueOf>

@@ -29,12 +29,12 @@ FROSTFILL_INLINE Floats curved(const ShellRaster::Setup& s, const ShellRows& f, 
     const Floats towards =
         (nz - nx * rayX - ny * rayY) * length / root(rayX * rayX + (1 + rayY * rayY));
     facing = max(towards, -towards);
-    const auto along = [&](float ofX, float ofY, float ofZ) __attribute__((always_inline))
+    const auto along = [&](const LightWay& way) __attribute__((always_inline))
     {
-        return (nx * ofX + ny * ofY + nz * ofZ) * length;
+        return (nx * way.x + ny * way.y + nz * way.z) * length;
     };
-    return 0.55F + 0.45F * lightOf(ny * length, along(-0.424F, 0.636F, 0.645F),
-                                   along(0.802F, 0.134F, 0.582F), along(0.258F, 0.602F, -0.756F));
+    return 0.55F +
+           0.45F * lightOf(ny * length, along(kKeyLight), along(kFillLight), along(kBackLight));
 }
 
 /// Others' creases are not drawn from here on, where their distance is 1 at most.

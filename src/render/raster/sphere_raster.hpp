@@ -5,7 +5,8 @@
 #include "render/raster/sample_tile.hpp"
 
 #include <array>
-#include <span>
+#include <cstddef>
+#include <cstdint>
 
 namespace frostfill
 {
@@ -32,15 +33,29 @@ public:
     /// Share of the hatch that is dark, as in common.glsl.
     static constexpr float kHatchShare = 0.34F;
 
-    /// `background` is the palette's. `front` is added to the inverse depth without perspective.
-    /// `avx2` as lanes::hasAvx2().
-    SphereRaster(const SphereUniforms& uniforms, bool orthographic, const PictureSize& size,
-                 const Colour& background, int samples, bool avx2, float front = 0);
+    /// Plane of a tile's colours that identities are left in.
+    static constexpr std::size_t kIdentities = 1;
+
+    /// How SpherePass draws, for a size of the picture. `front` is added to the inverse depth
+    /// without perspective. `avx2` as lanes::hasAvx2().
+    SphereRaster(const SphereUniforms& uniforms, const ShaderVariant& variant,
+                 const PictureSize& size, const Style& style, float lineWidth, int samples,
+                 bool avx2, float front = 0);
+    /// The same as surface.frag: one sample a pixel, for its colour where the sphere faces, and in
+    /// another plane what SphereInstance::colour has, as a word.
+    [[nodiscard]] static SphereRaster ofSurfaces(const SphereUniforms& uniforms,
+                                                 const ShaderVariant& variant,
+                                                 const PictureSize& size, bool avx2);
 
     /// `pixels` is the sphere's rectangle in the picture. `light`: for the style studio.
     void draw(const SphereInstance& sphere, const PixelRectangle& pixels, const TilePart& part,
               SampleTile& tile, const SphereLight* light = nullptr) const;
 
+    /// Whether the cutaway takes it away.
+    [[nodiscard]] bool takesAway(const SphereInstance& sphere) const
+    {
+        return leftOf(sphere) == Left::nothing;
+    }
     /// An upper bound of the inverse depth of the sphere's points; see kNothing.
     [[nodiscard]] float nearest(const SphereInstance& sphere) const;
 
@@ -64,6 +79,7 @@ public:
         std::array<float, 3> tint;                                     ///< [0..255]
         std::array<float, 3> haze;                                     ///< [0..255]
         float gloss, ring, hatch;                                      ///< strengths of the marks
+        float outline;                                                 ///< its width, for print
         float pixel;                                                   ///< in its radius
         std::array<float, kMaxTileSamples> acrossAt, aboveAt, alongAt; ///< from a pixel's middle
     };
@@ -84,7 +100,52 @@ public:
         Setup::Slope towardsLamp, up, gloss;
     };
 
+    /// What a cutaway adds to a sphere of which it leaves a part.
+    struct Cut
+    {
+        /// How deep in what is taken away, positive: `start` + t `growth`, with t the way along the
+        /// ray: 1 in the plane of the outline, or without perspective from there towards it.
+        /// Either changes evenly over the outline.
+        struct Plane
+        {
+            float start, startAcross, startAbove;
+            float growth, growthAcross, growthAbove;
+            float heightSquared; ///< of the plane above the centre, in its radius
+            float light;         ///< on the cut
+        };
+        std::array<Plane, 2> planes;
+        bool orthographic;
+        float radius;
+        float shrink; ///< the outline's radius in the sphere's
+    };
+
+    /// What of a surface is drawn that is not shaded.
+    struct Surface
+    {
+        Setup::Slope right, up, towards;
+        std::uint32_t identity;
+        std::array<std::uint32_t, 2> ofCut; ///< as colours, where the planes of a cut face
+    };
+
+    /// What one sphere is drawn with; null for what it does not have.
+    struct Drawn
+    {
+        const Setup& setup;
+        const Lighting* lighting;
+        const Cut* cut;
+        const Surface* surface;
+        bool print;
+    };
+
 private:
+    /// What a cutaway leaves of a sphere.
+    enum class Left
+    {
+        all,
+        part,
+        nothing,
+    };
+
     /// Unit vectors in eye space: to the centre, and in the plane of the circle.
     struct Axes
     {
@@ -101,9 +162,17 @@ private:
     void setColours(const SphereInstance& sphere, const glm::vec3& centre, bool lit,
                     Setup& setup) const;
     void setLighting(const SphereLight& light, const Axes& axes, Lighting& lighting) const;
+    void setCut(const SphereInstance& sphere, const Axes& axes, Cut& cut) const;
+    [[nodiscard]] Surface surfaceOf(const SphereInstance& sphere, const Axes& axes) const;
+    [[nodiscard]] Left leftOf(const SphereInstance& sphere) const;
+    [[nodiscard]] glm::vec3 centreOf(const SphereInstance& sphere) const;
 
     SphereUniforms uniforms_;
     PixelGrid grid_;
+    bool cutaway_;
+    bool print_;
+    bool surfaces_ = false;
+    float outline_;        ///< [pixel] for print
     glm::vec3 background_; ///< [0..1] premultiplied
     int samples_;
     bool avx2_;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What is the same over one sphere is worked out here, once and not for every pixel.
+#include "render/raster/lights.hpp"
 #include "render/raster/sphere_raster.hpp"
 
 #include <glm/common.hpp>
@@ -17,14 +18,16 @@ namespace
 using Setup = SphereRaster::Setup;
 using Lighting = SphereRaster::Lighting;
 
-// The numbers of common.glsl, sphere.vert and sphere.frag.
-const glm::vec3 kKeyLight(-0.424F, 0.636F, 0.645F);
-const glm::vec3 kFillLight(0.802F, 0.134F, 0.582F);
-const glm::vec3 kBackLight(0.258F, 0.602F, -0.756F);
+// The numbers of sphere.vert and sphere.frag.
 const glm::vec3 kHighlight(-0.234F, 0.351F, 0.907F);
 /// Strength of gloss, ring and hatch for each SphereState.
 constexpr std::array<std::array<float, 3>, 3> kStateMarks = {
     {{0.65F, 0.8F, 0}, {0, 0, 0}, {0, 0, 0.42F}}};
+
+glm::vec3 towards(const lanes::LightWay& light)
+{
+    return {light.x, light.y, light.z};
+}
 
 /// As OpenGL takes a signed byte for -1..1.
 float shareOf(std::int8_t byte)
@@ -47,13 +50,28 @@ PixelGrid pixelGrid(const glm::mat4& projection, bool orthographic, const Pictur
     return grid;
 }
 
-SphereRaster::SphereRaster(const SphereUniforms& uniforms, bool orthographic,
-                           const PictureSize& size, const Colour& background, int samples,
-                           bool avx2, float front)
-    : uniforms_(uniforms), grid_(pixelGrid(uniforms.projection, orthographic, size)),
-      background_(glm::vec3(toVector(background)) * toVector(background).a), samples_(samples),
-      avx2_(avx2), front_(front)
+SphereRaster::SphereRaster(const SphereUniforms& uniforms, const ShaderVariant& variant,
+                           const PictureSize& size, const Style& style, float lineWidth,
+                           int samples, bool avx2, float front)
+    : uniforms_(uniforms), grid_(pixelGrid(uniforms.projection, variant.orthographic, size)),
+      cutaway_(variant.cutaway), print_(variant.outlines), outline_(lineWidth),
+      background_(glm::vec3(toVector(style.palette.background)) *
+                  toVector(style.palette.background).a),
+      samples_(samples), avx2_(avx2), front_(front)
 {
+}
+
+SphereRaster SphereRaster::ofSurfaces(const SphereUniforms& uniforms, const ShaderVariant& variant,
+                                      const PictureSize& size, bool avx2)
+{
+    SphereRaster raster(uniforms, variant, size, {}, 0, 1, avx2);
+    raster.surfaces_ = true;
+    return raster;
+}
+
+glm::vec3 SphereRaster::centreOf(const SphereInstance& sphere) const
+{
+    return glm::vec3(uniforms_.view * glm::vec4(sphere.x, sphere.y, sphere.z, 1));
 }
 
 void SphereRaster::setColours(const SphereInstance& sphere, const glm::vec3& centre, bool lit,
@@ -68,11 +86,13 @@ void SphereRaster::setColours(const SphereInstance& sphere, const glm::vec3& cen
     setup.pixel = distance / (uniforms_.pixelScale * sphere.radius);
     const auto& [gloss, ring, ofHatch] = kStateMarks[sphere.state];
     const float hatch = lit ? 0 : ofHatch;
-    setup.gloss = 255 * gloss;
+    setup.gloss = print_ ? 0 : 255 * gloss;
     setup.ring = ring;
+    setup.outline = outline_;
     // On small spheres a hatch is noise. It fades to its mean, and is gone at 12 pixels across in
     // the picture as it is seen.
-    const float shown = glm::smoothstep(12.0F, 120.0F, 2 / (setup.pixel * uniforms_.supersample));
+    const float shown =
+        print_ ? 1 : glm::smoothstep(12.0F, 120.0F, 2 / (setup.pixel * uniforms_.supersample));
     setup.hatch = hatch * shown;
     const float dimmed = foot * (1 - far) * (1 - kHatchShare * hatch * (1 - shown));
     for (int c = 0; c < 3; ++c)
@@ -85,7 +105,7 @@ void SphereRaster::setColours(const SphereInstance& sphere, const glm::vec3& cen
 
 bool SphereRaster::setUp(const SphereInstance& sphere, bool lit, Axes& axes, Setup& setup) const
 {
-    const glm::vec3 centre(uniforms_.view * glm::vec4(sphere.x, sphere.y, sphere.z, 1));
+    const glm::vec3 centre = centreOf(sphere);
     const float radius = sphere.radius;
     auto& [axis, right, above, shrink] = axes = Axes{};
     if (grid_.orthographic)
@@ -128,9 +148,9 @@ bool SphereRaster::setUp(const SphereInstance& sphere, bool lit, Axes& axes, Set
         setup.rise = 0;
     }
     setup.up = axes.slope({0, 1, 0});
-    setup.key = axes.slope(kKeyLight);
-    setup.fill = axes.slope(kFillLight);
-    setup.back = axes.slope(kBackLight);
+    setup.key = axes.slope(towards(lanes::kKeyLight));
+    setup.fill = axes.slope(towards(lanes::kFillLight));
+    setup.back = axes.slope(towards(lanes::kBackLight));
     setup.highlight = axes.slope(kHighlight);
     for (std::size_t k = 0; k < kMaxTileSamples; ++k)
     {

@@ -14,14 +14,16 @@ constexpr float kInFront = 1e5F;
 
 } // namespace
 
-SwatchRaster::SwatchRaster(const Viewpoint& viewpoint, int samples, bool avx2)
+SwatchRaster::SwatchRaster(const Viewpoint& viewpoint, const ShaderVariant& variant, int samples,
+                           bool avx2)
 {
     const RenderSettings& settings = viewpoint.settings();
     const Legend& legend = viewpoint.legend();
     SphereUniforms flat;
     flat.projection = pixelProjection(settings.size);
-    raster_ = std::make_unique<SphereRaster>(
-        flat, true, settings.size, settings.style.palette.background, samples, avx2, kInFront);
+    const float lineWidth = strokesFor(settings).lineWidth;
+    raster_ = std::make_unique<SphereRaster>(flat, variantOfSwatches(variant), settings.size,
+                                             settings.style, lineWidth, samples, avx2, kInFront);
     shapes_ = swatchShapes(legend, viewpoint.colours(), settings.size.height);
     for (const SphereInstance& sphere : shapes_.spheres)
     {

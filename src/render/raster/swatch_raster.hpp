@@ -17,7 +17,8 @@ namespace frostfill
 class SwatchRaster
 {
 public:
-    SwatchRaster(const Viewpoint& viewpoint, int samples, bool avx2);
+    /// `variant` is that of the scene.
+    SwatchRaster(const Viewpoint& viewpoint, const ShaderVariant& variant, int samples, bool avx2);
 
     /// Around all of them, in the picture.
     [[nodiscard]] const PixelRectangle& pixels() const { return pixels_; }

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "render/layer/projected_sphere.hpp"
 #include "render/layer/sphere_occlusion.hpp"
 #include "render/layer/studio.hpp"
 #include "render/raster/ground_raster.hpp"
 #include "render/raster/resting_tile.hpp"
-#include "render/raster/sphere_raster.hpp"
 #include "render/raster/tile_grid.hpp"
+#include "render/raster/tile_view.hpp"
 
 #include <memory>
 #include <optional>
@@ -16,18 +15,6 @@
 
 namespace frostfill
 {
-
-/// How spheres come into the picture, from where the camera is.
-struct TileView
-{
-    SphereRaster raster;
-    SphereProjector projector;
-
-    [[nodiscard]] SphereBounds place(const SphereInstance& sphere) const
-    {
-        return {projector.project(sphere).pixels, raster.nearest(sphere)};
-    }
-};
 
 /// The spheres at rest in all tiles, drawn once and kept, with the ground of the studio and what
 /// keeps light from what lies there. It adds the parts of tiles that it has drawn anew to `dirty`

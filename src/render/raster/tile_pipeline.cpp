@@ -3,6 +3,7 @@
 
 #include "render/layer/painter_settings.hpp"
 #include "render/raster/resolve.hpp"
+#include "render/raster/surface_tiles.hpp"
 
 #include <frostfill/error.hpp>
 
@@ -30,7 +31,7 @@ bool TilePipeline::draws(const RenderSettings& settings)
 }
 
 TilePipeline::TilePipeline(const TriangleMesh& mesh, const RenderSettings& settings, bool avx2)
-    : viewpoint_(mesh, settings), size_(settings.size),
+    : viewpoint_(mesh, settings), size_(settings.size), variant_(variantOf(settings, mesh)),
       samples_(settings.samples > 1 ? kMaxTileSamples : 1), avx2_(avx2), grid_(size_),
       triangles_(grid_)
 {
@@ -52,7 +53,7 @@ TilePipeline::TilePipeline(const TriangleMesh& mesh, const RenderSettings& setti
                    studioOf(mesh, positions, viewpoint_.settings(), viewpoint_.framing()));
     if (viewpoint_.legend().visible())
     {
-        swatches_ = std::make_unique<SwatchRaster>(viewpoint_, samples_, avx2_);
+        swatches_ = std::make_unique<SwatchRaster>(viewpoint_, variant_, samples_, avx2_);
     }
     useFraming();
 }
@@ -92,9 +93,10 @@ void TilePipeline::useFraming()
     const Style& style = viewpoint_.settings().style;
     SphereUniforms uniforms = uniformsOf(framing, viewpoint_.settings());
     layer_->light(framing, uniforms);
-    view_.emplace(TileView{SphereRaster(uniforms, framing.orthographic, size_,
-                                        style.palette.background, samples_, avx2_),
-                           SphereProjector(framing, size_)});
+    view_.emplace(
+        TileView{SphereRaster(uniforms, variant_, size_, style,
+                              strokesFor(viewpoint_.settings()).lineWidth, samples_, avx2_),
+                 SphereProjector(framing, size_)});
     layer_->lookFrom(*view_, framing, uniforms);
     if (shell_)
     {
@@ -109,6 +111,25 @@ void TilePipeline::useFraming()
     stale_ = true;
 }
 
+void TilePipeline::follow(const Snapshot& snapshot)
+{
+    if (viewpoint_.follow(snapshot))
+    {
+        useFraming();
+    }
+}
+
+void TilePipeline::drawSurfaces(const Snapshot& snapshot, const PictureSize& size,
+                                Surfaces& surfaces)
+{
+    follow(snapshot);
+    const Framing& framing = viewpoint_.framing();
+    const SphereUniforms uniforms = uniformsOf(framing, viewpoint_.settings());
+    const TileView view{SphereRaster::ofSurfaces(uniforms, variant_, size, avx2_),
+                        SphereProjector(framing, size)};
+    drawSurfacesInTiles(placeSpheres(snapshot, framing), view, framing, size, surfaces);
+}
+
 void TilePipeline::renew(std::size_t tile, const PixelRectangle& pixels)
 {
     dirty_[tile] = around(dirty_[tile], grid_.part(tile).within(pixels));
@@ -116,10 +137,7 @@ void TilePipeline::renew(std::size_t tile, const PixelRectangle& pixels)
 
 const std::vector<PixelRectangle>& TilePipeline::draw(const Snapshot& snapshot, Image& image)
 {
-    if (viewpoint_.follow(snapshot))
-    {
-        useFraming();
-    }
+    follow(snapshot);
     const SphereDrawList::Changes& changes =
         drawList_.update(snapshot, viewpoint_.framing(), viewpoint_.colours());
     const bool startAgain = stale_ || changes.everything;

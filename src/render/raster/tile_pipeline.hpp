@@ -4,6 +4,7 @@
 #include "render/layer/sphere_draw_list.hpp"
 #include "render/layer/tile_lists.hpp"
 #include "render/overlay/viewpoint.hpp"
+#include "render/passes/surface_pass.hpp"
 #include "render/raster/has_avx2.hpp"
 #include "render/raster/kept_shell.hpp"
 #include "render/raster/swatch_raster.hpp"
@@ -42,9 +43,14 @@ public:
     /// parts of the picture that may differ from the one before, until the next call.
     const std::vector<PixelRectangle>& draw(const Snapshot& snapshot, Image& image);
 
+    /// What is seen of the spheres, in a picture of any size with the same view.
+    void drawSurfaces(const Snapshot& snapshot, const PictureSize& size, Surfaces& surfaces);
+
     [[nodiscard]] const Viewpoint& viewpoint() const { return viewpoint_; }
 
 private:
+    /// Looks at the object where it is in the snapshot.
+    void follow(const Snapshot& snapshot);
     void useFraming();
     void addShell(const TriangleMesh& mesh, const std::vector<glm::vec3>& positions);
     /// Draws the tile where it has these pixels of the picture.
@@ -56,6 +62,7 @@ private:
 
     Viewpoint viewpoint_;
     PictureSize size_;
+    ShaderVariant variant_;
     int samples_;
     bool avx2_;
     TileGrid grid_;

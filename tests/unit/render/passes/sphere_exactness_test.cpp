@@ -8,9 +8,8 @@
 #include "render/raster/tile_grid.hpp"
 #include "support/drawn_with.hpp"
 #include "support/pictures.hpp"
+#include "unit/render/passes/ray_caster.hpp"
 
-#include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -24,75 +23,9 @@ namespace
 {
 
 using namespace testing_support;
-
-/// Pixels whose ray passes an outline this closely may go either way [pixel].
-constexpr double kEdgeTolerance = 1e-3;
-
-struct Ray
-{
-    glm::dvec3 origin, direction; ///< in unit space; direction has length 1
-};
-
-struct Hit
-{
-    double distance = std::numeric_limits<double>::infinity();
-    double radius = 0;
-    bool onEdge = false; ///< of any sphere: the pixel proves nothing
-};
-
-/// The textbook, in double precision.
-class RayCaster
-{
-public:
-    RayCaster(const Framing& framing, const PictureSize& size)
-        : size_(size), toUnit_(glm::inverse(framing.projection * framing.view)),
-          pixelScale_(framing.projection[1][1] * size.height / 2),
-          orthographic_(framing.orthographic)
-    {
-    }
-
-    [[nodiscard]] Ray through(double x, double y) const
-    {
-        const glm::dvec3 near = unproject(x, y, 0);
-        return {near, glm::normalize(unproject(x, y, 1) - near)};
-    }
-
-    [[nodiscard]] glm::dvec3 unproject(double x, double y, double windowDepth) const
-    {
-        const glm::dvec4 clip(2 * x / size_.width - 1, 1 - 2 * y / size_.height,
-                              2 * windowDepth - 1, 1);
-        const glm::dvec4 point = toUnit_ * clip;
-        return glm::dvec3(point) / point.w;
-    }
-
-    [[nodiscard]] Hit cast(const Ray& ray, std::span<const SphereInstance> spheres) const
-    {
-        Hit hit;
-        for (const SphereInstance& sphere : spheres)
-        {
-            const glm::dvec3 centre(sphere.x, sphere.y, sphere.z);
-            const double radius = sphere.radius;
-            const double along = glm::dot(centre - ray.origin, ray.direction);
-            const double miss = glm::length(centre - ray.origin - along * ray.direction);
-            // A length of 1 is at least this many pixels; the eye is some units away.
-            const double pixels = std::abs(miss - radius) * pixelScale_ / (orthographic_ ? 1 : 8);
-            hit.onEdge = hit.onEdge || pixels < kEdgeTolerance;
-            const double distance = along - std::sqrt(std::max(radius * radius - miss * miss, 0.0));
-            if (miss < radius && distance < hit.distance)
-            {
-                hit.distance = distance;
-                hit.radius = radius;
-            }
-        }
-        return hit;
-    }
-
-private:
-    PictureSize size_;
-    glm::dmat4 toUnit_;
-    double pixelScale_;
-    bool orthographic_;
-};
+using test::Hit;
+using test::Ray;
+using test::RayCaster;
 
 /// Spheres about the object's centre [object's half width].
 struct Cloud
@@ -114,13 +47,19 @@ struct Drawn
     std::vector<std::optional<glm::dvec3>> points; ///< by rows from the top
 };
 
+std::vector<SphereInstance> allOf(const SphereDrawList& list)
+{
+    std::vector<SphereInstance> spheres(list.resting().begin(), list.resting().end());
+    spheres.insert(spheres.end(), list.running().begin(), list.running().end());
+    return spheres;
+}
+
 Drawn drawWithOpenGl(const TriangleMesh& mesh, const RenderSettings& settings,
                      const Snapshot& snapshot)
 {
     Pipeline pipeline(mesh, settings);
     pipeline.draw(snapshot);
-    const auto spheres = pipeline.spheres().resting();
-    Drawn drawn{pipeline.framing(), {spheres.begin(), spheres.end()}, {}};
+    Drawn drawn{pipeline.framing(), allOf(pipeline.spheres()), {}};
     const RayCaster caster(drawn.framing, settings.size);
     const std::vector<double> depth = pipeline.readDepth();
     for (std::size_t i = 0; i < depth.size(); ++i)
@@ -142,10 +81,9 @@ Drawn drawInTiles(const TriangleMesh& mesh, const RenderSettings& settings,
     const Framing& framing = viewpoint.framing();
     SphereDrawList ledger;
     ledger.update(snapshot, framing, viewpoint.colours());
-    const auto spheres = ledger.resting();
-    Drawn drawn{framing, {spheres.begin(), spheres.end()}, {}};
-    const SphereRaster raster(uniformsOf(framing, settings), framing.orthographic, settings.size,
-                              settings.style.palette.background, 1, lanes::hasAvx2());
+    Drawn drawn{framing, allOf(ledger), {}};
+    const SphereRaster raster(uniformsOf(framing, settings), variantOf(settings, mesh),
+                              settings.size, settings.style, 1, 1, lanes::hasAvx2());
     const SphereProjector projector(framing, settings.size);
     const TileGrid grid(settings.size);
     const RayCaster caster(framing, settings.size);
@@ -156,7 +94,7 @@ Drawn drawInTiles(const TriangleMesh& mesh, const RenderSettings& settings,
     {
         const TilePart part = grid.part(t);
         tile.inverseDepth[0].fill(kNothing);
-        for (const SphereInstance& sphere : spheres)
+        for (const SphereInstance& sphere : drawn.spheres)
         {
             raster.draw(sphere, projector.project(sphere).pixels, part, tile);
         }
@@ -185,20 +123,18 @@ Drawn drawInTiles(const TriangleMesh& mesh, const RenderSettings& settings,
     return drawn;
 }
 
-void compare(const Drawn& drawn, const PictureSize& size)
+void compare(const Drawn& drawn, const RenderSettings& settings)
 {
-    const RayCaster caster(drawn.framing, size);
+    const RayCaster caster(drawn.framing, settings.size, cutPlanesOf(settings, drawn.framing));
     std::size_t covered = 0;
     std::size_t onEdge = 0;
     std::size_t wrong = 0;
     double worst = 0;
     for (std::size_t i = 0; i < drawn.points.size(); ++i)
     {
-        const auto width = static_cast<std::size_t>(size.width);
-        const Ray ray = caster.through(static_cast<double>(i % width) + 0.5,
-                                       static_cast<double>(i / width) + 0.5);
+        const Ray ray = caster.throughPixel(i);
         const Hit hit = caster.cast(ray, drawn.spheres);
-        const bool isHit = std::isfinite(hit.distance);
+        const bool isHit = hit.isThere();
         if (hit.onEdge)
         {
             ++onEdge;
@@ -233,15 +169,16 @@ void compare(RenderSettings settings, const Cloud& cloud = {})
                                     1.2 * numbers.next() - 0.6);
         const double share = numbers.next() * numbers.next();
         addSphere(snapshot, snapshot.origin + cloud.spread * place,
-                  cloud.smallest + share * (cloud.largest - cloud.smallest), SphereState::frozen);
+                  cloud.smallest + share * (cloud.largest - cloud.smallest),
+                  static_cast<SphereState>(i % 3));
     }
     {
         SCOPED_TRACE("OpenGL");
-        compare(drawWithOpenGl(mesh, settings, snapshot), settings.size);
+        compare(drawWithOpenGl(mesh, settings, snapshot), settings);
     }
     {
         SCOPED_TRACE("tiles");
-        compare(drawInTiles(mesh, settings, snapshot), settings.size);
+        compare(drawInTiles(mesh, settings, snapshot), settings);
     }
 }
 
@@ -273,6 +210,27 @@ TEST(SphereExactness, OrthographicOutlinesAndDepthsAreThoseOfTheRayCaster)
 {
     RenderSettings settings;
     settings.size = {400, 300};
+    settings.camera.orthographic = true;
+    settings.camera.elevation = 65;
+    compare(settings);
+}
+
+TEST(SphereExactness, WhatAPlaneLeavesIsThatOfTheRayCaster)
+{
+    RenderSettings settings;
+    settings.size = {400, 300};
+    settings.style.cutaway = {Cutaway::Kind::plane, {0.2, 0.3, 1}, 0.1, 0, 90};
+    compare(settings);
+    settings.camera.orthographic = true;
+    compare(settings);
+}
+
+TEST(SphereExactness, WhatAWedgeLeavesIsThatOfTheRayCaster)
+{
+    RenderSettings settings;
+    settings.size = {400, 300};
+    settings.style.cutaway = {Cutaway::Kind::wedge, {0, 0, 1}, 0, -20, 100};
+    compare(settings);
     settings.camera.orthographic = true;
     settings.camera.elevation = 65;
     compare(settings);

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+// Depth, normals and identities, as OpenGL and as tiles draw them, against a ray caster.
+#include "render/layer/painter_settings.hpp"
+#include "render/pipeline.hpp"
+#include "render/raster/tile_pipeline.hpp"
+#include "support/pictures.hpp"
+#include "unit/render/passes/ray_caster.hpp"
+
+#include <glm/mat3x3.hpp>
+#include <gtest/gtest.h>
+
+namespace frostfill
+{
+namespace
+{
+
+using namespace testing_support;
+
+/// What distances may be off by [radius].
+constexpr double kDepthTolerance = 0.002;
+
+/// Spheres of all states in and around a box far from the origin, and one that waits.
+Snapshot cloud(const Eigen::Vector3d& middle, int count, double smallest, double largest)
+{
+    Snapshot snapshot;
+    snapshot.origin = middle;
+    Numbers numbers;
+    for (int i = 0; i < count; ++i)
+    {
+        const Eigen::Vector3d place(2 * numbers.next() - 1, 1.6 * numbers.next() - 0.8,
+                                    1.2 * numbers.next() - 0.6);
+        addSphere(snapshot, middle + place, smallest + (largest - smallest) * numbers.next(),
+                  static_cast<SphereState>(i % 3));
+    }
+    return snapshot;
+}
+
+struct Apart
+{
+    std::size_t covered = 0;
+    std::size_t wrong = 0;    ///< another sphere, or none
+    double distance = 0;      ///< [radius]
+    double normal = 0;        ///< [1 / 255 of -1..1]
+    std::size_t onEdge = 0;
+    std::size_t doubtful = 0; ///< where spheres overlap, a cut shows any of them
+};
+
+Apart apartFromRays(const Surfaces& surfaces, const Framing& framing,
+                    const RenderSettings& settings, const Snapshot& snapshot)
+{
+    const PictureSize size{surfaces.width, surfaces.height};
+    const test::RayCaster caster(framing, size, cutPlanesOf(settings, framing));
+    const std::vector<SphereInstance> spheres = placeSpheres(snapshot, framing);
+    const glm::dmat3 toEye(framing.view);
+    Apart apart;
+    for (std::size_t i = 0; i < surfaces.distance.size(); ++i)
+    {
+        const test::Ray ray = caster.throughPixel(i);
+        const test::Hit hit = caster.cast(ray, spheres);
+        if (hit.onEdge || hit.isDoubtful)
+        {
+            ++(hit.onEdge ? apart.onEdge : apart.doubtful);
+            continue;
+        }
+        const std::size_t identity = hit.isThere() ? hit.sphere + 1 : 0;
+        if (identity != surfaces.identity[i])
+        {
+            ++apart.wrong;
+            continue;
+        }
+        if (!hit.isThere())
+        {
+            apart.wrong += surfaces.distance[i] != Surfaces::kNothing ? 1 : 0;
+            continue;
+        }
+        ++apart.covered;
+        const glm::dvec3 point = ray.origin + hit.distance * ray.direction;
+        const double ahead = -(framing.view * glm::dvec4(point, 1)).z;
+        apart.distance =
+            std::max(apart.distance, std::abs(double{surfaces.distance[i]} - ahead) / hit.radius);
+        const glm::dvec3 normal = toEye * hit.normal;
+        for (int c = 0; c < 3; ++c)
+        {
+            const double exact = 127.5 + 127.5 * normal[c];
+            const double own = surfaces.normal[i][static_cast<std::size_t>(c)];
+            apart.normal = std::max(apart.normal, std::abs(own - exact));
+        }
+    }
+    return apart;
+}
+
+void expectThoseOfTheRayCaster(const RenderSettings& settings, int count = 60,
+                               double smallest = 0.02, double largest = 0.22)
+{
+    const Eigen::Vector3d middle(100, -40, 7);
+    const TriangleMesh mesh = boxMesh({1, 0.8, 0.6}, middle);
+    const Snapshot snapshot = cloud(middle, count, smallest, largest);
+    const PictureSize size{240, 160}; // not that of the picture
+    const auto expect = [&](auto&& pipeline, const Framing& framing)
+    {
+        Surfaces surfaces;
+        pipeline.drawSurfaces(snapshot, size, surfaces);
+        const Apart apart = apartFromRays(surfaces, framing, settings, snapshot);
+        EXPECT_GT(apart.covered, 4000U) << "the scene proves little";
+        EXPECT_LT(apart.onEdge, apart.covered / 50) << "the scene proves little";
+        EXPECT_LT(apart.doubtful, apart.covered / 7) << "the scene proves little";
+        EXPECT_EQ(apart.wrong, 0U);
+        EXPECT_LT(apart.distance, kDepthTolerance);
+        EXPECT_LE(apart.normal, 0.52); // half is rounding
+    };
+    {
+        SCOPED_TRACE("OpenGL");
+        Pipeline pipeline(mesh, settings);
+        expect(pipeline, pipeline.framing());
+    }
+    {
+        SCOPED_TRACE("tiles");
+        TilePipeline pipeline(mesh, settings);
+        expect(pipeline, pipeline.viewpoint().framing());
+    }
+}
+
+TEST(SurfacesAgainstRays, AreExactInPerspectiveAndWithout)
+{
+    for (const int samples : {1, 4})
+    {
+        for (const bool orthographic : {false, true})
+        {
+            RenderSettings settings;
+            settings.samples = samples;
+            settings.camera.orthographic = orthographic;
+            expectThoseOfTheRayCaster(settings);
+        }
+    }
+}
+
+TEST(SurfacesAgainstRays, AreExactOnCuts)
+{
+    for (const Cutaway& cutaway : {Cutaway{Cutaway::Kind::plane, {0.3, 0.2, 1}, 0.05, 0, 90},
+                                   Cutaway{Cutaway::Kind::wedge, {0, 0, 1}, 0, -20, 100}})
+    {
+        for (const bool orthographic : {false, true})
+        {
+            RenderSettings settings;
+            settings.style.cutaway = cutaway;
+            settings.camera.orthographic = orthographic;
+            expectThoseOfTheRayCaster(settings);
+        }
+    }
+}
+
+TEST(SurfacesAgainstRays, AreExactWhereThousandsHideEachOther)
+{
+    expectThoseOfTheRayCaster({}, 3000, 0.01, 0.06);
+}
+
+TEST(SurfacesAgainstRays, ShowNoSphereThatWaits)
+{
+    const TriangleMesh mesh = boxMesh({1, 1, 1});
+    Snapshot snapshot;
+    addSphere(snapshot, {0, 0, 0}, 0.5, SphereState::running);
+    snapshot.waiting = {1};
+    for (const Backend backend : {Backend::automatic, Backend::osmesa})
+    {
+        RenderSettings settings;
+        settings.backend = backend;
+        PassPictures pictures;
+        Renderer(mesh, settings).renderPasses(snapshot, pictures);
+        for (const std::uint8_t value : pictures.identity.pixels)
+        {
+            ASSERT_EQ(value, 0);
+        }
+    }
+}
+
+} // namespace
+} // namespace frostfill
