@@ -73,8 +73,8 @@ bool drawsWithoutOpenGl(const RenderSettings& settings)
     if (settings.backend == Backend::builtin && !can)
     {
         throw Error(ErrorCode::usage,
-                    "the backend builtin draws no cutaways, no ambient occlusion, and not the "
-                    "style paper; omit --backend");
+                    "the backend builtin draws no ambient occlusion, and not the style paper; "
+                    "omit --backend");
     }
     return can && (settings.backend == Backend::builtin || settings.backend == Backend::automatic);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/layer/scene_painter.hpp"
 
+#include "render/layer/cut_share.hpp"
 #include "render/layer/painter_settings.hpp"
 #include "render/layer/swatch_mesh.hpp"
 
@@ -22,6 +23,12 @@ namespace
 /// front of the small one there. For rounding. [pixel]
 constexpr float kOccluderSlack = 0.1F;
 
+ShaderVariant uncut(ShaderVariant variant)
+{
+    variant.cutaway = false;
+    return variant;
+}
+
 } // namespace
 
 ScenePainter::ScenePainter(const GlFunctions& gl, const TriangleMesh& mesh,
@@ -30,10 +37,16 @@ ScenePainter::ScenePainter(const GlFunctions& gl, const TriangleMesh& mesh,
                            std::span<const glm::vec2> samplePositions)
     : gl_(gl), legend_(legend), colours_(colours), settings_(settings),
       variant_(variantOf(settings, mesh)),
-      spherePass_(gl, variant_, samplePositions, settings_.style, strokesFor(settings).lineWidth),
+      spherePass_(gl, uncut(variant_), samplePositions, settings_.style,
+                  strokesFor(settings).lineWidth),
       meshPass_(gl, variant_, shellPalette(settings_.style), strokesFor(settings)),
       spheres_(gl, variant_.studio), regions_(settings.size.width, settings.size.height)
 {
+    if (variant_.cutaway)
+    {
+        cutSpherePass_.emplace(gl, variant_, samplePositions, settings_.style,
+                               strokesFor(settings).lineWidth);
+    }
     const std::vector<glm::vec3> positions = inUnitSpace(mesh, framing);
     studio_ = studioOf(mesh, positions, settings, framing);
     if (studio_)
@@ -52,7 +65,7 @@ ScenePainter::ScenePainter(const GlFunctions& gl, const TriangleMesh& mesh,
     if (legend_.visible())
     {
         const ShaderVariant flat = variantOfSwatches(variant_);
-        if (!variant_.orthographic || variant_.cutaway || variant_.studio)
+        if (!variant_.orthographic || variant_.studio)
         {
             flatSpherePass_.emplace(gl_, flat, samplePositions, settings_.style,
                                     strokesFor(settings).lineWidth);
@@ -168,20 +181,42 @@ void ScenePainter::endConfinement()
 
 void ScenePainter::paintSpheres(std::span<const SphereInstance> spheres)
 {
-    if (!spheres.empty())
+    if (!variant_.cutaway)
     {
-        spheres_.update(spheres);
-        if (sphereOcclusion_)
-        {
-            lights_.clear();
-            for (const SphereInstance& sphere : spheres)
-            {
-                lights_.push_back(sphereOcclusion_->of(sphere));
-            }
-            spheres_.light(lights_);
-        }
-        spherePass_.draw(spheres_, uniforms_);
+        paintSpheres(spheres, spherePass_);
+        return;
     }
+    whole_.clear();
+    cut_.clear();
+    for (const SphereInstance& sphere : spheres)
+    {
+        const CutShare share = cutShareOf(sphere, uniforms_);
+        if (share != CutShare::nothing)
+        {
+            (share == CutShare::whole ? whole_ : cut_).push_back(sphere);
+        }
+    }
+    paintSpheres(whole_, spherePass_);
+    paintSpheres(cut_, *cutSpherePass_);
+}
+
+void ScenePainter::paintSpheres(std::span<const SphereInstance> spheres, const SpherePass& pass)
+{
+    if (spheres.empty())
+    {
+        return;
+    }
+    spheres_.update(spheres);
+    if (sphereOcclusion_)
+    {
+        lights_.clear();
+        for (const SphereInstance& sphere : spheres)
+        {
+            lights_.push_back(sphereOcclusion_->of(sphere));
+        }
+        spheres_.light(lights_);
+    }
+    pass.draw(spheres_, uniforms_);
 }
 
 void ScenePainter::paintOccluders(std::span<const SphereInstance> spheres,

@@ -90,6 +90,7 @@ private:
     void uploadMesh(const TriangleMesh& mesh, const std::vector<glm::vec3>& positions);
     void uploadSwatches();
     void paintSwatchPolygons();
+    void paintSpheres(std::span<const SphereInstance> spheres, const SpherePass& pass);
     /// paintShell, only in and closely around the parts.
     void paintShellPerRegion(std::span<const TriangleTiles::Part> parts);
     void setView(const Framing& framing);
@@ -105,8 +106,9 @@ private:
     std::vector<SphereLight> lights_;
     Framing framing_;
     SphereUniforms uniforms_;
-    SphereUniforms flatUniforms_; ///< of the swatches
-    SpherePass spherePass_;
+    SphereUniforms flatUniforms_;               ///< of the swatches
+    SpherePass spherePass_;                     ///< of whole spheres
+    std::optional<SpherePass> cutSpherePass_;   ///< of those that the cutaway leaves a part of
     std::optional<SpherePass> flatSpherePass_;  ///< not in perspective, not cut, for the swatches
     std::optional<SpherePass> plainSpherePass_; ///< without multisampling, for occluders
     MeshPass meshPass_;
@@ -118,7 +120,9 @@ private:
     std::unique_ptr<Swatches> swatches_;
     std::vector<PixelRectangle> changed_;
     std::vector<SphereInstance> shrunk_;
-    float occluderShrink_ = 0; ///< [pixel]
+    std::vector<SphereInstance> whole_; ///< beside a cutaway
+    std::vector<SphereInstance> cut_;   ///< by it
+    float occluderShrink_ = 0;          ///< [pixel]
     DirtyRectangles regions_;
     std::vector<TriangleTiles::Part> regionParts_;
     int stencilValue_ = 0;

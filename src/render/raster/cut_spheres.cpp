@@ -219,20 +219,6 @@ void drawCutSphere(bool avx2, int samples, const SphereRaster::Drawn& drawn,
     (avx2 ? drawAvx2 : drawPlain)(samples, drawn, rows, part, tile);
 }
 
-SphereRaster::Left SphereRaster::leftOf(const SphereInstance& sphere) const
-{
-    if (!cutaway_)
-    {
-        return Left::all;
-    }
-    const glm::vec4 centre(centreOf(sphere), 1);
-    const float radius = 1.0001F * sphere.radius + 1e-6F; // for rounding
-    const float first = glm::dot(uniforms_.cutPlanes[0], centre);
-    const float second = glm::dot(uniforms_.cutPlanes[1], centre);
-    const float depth = std::min(first, second);
-    return depth < -radius ? Left::all : depth > radius ? Left::nothing : Left::part;
-}
-
 void SphereRaster::setCut(const SphereInstance& sphere, const Axes& axes, Cut& cut) const
 {
     const glm::vec3 centre = centreOf(sphere);

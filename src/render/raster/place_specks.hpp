@@ -111,7 +111,8 @@ ShellRaster::coloursOf(const SpeckSpots& spots, const Ends& lower, const Ends& u
         least = min(least, contour);
         most = max(most, contour);
         const auto channels =
-            channelsOf(base, ink, shareOf(density, rimDensity, facing), light.light[i], contour);
+            channelsOf(base, ink, variant_.outlines, shareOf(density, rimDensity, facing),
+                       light.light[i], contour);
         for (std::size_t channel = 0; channel < 4; ++channel)
         {
             ofCorners[channel][i] = channels[channel];
@@ -129,7 +130,9 @@ ShellRaster::coloursOf(const SpeckSpots& spots, const Ends& lower, const Ends& u
         colours.channels[channel] = {inColour(plane.first), inColour(plane.across),
                                      inColour(plane.upwards)};
     }
-    colours.enough = ~((most - least > kEvenContour) | strokes.edges | creaseDrawn(strokes, reach));
+    const Mask hatched = paints([](const Paint& p) { return p.hatch; }) != 0;
+    colours.enough =
+        ~((most - least > kEvenContour) | strokes.edges | hatched | creaseDrawn(strokes, reach));
     return colours;
 }
 

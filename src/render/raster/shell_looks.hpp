@@ -190,9 +190,12 @@ FROSTFILL_INLINE void ShellRaster::setStrokes(const Triangles& triangles, const 
     using namespace lanes;
     const Floats ofLine = paints([](const Paint& paint) { return paint.ofLine; });
     const Floats size = slopes.pixels();
-    const Floats edges = paints([](const Paint& paint) { return paint.ofEdges; }) *
-                         fades(strokes_.edgeFade[0], strokes_.edgeFade[1], size);
-    const Floats outline = fades(kOutlineFrom, kOutlineTo, size / strokes_.lineWidth);
+    const bool fading = variant_.fadingLines;
+    const Floats edges = fading ? paints([](const Paint& paint) { return paint.ofEdges; }) *
+                                      fades(strokes_.edgeFade[0], strokes_.edgeFade[1], size)
+                                : all(1);
+    const Floats outline =
+        fading ? fades(kOutlineFrom, kOutlineTo, size / strokes_.lineWidth) : all(1);
     Words ofEdges; // the strength of each in a byte
     for (std::size_t lane = 0; lane < kLanes; ++lane)
     {

@@ -232,6 +232,10 @@ FROSTFILL_INLINE void ShellRaster::placeAny(std::uint32_t first)
     {
         placeHalf(first + kHalf, upper);
     }
+    if (variant_.cutaway)
+    {
+        cutPlaces(first);
+    }
     bool specks = false;
     for (std::uint32_t t = first; t <= std::min(first + kLanes - 1, last); ++t)
     {

@@ -7,12 +7,17 @@
 #include "render/raster/shell_specks.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace frostfill
 {
 namespace
 {
+
+/// The slope of the distance from a cut that is drawn smoothly, as in mesh.frag. [1 / pixel]
+constexpr float kSteepest = 4;
+constexpr float kAnySteepness = 1e6F;
 
 /// That one core sets up before another may take more.
 constexpr std::uint32_t kTrianglesPerTask = 256;
@@ -22,11 +27,11 @@ constexpr std::size_t kDrawnAtOnce = 256;
 
 } // namespace
 
-ShellRaster::ShellRaster(const ShadedMesh& mesh, const Palette& palette, const MeshStrokes& strokes,
-                         int samples, bool avx2)
-    : mesh_(mesh), strokes_(strokes), samples_(samples), avx2_(avx2), shape_(mesh),
-      states_(mesh.triangles.size(), PolygonState::active), places_(mesh.triangles.size()),
-      specks_(mesh.triangles.size())
+ShellRaster::ShellRaster(const ShadedMesh& mesh, const ShaderVariant& variant,
+                         const Palette& palette, const MeshStrokes& strokes, int samples, bool avx2)
+    : mesh_(mesh), variant_(variant), strokes_(strokes), samples_(samples), avx2_(avx2),
+      shape_(mesh), states_(mesh.triangles.size(), PolygonState::active),
+      places_(mesh.triangles.size()), specks_(mesh.triangles.size())
 {
     const std::array<Colour, 2> colours = {palette.activePolygon, palette.discardedPolygon};
     for (std::size_t state = 0; state < colours.size(); ++state)
@@ -43,6 +48,14 @@ ShellRaster::ShellRaster(const ShadedMesh& mesh, const Palette& palette, const M
             paint.rimDensity = discarded ? (front == 1 ? 0.5F * base.a : 0) : 3 * paint.density;
             paint.ofLine = (front == 1 ? 1.0F : 0.5F) * (discarded ? 0.6F : 1.0F);
             paint.ofEdges = discarded ? 0 : 1;
+            if (discarded && variant_.outlines)
+            {
+                // The hatch is the second cue; its gaps keep the spheres behind it visible.
+                paint.density = base.a * (front == 1 ? 1.0F : 0.6F);
+                paint.rimDensity = 0;
+                paint.ofLine = front == 1 ? 1.0F : 0.5F;
+                paint.hatch = front == 1 ? 1.0F : -1.0F;
+            }
         }
     }
 }
@@ -53,9 +66,23 @@ void ShellRaster::lookFrom(const SphereUniforms& uniforms, bool orthographic,
 {
     view_ = uniforms.view;
     grid_ = pixelGrid(uniforms.projection, orthographic, size);
-    rows_ = orthographic ? ShellRows{0, 0, 0, 0, strokes_.lineWidth}
-                         : ShellRows{grid_.left, grid_.bottom, grid_.perColumn, grid_.perRow,
-                                     strokes_.lineWidth};
+    rows_ = {};
+    if (!orthographic)
+    {
+        rows_ = {grid_.left, grid_.bottom, grid_.perColumn, grid_.perRow};
+    }
+    rows_.lineWidth = strokes_.lineWidth;
+    rows_.print = variant_.outlines;
+    rows_.hatchPeriod = strokes_.hatchPeriod;
+    rows_.hatchShift =
+        std::ceil(static_cast<float>(size.height + kTileEdge) / strokes_.hatchPeriod);
+    rows_.cut = {orthographic, grid_.left, grid_.bottom, grid_.perColumn, grid_.perRow};
+    rows_.cut.steepest = variant_.fadingLines ? kSteepest * grid_.perRow : kAnySteepness;
+    for (std::size_t i = 0; i < 2; ++i)
+    {
+        const glm::vec4& plane = uniforms.cutPlanes[i];
+        rows_.cut.planes[i] = {plane.x, plane.y, plane.z, plane.w};
+    }
     size_ = size;
     edges_ = edgeStrengths;
     front_ = front;
@@ -167,6 +194,43 @@ void ShellRaster::record(std::span<const std::uint32_t> triangles, const TilePar
                          ShellRecord& record) const
 {
     drawTo(record, triangles, part, nullptr);
+}
+
+void ShellRaster::cutPlaces(std::uint32_t first)
+{
+    const auto depth = [&](std::size_t plane, const glm::vec3& eye)
+    {
+        const auto& [x, y, z, w] = rows_.cut.planes[plane];
+        return x * eye.x + y * eye.y + z * eye.z + w;
+    };
+    for (std::uint32_t t = first; t < std::min<std::size_t>(first + kLanes, places_.size()); ++t)
+    {
+        const std::array<glm::vec3, 3> corners = mesh_.corners(t);
+        std::array<glm::vec3, 3> eye;
+        std::transform(corners.begin(), corners.end(), eye.begin(),
+                       [&](const glm::vec3& corner)
+                       { return glm::vec3(view_ * glm::vec4(corner, 1)); });
+        const auto [nearest, furthest] = std::minmax({-eye[0].z, -eye[1].z, -eye[2].z});
+        const bool ahead = grid_.orthographic || nearest > 0;
+        float least = -kNothing; // of the depths at either plane: the smaller, all over it
+        float most = -kNothing;
+        for (std::size_t i = 0; i < 2; ++i)
+        {
+            const auto [low, high] =
+                std::minmax({depth(i, eye[0]), depth(i, eye[1]), depth(i, eye[2])});
+            least = std::min(least, low);
+            most = std::min(most, high);
+        }
+        // How far from the cut its line and the end of the surface reach, and for rounding.
+        const float pixel = rows_.cut.steepest * (grid_.orthographic ? 1 : furthest);
+        Place& place = places_[t];
+        place.cut = !ahead || most > -(1.5F * strokes_.lineWidth + 0.6F) * pixel - 1e-5F;
+        place.speck = place.speck && !place.cut;
+        if (ahead && least > 0.6F * pixel + 1e-5F)
+        {
+            place.edges = {}; // nothing of it is left
+        }
+    }
 }
 
 } // namespace frostfill

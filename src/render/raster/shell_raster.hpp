@@ -23,22 +23,39 @@ namespace lanes
 struct Slopes;
 }
 
+/// The planes of a cutaway before the camera. Where the ray through (x, y) meets the plane at
+/// distance 1, or the place itself without perspective, is (left + perColumn * x, bottom + perRow *
+/// y).
+struct ShellCut
+{
+    bool orthographic = false;
+    float left = 0, bottom = 0, perColumn = 0, perRow = 0;
+    /// Of the distance from the cut, at distance 1: triangles that are seen edge-on end sharply at
+    /// the cut. They would leave specks beyond it. [1 / pixel]
+    float steepest = 0;
+    std::array<std::array<float, 4>, 2> planes{}; ///< as CutPlanes, in eye space
+};
+
 /// What drawing a triangle needs beside it. The ray through (x, y) is (left + perColumn * x, bottom
 /// + perRow * y, -1).
 struct ShellRows
 {
-    float left, bottom, perColumn, perRow;
-    float lineWidth;
+    float left = 0, bottom = 0, perColumn = 0, perRow = 0;
+    float lineWidth = 1;
+    float hatchPeriod = 1; ///< [pixel]
+    float hatchShift = 0;  ///< whole periods, with which no place has a phase below 0
+    bool print = false;    ///< lines lie in the film and not over it
+    ShellCut cut{};
 };
 
-/// Draws the shell as mesh.vert and mesh.frag do with FADING_LINES, a sample at a time. A length in
-/// the picture that is the same over most of a triangle is worked out once for it.
+/// Draws the shell as mesh.vert and mesh.frag do, a sample at a time. A length in the picture that
+/// is the same over most of a triangle is worked out once for it.
 class ShellRaster
 {
 public:
     /// `mesh` must stay. `avx2` as lanes::hasAvx2().
-    ShellRaster(const ShadedMesh& mesh, const Palette& palette, const MeshStrokes& strokes,
-                int samples, bool avx2);
+    ShellRaster(const ShadedMesh& mesh, const ShaderVariant& variant, const Palette& palette,
+                const MeshStrokes& strokes, int samples, bool avx2);
 
     /// `edgeStrengths` must stay. `front` is added to what is near without perspective.
     void lookFrom(const SphereUniforms& uniforms, bool orthographic, const PictureSize& size,
@@ -103,6 +120,8 @@ public:
         bool lines = false; ///< has any, of which kind ever
         bool edges = false; ///< has lines along edges
         bool flat = false;  ///< light and angle are those of the corners, mixed
+        bool cut = false;   ///< the cutaway may take a part of it
+        float hatch = 0;    ///< 0, or which way the hatch of print goes: 1 or -1
     };
 
 private:
@@ -114,6 +133,7 @@ private:
         bool front = false;                  ///< faces the viewer
         bool small = false;                  ///< in the picture
         bool speck = false;                  ///< drawn as a ShellSpeck
+        bool cut = false;                    ///< the cutaway may take a part of it
         std::uint8_t which = 0;              ///< of the specks of its kLanes triangles
 
         [[nodiscard]] PixelRectangle pixels() const
@@ -157,6 +177,7 @@ private:
         float density = 0, rimDensity = 0;
         float ofLine = 0;  ///< how strongly lines are drawn
         float ofEdges = 0; ///< plain ones beside
+        float hatch = 0;   ///< as Setup has it
     };
 
     [[nodiscard]] const Paint& paintOf(PolygonState state, bool front) const
@@ -186,6 +207,8 @@ private:
                                          const Ends& upper, const Edges& edges,
                                          const lanes::Slopes& slopes) const;
     [[nodiscard]] bool facesViewer(std::uint32_t triangle) const;
+    /// Finds out what the cutaway may take of some.
+    void cutPlaces(std::uint32_t first);
     /// How some look.
     void setUpAvx2(const Triangles& triangles, std::array<Setup, kLanes>& setups) const;
     void setUpPlain(const Triangles& triangles, std::array<Setup, kLanes>& setups) const;
@@ -204,6 +227,7 @@ private:
                 const RestingTile* resting) const;
 
     const ShadedMesh& mesh_;
+    ShaderVariant variant_;
     MeshStrokes strokes_;
     int samples_;
     bool avx2_;

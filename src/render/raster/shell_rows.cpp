@@ -2,6 +2,7 @@
 #include "render/raster/shell_rows.hpp"
 
 #include "render/raster/block.hpp"
+#include "render/raster/shell_cut.hpp"
 #include "render/raster/shell_surface.hpp"
 
 #include <algorithm>
@@ -82,8 +83,16 @@ FROSTFILL_INLINE void put(ShellRecord& record, std::size_t plane, std::size_t at
     record.add(plane, at, depths, colours);
 }
 
+/// What there is on a triangle.
+enum class Detail
+{
+    film,
+    lines,
+    cut, ///< lines too
+};
+
 /// Draws a triangle block by block.
-template <class In, int samples, bool lines, class Target>
+template <class In, int samples, Detail detail, class Target>
 struct Painter
 {
     const Setup s; // a copy, so that the target cannot be part of it
@@ -91,12 +100,12 @@ struct Painter
     Target& target;
     std::array<std::array<float, samples>, 3> edgeAt;
     std::array<float, samples> nearAt;
+    float nearX = 0;
+    float nearY = 0;
 
     FROSTFILL_INLINE Painter(const Setup& setup, const Frame& frame, Target& to)
         : s(setup), f(frame), target(to)
     {
-        float nearX = 0;
-        float nearY = 0;
         for (std::size_t i = 0; i < 3; ++i)
         {
             nearX += s.near[i] * s.across[i];
@@ -134,9 +143,19 @@ struct Painter
         {
             return;
         }
-        const auto surfaceWithLine = surfaceAndLine<lines>(s, f, x, y, d0, d1, d2);
-        const SurfaceSample& surface = surfaceWithLine.first;
-        const Floats line = surfaceWithLine.second;
+        auto [surface, line] = surfaceAndLine<detail != Detail::film>(s, f, x, y, d0, d1, d2);
+        if constexpr (detail == Detail::cut)
+        {
+            const CutEdge edge = cutEdgeAt(f.cut, f.lineWidth, x, y, isNear, nearX, nearY);
+            line = max(line, edge.line);
+            putLineInFilm(f.print, surface.share, line);
+            surface.share *= edge.left;
+            line *= edge.left;
+        }
+        else if constexpr (detail == Detail::lines)
+        {
+            putLineInFilm(f.print, surface.share, line);
+        }
         const Words alpha = byteOf(255 * (surface.share + line));
         const Floats limit = __builtin_convertvector(reinterpret_cast<Mask>(alpha), Floats);
         const Floats lit = surface.share * surface.light;
@@ -154,12 +173,12 @@ struct Painter
 };
 
 /// Row by row, lanes that begin at multiples of kLanes.
-template <int samples, bool lines, class Target>
+template <int samples, Detail detail, class Target>
 FROSTFILL_INLINE void drawRows(const Setup& setup, const Frame& frame, const PixelRectangle& pixels,
                                const TilePart& part, Target& target)
 {
     using Row = Block<1>;
-    Painter<Row, samples, lines, Target> painter(setup, frame, target);
+    Painter<Row, samples, detail, Target> painter(setup, frame, target);
     const PixelRectangle rows = inWholeLanes(pixels);
     const bool narrow = rows.width() <= kLanes; // to look for the columns takes longer
     std::array<float, 3> overAcross;
@@ -184,12 +203,12 @@ FROSTFILL_INLINE void drawRows(const Setup& setup, const Frame& frame, const Pix
 }
 
 /// What is at most as wide as two rows of a block.
-template <int samples, bool lines>
+template <int samples, Detail detail>
 FROSTFILL_INLINE void drawFew(const Setup& setup, const Frame& frame, const PixelRectangle& pixels,
                               const TilePart& part, SampleTile& tile)
 {
     using Two = Block<2>;
-    Painter<Two, samples, lines, SampleTile> painter(setup, frame, tile);
+    Painter<Two, samples, detail, SampleTile> painter(setup, frame, tile);
     const int x = std::min(pixels.left, kTileEdge - Two::kColumns);
     const Floats columns = static_cast<float>(x) + Two::across();
     const Mask inColumns =
@@ -207,7 +226,7 @@ FROSTFILL_INLINE void drawFew(const Setup& setup, const Frame& frame, const Pixe
     }
 }
 
-template <int samples, bool lines, class Target>
+template <int samples, Detail detail, class Target>
 FROSTFILL_INLINE void drawPart(const Setup& setup, const Frame& frame, const PixelRectangle& pixels,
                                const TilePart& part, Target& target)
 {
@@ -215,27 +234,37 @@ FROSTFILL_INLINE void drawPart(const Setup& setup, const Frame& frame, const Pix
     {
         if (pixels.width() <= Block<2>::kColumns)
         {
-            drawFew<samples, lines>(setup, frame, pixels, part, target);
+            drawFew<samples, detail>(setup, frame, pixels, part, target);
             return;
         }
     }
-    drawRows<samples, lines>(setup, frame, pixels, part, target);
+    drawRows<samples, detail>(setup, frame, pixels, part, target);
+}
+
+template <int samples, class Target>
+FROSTFILL_INLINE void drawDetail(const Setup& setup, const Frame& frame,
+                                 const PixelRectangle& pixels, const TilePart& part, Target& target)
+{
+    if (setup.cut)
+    {
+        drawPart<samples, Detail::cut>(setup, frame, pixels, part, target);
+    }
+    else if (setup.lines)
+    {
+        drawPart<samples, Detail::lines>(setup, frame, pixels, part, target);
+    }
+    else
+    {
+        drawPart<samples, Detail::film>(setup, frame, pixels, part, target);
+    }
 }
 
 template <class Target>
 FROSTFILL_INLINE void drawAny(int samples, const Setup& setup, const Frame& frame,
                               const PixelRectangle& pixels, const TilePart& part, Target& target)
 {
-    if (samples > 1)
-    {
-        setup.lines ? drawPart<kMaxTileSamples, true>(setup, frame, pixels, part, target)
-                    : drawPart<kMaxTileSamples, false>(setup, frame, pixels, part, target);
-    }
-    else
-    {
-        setup.lines ? drawPart<1, true>(setup, frame, pixels, part, target)
-                    : drawPart<1, false>(setup, frame, pixels, part, target);
-    }
+    samples > 1 ? drawDetail<kMaxTileSamples>(setup, frame, pixels, part, target)
+                : drawDetail<1>(setup, frame, pixels, part, target);
 }
 
 template <class Target>

@@ -87,8 +87,10 @@ FROSTFILL_INLINE void ShellRaster::setUpAny(const Triangles& triangles,
         setup.ink = paint.ink;
         setup.density = paint.density;
         setup.rimDensity = paint.rimDensity;
+        setup.hatch = paint.hatch;
+        setup.cut = place.cut;
         setup.edges = columns.edges[lane] != 0;
-        setup.lines = columns.lines[lane] != 0;
+        setup.lines = columns.lines[lane] != 0 || place.cut;
         setup.seen = setup.lines || setup.density > 0;
         setup.flat = columns.alike[lane] != 0 && place.small;
     }

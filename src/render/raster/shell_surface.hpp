@@ -53,6 +53,14 @@ FROSTFILL_INLINE Floats shareOf(Value density, Value rimDensity, Floats facing)
     return min(density + rimDensity * ((1 - facing) * (1 - facing)), 0.85F);
 }
 
+/// How much of it a hatched surface covers.
+FROSTFILL_INLINE Floats hatchedShare(const ShellRaster::Setup& s, const ShellRows& f, Floats x,
+                                     Floats y)
+{
+    const Floats phase = (x + s.hatch * y) * (1 / f.hatchPeriod) + f.hatchShift;
+    return min(s.density * (0.35F + stripes(phase, 0.4F, 1.41F / f.hatchPeriod)), 0.85F);
+}
+
 /// How much the outline of a smooth surface covers.
 template <class Value>
 FROSTFILL_INLINE Floats contourOf(Value contour, Value pixelsOfFacing, Floats facing, float reach)
@@ -61,7 +69,7 @@ FROSTFILL_INLINE Floats contourOf(Value contour, Value pixelsOfFacing, Floats fa
            clamped(reach - 0.5F * facing * pixelsOfFacing);
 }
 
-/// Of the surface: how much it covers and the light on it; and how much its lines cover.
+/// Of the surface: how much it covers and the light on it; and how much its lines cover of that.
 template <bool lines>
 FROSTFILL_INLINE std::pair<SurfaceSample, Floats>
 surfaceAndLine(const ShellRaster::Setup& s, const ShellRows& f, Floats x, Floats y, Floats d0,
@@ -86,7 +94,8 @@ surfaceAndLine(const ShellRaster::Setup& s, const ShellRows& f, Floats x, Floats
     {
         surface.light = curved(s, f, x, y, b0, b1, b2, facing);
     }
-    surface.share = shareOf(s.density, s.rimDensity, facing);
+    surface.share =
+        s.hatch != 0 ? hatchedShare(s, f, x, y) : shareOf(s.density, s.rimDensity, facing);
     if constexpr (!lines)
     {
         return {surface, Floats{}};
@@ -109,8 +118,23 @@ surfaceAndLine(const ShellRaster::Setup& s, const ShellRows& f, Floats x, Floats
         line = max(line, s.crease * (1 - smoothstep(0.6F, kCreaseEnd, off)) *
                              clamped(reach - off * s.pixelsOfCrease));
     }
-    surface.share *= 1 - line;
     return {surface, line};
+}
+
+/// Of what is drawn in a point: how much of it is film, and how much line. Lines lie over the film;
+/// in print they are a part of it that is denser.
+FROSTFILL_INLINE void putLineInFilm(bool print, Floats& film, Floats& line)
+{
+    if (print)
+    {
+        const Floats covered = max(film, line);
+        film = covered * (1 - line);
+        line = covered * line;
+    }
+    else
+    {
+        film *= 1 - line;
+    }
 }
 
 } // namespace frostfill::lanes

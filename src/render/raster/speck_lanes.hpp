@@ -133,14 +133,14 @@ FROSTFILL_INLINE SpeckPlane evenIf(Mask even, const std::array<Floats, 3>& value
 
 /// Premultiplied.
 FROSTFILL_INLINE std::array<Floats, 4> channelsOf(const std::array<Floats, 3>& base,
-                                                  const std::array<Floats, 3>& ink, Floats share,
-                                                  Floats light, Floats line)
+                                                  const std::array<Floats, 3>& ink, bool print,
+                                                  Floats film, Floats light, Floats line)
 {
-    const Floats left = share * (1 - line);
-    const Floats alpha = 255 * min(left + line, 1);
+    putLineInFilm(print, film, line);
+    const Floats alpha = 255 * min(film + line, 1);
     const auto channel = [&](std::size_t i) __attribute__((always_inline))
     {
-        return min(base[i] * (left * light) + ink[i] * line, alpha);
+        return min(base[i] * (film * light) + ink[i] * line, alpha);
     };
     return {channel(0), channel(1), channel(2), alpha};
 }

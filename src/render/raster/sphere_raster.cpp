@@ -145,10 +145,10 @@ void SphereRaster::draw(const SphereInstance& sphere, const PixelRectangle& pixe
                         const TilePart& part, SampleTile& tile, const SphereLight* light) const
 {
     const PixelRectangle rows = part.within(pixels);
-    const Left left = leftOf(sphere);
+    const CutShare share = leftOf(sphere);
     Axes axes;
     Setup setup;
-    if (rows.empty() || left == Left::nothing || !setUp(sphere, light != nullptr, axes, setup))
+    if (rows.empty() || share == CutShare::nothing || !setUp(sphere, light != nullptr, axes, setup))
     {
         return;
     }
@@ -166,7 +166,7 @@ void SphereRaster::draw(const SphereInstance& sphere, const PixelRectangle& pixe
         surface = surfaceOf(sphere, axes);
         drawn.surface = &surface;
     }
-    if (left == Left::part)
+    if (share == CutShare::part)
     {
         setCut(sphere, axes, cut);
         drawn.cut = &cut;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "render/layer/cut_share.hpp"
 #include "render/passes/sphere_pass.hpp"
 #include "render/raster/sample_tile.hpp"
 
@@ -54,7 +55,7 @@ public:
     /// Whether the cutaway takes it away.
     [[nodiscard]] bool takesAway(const SphereInstance& sphere) const
     {
-        return leftOf(sphere) == Left::nothing;
+        return leftOf(sphere) == CutShare::nothing;
     }
     /// An upper bound of the inverse depth of the sphere's points; see kNothing.
     [[nodiscard]] float nearest(const SphereInstance& sphere) const;
@@ -138,14 +139,6 @@ public:
     };
 
 private:
-    /// What a cutaway leaves of a sphere.
-    enum class Left
-    {
-        all,
-        part,
-        nothing,
-    };
-
     /// Unit vectors in eye space: to the centre, and in the plane of the circle.
     struct Axes
     {
@@ -164,7 +157,10 @@ private:
     void setLighting(const SphereLight& light, const Axes& axes, Lighting& lighting) const;
     void setCut(const SphereInstance& sphere, const Axes& axes, Cut& cut) const;
     [[nodiscard]] Surface surfaceOf(const SphereInstance& sphere, const Axes& axes) const;
-    [[nodiscard]] Left leftOf(const SphereInstance& sphere) const;
+    [[nodiscard]] CutShare leftOf(const SphereInstance& sphere) const
+    {
+        return cutaway_ ? cutShareOf(sphere, uniforms_) : CutShare::whole;
+    }
     [[nodiscard]] glm::vec3 centreOf(const SphereInstance& sphere) const;
 
     SphereUniforms uniforms_;

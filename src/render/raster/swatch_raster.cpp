@@ -34,7 +34,8 @@ SwatchRaster::SwatchRaster(const Viewpoint& viewpoint, const ShaderVariant& vari
         pixels_ = around(pixels_, placed_.back().pixels);
     }
     ShellRaster& polygons =
-        *(polygons_ = std::make_unique<ShellRaster>(shapes_.polygons, shellPalette(settings.style),
+        *(polygons_ = std::make_unique<ShellRaster>(shapes_.polygons, variantOfSwatches(variant),
+                                                    shellPalette(settings.style),
                                                     strokesFor(settings), samples, avx2));
     polygons.lookFrom(flat, true, settings.size, shapes_.strengths, 2 * kInFront);
     polygons.setStates(shapes_.states);

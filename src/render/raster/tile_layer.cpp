@@ -11,7 +11,7 @@ namespace frostfill
 {
 
 TileLayer::TileLayer(const TileGrid& grid, const RenderSettings& settings, int samples,
-                     std::optional<Studio> studio)
+                     std::optional<Studio> studio, const std::optional<CutPlanes>& cut)
     : grid_(grid), size_(settings.size), background_(settings.style.palette.background),
       studio_(std::move(studio)), repainted_(grid.count())
 {
@@ -22,7 +22,7 @@ TileLayer::TileLayer(const TileGrid& grid, const RenderSettings& settings, int s
     }
     if (studio_)
     {
-        sphereOcclusion_.emplace(studio_->lamp, std::nullopt);
+        sphereOcclusion_.emplace(studio_->lamp, cut);
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "render/framing/cutaway_planes.hpp"
 #include "render/layer/sphere_occlusion.hpp"
 #include "render/layer/studio.hpp"
 #include "render/raster/ground_raster.hpp"
@@ -23,7 +24,7 @@ class TileLayer
 {
 public:
     TileLayer(const TileGrid& grid, const RenderSettings& settings, int samples,
-              std::optional<Studio> studio);
+              std::optional<Studio> studio, const std::optional<CutPlanes>& cut);
 
     /// The view has to stay until the next call, and everything has to be rebuilt.
     void lookFrom(const TileView& view, const Framing& framing, const SphereUniforms& uniforms);

@@ -26,8 +26,7 @@ constexpr int kLongestEdge = 16384;
 bool TilePipeline::draws(const RenderSettings& settings)
 {
     const Style& style = settings.style;
-    return style.look != Look::paper && style.cutaway.kind == Cutaway::Kind::none &&
-           !style.ambientOcclusion;
+    return style.look != Look::paper && !style.ambientOcclusion;
 }
 
 TilePipeline::TilePipeline(const TriangleMesh& mesh, const RenderSettings& settings, bool avx2)
@@ -50,7 +49,8 @@ TilePipeline::TilePipeline(const TriangleMesh& mesh, const RenderSettings& setti
         addShell(mesh, positions);
     }
     layer_.emplace(grid_, viewpoint_.settings(), samples_,
-                   studioOf(mesh, positions, viewpoint_.settings(), viewpoint_.framing()));
+                   studioOf(mesh, positions, viewpoint_.settings(), viewpoint_.framing()),
+                   cutPlanesOf(settings, viewpoint_.framing()));
     if (viewpoint_.legend().visible())
     {
         swatches_ = std::make_unique<SwatchRaster>(viewpoint_, variant_, samples_, avx2_);
@@ -60,10 +60,11 @@ TilePipeline::TilePipeline(const TriangleMesh& mesh, const RenderSettings& setti
 
 void TilePipeline::addShell(const TriangleMesh& mesh, const std::vector<glm::vec3>& positions)
 {
-    shaded_ = shadeMesh(mesh, positions, true);
+    shaded_ = shadeMesh(mesh, positions, variant_.fadingLines);
     edges_.emplace(shaded_);
-    shell_ = std::make_unique<ShellRaster>(shaded_, shellPalette(viewpoint_.settings().style),
-                                           strokesFor(viewpoint_.settings()), samples_, avx2_);
+    shell_ =
+        std::make_unique<ShellRaster>(shaded_, variant_, shellPalette(viewpoint_.settings().style),
+                                      strokesFor(viewpoint_.settings()), samples_, avx2_);
     shaded_.normals = {}; // both have what they need of these
     shaded_.edges = {};
     if (viewpoint_.settings().staticLayer)

@@ -171,13 +171,16 @@ TEST_F(Backends, TheBuiltInOneGivesTheSameBytesWithoutAvx2)
     {
         GTEST_SKIP() << "this processor has no AVX2";
     }
-    for (const Look look : {Look::clean, Look::studio})
+    const Cutaway cut{Cutaway::Kind::wedge, {0, 0, 1}, 0, -30, 80};
+    for (const auto& [look, cutaway] :
+         {std::pair{Look::clean, Cutaway{}}, {Look::studio, Cutaway{}}, {Look::clean, cut}})
     {
         for (const bool orthographic : {false, true})
         {
             for (const int samples : {1, 4})
             {
                 choose(look);
+                settings.style.cutaway = cutaway;
                 settings.camera.orthographic = orthographic;
                 settings.samples = samples;
                 Image wide, narrow;

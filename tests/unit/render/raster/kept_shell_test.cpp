@@ -48,8 +48,9 @@ public:
             positions.emplace_back(framing_.toUnit(vertex));
         }
         shaded_ = shadeMesh(mesh, positions);
-        shell_ = std::make_unique<ShellRaster>(shaded_, shellPalette(settings_.style),
-                                               strokesFor(settings_), samples, avx2);
+        shell_ = std::make_unique<ShellRaster>(shaded_, ShaderVariant{.fadingLines = true},
+                                               shellPalette(settings_.style), strokesFor(settings_),
+                                               samples, avx2);
         edges_ = edgeStrengths(shaded_, glm::vec3(framing_.eye), false);
         shell_->lookFrom(uniformsOf(framing_, settings_), false, settings_.size, edges_);
         kept_ = std::make_unique<KeptShell>(*shell_, TileGrid(settings_.size).count(),

@@ -59,8 +59,8 @@ protected:
 
     [[nodiscard]] ShellRaster shell(bool avx2) const
     {
-        ShellRaster result(shaded_, shellPalette(settings_.style), strokesFor(settings_),
-                           GetParam(), avx2);
+        ShellRaster result(shaded_, {.fadingLines = true}, shellPalette(settings_.style),
+                           strokesFor(settings_), GetParam(), avx2);
         result.lookFrom(uniformsOf(framing_, settings_), false, settings_.size, edges_);
         return result;
     }

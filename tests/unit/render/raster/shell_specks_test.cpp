@@ -37,8 +37,8 @@ protected:
         }
         shaded_ = shadeMesh(mesh_, positions_);
         edges_ = edgeStrengths(shaded_, glm::vec3(framing_.eye), false);
-        shell_.emplace(shaded_, shellPalette(settings_.style), strokesFor(settings_), GetParam(),
-                       lanes::hasAvx2());
+        shell_.emplace(shaded_, ShaderVariant{.fadingLines = true}, shellPalette(settings_.style),
+                       strokesFor(settings_), GetParam(), lanes::hasAvx2());
         shell_->lookFrom(uniforms_, false, settings_.size, edges_);
     }
 
@@ -251,8 +251,8 @@ TEST_P(ShellSpecks, ShowTheStatesOfNowAndNotHowTheyCameToThem)
         state = numbers.next() < 0.5 ? PolygonState::active : PolygonState::discarded;
     }
     shell_->setStates(states);
-    ShellRaster anew(shaded_, shellPalette(settings_.style), strokesFor(settings_), GetParam(),
-                     lanes::hasAvx2());
+    ShellRaster anew(shaded_, {.fadingLines = true}, shellPalette(settings_.style),
+                     strokesFor(settings_), GetParam(), lanes::hasAvx2());
     anew.setStates(states);
     anew.lookFrom(uniforms_, false, settings_.size, edges_);
     const std::vector<std::uint32_t> order = shell_->inDrawingOrder();

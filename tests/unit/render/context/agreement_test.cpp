@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+// Tiles draw the pictures of OSMesa, in whatever style, from wherever, and cut open or whole.
+#include "support/pictures.hpp"
+
+#include <frostfill/renderer.hpp>
+
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace frostfill
+{
+namespace
+{
+
+using namespace testing_support;
+
+/// What both may differ by: one picture, and the mean of a region of 8x8 pixels. [of 255]
+struct Bounds
+{
+    double rms = 0.75;
+    double region = 3.5;
+};
+
+/// The largest mean difference of a region of 8x8 pixels, over its channels.
+double worstRegion(const Image& a, const Image& b)
+{
+    constexpr int kRegion = 8;
+    const int columns = (a.width + kRegion - 1) / kRegion;
+    std::vector<double> sums(static_cast<std::size_t>(columns * (a.height / kRegion + 1)));
+    for (int y = 0; y < a.height; ++y)
+    {
+        for (int x = 0; x < a.width; ++x)
+        {
+            for (int c = 0; c < a.channels; ++c)
+            {
+                sums[static_cast<std::size_t>(y / kRegion * columns + x / kRegion)] +=
+                    std::abs(a.at(x, y)[c] - b.at(x, y)[c]);
+            }
+        }
+    }
+    return *std::max_element(sums.begin(), sums.end()) / (kRegion * kRegion * a.channels);
+}
+
+/// A mesh with spheres of all states and discarded polygons.
+struct Subject
+{
+    std::string name;
+    TriangleMesh mesh;
+    Snapshot snapshot;
+};
+
+/// Spheres do not overlap: where they do, a cut shows any of them.
+Subject subjectOf(const std::string& name, const TriangleMesh& mesh, double spacing)
+{
+    Subject subject{name, mesh, {}};
+    Numbers numbers;
+    const auto cells = static_cast<int>(2.6 / spacing);
+    for (int i = 0; i < cells * cells * cells; ++i)
+    {
+        const Eigen::Vector3d cell(i % cells, i / cells % cells, i / (cells * cells));
+        const Eigen::Vector3d jitter(numbers.next(), numbers.next(), numbers.next());
+        const double radius = spacing * (0.25 + 0.1 * numbers.next());
+        const Eigen::Vector3d centre =
+            (cell.array() + 0.5 - 0.5 * cells).matrix() * spacing + 0.25 * spacing * jitter;
+        if (numbers.next() < 0.4 && centre.norm() < 1.3)
+        {
+            addSphere(subject.snapshot, centre, radius,
+                      static_cast<SphereState>(static_cast<int>(3 * numbers.next())));
+        }
+    }
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    {
+        const bool discarded = numbers.next() < 0.3;
+        subject.snapshot.polygons.push_back(discarded ? PolygonState::discarded
+                                                      : PolygonState::active);
+        subject.snapshot.discardedPolygons += discarded ? 1 : 0;
+    }
+    return subject;
+}
+
+std::vector<Subject> subjects()
+{
+    return {subjectOf("torus", torusMesh(1, 0.4, 24, 8), 0.4),
+            subjectOf("fine torus", torusMesh(1, 0.4, 300, 100), 0.2),
+            subjectOf("box", boxMesh({1, 0.8, 0.6}), 0.3)};
+}
+
+std::vector<Camera> cameras()
+{
+    std::vector<Camera> all(4);
+    all[1].azimuth = -70;
+    all[1].elevation = 55;
+    all[1].orthographic = true;
+    all[2].azimuth = 120;
+    all[2].elevation = -20;
+    all[2].zoom = 2;
+    all[3].azimuth = 10;
+    all[3].fieldOfView = 80;
+    return all;
+}
+
+class Agreement : public testing::Test
+{
+protected:
+    Agreement() { settings.size = {480, 270}; }
+
+    void choose(Look look)
+    {
+        settings.style.look = look;
+        settings.style.palette = paletteOf(look);
+    }
+
+    /// For all subjects and cameras, with one sample or four.
+    void expectAgreement(const std::string& what, const Bounds& bounds)
+    {
+        double rms = 0;
+        double region = 0;
+        std::string where;
+        for (const Subject& subject : subjects())
+        {
+            for (const Camera& camera : cameras())
+            {
+                settings.camera = camera;
+                settings.samples = 5 - settings.samples;
+                std::vector<Image> pictures;
+                for (const Backend backend : {Backend::osmesa, Backend::automatic})
+                {
+                    settings.backend = backend;
+                    Renderer renderer(subject.mesh, settings);
+                    EXPECT_EQ(renderer.description().substr(0, 7) == "builtin",
+                              backend == Backend::automatic);
+                    pictures.push_back(renderer.draw(subject.snapshot));
+                }
+                const double own = compareImages(pictures[0], pictures[1]).rootMeanSquare;
+                const double worst = worstRegion(pictures[0], pictures[1]);
+                if (own > rms)
+                {
+                    rms = own;
+                    where = fmt::format("{}, azimuth {}, {} samples", subject.name,
+                                        camera.azimuth.value_or(0), settings.samples);
+                }
+                region = std::max(region, worst);
+            }
+        }
+        EXPECT_LT(rms, bounds.rms) << what << ", " << where;
+        EXPECT_LT(region, bounds.region) << what << ", " << where;
+        RecordProperty("rms", fmt::format("{:.2f} {}", rms, where));
+        fmt::print("{}: rms {:.2f} ({}), region {:.1f}\n", what, rms, where, region);
+    }
+
+    RenderSettings settings;
+};
+
+const Cutaway kPlane{Cutaway::Kind::plane, {0.2, 0.3, 1}, 0.05, 0, 90};
+const Cutaway kWedge{Cutaway::Kind::wedge, {0, 0, 1}, 0, -30, 80};
+
+TEST_F(Agreement, IsThereForEveryStyle)
+{
+    for (const Look look : {Look::clean, Look::dark, Look::studio})
+    {
+        choose(look);
+        expectAgreement(fmt::format("look {}", static_cast<int>(look)), {});
+    }
+}
+
+TEST_F(Agreement, IsThereForCutaways)
+{
+    for (const Look look : {Look::clean, Look::dark, Look::studio})
+    {
+        choose(look);
+        for (const Cutaway& cutaway : {kPlane, kWedge})
+        {
+            settings.style.cutaway = cutaway;
+            expectAgreement(fmt::format("look {}, cut {}", static_cast<int>(look),
+                                        static_cast<int>(cutaway.kind)),
+                            {});
+        }
+    }
+}
+
+} // namespace
+} // namespace frostfill
