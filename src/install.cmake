@@ -16,6 +16,7 @@ target_sources(frostfill_core PUBLIC FILE_SET HEADERS BASE_DIRS ${public} FILES
     ${public}/frostfill/sweep_file.hpp
     ${public}/frostfill/view.hpp)
 target_sources(frostfill_render PUBLIC FILE_SET HEADERS BASE_DIRS ${public} FILES
+    ${public}/frostfill/analysis.hpp
     ${public}/frostfill/export.hpp
     ${public}/frostfill/fill.hpp
     ${public}/frostfill/image.hpp

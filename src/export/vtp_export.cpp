@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "export/polydata_file.hpp"
 #include "export/sphere_columns.hpp"
 
 #include <optional>
@@ -9,64 +10,13 @@ namespace frostfill
 namespace
 {
 
-/// A VTK file of PolyData: the arrays are named in XML and follow it as they lie in memory.
-class PolyDataFile
-{
-public:
-    PolyDataFile(double time, std::size_t points, std::size_t verts, std::size_t polys)
-    {
-        xml_ = fmt::format("<?xml version=\"1.0\"?>\n"
-                           "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
-                           "header_type=\"UInt64\">\n<PolyData>\n<FieldData>\n"
-                           "<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" "
-                           "format=\"ascii\">{}</DataArray>\n</FieldData>\n"
-                           "<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"0\" "
-                           "NumberOfStrips=\"0\" NumberOfPolys=\"{}\">\n",
-                           time, points, verts, polys);
-    }
-    void open(const char* section) { xml_ += fmt::format("<{}>\n", section); }
-    void close(const char* section) { xml_ += fmt::format("</{}>\n", section); }
-    /// Appends an array: put(writer) writes its `count` values.
-    template <typename Put>
-    void array(const char* type, const char* name, std::size_t bytes, Put&& put, int components = 1)
-    {
-        xml_ += fmt::format("<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" "
-                            "format=\"appended\" offset=\"{}\"/>\n",
-                            type, name, components, offset_);
-        ByteWriter& data = arrays_.emplace_back();
-        data.bytes().reserve(sizeof(std::uint64_t) + bytes);
-        data.raw(static_cast<std::uint64_t>(bytes));
-        put(data);
-        offset_ += data.bytes().size();
-    }
-    void commit(const std::filesystem::path& name)
-    {
-        AtomicFile file(name);
-        file.write(xml_);
-        file.write("</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_");
-        for (ByteWriter& array : arrays_)
-        {
-            file.write(array.bytes());
-        }
-        file.write("\n</AppendedData>\n</VTKFile>\n");
-        file.commit();
-    }
-
-private:
-    std::string xml_;
-    std::vector<ByteWriter> arrays_; ///< each behind its length
-    std::size_t offset_ = 0;         ///< where the next one begins
-};
-
-constexpr const char* kVtkTypes[] = {"UInt8", "UInt32", "Float32", "Float64"};
-
 /// Spheres are points with arrays; each point is a vertex cell too, so that it is drawn.
 void writeSpheres(const ExportedRun& run, const ExportedFrame& frame,
                   const std::filesystem::path& name)
 {
     const Snapshot& state = frame.state;
     const std::size_t count = state.states.size();
-    PolyDataFile file(state.time, count, count, 0);
+    PolyDataFile file(state.time, {.points = count, .verts = count});
     file.open("Points");
     file.array(
         "Float64", "Points", count * 3 * sizeof(double),
@@ -117,7 +67,7 @@ void writeMesh(const ExportedFrame& frame, const TriangleMesh& mesh,
                const std::filesystem::path& name)
 {
     const std::size_t triangles = mesh.triangles.size();
-    PolyDataFile file(frame.state.time, mesh.vertices.size(), 0, triangles);
+    PolyDataFile file(frame.state.time, {.points = mesh.vertices.size(), .polys = triangles});
     file.open("Points");
     file.array(
         "Float64", "Points", mesh.vertices.size() * 3 * sizeof(double),

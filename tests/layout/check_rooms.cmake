@@ -71,13 +71,15 @@ room(run base mesh view scene scene/options snapshot simulation image renderer r
 room(page mesh view scene snapshot renderer render/framing render/context render/passes render/overlay
      render/layer run_file output shell run)
 
+room(analysis base geometry ${mesh} scene snapshot simulation simulation/quality packing output export run_file)
+
 room(import mesh scene snapshot run_file packing run)
 
 room(sweep base mesh scene scene/options simulation image renderer run_file output run)
 
 set(below base geometry oracle ${mesh} view scene scene/options snapshot simulation simulation/world ${parts}
           simulation/quality simulation/columns simulation/engine image renderer render/framing render/context
-          render/passes render/overlay run_file packing output run)
+          render/passes render/overlay run_file packing output export run analysis)
 room(study ${below})
 room(study/stability ${below} study)
 room(study/operations ${below} study)

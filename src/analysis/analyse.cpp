@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+#include "analysis/analysis_input.hpp"
+
+#include <frostfill/error.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace frostfill
+{
+namespace
+{
+
+/// More of what multiplies the work than any packing needs.
+constexpr std::size_t kMostBins = 100'000;
+constexpr std::size_t kFewestSamples = 16;
+constexpr std::size_t kMostSamples = 10'000'000'000;
+constexpr double kLongestRange = 50;
+
+void require(bool holds, const char* what)
+{
+    if (!holds)
+    {
+        throw Error(ErrorCode::usage, what);
+    }
+}
+
+void checkSettings(const AnalysisSettings& settings)
+{
+    require(settings.bins > 0 && settings.bins <= kMostBins,
+            "the number of bins must be from 1 to 100000");
+    require(settings.range > 0 && settings.range <= kLongestRange,
+            "the range must be above 0 and at most 50 mean diameters");
+    require(settings.contactGap >= 0 && settings.contactGap <= 1,
+            "the gap of a contact must be from 0 to 1 of the smaller radius");
+    require(settings.bondLength >= 1 && settings.bondLength <= 3,
+            "the length of a bond must be from 1 to 3 sums of both radii");
+    require(settings.samples >= kFewestSamples && settings.samples <= kMostSamples,
+            "the number of samples must be from 16 to 1e10");
+    require(!settings.centre || settings.centre->allFinite(), "the centre must be three numbers");
+    require(settings.threads >= 0, "the number of threads must not be negative");
+    if (!hasVoronoiCells() && std::find(settings.only.begin(), settings.only.end(),
+                                        AnalysisKind::cells) != settings.only.end())
+    {
+        throw Error(ErrorCode::missingProgram, missingVoronoiCells());
+    }
+}
+
+bool isAsked(const AnalysisSettings& settings, AnalysisKind kind)
+{
+    if (settings.only.empty())
+    {
+        return kind != AnalysisKind::cells || hasVoronoiCells();
+    }
+    return std::find(settings.only.begin(), settings.only.end(), kind) != settings.only.end();
+}
+
+void checkSpheres(const Packing& packing)
+{
+    if (packing.centres.size() != packing.radii.size())
+    {
+        throw Error(ErrorCode::badData, fmt::format("{} centres and {} radii do not go together",
+                                                    packing.centres.size(), packing.radii.size()));
+    }
+    for (std::size_t k = 0; k < packing.radii.size(); ++k)
+    {
+        if (!std::isfinite(packing.radii[k]) || packing.radii[k] <= 0)
+        {
+            throw Error(ErrorCode::badData, fmt::format("sphere {} has the radius {:g}, which must "
+                                                        "be a number above 0",
+                                                        k, packing.radii[k]));
+        }
+    }
+}
+
+double meanDiameterOf(const std::vector<double>& radii)
+{
+    double sum = 0;
+    for (const double radius : radii)
+    {
+        sum += radius;
+    }
+    return radii.empty() ? 1 : 2 * sum / static_cast<double>(radii.size());
+}
+
+/// Keeps the spheres that are inside, and counts the others.
+void takeSpheres(const Packing& packing, const Container& container, Threads& threads,
+                 PackingAnalysis& analysis)
+{
+    const std::size_t count = packing.radii.size();
+    std::vector<std::uint8_t> inside(count, 0);
+    forEachPart(threads, count, AnalysisInput::kInPart,
+                [&](std::size_t first, std::size_t end, std::size_t)
+                {
+                    for (std::size_t k = first; k < end; ++k)
+                    {
+                        const Eigen::Vector3d& centre = packing.centres[k];
+                        inside[k] = centre.allFinite() && container.contains(centre) ? 1 : 0;
+                    }
+                });
+    for (std::size_t k = 0; k < count; ++k)
+    {
+        if (inside[k] != 0)
+        {
+            analysis.ids.push_back(static_cast<std::uint32_t>(k));
+            analysis.centres.push_back(packing.centres[k]);
+            analysis.radii.push_back(packing.radii[k]);
+            analysis.sphereVolume += ballVolume(packing.radii[k]);
+        }
+        else
+        {
+            ++(packing.centres[k].allFinite() ? analysis.outside : analysis.notFinite);
+        }
+    }
+    if (analysis.ids.empty())
+    {
+        throw Error(ErrorCode::badData,
+                    fmt::format("none of {} centres is inside the mesh: are both in the same unit "
+                                "and place?",
+                                count));
+    }
+    analysis.wallDistances.resize(analysis.ids.size());
+    forEachPart(threads, analysis.ids.size(), AnalysisInput::kInPart,
+                [&](std::size_t first, std::size_t end, std::size_t)
+                {
+                    for (std::size_t k = first; k < end; ++k)
+                    {
+                        analysis.wallDistances[k] = container.distanceToWall(analysis.centres[k]);
+                    }
+                });
+}
+
+} // namespace
+
+const std::vector<std::string>& analysisNames()
+{
+    static const std::vector<std::string> names = {"porosity", "pairs", "contacts",
+                                                   "cells",    "order", "sizes"};
+    return names;
+}
+
+const char* missingVoronoiCells()
+{
+    return "Voronoi cells need voro++, which was not there when this program was built: apt-get "
+           "install voro++-dev, then configure and build again";
+}
+
+ProfileFrame::ProfileFrame(const AnalysisInput& input)
+    : up_(static_cast<Eigen::Index>(input.settings.up)),
+      centre_(input.settings.centre.value_or(input.container.box().center())),
+      foot_(input.container.box().min()[up_]), tallest_(input.container.box().sizes()[up_])
+{
+    for (const Eigen::Vector3d& vertex : input.container.mesh().vertices)
+    {
+        widest_ = std::max(widest_, radius(vertex));
+    }
+}
+
+PackingAnalysis analysePacking(const TriangleMesh& mesh, const Packing& packing,
+                               const AnalysisSettings& settings)
+{
+    checkSettings(settings);
+    checkSpheres(packing);
+    PackingAnalysis analysis;
+    analysis.settings = settings;
+    Threads threads(settings.threads);
+    const Container container(mesh, meanDiameterOf(packing.radii));
+    takeSpheres(packing, container, threads, analysis);
+    analysis.meshVolume = container.report().volume;
+    const SphereLevels levels(analysis.centres, analysis.radii);
+    const AnalysisInput input{settings,
+                              container,
+                              levels,
+                              analysis.centres,
+                              analysis.radii,
+                              analysis.wallDistances,
+                              meanDiameterOf(analysis.radii),
+                              threads};
+    const auto find = [&](AnalysisKind kind, auto& result, auto function)
+    {
+        if (isAsked(settings, kind))
+        {
+            result = function(input);
+        }
+    };
+    find(AnalysisKind::porosity, analysis.porosity, findPorosity);
+    find(AnalysisKind::pairs, analysis.pairs, findPairs);
+    find(AnalysisKind::contacts, analysis.contacts, findContacts);
+    find(AnalysisKind::cells, analysis.cells, findCells);
+    find(AnalysisKind::order, analysis.order, findOrder);
+    find(AnalysisKind::sizes, analysis.sizes, findSizes);
+    return analysis;
+}
+
+} // namespace frostfill

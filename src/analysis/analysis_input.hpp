@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "analysis/container.hpp"
+#include "analysis/sphere_levels.hpp"
+#include "base/threads.hpp"
+
+#include <frostfill/analysis.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+#include <span>
+
+namespace frostfill
+{
+
+/// What every analysis works on.
+struct AnalysisInput
+{
+    const AnalysisSettings& settings;
+    const Container& container;
+    const SphereLevels& levels;
+    std::span<const Eigen::Vector3d> centres;
+    std::span<const double> radii;
+    std::span<const double> wallDistances;
+    double meanDiameter; ///< [mesh unit] by number
+    Threads& threads;
+
+    /// Spheres that one thread looks at in one go. Sums are over these parts, so they do not depend
+    /// on the number of threads.
+    static constexpr std::size_t kInPart = 2048;
+    static constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+
+    [[nodiscard]] std::size_t size() const { return radii.size(); }
+    [[nodiscard]] std::size_t parts() const { return (size() + kInPart - 1) / kInPart; }
+    /// A bond to an equal sphere has room on every side.
+    [[nodiscard]] bool isAwayFromWalls(std::size_t k) const
+    {
+        return wallDistances[k] >= 2 * radii[k] * settings.bondLength;
+    }
+    /// Calls body(first, end, part).
+    template <class Body>
+    void forEachPartOfSpheres(Body&& body) const
+    {
+        forEachPart(threads, size(), kInPart, body);
+    }
+};
+
+[[nodiscard]] inline double ballVolume(double radius)
+{
+    return 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
+}
+
+/// Where profiles run: up from the foot of the object, and outwards from an axis.
+class ProfileFrame
+{
+public:
+    explicit ProfileFrame(const AnalysisInput& input);
+
+    [[nodiscard]] double height(const Eigen::Vector3d& p) const { return p[up_] - foot_; }
+    [[nodiscard]] double radius(const Eigen::Vector3d& p) const
+    {
+        Eigen::Vector3d across = p - centre_;
+        across[up_] = 0;
+        return across.norm();
+    }
+    [[nodiscard]] double tallest() const { return tallest_; } ///< [mesh unit]
+    [[nodiscard]] double widest() const { return widest_; }   ///< [mesh unit]
+    [[nodiscard]] Eigen::Index up() const { return up_; }
+
+private:
+    Eigen::Index up_;
+    Eigen::Vector3d centre_;
+    double foot_;
+    double tallest_;
+    double widest_ = 0;
+};
+
+// One function for each kind of analysis.
+
+[[nodiscard]] PorosityProfiles findPorosity(const AnalysisInput& input);
+[[nodiscard]] PairCorrelation findPairs(const AnalysisInput& input);
+[[nodiscard]] ContactStatistics findContacts(const AnalysisInput& input);
+[[nodiscard]] CellStatistics findCells(const AnalysisInput& input);
+[[nodiscard]] OrderStatistics findOrder(const AnalysisInput& input);
+[[nodiscard]] SizeProfiles findSizes(const AnalysisInput& input);
+
+} // namespace frostfill

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: MIT
+#include "analysis/analysis_points.hpp"
+#include "analysis/sphere_values.hpp"
+#include "output/atomic_file.hpp"
+#include "output/column_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string_view>
+
+namespace frostfill
+{
+namespace
+{
+
+/// Width of the bins of shares from 0 to 1: local packing fractions, and Q6.
+constexpr double kShareBin = 0.01;
+
+/// A folder that gets the tables of an analysis.
+class Tables
+{
+public:
+    explicit Tables(const std::filesystem::path& folder) : folder_(folder) {}
+
+    /// Writes count rows; put(row, k) appends one.
+    template <class Put>
+    void table(const std::string& name, std::string_view head, std::size_t count, Put&& put)
+    {
+        AtomicFile file(folder_ / name);
+        fmt::memory_buffer row;
+        file.write(fmt::format("{}\n", head));
+        for (std::size_t k = 0; k < count; ++k)
+        {
+            row.clear();
+            put(row, k);
+            row.push_back('\n');
+            file.write({row.data(), row.size()});
+        }
+        file.commit();
+        names_.push_back(name);
+    }
+    /// The file of a name that is to be written otherwise.
+    std::filesystem::path add(const std::string& name)
+    {
+        names_.push_back(name);
+        return folder_ / name;
+    }
+    [[nodiscard]] std::vector<std::string>& names() { return names_; }
+
+private:
+    std::filesystem::path folder_;
+    std::vector<std::string> names_;
+};
+
+/// Appends numbers with a comma between them.
+template <class... Numbers>
+void put(fmt::memory_buffer& row, const Numbers&... numbers)
+{
+    const char* separator = "";
+    ((fmt::format_to(std::back_inserter(row), "{}{}", std::exchange(separator, ","), numbers)),
+     ...);
+}
+
+void writePorosity(Tables& tables, const PorosityProfiles& profiles)
+{
+    const std::pair<const char*, const std::vector<PorosityBin>*> all[] = {
+        {"porosity_height.csv", &profiles.height},
+        {"porosity_radial.csv", &profiles.radial},
+        {"porosity_wall.csv", &profiles.wall}};
+    for (const auto& [name, bins] : all)
+    {
+        tables.table(name, "from,to,porosity,error,object_volume", bins->size(),
+                     [&, rows = bins](fmt::memory_buffer& row, std::size_t k)
+                     {
+                         const PorosityBin& bin = (*rows)[k];
+                         put(row, bin.from, bin.to, bin.porosity, bin.error, bin.objectVolume);
+                     });
+    }
+}
+
+void writeSizes(Tables& tables, const SizeProfiles& sizes)
+{
+    const std::pair<const char*, const std::vector<SizeBin>*> all[] = {
+        {"sizes_height.csv", &sizes.height}, {"sizes_radial.csv", &sizes.radial}};
+    for (const auto& [name, bins] : all)
+    {
+        tables.table(name, "from,to,spheres,mean_radius,deviation", bins->size(),
+                     [&, rows = bins](fmt::memory_buffer& row, std::size_t k)
+                     {
+                         const SizeBin& bin = (*rows)[k];
+                         put(row, bin.from, bin.to, bin.spheres, bin.meanRadius, bin.deviation);
+                     });
+    }
+}
+
+void writeContacts(Tables& tables, const PackingAnalysis& analysis)
+{
+    const ContactStatistics& contacts = *analysis.contacts;
+    const auto most = *std::max_element(contacts.spheres.begin(), contacts.spheres.end());
+    std::vector<std::size_t> all(most + 1, 0);
+    std::vector<std::size_t> rattlers(most + 1, 0);
+    for (std::size_t k = 0; k < contacts.spheres.size(); ++k)
+    {
+        ++all[contacts.spheres[k]];
+        rattlers[contacts.spheres[k]] += contacts.rattler[k];
+    }
+    tables.table("contacts.csv", "contacts,spheres,rattlers", all.size(),
+                 [&](fmt::memory_buffer& row, std::size_t k) { put(row, k, all[k], rattlers[k]); });
+    tables.table("network.csv", "first,second,gap", contacts.network.size(),
+                 [&](fmt::memory_buffer& row, std::size_t k)
+                 {
+                     const SphereContact& contact = contacts.network[k];
+                     put(row, analysis.ids[contact.first], analysis.ids[contact.second],
+                         contact.gap);
+                 });
+    writeNetworkVtp(analysis, tables.add("network.vtp"));
+}
+
+/// How many values are in each bin; those that are no numbers are in none.
+void writeShares(Tables& tables, const std::string& name, const char* counted,
+                 const std::vector<double>& values)
+{
+    std::map<std::size_t, std::size_t> counts;
+    for (const double value : values)
+    {
+        if (std::isfinite(value))
+        {
+            ++counts[static_cast<std::size_t>(value / kShareBin)];
+        }
+    }
+    const std::vector<std::pair<std::size_t, std::size_t>> rows(counts.begin(), counts.end());
+    tables.table(name, fmt::format("from,to,{}", counted), rows.size(),
+                 [&](fmt::memory_buffer& row, std::size_t k)
+                 {
+                     const auto bin = static_cast<double>(rows[k].first);
+                     put(row, bin * kShareBin, (bin + 1) * kShareBin, rows[k].second);
+                 });
+}
+
+void writeSpheres(Tables& tables, const PackingAnalysis& analysis)
+{
+    const std::vector<SphereValue> values = sphereValues(analysis);
+    std::string head;
+    for (const SphereValue& value : values)
+    {
+        head += (head.empty() ? "" : ",") + value.column.name;
+    }
+    tables.table("spheres.csv", head, analysis.ids.size(),
+                 [&](fmt::memory_buffer& row, std::size_t k)
+                 {
+                     for (const SphereValue& value : values)
+                     {
+                         if (row.size() > 0)
+                         {
+                             row.push_back(',');
+                         }
+                         putText(row, value.column, value.of(k));
+                     }
+                 });
+    writeSpheresVtp(analysis, tables.add("spheres.vtp"));
+}
+
+} // namespace
+
+std::vector<std::string> writeAnalysis(const PackingAnalysis& analysis,
+                                       const std::filesystem::path& folder)
+{
+    createDirectory(folder);
+    Tables tables(folder);
+    if (analysis.porosity)
+    {
+        writePorosity(tables, *analysis.porosity);
+    }
+    if (analysis.pairs)
+    {
+        tables.table("pairs.csv", "from,to,g,neighbours", analysis.pairs->bins.size(),
+                     [&](fmt::memory_buffer& row, std::size_t k)
+                     {
+                         const PairBin& bin = analysis.pairs->bins[k];
+                         put(row, bin.from, bin.to, bin.g, bin.neighbours);
+                     });
+    }
+    if (analysis.contacts)
+    {
+        writeContacts(tables, analysis);
+    }
+    if (analysis.cells)
+    {
+        writeShares(tables, "cells.csv", "cells", analysis.cells->fractions);
+    }
+    if (analysis.order)
+    {
+        writeShares(tables, "order.csv", "spheres", analysis.order->q6);
+    }
+    if (analysis.sizes)
+    {
+        writeSizes(tables, *analysis.sizes);
+    }
+    writeSpheres(tables, analysis);
+    AtomicFile summary(tables.add("summary.json"));
+    summary.write(analysisSummary(analysis));
+    summary.commit();
+    return std::move(tables.names());
+}
+
+} // namespace frostfill
