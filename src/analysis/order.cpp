@@ -44,7 +44,7 @@ OrderStatistics findOrder(const AnalysisInput& input)
     input.forEachPartOfSpheres(
         [&](std::size_t first, std::size_t end, std::size_t part)
         {
-            for (std::size_t k = first; k < end; ++k)
+            for (const std::uint32_t k : input.levels.order().subspan(first, end - first))
             {
                 const BondOrder6 order = bondsOf(input, k);
                 statistics.q6[k] = order.q6();

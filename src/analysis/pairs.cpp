@@ -14,6 +14,9 @@ constexpr double kPairBins = 50;
 /// shorter range in narrow objects. Smaller: few spheres speak for all.
 constexpr double kLeastShare = 0.01;
 constexpr std::size_t kFewestCentres = 50;
+/// Of more spheres that have room, so many speak for all, evenly spread. Larger: time. Smaller: of
+/// bins of narrow shells the scatter is seen.
+constexpr std::size_t kMostCentres = 200'000;
 
 /// The range that was asked for, or the largest that leaves enough centres.
 double rangeWithRoom(const AnalysisInput& input, double asked)
@@ -108,6 +111,12 @@ PairCorrelation findPairs(const AnalysisInput& input)
             centres.push_back(id);
         }
     }
+    const std::size_t step = (centres.size() + kMostCentres - 1) / kMostCentres;
+    for (std::size_t k = 0; k * step < centres.size(); ++k)
+    {
+        centres[k] = centres[k * step];
+    }
+    centres.resize((centres.size() + step - 1) / step);
     pairs.centres = centres.size();
     const std::size_t parts = (centres.size() + input.kInPart - 1) / input.kInPart;
     std::vector<PairCounts> counts(parts, PairCounts(pairs.range, width));

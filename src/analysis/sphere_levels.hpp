@@ -42,36 +42,37 @@ public:
         template <class Visit>
         void forEachRange(const Eigen::Vector3d& p, double reach, Visit&& visit) const
         {
-            const auto low = frame.coordinates(p.array() - reach);
-            const auto high = frame.coordinates(p.array() + reach);
+            const double far = reach * (1 + 1e-9) + 1e-9 * frame.cell; // rounding may take some
+            const auto low = frame.coordinates(p.array() - far);
+            const auto high = frame.coordinates(p.array() + far);
             for (int z = low[2]; z <= high[2]; ++z)
             {
+                const double away = far * far - squareToRow(p, z, 2);
                 for (int y = low[1]; y <= high[1]; ++y)
                 {
-                    if (isRowNear(p, y, z, reach))
+                    const double square = away - squareToRow(p, y, 1);
+                    if (square >= 0)
                     {
-                        visit(starts[frame.index(low[0], y, z)],
-                              starts[frame.index(high[0], y, z) + 1]);
+                        const double along = std::sqrt(square);
+                        const std::size_t row = frame.index(0, y, z);
+                        visit(starts[row + frame.coordinate(p.x() - along, 0)],
+                              starts[row + frame.coordinate(p.x() + along, 0) + 1]);
                     }
                 }
             }
         }
 
     private:
-        /// Points beyond the grid belong to its border, so border rows have no outer side.
-        [[nodiscard]] bool isRowNear(const Eigen::Vector3d& p, int y, int z, double reach) const
+        /// Square of the distance along an axis to the cells of that coordinate. Points beyond the
+        /// grid belong to its border, so border cells have no outer side.
+        [[nodiscard]] double squareToRow(const Eigen::Vector3d& p, int cell, int axis) const
         {
-            const auto gap = [&](int cell, int axis)
-            {
-                const double low = frame.origin[axis] + frame.cell * cell;
-                const double below = cell > 0 ? low - p[axis] : 0;
-                const double above = cell + 1 < frame.count[static_cast<std::size_t>(axis)]
-                                         ? p[axis] - low - frame.cell
-                                         : 0;
-                return std::max({0.0, below, above});
-            };
-            const double far = reach * (1 + 1e-9) + 1e-9 * frame.cell; // rounding may take some
-            return gap(y, 1) * gap(y, 1) + gap(z, 2) * gap(z, 2) <= far * far;
+            const double low = frame.origin[axis] + frame.cell * cell;
+            const bool isLast = cell + 1 == frame.count[static_cast<std::size_t>(axis)];
+            const double below = cell > 0 ? low - p[axis] : 0;
+            const double above = isLast ? 0 : p[axis] - low - frame.cell;
+            const double gap = std::max({0.0, below, above});
+            return gap * gap;
         }
     };
 

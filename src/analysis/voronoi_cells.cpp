@@ -14,13 +14,15 @@ namespace
 
 /// A cell is first known up to so far from the surface of its sphere [mean diameter]. Larger: more
 /// neighbours than bound a cell. Smaller: many cells are made twice.
-constexpr double kFirstReach = 0.7;
+constexpr double kFirstReach = 0.6;
+/// And then so many times as far. Likewise.
+constexpr double kNextReach = 1.5;
 /// A cell that reaches farther is open. [mean diameter, or distance of neighbours in a regular
 /// packing of the same density] Larger: spheres at a free surface take long. Smaller: cells in
 /// loose packings do not count.
 constexpr double kFarthest = 8;
 /// Planes between two looks at how large the cell still is.
-constexpr int kLookEvery = 4;
+constexpr int kLookEvery = 2;
 
 /// Makes cells one after another. voro++'s tolerances are lengths, so all is in mean diameters.
 class CellMaker
@@ -34,7 +36,7 @@ public:
     /// The kind of a cell and its volume [mesh unit].
     std::pair<CellKind, double> make(std::size_t k)
     {
-        for (double reach = input_.radii[k] / unit_ + kFirstReach; reach < farthest_; reach *= 2)
+        for (double reach = input_.radii[k] / unit_ + kFirstReach; reach < farthest_; reach *= kNextReach)
         {
             gather(k, reach);
             if (holdsNearestWall(k, reach))
@@ -82,21 +84,30 @@ private:
     void gather(std::size_t k, double reach)
     {
         const double radius = input_.radii[k] / unit_;
-        const auto restOf = [&](double its)
-        { return radius * radius - its / unit_ * (its / unit_); };
+        const double perUnit = 1 / unit_;
         near_.clear();
-        input_.levels.forEachNear(
-            input_.centres[k],
-            [&](double largest) { return farthestNeighbour(reach, restOf(largest)) * unit_; },
-            [&](std::uint32_t id, const Eigen::Vector3d& centre, double its)
-            {
-                const Eigen::Vector3d apart = (centre - input_.centres[k]) / unit_;
-                const double limit = farthestNeighbour(reach, restOf(its));
-                if (id != k && apart.squaredNorm() <= limit * limit)
-                {
-                    near_.push_back({apart.squaredNorm(), id, restOf(its), apart});
-                }
-            });
+        for (const SphereLevels::Level& level : input_.levels.levels())
+        {
+            const double largest = level.largest * perUnit;
+            const double limit = farthestNeighbour(reach, radius * radius - largest * largest);
+            level.forEachRange(input_.centres[k], limit * unit_,
+                               [&](std::uint32_t first, std::uint32_t end)
+                               {
+                                   for (std::uint32_t place = first; place < end; ++place)
+                                   {
+                                       const SphereLevels::Sphere& other = level.spheres[place];
+                                       const Eigen::Vector3d apart =
+                                           (other.centre - input_.centres[k]) * perUnit;
+                                       const double square = apart.squaredNorm();
+                                       if (square <= limit * limit && level.ids[place] != k)
+                                       {
+                                           const double its = other.radius * perUnit;
+                                           near_.push_back({square, level.ids[place],
+                                                            radius * radius - its * its, apart});
+                                       }
+                                   }
+                               });
+        }
         std::sort(near_.begin(), near_.end(),
                   [](const Neighbour& a, const Neighbour& b)
                   { return std::pair(a.square, a.id) < std::pair(b.square, b.id); });
@@ -194,7 +205,7 @@ CellStatistics findCells(const AnalysisInput& input)
         [&](std::size_t first, std::size_t end, std::size_t)
         {
             const auto maker = std::make_unique<CellMaker>(input, farthest);
-            for (std::size_t k = first; k < end; ++k)
+            for (const std::uint32_t k : input.levels.order().subspan(first, end - first))
             {
                 std::tie(cells.kinds[k], cells.volumes[k]) = maker->make(k);
                 cells.fractions[k] = ballVolume(input.radii[k]) / cells.volumes[k];

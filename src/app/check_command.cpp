@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands.hpp"
+#include "app/packing_mesh.hpp"
 #include "app/progress/message.hpp"
 #include "app/scene_options.hpp"
 #include "run/run_files.hpp"
@@ -29,9 +30,6 @@ constexpr const char* kCheckExamples = R"(Examples:
   frostfill check packing.csv --mesh part.stl --up z --max-overlap 0.01
   frostfill check dump.lammpstrj --mesh box.stl --json
   frostfill check output/torus --judge-friction 0.3           does it stand as a whole?
-
-FILE is the directory of a run, a run.frost, a table with columns x, y, z and radius (CSV, or
-separated by semicolons or spaces), extended XYZ, or a LAMMPS dump; of several moments the last.
 )";
 
 struct CheckArguments
@@ -44,27 +42,6 @@ struct CheckArguments
     bool json = false;
     GivenOptions given;
 };
-
-TriangleMesh meshOf(const CheckArguments& arguments, const Packing& packing, const Scene& scene)
-{
-    if (!arguments.mesh.empty())
-    {
-        LoadedMesh loaded = loadMesh(arguments.mesh, scene.object.load);
-        for (const std::string& repair : loaded.repairs)
-        {
-            say(fmt::format("repaired: {}\n", repair));
-        }
-        return std::move(loaded.mesh);
-    }
-    if (!packing.mesh)
-    {
-        throw Error(ErrorCode::usage,
-                    fmt::format("'{}' has spheres and no mesh: give the one they are in with "
-                                "--mesh",
-                                arguments.file));
-    }
-    return *packing.mesh;
-}
 
 /// What is more than it may be, each in a few words.
 std::vector<std::string> exceeded(const CheckArguments& arguments, const QualityReport& quality)
@@ -161,7 +138,7 @@ int check(const CheckArguments& arguments)
                     "--max-unbalanced and --judge-unbalance need a friction under "
                     "which spheres are balanced: give --judge-friction");
     }
-    const TriangleMesh mesh = meshOf(arguments, packing, scene);
+    const TriangleMesh mesh = meshOf(packing, arguments.file, arguments.mesh, scene.object.load);
     const QualityReport quality = judgePacking(mesh, packing, scene.object.up, scene.judge);
     const std::vector<std::string> faults = exceeded(arguments, quality);
     if (arguments.json)
@@ -188,12 +165,9 @@ Command addCheckCommand(CLI::App& program)
     CLI::App* command = program.add_subcommand(
         "check",
         "Judge a packing from any program: overlaps, walls, centres outside, support, balance");
-    command->footer(kCheckExamples);
+    command->footer(std::string(kCheckExamples) + kPackingFiles);
     command->add_option("FILE", arguments->file, "The packing")->required();
-    command
-        ->add_option("--mesh", arguments->mesh,
-                     "The mesh it is in: a file, or torus, sphere, cube, human (that of the run)")
-        ->type_name("MESH");
+    addPackingMeshOption(*command, arguments->mesh);
     addCheckOptions(*command, arguments->given);
     const auto limit = [&](const char* flag, auto& value, const char* help, const char* type)
     { command->add_option(flag, value, help)->check(CLI::NonNegativeNumber)->type_name(type); };

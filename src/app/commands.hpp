@@ -13,6 +13,7 @@ namespace frostfill
 using Command = std::function<int()>;
 
 /// Each function adds a command to the program and returns the function that runs it.
+Command addAnalyseCommand(CLI::App& program);
 Command addBenchCommand(CLI::App& program);
 Command addCheckCommand(CLI::App& program);
 Command addExportCommand(CLI::App& program);

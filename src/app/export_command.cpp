@@ -2,7 +2,7 @@
 #include "app/commands.hpp"
 #include "app/export_files.hpp"
 #include "app/progress/stop_signals.hpp"
-#include "app/shell_text.hpp"
+#include "app/text/shell_text.hpp"
 
 #include <frostfill/export.hpp>
 

@@ -8,7 +8,7 @@
 #include "app/progress/progress.hpp"
 #include "app/progress/stop_signals.hpp"
 #include "app/scene_options.hpp"
-#include "app/shell_text.hpp"
+#include "app/text/shell_text.hpp"
 #include "app/view_text.hpp"
 #include "run/recording.hpp"
 #include "run/resume.hpp"

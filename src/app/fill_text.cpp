@@ -2,7 +2,7 @@
 #include "app/fill_text.hpp"
 
 #include "app/progress/message.hpp"
-#include "app/reach_text.hpp"
+#include "app/text/reach_text.hpp"
 
 #include <fmt/format.h>
 

@@ -33,6 +33,7 @@ constexpr const char* kUsage = R"(Examples:
   frostfill fps                           frames per second, the paper's and ours
   frostfill mesh bunny.stl                inspect a mesh
   frostfill check packing.csv --mesh part.stl   judge a packing from any program
+  frostfill analyse output/torus          porosity, neighbours, contacts, cells, order
   frostfill COMMAND --help                all options of a command
 )";
 
@@ -159,6 +160,7 @@ int run(int argumentCount, char** arguments)
     commands.emplace_back("fps", addFpsCommand(program));
     commands.emplace_back("bench", addBenchCommand(program));
     commands.emplace_back("check", addCheckCommand(program));
+    commands.emplace_back("analyse", addAnalyseCommand(program));
     commands.emplace_back("figures", addFiguresCommand(program));
     commands.emplace_back("export", addExportCommand(program));
     commands.emplace_back("import", addImportCommand(program));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands.hpp"
 #include "app/load_effects.hpp"
-#include "app/reach_text.hpp"
 #include "app/scene_options.hpp"
+#include "app/text/reach_text.hpp"
 
 #include <frostfill/error.hpp>
 #include <frostfill/mesh.hpp>

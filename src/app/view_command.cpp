@@ -2,7 +2,7 @@
 #include "app/commands.hpp"
 #include "app/progress/message.hpp"
 #include "app/progress/stop_signals.hpp"
-#include "app/shell_text.hpp"
+#include "app/text/shell_text.hpp"
 #include "app/view_text.hpp"
 
 #include <frostfill/error.hpp>

@@ -4,7 +4,7 @@
 #include "app/progress/message.hpp"
 #include "app/progress/progress.hpp"
 #include "app/progress/stop_signals.hpp"
-#include "app/shell_text.hpp"
+#include "app/text/shell_text.hpp"
 
 #include <fmt/format.h>
 

@@ -91,8 +91,9 @@ room(study/figures ${below} study study/error study/fps study/operations study/p
 # The command line stands where any program stands: on the public headers, and on run and study.
 room(app/help)
 room(app/progress run)
-room(app app/help app/progress run page sweep study study/error study/figures study/fps study/operations study/peers study/stability)
-set(sees_all_public_headers app app/help app/progress)
+room(app/text)
+room(app app/help app/progress app/text run page sweep study study/error study/figures study/fps study/operations study/peers study/stability)
+set(sees_all_public_headers app app/help app/progress app/text)
 
 set(common error measure)
 # The public headers that are not named after their room.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/shell_text.hpp"
+#include "app/text/shell_text.hpp"
 
 #include <fmt/format.h>
 

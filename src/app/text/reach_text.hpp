@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Room: what commands say of what the library found, as text.
 #pragma once
 
 #include <frostfill/simulation.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/reach_text.hpp"
+#include "app/text/reach_text.hpp"
 
 #include <fmt/format.h>
 

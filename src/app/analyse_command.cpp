@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: MIT
+#include "app/commands.hpp"
+#include "app/packing_mesh.hpp"
+#include "app/progress/message.hpp"
+#include "app/scene_options.hpp"
+#include "study/figures/analysis_figures.hpp"
+
+#include <frostfill/analysis.hpp>
+#include <frostfill/error.hpp>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace frostfill
+{
+namespace
+{
+
+constexpr const char* kAnalyseExamples = R"(Examples:
+  frostfill analyse output/torus                      tables in output/torus/analysis
+  frostfill analyse packing.csv --mesh part.stl --up z --figures
+  frostfill analyse dump.lammpstrj --mesh tube.stl --only porosity,pairs --json
+)";
+
+struct AnalyseArguments
+{
+    std::string file;
+    std::string mesh;
+    double radius = 0;
+    AnalysisSettings settings;
+    std::vector<double> centre;
+    std::vector<std::string> only;
+    std::string out;
+    bool figures = false;
+    bool json = false;
+    bool overwrite = false;
+    bool quiet = false;
+    GivenOptions given;
+};
+
+/// In or beside a run; of a file of others, where runs are.
+std::filesystem::path folderOf(const AnalyseArguments& arguments, const Packing& packing)
+{
+    if (!arguments.out.empty())
+    {
+        return arguments.out;
+    }
+    const std::filesystem::path file = arguments.file;
+    if (std::filesystem::is_directory(file))
+    {
+        return file / "analysis";
+    }
+    return packing.mesh ? file.parent_path() / "analysis"
+                        : std::filesystem::path("output") / ("analysis-" + file.stem().string());
+}
+
+AnalysisKind kindOf(const std::string& name)
+{
+    const std::vector<std::string>& names = analysisNames();
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end())
+    {
+        throw Error(ErrorCode::usage, fmt::format("--only: there is no analysis '{}'; there are {}",
+                                                  name, fmt::join(names, ", ")));
+    }
+    return static_cast<AnalysisKind>(found - names.begin());
+}
+
+AnalysisSettings settingsOf(const AnalyseArguments& arguments)
+{
+    AnalysisSettings settings = arguments.settings;
+    for (const std::string& name : arguments.only)
+    {
+        settings.only.push_back(kindOf(name));
+    }
+    if (!arguments.centre.empty())
+    {
+        settings.centre =
+            Eigen::Vector3d(arguments.centre[0], arguments.centre[1], arguments.centre[2]);
+    }
+    return settings;
+}
+
+void row(const char* what, const std::string& value)
+{
+    fmt::print("{:<30} {}\n", what, value);
+}
+
+/// A number, or that there is none.
+std::string textOf(double value)
+{
+    return std::isfinite(value) ? fmt::format("{:.5g}", value)
+                                : "none: no sphere is far enough "
+                                  "from walls";
+}
+
+void printPorosity(const PorosityProfiles& porosity)
+{
+    row("porosity",
+        fmt::format("{:.5f} +- {:.5f} by samples", porosity.whole.porosity, porosity.whole.error));
+    if (porosity.bulk)
+    {
+        row("porosity of the bulk",
+            fmt::format("{:.5f} +- {:.5f} beyond {:.4g} from walls", porosity.bulk->porosity,
+                        porosity.bulk->error, porosity.bulk->from));
+    }
+}
+
+void printTable(const PackingAnalysis& analysis)
+{
+    row("spheres", fmt::format("{}", analysis.ids.size()));
+    if (analysis.outside + analysis.notFinite > 0)
+    {
+        row("left out", fmt::format("{} outside the mesh, {} whose place is no number",
+                                    analysis.outside, analysis.notFinite));
+    }
+    row("volume of the spheres", fmt::format("{:.6g}, {:.2f} % of the mesh", analysis.sphereVolume,
+                                             100 * analysis.sphereVolume / analysis.meshVolume));
+    if (analysis.porosity)
+    {
+        printPorosity(*analysis.porosity);
+    }
+    if (analysis.pairs)
+    {
+        row("g(r)", fmt::format("up to {:.4g}, of {} spheres", analysis.pairs->range,
+                                analysis.pairs->centres));
+    }
+    if (analysis.contacts)
+    {
+        row("contacts with spheres", fmt::format("{:.4f}", analysis.contacts->mean));
+        row("  away from walls", textOf(analysis.contacts->meanInside));
+        row("  without rattlers", fmt::format("{:.4f}; {} rattle", analysis.contacts->meanHeld,
+                                              analysis.contacts->rattlers));
+    }
+    if (analysis.cells)
+    {
+        row("Voronoi cells",
+            fmt::format("{} whole, {} cut by walls, {} open", analysis.cells->whole,
+                        analysis.cells->atWall, analysis.cells->open));
+        row("  packing fraction in them", textOf(analysis.cells->fraction));
+    }
+    if (analysis.order)
+    {
+        row("Q6", fmt::format("{} of a sphere, {} of all", textOf(analysis.order->mean),
+                              textOf(analysis.order->global)));
+    }
+    if (analysis.sizes && std::isfinite(analysis.sizes->withHeight))
+    {
+        row("correlation of radius with",
+            fmt::format("height {:.3f}, distance from the axis {:.3f}", analysis.sizes->withHeight,
+                        analysis.sizes->withRadial));
+    }
+}
+
+void refuseToReplace(const std::filesystem::path& folder)
+{
+    if (std::filesystem::exists(folder / "summary.json"))
+    {
+        throw Error(ErrorCode::cannotCreate,
+                    fmt::format("'{}' is there already; give --overwrite, or another --out",
+                                (folder / "summary.json").string()));
+    }
+}
+
+int analyse(const AnalyseArguments& arguments)
+{
+    AnalysisSettings settings = settingsOf(arguments);
+    const Packing packing = readPacking(arguments.file, arguments.radius);
+    Scene scene;
+    scene.object.up = packing.up.value_or(scene.object.up);
+    applyGivenOptions(arguments.given, scene);
+    settings.up = scene.object.up;
+    const std::filesystem::path folder = folderOf(arguments, packing);
+    if (!arguments.overwrite)
+    {
+        refuseToReplace(folder);
+    }
+    if (arguments.figures)
+    {
+        requireGnuplot();
+    }
+    const PackingAnalysis analysis = analysePacking(
+        meshOf(packing, arguments.file, arguments.mesh, scene.object.load), packing, settings);
+    const std::vector<std::string> names = writeAnalysis(analysis, folder);
+    if (arguments.figures)
+    {
+        drawAnalysis(folder, names);
+    }
+    if (arguments.json)
+    {
+        fmt::print("{}", analysisSummary(analysis));
+    }
+    else if (!arguments.quiet)
+    {
+        printTable(analysis);
+        fmt::print("tables in {}\n", folder.string());
+    }
+    if (settings.only.empty() && !analysis.cells && !arguments.quiet)
+    {
+        say(fmt::format("left out: {}\n", missingVoronoiCells()));
+    }
+    return 0;
+}
+
+void addSettings(CLI::App& command, AnalyseArguments& arguments)
+{
+    AnalysisSettings& settings = arguments.settings;
+    const auto add = [&](const char* flag, auto& value, const char* help, const char* type)
+    { return command.add_option(flag, value, help)->type_name(type); };
+    add("--only", arguments.only,
+        "Only these, separated by commas: porosity, pairs, contacts, cells, order, sizes", "NAMES")
+        ->delimiter(',');
+    add("--centre", arguments.centre,
+        "A point of the axis of radial profiles (the middle of the mesh's box)", "X,Y,Z")
+        ->delimiter(',')
+        ->expected(3);
+    add("--bins", settings.bins, "Bins of a profile along or about the axis (50)", "N");
+    add("--range", settings.range,
+        "How far g(r) and the profile from the wall go, in mean diameters (5)", "X");
+    add("--gap", settings.contactGap, "Gap of two spheres in contact, in smaller radii (0.01)",
+        "X");
+    add("--bond", settings.bondLength,
+        "Distance of two that are bonded for Q6, in sums of their radii (1.3)", "X");
+    add("--rattlers-below", settings.rattlersBelow,
+        "Contacts, those with walls included, that a sphere needs to be held (4)", "N");
+    add("--samples", settings.samples, "Places at which porosity is sampled (1048576)", "N");
+    add("--threads", settings.threads, "Threads; 0: one for each core (0)", "N");
+}
+
+} // namespace
+
+Command addAnalyseCommand(CLI::App& program)
+{
+    const auto arguments = std::make_shared<AnalyseArguments>();
+    CLI::App* command = program.add_subcommand(
+        "analyse",
+        "Analyse a packing from any program: porosity, g(r), contacts, Voronoi cells, Q6, "
+        "sizes");
+    command->footer(std::string(kAnalyseExamples) + kPackingFiles);
+    command->add_option("FILE", arguments->file, "The packing")->required();
+    addPackingMeshOption(*command, arguments->mesh);
+    addUpOption(*command, arguments->given);
+    addLoadOptions(*command, arguments->given);
+    command
+        ->add_option("--radius", arguments->radius, "Radius of all spheres of a file without radii")
+        ->check(CLI::NonNegativeNumber)
+        ->type_name("R");
+    addSettings(*command, *arguments);
+    command
+        ->add_option("--out", arguments->out,
+                     "Folder of the tables (analysis, in the run, or output/analysis-NAME)")
+        ->type_name("DIR");
+    command->add_flag("--figures", arguments->figures,
+                      "Draw a figure of each analysis with gnuplot");
+    command->add_flag("--json", arguments->json, "Print summary.json");
+    command->add_flag("--overwrite", arguments->overwrite, "Replace an earlier analysis");
+    command->add_flag("--quiet", arguments->quiet, "Print nothing but errors");
+    return [arguments] { return analyse(*arguments); };
+}
+
+} // namespace frostfill
