@@ -99,6 +99,25 @@ std::vector<double> readNumbers(py::handle value, const char* name)
     return {numbers.data(), numbers.data() + numbers.size()};
 }
 
+std::vector<double> readRadii(const py::object& radii, std::size_t count)
+{
+    py::array array = py::array::ensure(radii);
+    PyErr_Clear();
+    if (array && array.ndim() == 0 && !radii.is_none())
+    {
+        return std::vector<double>(count, readNumbers(array.reshape({1}), "radii").front());
+    }
+    std::vector<double> numbers = readNumbers(radii, "radii");
+    if (numbers.size() != count)
+    {
+        throw Error(ErrorCode::usage,
+                    fmt::format("there are {} centres and {} radii: give one radius for each, or "
+                                "one number for all",
+                                count, numbers.size()));
+    }
+    return numbers;
+}
+
 TriangleMesh readMesh(py::handle vertices, py::handle triangles)
 {
     constexpr const char* kWanted = "an array of whole numbers of shape (n, 3)";

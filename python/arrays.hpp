@@ -16,6 +16,8 @@ namespace frostfill::python
 /// layout and any type of number. `name` is for messages. Throw Error usage for anything else.
 [[nodiscard]] std::vector<Eigen::Vector3d> readPoints(pybind11::handle value, const char* name);
 [[nodiscard]] std::vector<double> readNumbers(pybind11::handle value, const char* name);
+/// One radius for all spheres, or one each.
+[[nodiscard]] std::vector<double> readRadii(const pybind11::object& radii, std::size_t count);
 /// [#V x 3] and [#T x 3]. Throws Error usage for an index without a vertex as well.
 [[nodiscard]] TriangleMesh readMesh(pybind11::handle vertices, pybind11::handle triangles);
 

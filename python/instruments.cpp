@@ -17,26 +17,6 @@ namespace frostfill::python
 namespace
 {
 
-/// One radius for all, or one each.
-std::vector<double> radiiOf(const py::object& radii, std::size_t count)
-{
-    py::array array = py::array::ensure(radii);
-    PyErr_Clear();
-    if (array && array.ndim() == 0 && !radii.is_none())
-    {
-        return std::vector<double>(count, readNumbers(array.reshape({1}), "radii").front());
-    }
-    std::vector<double> numbers = readNumbers(radii, "radii");
-    if (numbers.size() != count)
-    {
-        throw Error(ErrorCode::usage,
-                    fmt::format("there are {} centres and {} radii: give one radius for each, or "
-                                "one number for all",
-                                count, numbers.size()));
-    }
-    return numbers;
-}
-
 QualityReport check(const py::object& centres, const py::object& radii, const py::object& mesh,
                     const py::object& vertices, const py::object& triangles,
                     const py::object& atRest, const py::kwargs& keywords)
@@ -45,7 +25,7 @@ QualityReport check(const py::object& centres, const py::object& radii, const py
     GivenKeywords(keywords, OptionUse::judging, "check").apply(scene);
     Packing packing;
     packing.centres = readPoints(centres, "centres");
-    packing.radii = radiiOf(radii, packing.centres.size());
+    packing.radii = readRadii(radii, packing.centres.size());
     packing.atRest.assign(packing.centres.size(), true);
     if (!atRest.is_none())
     {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What Python cannot do itself, over the public headers. Python's side is frostfill/__init__.py.
+#include "analysis.hpp"
 #include "errors.hpp"
 #include "instruments.hpp"
 #include "keywords.hpp"
@@ -25,4 +26,5 @@ PYBIND11_MODULE(_frostfill, module)
     addRun(module);
     addPictures(module);
     addInstruments(module);
+    addAnalysis(module);
 }

@@ -111,8 +111,11 @@ Cflags: -I${includedir}
 endfunction()
 frostfill_pkg_config(frostfill-core "Frostfill's meshes, scenes and simulation (static)" frostfill_core
     "eigen3, assimp, fmt, tomlplusplus")
+if(FROSTFILL_VORO)
+    set(voro -l${FROSTFILL_VORO})
+endif()
 frostfill_pkg_config(frostfill-render "Frostfill with pictures and files (static)" frostfill_render
-    "frostfill-core, tbb, stb, libdeflate, libisal, libzstd" -lmeshoptimizer)
+    "frostfill-core, tbb, stb, libdeflate, libisal, libzstd" -lmeshoptimizer ${voro})
 if(FROSTFILL_SHARED)
     frostfill_pkg_config(frostfill "Fills a closed mesh with falling spheres and renders it"
         frostfill "eigen3")

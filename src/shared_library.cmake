@@ -32,7 +32,7 @@ target_link_libraries(frostfill_shared
     PUBLIC Eigen3::Eigen
     PRIVATE assimp::assimp fmt::fmt tomlplusplus::tomlplusplus
             meshoptimizer::meshoptimizer TBB::tbb
-            PkgConfig::STB PkgConfig::DEFLATE PkgConfig::ISAL PkgConfig::ZSTD ${CMAKE_DL_LIBS})
+            PkgConfig::STB PkgConfig::DEFLATE PkgConfig::ISAL PkgConfig::ZSTD ${FROSTFILL_VORO} ${CMAKE_DL_LIBS})
 
 install(TARGETS frostfill_shared EXPORT frostfill-shared
     LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library NAMELINK_COMPONENT development)

@@ -28,17 +28,20 @@ enum class AnalysisKind : std::uint8_t
 
 /// The words of --only, in the order of AnalysisKind.
 [[nodiscard]] const std::vector<std::string>& analysisNames();
+/// Throws Error usage, with all of them, for another word.
+[[nodiscard]] AnalysisKind analysisKind(const std::string& name);
 
 struct AnalysisSettings
 {
     Axis up = Axis::y; ///< of the profiles
     /// A point of the axis of the radial profiles [mesh unit]; none: the middle of the mesh's box.
     std::optional<Eigen::Vector3d> centre = {};
-    std::size_t bins = 50;           ///< of each profile along and about the axis
-    double range = 5;                ///< [mean diameter] of g(r) and of the distance from the wall
-    double contactGap = 0.01;        ///< [smaller radius] below which a gap is a contact
-    double bondLength = 1.3;         ///< [sum of both radii] up to which two are bonded, for Q6
-    std::uint32_t rattlersBelow = 4; ///< contacts, walls included, that a sphere needs to be held
+    std::size_t bins = 50;    ///< of each profile along and about the axis
+    double range = 5;         ///< [mean diameter] of g(r) and of the distance from the wall
+    double contactGap = 0.01; ///< [smaller radius] below which a gap is a contact
+    double bondLength = 1.3;  ///< [sum of both radii] up to which two are bonded, for Q6
+    /// Contacts, walls included, that a sphere needs to be held: three carry one under gravity.
+    std::uint32_t rattlersBelow = 3;
     std::size_t samples = std::size_t{1} << 20; ///< places at which porosity is sampled
     int threads = 0;                            ///< 0: one for each core; no bit depends on it
     /// Which analyses; none: all, without the cells where they are not built in.
@@ -185,6 +188,9 @@ struct PackingAnalysis
 /// not built in.
 [[nodiscard]] PackingAnalysis analysePacking(const TriangleMesh& mesh, const Packing& packing,
                                              const AnalysisSettings& settings = {});
+
+/// Throws Error cannotCreate, with what to do instead, if a folder holds an analysis, or a run.
+void refuseToReplaceAnalysis(const std::filesystem::path& folder, const char* instead);
 
 /// Writes a table of each analysis, spheres.csv and spheres.vtp with a column for each value of a
 /// sphere, network.vtp with a line for each contact, and summary.json, all into a folder that it

@@ -22,6 +22,7 @@ from ._frostfill import (
     InputMissing,
     MeshReport,
     OutOfMemory,
+    PackingAnalysis,
     Postcondition,
     QualityReport,
     Snapshot,
@@ -33,7 +34,7 @@ from ._frostfill import (
     WriteFailed,
 )
 from ._frostfill import version as __version__
-from ._instruments import Inspection, check, inspect, volume
+from ._instruments import Inspection, analyse, check, inspect, volume
 from ._pictures import Picture
 from ._runs import Run, fill, load
 from ._simulation import Simulation, SphereState
@@ -49,6 +50,8 @@ __all__ = [
     "check",
     "QualityReport",
     "EquilibriumReport",
+    "analyse",
+    "PackingAnalysis",
     "inspect",
     "Inspection",
     "MeshReport",

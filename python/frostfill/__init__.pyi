@@ -623,6 +623,97 @@ class EquilibriumReport:
     def least_friction(self) -> float:
         """with which all but one in a hundred are balanced; inf: none up to 8"""
 
+def analyse(
+        centres: ArrayLike,
+        radii: ArrayLike,
+        vertices: ArrayLike | None = ...,
+        triangles: ArrayLike | None = ...,
+        *,
+        mesh: str | PathLike[str] | None = ...,
+        up: str = ...,
+        centre: ArrayLike | None = ...,
+        bins: int = ...,
+        range: float = ...,
+        gap: float = ...,
+        bond: float = ...,
+        rattlers_below: int = ...,
+        samples: int = ...,
+        only: str | Sequence[str] = ...,
+        threads: int = ...,
+        lid: bool = ...,
+        wrap: float | Literal['auto', 'none'] | None = ...,
+        unite: bool = ...,
+    ) -> PackingAnalysis:
+    """Analyses spheres in a mesh: porosity, neighbours, contacts, Voronoi cells, order and sizes.
+
+    Spheres and mesh as for frostfill.check. The keywords are the options of `frostfill analyse`;
+    only: names, of porosity, pairs, contacts, cells, order and sizes."""
+
+class PackingAnalysis:
+    """What frostfill.analyse found."""
+    @property
+    def ids(self) -> NDArray[numpy.uint32]:
+        """uint32 [n] place in `centres` of each sphere that counts: not outside, and a number"""
+    @property
+    def centres(self) -> NDArray[numpy.float64]:
+        """float64 [n, 3]"""
+    @property
+    def radii(self) -> NDArray[numpy.float64]:
+        """float64 [n]"""
+    @property
+    def wall_distances(self) -> NDArray[numpy.float64]:
+        """float64 [n] from the centre to the wall"""
+    @property
+    def sphere_contacts(self) -> NDArray[numpy.uint32]:
+        """uint32 [n] other spheres that each touches"""
+    @property
+    def wall_contacts(self) -> NDArray[numpy.uint32]:
+        """uint32 [n] pieces of wall that each touches"""
+    @property
+    def rattlers(self) -> NDArray[numpy.uint8]:
+        """uint8 [n] 1 for each that its contacts do not hold"""
+    @property
+    def cells(self) -> NDArray[numpy.uint8]:
+        """uint8 [n] Voronoi cells: 0 whole, 1 cut by a wall, 2 open, 3 none"""
+    @property
+    def cell_volumes(self) -> NDArray[numpy.float64]:
+        """float64 [n] [unit^3] NaN unless whole"""
+    @property
+    def local_fractions(self) -> NDArray[numpy.float64]:
+        """float64 [n] share of the cell that the sphere fills; NaN unless whole"""
+    @property
+    def bonds(self) -> NDArray[numpy.uint32]:
+        """uint32 [n] spheres near enough for Q6"""
+    @property
+    def q6(self) -> NDArray[numpy.float64]:
+        """float64 [n]"""
+    @property
+    def porosity_height(self) -> NDArray[numpy.float64]:
+        """float64 [rows, 5] from, to, porosity, its standard error, volume of the object there"""
+    @property
+    def porosity_radial(self) -> NDArray[numpy.float64]:
+        """float64 [rows, 5] from, to, porosity, its standard error, volume of the object there"""
+    @property
+    def porosity_wall(self) -> NDArray[numpy.float64]:
+        """float64 [rows, 5] from, to, porosity, its standard error, volume of the object there"""
+    @property
+    def sizes_height(self) -> NDArray[numpy.float64]:
+        """float64 [rows, 5] from, to, spheres, mean radius, standard deviation of the radii"""
+    @property
+    def sizes_radial(self) -> NDArray[numpy.float64]:
+        """float64 [rows, 5] from, to, spheres, mean radius, standard deviation of the radii"""
+    @property
+    def pairs(self) -> NDArray[numpy.float64]:
+        """float64 [rows, 4] from, to, g(r), neighbours up to `to`"""
+    @property
+    def network(self) -> NDArray[numpy.float64]:
+        """float64 [contacts, 3] rows of the two spheres in the lists, and the gap between them"""
+    @property
+    def summary(self) -> dict:
+        """what summary.json holds: means, counts and settings"""
+    def save(self, folder: Any, overwrite: bool = False) -> List[str]:
+        """Writes the tables, the files for ParaView and summary.json into a folder, as the command does, and returns their names."""
+
 def inspect(
         mesh: str | PathLike[str] | None = ...,
         *,

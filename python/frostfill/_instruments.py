@@ -1,15 +1,16 @@
 # SPDX-License-Identifier: MIT
-"""The judge of packings, the inspection of meshes, and volumes from fillings."""
+"""The judge of packings, their analyses, the inspection of meshes, and volumes from fillings."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from os import PathLike
 from typing import NamedTuple
 
 from numpy.typing import ArrayLike
 
 from . import _frostfill
-from ._frostfill import MeshReport, QualityReport, VolumeEstimate
+from ._frostfill import MeshReport, PackingAnalysis, QualityReport, VolumeEstimate
 from ._keywords import takes_options
 
 
@@ -35,6 +36,50 @@ def check(
     (0.333333, 0)
     """
     return _frostfill.check(centres, radii, mesh, vertices, triangles, at_rest, **options)
+
+
+@takes_options("loading")
+def analyse(
+    centres: ArrayLike,
+    radii: ArrayLike,
+    vertices: ArrayLike | None = None,
+    triangles: ArrayLike | None = None,
+    *,
+    mesh: str | PathLike[str] | None = None,
+    up: str = "y",
+    centre: ArrayLike | None = None,
+    bins: int = 50,
+    range: float = 5,
+    gap: float = 0.01,
+    bond: float = 1.3,
+    rattlers_below: int = 3,
+    samples: int = 1 << 20,
+    only: str | Sequence[str] = (),
+    threads: int = 0,
+    **options,
+) -> PackingAnalysis:
+    """Analyses spheres in a mesh: porosity, neighbours, contacts, Voronoi cells, order and sizes.
+
+    Spheres and mesh as for frostfill.check. The keywords are the options of `frostfill analyse`;
+    only: names, of porosity, pairs, contacts, cells, order and sizes.
+
+    >>> found = analyse([[0, 0, 0], [0.5, 0, 0]], 0.25, mesh="cube", samples=1000)
+    >>> found.sphere_contacts, found.summary["contacts"]["pairs"]
+    (array([1, 1], dtype=uint32), 1)
+    """
+    given = {
+        "up": up,
+        "centre": centre,
+        "bins": bins,
+        "range": range,
+        "gap": gap,
+        "bond": bond,
+        "rattlers_below": rattlers_below,
+        "samples": samples,
+        "only": [only] if isinstance(only, str) else list(only),
+        "threads": threads,
+    }
+    return _frostfill.analyse(centres, radii, mesh, vertices, triangles, given, **options)
 
 
 class Inspection(NamedTuple):

@@ -4,6 +4,7 @@
 #include <frostfill/error.hpp>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <utility>
@@ -139,6 +140,18 @@ const std::vector<std::string>& analysisNames()
     static const std::vector<std::string> names = {"porosity", "pairs", "contacts",
                                                    "cells",    "order", "sizes"};
     return names;
+}
+
+AnalysisKind analysisKind(const std::string& name)
+{
+    const std::vector<std::string>& names = analysisNames();
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end())
+    {
+        throw Error(ErrorCode::usage, fmt::format("there is no analysis '{}'; there are {}", name,
+                                                  fmt::join(names, ", ")));
+    }
+    return static_cast<AnalysisKind>(found - names.begin());
 }
 
 const char* missingVoronoiCells()

@@ -36,7 +36,8 @@ public:
     /// The kind of a cell and its volume [mesh unit].
     std::pair<CellKind, double> make(std::size_t k)
     {
-        for (double reach = input_.radii[k] / unit_ + kFirstReach; reach < farthest_; reach *= kNextReach)
+        for (double reach = input_.radii[k] / unit_ + kFirstReach; reach < farthest_;
+             reach *= kNextReach)
         {
             gather(k, reach);
             if (holdsNearestWall(k, reach))

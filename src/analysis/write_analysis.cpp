@@ -4,6 +4,8 @@
 #include "output/atomic_file.hpp"
 #include "output/column_text.hpp"
 
+#include <frostfill/error.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -164,6 +166,16 @@ void writeSpheres(Tables& tables, const PackingAnalysis& analysis)
 }
 
 } // namespace
+
+void refuseToReplaceAnalysis(const std::filesystem::path& folder, const char* instead)
+{
+    const std::filesystem::path summary = folder / "summary.json";
+    if (std::filesystem::exists(std::filesystem::symlink_status(summary)))
+    {
+        throw Error(ErrorCode::cannotCreate,
+                    fmt::format("'{}' is there already; {}", summary.string(), instead));
+    }
+}
 
 std::vector<std::string> writeAnalysis(const PackingAnalysis& analysis,
                                        const std::filesystem::path& folder)

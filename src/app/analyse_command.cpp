@@ -12,9 +12,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <cmath>
 #include <memory>
+#include <type_traits>
 
 namespace frostfill
 {
@@ -59,24 +59,12 @@ std::filesystem::path folderOf(const AnalyseArguments& arguments, const Packing&
                         : std::filesystem::path("output") / ("analysis-" + file.stem().string());
 }
 
-AnalysisKind kindOf(const std::string& name)
-{
-    const std::vector<std::string>& names = analysisNames();
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end())
-    {
-        throw Error(ErrorCode::usage, fmt::format("--only: there is no analysis '{}'; there are {}",
-                                                  name, fmt::join(names, ", ")));
-    }
-    return static_cast<AnalysisKind>(found - names.begin());
-}
-
 AnalysisSettings settingsOf(const AnalyseArguments& arguments)
 {
     AnalysisSettings settings = arguments.settings;
     for (const std::string& name : arguments.only)
     {
-        settings.only.push_back(kindOf(name));
+        settings.only.push_back(analysisKind(name));
     }
     if (!arguments.centre.empty())
     {
@@ -86,7 +74,7 @@ AnalysisSettings settingsOf(const AnalyseArguments& arguments)
     return settings;
 }
 
-void row(const char* what, const std::string& value)
+void printRow(const char* what, const std::string& value)
 {
     fmt::print("{:<30} {}\n", what, value);
 }
@@ -101,69 +89,60 @@ std::string textOf(double value)
 
 void printPorosity(const PorosityProfiles& porosity)
 {
-    row("porosity",
-        fmt::format("{:.5f} +- {:.5f} by samples", porosity.whole.porosity, porosity.whole.error));
+    printRow("porosity", fmt::format("{:.5f} +- {:.5f} by samples", porosity.whole.porosity,
+                                     porosity.whole.error));
     if (porosity.bulk)
     {
-        row("porosity of the bulk",
-            fmt::format("{:.5f} +- {:.5f} beyond {:.4g} from walls", porosity.bulk->porosity,
-                        porosity.bulk->error, porosity.bulk->from));
+        printRow("porosity of the bulk",
+                 fmt::format("{:.5f} +- {:.5f} beyond {:.4g} from walls", porosity.bulk->porosity,
+                             porosity.bulk->error, porosity.bulk->from));
     }
 }
 
 void printTable(const PackingAnalysis& analysis)
 {
-    row("spheres", fmt::format("{}", analysis.ids.size()));
+    printRow("spheres", fmt::format("{}", analysis.ids.size()));
     if (analysis.outside + analysis.notFinite > 0)
     {
-        row("left out", fmt::format("{} outside the mesh, {} whose place is no number",
-                                    analysis.outside, analysis.notFinite));
+        printRow("left out", fmt::format("{} outside the mesh, {} whose place is no number",
+                                         analysis.outside, analysis.notFinite));
     }
-    row("volume of the spheres", fmt::format("{:.6g}, {:.2f} % of the mesh", analysis.sphereVolume,
-                                             100 * analysis.sphereVolume / analysis.meshVolume));
+    printRow("volume of the spheres",
+             fmt::format("{:.6g}, {:.2f} % of the mesh", analysis.sphereVolume,
+                         100 * analysis.sphereVolume / analysis.meshVolume));
     if (analysis.porosity)
     {
         printPorosity(*analysis.porosity);
     }
     if (analysis.pairs)
     {
-        row("g(r)", fmt::format("up to {:.4g}, of {} spheres", analysis.pairs->range,
-                                analysis.pairs->centres));
+        printRow("g(r)", fmt::format("up to {:.4g}, of {} spheres", analysis.pairs->range,
+                                     analysis.pairs->centres));
     }
     if (analysis.contacts)
     {
-        row("contacts with spheres", fmt::format("{:.4f}", analysis.contacts->mean));
-        row("  away from walls", textOf(analysis.contacts->meanInside));
-        row("  without rattlers", fmt::format("{:.4f}; {} rattle", analysis.contacts->meanHeld,
-                                              analysis.contacts->rattlers));
+        printRow("contacts with spheres", fmt::format("{:.4f}", analysis.contacts->mean));
+        printRow("  away from walls", textOf(analysis.contacts->meanInside));
+        printRow("  without rattlers", fmt::format("{:.4f}; {} rattle", analysis.contacts->meanHeld,
+                                                   analysis.contacts->rattlers));
     }
     if (analysis.cells)
     {
-        row("Voronoi cells",
-            fmt::format("{} whole, {} cut by walls, {} open", analysis.cells->whole,
-                        analysis.cells->atWall, analysis.cells->open));
-        row("  packing fraction in them", textOf(analysis.cells->fraction));
+        printRow("Voronoi cells",
+                 fmt::format("{} whole, {} cut by walls, {} open", analysis.cells->whole,
+                             analysis.cells->atWall, analysis.cells->open));
+        printRow("  packing fraction in them", textOf(analysis.cells->fraction));
     }
     if (analysis.order)
     {
-        row("Q6", fmt::format("{} of a sphere, {} of all", textOf(analysis.order->mean),
-                              textOf(analysis.order->global)));
+        printRow("Q6", fmt::format("{} of a sphere, {} of all", textOf(analysis.order->mean),
+                                   textOf(analysis.order->global)));
     }
     if (analysis.sizes && std::isfinite(analysis.sizes->withHeight))
     {
-        row("correlation of radius with",
-            fmt::format("height {:.3f}, distance from the axis {:.3f}", analysis.sizes->withHeight,
-                        analysis.sizes->withRadial));
-    }
-}
-
-void refuseToReplace(const std::filesystem::path& folder)
-{
-    if (std::filesystem::exists(folder / "summary.json"))
-    {
-        throw Error(ErrorCode::cannotCreate,
-                    fmt::format("'{}' is there already; give --overwrite, or another --out",
-                                (folder / "summary.json").string()));
+        printRow("correlation of radius with",
+                 fmt::format("height {:.3f}, distance from the axis {:.3f}",
+                             analysis.sizes->withHeight, analysis.sizes->withRadial));
     }
 }
 
@@ -178,7 +157,7 @@ int analyse(const AnalyseArguments& arguments)
     const std::filesystem::path folder = folderOf(arguments, packing);
     if (!arguments.overwrite)
     {
-        refuseToReplace(folder);
+        refuseToReplaceAnalysis(folder, "give --overwrite, or another --out");
     }
     if (arguments.figures)
     {
@@ -210,26 +189,34 @@ int analyse(const AnalyseArguments& arguments)
 void addSettings(CLI::App& command, AnalyseArguments& arguments)
 {
     AnalysisSettings& settings = arguments.settings;
-    const auto add = [&](const char* flag, auto& value, const char* help, const char* type)
-    { return command.add_option(flag, value, help)->type_name(type); };
-    add("--only", arguments.only,
-        "Only these, separated by commas: porosity, pairs, contacts, cells, order, sizes", "NAMES")
-        ->delimiter(',');
-    add("--centre", arguments.centre,
-        "A point of the axis of radial profiles (the middle of the mesh's box)", "X,Y,Z")
+    const auto add = [&](const char* flag, auto& value, const char* help)
+    {
+        return command.add_option(flag, value, fmt::format("{} ({})", help, value))
+            ->type_name(std::is_floating_point_v<std::remove_reference_t<decltype(value)>> ? "X"
+                                                                                           : "N");
+    };
+    command
+        .add_option(
+            "--only", arguments.only,
+            fmt::format("Only these, separated by commas: {}", fmt::join(analysisNames(), ", ")))
         ->delimiter(',')
-        ->expected(3);
-    add("--bins", settings.bins, "Bins of a profile along or about the axis (50)", "N");
+        ->type_name("NAMES");
+    command
+        .add_option("--centre", arguments.centre,
+                    "A point of the axis of radial profiles (the middle of the mesh's box)")
+        ->delimiter(',')
+        ->expected(3)
+        ->type_name("X,Y,Z");
+    add("--bins", settings.bins, "Bins of a profile along or about the axis");
     add("--range", settings.range,
-        "How far g(r) and the profile from the wall go, in mean diameters (5)", "X");
-    add("--gap", settings.contactGap, "Gap of two spheres in contact, in smaller radii (0.01)",
-        "X");
+        "How far g(r) and the profile from the wall go, in mean diameters");
+    add("--gap", settings.contactGap, "Gap of two spheres in contact, in smaller radii");
     add("--bond", settings.bondLength,
-        "Distance of two that are bonded for Q6, in sums of their radii (1.3)", "X");
+        "Distance of two that are bonded for Q6, in sums of their radii");
     add("--rattlers-below", settings.rattlersBelow,
-        "Contacts, those with walls included, that a sphere needs to be held (4)", "N");
-    add("--samples", settings.samples, "Places at which porosity is sampled (1048576)", "N");
-    add("--threads", settings.threads, "Threads; 0: one for each core (0)", "N");
+        "Contacts, those with walls included, that a sphere needs to be held");
+    add("--samples", settings.samples, "Places at which porosity is sampled");
+    add("--threads", settings.threads, "Threads; 0: one for each core");
 }
 
 } // namespace

@@ -69,6 +69,14 @@ NO_RADII = {
     "one nan": [0.1] * 7 + [numpy.nan], "infinite": numpy.inf, "two dimensions": [[0.1]] * 8,
     "complex": 1j, "booleans": [True] * 8, "texts": ["a"] * 8, "huge": numpy.broadcast_to(0.1, 10**12),
 }
+# Keywords of analyse.
+NO_ANALYSIS = {
+    "up": ("w", "", 1, None, Hostile()), "centre": ((1, 2), "abc", 5, (1, 2, numpy.nan), Hostile()),
+    "bins": (0, -1, 1.5, 10**6, 2**80, "many", None), "range": (0, -1, 51, numpy.nan, "far", None, Hostile()),
+    "gap": (-0.1, 2, "wide", None), "bond": (0.5, 4, numpy.inf, "long"), "rattlers_below": (-1, 0.5, 2**40, "all"),
+    "samples": (0, -5, 1.5, 15, "all"), "threads": (-1, 0.5, "all"),
+    "only": ("everything", ["pairs", "poros"], [5], [None]),
+}
 # A value of no option, and values out of the range of each kind of option.
 NO_VALUES = [
     {"count": v} for v in (0, -1, 1.5, "many", "1.5", True, 2**53 + 2, 2**70, [1], numpy.nan, Hostile(),
@@ -143,6 +151,27 @@ class WrongCalls(FolderCase):
                 self.refuse(frostfill.check, CUBE, wrong, CUBE, FACES)
         for wrong in ([True], "no", numpy.ones((8, 1), bool), [True] * 9, Hostile()):
             self.refuse(frostfill.check, CUBE, 0.1, CUBE, FACES, at_rest=wrong)
+
+    def test_of_analyses(self):
+        for name, wrong in {**NO_POINTS, "none": None}.items():
+            with self.subTest(centres=name):
+                self.refuse(frostfill.analyse, wrong, 0.1, CUBE, FACES)
+        for name, wrong in NO_RADII.items():
+            with self.subTest(radii=name):
+                self.refuse(frostfill.analyse, CUBE / 2 + 0.25, wrong, CUBE, FACES)
+        for keyword, wrongs in NO_ANALYSIS.items():
+            for wrong in wrongs:
+                with self.subTest(keyword, wrong=repr(type(wrong))):
+                    self.refuse(frostfill.analyse, CUBE / 2 + 0.25, 0.1, CUBE, FACES, **{keyword: wrong})
+        self.refuse(frostfill.analyse, CUBE + 5, 0.1, CUBE, FACES)
+        self.refuse(frostfill.analyse, CUBE, 0.1)
+        self.refuse(frostfill.analyse, CUBE, 0.1, CUBE, FACES, kinds=TypeError, judge_friction=1)
+        found = frostfill.analyse(CUBE / 2 + 0.25, 0.1, CUBE, FACES, only="order")
+        for part in ("network", "rattlers", "cells", "pairs", "porosity_wall", "sizes_radial"):
+            self.refuse(getattr, found, part)
+        for wrong in (None, 5, "", "\0"):
+            self.refuse(found.save, wrong)
+        self.refuse(frostfill.PackingAnalysis, kinds=TypeError)
 
     def test_of_values(self):
         for wrong in NO_VALUES:

@@ -57,10 +57,13 @@ This package has the shared library.")
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libfrostfill-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+if(VORO_LIBRARY)
+    set(voro voro++-dev)
+endif()
 string(JOIN ", " CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
     "libfrostfill${soversion} (= ${version})" libassimp-dev libdeflate-dev libeigen3-dev libfmt-dev
     libisal-dev libmeshoptimizer-dev libstb-dev libtbb-dev libtomlplusplus-dev libzstd-dev pkgconf
-    zlib1g-dev)
+    ${voro} zlib1g-dev)
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "fill a mesh with falling spheres - development files
 ${does}.
 This package has the headers, the static libraries, and what CMake and

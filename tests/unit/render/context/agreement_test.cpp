@@ -18,7 +18,7 @@ namespace
 using namespace testing_support;
 
 /// What both may differ by: one picture, and the mean of a region of 8x8 pixels. [of 255]
-struct Bounds
+struct Apart
 {
     double rms = 0.75;
     double region = 3.5;
@@ -114,7 +114,7 @@ protected:
     }
 
     /// For all subjects and cameras, with one sample or four.
-    void expectAgreement(const std::string& what, const Bounds& bounds)
+    void expectAgreement(const std::string& what, const Apart& bounds)
     {
         double rms = 0;
         double region = 0;

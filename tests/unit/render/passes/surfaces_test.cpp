@@ -17,7 +17,7 @@ namespace
 using namespace testing_support;
 
 /// What distances may be off by [radius].
-constexpr double kDepthTolerance = 0.002;
+constexpr double kDepthOfSurface = 0.002;
 
 /// Spheres of all states in and around a box far from the origin, and one that waits.
 Snapshot cloud(const Eigen::Vector3d& middle, int count, double smallest, double largest)
@@ -38,9 +38,9 @@ Snapshot cloud(const Eigen::Vector3d& middle, int count, double smallest, double
 struct Apart
 {
     std::size_t covered = 0;
-    std::size_t wrong = 0;    ///< another sphere, or none
-    double distance = 0;      ///< [radius]
-    double normal = 0;        ///< [1 / 255 of -1..1]
+    std::size_t wrong = 0; ///< another sphere, or none
+    double distance = 0;   ///< [radius]
+    double normal = 0;     ///< [1 / 255 of -1..1]
     std::size_t onEdge = 0;
     std::size_t doubtful = 0; ///< where spheres overlap, a cut shows any of them
 };
@@ -105,7 +105,7 @@ void expectThoseOfTheRayCaster(const RenderSettings& settings, int count = 60,
         EXPECT_LT(apart.onEdge, apart.covered / 50) << "the scene proves little";
         EXPECT_LT(apart.doubtful, apart.covered / 7) << "the scene proves little";
         EXPECT_EQ(apart.wrong, 0U);
-        EXPECT_LT(apart.distance, kDepthTolerance);
+        EXPECT_LT(apart.distance, kDepthOfSurface);
         EXPECT_LE(apart.normal, 0.52); // half is rounding
     };
     {

@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: MIT
+#include "analysis.hpp"
+
+#include "input.hpp"
+
+#include <frostfill/analysis.hpp>
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <tuple>
+#include <vector>
+
+namespace py = pybind11;
+
+namespace frostfill::python
+{
+namespace
+{
+
+using Owner = std::shared_ptr<PackingAnalysis>;
+
+double numberOf(const py::object& value, const char* name)
+{
+    const double number = PyFloat_AsDouble(value.ptr());
+    if (PyErr_Occurred() != nullptr)
+    {
+        PyErr_Clear();
+        throw Error(ErrorCode::usage,
+                    fmt::format("{} is {}, but it must be a number", name, shown(value)));
+    }
+    return number;
+}
+
+std::size_t countOf(const py::object& value, const char* name)
+{
+    const std::int64_t number = wholeNumberOf(value, name);
+    if (number < 0 || number > 0xffffffff)
+    {
+        throw Error(ErrorCode::usage,
+                    fmt::format("{} is {}, but it must be a whole number from 0 to 4294967295",
+                                name, number));
+    }
+    return static_cast<std::size_t>(number);
+}
+
+Axis axisOf(const py::object& value)
+{
+    Scene scene;
+    const Option& option = *findOption("object.up");
+    const std::optional<OptionValue> read = valueOf(option, value);
+    if (!read || !setOption(option, scene, *read))
+    {
+        throw Error(ErrorCode::usage,
+                    fmt::format("up is {}, but it must be x, y or z", shown(value)));
+    }
+    return scene.object.up;
+}
+
+AnalysisSettings settingsOf(const py::dict& given)
+{
+    AnalysisSettings settings;
+    settings.up = axisOf(given["up"]);
+    if (!given["centre"].is_none())
+    {
+        const std::vector<double> centre = readNumbers(given["centre"], "centre");
+        if (centre.size() != 3)
+        {
+            throw Error(ErrorCode::usage,
+                        fmt::format("centre has {} numbers, but it must have 3", centre.size()));
+        }
+        settings.centre = Eigen::Vector3d(centre[0], centre[1], centre[2]);
+    }
+    settings.bins = countOf(given["bins"], "bins");
+    settings.range = numberOf(given["range"], "range");
+    settings.contactGap = numberOf(given["gap"], "gap");
+    settings.bondLength = numberOf(given["bond"], "bond");
+    settings.rattlersBelow =
+        static_cast<std::uint32_t>(countOf(given["rattlers_below"], "rattlers_below"));
+    settings.samples = countOf(given["samples"], "samples");
+    settings.threads = static_cast<int>(std::min<std::size_t>(
+        countOf(given["threads"], "threads"), std::numeric_limits<std::int16_t>::max()));
+    for (const py::handle name : given["only"])
+    {
+        if (!py::isinstance<py::str>(name))
+        {
+            throw Error(ErrorCode::usage,
+                        fmt::format("only has {}, but it must have names", shown(name)));
+        }
+        settings.only.push_back(analysisKind(name.cast<std::string>()));
+    }
+    return settings;
+}
+
+Owner analyse(const py::object& centres, const py::object& radii, const py::object& mesh,
+              const py::object& vertices, const py::object& triangles, const py::dict& given,
+              const py::kwargs& keywords)
+{
+    Scene scene;
+    GivenKeywords(keywords, OptionUse::loading, "analyse").apply(scene);
+    const AnalysisSettings settings = settingsOf(given);
+    Packing packing;
+    packing.centres = readPoints(centres, "centres");
+    packing.radii = readRadii(radii, packing.centres.size());
+    const GivenMesh object = readGivenMesh(mesh, vertices, triangles);
+    const py::gil_scoped_release release;
+    return std::make_shared<PackingAnalysis>(
+        analysePacking(object.load(scene.object.load).mesh, packing, settings));
+}
+
+/// A part of an analysis. Throws Error usage if it was not asked for.
+template <class Part>
+const Part& partOf(const std::optional<Part>& part, const char* name)
+{
+    if (!part)
+    {
+        throw Error(ErrorCode::usage,
+                    fmt::format("this analysis has no {0}: leave out only, or name {0} in it{1}",
+                                name, hasVoronoiCells() ? "" : "; cells need voro++"));
+    }
+    return *part;
+}
+
+/// [rows, columns] of what rowOf gives of each.
+template <class Row, class RowOf>
+py::array tableOf(const std::vector<Row>& rows, RowOf&& rowOf)
+{
+    constexpr std::size_t kColumns = std::tuple_size_v<decltype(rowOf(rows[0]))>;
+    py::array_t<double> table({rows.size(), kColumns});
+    for (std::size_t k = 0; k < rows.size(); ++k)
+    {
+        const auto row = rowOf(rows[k]);
+        std::copy(row.begin(), row.end(), table.mutable_data(k, 0));
+    }
+    return table;
+}
+
+py::array porosityTable(const std::vector<PorosityBin>& bins)
+{
+    return tableOf(
+        bins,
+        [](const PorosityBin& bin) {
+            return std::array{bin.from, bin.to, bin.porosity, bin.error, bin.objectVolume};
+        });
+}
+
+py::array sizesTable(const std::vector<SizeBin>& bins)
+{
+    return tableOf(bins,
+                   [](const SizeBin& bin)
+                   {
+                       return std::array{bin.from, bin.to, static_cast<double>(bin.spheres),
+                                         bin.meanRadius, bin.deviation};
+                   });
+}
+
+using Class = py::class_<PackingAnalysis, Owner>;
+
+void addSpheres(Class& type)
+{
+    const auto add = [&](const char* name, auto listOf, const char* help)
+    {
+        type.def_property_readonly(
+            name, [listOf](const Owner& a) { return view(a, listOf(*a)); }, help);
+    };
+    using A = PackingAnalysis;
+    add(
+        "ids", [](const A& a) -> auto& { return a.ids; },
+        "uint32 [n] place in `centres` of each sphere that counts: not outside, and a number");
+    add(
+        "centres", [](const A& a) -> auto& { return a.centres; }, "float64 [n, 3]");
+    add(
+        "radii", [](const A& a) -> auto& { return a.radii; }, "float64 [n]");
+    add(
+        "wall_distances", [](const A& a) -> auto& { return a.wallDistances; },
+        "float64 [n] from the centre to the wall");
+    const auto contacts = [](const A& a) -> const ContactStatistics&
+    { return partOf(a.contacts, "contacts"); };
+    add(
+        "sphere_contacts", [contacts](const A& a) -> auto& { return contacts(a).spheres; },
+        "uint32 [n] other spheres that each touches");
+    add(
+        "wall_contacts", [contacts](const A& a) -> auto& { return contacts(a).walls; },
+        "uint32 [n] pieces of wall that each touches");
+    add(
+        "rattlers", [contacts](const A& a) -> auto& { return contacts(a).rattler; },
+        "uint8 [n] 1 for each that its contacts do not hold");
+    const auto cells = [](const A& a) -> const CellStatistics& { return partOf(a.cells, "cells"); };
+    add(
+        "cells", [cells](const A& a) -> auto& { return cells(a).kinds; },
+        "uint8 [n] Voronoi cells: 0 whole, 1 cut by a wall, 2 open, 3 none");
+    add(
+        "cell_volumes", [cells](const A& a) -> auto& { return cells(a).volumes; },
+        "float64 [n] [unit^3] NaN unless whole");
+    add(
+        "local_fractions", [cells](const A& a) -> auto& { return cells(a).fractions; },
+        "float64 [n] share of the cell that the sphere fills; NaN unless whole");
+    const auto order = [](const A& a) -> const OrderStatistics&
+    { return partOf(a.order, "order"); };
+    add(
+        "bonds", [order](const A& a) -> auto& { return order(a).bonds; },
+        "uint32 [n] spheres near enough for Q6");
+    add(
+        "q6", [order](const A& a) -> auto& { return order(a).q6; }, "float64 [n]");
+}
+
+void addTables(Class& type)
+{
+    using A = PackingAnalysis;
+    const auto porosity = [&](const char* name, std::vector<PorosityBin> PorosityProfiles::*profile)
+    {
+        type.def_property_readonly(
+            name,
+            [profile](const A& a)
+            { return porosityTable(partOf(a.porosity, "porosity").*profile); },
+            "float64 [rows, 5] from, to, porosity, its standard error, volume of the object there");
+    };
+    porosity("porosity_height", &PorosityProfiles::height);
+    porosity("porosity_radial", &PorosityProfiles::radial);
+    porosity("porosity_wall", &PorosityProfiles::wall);
+    const auto sizes = [&](const char* name, std::vector<SizeBin> SizeProfiles::*profile)
+    {
+        type.def_property_readonly(
+            name, [profile](const A& a) { return sizesTable(partOf(a.sizes, "sizes").*profile); },
+            "float64 [rows, 5] from, to, spheres, mean radius, standard deviation of the radii");
+    };
+    sizes("sizes_height", &SizeProfiles::height);
+    sizes("sizes_radial", &SizeProfiles::radial);
+    type.def_property_readonly(
+        "pairs",
+        [](const A& a)
+        {
+            return tableOf(partOf(a.pairs, "pairs").bins,
+                           [](const PairBin& bin) {
+                               return std::array{bin.from, bin.to, bin.g, bin.neighbours};
+                           });
+        },
+        "float64 [rows, 4] from, to, g(r), neighbours up to `to`");
+    type.def_property_readonly(
+        "network",
+        [](const A& a)
+        {
+            return tableOf(partOf(a.contacts, "contacts").network,
+                           [](const SphereContact& contact)
+                           {
+                               return std::array{static_cast<double>(contact.first),
+                                                 static_cast<double>(contact.second), contact.gap};
+                           });
+        },
+        "float64 [contacts, 3] rows of the two spheres in the lists, and the gap between them");
+}
+
+std::vector<std::string> save(const Owner& analysis, const py::object& folder, bool overwrite)
+{
+    const std::filesystem::path path = pathOf(folder, "folder");
+    const py::gil_scoped_release release;
+    if (!overwrite)
+    {
+        refuseToReplaceAnalysis(path, "pass overwrite=True, or another folder");
+    }
+    return writeAnalysis(*analysis, path);
+}
+
+} // namespace
+
+void addAnalysis(py::module_& module)
+{
+    Class type(module, "PackingAnalysis", "What frostfill.analyse found.");
+    addSpheres(type);
+    addTables(type);
+    type.def_property_readonly(
+        "summary",
+        [](const PackingAnalysis& a) -> py::dict
+        { return py::module_::import("json").attr("loads")(analysisSummary(a)); },
+        "what summary.json holds: means, counts and settings");
+    type.def("__repr__", [](const PackingAnalysis& a)
+             { return fmt::format("<frostfill.PackingAnalysis of {} spheres>", a.ids.size()); });
+    type.def("save", &save, py::arg("folder"), py::arg("overwrite") = false,
+             "Writes the tables, the files for ParaView and summary.json into a folder, as the "
+             "command does, and returns their names.");
+    module.def("analyse", &analyse);
+}
+
+} // namespace frostfill::python
