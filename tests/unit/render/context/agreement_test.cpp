@@ -36,8 +36,8 @@ double worstRegion(const Image& a, const Image& b)
         {
             for (int c = 0; c < a.channels; ++c)
             {
-                sums[static_cast<std::size_t>(y / kRegion * columns + x / kRegion)] +=
-                    std::abs(a.at(x, y)[c] - b.at(x, y)[c]);
+                const int region = y / kRegion * columns + x / kRegion;
+                sums[static_cast<std::size_t>(region)] += std::abs(a.at(x, y)[c] - b.at(x, y)[c]);
             }
         }
     }
@@ -60,7 +60,8 @@ Subject subjectOf(const std::string& name, const TriangleMesh& mesh, double spac
     const auto cells = static_cast<int>(2.6 / spacing);
     for (int i = 0; i < cells * cells * cells; ++i)
     {
-        const Eigen::Vector3d cell(i % cells, i / cells % cells, i / (cells * cells));
+        const Eigen::Vector3d cell =
+            Eigen::Vector3i(i % cells, i / cells % cells, i / (cells * cells)).cast<double>();
         const Eigen::Vector3d jitter(numbers.next(), numbers.next(), numbers.next());
         const double radius = spacing * (0.25 + 0.1 * numbers.next());
         const Eigen::Vector3d centre =
