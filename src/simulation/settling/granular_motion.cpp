@@ -47,6 +47,37 @@ void GranularMotion::advance(double time, const Course& course)
     look(course.hardening > 0);
 }
 
+void GranularMotion::relieve()
+{
+    pushAll();
+    relief_.clear();
+    pairs_.addTo(relief_);
+    walls_.addTo(relief_);
+    std::vector<double> inverseMass;
+    for (const double radius : running_.radius.all())
+    {
+        inverseMass.push_back(1 / massOf(radius));
+    }
+    relief_.solve(inverseMass);
+    for (std::uint32_t row = 0; row < running_.size(); ++row)
+    {
+        running_.position[row] += relief_.displacement(row);
+        running_.velocity[row].setZero();
+        spin_[row].setZero();
+    }
+    pushAll();
+    look(true);
+}
+
+// As spheres lie now.
+void GranularMotion::pushAll()
+{
+    active_.assign(running_.size(), 1);
+    list();
+    pairs_.push({});
+    walls_.push({});
+}
+
 void GranularMotion::list()
 {
     pairs_.list();

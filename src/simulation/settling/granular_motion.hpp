@@ -42,6 +42,9 @@ public:
     void advance(double time, const Course& course);
     /// All contacts become stiffer by a factor; friction holds what it held.
     void stiffen(double factor);
+    /// Takes overlaps away where spheres lie, and lets forces be: see OverlapRelief. Stops all
+    /// motion.
+    void relieve();
     /// To be called when there are other spheres, or they are elsewhere: all are moved.
     void listAnew();
 
@@ -58,6 +61,7 @@ private:
     void list();
     void choose();
     void spread();
+    void pushAll();
     void step(const ContactStep& step, double drag);
     [[nodiscard]] SurfaceForce forceOn(std::uint32_t row) const;
     [[nodiscard]] Eigen::Vector3d accelerationOf(std::uint32_t row, const SurfaceForce& sum) const;
@@ -72,6 +76,7 @@ private:
     RunningColumn<Eigen::Vector3d> listedAt_; ///< place when contacts were listed
     PairContacts pairs_;
     WallContacts walls_;
+    OverlapRelief relief_;
     bool isListed_ = false;
     std::vector<char> active_;        ///< by row: it is not at rest, or near one that is not
     std::vector<std::uint32_t> rows_; ///< the active ones, ascending

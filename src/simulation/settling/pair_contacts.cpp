@@ -131,6 +131,21 @@ void PairContacts::pushApart(std::size_t k, const ContactStep& step)
     forces_[k] = forceOf(spring, law_.friction, law_.rollingFriction, arm, touch, step, memory);
 }
 
+void PairContacts::addTo(OverlapRelief& relief)
+{
+    for (std::size_t k = 0; k < pairs_.size(); ++k)
+    {
+        const auto& [a, b, spring] = pairs_[k];
+        const auto contact =
+            sphereContact(running_.position[b] - running_.position[a],
+                          running_.radius[a] + running_.radius[b], kListMargin / 2);
+        if (contact)
+        {
+            relief.add({b, a, contact->normal, contact->depth, spring.stiffness, &memory_[k]});
+        }
+    }
+}
+
 SurfaceForce PairContacts::on(std::uint32_t row) const
 {
     SurfaceForce sum;

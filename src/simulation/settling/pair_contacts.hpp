@@ -3,6 +3,7 @@
 
 #include "base/threads.hpp"
 #include "simulation/settling/contact_law.hpp"
+#include "simulation/settling/overlap_relief.hpp"
 #include "simulation/solver/broad_phase.hpp"
 #include "simulation/world/running_spheres.hpp"
 
@@ -32,6 +33,8 @@ public:
     /// go on pushing as they did.
     void choose(const std::vector<char>& active);
     void push(const ContactStep& step);
+    /// All pairs that push, or are near enough to be pushed together by others.
+    void addTo(OverlapRelief& relief);
     /// Of all pairs on one sphere, since the last push().
     [[nodiscard]] SurfaceForce on(std::uint32_t row) const;
 

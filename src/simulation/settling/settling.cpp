@@ -88,13 +88,17 @@ bool Settling::flow()
 // Lifts spheres by what has weighed them down: work that is not counted.
 bool Settling::harden()
 {
-    if (stiffened_ < kStiffest)
+    if (inPhase_ >= kStiffensAfter && stiffened_ < kStiffest)
     {
         motion_.stiffen(kStiffer);
         stiffened_ *= kStiffer;
     }
     motion_.advance(kTimeOfLook, {1 / kHardening, kDrag});
     inPhase_ += kTimeOfLook;
+    if (balances() && !rests() && motion_.unrest().overlap < kOverlapRelieved)
+    {
+        motion_.relieve();
+    }
     if (!rests() && inPhase_ < kLongestHardening)
     {
         return false;
@@ -110,13 +114,17 @@ bool Settling::isCalm() const
            kFewMove * static_cast<double>(running_.size());
 }
 
-bool Settling::rests() const
+bool Settling::balances() const
 {
     const Unrest& unrest = motion_.unrest();
     const auto count = static_cast<double>(running_.size());
     const double most = std::max(kMovingAtRest * count, std::min(kFewMoveAtRest, kFewMove * count));
-    return static_cast<double>(unrest.moving) <= most && unrest.missing <= kMissingAtRest &&
-           unrest.overlap <= kOverlapAtRest;
+    return static_cast<double>(unrest.moving) <= most && unrest.missing <= kMissingAtRest;
+}
+
+bool Settling::rests() const
+{
+    return balances() && motion_.unrest().overlap <= kOverlapAtRest;
 }
 
 void Settling::report()

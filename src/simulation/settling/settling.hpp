@@ -17,8 +17,10 @@ namespace frostfill
 /// together; then they freeze again.
 ///
 /// First they move as soft spheres do that have weight and spin. When few still move, drag calms
-/// them, and every contact grows stiffer and hardens: its overlap goes into a force that needs
-/// none. So in the end forces balance, and spheres that carry each other are kGapAtRest apart.
+/// them, and every contact hardens: its overlap goes into a force that needs none. Once forces
+/// balance, what is left of overlaps is taken away. What does not balance for long, as a pile
+/// without friction, grows stiffer besides. In the end spheres that carry each other are at most
+/// kGapAtRest apart.
 ///
 /// Contacts keep their forces when all freezes. If the object is filled up in between and all runs
 /// again, only what is new disturbs the rest.
@@ -44,6 +46,7 @@ private:
     bool flow();
     bool harden();
     [[nodiscard]] bool isCalm() const;
+    [[nodiscard]] bool balances() const;
     [[nodiscard]] bool rests() const;
     void freeze();
     void report();

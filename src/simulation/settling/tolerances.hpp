@@ -71,10 +71,20 @@ inline constexpr double kLongestFlow = 200;
 inline constexpr double kHardening = 0.7;
 /// Drag of all motion meanwhile [1/sqrt(r/g)]. Larger: soft piles take longer. Smaller: see above.
 inline constexpr double kDrag = 3;
-/// Contacts grow stiffer by the first at each look, until they are so by the second in all. A
-/// contact on which a force rests that needs no overlap gives way to the side the more, the softer
-/// it is: without friction, what is too soft never comes to rest. Larger: shorter steps. Smaller:
-/// forces swing.
+/// Overlap from which it is taken away at once [r]. Larger: normals turn by more meanwhile, and
+/// forces are out of balance again.
+inline constexpr double kOverlapRelieved = 1e-3;
+/// Sweeps for that, at most, and what they may leave [kGapAtRest].
+inline constexpr int kSweepsOfRelief = 500;
+inline constexpr double kLeftByRelief = 0.1;
+/// Each contact is opened by this times what it lacks [1]. Larger: unstable from 2 on. Smaller: a
+/// high pile takes more sweeps.
+inline constexpr double kOverRelaxation = 1.85;
+/// Contacts grow stiffer after the first of these times of hardening [sqrt(r/g)], by the second at
+/// each look, until they are so by the third in all. A contact on which a force rests that needs no
+/// overlap gives way to the side the more, the softer it is: without friction, what is too soft
+/// never comes to rest. Larger: shorter steps. Smaller: forces swing.
+inline constexpr double kStiffensAfter = 30;
 inline constexpr double kStiffer = 1.5;
 inline constexpr double kStiffest = 50;
 /// Gap that contacts harden to, at most [r]. Larger: spheres hang in the air. Smaller: the tenth of

@@ -92,6 +92,24 @@ void WallContacts::pushOff(Beside& one, const ContactStep& step)
     }
 }
 
+void WallContacts::addTo(OverlapRelief& relief)
+{
+    for (Beside& one : beside_)
+    {
+        for (Wall& wall : one.walls)
+        {
+            const auto leads = [&](const Wall& other)
+            {
+                return &other != &wall && other.normal.dot(wall.normal) > kSharesPush &&
+                       other.depth > wall.depth;
+            };
+            relief.add({one.row, LoadedContact::kWall, wall.normal, wall.depth,
+                        wall.spring.stiffness, &wall.memory,
+                        std::none_of(one.walls.begin(), one.walls.end(), leads)});
+        }
+    }
+}
+
 // What a contact holds acts as far as its spring would reach that is squeezed by it.
 double WallContacts::reachOf(const Beside& one) const
 {

@@ -4,6 +4,7 @@
 #include "base/threads.hpp"
 #include "simulation/contact/neighbour_list.hpp"
 #include "simulation/settling/contact_law.hpp"
+#include "simulation/settling/overlap_relief.hpp"
 #include "simulation/world/world.hpp"
 
 #include <cstdint>
@@ -32,6 +33,8 @@ public:
     /// From now on push() looks only at active spheres, by row; the others are pushed as they were.
     void choose(const std::vector<char>& active);
     void push(const ContactStep& step);
+    /// All walls that were near a sphere at the last push().
+    void addTo(OverlapRelief& relief);
     /// Of all walls on one sphere, since the last push().
     [[nodiscard]] const SurfaceForce& on(std::uint32_t row) const
     {
