@@ -81,6 +81,8 @@ void addSettling(py::module_& module)
     add("settled", &R::settled, "False: some still moved when they were frozen");
     add("missing", &R::missing, "[own weight] that forces miss on a sphere in the end, at most");
     add("overlap", &R::overlap, "[radius] that was left, at most");
+    add("fraction", &R::fraction,
+        "packing fraction of the bulk; None unless fraction asks for one");
     addText(report);
 }
 

@@ -174,6 +174,9 @@ struct RestSettings
     Rest mode = Rest::each;
     double friction = 0;                ///< [1] Coulomb's, of two spheres
     std::optional<double> wallFriction; ///< [1] Coulomb's, of a wall; if not given, as of spheres
+    /// [1] packing fraction of the bulk, beyond four radii from walls, to which all is compacted by
+    /// flowing without friction; if not given, as it comes
+    std::optional<double> fraction;
     double rollingFriction = 0; ///< [1] moment that resists rolling, over normal force and radius
 };
 

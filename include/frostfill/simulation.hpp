@@ -62,6 +62,8 @@ struct SettlingReport
     bool settled = false;   ///< false: some still moved when they were frozen the last time
     double missing = 0;     ///< [own weight] that forces miss on a sphere in the end, at most
     double overlap = 0;     ///< [r] that was left, at most
+    /// [1] packing fraction of the bulk, if RestSettings asks for one and there is some bulk
+    std::optional<double> fraction = {};
 };
 
 /// The quality of a state. Overlaps are penetration depths over the radius, the smaller one of two.

@@ -72,6 +72,18 @@ std::string fillingText(const Scene& scene, const FillResult& result)
                        result.fitting);
 }
 
+/// How far the packing fraction is from what was asked, and why.
+std::string fractionText(double asked, double reached)
+{
+    constexpr double kNear = 0.002;
+    const char* why = reached > asked + kNear
+                          ? "; it came in denser, and nothing loosens it: --motion descend fills "
+                            "more loosely"
+                      : reached < asked - kNear ? "; without friction nothing flows any more"
+                                                : "";
+    return fmt::format("the bulk packs to {:.4f}, where {:g} is asked{}\n", reached, asked, why);
+}
+
 } // namespace
 
 void printPlan(const FillRequest& request, const FillPlan& plan)
@@ -136,6 +148,10 @@ void printResult(const Scene& scene, const FillResult& result)
     {
         fmt::print("all spheres rest together: at most {:.2g} of its weight is missing on any\n",
                    settling->missing);
+        if (settling->fraction)
+        {
+            fmt::print("{}", fractionText(*scene.rest.fraction, *settling->fraction));
+        }
     }
     fmt::print("{}", fillingText(scene, result));
     if (result.skippedFrames > 0)

@@ -46,6 +46,10 @@ std::string runHash(const Scene& scene, const TriangleMesh& mesh)
     {
         json.erase("rest");
     }
+    else if (!same.rest.fraction)
+    {
+        json["rest"].erase("fraction");
+    }
     if (same.spheres.inlets.empty())
     {
         json["spheres"].erase("inlets"); // as before there were any

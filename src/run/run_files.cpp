@@ -200,6 +200,10 @@ Json qualityJson(const QualityReport& quality)
                             {"settled", settling->settled},
                             {"largest_unbalance", settling->missing},
                             {"overlap_over_radius", settling->overlap}};
+        if (settling->fraction)
+        {
+            json["settling"]["bulk_fraction"] = *settling->fraction;
+        }
     }
     return json;
 }

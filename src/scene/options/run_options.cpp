@@ -211,6 +211,14 @@ void addRest(TableBuilder& table)
         .range(0, JudgeSettings::kMostFriction)
         .of(Preset::fast);
     table
+        .add("rest.fraction", "--fraction",
+             "Packing fraction of the bulk, beyond four radii from walls, to which all flow without "
+             "friction before it holds them",
+             FROSTFILL_FIELD(rest.fraction))
+        .orUnset("none")
+        .range(0.5, 0.7)
+        .of(Preset::fast);
+    table
         .add("rest.rolling_friction", "--rolling-friction",
              "Moment that resists rolling while all settle together, over normal force and radius",
              FROSTFILL_FIELD(rest.rollingFriction))

@@ -23,7 +23,19 @@ void validateRest(const Scene& scene)
                         "friction (--friction, --wall-friction, --rolling-friction) acts while all "
                         "spheres settle together: give rest.mode (--rest) joint");
         }
+        if (rest.fraction)
+        {
+            throw Error(ErrorCode::usage, "a packing fraction (rest.fraction, --fraction) is "
+                                          "reached while all spheres settle together: give "
+                                          "rest.mode (--rest) joint");
+        }
         return;
+    }
+    if (rest.fraction && rest.friction == 0)
+    {
+        throw Error(ErrorCode::usage, "only friction holds spheres at a packing fraction "
+                                      "(rest.fraction, --fraction) that is asked for: give "
+                                      "rest.friction (--friction), such as 0.3");
     }
     if (scene.preset == Preset::paper)
     {

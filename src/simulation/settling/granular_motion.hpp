@@ -42,6 +42,12 @@ public:
     void advance(double time, const Course& course);
     /// All contacts become stiffer by a factor; friction holds what it held.
     void stiffen(double factor);
+    /// From now on.
+    void setFriction(double ofSpheres, double ofWalls)
+    {
+        law_.friction = ofSpheres;
+        law_.wallFriction = ofWalls;
+    }
     /// Takes overlaps away where spheres lie, and lets forces be: see OverlapRelief. Stops all
     /// motion.
     void relieve();

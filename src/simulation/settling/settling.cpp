@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/settling/settling.hpp"
 
+#include <frostfill/error.hpp>
+
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numeric>
 #include <tuple>
@@ -25,6 +29,19 @@ ContactLaw lawOf(const World& world)
 Settling::Settling(World& world, Threads& threads)
     : world_(world), running_(world.spheres.running()), motion_(world, lawOf(world), threads)
 {
+    if (!world.scene.rest.fraction)
+    {
+        return;
+    }
+    bulk_.emplace(world, threads);
+    if (!bulk_->any())
+    {
+        throw Error(ErrorCode::badData,
+                    fmt::format("no place of the object is {:g} radii away from its walls, so it "
+                                "has no bulk to pack to rest.fraction (--fraction): omit it, or "
+                                "choose a smaller radius",
+                                kBulkBeyond));
+    }
 }
 
 void Settling::begin()
@@ -36,10 +53,10 @@ void Settling::begin()
               static_cast<std::uint32_t>(known));
     wakeInOrder(known);
     motion_.listAnew();
-    phase_ = Phase::flows;
-    inPhase_ = 0;
-    motion_.stiffen(1 / stiffened_);
-    stiffened_ = 1;
+    compactTo_ = world_.scene.rest.fraction.value_or(0) - kGainOfStop;
+    compactions_ = 0;
+    isDensest_ = false;
+    startFlow();
     ++world_.clock.settling.rounds;
 }
 
@@ -65,24 +82,67 @@ void Settling::wakeInOrder(std::size_t first)
 
 bool Settling::step()
 {
-    const bool over = phase_ == Phase::flows ? flow() : harden();
     ++world_.clock.steps;
     world_.clock.time += kTimeOfLook;
-    return over;
+    switch (phase_)
+    {
+    case Phase::compacts:
+        compact();
+        return false;
+    case Phase::flows:
+        flow();
+        return false;
+    case Phase::hardens:
+        break;
+    }
+    return harden();
 }
 
-bool Settling::flow()
+// Softly, and without friction if the bulk is to grow denser.
+void Settling::startFlow()
 {
-    const double before = motion_.energy();
-    motion_.advance(kTimeOfLook, {});
-    world_.counts.energy.enter(before, motion_.energy(), mass_ * world_.height);
-    inPhase_ += kTimeOfLook;
+    inPhase_ = 0;
+    motion_.stiffen(1 / stiffened_);
+    stiffened_ = 1;
+    const std::optional<double> fraction = bulk_ ? bulk_->measure() : std::nullopt;
+    const bool compacts = fraction && *fraction < compactTo_;
+    phase_ = compacts ? Phase::compacts : Phase::flows;
+    if (compacts)
+    {
+        ++compactions_;
+        motion_.setFriction(0, 0);
+    }
+}
+
+void Settling::compact()
+{
+    advanceFlow();
+    isDensest_ = isCalm() || inPhase_ >= kLongestFlow;
+    if (isDensest_ || bulk_->measure().value_or(1) >= compactTo_)
+    {
+        const ContactLaw law = lawOf(world_);
+        motion_.setFriction(law.friction, law.wallFriction);
+        phase_ = Phase::flows;
+        inPhase_ = 0;
+    }
+}
+
+void Settling::flow()
+{
+    advanceFlow();
     if (isCalm() || inPhase_ >= kLongestFlow)
     {
         phase_ = Phase::hardens;
         inPhase_ = 0;
     }
-    return false;
+}
+
+void Settling::advanceFlow()
+{
+    const double before = motion_.energy();
+    motion_.advance(kTimeOfLook, {});
+    world_.counts.energy.enter(before, motion_.energy(), mass_ * world_.height);
+    inPhase_ += kTimeOfLook;
 }
 
 // Lifts spheres by what has weighed them down: work that is not counted.
@@ -104,6 +164,11 @@ bool Settling::harden()
         return false;
     }
     report();
+    if (!hasCompacted())
+    {
+        startFlow();
+        return false;
+    }
     freeze();
     return true;
 }
@@ -125,6 +190,24 @@ bool Settling::balances() const
 bool Settling::rests() const
 {
     return balances() && motion_.unrest().overlap <= kOverlapAtRest;
+}
+
+// If the bulk is not yet as dense as asked, aims higher.
+bool Settling::hasCompacted()
+{
+    if (!bulk_)
+    {
+        return true;
+    }
+    const std::optional<double> reached = bulk_->measure();
+    world_.clock.settling.fraction = reached;
+    const double missing = *world_.scene.rest.fraction - reached.value_or(1);
+    if (missing <= kFractionMissing || isDensest_ || compactions_ >= kMostCompactions)
+    {
+        return true;
+    }
+    compactTo_ += missing;
+    return false;
 }
 
 void Settling::report()

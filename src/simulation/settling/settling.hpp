@@ -4,10 +4,12 @@
 #pragma once
 
 #include "base/threads.hpp"
+#include "simulation/settling/bulk_fraction.hpp"
 #include "simulation/settling/granular_motion.hpp"
 #include "simulation/world/world.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace frostfill
@@ -21,6 +23,10 @@ namespace frostfill
 /// balance, what is left of overlaps is taken away. What does not balance for long, as a pile
 /// without friction, grows stiffer besides. In the end spheres that carry each other are at most
 /// kGapAtRest apart.
+///
+/// Where the scene asks for a packing fraction of the bulk, all first flow without friction, and so
+/// grow denser, until the fraction is there; friction then stops them. What is lost of it as
+/// contacts harden is made good in another round.
 ///
 /// Contacts keep their forces when all freezes. If the object is filled up in between and all runs
 /// again, only what is new disturbs the rest.
@@ -39,16 +45,21 @@ public:
 private:
     enum class Phase
     {
+        compacts,
         flows,
         hardens,
     };
     void wakeInOrder(std::size_t first);
-    bool flow();
+    void compact();
+    void startFlow();
+    void advanceFlow();
+    void flow();
     bool harden();
     [[nodiscard]] bool isCalm() const;
     [[nodiscard]] bool balances() const;
     [[nodiscard]] bool rests() const;
     void freeze();
+    [[nodiscard]] bool hasCompacted();
     void report();
 
     World& world_;
@@ -56,9 +67,13 @@ private:
     GranularMotion motion_;
     std::vector<std::uint32_t> order_; ///< ids, by the row in which each of them runs
     Phase phase_ = Phase::flows;
-    double inPhase_ = 0;   ///< time since it began
-    double stiffened_ = 1; ///< by this factor
-    double mass_ = 0;      ///< of all
+    double inPhase_ = 0;               ///< time since it began
+    double stiffened_ = 1;             ///< by this factor
+    double mass_ = 0;                  ///< of all
+    std::optional<BulkFraction> bulk_; ///< if the scene asks for a packing fraction
+    double compactTo_ = 0;             ///< fraction, while contacts are soft
+    int compactions_ = 0;              ///< since all began to run
+    bool isDensest_ = false;           ///< without friction it had come to rest
 };
 
 } // namespace frostfill

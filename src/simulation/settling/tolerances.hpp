@@ -102,6 +102,27 @@ inline constexpr double kMissingAtRest = 0.1;
 /// After this time all is frozen as it is [sqrt(r/g)], and the report says so.
 inline constexpr double kLongestHardening = 150;
 
+// A packing fraction that is asked for.
+
+/// Places at which it is counted whether a sphere is there, about, in the box of the bulk. Larger:
+/// time. Smaller: noise, some 0.001 at a quarter of them.
+inline constexpr double kPlacesOfBulk = 60000;
+/// As few tell too little.
+inline constexpr std::size_t kFewestPlaces = 500;
+/// Distance from walls, and from the top of the pile, from which a pile is bulk [r]: two diameters,
+/// within which walls order it [Benenati & Brosilow 1962].
+inline constexpr double kBulkBeyond = 4;
+/// Share of the spheres that lie below what is called the top.
+inline constexpr double kBelowTop = 0.95;
+/// What may be missing of the fraction when all has settled. Larger: less accurate. Smaller: one
+/// more round of settling, for no more than the noise above.
+inline constexpr double kFractionMissing = 0.001;
+/// What the first round aims below the fraction, as a pile goes on growing denser while friction
+/// stops it. Larger: more rounds. Smaller: too dense, which nothing loosens.
+inline constexpr double kGainOfStop = 0.005;
+/// Rounds of compaction at most. What is lost when contacts harden is added after the first.
+inline constexpr int kMostCompactions = 5;
+
 // What one thread does in one go.
 inline constexpr std::size_t kPairsTogether = 512;
 inline constexpr std::size_t kSpheresTogether = 256;

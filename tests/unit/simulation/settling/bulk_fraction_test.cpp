@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "simulation/settling/bulk_fraction.hpp"
+
+#include "support/expect_error.hpp"
+#include "support/shapes.hpp"
+#include "support/small_world.hpp"
+
+#include <frostfill/simulation.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace frostfill
+{
+namespace
+{
+
+/// Runs spheres of radius 1 in a room twenty across, in layers of `height`, up to y = `top`; every
+/// other layer is shifted by `shift` along x and z.
+std::unique_ptr<World> latticeOfSpheres(double across, double height, double shift, double top)
+{
+    std::unique_ptr<World> world = smallWorld(shapes::box({-10, -10, -10}, {10, 10, 10}));
+    int layer = 0;
+    for (double y = -9; y <= top; y += height, ++layer)
+    {
+        const double from = layer % 2 == 0 ? -9 : -9 + shift;
+        for (double x = from; x < 9.1; x += across)
+        {
+            for (double z = from; z < 9.1; z += across)
+            {
+                world->spheres.add({x, y, z}, 1, 0);
+            }
+        }
+    }
+    return world;
+}
+
+double fractionOf(World& world)
+{
+    Threads threads(1);
+    return BulkFraction(world, threads).measure().value_or(-1);
+}
+
+TEST(BulkFraction, IsThatOfACubicLattice)
+{
+    // The places of a lattice count one whose period is near to theirs less nearly than a random
+    // one.
+    EXPECT_NEAR(fractionOf(*latticeOfSpheres(2, 2, 0, 9)), std::numbers::pi / 6, 0.01);
+}
+
+TEST(BulkFraction, IsThatOfTheDensestLattice)
+{
+    const double root = std::sqrt(2.0);
+    EXPECT_NEAR(fractionOf(*latticeOfSpheres(2, root, 1, 9)), std::numbers::pi / (3 * root), 0.006);
+}
+
+TEST(BulkFraction, LeavesOutWhatIsAboveThePile)
+{
+    EXPECT_NEAR(fractionOf(*latticeOfSpheres(2, 2, 0, 1)), std::numbers::pi / 6, 0.006);
+}
+
+TEST(BulkFraction, IsNoneWhereNothingIsFarFromWalls)
+{
+    const auto world = smallWorld(shapes::box({-10, -3, -10}, {10, 3, 10}));
+    world->spheres.add({0, 0, 0}, 1, 0);
+    Threads threads(1);
+    BulkFraction bulk(*world, threads);
+    EXPECT_FALSE(bulk.any());
+    EXPECT_FALSE(bulk.measure());
+}
+
+Scene sceneOfFraction(std::optional<double> fraction)
+{
+    Scene scene = presetScene(Preset::fast, "box");
+    scene.spheres.radius = 0.1;
+    scene.spheres.count.reset();
+    scene.motion.mode = Motion::skip;
+    scene.rest.mode = Rest::joint;
+    scene.rest.friction = 0.4;
+    scene.rest.fraction = fraction;
+    scene.judge.friction = 0.4;
+    return scene;
+}
+
+QualityReport reportOf(const Scene& scene)
+{
+    Simulation simulation(scene, shapes::box({-0.9, -0.9, -0.9}, {0.9, 0.9, 0.9}));
+    while (simulation.step())
+    {
+    }
+    return simulation.quality();
+}
+
+TEST(FractionOfRest, IsReachedAndHeldByFriction)
+{
+    const QualityReport report = reportOf(sceneOfFraction(0.63));
+    ASSERT_TRUE(report.settling && report.settling->fraction && report.equilibrium);
+    EXPECT_TRUE(report.settling->settled);
+    EXPECT_NEAR(*report.settling->fraction, 0.63, 0.004); // a sphere in the bulk
+    EXPECT_EQ(report.equilibrium->unbalanced, 0U);
+    EXPECT_LE(report.maxOverlap, 1e-7);
+    EXPECT_EQ(report.centresOutside, 0U);
+}
+
+TEST(FractionOfRest, LeavesAloneWhatIsDenserAlready)
+{
+    const QualityReport asked = reportOf(sceneOfFraction(0.5));
+    const QualityReport usual = reportOf(sceneOfFraction(std::nullopt));
+    ASSERT_TRUE(asked.settling->fraction);
+    EXPECT_GT(*asked.settling->fraction, 0.55);
+    EXPECT_EQ(asked.settling->rounds, usual.settling->rounds);
+    EXPECT_EQ(asked.settling->missing, usual.settling->missing);
+    EXPECT_FALSE(usual.settling->fraction);
+}
+
+TEST(FractionOfRest, EndsWhereNothingFlowsAnyMore)
+{
+    const QualityReport report = reportOf(sceneOfFraction(0.7));
+    EXPECT_TRUE(report.settling->settled);
+    EXPECT_LT(*report.settling->fraction, 0.68);
+    EXPECT_GT(*report.settling->fraction, 0.6);
+}
+
+TEST(FractionOfRest, IsRefusedWhereItHasNoMeaning)
+{
+    const auto refuse = [](ErrorCode code, auto change, const char* words)
+    {
+        Scene scene = sceneOfFraction(0.62);
+        change(scene);
+        test::expectError(
+            code, [&] { reportOf(scene); }, words);
+    };
+    refuse(
+        ErrorCode::usage, [](Scene& s) { s.rest.friction = 0; }, "--friction");
+    refuse(
+        ErrorCode::usage, [](Scene& s) { s.rest = {.fraction = 0.62}; }, "--rest");
+    refuse(
+        ErrorCode::usage, [](Scene& s) { s.rest.fraction = 0.8; }, "--fraction");
+    refuse(
+        ErrorCode::badData, [](Scene& s) { s.spheres.radius = 0.3; }, "no bulk");
+}
+
+} // namespace
+} // namespace frostfill
