@@ -27,6 +27,16 @@ enum class ExportFormat
     ply,          ///< a binary table of spheres a frame
     csv,          ///< a text table of spheres a frame, states as numbers
     npz,          ///< NumPy arrays of all frames
+    // Inputs of other programs, which go on from the packing. Friction, restitution and gravity are
+    // those of the run.
+    liggghts,   ///< an input script of LIGGGHTS, a data file, and the walls as STL
+    lammps,     ///< an input script of LAMMPS and a data file
+    yade,       ///< a Python script of YADE, and tables of spheres and walls
+    mercuryDpm, ///< a data file of MercuryDPM (format 14)
+    mfix,       ///< particle_input.dat of MFiX, version 2.0
+    lethe,      ///< a list of particles that Lethe inserts
+    openmc,     ///< a Python module that makes a lattice of spheres for OpenMC
+    gmsh,       ///< a .geo script whose volumes are the spheres (OpenCASCADE)
 };
 
 struct ExportFormatInfo

@@ -60,34 +60,8 @@ void readScene(const RunFileReader& reader, const std::string& name, ExportedRun
         const Scene scene = sceneFromJson(head["scene"], name);
         run.groupsPerSet = std::max<std::uint32_t>(1, scene.spheres.groupsPerSet);
         run.up = static_cast<int>(scene.object.up);
+        run.scene = scene;
     }
-}
-
-std::unique_ptr<Exporter> makeExporter(ExportFormat format, const ExportedRun& run,
-                                       const std::filesystem::path& folder)
-{
-    switch (format)
-    {
-    case ExportFormat::vtp:
-        return makeVtpExporter(run, folder);
-    case ExportFormat::lammpsDump:
-        return makeLammpsDumpExporter(run, folder);
-    case ExportFormat::lammpsData:
-        return makeLammpsDataExporter(run, folder);
-    case ExportFormat::xyz:
-        return makeXyzExporter(run, folder);
-    case ExportFormat::glb:
-        return makeGlbExporter(run, folder);
-    case ExportFormat::glbInstanced:
-        return makeGlbInstancedExporter(run, folder);
-    case ExportFormat::ply:
-        return makePlyExporter(run, folder);
-    case ExportFormat::csv:
-        return makeCsvExporter(run, folder);
-    case ExportFormat::npz:
-        break;
-    }
-    return makeNpzExporter(run, folder);
 }
 
 void requireFree(const std::filesystem::path& folder, const std::vector<std::string>& names)

@@ -6,6 +6,7 @@
 
 #include <frostfill/export.hpp>
 #include <frostfill/mesh.hpp>
+#include <frostfill/scene.hpp>
 #include <frostfill/snapshot.hpp>
 
 #include <Eigen/Geometry>
@@ -29,6 +30,7 @@ struct ExportedRun
     std::vector<std::size_t> numbers = {}; ///< of the frames that are exported, ascending
     std::size_t spheres = 0;               ///< in the last of them; for npz alone
     SimplifiedShell shell = {};            ///< of the mesh; for glTF alone
+    Scene scene = {};                      ///< as far as the head of the file tells it
 };
 
 /// A frame as it is exported.
@@ -93,5 +95,17 @@ MakeExporter makeGlbInstancedExporter;
 MakeExporter makePlyExporter;
 MakeExporter makeCsvExporter;
 MakeExporter makeNpzExporter;
+MakeExporter makeLiggghtsExporter;
+MakeExporter makeLammpsExporter;
+MakeExporter makeYadeExporter;
+MakeExporter makeMercuryDpmExporter;
+MakeExporter makeMfixExporter;
+MakeExporter makeLetheExporter;
+MakeExporter makeOpenMcExporter;
+MakeExporter makeGmshExporter;
+
+/// The exporter of a format.
+[[nodiscard]] std::unique_ptr<Exporter> makeExporter(ExportFormat format, const ExportedRun& run,
+                                                     const std::filesystem::path& folder);
 
 } // namespace frostfill

@@ -13,18 +13,100 @@ namespace frostfill
 namespace
 {
 
-constexpr std::array<ExportFormatInfo, 9> kFormats = {{
-    {ExportFormat::vtp, "vtp", "all", "spheres and mesh for ParaView and VTK; open run.pvd"},
-    {ExportFormat::lammpsDump, "lammps-dump", "all", "a dump of all frames for LAMMPS, OVITO, VMD"},
-    {ExportFormat::lammpsData, "lammps-data", "last", "the packing for read_data of LAMMPS"},
-    {ExportFormat::xyz, "xyz", "all", "extended XYZ of all frames for OVITO and ASE"},
-    {ExportFormat::glb, "glb", "all", "an animated glTF 2.0 scene for Blender and F3D"},
-    {ExportFormat::glbInstanced, "glb-instanced", "last",
-     "the packing as glTF 2.0 with EXT_mesh_gpu_instancing, for browsers"},
-    {ExportFormat::ply, "ply", "last", "a binary table of spheres for each frame"},
-    {ExportFormat::csv, "csv", "last", "a text table of spheres for each frame, all numbers"},
-    {ExportFormat::npz, "npz", "all", "NumPy arrays of all frames in one file"},
+/// All that is known of a format: who asks for one finds it here.
+struct FormatEntry
+{
+    ExportFormatInfo info;
+    MakeExporter* make;
+    /// The files that it writes, the one to open first; one that begins with a dot stands for a
+    /// file a frame, which ends in it.
+    std::array<const char*, 3> files;
+};
+
+constexpr std::array<FormatEntry, 17> kEntries = {{
+    {{ExportFormat::vtp, "vtp", "all", "spheres and mesh for ParaView and VTK; open run.pvd"},
+     makeVtpExporter,
+     {"run.pvd", ".vtp"}},
+    {{ExportFormat::lammpsDump, "lammps-dump", "all",
+      "a dump of all frames for LAMMPS, OVITO, VMD"},
+     makeLammpsDumpExporter,
+     {"spheres.dump"}},
+    {{ExportFormat::lammpsData, "lammps-data", "last", "the packing for read_data of LAMMPS"},
+     makeLammpsDataExporter,
+     {"spheres.data"}},
+    {{ExportFormat::xyz, "xyz", "all", "extended XYZ of all frames for OVITO and ASE"},
+     makeXyzExporter,
+     {"spheres.xyz"}},
+    {{ExportFormat::glb, "glb", "all", "an animated glTF 2.0 scene for Blender and F3D"},
+     makeGlbExporter,
+     {"run.glb"}},
+    {{ExportFormat::glbInstanced, "glb-instanced", "last",
+      "the packing as glTF 2.0 with EXT_mesh_gpu_instancing, for browsers"},
+     makeGlbInstancedExporter,
+     {"packing.glb"}},
+    {{ExportFormat::ply, "ply", "last", "a binary table of spheres for each frame"},
+     makePlyExporter,
+     {".ply"}},
+    {{ExportFormat::csv, "csv", "last", "a text table of spheres for each frame, all numbers"},
+     makeCsvExporter,
+     {".csv"}},
+    {{ExportFormat::npz, "npz", "all", "NumPy arrays of all frames in one file"},
+     makeNpzExporter,
+     {"run.npz"}},
+    {{ExportFormat::liggghts, "liggghts", "last", "an input script of LIGGGHTS with its files"},
+     makeLiggghtsExporter,
+     {"liggghts.in", "liggghts.data", "liggghts_walls.stl"}},
+    {{ExportFormat::lammps, "lammps", "last", "an input script of LAMMPS with its data file"},
+     makeLammpsExporter,
+     {"lammps.in", "lammps.data"}},
+    {{ExportFormat::yade, "yade", "last", "a Python script of YADE with its files"},
+     makeYadeExporter,
+     {"yade.py", "yade.txt", "yade_walls.txt"}},
+    {{ExportFormat::mercuryDpm, "mercurydpm", "last", "the packing for readDataFile of MercuryDPM"},
+     makeMercuryDpmExporter,
+     {"mercurydpm.data"}},
+    {{ExportFormat::mfix, "mfix", "last", "the packing as particle_input.dat of MFiX"},
+     makeMfixExporter,
+     {"particle_input.dat"}},
+    {{ExportFormat::lethe, "lethe", "last", "the packing for the insertion method file of Lethe"},
+     makeLetheExporter,
+     {"particles.input"}},
+    {{ExportFormat::openmc, "openmc", "last", "a Python module that makes a lattice for OpenMC"},
+     makeOpenMcExporter,
+     {"openmc_packing.py", "openmc_packing.txt"}},
+    {{ExportFormat::gmsh, "gmsh", "last", "the spheres as volumes of a .geo script of gmsh"},
+     makeGmshExporter,
+     {"spheres.geo"}},
 }};
+
+constexpr auto kFormats = []
+{
+    std::array<ExportFormatInfo, kEntries.size()> infos{};
+    for (std::size_t i = 0; i < infos.size(); ++i)
+    {
+        infos[i] = kEntries[i].info;
+    }
+    return infos;
+}();
+
+/// exportFormats()[format] is that of the format.
+static_assert(
+    []
+    {
+        for (std::size_t i = 0; i < kEntries.size(); ++i)
+        {
+            if (static_cast<std::size_t>(kEntries[i].info.format) != i)
+            {
+                return false;
+            }
+        }
+        return true;
+    }());
+
+const FormatEntry& entryOf(ExportFormat format)
+{
+    return kEntries[static_cast<std::size_t>(format)];
+}
 
 } // namespace
 
@@ -78,41 +160,30 @@ std::string numberedName(const char* what, std::size_t number, const char* endin
 
 std::vector<std::string> exportFiles(ExportFormat format, const std::vector<std::size_t>& numbers)
 {
-    const auto numbered = [&](const char* ending)
+    std::vector<std::string> names;
+    for (const char* file : entryOf(format).files)
     {
-        std::vector<std::string> names;
+        if (file == nullptr)
+        {
+            break;
+        }
+        if (*file != '.')
+        {
+            names.emplace_back(file);
+            continue;
+        }
         for (const std::size_t number : numbers)
         {
-            names.push_back(numberedName("spheres", number, ending));
+            names.push_back(numberedName("spheres", number, file + 1));
         }
-        return names;
-    };
-    switch (format)
-    {
-    case ExportFormat::vtp:
-    {
-        std::vector<std::string> names = numbered("vtp");
-        names.insert(names.begin(), "run.pvd");
-        return names;
     }
-    case ExportFormat::lammpsDump:
-        return {"spheres.dump"};
-    case ExportFormat::lammpsData:
-        return {"spheres.data"};
-    case ExportFormat::xyz:
-        return {"spheres.xyz"};
-    case ExportFormat::glb:
-        return {"run.glb"};
-    case ExportFormat::glbInstanced:
-        return {"packing.glb"};
-    case ExportFormat::ply:
-        return numbered("ply");
-    case ExportFormat::csv:
-        return numbered("csv");
-    case ExportFormat::npz:
-        break;
-    }
-    return {"run.npz"};
+    return names;
+}
+
+std::unique_ptr<Exporter> makeExporter(ExportFormat format, const ExportedRun& run,
+                                       const std::filesystem::path& folder)
+{
+    return entryOf(format).make(run, folder);
 }
 
 } // namespace frostfill

@@ -67,6 +67,7 @@ room(packing ${mesh} scene scene/options snapshot simulation simulation/quality 
 room(output base mesh snapshot scene scene/options image)
 room(shell mesh mesh/interior geometry snapshot)
 room(export base mesh view scene scene/options snapshot run_file output shell)
+room(export/inputs mesh mesh/interior scene snapshot output export)
 room(run base mesh view scene scene/options snapshot simulation image renderer render/overlay run_file output)
 room(page mesh view scene snapshot renderer render/framing render/context render/passes render/overlay
      render/layer run_file output shell run)

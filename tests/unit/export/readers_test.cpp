@@ -51,8 +51,8 @@ TEST_P(Readers, FindEveryNumberOfTheRun)
                    .out = folder / "export",
                    .overwrite = true});
     };
-    const bool lastOnly =
-        format == ExportFormat::lammpsData || format == ExportFormat::glbInstanced;
+    const bool lastOnly = format == ExportFormat::lammpsData ||
+                          format == ExportFormat::glbInstanced || format >= ExportFormat::liggghts;
     write(format, lastOnly ? "last" : "all");
     if (format == ExportFormat::lammpsDump)
     {
@@ -106,6 +106,27 @@ INSTANTIATE_TEST_SUITE_P(
                           Reader{"Blender", "glb", "which blender",
                                  "blender -b --factory-startup --python-exit-code 1 --python "
                                  "'{0}/with_blender.py' -- '{1}' {2}"}),
+        ::testing::Bool()),
+    nameOfTest);
+
+constexpr const char* kInputsByHand = "/usr/bin/python3 '{0}/inputs_by_hand.py' '{1}' {2}";
+constexpr const char* kWithInputs = "/usr/bin/python3 '{0}/with_inputs.py' '{1}' {2}";
+
+INSTANTIATE_TEST_SUITE_P(
+    OfInputs, Readers,
+    ::testing::Combine(
+        ::testing::Values(Reader{"Hand", "liggghts", "/usr/bin/python3 -V", kInputsByHand},
+                          Reader{"Hand", "lammps", "/usr/bin/python3 -V", kInputsByHand},
+                          Reader{"Hand", "yade", "/usr/bin/python3 -V", kInputsByHand},
+                          Reader{"Hand", "mercurydpm", "/usr/bin/python3 -V", kInputsByHand},
+                          Reader{"Hand", "mfix", "/usr/bin/python3 -V", kInputsByHand},
+                          Reader{"Hand", "lethe", "/usr/bin/python3 -V", kInputsByHand},
+                          Reader{"Hand", "openmc", "/usr/bin/python3 -V", kInputsByHand},
+                          Reader{"Hand", "gmsh", "/usr/bin/python3 -V", kInputsByHand},
+                          Reader{"Liggghts", "liggghts", "which liggghts", kWithInputs},
+                          Reader{"Lammps", "lammps", "which lmp", kWithInputs},
+                          Reader{"Yade", "yade", "which yade", kWithInputs},
+                          Reader{"Gmsh", "gmsh", "which gmsh", kWithInputs}),
         ::testing::Bool()),
     nameOfTest);
 

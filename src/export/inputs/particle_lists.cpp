@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+// Formats that are a list of spheres and no more: MercuryDPM, MFiX, Lethe, gmsh.
+#include "export/inputs/start_state.hpp"
+#include "output/atomic_file.hpp"
+
+#include <fmt/compile.h>
+#include <fmt/format.h>
+
+namespace frostfill
+{
+namespace
+{
+
+/// Format 14 of MercuryDPM: number, time and box; then of each place, velocity, radius, angles,
+/// angular velocity and species.
+void writeMercuryDpm(const StartState& state, const std::vector<std::filesystem::path>& files)
+{
+    AtomicFile data(files[0]);
+    const Eigen::Vector3d low = state.box.min();
+    const Eigen::Vector3d high = state.box.max();
+    data.write(fmt::format("{} {} {} {} {} {} {} {}\n", state.spheres.size(), state.time, low.x(),
+                           low.y(), low.z(), high.x(), high.y(), high.z()));
+    for (const StartSphere& sphere : state.spheres)
+    {
+        data.write(fmt::format(FMT_COMPILE("{} {} {} 0 0 0 {} 0 0 0 0 0 0 0\n"), sphere.centre.x(),
+                               sphere.centre.y(), sphere.centre.z(), sphere.radius));
+    }
+    data.commit();
+}
+
+/// MFiX skips the first 18 lines, reads numbers behind the first word of the others, and takes
+/// spheres from line 35.
+constexpr const char* kMfixHead =
+    R"(Version 2.0
+========================================================================
+Instructions:
+Dimension: Enter "2" for 2D, "3" for 3D (Integer)
+Particles: Number of particles to read from this file (Integer)
+For each variable, enter whether it will be read from the file
+("T" to be read (True), "F" to not be read (False)). When not read, enter the
+default values assign to all particles.
+Coordinates are always read (X,Y in 2D, X,Y,Z in 3D)
+Phase_ID, Diameter, Density, Temperature are scalars
+Velocity requires U,V in 2D, U,V,W in 3D
+Temperature is only read/set if the energy equation is solved
+Species are only read/set if the species equations are solved, and requires
+all species to be set (if phase 1 has 2 species and phase 2 has 4 species,
+all particles must have 4 entries, even phase 1 particles (pad list with zeros)
+User scalars need DES_USR_VAR_SIZE values
+Data starts at line 35. Each column correspond to a variable.
+========================================================================
+Dimension:    3
+Particles:    {}
+========================================================================
+Variable      Read(T/F)     Default value (when Read=F)
+========================================================================
+Coordinates:     T          Must always be T
+Phase_ID:        F          1
+Diameter:        T          {}
+Density:         F          {}
+Velocity:        F          0.0 0.0 0.0
+Temperature:     F          (Ignored if energy eq. is not solved)
+Species:         F          (Ignored if species eq. are not solved)
+User_Scalar:     F          (Ignored if no user scalars are defined)
+========================================================================
+X                     Y                     Z                     Diameter
+========================================================================
+)";
+
+void writeMfix(const StartState& state, const std::vector<std::filesystem::path>& files)
+{
+    AtomicFile data(files[0]);
+    data.write(fmt::format(fmt::runtime(kMfixHead), state.spheres.size(), 2 * state.largest,
+                           state.law.density));
+    for (const StartSphere& sphere : state.spheres)
+    {
+        data.write(fmt::format(FMT_COMPILE("{} {} {} {}\n"), sphere.centre.x(), sphere.centre.y(),
+                               sphere.centre.z(), 2 * sphere.radius));
+    }
+    data.commit();
+}
+
+/// The list of the insertion method "file" of Lethe.
+void writeLethe(const StartState& state, const std::vector<std::filesystem::path>& files)
+{
+    AtomicFile data(files[0]);
+    data.write("p_x; p_y; p_z; v_x; v_y; v_z; w_x; w_y; w_z; diameters;\n");
+    for (const StartSphere& sphere : state.spheres)
+    {
+        data.write(fmt::format(FMT_COMPILE("{}; {}; {}; 0; 0; 0; 0; 0; 0; {};\n"),
+                               sphere.centre.x(), sphere.centre.y(), sphere.centre.z(),
+                               2 * sphere.radius));
+    }
+    data.commit();
+}
+
+void writeGmsh(const StartState& state, const std::vector<std::filesystem::path>& files)
+{
+    AtomicFile script(files[0]);
+    script.write(headingOf(state, "//"));
+    script.write("SetFactory(\"OpenCASCADE\");\n");
+    for (const StartSphere& sphere : state.spheres)
+    {
+        script.write(fmt::format(FMT_COMPILE("Sphere({}) = {{{}, {}, {}, {}}};\n"), sphere.id + 1,
+                                 sphere.centre.x(), sphere.centre.y(), sphere.centre.z(),
+                                 sphere.radius));
+    }
+    script.write("Physical Volume(\"spheres\") = Volume{:};\n");
+    script.commit();
+}
+
+} // namespace
+
+std::unique_ptr<Exporter> makeMercuryDpmExporter(const ExportedRun& run,
+                                                 const std::filesystem::path& folder)
+{
+    return makeInputExporter(ExportFormat::mercuryDpm, writeMercuryDpm, run, folder);
+}
+
+std::unique_ptr<Exporter> makeMfixExporter(const ExportedRun& run,
+                                           const std::filesystem::path& folder)
+{
+    return makeInputExporter(ExportFormat::mfix, writeMfix, run, folder);
+}
+
+std::unique_ptr<Exporter> makeLetheExporter(const ExportedRun& run,
+                                            const std::filesystem::path& folder)
+{
+    return makeInputExporter(ExportFormat::lethe, writeLethe, run, folder);
+}
+
+std::unique_ptr<Exporter> makeGmshExporter(const ExportedRun& run,
+                                           const std::filesystem::path& folder)
+{
+    return makeInputExporter(ExportFormat::gmsh, writeGmsh, run, folder);
+}
+
+} // namespace frostfill

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// Whether spheres that rest together stay where they are in somebody else's physics: other codes
+// run the input scripts as they are written, every sphere free, for ten times sqrt(r/g).
+#include "support/temporary_folder.hpp"
+
+#include <frostfill/export.hpp>
+#include <frostfill/fill.hpp>
+#include <frostfill/packing.hpp>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace frostfill
+{
+namespace
+{
+
+struct OtherCode
+{
+    const char* format;
+    const char* command;
+    const char* dump;
+};
+
+bool succeeds(const std::string& command)
+{
+    return std::system(command.c_str()) == 0; // NOLINT(cert-env33-c): of our own words
+}
+
+class SpheresAtRest : public ::testing::TestWithParam<OtherCode>
+{
+};
+
+TEST_P(SpheresAtRest, StayWhereTheyAreInAnotherCode)
+{
+    const OtherCode& code = GetParam();
+    const std::string program =
+        std::string(code.command).substr(0, std::string(code.command).find(' '));
+    if (!succeeds(fmt::format("which {} >/dev/null 2>&1", program)))
+    {
+        GTEST_SKIP() << program << " is not installed";
+    }
+    const test::TemporaryFolder folder;
+    FillRequest request;
+    request.scene = presetScene(Preset::fast, "cube");
+    request.scene.spheres.count = 300;
+    request.scene.spheres.untilFull = true;
+    request.scene.rest.mode = Rest::joint;
+    request.scene.rest.friction = 0.3;
+    request.scene.frames.enabled = false;
+    request.scene.frames.keepRun = true;
+    request.directory = folder / "run";
+    ASSERT_FALSE(fill(request).failure);
+    exportRun({.run = folder / "run",
+               .format = exportFormat(code.format).format,
+               .frames = {},
+               .out = folder / "there"});
+    ASSERT_TRUE(succeeds(
+        fmt::format("cd '{}' && {} >said.txt 2>&1", (folder / "there").string(), code.command)))
+        << test::readFile(folder / "there/said.txt");
+
+    const Packing before = readPacking(folder / "run");
+    const Packing after = readPacking(folder / "there" / code.dump); // its last state
+    ASSERT_EQ(after.centres.size(), before.centres.size());
+    std::size_t near = 0;
+    double most = 0;
+    for (std::size_t k = 0; k < before.centres.size(); ++k)
+    {
+        const double moved = (after.centres[k] - before.centres[k]).norm() / before.radii[k];
+        near += moved <= 0.02 ? 1 : 0;
+        most = std::max(most, moved);
+    }
+    EXPECT_GT(most, 0) << "it has run nothing";
+    EXPECT_GE(static_cast<double>(near), 0.99 * static_cast<double>(before.centres.size()));
+    EXPECT_LE(most, 0.5);
+    // So stiff that no sphere sinks into another.
+    const QualityReport quality = judgePacking(*before.mesh, after, Axis::y);
+    EXPECT_LT(quality.maxOverlap, 1e-3);
+    EXPECT_LT(quality.maxWallOverlap, 1e-3);
+    EXPECT_GT(quality.maxOverlap, 1e-5);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    In, SpheresAtRest,
+    ::testing::Values(OtherCode{"liggghts", "liggghts -in liggghts.in -log none", "liggghts.dump"},
+                      OtherCode{"lammps", "lmp -in lammps.in -log none", "lammps.dump"}),
+    [](const ::testing::TestParamInfo<OtherCode>& code) { return std::string(code.param.format); });
+
+} // namespace
+} // namespace frostfill
