@@ -44,6 +44,23 @@ QualityReport check(const py::object& centres, const py::object& radii, const py
     return judgePacking(given.load(scene.object.load).mesh, packing, scene.object.up, scene.judge);
 }
 
+/// Centres, radii, whether each is at rest, and what the file is.
+py::tuple readPackingFile(const py::object& path, double radius, const std::string& columns)
+{
+    const std::filesystem::path file = pathOf(path, "path");
+    const auto packing = std::make_shared<Packing>();
+    {
+        const py::gil_scoped_release release;
+        *packing = readPacking(
+            file, {.radius = radius,
+                   .columns = columns.empty() ? PackingColumns{} : parsePackingColumns(columns)});
+    }
+    py::array_t<bool> atRest(static_cast<py::ssize_t>(packing->atRest.size()));
+    std::copy(packing->atRest.begin(), packing->atRest.end(), atRest.mutable_data());
+    return py::make_tuple(view(packing, packing->centres), view(packing, packing->radii), atRest,
+                          packing->format);
+}
+
 /// The mesh as it is read and as it is filled, and the repairs between.
 py::tuple inspect(const py::object& mesh, const py::object& vertices, const py::object& triangles,
                   const py::kwargs& keywords)
@@ -112,6 +129,7 @@ VolumeEstimate volume(const py::object& mesh, const py::object& vertices,
 void addInstruments(py::module_& module)
 {
     module.def("check", &check);
+    module.def("read_packing", &readPackingFile);
     module.def("inspect", &inspect);
     module.def("volume", &volume);
 }

@@ -14,7 +14,7 @@ import frostfill  # noqa: E402
 HEAD = '''# SPDX-License-Identifier: MIT
 # Printed by python/make_stub.py from the module; a test compares. Do not edit.
 import enum
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from os import PathLike
 from pathlib import Path
 from typing import Any, Literal, NamedTuple

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace frostfill
@@ -29,11 +30,37 @@ struct Packing
     double settledWith = 0; ///< [1] friction under which a run's spheres settled together
 };
 
+/// Which columns of a table hold what, where their names are not those that readPacking() knows: a
+/// name in the heading, or a number that counts columns from 1. Empty: the usual name.
+struct PackingColumns
+{
+    std::string x = {}, y = {}, z = {};
+    std::string radius = {}, diameter = {}; ///< one of them, or none
+
+    [[nodiscard]] bool any() const { return *this != PackingColumns{}; }
+    friend bool operator==(const PackingColumns&, const PackingColumns&) = default;
+};
+
+/// Reads "x=Points:0,y=Points:1,z=Points:2,diameter=d". Throws Error usage for a quantity that is
+/// none of the five (with the nearest) or is there twice, for one without a column, and for radius
+/// and diameter together.
+[[nodiscard]] PackingColumns parsePackingColumns(std::string_view text);
+
+struct PackingFileOptions
+{
+    double radius = 0; ///< [mesh unit] if above 0, of all spheres of a file that has none
+    PackingColumns columns = {};
+};
+
 /// Reads spheres from the directory of a run, a run file, a table of text with columns x, y, z and
-/// radius (CSV, or separated by semicolons or spaces), extended XYZ, or a LAMMPS dump. Of a file
-/// with several moments it is the last. The content decides, not the name. `radius` [mesh unit], if
-/// above 0, is that of all spheres of a file that has none. Throws Error inputMissing, or badData
-/// with file and line.
+/// radius (CSV, or separated by semicolons or spaces), extended XYZ, a LAMMPS or LIGGGHTS dump, the
+/// text of YADE, a data file of MercuryDPM in three dimensions, or the binary file of
+/// packing-generation (.xyzd). Of a file with several moments it is the last. The content decides,
+/// not the name. Throws Error inputMissing, badData with file and line, or usage for columns that
+/// are named of a file which is no table.
+[[nodiscard]] Packing readPacking(const std::filesystem::path& file,
+                                  const PackingFileOptions& options);
+/// The same with a radius alone.
 [[nodiscard]] Packing readPacking(const std::filesystem::path& file, double radius = 0);
 
 /// Judges spheres in a closed, outward mesh. What only a run knows, such as energies, is 0. Throws

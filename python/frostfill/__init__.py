@@ -34,7 +34,7 @@ from ._frostfill import (
     WriteFailed,
 )
 from ._frostfill import version as __version__
-from ._instruments import Inspection, analyse, check, inspect, volume
+from ._instruments import Inspection, Packing, analyse, check, inspect, read_packing, volume
 from ._pictures import Picture
 from ._runs import Run, fill, load
 from ._simulation import Simulation, SphereState
@@ -47,6 +47,8 @@ __all__ = [
     "Snapshot",
     "SphereState",
     "Picture",
+    "read_packing",
+    "Packing",
     "check",
     "QualityReport",
     "EquilibriumReport",

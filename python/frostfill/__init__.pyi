@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Printed by python/make_stub.py from the module; a test compares. Do not edit.
 import enum
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from os import PathLike
 from pathlib import Path
 from typing import Any, Literal, NamedTuple
@@ -264,8 +264,9 @@ class Run:
         """Writes the run for other programs, and returns the files, the one to open first.
 
         Without a format, `path` is a file and its ending says what it is: .vtp, .xyz, .glb, .ply,
-        .csv, .npz, .dump or .data (LAMMPS). With one, such as "vtp" or "glb-instanced", it is a
-        folder. frames: "last", "all" or numbers and ranges such as "0..100:10". full_mesh: keep all
+        .csv, .npz, .dump or .data (LAMMPS). With one, such as "vtp", "glb-instanced" or an input of
+        another program ("liggghts", "yade", "lammps", "mercurydpm", "mfix", "lethe", "openmc",
+        "gmsh"), it is a folder. frames: "last", "all" or numbers and ranges such as "0..100:10". full_mesh: keep all
         triangles of a dense mesh in glTF, in place of a simplified shell."""
 
 class Simulation:
@@ -532,6 +533,21 @@ class Picture(NDArray[numpy.uint8]):
     A NumPy array that shows itself in a notebook."""
     def save(self, file: str | PathLike[str]) -> None:
         """Writes a PNG file; an incomplete one never appears."""
+
+def read_packing(path: str | PathLike[str], *, radius: float | None = ..., columns: Mapping[str, str | int] | None = ...) -> Packing:
+    """Reads spheres from a file of any program, for frostfill.check and frostfill.analyse.
+
+    path: a run, a table (CSV), XYZ, a dump of LAMMPS or LIGGGHTS, the text of YADE, a data file of
+    MercuryDPM, or the binary of packing-generation; of several moments the last. radius: of all
+    spheres of a file that has none. columns: which columns of a table are x, y, z and radius or
+    diameter, by name or by number from 1, where they have other names."""
+
+class Packing(NamedTuple):
+    """A packing from a file: spheres in the coordinates of their mesh."""
+    centres: NDArray[Any]
+    radii: NDArray[Any]
+    at_rest: NDArray[Any]
+    format: str
 
 def check(
         centres: ArrayLike,

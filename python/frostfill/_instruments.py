@@ -3,15 +3,56 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import math
+from collections.abc import Mapping, Sequence
 from os import PathLike
 from typing import NamedTuple
 
+import numpy
 from numpy.typing import ArrayLike
 
 from . import _frostfill
 from ._frostfill import MeshReport, PackingAnalysis, QualityReport, VolumeEstimate
 from ._keywords import takes_options
+
+
+class Packing(NamedTuple):
+    """A packing from a file: spheres in the coordinates of their mesh."""
+
+    centres: numpy.ndarray  # float64 [n, 3]
+    radii: numpy.ndarray  # float64 [n]
+    at_rest: numpy.ndarray  # bool [n]; where the file does not say, all
+    format: str  # what the file is, in a few words
+
+
+def read_packing(
+    path: str | PathLike[str],
+    *,
+    radius: float | None = None,
+    columns: Mapping[str, str | int] | None = None,
+) -> Packing:
+    """Reads spheres from a file of any program, for frostfill.check and frostfill.analyse.
+
+    path: a run, a table (CSV), XYZ, a dump of LAMMPS or LIGGGHTS, the text of YADE, a data file of
+    MercuryDPM, or the binary of packing-generation; of several moments the last. radius: of all
+    spheres of a file that has none. columns: which columns of a table are x, y, z and radius or
+    diameter, by name or by number from 1, where they have other names.
+
+    >>> import pathlib, tempfile
+    >>> file = pathlib.Path(tempfile.mkdtemp(), "beads.csv")
+    >>> _ = file.write_text("px,py,pz,size\\n0,0,0,0.5\\n")
+    >>> found = read_packing(file, columns={"x": "px", "y": "py", "z": "pz", "diameter": "size"})
+    >>> found.radii, found.format
+    (array([0.25]), 'a table')
+    """
+    if radius is not None and (isinstance(radius, (bool, str)) or not math.isfinite(radius) or radius <= 0):
+        raise _frostfill.Usage(f"radius must be a number above 0, not {radius!r}")
+    text = ""
+    if columns is not None:
+        if not isinstance(columns, Mapping) or not columns:
+            raise _frostfill.Usage('columns must be a dictionary such as {"x": "px", "radius": 4}')
+        text = ",".join(f"{quantity}={column}" for quantity, column in columns.items())
+    return Packing(*_frostfill.read_packing(path, 0.0 if radius is None else radius, text))
 
 
 @takes_options("judging")

@@ -141,15 +141,17 @@ class Run(_frostfill.KeptRun):
         """Writes the run for other programs, and returns the files, the one to open first.
 
         Without a format, `path` is a file and its ending says what it is: .vtp, .xyz, .glb, .ply,
-        .csv, .npz, .dump or .data (LAMMPS). With one, such as "vtp" or "glb-instanced", it is a
-        folder. frames: "last", "all" or numbers and ranges such as "0..100:10". full_mesh: keep all
+        .csv, .npz, .dump or .data (LAMMPS). With one, such as "vtp", "glb-instanced" or an input of
+        another program ("liggghts", "yade", "lammps", "mercurydpm", "mfix", "lethe", "openmc",
+        "gmsh"), it is a folder. frames: "last", "all" or numbers and ranges such as "0..100:10". full_mesh: keep all
         triangles of a dense mesh in glTF, in place of a simplified shell.
         """
         if format is not None:
             return self.export_into(_text(format, "format"), path, frames or "", overwrite, full_mesh)
         target = Path(os.fsdecode(path))
         ending = target.suffix[1:].lower()
-        formats = [f for f in _frostfill.export_formats() if f in (ending, f"lammps-{ending}")]
+        formats = [f for f in _frostfill.export_formats()
+                   if f in (ending, f"lammps-{ending}") and f not in _INPUTS]
         if not formats:
             raise _frostfill.Usage(
                 f"'{target}' does not say its format: end it in .vtp, .xyz, .glb, .ply, .csv, .npz, "
@@ -165,6 +167,10 @@ class Run(_frostfill.KeptRun):
 
     def __repr__(self) -> str:
         return f"<frostfill.Run of {len(self.radii)} spheres, {len(self)} frames, in {self.directory}>"
+
+
+# Formats that are several files, or one with a name of its own: they go to a folder.
+_INPUTS = ("liggghts", "lammps", "yade", "mercurydpm", "mfix", "lethe", "openmc", "gmsh")
 
 
 def _umask():

@@ -31,7 +31,7 @@ struct AnalyseArguments
 {
     std::string file;
     std::string mesh;
-    double radius = 0;
+    PackingArguments packing;
     AnalysisSettings settings;
     std::vector<double> centre;
     std::vector<std::string> only;
@@ -149,7 +149,7 @@ void printTable(const PackingAnalysis& analysis)
 int analyse(const AnalyseArguments& arguments)
 {
     AnalysisSettings settings = settingsOf(arguments);
-    const Packing packing = readPacking(arguments.file, arguments.radius);
+    const Packing packing = readPacking(arguments.file, arguments.packing.options());
     Scene scene;
     scene.object.up = packing.up.value_or(scene.object.up);
     applyGivenOptions(arguments.given, scene);
@@ -233,10 +233,7 @@ Command addAnalyseCommand(CLI::App& program)
     addPackingMeshOption(*command, arguments->mesh);
     addUpOption(*command, arguments->given);
     addLoadOptions(*command, arguments->given);
-    command
-        ->add_option("--radius", arguments->radius, "Radius of all spheres of a file without radii")
-        ->check(CLI::NonNegativeNumber)
-        ->type_name("R");
+    addPackingOptions(*command, arguments->packing);
     addSettings(*command, *arguments);
     command
         ->add_option("--out", arguments->out,

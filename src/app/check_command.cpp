@@ -29,6 +29,7 @@ constexpr const char* kCheckExamples = R"(Examples:
   frostfill check output/torus                                a run of our own, against its mesh
   frostfill check packing.csv --mesh part.stl --up z --max-overlap 0.01
   frostfill check dump.lammpstrj --mesh box.stl --json
+  frostfill check beads.csv --columns x=px,y=py,z=pz,diameter=size --mesh tube.stl
   frostfill check output/torus --judge-friction 0.3           does it stand as a whole?
 )";
 
@@ -36,7 +37,7 @@ struct CheckArguments
 {
     std::string file;
     std::string mesh;
-    std::optional<double> radius;
+    PackingArguments packing;
     std::optional<double> mostOverlap, mostWallOverlap;
     std::optional<std::size_t> mostOutside, mostUnsupported, mostUnbalanced;
     bool json = false;
@@ -126,7 +127,7 @@ void printJson(const Packing& packing, const QualityReport& quality,
 
 int check(const CheckArguments& arguments)
 {
-    const Packing packing = readPacking(arguments.file, arguments.radius.value_or(0));
+    const Packing packing = readPacking(arguments.file, arguments.packing.options());
     Scene scene;
     scene.object.up = packing.up.value_or(scene.object.up);
     applyGivenOptions(arguments.given, scene);
@@ -168,10 +169,10 @@ Command addCheckCommand(CLI::App& program)
     command->footer(std::string(kCheckExamples) + kPackingFiles);
     command->add_option("FILE", arguments->file, "The packing")->required();
     addPackingMeshOption(*command, arguments->mesh);
+    addPackingOptions(*command, arguments->packing);
     addCheckOptions(*command, arguments->given);
     const auto limit = [&](const char* flag, auto& value, const char* help, const char* type)
     { command->add_option(flag, value, help)->check(CLI::NonNegativeNumber)->type_name(type); };
-    limit("--radius", arguments->radius, "Radius of all spheres of a file without radii", "R");
     limit("--max-overlap", arguments->mostOverlap,
           "Exit with 2 if two spheres overlap by more of the smaller radius", "X");
     limit("--max-wall-overlap", arguments->mostWallOverlap,

@@ -13,6 +13,25 @@
 namespace frostfill
 {
 
+PackingFileOptions PackingArguments::options() const
+{
+    return {.radius = radius,
+            .columns = columns.empty() ? PackingColumns{} : parsePackingColumns(columns)};
+}
+
+void addPackingOptions(CLI::App& command, PackingArguments& arguments)
+{
+    command
+        .add_option("--radius", arguments.radius, "Radius of all spheres of a file without radii")
+        ->check(CLI::NonNegativeNumber)
+        ->type_name("R");
+    command
+        .add_option("--columns", arguments.columns,
+                    "Columns of a table by name or number: x=NAME,y=NAME,z=NAME,radius=NAME (or "
+                    "diameter=NAME)")
+        ->type_name("COLUMNS");
+}
+
 void addPackingMeshOption(CLI::App& command, std::string& mesh)
 {
     command

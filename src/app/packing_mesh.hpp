@@ -13,8 +13,20 @@ namespace frostfill
 /// The end of the help of a command that reads a packing: what FILE may be.
 inline constexpr const char* kPackingFiles = R"(
 FILE is the directory of a run, a run.frost, a table with columns x, y, z and radius (CSV, or
-separated by semicolons or spaces), extended XYZ, or a LAMMPS dump; of several moments the last.
+separated by semicolons or spaces), extended XYZ, a dump of LAMMPS or LIGGGHTS, the text of YADE, a data
+file of MercuryDPM, or the binary of packing-generation (.xyzd); of several moments the last.
 )";
+
+/// The options of a command that say how FILE is to be read.
+struct PackingArguments
+{
+    double radius = 0;
+    std::string columns;
+
+    /// Throws Error usage for columns that cannot be read.
+    [[nodiscard]] PackingFileOptions options() const;
+};
+void addPackingOptions(CLI::App& command, PackingArguments& arguments);
 
 void addPackingMeshOption(CLI::App& command, std::string& mesh);
 

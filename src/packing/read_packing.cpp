@@ -105,33 +105,79 @@ Packing readDirectory(const std::filesystem::path& directory)
     }
     const std::filesystem::path table = directory / "spheres.csv";
     const std::string text = contentOf(table);
-    Packing packing = packingOf(readTable({text, table.string()}, 0), "the tables of a run");
+    Packing packing = packingOf(readTable({text, table.string()}, {}), "the tables of a run");
     packing.mesh = readMesh(directory / "mesh.ply");
     enterScene(contentOf(directory / "summary.json"), packing);
     return packing;
 }
 
-/// Of several moments the last.
-Packing readText(const std::filesystem::path& file, double radius)
+/// A text that has moments, one after the other.
+struct MomentFormat
 {
-    const std::string text = contentOf(file);
-    TextLines lines(text, file.string());
-    if (!isDump(text) && !isXyz(text))
+    const char* name;
+    bool (*is)(std::string_view text);
+    bool (*next)(TextLines& lines, double radius, Timestep& timestep);
+};
+constexpr MomentFormat kMomentFormats[] = {
+    {"a LAMMPS dump", isDump, readDumpTimestep},
+    {"XYZ", isXyz, readXyzTimestep},
+    {"a data file of MercuryDPM", isMercury, readMercuryTimestep}};
+
+void refuseColumns(const PackingColumns& columns, const std::filesystem::path& file,
+                   const std::string& format)
+{
+    if (columns.any())
     {
-        return packingOf(readTable(lines, radius), "a table");
+        throw Error(ErrorCode::usage,
+                    fmt::format("columns can be named of a table alone, and '{}' is {}",
+                                file.string(), format));
     }
-    const auto readTimestep = isDump(text) ? readDumpTimestep : readXyzTimestep;
-    Timestep last;
-    for (Timestep timestep; readTimestep(lines, radius, timestep);)
+}
+
+Packing readBinaryFile(const std::string& content, const std::filesystem::path& file)
+{
+    const double diameters = diametersOf(file);
+    Packing packing = packingOf(readBinary(content, file.string(), diameters),
+                                "a binary file of packing-generation");
+    if (diameters != 1)
     {
-        last = std::move(timestep);
+        packing.format +=
+            fmt::format(", its diameters times {:.6g} as the .nfo file says", diameters);
     }
-    return packingOf(std::move(last), isDump(text) ? "a LAMMPS dump" : "XYZ");
+    return packing;
+}
+
+/// Of several moments the last.
+Packing readContent(const std::filesystem::path& file, const PackingFileOptions& options)
+{
+    const std::string content = contentOf(file);
+    if (isBinary(content, file))
+    {
+        return readBinaryFile(content, file);
+    }
+    TextLines lines(content, file.string());
+    if (isYade(content))
+    {
+        return packingOf(readYade(lines, options.radius), "the text of YADE");
+    }
+    for (const MomentFormat& format : kMomentFormats)
+    {
+        if (format.is(content))
+        {
+            Timestep last;
+            for (Timestep timestep; format.next(lines, options.radius, timestep);)
+            {
+                last = std::move(timestep);
+            }
+            return packingOf(std::move(last), format.name);
+        }
+    }
+    return packingOf(readTable(lines, options), "a table");
 }
 
 } // namespace
 
-Packing readPacking(const std::filesystem::path& file, double radius)
+Packing readPacking(const std::filesystem::path& file, const PackingFileOptions& options)
 {
     std::error_code error;
     Packing packing;
@@ -145,13 +191,22 @@ Packing readPacking(const std::filesystem::path& file, double radius)
     }
     else
     {
-        packing = readText(file, radius);
+        packing = readContent(file, options);
+    }
+    if (packing.format != "a table")
+    {
+        refuseColumns(options.columns, file, packing.format);
     }
     if (packing.centres.empty())
     {
         throw Error(ErrorCode::badData, fmt::format("'{}' has no spheres", file.string()));
     }
     return packing;
+}
+
+Packing readPacking(const std::filesystem::path& file, double radius)
+{
+    return readPacking(file, PackingFileOptions{.radius = radius});
 }
 
 QualityReport judgePacking(const TriangleMesh& mesh, const Packing& packing, Axis up,

@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "packing/timestep.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
 namespace frostfill
 {
 namespace
 {
+
+using TableWords = std::vector<std::string_view>;
 
 /// What separates the columns: a comma, a semicolon, or 0 for spaces and tabs.
 char separatorOf(std::string_view heading)
@@ -24,9 +31,89 @@ bool isComment(std::string_view line)
     return line.find_first_not_of(" \t") == std::string_view::npos || line.front() == '#';
 }
 
+bool areNumbers(const TableWords& words)
+{
+    return !words.empty() &&
+           std::all_of(words.begin(), words.end(),
+                       [](std::string_view word)
+                       {
+                           double value = 0;
+                           const auto [end, error] =
+                               std::from_chars(word.data(), word.data() + word.size(), value);
+                           return error == std::errc() && end == word.data() + word.size();
+                       });
+}
+
+/// The index of a column that is given by its name, or by its number from 1.
+int indexOfColumn(const std::string& column, const TableWords& heading, const TextLines& lines)
+{
+    const auto at = std::find(heading.begin(), heading.end(), column);
+    if (at != heading.end() && !areNumbers(heading)) // which are the first sphere
+    {
+        return static_cast<int>(at - heading.begin());
+    }
+    std::size_t number = 0;
+    const auto [end, error] = std::from_chars(column.data(), column.data() + column.size(), number);
+    if (error != std::errc() || end != column.data() + column.size())
+    {
+        lines.refuse(
+            areNumbers(heading)
+                ? fmt::format("no heading that could have a column '{}'; give its number", column)
+                : fmt::format("no column '{}' among {}", column, fmt::join(heading, ", ")));
+    }
+    if (number == 0 || number > heading.size())
+    {
+        lines.refuse(
+            fmt::format("no column {}: there are {}, counted from 1", number, heading.size()));
+    }
+    return static_cast<int>(number) - 1;
+}
+
+/// Puts the columns that are given in the place of those that have the usual names.
+void takeGiven(const PackingColumns& given, const TableWords& heading, const TextLines& lines,
+               SphereColumns& columns)
+{
+    const auto take = [&](const std::string& name, int& column)
+    {
+        if (!name.empty())
+        {
+            column = indexOfColumn(name, heading, lines);
+        }
+    };
+    take(given.x, columns.x);
+    take(given.y, columns.y);
+    take(given.z, columns.z);
+    take(given.radius, columns.radius);
+    take(given.diameter, columns.diameter);
+    if (!given.diameter.empty())
+    {
+        columns.radius = -1;
+    }
+}
+
+SphereColumns columnsOfTable(const TableWords& heading, const PackingFileOptions& options,
+                             const TextLines& lines)
+{
+    SphereColumns columns;
+    int index = 0;
+    for (const std::string_view name : heading)
+    {
+        columns.take(name, index++);
+    }
+    columns.keepPlacesOnly(); // the others may be words
+    takeGiven(options.columns, heading, lines, columns);
+    if (areNumbers(heading) && !options.columns.any())
+    {
+        lines.refuse("no heading, but numbers: say which columns are which, as in --columns "
+                     "x=1,y=2,z=3,radius=4");
+    }
+    columns.requireAll(lines, options.radius);
+    return columns;
+}
+
 } // namespace
 
-Timestep readTable(TextLines lines, double radius)
+Timestep readTable(TextLines lines, const PackingFileOptions& options)
 {
     std::string_view heading = lines.need("its heading");
     if (heading.starts_with("\xEF\xBB\xBF"))
@@ -38,20 +125,18 @@ Timestep readTable(TextLines lines, double radius)
         heading.remove_prefix(1);
     }
     const char separator = separatorOf(heading);
-    SphereColumns columns;
-    int index = 0;
-    for (const std::string_view name : wordsOf(heading, separator))
-    {
-        columns.take(name, index++);
-    }
-    columns.keepPlacesOnly(); // the others may be words
-    columns.requireAll(lines, radius);
+    const TableWords names = wordsOf(heading, separator);
+    const SphereColumns columns = columnsOfTable(names, options, lines);
     Timestep timestep;
+    if (areNumbers(names))
+    {
+        addSphere(names, columns, options.radius, lines, timestep);
+    }
     for (std::string_view line; lines.next(line);)
     {
         if (!isComment(line))
         {
-            addSphere(wordsOf(line, separator), columns, radius, lines, timestep);
+            addSphere(wordsOf(line, separator), columns, options.radius, lines, timestep);
         }
     }
     return timestep;

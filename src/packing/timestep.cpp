@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <initializer_list>
 #include <string>
 
@@ -36,22 +37,22 @@ void SphereColumns::take(std::string_view name, int index)
     const std::string low = lowered(name);
     const auto is = [&](std::initializer_list<const char*> names)
     { return std::find(names.begin(), names.end(), low) != names.end(); };
-    int* column = is({"x", "xu", "pos_x", "position_x"})   ? &x
-                  : is({"y", "yu", "pos_y", "position_y"}) ? &y
-                  : is({"z", "zu", "pos_z", "position_z"}) ? &z
-                  : is({"xs", "xsu"})                      ? &scaledX
-                  : is({"ys", "ysu"})                      ? &scaledY
-                  : is({"zs", "zsu"})                      ? &scaledZ
-                  : is({"radius", "r", "rad"})             ? &radius
-                  : is({"diameter", "d"})                  ? &diameter
-                  : is({"id"})                             ? &id
-                  : is({"state"})                          ? &state
-                  : is({"group"})                          ? &group
-                  : is({"vx"})                             ? &velocityX
-                  : is({"vy"})                             ? &velocityY
-                  : is({"vz"})                             ? &velocityZ
-                  : is({"speed"})                          ? &speed
-                                                           : nullptr;
+    int* column = is({"x", "xu", "pos_x", "position_x", "p_x", "points:0"})   ? &x
+                  : is({"y", "yu", "pos_y", "position_y", "p_y", "points:1"}) ? &y
+                  : is({"z", "zu", "pos_z", "position_z", "p_z", "points:2"}) ? &z
+                  : is({"xs", "xsu"})                                         ? &scaledX
+                  : is({"ys", "ysu"})                                         ? &scaledY
+                  : is({"zs", "zsu"})                                         ? &scaledZ
+                  : is({"radius", "r", "rad"})                                ? &radius
+                  : is({"diameter", "d", "diameters"})                        ? &diameter
+                  : is({"id"})                                                ? &id
+                  : is({"state"})                                             ? &state
+                  : is({"group"})                                             ? &group
+                  : is({"vx"})                                                ? &velocityX
+                  : is({"vy"})                                                ? &velocityY
+                  : is({"vz"})                                                ? &velocityZ
+                  : is({"speed"})                                             ? &speed
+                                                                              : nullptr;
     if (column != nullptr && *column < 0)
     {
         *column = index;
@@ -112,6 +113,16 @@ void addSphere(const std::vector<std::string_view>& words, const SphereColumns& 
     timestep.radii.push_back(columns.radius >= 0     ? number(columns.radius)
                              : columns.diameter >= 0 ? number(columns.diameter) / 2
                                                      : radius);
+    const double size = timestep.radii.back();
+    if (!(size > 0) || !std::isfinite(size))
+    {
+        const bool isDiameter = columns.radius < 0 && columns.diameter >= 0;
+        lines.refuse(fmt::format("the {} of sphere {} is {}, not above 0",
+                                 isDiameter ? "diameter" : "radius",
+                                 columns.id >= 0 ? std::string(word(columns.id))
+                                                 : fmt::format("{}", timestep.radii.size()),
+                                 isDiameter ? 2 * size : size));
+    }
     if (columns.id >= 0)
     {
         timestep.ids.push_back(wholeNumberOf(word(columns.id), lines));

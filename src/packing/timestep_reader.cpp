@@ -83,11 +83,6 @@ void TimestepReader::examine(const Timestep& timestep) const
         {
             lines_.refuse(fmt::format("the position of {} is not a number", name(k)));
         }
-        if (!(timestep.radii[k] > 0) || !std::isfinite(timestep.radii[k]))
-        {
-            lines_.refuse(
-                fmt::format("the radius of {} is {}, not above 0", name(k), timestep.radii[k]));
-        }
         if (!timestep.speeds.empty() && !std::isfinite(timestep.speeds[k]))
         {
             lines_.refuse(fmt::format("the velocity of {} is not a number", name(k)));

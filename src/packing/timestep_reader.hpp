@@ -16,6 +16,14 @@ namespace frostfill
 /// Whether a text is a dump of LAMMPS or LIGGGHTS.
 [[nodiscard]] bool isDump(std::string_view text);
 
+/// Whether it is the text of YADE, with its columns in the first line.
+[[nodiscard]] bool isYade(std::string_view text);
+/// Whether it is a data file of MercuryDPM: its first line has a number of spheres, a time, and the
+/// ends of a box in two or three dimensions.
+[[nodiscard]] bool isMercury(std::string_view text);
+/// Whether it is the binary file of packing-generation: by its name, or because it is no text.
+[[nodiscard]] bool isBinary(std::string_view content, const std::filesystem::path& file);
+
 /// Goes through the timesteps of a simulation: a dump or extended XYZ. What a writer that
 /// was interrupted has left of its last timestep does not count, not even a last line without its
 /// end: a number may lack its last digits.

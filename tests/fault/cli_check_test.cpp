@@ -140,10 +140,30 @@ TEST_F(CheckCommand, JudgesARunUnderTheFrictionWithWhichItHasSettled)
     }
 }
 
+TEST_F(CheckCommand, TakesTheColumnsOfATableByName)
+{
+    writeFile(folder_ / "beads.csv", "size,a,b,c\n0.5,0,-0.75,0\n0.5,0,-0.275,0\n");
+    const Answer answer =
+        run("check beads.csv --mesh cube --columns x=a,y=b,z=c,diameter=size --json");
+    EXPECT_EQ(answer.code, 0) << answer.errors;
+    const auto json = nlohmann::json::parse(answer.output);
+    EXPECT_NEAR(json["max_overlap_over_radius"].get<double>(), 0.1, 1e-9);
+    EXPECT_EQ(json["largest_radius"], 0.25);
+    ASSERT_EQ(run("analyse beads.csv --mesh cube --columns x=2,y=3,z=4,diameter=1 --only contacts "
+                  "--out found --quiet")
+                  .code,
+              0);
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "found/contacts.csv"));
+}
+
 TEST_F(CheckCommand, RefusesInASentenceWhatItCannotMeasure)
 {
     writeFile(folder_ / "bad.csv", "x,y,z,radius\n0,0,0,0.1\n0,0,zero,0.1\n");
     writeFile(folder_ / "flat.csv", "x,y,z,radius\n0,0,0,0\n");
+    writeFile(folder_ / "beads.csv", "a,b,c,s\n0,0,0,0.2\n");
+    writeFile(folder_ / "yade.txt", "#format x_y_z_r\n0 0 0 0.1\n0 0 0\n");
+    writeFile(folder_ / "cut.xyzd", std::string(33, 'x'));
+    writeFile(folder_ / "mercury.data", "2 0 -1 -1 -1 1 1 1\n0 0 0 0 0 0 0.1 0 0 0 0 0 0 0\n");
     struct Case
     {
         std::string arguments;
@@ -157,6 +177,18 @@ TEST_F(CheckCommand, RefusesInASentenceWhatItCannotMeasure)
         {"check bad.csv --mesh cube", 65, "line 3"},
         {"check flat.csv --mesh cube", 65, "above 0"},
         {"check two.csv --mesh missing.stl", 66, "missing.stl"},
+        {"check beads.csv --mesh cube", 65, "no column x"},
+        {"check beads.csv --mesh cube --columns x=a,y=b,z=c", 65, "--radius"},
+        {"check beads.csv --mesh cube --columns x=a,y=b,z=e", 65, "no column 'e' among a, b, c, s"},
+        {"check beads.csv --mesh cube --columns a,b,c", 64, "'a' names no column"},
+        {"check beads.csv --mesh cube --columns x=a,radiu=d", 64, "did you mean radius?"},
+        {"check beads.csv --mesh cube --columns", 64, "--columns"},
+        {"check yade.txt --mesh cube", 65, "yade.txt, line 3: 3 values"},
+        {"check yade.txt --mesh cube --columns x=1", 65, "yade.txt, line 3"},
+        {"check cut.xyzd --mesh cube", 65, "cut.xyzd, byte 33"},
+        {"check mercury.data --mesh cube", 65, "mercury.data, line 2"},
+        {"analyse beads.csv --mesh cube --columns x=a,x=b", 64, "given twice"},
+        {"analyse yade.txt --mesh cube", 65, "yade.txt, line 3"},
         {"check two.csv --mesh cube --max-overlap -1", 64, "--max-overlap"},
         {"check two.csv --mesh cube --judge-friction -1", 64, "--judge-friction"},
         {"check two.csv --mesh cube --judge-friction 9", 64, "0 to 8"},

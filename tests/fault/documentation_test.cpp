@@ -65,6 +65,8 @@ void prepare(const std::filesystem::path& folder)
                     "endloop\nendfacet\n"
                     "endsolid part\n");
     test::writeFile(folder / "packing.csv", "x,y,z,radius\n1.5,1.5,0.5,0.5\n");
+    test::writeFile(folder / "beads.csv", "px,py,pz,size\n0,-0.5,0,1\n");
+    test::writeFile(folder / "grains.txt", "0 -0.5 0 0.5\n0.2 0.6 0 0.25\n");
     const auto dumpStep = [](const char* step)
     {
         return std::string("ITEM: TIMESTEP\n") + step +

@@ -10,6 +10,19 @@ from support import SOURCE, FolderCase, require, unittest
 require("matplotlib")
 
 
+class LiggghtsAtRest(FolderCase):
+    def test_stays_where_it_was_put(self):
+        if not shutil.which("liggghts"):
+            self.skipTest("apt-get install liggghts")
+        before = sys.argv
+        sys.argv = ["liggghts_at_rest.py", str(self.folder)]
+        self.addCleanup(setattr, sys, "argv", before)
+        found = runpy.run_path(str(SOURCE / "examples" / "liggghts_at_rest.py"))
+        self.assertGreaterEqual(found["near"], 0.99)
+        self.assertTrue(0 < found["moved"].max() < 0.5)
+        self.assertLess(found["quality"].max_overlap, 1e-3)
+
+
 class Example(FolderCase):
     def test_of_a_packing_runs_and_measures_what_is_known_of_random_packings(self):
         before = sys.argv

@@ -10,6 +10,29 @@ FACES = numpy.array([[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 
                      [2, 3, 7], [2, 7, 6], [0, 2, 6], [0, 6, 4], [1, 5, 7], [1, 7, 3]])
 
 
+class ReadPacking(FolderCase):
+    def test_takes_what_the_program_takes_and_what_it_gives_is_judged(self):
+        file = self.folder / "beads.csv"
+        file.write_text("px,size,py,pz\n0.3,0.2,0.1,0.5\n0.48,0.2,0.1,0.5\n")
+        found = frostfill.read_packing(file, columns={"x": "px", "y": "py", "z": 4, "diameter": "size"})
+        numpy.testing.assert_array_equal(found.centres, [[0.3, 0.1, 0.5], [0.48, 0.1, 0.5]])
+        numpy.testing.assert_array_equal(found.radii, [0.1, 0.1])
+        self.assertEqual((found.at_rest.dtype, found.at_rest.tolist(), found.format), (bool, [True, True], "a table"))
+        self.assertAlmostEqual(frostfill.check(found.centres, found.radii, CUBE, FACES).max_overlap, 0.2)
+        file.write_text("#format x_y_z\n0.3 0.1 0.5\n")
+        self.assertEqual(frostfill.read_packing(file, radius=0.25).radii.tolist(), [0.25])
+
+    def test_reads_what_was_exported_to_the_same_numbers(self):
+        run = frostfill.fill("cube", count=20, duration=0.5)
+        for format, name in {"yade": "yade.txt", "mercurydpm": "mercurydpm.data", "lethe": "particles.input"}.items():
+            run.export(self.folder, format)
+            found = frostfill.read_packing(self.folder / name)
+            numpy.testing.assert_array_equal(found.centres, run.centres)
+            numpy.testing.assert_array_equal(found.radii, run.radii)
+        found = frostfill.read_packing(run.directory)
+        numpy.testing.assert_array_equal(found.centres, run.centres)
+
+
 class Check(FolderCase):
     def test_finds_what_is_laid_out_by_hand(self):
         # Two overlap by a fifth, one lies on the ground, one floats, one is outside.

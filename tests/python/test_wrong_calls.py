@@ -210,6 +210,25 @@ class WrongCalls(FolderCase):
         self.refuse(frostfill.check, CUBE, 0.1, CUBE, FACES, kinds=TypeError, count=3)
         self.refuse(frostfill.inspect, "cube", kinds=TypeError, up="z")
 
+    def test_of_files_of_packings(self):
+        file = self.folder / "beads.csv"
+        file.write_text("a,b,c,r\n1,2,3,4\n")
+        read = frostfill.read_packing
+        for wrong in (None, 5, "", "\0", Hostile(), "no/such/file", self.folder):
+            self.refuse(read, wrong)
+        self.refuse(read, file)
+        for wrong in (0, -1, numpy.nan, numpy.inf, "1", True):
+            self.refuse(read, file, radius=wrong)
+        for wrong in ("x=a", {}, 5, {"x": ""}, {"mass": "a"}, {"x": "q"}, {"x": 9}, {"radius": "r", "diameter": "r"}):
+            self.refuse(read, file, columns=wrong)
+        whole = {"x": "a", "y": "b", "z": "c", "radius": "r"}
+        for text, said in {"a,b,c,r\n1,2,3,nan\n": "line 2", "a,b,c,r\n1,2,3,-4\n": "line 2", "a,b,c,r\n1,2\n": "line 2",
+                           "a,b,c\n1,2,3\n": "line 1", "": "heading"}.items():
+            file.write_text(text)
+            self.assertIn(said, self.refuse(read, file, columns=whole))
+        file.write_bytes(bytes(40))
+        self.assertIn("byte 40", self.refuse(read, file))
+
     def test_of_runs(self):
         run = frostfill.fill("cube", count=5, duration=0.5, fps=10)
         both = (frostfill.Error, TypeError)
@@ -235,6 +254,8 @@ class WrongCalls(FolderCase):
         self.refuse(run.draw, self.folder / "p", turntable=4, camera_path="0:30,20 1:90,20")
         self.refuse(run.export, self.folder / "x", 5)
         self.refuse(run.export, self.folder / "x", "doc")
+        self.refuse(run.export, self.folder / "x", "liggths")
+        self.refuse(run.export, self.folder / "x.gmsh")
         self.refuse(run.export, self.folder / "x.vtp", frames="seven")
         self.refuse(run.save, damaged)
         self.refuse(run.save, "/proc/nothing/here")

@@ -126,6 +126,28 @@ TEST_F(ExportRun, ReplacesNothingUnasked)
     EXPECT_NE(readFile(file), "mine");
 }
 
+TEST_F(ExportRun, OfAnInputReplacesNoneOfItsFilesUnasked)
+{
+    std::filesystem::create_directory(folder_ / "export");
+    writeFile(folder_ / "export/liggghts_walls.stl", "mine");
+    expectError(
+        ErrorCode::cannotCreate, [&] { exportRun(request(ExportFormat::liggghts)); },
+        "liggghts_walls.stl", "--overwrite");
+    EXPECT_EQ(readFile(folder_ / "export/liggghts_walls.stl"), "mine");
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "export/liggghts.in"));
+    expectError(
+        ErrorCode::usage, [] { std::ignore = exportFormat("ligghts"); }, "liggghts");
+    // Before the first sphere there is nothing to go on from.
+    const ExportRequest first = request(ExportFormat::mfix, "0");
+    RunFileReader reader(folder_ / "run.frost");
+    if (reader.seek(0).states.empty())
+    {
+        expectError(
+            ErrorCode::usage, [&] { exportRun(first); }, "no sphere yet", "--frames");
+        EXPECT_FALSE(std::filesystem::exists(folder_ / "export/particle_input.dat"));
+    }
+}
+
 TEST_F(ExportRun, RefusesWhatIsNotThere)
 {
     expectError(

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: MIT
+// Packings as other programs publish them, and what is said where they cannot be read.
+#include "support/expect_error.hpp"
+#include "support/temporary_folder.hpp"
+
+#include <frostfill/export.hpp>
+#include <frostfill/fill.hpp>
+#include <frostfill/packing.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace frostfill
+{
+namespace
+{
+
+using test::expectError;
+using test::writeFile;
+
+class OtherFormats : public ::testing::Test
+{
+protected:
+    [[nodiscard]] Packing read(const std::string& content, const PackingFileOptions& options = {},
+                               const char* name = "file") const
+    {
+        writeFile(folder_ / name, content);
+        return readPacking(folder_ / name, options);
+    }
+    [[nodiscard]] Packing readBy(const std::string& columns, const std::string& content) const
+    {
+        return read(content, {.columns = parsePackingColumns(columns)});
+    }
+    static void expectTwo(const Packing& packing, const char* format)
+    {
+        ASSERT_EQ(packing.centres.size(), 2U) << packing.format;
+        EXPECT_EQ(packing.centres[0], Eigen::Vector3d(0.5, -1, 2)) << packing.format;
+        EXPECT_EQ(packing.centres[1], Eigen::Vector3d(1, 2, -3e-3)) << packing.format;
+        EXPECT_EQ(packing.radii, (std::vector<double>{0.25, 0.5})) << packing.format;
+        EXPECT_EQ(packing.atRest, (std::vector<bool>{true, true}));
+        EXPECT_NE(packing.format.find(format), std::string::npos) << packing.format;
+    }
+    test::TemporaryFolder folder_;
+};
+
+std::string bytesOf(const std::vector<double>& numbers)
+{
+    std::string bytes(numbers.size() * sizeof(double), '\0');
+    std::memcpy(bytes.data(), numbers.data(), bytes.size());
+    return bytes;
+}
+
+const std::vector<double> kTwo = {0.5, -1, 2, 0.5, 1, 2, -3e-3, 1};
+
+TEST_F(OtherFormats, IncludeTheTextOfYadeInEachOfItsForms)
+{
+    expectTwo(read("#format x_y_z_r\n# a comment\n0.5\t-1\t2\t0.25\n1\t2\t-3e-3\t0.5\n"), "YADE");
+    expectTwo(read("#format id_x_y_z_r_matId\n7 0.5 -1 2 0.25 1\n8 1 2 -3e-3 0.5 1\n"), "YADE");
+    expectTwo(read("#format x_y_z_r_attrs\n# x y z r v\n0.5 -1 2 0.25 9\n1 2 -3e-3 0.5 9\n"),
+              "YADE");
+}
+
+TEST_F(OtherFormats, IncludeMercuryDpmUpToItsLastMoment)
+{
+    const std::string first = "1 0 0 0 0 1 1 1\n9 9 9 0 0 0 9 0 0 0 0 0 0 0\n";
+    expectTwo(read(first + "2 0.1 -2 -2 -2 2 2 2\n0.5 -1 2 7 7 7 0.25 8 8 8 6 6 6 0\n"
+                           "1 2 -3e-3 7 7 7 0.5 8 8 8 6 6 6 1\n"),
+              "MercuryDPM");
+}
+
+TEST_F(OtherFormats, IncludeTheBinaryOfPackingGeneration)
+{
+    expectTwo(read(bytesOf(kTwo)), "packing-generation");
+    expectTwo(read(bytesOf(kTwo), {}, "packing.xyzd"), "packing-generation");
+}
+
+// Its spheres grow after the file is begun: https://github.com/VasiliBaranov/packing-generation
+TEST_F(OtherFormats, TakeTheDiametersOfABinaryFromTheInfoBesideIt)
+{
+    writeFile(folder_ / "packing.nfo", "N: 2\n Dimensions: 1 1 1\n Theoretical Porosity: 0.36\n"
+                                       "Final Porosity: 0.488 (Tolerance: 1.0001)\n");
+    const Packing packing = read(bytesOf(kTwo), {}, "packing.xyzd");
+    const double factor = std::cbrt(0.512 / 0.64);
+    EXPECT_NEAR(packing.radii[0], 0.25 * factor, 1e-15);
+    EXPECT_NEAR(packing.radii[1], 0.5 * factor, 1e-15);
+    EXPECT_NE(packing.format.find("0.928318"), std::string::npos) << packing.format;
+    EXPECT_EQ(packing.centres[0], Eigen::Vector3d(0.5, -1, 2));
+}
+
+TEST_F(OtherFormats, IncludeTablesWhoseColumnsAreNamed)
+{
+    expectTwo(readBy("x=px,y=py,z=pz,radius=size", "pz,size,px,py\n2,0.25,0.5,-1\n-3e-3,0.5,1,2\n"),
+              "table");
+    expectTwo(readBy("x=px,y=py,z=pz,diameter=size",
+                     "radius pz size px py\n9 2 0.5 0.5 -1\n9 -3e-3 1 1 2\n"),
+              "table");
+    expectTwo(readBy("x=1,y=2,z=3,radius=4", "0.5 -1 2 0.25\n1 2 -3e-3 0.5\n"), "table");
+    expectTwo(readBy("x=4,y=3,z=2,diameter=1", "d;a;b;c\n0.5;2;-1;0.5\n1;-3e-3;2;1\n"), "table");
+    expectTwo(readBy("z=h", "h,x,z,y,r\n2,0.5,7,-1,0.25\n-3e-3,1,7,2,0.5\n"), "table");
+    expectTwo(
+        read("\"Points:0\",\"Points:1\",\"Points:2\",\"Diameter\"\n0.5,-1,2,0.5\n1,2,-3e-3,1\n"),
+        "table"); // of ParaView
+    const Packing one =
+        read("a b c\n1 2 3\n", {.radius = 0.125, .columns = {.x = "a", .y = "b", .z = "c"}});
+    EXPECT_EQ(one.radii, (std::vector<double>{0.125}));
+}
+
+TEST_F(OtherFormats, GiveBackWhatWasExportedToTheLastBit)
+{
+    FillRequest request;
+    request.scene = presetScene(Preset::fast, "cube");
+    request.scene.spheres.radius = Radii(0.1, 0.3);
+    request.scene.spheres.count = 40;
+    request.scene.frames.enabled = false;
+    request.scene.frames.keepRun = true;
+    request.directory = folder_ / "run";
+    ASSERT_FALSE(fill(request).failure);
+    const Packing run = readPacking(folder_ / "run");
+    ASSERT_EQ(run.centres.size(), 40U);
+    struct Exported
+    {
+        const char* format;
+        const char* file;
+    };
+    for (const Exported& each : {Exported{"yade", "yade.txt"},
+                                 {"mercurydpm", "mercurydpm.data"},
+                                 {"lethe", "particles.input"},
+                                 {"csv", ""},
+                                 {"xyz", "spheres.xyz"},
+                                 {"lammps-dump", "spheres.dump"}})
+    {
+        const ExportResult result = exportRun({.run = folder_ / "run",
+                                               .format = exportFormat(each.format).format,
+                                               .frames = "last",
+                                               .out = folder_ / "out"});
+        const Packing again =
+            readPacking(*each.file == '\0' ? result.files.front() : folder_ / "out" / each.file);
+        EXPECT_EQ(again.centres, run.centres) << each.format;
+        EXPECT_EQ(again.radii, run.radii) << each.format;
+    }
+    std::vector<double> numbers;
+    for (std::size_t k = 0; k < run.centres.size(); ++k)
+    {
+        numbers.insert(numbers.end(), {run.centres[k].x(), run.centres[k].y(), run.centres[k].z(),
+                                       2 * run.radii[k]});
+    }
+    const Packing binary = read(bytesOf(numbers), {}, "spheres.xyzd");
+    EXPECT_EQ(binary.centres, run.centres);
+    EXPECT_EQ(binary.radii, run.radii);
+}
+
+struct Wrong
+{
+    const char* columns; ///< empty: none
+    std::string content;
+    const char* where;
+    const char* what;
+};
+
+TEST_F(OtherFormats, AreRefusedWithTheLineOfTheirFault)
+{
+    const std::string row = " 0 0 0 0 0 0 0\n";
+    const std::vector<Wrong> cases = {
+        {"", "#format x_y_r\n1 2 3\n", "line 1", "no column z"},
+        {"", "#format x_y_z\n1 2 3\n", "line 1", "--radius"},
+        {"", "#format \n1 2 3 4\n", "line 1", "x_y_z_r"},
+        {"", "#format x_y_z_r\n1 2 3 4\n1 2 3\n", "line 3", "3 values, where 4 are needed"},
+        {"", "#format x_y_z_r\n1 2 3 nan\n", "line 2",
+         "the radius of sphere 1 is nan, not above 0"},
+        {"", "#format x_y_z_r\n1 2 3 -4\n", "line 2", "the radius of sphere 1 is -4, not above 0"},
+        {"", "#format x_y_z_r\n1 two 3 4\n", "line 2", "'two' is no number"},
+        {"", "2 0 0 0 1 1\n1 2 0 0 0.5 0 0 0\n", "line 1", "two dimensions"},
+        {"", "2 0 0 0 0 1 1 1\n1 2 3 0 0 0 0.5" + row, "line 2", "ends before its 2 spheres"},
+        {"", "1 0 0 0 0 1 1 1\n1 2 3 0 0 0 0.5\n", "line 2", "7 values of a sphere"},
+        {"", "2 0 0 0 0 1 1 1\n1 2 3 0 0 0 1" + row + "1 1 0 0 0 1 1 1\n", "line 3",
+         "after 1 of 2 spheres"},
+        {"", "1 0 0 0 0 1 1 1\n1 2 3 0 0 0 0.5" + row + "1 0\n", "line 3", "8: number of spheres"},
+        {"", "1 0 0 0 0 1 1 1\n1 2 3 0 0 0 0" + row, "line 2",
+         "the radius of sphere 1 is 0, not above 0"},
+        {"", "99999999999999999999 0 0 0 0 1 1 1\n", "line 1", "no number of spheres"},
+        {"", bytesOf({1, 2, 3, 4, 1, 2}), "byte 48", "ends within sphere 2"},
+        {"", bytesOf({1, 2, 3, -4}), "byte 0", "a diameter of -4"},
+        {"", bytesOf({1, 2, 3, 4, 1, std::nan(""), 3, 4}), "byte 32", "sphere 2"},
+        {"", bytesOf({1, 2, 3, std::numeric_limits<double>::infinity()}), "byte 0", "inf"},
+        {"", "0.1 0.2 0.3 0.4\n1 2 3 4\n", "line 1", "--columns x=1,y=2,z=3,radius=4"},
+        {"x=a,y=b,z=d", "a,b,c,r\n1,2,3,4\n", "line 1", "no column 'd' among a, b, c, r"},
+        {"x=5", "a,b,c,r\n1,2,3,4\n", "line 1", "no column 5: there are 4"},
+        {"x=0", "a,y,z,r\n1,2,3,4\n", "line 1", "no column 0"},
+        {"x=a", "1,2,3,4\n1,2,3,4\n", "line 1", "no heading"},
+        {"x=a,y=b", "a,b,c,r\n1,2,3,4\n", "line 1", "no column z"},
+        {"x=a,y=b,z=c", "a,b,c\n1,2,3\n", "line 1", "--radius"},
+        {"x=a,y=b,z=c,diameter=d", "a,b,c,d\n1,2,3,-4\n", "line 2",
+         "the diameter of sphere 1 is -4, not above 0"},
+        {"x=a,y=b,z=c,radius=d", "a,b,c,d\n1,2,3,4\n1,2,3,\n", "line 3",
+         "3 values, where 4 are needed"},
+        {"x=a,y=b,z=c,radius=d", "a;b;c;d\n1;2;3;four\n", "line 2", "'four' is no number"},
+    };
+    for (const Wrong& each : cases)
+    {
+        expectError(
+            ErrorCode::badData,
+            [&]
+            {
+                writeFile(folder_ / "file", each.content);
+                PackingFileOptions options;
+                options.columns =
+                    *each.columns == '\0' ? PackingColumns{} : parsePackingColumns(each.columns);
+                (void)readPacking(folder_ / "file", options);
+            },
+            std::string("file, ") + each.where + ":", each.what);
+    }
+    expectError(
+        ErrorCode::badData, [&] { (void)read("", {}, "empty.xyzd"); }, "empty.xyzd",
+        "has no spheres");
+}
+
+TEST_F(OtherFormats, AreRefusedWhereTheInfoBesideABinaryDoesNotSay)
+{
+    for (const char* info : {"N: 2\n", "Theoretical Porosity: 0.3\n",
+                             "Theoretical Porosity: 0.3\nFinal Porosity: 1.2\n",
+                             "Theoretical Porosity: much\nFinal Porosity: 0.3\n",
+                             "Theoretical Porosity:\nFinal Porosity: 0.3\n"})
+    {
+        writeFile(folder_ / "packing.nfo", info);
+        expectError(
+            ErrorCode::badData, [&] { (void)read(bytesOf(kTwo), {}, "packing.xyzd"); },
+            "packing.nfo, line ");
+    }
+}
+
+TEST_F(OtherFormats, RefuseColumnsThatCannotBeMeant)
+{
+    const auto refuse = [](const char* text, const std::string& says)
+    {
+        expectError(
+            ErrorCode::usage, [&] { (void)parsePackingColumns(text); }, says);
+    };
+    refuse("", "names no column");
+    refuse("x", "'x' names no column");
+    refuse("x=", "'x=' names no column");
+    refuse("x=a,", "'' names no column");
+    refuse("radios=a", "did you mean radius?");
+    refuse("mass=a", "x, y, z, radius or diameter");
+    refuse("x=a,x=b", "x is given twice");
+    refuse("radius=a,diameter=b", "leave out one");
+    const std::string dump = "ITEM: NUMBER OF ATOMS\n1\nITEM: ATOMS x y z radius\n1 2 3 4\n";
+    expectError(
+        ErrorCode::usage, [&] { (void)readBy("x=a", dump); }, "file", "is a LAMMPS dump");
+    expectError(
+        ErrorCode::usage, [&] { (void)readBy("x=a", bytesOf(kTwo)); }, "a binary file");
+}
+
+} // namespace
+} // namespace frostfill
