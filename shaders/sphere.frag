@@ -103,9 +103,9 @@ vec3 inStudio(vec3 normal)
 }
 #endif
 
-// Colour at a place of the sphere: `rhoSquared` is 0 in the middle of the disc that is seen, 1 at its
-// rim; `shade` is what keeps light from it.
-vec3 shaded(vec3 normal, float rhoSquared, float shade)
+// Colour at a place of the sphere: `at` is where on the disc that is seen, `rhoSquared` 0 in its
+// middle and 1 at its rim; `shade` is what keeps light from it.
+vec3 shaded(vec3 normal, vec2 at, float rhoSquared, float shade)
 {
     float pixel = hazeAndPixel.a;
 #ifdef STUDIO
@@ -119,7 +119,7 @@ vec3 shaded(vec3 normal, float rhoSquared, float shade)
     // The marks of all states, without branches: a software renderer runs every branch anyway. The
     // gloss is the 32nd power of the cosine to the highlight's middle.
     float ring = clamp((rhoSquared - 0.76) / (2.0 * pixel + 0.02) + 0.5, 0.0, 1.0);
-    float hatch = stripes((corner.x + corner.y) * 1.3 + 0.25, kHatchShare, pixel * 1.84);
+    float hatch = stripes((at.x + at.y) * 1.3 + 0.25, kHatchShare, pixel * 1.84);
     float gloss = max(dot(normal, kHighlight), 0.0);
     gloss *= gloss;
     gloss *= gloss;
@@ -173,7 +173,7 @@ void main()
     vec3 fromCentre = (hit - centreAndCurvature.xyz) * centreAndCurvature.w;
     if (cap == vec3(0.0))
     {
-        colour = vec4(shaded(fromCentre, rhoSquared, 0.64 + 0.36 * min(1.7 * w, 1.0)), 1.0);
+        colour = vec4(shaded(fromCentre, at, rhoSquared, 0.64 + 0.36 * min(1.7 * w, 1.0)), 1.0);
     }
     else
     {
@@ -218,6 +218,6 @@ void main()
 
     // Neighbours keep light from each other's rims.
     vec3 normal = (hit - centreAndCurvature.xyz) * centreAndCurvature.w;
-    colour = vec4(shaded(normal, rhoSquared, 0.64 + 0.36 * min(1.7 * w, 1.0)), 1.0);
+    colour = vec4(shaded(normal, corner, rhoSquared, 0.64 + 0.36 * min(1.7 * w, 1.0)), 1.0);
 }
 #endif

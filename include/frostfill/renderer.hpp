@@ -52,8 +52,8 @@ struct PassPictures
 class Renderer
 {
 public:
-    /// Opens the context and uploads the mesh. Throws Error noOpenGl, which lists every attempt, or
-    /// usage if the size is not between 1 and the limit of the context.
+    /// Takes the mesh, after opening a context if OpenGL is to draw. Throws Error noOpenGl, which
+    /// lists every attempt, or usage if the size is not between 1 and the limit of what draws.
     Renderer(const TriangleMesh& mesh, const RenderSettings& settings);
     ~Renderer();
     Renderer(Renderer&&) noexcept;
@@ -83,7 +83,7 @@ public:
     /// stay the same. Throws Error usage for a camera that makes no sense.
     void setCamera(const Camera& camera);
 
-    /// Vendor, renderer and version strings of the context, on one line.
+    /// What draws, on one line: the vendor, renderer and version of a context.
     [[nodiscard]] const std::string& description() const;
 
     /// Time spent so far in Stage::rendering and Stage::readback.

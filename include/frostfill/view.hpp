@@ -34,13 +34,13 @@ struct Camera
 /// What to draw with: OpenGL, or the processor alone.
 enum class Backend : std::uint8_t
 {
-    automatic, ///< builtin if it has the style, or the first OpenGL that works
+    automatic, ///< builtin
     osmesa,
     egl,            ///< the first of the following that works
     eglHardware,    ///< a graphics card
     eglSoftware,    ///< the software device of Mesa
     eglSurfaceless, ///< Mesa without a device
-    builtin,        ///< without OpenGL; all styles but paper, without cutaway and ambient occlusion
+    builtin,        ///< the processor alone, without OpenGL
 };
 
 /// Size of a picture in pixels.

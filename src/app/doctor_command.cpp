@@ -69,21 +69,18 @@ void printPrograms()
     }
 }
 
-/// Which context `--backend auto` takes, and what that means where it is not OSMesa.
-void printVerdict(std::span<const BackendAttempt> attempts, const BackendAttempt& chosen)
+/// Who draws, and what OpenGL is for.
+void printVerdict(std::span<const BackendAttempt> attempts)
 {
-    if (chosen.name == attempts.front().name)
+    const auto found = std::find_if(attempts.begin(), attempts.end(),
+                                    [](const BackendAttempt& attempt) { return attempt.works; });
+    fmt::print("all is well: every picture is drawn without OpenGL, by the backend builtin\n");
+    if (found == attempts.end())
     {
-        fmt::print("all is well: the styles clean, dark and studio are drawn without OpenGL, "
-                   "others with {}\n",
-                   chosen.name);
+        fmt::print("no OpenGL is available; it would draw the same pictures, more slowly\n");
         return;
     }
-    fmt::print(
-        "the styles clean, dark and studio are drawn without OpenGL, others with {}, because {} "
-        "does not work; they can differ from its "
-        "pictures in single bits\n",
-        chosen.name, attempts.front().name);
+    fmt::print("--backend {} draws the same pictures with OpenGL, more slowly\n", found->name);
 }
 
 int examine()
@@ -96,20 +93,11 @@ int examine()
                    attempt.works ? "" : "does not work: ", attempt.description);
         if (!attempt.works && !attempt.remedy.empty())
         {
-            fmt::print("          remedy: {}\n", attempt.remedy);
+            fmt::print("          optional: {}\n", attempt.remedy);
         }
     }
     printPrograms();
-    const auto chosen = std::find_if(attempts.begin(), attempts.end(),
-                                     [](const BackendAttempt& attempt) { return attempt.works; });
-    if (chosen == attempts.end())
-    {
-        throw Error(
-            ErrorCode::noOpenGl,
-            "no OpenGL is available: the styles clean, dark and studio are drawn without it, but "
-            "paper, cutaways, ambient occlusion and passes cannot be");
-    }
-    printVerdict(attempts, *chosen);
+    printVerdict(attempts);
     return 0;
 }
 

@@ -242,7 +242,7 @@ Command addFpsCommand(CLI::App& program)
         ->check(CLI::Range(1, 1000000))
         ->type_name("N")
         ->group(measurement);
-    command->add_flag("--no-render", arguments->noRender, "Draw nothing; needs no OpenGL")
+    command->add_flag("--no-render", arguments->noRender, "Draw nothing")
         ->group(measurement);
     addLoadOptions(*command, arguments->load);
     addOutputOptions(*command, *arguments);

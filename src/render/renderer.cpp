@@ -66,17 +66,10 @@ bool drawsASphere(Pipeline& pipeline)
 
 } // namespace
 
-/// Whether it is drawn without OpenGL. Throws Error usage if that was asked for and cannot be.
+/// Whether it is drawn without OpenGL.
 bool drawsWithoutOpenGl(const RenderSettings& settings)
 {
-    const bool can = TilePipeline::draws(settings);
-    if (settings.backend == Backend::builtin && !can)
-    {
-        throw Error(ErrorCode::usage,
-                    "the backend builtin draws no ambient occlusion, and not the style paper; "
-                    "omit --backend");
-    }
-    return can && (settings.backend == Backend::builtin || settings.backend == Backend::automatic);
+    return settings.backend == Backend::builtin || settings.backend == Backend::automatic;
 }
 
 struct Renderer::Implementation
@@ -102,6 +95,12 @@ struct Renderer::Implementation
         return tiles ? tiles->viewpoint().framing() : pipeline->framing();
     }
 
+    void drawSurfaces(const Snapshot& snapshot, const PictureSize& size)
+    {
+        tiles ? tiles->drawSurfaces(snapshot, size, surfaces)
+              : pipeline->drawSurfaces(snapshot, size, surfaces);
+    }
+
     /// What is done to a picture as a whole.
     [[nodiscard]] bool finishesWhole() const
     {
@@ -113,7 +112,7 @@ struct Renderer::Implementation
         if (settings.style.ambientOcclusion && !snapshot.centres.empty())
         {
             const double reach = kOcclusionReach * meanRadius(snapshot) * framing().scale;
-            pipeline->drawSurfaces(snapshot, {whole.width, whole.height}, surfaces);
+            drawSurfaces(snapshot, {whole.width, whole.height});
             applyAmbientLight(ambientLight(surfaces, framing(), reach), whole);
         }
         for (const Legend::Piece& piece : legend().pieces(snapshot))
@@ -222,8 +221,7 @@ void Renderer::renderPasses(const Snapshot& snapshot, PassPictures& pictures)
 {
     auto& own = *implementation_;
     const auto drawing = Clock::now();
-    own.tiles ? own.tiles->drawSurfaces(snapshot, own.settings.size, own.surfaces)
-              : own.pipeline->drawSurfaces(snapshot, own.settings.size, own.surfaces);
+    own.drawSurfaces(snapshot, own.settings.size);
     makePassPictures(own.surfaces, own.framing(), pictures);
     own.times[Stage::rendering] += secondsSince(drawing);
 }

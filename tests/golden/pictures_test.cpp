@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 
@@ -22,8 +23,17 @@ namespace
 using namespace testing_support;
 namespace fs = std::filesystem;
 
-/// Versions of Mesa round differently along edges; what a person would see is far beyond this.
+/// The pictures are OSMesa's. Other versions of Mesa round differently along edges; what a person
+/// would see is far beyond this.
 constexpr double kLargestRms = 2;
+/// What is drawn without OpenGL depends on no Mesa. Most is by colours over a clear background, of
+/// which a small alpha makes much.
+constexpr double kLargestRmsOfTiles = 0.8;
+
+double largestRms()
+{
+    return test::drawnWith() == Backend::automatic ? kLargestRmsOfTiles : kLargestRms;
+}
 
 void expectLikeGolden(const Image& actual, const std::string& name)
 {
@@ -35,7 +45,7 @@ void expectLikeGolden(const Image& actual, const std::string& name)
     }
     const Image expected = loadPng(golden);
     const ImageDifference difference = compareImages(actual, expected);
-    if (difference.sameShape && difference.rootMeanSquare <= kLargestRms)
+    if (difference.sameShape && difference.rootMeanSquare <= largestRms())
     {
         return;
     }
@@ -80,6 +90,21 @@ Snapshot allStates(const TriangleMesh& mesh)
     return snapshot;
 }
 
+/// Where spheres overlap, a cut through both shows either: smaller, they do not.
+Snapshot apart(Snapshot snapshot)
+{
+    float least = 1;
+    for (std::size_t i = 0; i < snapshot.centres.size(); ++i)
+    {
+        for (std::size_t j = 0; j < i; ++j)
+        {
+            least = std::min(least, (snapshot.centres[i] - snapshot.centres[j]).norm());
+        }
+    }
+    std::fill(snapshot.radii.begin(), snapshot.radii.end(), least / 2);
+    return snapshot;
+}
+
 class GoldenPictures : public testing::Test
 {
 protected:
@@ -113,6 +138,7 @@ TEST_F(GoldenPictures, CutOpenOnPaperWithShades)
     settings.style.cutaway = {Cutaway::Kind::plane, {0, 0, 1}, 0.05, 0, 90};
     settings.style.ambientOcclusion = true;
     settings.supersample = 2;
+    snapshot = apart(snapshot);
     expectLikeGolden(draw(), "cut_paper");
 }
 

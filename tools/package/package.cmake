@@ -29,7 +29,7 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # The module asks for a library that is in no installed package yet: the dependency is named below.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR}/src)
 
-# Which OpenGL: found at run time, so dpkg-shlibdeps does not see it.
+# OpenGL, for --backend: found at run time, so dpkg-shlibdeps does not see it.
 set(opengl "libosmesa6, libegl1")
 set(does "Frostfill fills a closed triangle mesh with spheres that fall, collide and
 freeze where they come to rest. Spheres and polygons that nothing can touch
@@ -39,15 +39,14 @@ there are. It draws every frame without a screen.
 
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME frostfill)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS ${opengl})
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "gnuplot-nox")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "${opengl}, gnuplot-nox")
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "fill a mesh with falling spheres and draw it
 ${does}.
 This package has the program, its manual pages and completions.")
 
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libfrostfill${soversion})
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
-set(CPACK_DEBIAN_LIBRARY_PACKAGE_RECOMMENDS ${opengl})
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_SUGGESTS ${opengl})
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_LIST_DIR}/library/triggers)
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS_POLICY ">=")

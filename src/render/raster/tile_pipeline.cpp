@@ -23,12 +23,6 @@ constexpr int kLongestEdge = 16384;
 
 } // namespace
 
-bool TilePipeline::draws(const RenderSettings& settings)
-{
-    const Style& style = settings.style;
-    return style.look != Look::paper && !style.ambientOcclusion;
-}
-
 TilePipeline::TilePipeline(const TriangleMesh& mesh, const RenderSettings& settings, bool avx2)
     : viewpoint_(mesh, settings), size_(settings.size), variant_(variantOf(settings, mesh)),
       samples_(settings.samples > 1 ? kMaxTileSamples : 1), avx2_(avx2), grid_(size_),

@@ -32,9 +32,6 @@ public:
     TilePipeline(const TriangleMesh& mesh, const RenderSettings& settings,
                  bool avx2 = lanes::hasAvx2());
 
-    /// Whether it knows this look.
-    [[nodiscard]] static bool draws(const RenderSettings& settings);
-
     /// As Viewpoint has them.
     void lookFrom(const Camera& camera);
     void turn(double degrees);

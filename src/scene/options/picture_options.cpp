@@ -178,10 +178,9 @@ void addPicture(TableBuilder& table)
                      }});
     table.add("picture.background", "--background", "Colour of the background",
               FROSTFILL_FIELD(style.palette.background));
-    table.add(
-        "picture.backend", "--backend",
-        "What draws; auto: builtin; for styles that it lacks OSMesa, or EGL if there is no OSMesa",
-        FROSTFILL_FIELD(backend));
+    table.add("picture.backend", "--backend",
+              "What draws; auto: builtin, without OpenGL; all draw the same pictures",
+              FROSTFILL_FIELD(backend));
 }
 
 void addCamera(TableBuilder& table)

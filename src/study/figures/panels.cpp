@@ -121,7 +121,6 @@ void makePanel(Scene& scene, int side)
     scene.style.look = Look::paper;
     scene.style.palette = paletteOf(Look::paper);
     scene.style.legend = false;
-    scene.backend = Backend::osmesa;
 }
 
 } // namespace frostfill

@@ -28,8 +28,7 @@ struct FigureState
 /// The end of a run.
 [[nodiscard]] FigureState endOf(const Scene& scene, const TriangleMesh& mesh);
 
-/// Draws one state after another as the scene says. With OSMesa wherever there is one, so that
-/// pictures are the same with and without a graphics card. Throws Error noOpenGl.
+/// Draws one state after another as the scene says.
 [[nodiscard]] std::vector<Image> drawStates(const Scene& scene, const TriangleMesh& mesh,
                                             std::span<const FigureState> moments);
 

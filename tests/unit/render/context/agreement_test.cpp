@@ -21,7 +21,7 @@ using namespace testing_support;
 struct Apart
 {
     double rms = 0.75;
-    double region = 3.5;
+    double region = 4;
 };
 
 /// The largest mean difference of a region of 8x8 pixels, over its channels.
@@ -120,8 +120,13 @@ protected:
         double rms = 0;
         double region = 0;
         std::string where;
-        for (const Subject& subject : subjects())
+        std::vector<Subject> all = subjects();
+        for (Subject& subject : all)
         {
+            for (float& radius : subject.snapshot.radii)
+            {
+                radius *= larger;
+            }
             for (const Camera& camera : cameras())
             {
                 settings.camera = camera;
@@ -153,6 +158,7 @@ protected:
     }
 
     RenderSettings settings;
+    float larger = 1; ///< spheres, by this factor
 };
 
 const Cutaway kPlane{Cutaway::Kind::plane, {0.2, 0.3, 1}, 0.05, 0, 90};
@@ -160,7 +166,7 @@ const Cutaway kWedge{Cutaway::Kind::wedge, {0, 0, 1}, 0, -30, 80};
 
 TEST_F(Agreement, IsThereForEveryStyle)
 {
-    for (const Look look : {Look::clean, Look::dark, Look::studio})
+    for (const Look look : {Look::clean, Look::paper, Look::dark, Look::studio})
     {
         choose(look);
         expectAgreement(fmt::format("look {}", static_cast<int>(look)), {});
@@ -169,7 +175,7 @@ TEST_F(Agreement, IsThereForEveryStyle)
 
 TEST_F(Agreement, IsThereForCutaways)
 {
-    for (const Look look : {Look::clean, Look::dark, Look::studio})
+    for (const Look look : {Look::clean, Look::paper, Look::dark, Look::studio})
     {
         choose(look);
         for (const Cutaway& cutaway : {kPlane, kWedge})
@@ -179,6 +185,18 @@ TEST_F(Agreement, IsThereForCutaways)
                                         static_cast<int>(cutaway.kind)),
                             {});
         }
+    }
+}
+
+// Spheres keep light from each other where they are close.
+TEST_F(Agreement, IsThereForAmbientOcclusion)
+{
+    settings.style.ambientOcclusion = true;
+    larger = 1.7F;
+    for (const Look look : {Look::clean, Look::paper, Look::studio})
+    {
+        choose(look);
+        expectAgreement(fmt::format("occlusion, look {}", static_cast<int>(look)), {});
     }
 }
 

@@ -98,7 +98,7 @@ TEST_F(Backends, EglDrawsTheBytesOfOsmesaOnTheSameMesa)
 TEST_F(Backends, TheBuiltInOneDrawsThePicturesOfOsmesa)
 {
     std::string driver;
-    for (const Look look : {Look::clean, Look::studio})
+    for (const Look look : {Look::clean, Look::paper, Look::studio})
     {
         for (const bool orthographic : {false, true})
         {
@@ -172,8 +172,11 @@ TEST_F(Backends, TheBuiltInOneGivesTheSameBytesWithoutAvx2)
         GTEST_SKIP() << "this processor has no AVX2";
     }
     const Cutaway cut{Cutaway::Kind::wedge, {0, 0, 1}, 0, -30, 80};
-    for (const auto& [look, cutaway] :
-         {std::pair{Look::clean, Cutaway{}}, {Look::studio, Cutaway{}}, {Look::clean, cut}})
+    for (const auto& [look, cutaway] : {std::pair{Look::clean, Cutaway{}},
+                                        {Look::studio, Cutaway{}},
+                                        {Look::clean, cut},
+                                        {Look::paper, Cutaway{}},
+                                        {Look::paper, cut}})
     {
         for (const bool orthographic : {false, true})
         {
@@ -252,13 +255,6 @@ TEST_F(Backends, TheBuiltInOneGivesTheSameBytesWithAnyNumberOfThreads)
             EXPECT_EQ(pictures[k], pictures[k + 3]) << samples << " samples, picture " << k;
         }
     }
-}
-
-TEST_F(Backends, TheBuiltInOneRefusesStylesThatItDoesNotHave)
-{
-    settings.backend = Backend::builtin;
-    settings.style.look = Look::paper;
-    EXPECT_THROW(Renderer(mesh, settings), Error);
 }
 
 TEST_F(Backends, ContextsOfTwoLibrariesTakeTurnsInOneThread)
