@@ -4,8 +4,8 @@
 #include "render/framing/cutaway_planes.hpp"
 #include "render/framing/front.hpp"
 #include "render/framing/pose_framing.hpp"
-#include "render/layer/painter_settings.hpp"
 #include "render/overlay/colour_scale.hpp"
+#include "render/picture/painter_settings.hpp"
 #include "run/frame_painter.hpp"
 
 #include <fmt/format.h>

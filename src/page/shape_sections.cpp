@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "page/shape_sections.hpp"
 
-#include "render/passes/mesh_shading.hpp"
+#include "render/picture/mesh_shading.hpp"
 #include "run_file/bytes.hpp"
 
 #include <array>

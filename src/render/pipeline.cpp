@@ -28,10 +28,10 @@ std::string describe(const Context& context, const GlFunctions& gl)
 } // namespace
 
 Pipeline::Pipeline(const TriangleMesh& mesh, const RenderSettings& wanted)
-    : viewpoint_(mesh, wanted), context_(openContext(wanted.backend)),
+    : PictureBackend(mesh, wanted), context_(openContext(wanted.backend)),
       gl_(loadGlFunctions(*context_)), description_(describe(*context_, gl_)),
       framebuffer_(gl_, wanted.size.width, wanted.size.height, wanted.samples),
-      painter_(gl_, mesh, viewpoint_.settings(), legend(), viewpoint_.colours(), framing(),
+      painter_(gl_, mesh, viewpoint().settings(), legend(), viewpoint().colours(), framing(),
                samplePositions()),
       projector_(framing(), wanted.size), dirty_(wanted.size.width, wanted.size.height),
       covered_(dirty_)
@@ -67,43 +67,21 @@ std::vector<glm::vec2> Pipeline::samplePositions() const
     return positions;
 }
 
-void Pipeline::lookFrom(const Camera& camera)
-{
-    viewpoint_.lookFrom(camera);
-    useFraming();
-}
-
-void Pipeline::turn(double degrees)
-{
-    if (viewpoint_.turn(degrees))
-    {
-        useFraming();
-    }
-}
-
-void Pipeline::follow(const Snapshot& snapshot)
-{
-    if (viewpoint_.follow(snapshot))
-    {
-        useFraming();
-    }
-}
-
 void Pipeline::useFraming()
 {
     context_->makeCurrent();
     painter_.lookFrom(framing());
-    projector_ = SphereProjector(framing(), viewpoint_.settings().size);
+    projector_ = SphereProjector(framing(), viewpoint().settings().size);
     stale_ = true;
 }
 
-const std::vector<PixelRectangle>& Pipeline::draw(const Snapshot& snapshot)
+const std::vector<PixelRectangle>& Pipeline::draw(const Snapshot& snapshot, Image& /*image*/)
 {
     context_->makeCurrent();
     follow(snapshot);
     renewStencil();
     const SphereDrawList::Changes& changes =
-        drawList_.update(snapshot, framing(), viewpoint_.colours());
+        drawList_.update(snapshot, framing(), viewpoint().colours());
     const auto polygonParts = painter_.setPolygons(snapshot.polygons);
     const bool startAgain = stale_ || changes.everything;
     if (startAgain && drawList_.resting().size() >= kSortFrom)
@@ -221,16 +199,10 @@ void Pipeline::renewStencil()
     painter_.restartStencil();
 }
 
-void Pipeline::readColour(Image& image, std::span<const PixelRectangle> parts)
+void Pipeline::readBack(Image& image, std::span<const PixelRectangle> parts)
 {
     context_->makeCurrent();
-    framebuffer_.readColour(image, parts, viewpoint_.settings().style.palette.background[3] < 255);
-}
-
-void Pipeline::readColour(Image& image)
-{
-    const PixelRectangle whole = framebuffer_.whole();
-    readColour(image, {&whole, 1});
+    framebuffer_.readColour(image, parts, viewpoint().settings().style.palette.background[3] < 255);
 }
 
 void Pipeline::drawSurfaces(const Snapshot& snapshot, const PictureSize& size, Surfaces& surfaces)
@@ -258,8 +230,8 @@ std::vector<double> Pipeline::readDepth()
     depth.reserve(bottomUp.size());
     for (auto row = bottomUp.end(); row != bottomUp.begin();)
     {
-        row -= viewpoint_.settings().size.width;
-        std::transform(row, row + viewpoint_.settings().size.width, std::back_inserter(depth),
+        row -= viewpoint().settings().size.width;
+        std::transform(row, row + viewpoint().settings().size.width, std::back_inserter(depth),
                        [](std::uint32_t bits) { return (bits >> 8) / double{0xffffff}; });
     }
     return depth;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "render/overlay/annotated_picture.hpp"
-#include "render/passes/ambient_occlusion.hpp"
-#include "render/passes/pass_pictures.hpp"
-#include "render/passes/shrink.hpp"
+#include "render/picture/ambient_occlusion.hpp"
+#include "render/picture/pass_pictures.hpp"
+#include "render/picture/shrink.hpp"
 #include "render/pipeline.hpp"
 #include "render/raster/tile_pipeline.hpp"
 
@@ -10,7 +10,7 @@
 #include <frostfill/renderer.hpp>
 
 #include <chrono>
-#include <optional>
+#include <memory>
 
 namespace frostfill
 {
@@ -50,55 +50,36 @@ RenderSettings enlarged(RenderSettings settings)
 }
 
 /// A sphere in an empty picture; true when it is there and its surroundings are background.
-bool drawsASphere(Pipeline& pipeline)
+bool drawsASphere(PictureBackend& backend)
 {
     Snapshot snapshot;
     snapshot.centres.emplace_back(0, 0, 0);
     snapshot.radii.push_back(0.4F);
     snapshot.states.push_back(SphereState::frozen);
-    pipeline.draw(snapshot);
     Image image;
-    pipeline.readColour(image);
+    backend.readBack(image, backend.draw(snapshot, image));
     const auto* middle = image.at(image.width / 2, image.height / 2);
     const auto* corner = image.at(0, 0);
     return middle[2] > middle[0] && corner[0] == 255 && corner[2] == 255;
 }
 
-} // namespace
-
-/// Whether it is drawn without OpenGL.
-bool drawsWithoutOpenGl(const RenderSettings& settings)
+std::unique_ptr<PictureBackend> openBackend(const TriangleMesh& mesh,
+                                            const RenderSettings& settings)
 {
-    return settings.backend == Backend::builtin || settings.backend == Backend::automatic;
+    if (settings.backend == Backend::builtin || settings.backend == Backend::automatic)
+    {
+        return std::make_unique<TilePipeline>(mesh, settings);
+    }
+    return std::make_unique<Pipeline>(mesh, settings);
 }
+
+} // namespace
 
 struct Renderer::Implementation
 {
-    Implementation(const TriangleMesh& mesh, const RenderSettings& wanted) : settings(wanted)
+    Implementation(const TriangleMesh& mesh, const RenderSettings& wanted)
+        : settings(wanted), backend(openBackend(mesh, enlarged(wanted)))
     {
-        if (drawsWithoutOpenGl(settings))
-        {
-            tiles.emplace(mesh, enlarged(settings));
-        }
-        else
-        {
-            pipeline = std::make_unique<Pipeline>(mesh, enlarged(settings));
-        }
-    }
-
-    [[nodiscard]] const Legend& legend() const
-    {
-        return tiles ? tiles->viewpoint().legend() : pipeline->legend();
-    }
-    [[nodiscard]] const Framing& framing() const
-    {
-        return tiles ? tiles->viewpoint().framing() : pipeline->framing();
-    }
-
-    void drawSurfaces(const Snapshot& snapshot, const PictureSize& size)
-    {
-        tiles ? tiles->drawSurfaces(snapshot, size, surfaces)
-              : pipeline->drawSurfaces(snapshot, size, surfaces);
     }
 
     /// What is done to a picture as a whole.
@@ -111,13 +92,15 @@ struct Renderer::Implementation
         whole = picture.pixels();
         if (settings.style.ambientOcclusion && !snapshot.centres.empty())
         {
-            const double reach = kOcclusionReach * meanRadius(snapshot) * framing().scale;
-            drawSurfaces(snapshot, {whole.width, whole.height});
-            applyAmbientLight(ambientLight(surfaces, framing(), reach), whole);
+            const Framing& framing = backend->framing();
+            const double reach = kOcclusionReach * meanRadius(snapshot) * framing.scale;
+            backend->drawSurfaces(snapshot, {whole.width, whole.height}, surfaces);
+            applyAmbientLight(ambientLight(surfaces, framing, reach), whole);
         }
-        for (const Legend::Piece& piece : legend().pieces(snapshot))
+        const Legend& legend = backend->legend();
+        for (const Legend::Piece& piece : legend.pieces(snapshot))
         {
-            legend().draw(whole, piece);
+            legend.draw(whole, piece);
         }
         if (settings.supersample > 1)
         {
@@ -127,8 +110,7 @@ struct Renderer::Implementation
     }
 
     RenderSettings settings;
-    std::optional<TilePipeline> tiles; ///< draws the picture, or else the pipeline does
-    std::unique_ptr<Pipeline> pipeline;
+    std::unique_ptr<PictureBackend> backend;
     AnnotatedPicture picture;
     StageTimes times;
     Image whole; ///< if the picture is finished as a whole
@@ -151,15 +133,11 @@ const Image& Renderer::draw(const Snapshot& snapshot)
     auto& picture = own.picture;
     auto& times = own.times;
     const auto drawing = Clock::now();
-    const auto& parts =
-        own.tiles ? own.tiles->draw(snapshot, picture.pixels()) : own.pipeline->draw(snapshot);
+    const auto& parts = own.backend->draw(snapshot, picture.pixels());
     times[Stage::rendering] += secondsSince(drawing);
 
     const auto reading = Clock::now();
-    if (!own.tiles)
-    {
-        own.pipeline->readColour(picture.pixels(), parts);
-    }
+    own.backend->readBack(picture.pixels(), parts);
     times[Stage::readback] += secondsSince(reading);
 
     const auto writing = Clock::now();
@@ -169,7 +147,7 @@ const Image& Renderer::draw(const Snapshot& snapshot)
     }
     else
     {
-        picture.finish(parts, own.legend(), snapshot);
+        picture.finish(parts, own.backend->legend(), snapshot);
     }
     times[Stage::rendering] += secondsSince(writing);
     return own.finishesWhole() ? own.whole : picture.image();
@@ -191,14 +169,7 @@ void Renderer::setCamera(const Camera& camera)
 {
     auto& own = *implementation_;
     const auto moving = Clock::now();
-    if (own.tiles)
-    {
-        own.tiles->lookFrom(camera);
-    }
-    if (own.pipeline)
-    {
-        own.pipeline->lookFrom(camera);
-    }
+    own.backend->lookFrom(camera);
     own.times[Stage::rendering] += secondsSince(moving);
 }
 
@@ -206,14 +177,7 @@ void Renderer::turn(double degrees)
 {
     auto& own = *implementation_;
     const auto moving = Clock::now();
-    if (own.tiles)
-    {
-        own.tiles->turn(degrees);
-    }
-    if (own.pipeline)
-    {
-        own.pipeline->turn(degrees);
-    }
+    own.backend->turn(degrees);
     own.times[Stage::rendering] += secondsSince(moving);
 }
 
@@ -221,14 +185,14 @@ void Renderer::renderPasses(const Snapshot& snapshot, PassPictures& pictures)
 {
     auto& own = *implementation_;
     const auto drawing = Clock::now();
-    own.drawSurfaces(snapshot, own.settings.size);
-    makePassPictures(own.surfaces, own.framing(), pictures);
+    own.backend->drawSurfaces(snapshot, own.settings.size, own.surfaces);
+    makePassPictures(own.surfaces, own.backend->framing(), pictures);
     own.times[Stage::rendering] += secondsSince(drawing);
 }
 
 std::array<int, 4> Renderer::objectRegion() const
 {
-    const auto& [left, top, right, bottom] = implementation_->framing().region;
+    const auto& [left, top, right, bottom] = implementation_->backend->framing().region;
     const auto inPicture = [&](double edge)
     { return static_cast<int>(edge / implementation_->settings.supersample); };
     return {inPicture(left), inPicture(top), inPicture(right), inPicture(bottom)};
@@ -236,8 +200,7 @@ std::array<int, 4> Renderer::objectRegion() const
 
 const std::string& Renderer::description() const
 {
-    static const std::string builtin = "builtin: spheres and shell on the processor";
-    return implementation_->tiles ? builtin : implementation_->pipeline->description();
+    return implementation_->backend->description();
 }
 
 const StageTimes& Renderer::times() const

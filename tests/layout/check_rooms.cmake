@@ -55,12 +55,13 @@ room(renderer ${seen}) # the public header, whose settings the rooms of the rend
 list(APPEND seen renderer)
 room(render/framing ${seen})
 room(render/context ${seen} render/framing)
-room(render/passes ${seen} render/framing render/context)
-room(render/overlay ${seen} render/framing render/context render/passes)
-room(render/layer ${seen} render/framing render/context render/passes render/overlay)
-room(render/raster ${seen} render/framing render/passes render/overlay render/layer)
-room(render ${seen} render/framing render/context render/passes render/overlay render/layer
-     render/raster)
+room(render/overlay ${seen} render/framing render/context)
+room(render/picture ${seen} render/framing render/overlay) # what draws has it; it knows no OpenGL
+room(render/passes ${seen} render/framing render/context render/picture)
+room(render/layer ${seen} render/framing render/context render/passes render/overlay render/picture)
+room(render/raster ${seen} render/framing render/overlay render/picture)
+room(render ${seen} render/framing render/context render/passes render/overlay render/picture
+     render/layer render/raster)
 
 room(run_file base ${mesh} snapshot)
 room(packing ${mesh} scene scene/options snapshot simulation simulation/quality run_file)
@@ -69,8 +70,8 @@ room(shell mesh mesh/interior geometry snapshot)
 room(export base mesh view scene scene/options snapshot run_file output shell)
 room(export/inputs mesh mesh/interior scene snapshot output export)
 room(run base mesh view scene scene/options snapshot simulation image renderer render/overlay run_file output)
-room(page mesh view scene snapshot renderer render/framing render/context render/passes render/overlay
-     render/layer run_file output shell run)
+room(page mesh view scene snapshot renderer render/framing render/context render/overlay render/picture
+     run_file output shell run)
 
 room(analysis base geometry ${mesh} scene snapshot simulation simulation/quality packing output export run_file)
 
@@ -80,7 +81,7 @@ room(sweep base mesh scene scene/options simulation image renderer run_file outp
 
 set(below base geometry oracle ${mesh} view scene scene/options snapshot simulation simulation/world ${parts}
           simulation/quality simulation/columns simulation/engine image renderer render/framing render/context
-          render/passes render/overlay run_file packing output export run analysis)
+          render/overlay render/picture run_file packing output export run analysis)
 room(study ${below})
 room(study/stability ${below} study)
 room(study/operations ${below} study)

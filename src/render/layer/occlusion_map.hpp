@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "render/layer/projected_sphere.hpp"
+#include "render/picture/projected_sphere.hpp"
 
 #include <cstdint>
 #include <span>

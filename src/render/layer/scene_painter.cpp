@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "render/layer/scene_painter.hpp"
 
-#include "render/layer/cut_share.hpp"
-#include "render/layer/painter_settings.hpp"
-#include "render/layer/swatch_mesh.hpp"
+#include "render/picture/cut_share.hpp"
+#include "render/picture/painter_settings.hpp"
+#include "render/picture/swatch_mesh.hpp"
 
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>

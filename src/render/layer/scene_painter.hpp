@@ -3,16 +3,16 @@
 
 #include "render/framing/framing.hpp"
 #include "render/framing/pixel_rectangle.hpp"
-#include "render/layer/dirty_rectangles.hpp"
-#include "render/layer/projected_sphere.hpp"
-#include "render/layer/sphere_occlusion.hpp"
-#include "render/layer/studio.hpp"
 #include "render/layer/triangle_tiles.hpp"
 #include "render/overlay/colour_scale.hpp"
 #include "render/overlay/legend.hpp"
 #include "render/passes/ground_pass.hpp"
 #include "render/passes/mesh_pass.hpp"
 #include "render/passes/sphere_pass.hpp"
+#include "render/picture/dirty_rectangles.hpp"
+#include "render/picture/projected_sphere.hpp"
+#include "render/picture/sphere_occlusion.hpp"
+#include "render/picture/studio.hpp"
 
 #include <frostfill/renderer.hpp>
 

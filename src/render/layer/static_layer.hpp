@@ -4,11 +4,11 @@
 #pragma once
 
 #include "render/context/framebuffer.hpp"
-#include "render/layer/dirty_rectangles.hpp"
 #include "render/layer/occlusion_map.hpp"
-#include "render/layer/projected_sphere.hpp"
 #include "render/layer/scene_painter.hpp"
-#include "render/layer/sphere_draw_list.hpp"
+#include "render/picture/dirty_rectangles.hpp"
+#include "render/picture/projected_sphere.hpp"
+#include "render/picture/sphere_draw_list.hpp"
 
 #include <optional>
 #include <span>

@@ -3,8 +3,8 @@
 
 #include "render/framing/framing.hpp"
 #include "render/framing/pixel_rectangle.hpp"
-#include "render/layer/tile_lists.hpp"
-#include "render/passes/mesh_shading.hpp"
+#include "render/picture/mesh_shading.hpp"
+#include "render/picture/tile_lists.hpp"
 
 #include <array>
 #include <cstdint>

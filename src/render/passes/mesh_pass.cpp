@@ -36,13 +36,6 @@ std::vector<Vertex> verticesOf(const ShadedMesh& mesh)
 
 } // namespace
 
-glm::vec3 inkFor(const Colour& surface, const Colour& background)
-{
-    const glm::vec3 own(toVector(surface));
-    const bool dark = background[3] > 127 && background[0] + background[1] + background[2] < 3 * 96;
-    return dark ? glm::mix(own, glm::vec3(1), 0.12F) : 0.38F * own;
-}
-
 MeshBuffer::MeshBuffer(const GlFunctions& gl, const ShadedMesh& mesh,
                        const std::vector<std::array<std::uint8_t, 3>>& edgeStrengths)
     : gl_(gl), triangles_(mesh.triangles.size()), held_(triangles_, PolygonState::active)
@@ -159,7 +152,7 @@ void MeshBuffer::drawChosen(bool fronts) const
 
 MeshPass::MeshPass(const GlFunctions& gl, const ShaderVariant& variant, const Palette& palette,
                    const MeshStrokes& strokes)
-    : gl_(gl), program_(gl, variant.definitions(), embedded::shader_mesh_vert(),
+    : gl_(gl), program_(gl, definitionsOf(variant), embedded::shader_mesh_vert(),
                         embedded::shader_mesh_frag()),
       pictureHeight_(strokes.pictureHeight)
 {

@@ -3,9 +3,9 @@
 
 #include "render/context/gl.hpp"
 #include "render/context/shader.hpp"
-#include "render/framing/framing.hpp"
-#include "render/passes/mesh_shading.hpp"
 #include "render/passes/sphere_pass.hpp"
+#include "render/picture/mesh_shading.hpp"
+#include "render/picture/painter_settings.hpp"
 
 #include <frostfill/snapshot.hpp>
 
@@ -48,19 +48,6 @@ private:
     std::vector<std::uint32_t> changed_;
     std::vector<std::uint32_t> indices_;
 };
-
-/// Lengths in the picture [pixel].
-struct MeshStrokes
-{
-    float lineWidth = 1;
-    float hatchPeriod = 8;
-    float pictureHeight = 720;
-    std::array<float, 2> edgeFade = {0, 0}; ///< plain edges appear as triangles grow from one to
-                                            ///< the other
-};
-
-/// Of lines: darker than the surface on a light ground, lighter on a dark one.
-[[nodiscard]] glm::vec3 inkFor(const Colour& surface, const Colour& background);
 
 /// The program that draws the shell.
 class MeshPass

@@ -42,20 +42,15 @@ std::vector<std::uint16_t> indicesOfSquares()
 
 } // namespace
 
-std::string ShaderVariant::definitions() const
+std::string definitionsOf(const ShaderVariant& variant)
 {
     std::string lines;
-    lines += orthographic ? "#define ORTHOGRAPHIC\n" : "";
-    lines += cutaway ? "#define CUTAWAY\n" : "";
-    lines += outlines ? "#define OUTLINES\n" : "";
-    lines += studio ? "#define STUDIO\n" : "";
-    lines += fadingLines ? "#define FADING_LINES\n" : "";
+    lines += variant.orthographic ? "#define ORTHOGRAPHIC\n" : "";
+    lines += variant.cutaway ? "#define CUTAWAY\n" : "";
+    lines += variant.outlines ? "#define OUTLINES\n" : "";
+    lines += variant.studio ? "#define STUDIO\n" : "";
+    lines += variant.fadingLines ? "#define FADING_LINES\n" : "";
     return lines;
-}
-
-glm::vec4 toVector(const Colour& colour)
-{
-    return glm::vec4(colour[0], colour[1], colour[2], colour[3]) / 255.0F;
 }
 
 SphereBuffer::SphereBuffer(const GlFunctions& gl, bool lit) : gl_(gl)
@@ -138,7 +133,7 @@ void SphereBuffer::draw() const
 SpherePass::SpherePass(const GlFunctions& gl, const ShaderVariant& variant,
                        std::span<const glm::vec2> samplePositions, const Style& style,
                        float lineWidth)
-    : gl_(gl), program_(gl, sampleDefinitions(samplePositions.size()) + variant.definitions(),
+    : gl_(gl), program_(gl, sampleDefinitions(samplePositions.size()) + definitionsOf(variant),
                         embedded::shader_sphere_vert(), embedded::shader_sphere_frag())
 {
     program_.use();

@@ -10,30 +10,10 @@
 namespace frostfill
 {
 
-std::vector<SphereInstance> placeSpheres(const Snapshot& snapshot, const Framing& framing)
-{
-    const Eigen::Vector3f offset =
-        ((snapshot.origin - framing.centre) * framing.scale).cast<float>();
-    const auto scale = static_cast<float>(framing.scale);
-    std::vector<SphereInstance> spheres;
-    spheres.reserve(snapshot.centres.size());
-    for (std::size_t i = 0; i < snapshot.centres.size(); ++i)
-    {
-        const Eigen::Vector3f centre = snapshot.centres[i] * scale + offset;
-        spheres.push_back({centre.x(),
-                           centre.y(),
-                           centre.z(),
-                           snapshot.waits(i) ? 0 : snapshot.radii[i] * scale,
-                           static_cast<std::uint32_t>(snapshot.states[i]),
-                           {}});
-    }
-    return spheres;
-}
-
 SurfacePass::SurfacePass(const GlFunctions& gl, const ShaderVariant& variant,
                          const PictureSize& size)
     : gl_(gl), size_(size), orthographic_(variant.orthographic),
-      program_(gl, variant.definitions(), embedded::shader_sphere_vert(),
+      program_(gl, definitionsOf(variant), embedded::shader_sphere_vert(),
                embedded::shader_surface_frag()),
       buffer_(gl)
 {
@@ -144,14 +124,6 @@ void SurfacePass::read(const SphereUniforms& uniforms, Surfaces& surfaces)
             const double distance = orthographic_ ? (depth - 0.5 - b) / slope : b / (depth - a);
             surfaces.distance[to] = depth < 1 ? static_cast<float>(distance) : Surfaces::kNothing;
         });
-}
-
-DepthLimits depthLimits(const Framing& framing)
-{
-    const double a = framing.projection[2][2];
-    const double b = framing.projection[3][2];
-    return framing.orthographic ? DepthLimits{(b + 1) / a, (b - 1) / a}
-                                : DepthLimits{b / (a - 1), b / (a + 1)};
 }
 
 } // namespace frostfill

@@ -2,30 +2,12 @@
 #pragma once
 
 #include "render/passes/sphere_pass.hpp"
+#include "render/picture/surfaces.hpp"
 
-#include <frostfill/snapshot.hpp>
-
-#include <limits>
 #include <vector>
 
 namespace frostfill
 {
-
-/// What is seen of the spheres in each pixel, top row first.
-struct Surfaces
-{
-    static constexpr float kNothing = std::numeric_limits<float>::infinity();
-
-    int width = 0;
-    int height = 0;
-    std::vector<float> distance; ///< [height x width] along the view, unit space; or kNothing
-    std::vector<std::array<std::uint8_t, 3>> normal; ///< 0..255 for -1..1, in eye space
-    std::vector<std::uint32_t> identity;             ///< index of the sphere + 1; or 0
-};
-
-/// The spheres of a snapshot in unit space, by id, without colours.
-[[nodiscard]] std::vector<SphereInstance> placeSpheres(const Snapshot& snapshot,
-                                                       const Framing& framing);
 
 /// Draws the spheres once more, one sample a pixel, for what they are and not how they look. Needs
 /// nothing of the picture, so it does not matter how that was drawn.
@@ -55,12 +37,5 @@ private:
     std::vector<std::uint8_t> bytes_;
     std::vector<float> depth_;
 };
-
-/// Nearest and furthest distance that a projection shows, in unit space.
-struct DepthLimits
-{
-    double nearest, furthest;
-};
-[[nodiscard]] DepthLimits depthLimits(const Framing& framing);
 
 } // namespace frostfill

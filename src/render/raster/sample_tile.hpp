@@ -4,7 +4,7 @@
 #pragma once
 
 #include "render/framing/pixel_rectangle.hpp"
-#include "render/layer/tile_lists.hpp"
+#include "render/picture/tile_lists.hpp"
 
 #include <frostfill/view.hpp>
 

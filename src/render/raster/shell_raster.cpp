@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "render/raster/shell_raster.hpp"
 
-#include "render/layer/for_all.hpp"
-#include "render/passes/mesh_shading.hpp"
+#include "render/picture/for_all.hpp"
+#include "render/picture/mesh_shading.hpp"
 #include "render/raster/shell_rows.hpp"
 #include "render/raster/shell_specks.hpp"
 

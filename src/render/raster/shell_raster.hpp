@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "render/passes/mesh_pass.hpp"
-#include "render/passes/mesh_shading.hpp"
+#include "render/picture/mesh_shading.hpp"
+#include "render/picture/painter_settings.hpp"
 #include "render/raster/resting_tile.hpp"
 #include "render/raster/sample_tile.hpp"
 #include "render/raster/shell_layers.hpp"

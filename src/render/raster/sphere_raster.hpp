@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "render/layer/cut_share.hpp"
-#include "render/passes/sphere_pass.hpp"
+#include "render/picture/cut_share.hpp"
+#include "render/picture/sphere_instance.hpp"
 #include "render/raster/sample_tile.hpp"
 
 #include <array>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "render/raster/surface_tiles.hpp"
 
-#include "render/layer/for_all.hpp"
-#include "render/layer/sphere_draw_list.hpp"
+#include "render/picture/for_all.hpp"
+#include "render/picture/sphere_draw_list.hpp"
 #include "render/raster/tile_grid.hpp"
 
 #include <tbb/parallel_for.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/raster/swatch_raster.hpp"
 
-#include "render/layer/painter_settings.hpp"
+#include "render/picture/painter_settings.hpp"
 
 namespace frostfill
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "render/layer/swatch_mesh.hpp"
 #include "render/overlay/viewpoint.hpp"
+#include "render/picture/swatch_mesh.hpp"
 #include "render/raster/resting_tile.hpp"
 #include "render/raster/shell_raster.hpp"
 #include "render/raster/sphere_raster.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/raster/tile_layer.hpp"
 
-#include "render/layer/for_all.hpp"
+#include "render/picture/for_all.hpp"
 
 #include <tbb/parallel_for.h>
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "render/framing/cutaway_planes.hpp"
-#include "render/layer/sphere_occlusion.hpp"
-#include "render/layer/studio.hpp"
+#include "render/picture/sphere_occlusion.hpp"
+#include "render/picture/studio.hpp"
 #include "render/raster/ground_raster.hpp"
 #include "render/raster/resting_tile.hpp"
 #include "render/raster/tile_grid.hpp"

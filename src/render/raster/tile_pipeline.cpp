@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/raster/tile_pipeline.hpp"
 
-#include "render/layer/painter_settings.hpp"
+#include "render/picture/painter_settings.hpp"
 #include "render/raster/resolve.hpp"
 #include "render/raster/surface_tiles.hpp"
 
@@ -24,7 +24,7 @@ constexpr int kLongestEdge = 16384;
 } // namespace
 
 TilePipeline::TilePipeline(const TriangleMesh& mesh, const RenderSettings& settings, bool avx2)
-    : viewpoint_(mesh, settings), size_(settings.size), variant_(variantOf(settings, mesh)),
+    : PictureBackend(mesh, settings), size_(settings.size), variant_(variantOf(settings, mesh)),
       samples_(settings.samples > 1 ? kMaxTileSamples : 1), avx2_(avx2), grid_(size_),
       triangles_(grid_)
 {
@@ -37,17 +37,17 @@ TilePipeline::TilePipeline(const TriangleMesh& mesh, const RenderSettings& setti
     }
     runningIn_.resize(grid_.count());
     dirty_.resize(grid_.count());
-    const std::vector<glm::vec3> positions = inUnitSpace(mesh, viewpoint_.framing());
+    const std::vector<glm::vec3> positions = inUnitSpace(mesh, viewpoint().framing());
     if (settings.style.shell)
     {
         addShell(mesh, positions);
     }
-    layer_.emplace(grid_, viewpoint_.settings(), samples_,
-                   studioOf(mesh, positions, viewpoint_.settings(), viewpoint_.framing()),
-                   cutPlanesOf(settings, viewpoint_.framing()));
-    if (viewpoint_.legend().visible())
+    layer_.emplace(grid_, viewpoint().settings(), samples_,
+                   studioOf(mesh, positions, viewpoint().settings(), viewpoint().framing()),
+                   cutPlanesOf(settings, viewpoint().framing()));
+    if (viewpoint().legend().visible())
     {
-        swatches_ = std::make_unique<SwatchRaster>(viewpoint_, variant_, samples_, avx2_);
+        swatches_ = std::make_unique<SwatchRaster>(viewpoint(), variant_, samples_, avx2_);
     }
     useFraming();
 }
@@ -57,40 +57,26 @@ void TilePipeline::addShell(const TriangleMesh& mesh, const std::vector<glm::vec
     shaded_ = shadeMesh(mesh, positions, variant_.fadingLines);
     edges_.emplace(shaded_);
     shell_ =
-        std::make_unique<ShellRaster>(shaded_, variant_, shellPalette(viewpoint_.settings().style),
-                                      strokesFor(viewpoint_.settings()), samples_, avx2_);
+        std::make_unique<ShellRaster>(shaded_, variant_, shellPalette(viewpoint().settings().style),
+                                      strokesFor(viewpoint().settings()), samples_, avx2_);
     shaded_.normals = {}; // both have what they need of these
     shaded_.edges = {};
-    if (viewpoint_.settings().staticLayer)
+    if (viewpoint().settings().staticLayer)
     {
         keptShell_ = std::make_unique<KeptShell>(*shell_, grid_.count(),
                                                  static_cast<std::size_t>(samples_), avx2_);
     }
 }
 
-void TilePipeline::lookFrom(const Camera& camera)
-{
-    viewpoint_.lookFrom(camera);
-    useFraming();
-}
-
-void TilePipeline::turn(double degrees)
-{
-    if (viewpoint_.turn(degrees))
-    {
-        useFraming();
-    }
-}
-
 void TilePipeline::useFraming()
 {
-    const Framing& framing = viewpoint_.framing();
-    const Style& style = viewpoint_.settings().style;
-    SphereUniforms uniforms = uniformsOf(framing, viewpoint_.settings());
+    const Framing& framing = viewpoint().framing();
+    const Style& style = viewpoint().settings().style;
+    SphereUniforms uniforms = uniformsOf(framing, viewpoint().settings());
     layer_->light(framing, uniforms);
     view_.emplace(
         TileView{SphereRaster(uniforms, variant_, size_, style,
-                              strokesFor(viewpoint_.settings()).lineWidth, samples_, avx2_),
+                              strokesFor(viewpoint().settings()).lineWidth, samples_, avx2_),
                  SphereProjector(framing, size_)});
     layer_->lookFrom(*view_, framing, uniforms);
     if (shell_)
@@ -106,23 +92,21 @@ void TilePipeline::useFraming()
     stale_ = true;
 }
 
-void TilePipeline::follow(const Snapshot& snapshot)
-{
-    if (viewpoint_.follow(snapshot))
-    {
-        useFraming();
-    }
-}
-
 void TilePipeline::drawSurfaces(const Snapshot& snapshot, const PictureSize& size,
                                 Surfaces& surfaces)
 {
     follow(snapshot);
-    const Framing& framing = viewpoint_.framing();
-    const SphereUniforms uniforms = uniformsOf(framing, viewpoint_.settings());
+    const Framing& framing = viewpoint().framing();
+    const SphereUniforms uniforms = uniformsOf(framing, viewpoint().settings());
     const TileView view{SphereRaster::ofSurfaces(uniforms, variant_, size, avx2_),
                         SphereProjector(framing, size)};
     drawSurfacesInTiles(placeSpheres(snapshot, framing), view, framing, size, surfaces);
+}
+
+const std::string& TilePipeline::description() const
+{
+    static const std::string text = "builtin: spheres and shell on the processor";
+    return text;
 }
 
 void TilePipeline::renew(std::size_t tile, const PixelRectangle& pixels)
@@ -134,11 +118,11 @@ const std::vector<PixelRectangle>& TilePipeline::draw(const Snapshot& snapshot, 
 {
     follow(snapshot);
     const SphereDrawList::Changes& changes =
-        drawList_.update(snapshot, viewpoint_.framing(), viewpoint_.colours());
+        drawList_.update(snapshot, viewpoint().framing(), viewpoint().colours());
     const bool startAgain = stale_ || changes.everything;
     if (startAgain && drawList_.resting().size() >= kSortFrom)
     {
-        drawList_.sortFrontToBack(viewpoint_.framing());
+        drawList_.sortFrontToBack(viewpoint().framing());
     }
     if (shell_)
     {
@@ -165,9 +149,9 @@ const std::vector<PixelRectangle>& TilePipeline::draw(const Snapshot& snapshot, 
     }
     stale_ = false;
     layer_->follow(drawList_.resting(), startAgain ? 0 : changes.firstArrival);
-    if (startAgain || !viewpoint_.settings().staticLayer)
+    if (startAgain || !viewpoint().settings().staticLayer)
     {
-        layer_->rebuild(viewpoint_.settings().staticLayer, dirty_);
+        layer_->rebuild(viewpoint().settings().staticLayer, dirty_);
     }
     else
     {
@@ -178,7 +162,7 @@ const std::vector<PixelRectangle>& TilePipeline::draw(const Snapshot& snapshot, 
 
     image.width = size_.width;
     image.height = size_.height;
-    image.channels = viewpoint_.settings().style.palette.background[3] < 255 ? 4 : 3;
+    image.channels = viewpoint().settings().style.palette.background[3] < 255 ? 4 : 3;
     image.pixels.resize(static_cast<std::size_t>(image.width * image.height) *
                         static_cast<std::size_t>(image.channels));
     composeDirty(startAgain, image);

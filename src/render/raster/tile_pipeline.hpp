@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "render/layer/sphere_draw_list.hpp"
-#include "render/layer/tile_lists.hpp"
-#include "render/overlay/viewpoint.hpp"
-#include "render/passes/surface_pass.hpp"
+#include "render/picture/picture_backend.hpp"
+#include "render/picture/sphere_draw_list.hpp"
+#include "render/picture/tile_lists.hpp"
 #include "render/raster/has_avx2.hpp"
 #include "render/raster/kept_shell.hpp"
 #include "render/raster/swatch_raster.hpp"
@@ -25,30 +24,23 @@ namespace frostfill
 /// rest, tile by tile. A picture renews the parts of tiles where something changes, from spheres at
 /// rest over running ones and the shell to bytes of the image. A tile depends on no other, so where
 /// the whole picture is drawn anew the cores at hand share the tiles.
-class TilePipeline
+class TilePipeline : public PictureBackend
 {
 public:
     /// Draws the same with and without `avx2`.
     TilePipeline(const TriangleMesh& mesh, const RenderSettings& settings,
                  bool avx2 = lanes::hasAvx2());
 
-    /// As Viewpoint has them.
-    void lookFrom(const Camera& camera);
-    void turn(double degrees);
-
-    /// Draws into `image`, of which what is not in the parts that are returned stays. They are the
-    /// parts of the picture that may differ from the one before, until the next call.
-    const std::vector<PixelRectangle>& draw(const Snapshot& snapshot, Image& image);
-
-    /// What is seen of the spheres, in a picture of any size with the same view.
-    void drawSurfaces(const Snapshot& snapshot, const PictureSize& size, Surfaces& surfaces);
-
-    [[nodiscard]] const Viewpoint& viewpoint() const { return viewpoint_; }
+    /// Draws into `image`, of which what is not in the parts that are returned stays.
+    const std::vector<PixelRectangle>& draw(const Snapshot& snapshot, Image& image) override;
+    /// It is there already.
+    void readBack(Image& /*image*/, std::span<const PixelRectangle> /*parts*/) override {}
+    void drawSurfaces(const Snapshot& snapshot, const PictureSize& size,
+                      Surfaces& surfaces) override;
+    [[nodiscard]] const std::string& description() const override;
 
 private:
-    /// Looks at the object where it is in the snapshot.
-    void follow(const Snapshot& snapshot);
-    void useFraming();
+    void useFraming() override;
     void addShell(const TriangleMesh& mesh, const std::vector<glm::vec3>& positions);
     /// Draws the tile where it has these pixels of the picture.
     void renew(std::size_t tile, const PixelRectangle& pixels);
@@ -57,7 +49,6 @@ private:
     /// Returns which part of the picture it has drawn.
     PixelRectangle compose(std::size_t tile, SampleTile& work, Image& image);
 
-    Viewpoint viewpoint_;
     PictureSize size_;
     ShaderVariant variant_;
     int samples_;

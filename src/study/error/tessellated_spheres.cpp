@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "study/error/tessellated_spheres.hpp"
 
-#include "render/passes/shrink.hpp"
+#include "render/picture/shrink.hpp"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/layer/dirty_rectangles.hpp"
+#include "render/picture/dirty_rectangles.hpp"
 
 #include "support/pictures.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/layer/sphere_occlusion.hpp"
+#include "render/picture/sphere_occlusion.hpp"
 
 #include "support/pictures.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/passes/mesh_shading.hpp"
+#include "render/picture/mesh_shading.hpp"
 
 #include "support/pictures.hpp"
 

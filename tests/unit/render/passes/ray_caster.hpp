@@ -4,7 +4,7 @@
 
 #include "render/framing/cutaway_planes.hpp"
 #include "render/framing/framing.hpp"
-#include "render/passes/sphere_pass.hpp"
+#include "render/picture/sphere_instance.hpp"
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Spheres as OpenGL and as tiles draw them, against a ray caster in double precision.
-#include "render/layer/painter_settings.hpp"
-#include "render/layer/projected_sphere.hpp"
+#include "render/picture/painter_settings.hpp"
+#include "render/picture/projected_sphere.hpp"
 #include "render/pipeline.hpp"
 #include "render/raster/has_avx2.hpp"
 #include "render/raster/sphere_raster.hpp"
@@ -58,7 +58,8 @@ Drawn drawWithOpenGl(const TriangleMesh& mesh, const RenderSettings& settings,
                      const Snapshot& snapshot)
 {
     Pipeline pipeline(mesh, settings);
-    pipeline.draw(snapshot);
+    Image image;
+    pipeline.draw(snapshot, image);
     Drawn drawn{pipeline.framing(), allOf(pipeline.spheres()), {}};
     const RayCaster caster(drawn.framing, settings.size);
     const std::vector<double> depth = pipeline.readDepth();

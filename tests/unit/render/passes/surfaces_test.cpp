@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Depth, normals and identities, as OpenGL and as tiles draw them, against a ray caster.
-#include "render/layer/painter_settings.hpp"
+#include "render/picture/painter_settings.hpp"
 #include "render/pipeline.hpp"
 #include "render/raster/tile_pipeline.hpp"
 #include "support/pictures.hpp"
@@ -116,7 +116,7 @@ void expectThoseOfTheRayCaster(const RenderSettings& settings, int count = 60,
     {
         SCOPED_TRACE("tiles");
         TilePipeline pipeline(mesh, settings);
-        expect(pipeline, pipeline.viewpoint().framing());
+        expect(pipeline, pipeline.framing());
     }
 }
 

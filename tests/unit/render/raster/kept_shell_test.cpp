@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/raster/kept_shell.hpp"
 
-#include "render/layer/painter_settings.hpp"
+#include "render/picture/painter_settings.hpp"
 #include "render/raster/has_avx2.hpp"
 #include "render/raster/tile_grid.hpp"
 #include "support/pictures.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/layer/painter_settings.hpp"
+#include "render/picture/painter_settings.hpp"
 #include "render/raster/has_avx2.hpp"
 #include "render/raster/shell_raster.hpp"
 #include "support/pictures.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/raster/shell_specks.hpp"
 
-#include "render/layer/painter_settings.hpp"
+#include "render/picture/painter_settings.hpp"
 #include "render/raster/has_avx2.hpp"
 #include "render/raster/shell_raster.hpp"
 #include "render/raster/tile_grid.hpp"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "render/passes/mesh_shading.hpp"
+#include "render/picture/mesh_shading.hpp"
 
 #include "mesh/edge_table.hpp"
 #include "mesh/vertex_triangles.hpp"
-#include "render/passes/mesh_creases.hpp"
+#include "render/picture/mesh_creases.hpp"
 
 #include <glm/geometric.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/passes/mesh_creases.hpp"
+#include "render/picture/mesh_creases.hpp"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/passes/shrink.hpp"
+#include "render/picture/shrink.hpp"
 
 #include <algorithm>
 #include <array>

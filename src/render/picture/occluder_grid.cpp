@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/layer/occluder_grid.hpp"
+#include "render/picture/occluder_grid.hpp"
 
 #include <glm/common.hpp>
 

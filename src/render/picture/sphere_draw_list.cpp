@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "render/layer/sphere_draw_list.hpp"
+#include "render/picture/sphere_draw_list.hpp"
 
-#include "render/layer/for_all.hpp"
+#include "render/picture/for_all.hpp"
 
 #include <glm/geometric.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/layer/swatch_mesh.hpp"
+#include "render/picture/swatch_mesh.hpp"
 
 #include <frostfill/mesh.hpp>
 

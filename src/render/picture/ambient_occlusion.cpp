@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/passes/ambient_occlusion.hpp"
+#include "render/picture/ambient_occlusion.hpp"
 
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
@@ -40,6 +40,17 @@ public:
         : surfaces_(surfaces), framing_(framing), reach_(static_cast<float>(reach)),
           pixelScale_(0.5 * framing.projection[1][1] * surfaces.height)
     {
+        for (int turn = 0; turn < kTile * kTile; ++turn)
+        {
+            for (int i = 0; i < kSamples; ++i)
+            {
+                const double share = (i + 0.5) / kSamples;
+                const double angle =
+                    2 * M_PI * (share * kTurns + static_cast<double>(turn) / (kTile * kTile));
+                ways_[static_cast<std::size_t>(turn * kSamples + i)] = {share, std::cos(angle),
+                                                                        std::sin(angle)};
+            }
+        }
     }
 
     [[nodiscard]] float at(int x, int y) const
@@ -63,14 +74,17 @@ public:
         const int turn = (x % kTile) * kTile + y % kTile;
         for (int i = 0; i < kSamples; ++i)
         {
-            const double share = (i + 0.5) / kSamples;
-            const double angle =
-                2 * M_PI * (share * kTurns + static_cast<double>(turn) / (kTile * kTile));
-            sum += shadeFrom(x + static_cast<int>(std::lround(share * pixels * std::cos(angle))),
-                             y + static_cast<int>(std::lround(share * pixels * std::sin(angle))),
-                             point, normal);
+            const auto& [share, right, down] = ways_[static_cast<std::size_t>(turn * kSamples + i)];
+            sum += shadeFrom(x + nearest(share * pixels * right),
+                             y + nearest(share * pixels * down), point, normal);
         }
         return std::max(kDarkest, 1 - kGain * sum / kSamples);
+    }
+
+    /// Halves away from zero.
+    [[nodiscard]] static int nearest(double value)
+    {
+        return static_cast<int>(value + (value < 0 ? -0.5 : 0.5));
     }
 
     [[nodiscard]] std::size_t index(int x, int y) const
@@ -112,6 +126,8 @@ private:
     const Surfaces& surfaces_;
     const Framing& framing_;
     float reach_;
+    /// Where samples lie: share of the way, and its direction.
+    std::array<std::array<double, 3>, static_cast<std::size_t>(kTile* kTile* kSamples)> ways_{};
     double pixelScale_; ///< pixels in a length of 1 at distance 1
 };
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "render/framing/framing.hpp"
-#include "render/passes/surface_pass.hpp"
+#include "render/picture/surfaces.hpp"
 
 #include <frostfill/renderer.hpp>
 

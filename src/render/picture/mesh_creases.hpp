@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "render/passes/mesh_shading.hpp"
+#include "render/picture/mesh_shading.hpp"
 
 namespace frostfill
 {

@@ -3,7 +3,7 @@
 
 #include "render/framing/framing.hpp"
 #include "render/framing/ground_shadow.hpp"
-#include "render/passes/sphere_pass.hpp"
+#include "render/picture/sphere_instance.hpp"
 
 #include <frostfill/renderer.hpp>
 

@@ -3,15 +3,25 @@
 
 #include "render/framing/cutaway_planes.hpp"
 #include "render/framing/framing.hpp"
-#include "render/passes/mesh_pass.hpp"
-#include "render/passes/sphere_pass.hpp"
+#include "render/picture/sphere_instance.hpp"
 
 #include <frostfill/renderer.hpp>
 
+#include <array>
 #include <optional>
 
 namespace frostfill
 {
+
+/// Lengths in the picture [pixel].
+struct MeshStrokes
+{
+    float lineWidth = 1;
+    float hatchPeriod = 8;
+    float pictureHeight = 720;
+    std::array<float, 2> edgeFade = {0, 0}; ///< plain edges appear as triangles grow from one to
+                                            ///< the other
+};
 
 /// Strokes grow with the picture, so that a large one looks like a small one, only sharper.
 [[nodiscard]] MeshStrokes strokesFor(const RenderSettings& settings);
@@ -26,6 +36,9 @@ namespace frostfill
 /// None without a cutaway.
 [[nodiscard]] std::optional<CutPlanes> cutPlanesOf(const RenderSettings& settings,
                                                    const Framing& framing);
+
+/// Of lines: darker than the surface on a light ground, lighter on a dark one.
+[[nodiscard]] glm::vec3 inkFor(const Colour& surface, const Colour& background);
 
 /// With the shell as opaque as it is wanted, discarded polygons in proportion.
 [[nodiscard]] Palette shellPalette(const Style& style);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/layer/projected_sphere.hpp"
+#include "render/picture/projected_sphere.hpp"
 
 #include <algorithm>
 #include <array>

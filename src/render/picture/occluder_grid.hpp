@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "render/passes/sphere_pass.hpp"
+#include "render/picture/sphere_instance.hpp"
 
 #include <glm/ext/vector_int3.hpp>
 #include <glm/vec3.hpp>

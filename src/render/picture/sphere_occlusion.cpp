@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "render/layer/sphere_occlusion.hpp"
+#include "render/picture/sphere_occlusion.hpp"
 
 #include "render/framing/lamp.hpp"
-#include "render/layer/for_all.hpp"
+#include "render/picture/for_all.hpp"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/passes/pass_pictures.hpp"
+#include "render/picture/pass_pictures.hpp"
 
 #include <algorithm>
 #include <cmath>

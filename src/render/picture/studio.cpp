@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/layer/studio.hpp"
+#include "render/picture/studio.hpp"
 
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>

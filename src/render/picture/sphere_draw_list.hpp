@@ -3,7 +3,7 @@
 
 #include "render/framing/framing.hpp"
 #include "render/overlay/colour_scale.hpp"
-#include "render/passes/sphere_pass.hpp"
+#include "render/picture/sphere_instance.hpp"
 
 #include <frostfill/snapshot.hpp>
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "render/framing/cutaway_planes.hpp"
-#include "render/layer/occluder_grid.hpp"
-#include "render/passes/sphere_pass.hpp"
+#include "render/picture/occluder_grid.hpp"
+#include "render/picture/sphere_instance.hpp"
 
 #include <glm/vec3.hpp>
 

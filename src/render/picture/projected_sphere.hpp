@@ -3,7 +3,7 @@
 
 #include "render/framing/framing.hpp"
 #include "render/framing/pixel_rectangle.hpp"
-#include "render/passes/sphere_pass.hpp"
+#include "render/picture/sphere_instance.hpp"
 
 namespace frostfill
 {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "render/layer/painter_settings.hpp"
+#include "render/picture/painter_settings.hpp"
+
+#include <glm/common.hpp>
 
 #include <algorithm>
 #include <array>
@@ -91,6 +93,13 @@ std::optional<CutPlanes> cutPlanesOf(const RenderSettings& settings, const Frami
     return cutaway.kind == Cutaway::Kind::none
                ? std::nullopt
                : std::optional(cutPlanes(cutaway, framing, settings.up));
+}
+
+glm::vec3 inkFor(const Colour& surface, const Colour& background)
+{
+    const glm::vec3 own(toVector(surface));
+    const bool dark = background[3] > 127 && background[0] + background[1] + background[2] < 3 * 96;
+    return dark ? glm::mix(own, glm::vec3(1), 0.12F) : 0.38F * own;
 }
 
 Palette shellPalette(const Style& style)

@@ -3,8 +3,8 @@
 
 #include "render/overlay/colour_scale.hpp"
 #include "render/overlay/legend.hpp"
-#include "render/passes/mesh_shading.hpp"
-#include "render/passes/sphere_pass.hpp"
+#include "render/picture/mesh_shading.hpp"
+#include "render/picture/sphere_instance.hpp"
 
 #include <frostfill/snapshot.hpp>
 #include <frostfill/view.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/layer/cut_share.hpp"
+#include "render/picture/cut_share.hpp"
 
 #include <glm/geometric.hpp>
 

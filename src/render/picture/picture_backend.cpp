@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#include "render/picture/picture_backend.hpp"
+
+namespace frostfill
+{
+
+PictureBackend::PictureBackend(const TriangleMesh& mesh, const RenderSettings& settings)
+    : viewpoint_(mesh, settings)
+{
+}
+
+void PictureBackend::lookFrom(const Camera& camera)
+{
+    viewpoint_.lookFrom(camera);
+    useFraming();
+}
+
+void PictureBackend::turn(double degrees)
+{
+    if (viewpoint_.turn(degrees))
+    {
+        useFraming();
+    }
+}
+
+void PictureBackend::follow(const Snapshot& snapshot)
+{
+    if (viewpoint_.follow(snapshot))
+    {
+        useFraming();
+    }
+}
+
+} // namespace frostfill

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// Room: what a picture is drawn from, whoever draws it: spheres and shell with their light and
+// colours, settings, what is dirty. It has the interface of what draws, and knows no OpenGL.
+#pragma once
+
+#include "render/framing/pixel_rectangle.hpp"
+#include "render/overlay/viewpoint.hpp"
+#include "render/picture/surfaces.hpp"
+
+#include <frostfill/image.hpp>
+#include <frostfill/renderer.hpp>
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace frostfill
+{
+
+/// What draws pictures of one mesh, and keeps from picture to picture what it likes.
+class PictureBackend
+{
+public:
+    PictureBackend(const TriangleMesh& mesh, const RenderSettings& settings);
+    virtual ~PictureBackend() = default;
+    PictureBackend(const PictureBackend&) = delete;
+    PictureBackend& operator=(const PictureBackend&) = delete;
+
+    /// As Viewpoint has them.
+    void lookFrom(const Camera& camera);
+    void turn(double degrees);
+
+    /// Draws and waits until it is done. Returns the parts of the picture that may differ from the
+    /// one before, until the next call. `image` has the picture after readBack().
+    virtual const std::vector<PixelRectangle>& draw(const Snapshot& snapshot, Image& image) = 0;
+    /// RGB or, where the background is not opaque, RGBA; top row first. What lies outside of
+    /// `parts` is left alone in a picture of this shape.
+    virtual void readBack(Image& image, std::span<const PixelRectangle> parts) = 0;
+    /// What is seen of the spheres, in a picture of any size with the same view.
+    virtual void drawSurfaces(const Snapshot& snapshot, const PictureSize& size,
+                              Surfaces& surfaces) = 0;
+    /// On one line.
+    [[nodiscard]] virtual const std::string& description() const = 0;
+
+    [[nodiscard]] const Framing& framing() const { return viewpoint_.framing(); }
+    [[nodiscard]] const Legend& legend() const { return viewpoint_.legend(); }
+
+protected:
+    [[nodiscard]] const Viewpoint& viewpoint() const { return viewpoint_; }
+    /// Looks at the object where it is in the snapshot.
+    void follow(const Snapshot& snapshot);
+
+private:
+    /// The framing has changed: nothing of the picture before can be kept.
+    virtual void useFraming() = 0;
+
+    Viewpoint viewpoint_;
+};
+
+} // namespace frostfill
