@@ -86,6 +86,28 @@ void addSettling(py::module_& module)
     addText(report);
 }
 
+void addSizes(py::module_& module)
+{
+    using Point = SizePoint;
+    py::class_<Point> point(
+        module, "SizePoint",
+        "What share of all spheres is no larger than a radius, as it was asked for and as it is.");
+    point.def_readonly("radius", &Point::radius, "[unit]");
+    point.def_readonly("asked", &Point::asked, "[1] of the mass");
+    point.def_readonly("achieved", &Point::achieved, "[1] of the mass");
+    point.def_readonly("asked_number", &Point::askedNumber, "[1] of the number");
+    point.def_readonly("achieved_number", &Point::achievedNumber, "[1] of the number");
+    addText(point);
+    using R = SizeReport;
+    py::class_<R> report(module, "SizeReport",
+                         "The size curve of a run beside the one that was asked for.");
+    report.def_readonly("points", &R::points, "at ascending radii");
+    report.def_readonly("deviation", &R::deviation,
+                        "[1] of the mass, the largest at any of the points");
+    report.def_readonly("at", &R::at, "[unit] the radius of that point");
+    addText(report);
+}
+
 void addEquilibrium(py::module_& module)
 {
     py::class_<EquilibriumReport> report(
@@ -155,6 +177,7 @@ void addVolume(py::module_& module)
 
 void addReports(py::module_& module)
 {
+    addSizes(module);
     addEquilibrium(module);
     addSettling(module);
     addQuality(module);

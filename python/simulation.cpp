@@ -225,6 +225,9 @@ void addFacts(py::class_<Stepper>& simulation)
         "smallest_radius", [](const Simulation& s) { return s.smallestRadius(); },
         "The smallest radius of the run, in the unit of the mesh.");
     fact(
+        "sizes", [](const Simulation& s) { return s.sizes(); },
+        "The size curve so far beside the one of the keyword sizes; None without that.");
+    fact(
         "sphere_count", [](const Simulation& s) { return s.sphereCount(); },
         "Spheres that have appeared.");
     fact(

@@ -121,6 +121,7 @@ struct FillResult
     /// What went wrong with the video, in a sentence; all other files are there.
     std::optional<std::string> videoFailure;
     ReachInspection reach;            ///< of the smallest radius, in the empty object
+    std::optional<SizeReport> sizes;  ///< of a scene with a size curve
     std::optional<StraySphere> stray; ///< for which the run was stopped
     /// A postcondition that failed, in a sentence; the files are written all the same.
     std::optional<std::string> failure;

@@ -125,12 +125,13 @@ std::vector<const Option*> ignoredOptions(const Given& given, Preset preset)
     return ignored;
 }
 
-/// A radius without a count asks to be filled until no sphere fits, whatever count the preset has.
-/// `given`: a map from the keys that the user gave.
+/// Radii or sizes without a count ask to be filled until no sphere fits, whatever count the preset
+/// has. `given`: a map from the keys that the user gave.
 template <class Given>
 void impliesUntilFull(const Given& given, Scene& scene)
 {
-    if (given.contains("spheres.radius") && !given.contains("spheres.count"))
+    if ((given.contains("spheres.radius") || given.contains("spheres.sizes")) &&
+        !given.contains("spheres.count"))
     {
         scene.spheres.count.reset();
     }

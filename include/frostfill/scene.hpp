@@ -105,6 +105,31 @@ struct Radii
     friend bool operator==(const Radii&, const Radii&) = default;
 };
 
+/// Of what the shares of a size curve are shares. All spheres have the same density, so mass and
+/// volume are the same.
+enum class SharesOf : std::uint8_t
+{
+    number,
+    mass,
+    volume,
+};
+
+/// Sizes as a sieve or a formula gives them, in place of Radii.
+struct SizeSettings
+{
+    /// A CSV file of sizes and shares, or "lognormal:MEAN,SD", "normal:MEAN,SD" or
+    /// "weibull:SCALE,SHAPE", each with ",LOW..HIGH" for its ends; radii [mesh unit].
+    std::optional<std::string> curve;
+    std::optional<SharesOf> by; ///< if not given, the file's header has to say it
+    /// [1] Once a size finds no place any more, the run ends before the cumulative curve by mass is
+    /// off by more than this. If not given, it goes on until no sphere fits.
+    std::optional<double> within = 0.005;
+    bool fillGaps = false; ///< largest first; smaller ones then go into the gaps between them
+
+    friend bool operator==(const SizeSettings&, const SizeSettings&) = default;
+    friend auto operator<=>(const SizeSettings&, const SizeSettings&) = default;
+};
+
 /// A round, level opening through which spheres come into the object.
 struct Inlet
 {
@@ -127,6 +152,10 @@ struct SphereSettings
     /// If there are some, spheres appear in these openings and nowhere else, until the heap below
     /// reaches them.
     std::vector<Inlet> inlets = {};
+    SizeSettings sizes = {}; ///< not together with a radius
+
+    /// Whether the radii are given; otherwise they follow from the count.
+    [[nodiscard]] bool givesRadii() const { return radius || sizes.curve; }
 };
 
 /// How a sphere moves. Lengths in r and times in sqrt(r/g) keep the defaults independent of units.

@@ -91,6 +91,24 @@ struct QualityReport
     std::optional<SettlingReport> settling;       ///< of a run with Rest::joint
 };
 
+/// A point of a size curve: what share of all spheres is no larger, of their mass and their number.
+struct SizePoint
+{
+    double radius = 0;         ///< [mesh unit]
+    double asked = 0;          ///< [1] of the mass
+    double achieved = 0;       ///< [1]
+    double askedNumber = 0;    ///< [1] of the number
+    double achievedNumber = 0; ///< [1]
+};
+
+/// The size curve of a run beside the one that was asked for: see SizeSettings.
+struct SizeReport
+{
+    std::vector<SizePoint> points; ///< ascending: the rows of the file, or even steps of a formula
+    double deviation = 0;          ///< [1] of the mass, the largest at any of the points
+    double at = 0;                 ///< [mesh unit] the radius of that point
+};
+
 /// What is wrong with a sphere that is where none can be.
 enum class StrayKind
 {
@@ -202,6 +220,8 @@ public:
     [[nodiscard]] const StageTimes& times() const;
     [[nodiscard]] const std::vector<SetRecord>& sets() const;
     [[nodiscard]] QualityReport quality() const;
+    /// The size curve as it is now; empty for a scene without one.
+    [[nodiscard]] std::optional<SizeReport> sizes() const;
     /// Inspects the empty object with the smallest radius; see frostfill::inspectReach.
     [[nodiscard]] ReachInspection inspectReach(std::size_t bytes) const;
 

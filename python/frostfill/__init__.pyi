@@ -28,6 +28,10 @@ def fill(
         wrap: float | Literal['auto', 'none'] | None = ...,
         unite: bool = ...,
         radius: float | tuple[float, float] | str | PathLike[str] | None = ...,
+        sizes: str | int | Sequence[float] | Sequence[str] | None = ...,
+        by: Literal['number', 'mass', 'volume'] | None = ...,
+        curve_within: float | Literal['none'] | None = ...,
+        fill_gaps: bool = ...,
         count: int | Literal['none'] | None = ...,
         until_full: bool = ...,
         group_size: int = ...,
@@ -287,6 +291,10 @@ class Simulation:
         wrap: float | Literal['auto', 'none'] | None = ...,
         unite: bool = ...,
         radius: float | tuple[float, float] | str | PathLike[str] | None = ...,
+        sizes: str | int | Sequence[float] | Sequence[str] | None = ...,
+        by: Literal['number', 'mass', 'volume'] | None = ...,
+        curve_within: float | Literal['none'] | None = ...,
+        fill_gaps: bool = ...,
         count: int | Literal['none'] | None = ...,
         until_full: bool = ...,
         group_size: int = ...,
@@ -434,6 +442,9 @@ class Simulation:
     @property
     def smallest_radius(self) -> float:
         """The smallest radius of the run, in the unit of the mesh."""
+    @property
+    def sizes(self) -> SizeReport | None:
+        """The size curve so far beside the one of the keyword sizes; None without that."""
     @property
     def sphere_count(self) -> int:
         """Spheres that have appeared."""
@@ -812,6 +823,10 @@ def volume(
         wrap: float | Literal['auto', 'none'] | None = ...,
         unite: bool = ...,
         radius: float | tuple[float, float] | str | PathLike[str] | None = ...,
+        sizes: str | int | Sequence[float] | Sequence[str] | None = ...,
+        by: Literal['number', 'mass', 'volume'] | None = ...,
+        curve_within: float | Literal['none'] | None = ...,
+        fill_gaps: bool = ...,
         count: int | Literal['none'] | None = ...,
         until_full: bool = ...,
         group_size: int = ...,

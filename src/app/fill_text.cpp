@@ -60,6 +60,23 @@ std::string radiusAdvice(const std::optional<Radii>& given, const FillResult& re
                                : fmt::format("try --radius {:.3g}..{:.3g}", smallest, largest);
 }
 
+/// How near the sizes are to what was asked for.
+std::string sizesText(const Scene& scene, const FillResult& result)
+{
+    if (!result.sizes)
+    {
+        return "";
+    }
+    const std::optional<double>& within = scene.spheres.sizes.within;
+    const bool isKept = !within || result.sizes->deviation <= *within;
+    return fmt::format("sizes are off by at most {:.2g} % of the mass, at the radius {:.4g}{}\n",
+                       100 * result.sizes->deviation, result.sizes->at,
+                       isKept ? ""
+                              : fmt::format(", more than {:.2g} %: there are too few spheres, or "
+                                            "the largest had no place",
+                                            100 * *within));
+}
+
 /// What would fill an object that the count leaves partly empty.
 std::string fillingText(const Scene& scene, const FillResult& result)
 {
@@ -137,7 +154,9 @@ void printResult(const Scene& scene, const FillResult& result)
     }
     else if (result.full)
     {
-        fmt::print("full: after {} spheres, no other one fits\n", result.spheres);
+        const bool isBound = result.sizes && scene.spheres.sizes.within;
+        fmt::print("full: after {} spheres, no other one fits{}\n", result.spheres,
+                   isBound ? " with which the size curve is kept" : "");
     }
     else if (result.inletsReached)
     {
@@ -153,7 +172,7 @@ void printResult(const Scene& scene, const FillResult& result)
             fmt::print("{}", fractionText(*scene.rest.fraction, *settling->fraction));
         }
     }
-    fmt::print("{}", fillingText(scene, result));
+    fmt::print("{}{}", sizesText(scene, result), fillingText(scene, result));
     if (result.skippedFrames > 0)
     {
         fmt::print("{} of the {} pictures were there already\n", result.skippedFrames,

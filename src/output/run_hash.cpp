@@ -3,10 +3,14 @@
 
 #include "base/fnv_hash.hpp"
 #include "output/scene_json.hpp"
+#include "scene/read_sizes.hpp"
 #include "scene/shown_unbalance.hpp"
 
 #include <fmt/format.h>
 
+#include <fstream>
+#include <iterator>
+#include <string>
 #include <vector>
 
 namespace frostfill
@@ -53,6 +57,20 @@ std::string runHash(const Scene& scene, const TriangleMesh& mesh)
     if (same.spheres.inlets.empty())
     {
         json["spheres"].erase("inlets"); // as before there were any
+    }
+    const SizeSettings& sizes = same.spheres.sizes;
+    if (!sizes.curve)
+    {
+        for (const char* key : {"sizes", "by", "curve_within", "fill_gaps"})
+        {
+            json["spheres"].erase(key);
+        }
+    }
+    else if (!isNamedSizes(*sizes.curve))
+    {
+        std::ifstream in(*sizes.curve, std::ios::binary); // what it says now, and not its name
+        hash.add(std::string(std::istreambuf_iterator<char>(in), {}));
+        json["spheres"].erase("sizes");
     }
     hash.add(json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
     addAll(mesh.vertices, hash);

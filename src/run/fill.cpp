@@ -169,6 +169,7 @@ void judge(const Scene& scene, const Simulation& simulation, FillResult& result)
     {
         result.radiusThatFits = simulation.radiusThatFits(*asked);
     }
+    result.sizes = simulation.sizes();
     result.stateHash = simulation.stateHash();
     result.quality = simulation.quality();
     result.stray = simulation.stray();

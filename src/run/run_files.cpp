@@ -52,6 +52,25 @@ Json spheresJson(const Simulation& simulation)
             {"mean_radius", equal ? simulation.radius() : sum / total}};
 }
 
+/// The curve that was asked for, and the one there is.
+Json sizesJson(const SizeReport& sizes, const SizeSettings& settings)
+{
+    Json json = {{"curve", *settings.curve},
+                 {"deviation", sizes.deviation},
+                 {"at_radius", sizes.at},
+                 {"within", settings.within ? Json(*settings.within) : Json()},
+                 {"points", Json::array()}};
+    for (const SizePoint& point : sizes.points)
+    {
+        json["points"].push_back({{"radius", point.radius},
+                                  {"asked_by_mass", point.asked},
+                                  {"by_mass", point.achieved},
+                                  {"asked_by_number", point.askedNumber},
+                                  {"by_number", point.achievedNumber}});
+    }
+    return json;
+}
+
 Json polygonsJson(const std::vector<PolygonState>& polygons)
 {
     const auto active = std::count(polygons.begin(), polygons.end(), PolygonState::active);
@@ -228,6 +247,10 @@ std::string summaryText(const RunRecord& run)
     json["machine"] = machineJson(run.result.renderer);
     json["mesh"] = meshJson(run.mesh);
     json["spheres"] = spheresJson(run.simulation);
+    if (run.result.sizes)
+    {
+        json["sizes"] = sizesJson(*run.result.sizes, run.request.scene.spheres.sizes);
+    }
     json["polygons"] = polygonsJson(run.simulation.polygonStates());
     json["reach"] = reachJson(run.result.reach);
     json["error"] = errorJson(run.result.quality);

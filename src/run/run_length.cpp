@@ -117,6 +117,7 @@ Scene modelOf(const Scene& scene, const Simulation& simulation, double factor)
 {
     Scene model = scene;
     const double share = std::pow(factor, -3);
+    model.spheres.sizes = {};
     model.spheres.radius =
         Radii(factor * simulation.smallestRadius(), factor * simulation.radius());
     const auto fewer = [&](auto number)

@@ -51,7 +51,7 @@ VolumeEstimate estimateVolume(const Scene& scene, const LoadedMesh& mesh,
                     "--estimate-volume needs an object that is filled everywhere: "
                     "omit --inlet");
     }
-    if (scene.spheres.radius && !scene.spheres.radius->equal())
+    if (scene.spheres.sizes.curve || (scene.spheres.radius && !scene.spheres.radius->equal()))
     {
         throw Error(ErrorCode::usage, "--estimate-volume needs one radius: the packing fraction is "
                                       "known for equal spheres only");

@@ -100,6 +100,10 @@ double gravityInMeshUnits(const Scene& scene)
 
 double sphereRadius(const Scene& scene, const MeshReport& mesh)
 {
+    if (scene.spheres.sizes.curve)
+    {
+        return RadiusDistribution(scene.spheres.sizes).largest();
+    }
     if (scene.spheres.radius)
     {
         return RadiusDistribution(*scene.spheres.radius).largest();
@@ -131,7 +135,7 @@ namespace
 
 bool isCompact(const Scene& scene, const MeshReport& report, double radius)
 {
-    return scene.spheres.radius || radius * report.area <= kCompact * report.volume;
+    return scene.spheres.givesRadii() || radius * report.area <= kCompact * report.volume;
 }
 
 /// At most that of a compact object.

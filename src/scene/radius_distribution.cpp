@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "scene/radius_distribution.hpp"
 
+#include "scene/read_sizes.hpp"
+
 #include <frostfill/error.hpp>
 
 #include <fmt/format.h>
@@ -84,8 +86,18 @@ RadiusDistribution::RadiusDistribution(const Radii& radii)
     }
 }
 
+RadiusDistribution::RadiusDistribution(const SizeSettings& sizes) : curve_(readSizeCurve(sizes))
+{
+    smallest_ = curve_->smallest();
+    largest_ = curve_->largest();
+}
+
 double RadiusDistribution::meanPower(int power) const
 {
+    if (curve_)
+    {
+        return curve_->meanPower(power);
+    }
     if (equal())
     {
         return std::pow(largest_, power);
@@ -105,6 +117,11 @@ double RadiusDistribution::meanPower(int power) const
 
 double RadiusDistribution::draw(double uniform, double limit) const
 {
+    if (curve_)
+    {
+        const double below = limit < largest_ ? curve_->cumulative(limit, SizeCurve::kNumber) : 1;
+        return curve_->quantile(uniform * below);
+    }
     if (values_.empty())
     {
         return smallest_ + uniform * (std::clamp(limit, smallest_, largest_) - smallest_);
@@ -120,7 +137,7 @@ std::vector<double> RadiusDistribution::distinct(std::size_t most) const
     {
         return {largest_};
     }
-    std::vector<double> different = values_;
+    std::vector<double> different = curve_ ? curve_->distinct() : values_;
     different.erase(std::unique(different.begin(), different.end()), different.end());
     if (different.size() > most)
     {
@@ -135,6 +152,10 @@ RadiusDistribution RadiusDistribution::inLargest() const
     for (double& radius : scaled.values_)
     {
         radius /= largest_;
+    }
+    if (curve_)
+    {
+        scaled.curve_ = curve_->in(largest_);
     }
     scaled.smallest_ = smallest_ / largest_;
     scaled.largest_ = 1;

@@ -3,8 +3,11 @@
 // radii, frames. Nothing here runs anything.
 #pragma once
 
+#include "scene/size_curve.hpp"
+
 #include <frostfill/scene.hpp>
 
+#include <optional>
 #include <vector>
 
 namespace frostfill
@@ -17,6 +20,8 @@ public:
     /// Reads the file, if any: one radius per line; ignores empty lines and comments after #.
     /// Throws Error inputMissing, or badData with the line.
     explicit RadiusDistribution(const Radii& radii);
+    /// A size curve. Throws what readSizeCurve throws.
+    explicit RadiusDistribution(const SizeSettings& sizes);
 
     [[nodiscard]] double smallest() const { return smallest_; }
     [[nodiscard]] double largest() const { return largest_; }
@@ -30,11 +35,14 @@ public:
     [[nodiscard]] std::vector<double> distinct(std::size_t most) const;
     /// The same distribution in the largest radius as unit: the largest is then exactly 1.
     [[nodiscard]] RadiusDistribution inLargest() const;
+    /// That of a size curve, in the unit of this distribution.
+    [[nodiscard]] const std::optional<SizeCurve>& curve() const { return curve_; }
 
 private:
     double smallest_ = 1;
     double largest_ = 1;
-    std::vector<double> values_; ///< ascending; empty for a uniform range
+    std::vector<double> values_;     ///< ascending; empty for a uniform range
+    std::optional<SizeCurve> curve_; ///< then the rest is not used but for the ends
 };
 
 } // namespace frostfill

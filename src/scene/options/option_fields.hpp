@@ -37,6 +37,11 @@ struct EnumNames<Rest>
     static constexpr std::array<const char*, 2> kNames = {"each", "joint"};
 };
 template <>
+struct EnumNames<SharesOf>
+{
+    static constexpr std::array<const char*, 3> kNames = {"number", "mass", "volume"};
+};
+template <>
 struct EnumNames<Backend>
 {
     static constexpr std::array<const char*, 7> kNames = {

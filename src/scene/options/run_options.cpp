@@ -49,6 +49,43 @@ void addObject(TableBuilder& table)
               FROSTFILL_FIELD(object.load.unite));
 }
 
+void addSizes(TableBuilder& table)
+{
+    table
+        .add(
+            {.key = "spheres.sizes",
+             .flag = "--sizes",
+             .group = table.group(),
+             .help = "Size curve, in place of a radius: a CSV file of sizes and shares, or a "
+                     "distribution of radii [mesh unit], maybe with its ends",
+             .type = OptionType::text,
+             .nothing = "none",
+             .placeholder = "FILE|lognormal:MEAN,SD|normal:MEAN,SD|weibull:SCALE,SHAPE[,LOW..HIGH]",
+             .form = "a CSV file, or lognormal:MEAN,SD, normal:MEAN,SD or weibull:SCALE,SHAPE, "
+                     "with ,LOW..HIGH for its ends"},
+            FROSTFILL_FIELD(spheres.sizes.curve))
+        .of(Preset::fast);
+    table
+        .add("spheres.by", "--by",
+             "What the shares of --sizes are shares of; auto: the header of the file says it",
+             FROSTFILL_FIELD(spheres.sizes.by))
+        .orUnset("auto")
+        .of(Preset::fast);
+    table
+        .add("spheres.curve_within", "--curve-within",
+             "Once a size finds no place any more, stop before the curve by mass is off by more "
+             "than this; none: go on until no sphere fits",
+             FROSTFILL_FIELD(spheres.sizes.within))
+        .orUnset("none")
+        .range(0, 1)
+        .of(Preset::fast);
+    table
+        .add("spheres.fill_gaps", "--fill-gaps",
+             "Largest spheres of --sizes first; smaller ones then go into the gaps between them",
+             FROSTFILL_FIELD(spheres.sizes.fillGaps))
+        .of(Preset::fast);
+}
+
 void addSpheres(TableBuilder& table)
 {
     table.heading("Spheres");
@@ -59,6 +96,7 @@ void addSpheres(TableBuilder& table)
              FROSTFILL_FIELD(spheres.radius))
         .orUnset("auto")
         .range(kSmallestLength, kLargestLength);
+    addSizes(table);
     table
         .add("spheres.count", "--count",
              "Number of spheres; without --radius, a radius is chosen at which they fit",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene/options/file_values.hpp"
 #include "scene/options/nearest_name.hpp"
+#include "scene/read_sizes.hpp"
 
 #include <frostfill/error.hpp>
 #include <frostfill/options.hpp>
@@ -230,6 +231,11 @@ void resolvePaths(Scene& scene, const std::filesystem::path& folder)
         std::filesystem::path(scene.spheres.radius->file).is_relative())
     {
         scene.spheres.radius->file = (folder / scene.spheres.radius->file).string();
+    }
+    std::optional<std::string>& curve = scene.spheres.sizes.curve;
+    if (curve && !isNamedSizes(*curve) && std::filesystem::path(*curve).is_relative())
+    {
+        curve = (folder / *curve).string();
     }
 }
 

@@ -22,6 +22,11 @@ public:
     {
         return add(fieldOption({.key = key, .flag = flag, .group = group_, .help = help}, access));
     }
+    template <typename Access>
+    TableBuilder& add(Option option, Access access)
+    {
+        return add(fieldOption(std::move(option), access));
+    }
     TableBuilder& add(Option option)
     {
         table_.push_back(std::move(option));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "scene/read_sizes.hpp"
 #include "scene/shown_unbalance.hpp"
 
 #include <frostfill/error.hpp>
@@ -46,6 +47,49 @@ void validateRest(const Scene& scene)
     {
         throw Error(ErrorCode::usage, "spheres settle together (rest.mode, --rest joint) in an "
                                       "object that stands still: omit --tilt, --turn and --shake");
+    }
+}
+
+void validateSizes(const Scene& scene)
+{
+    const SizeSettings& sizes = scene.spheres.sizes;
+    const SizeSettings usual;
+    if (!sizes.curve)
+    {
+        if (sizes != usual)
+        {
+            throw Error(ErrorCode::usage,
+                        "spheres.by (--by), spheres.curve_within (--curve-within) and "
+                        "spheres.fill_gaps (--fill-gaps) say how a size curve is kept: give "
+                        "spheres.sizes (--sizes)");
+        }
+        return;
+    }
+    if (scene.spheres.radius)
+    {
+        throw Error(ErrorCode::usage, "radii come from a size curve (spheres.sizes, --sizes) or "
+                                      "from spheres.radius (--radius), not both");
+    }
+    if (scene.preset == Preset::paper)
+    {
+        throw Error(ErrorCode::usage, "the preset paper keeps no size curve: omit spheres.sizes "
+                                      "(--sizes), or use the preset fast");
+    }
+    if (sizes.fillGaps && !scene.spheres.inlets.empty())
+    {
+        throw Error(ErrorCode::usage, "what comes through an inlet fills no gaps: omit "
+                                      "spheres.fill_gaps (--fill-gaps) or spheres.inlets "
+                                      "(--inlet)");
+    }
+    if (sizes.fillGaps && scene.move.any())
+    {
+        throw Error(ErrorCode::usage, "gaps are filled in an object that stands still: omit "
+                                      "spheres.fill_gaps (--fill-gaps), or --tilt, --turn and "
+                                      "--shake");
+    }
+    if (isNamedSizes(*sizes.curve))
+    {
+        (void)readSizeCurve(sizes); // its text is all there is
     }
 }
 
@@ -104,7 +148,8 @@ void validateScene(const Scene& scene)
                                       "another rule (spheres.release), not both");
     }
     validateRest(scene);
-    if (!scene.spheres.radius && !scene.spheres.count)
+    validateSizes(scene);
+    if (!scene.spheres.givesRadii() && !scene.spheres.count)
     {
         throw Error(ErrorCode::usage, "no radius and no number of spheres; give --radius, "
                                       "--count or both");

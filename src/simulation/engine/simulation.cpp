@@ -4,6 +4,7 @@
 #include "simulation/engine/make_engine.hpp"
 #include "simulation/engine/tolerances.hpp"
 #include "simulation/quality/quality.hpp"
+#include "simulation/quality/size_report.hpp"
 #include "simulation/reach/reach_inspection.hpp"
 #include "simulation/world/fitting_radius.hpp"
 #include "simulation/world/state_hash.hpp"
@@ -101,7 +102,8 @@ const Scene& ofSameObject(const Scene& scene, const Scene& other)
     const auto key = [](const Scene& s)
     {
         return std::tie(s.object.mesh, s.object.up, s.object.unitsPerMetre, s.spheres.radius,
-                        s.spheres.count, s.motion.gravity, s.move.tilt, s.move.turn, s.move.shake);
+                        s.spheres.sizes, s.spheres.count, s.motion.gravity, s.move.tilt,
+                        s.move.turn, s.move.shake);
     };
     if (key(scene) != key(other))
     {
@@ -248,6 +250,11 @@ QualityReport Simulation::quality() const
 {
     return examine(implementation_->world);
 }
+std::optional<SizeReport> Simulation::sizes() const
+{
+    return sizeReport(implementation_->world);
+}
+
 ReachInspection Simulation::inspectReach(std::size_t bytes) const
 {
     return frostfill::inspectReach(implementation_->world, bytes);

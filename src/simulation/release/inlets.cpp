@@ -3,7 +3,7 @@
 
 #include "base/random.hpp"
 #include "simulation/contact/depenetration.hpp"
-#include "simulation/release/tolerances.hpp"
+#include "simulation/release/size_draws.hpp"
 
 #include <frostfill/error.hpp>
 
@@ -61,7 +61,10 @@ std::optional<PlacedSphere> Inlets::next(const ReleaseQuery& query)
 {
     if (!radius_)
     {
-        radius_ = world_.radii.draw(uniformRandom(world_.scene.seed, ++radii_, kRadiusDraw),
+        const std::uint64_t seed = world_.scene.seed;
+        ++radii_;
+        radius_ = world_.radii.draw(world_.radii.curve() ? evenRandom(seed, radii_)
+                                                         : uniformRandom(seed, radii_, kRadiusDraw),
                                     world_.radii.largest());
     }
     const auto found = place(*radius_, query);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/release/release_rule.hpp"
 
+#include "simulation/release/gap_releases.hpp"
 #include "simulation/release/inlets.hpp"
 #include "simulation/release/releases.hpp"
 
@@ -21,6 +22,10 @@ std::unique_ptr<ReleasePart> makeRelease(const World& world, double band, Thread
     if (!world.scene.spheres.inlets.empty())
     {
         return std::make_unique<Inlets>(world);
+    }
+    if (world.scene.spheres.sizes.fillGaps)
+    {
+        return std::make_unique<GapReleases>(world, band, threads);
     }
     return releaseRules()[world.scene.spheres.release](world, band, threads);
 }

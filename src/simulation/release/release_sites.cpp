@@ -240,7 +240,15 @@ std::optional<ReleaseSites::Found> ReleaseSites::sweep(double radius, const Rele
     startSweep();
     sweep_ = sites_.nextOpen(sweep_);
     int misses = 0;
-    for (std::size_t site = nextFree(sweep_);
+    std::size_t first = sweep_;
+    if (scattered_)
+    {
+        const double share = uniformRandom(world_.scene.seed, ++draws_, kGapDraw);
+        first =
+            sites_.nextOpen(static_cast<std::size_t>(share * static_cast<double>(sites_.end())));
+        first = first < sites_.end() ? first : sweep_;
+    }
+    for (std::size_t site = nextFree(first);
          site < sites_.end() && (!query.givesUp || misses < kMaxMisses); site = nextFree(site + 1))
     {
         Eigen::Vector3d place = place_;
@@ -252,6 +260,13 @@ std::optional<ReleaseSites::Found> ReleaseSites::sweep(double radius, const Rele
             return Found{place, stays};
         }
         ++misses;
+    }
+    if (scattered_ && first > sweep_)
+    {
+        scattered_ = false; // whatever is before that place
+        const std::optional<Found> found = sweep(radius, query);
+        scattered_ = true;
+        return found;
     }
     return std::nullopt;
 }

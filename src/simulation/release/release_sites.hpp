@@ -63,6 +63,9 @@ public:
         ahead_.voidNear(centre, radius, draws_);
     }
 
+    /// From now on, once there are no ceilings, free sites are taken at random and not in order.
+    void scatter(bool scattered) { scattered_ = scattered; }
+
     /// Gives up the site of the last place found, from which no sphere came to rest.
     void giveUp();
 
@@ -95,9 +98,10 @@ private:
     std::vector<std::uint32_t> ceilings_;
     std::size_t window_ = 0;
     std::size_t lastCeiling_ = 0; ///< index of the one drawn last
-    bool sweeping_ = false;       ///< no ceilings are left, and taken sites are closed
-    std::size_t sweep_ = 0;       ///< all sites before this one are closed
-    std::size_t lastFree_ = 0;    ///< the site found last in the sweep
+    bool scattered_ = false;
+    bool sweeping_ = false;    ///< no ceilings are left, and taken sites are closed
+    std::size_t sweep_ = 0;    ///< all sites before this one are closed
+    std::size_t lastFree_ = 0; ///< the site found last in the sweep
     Eigen::Vector3d place_ = Eigen::Vector3d::Zero();
     bool highOnly_ = true;            ///< only ceilings in the window are drawn
     std::uint64_t draws_ = 0;         ///< number of the last one taken

@@ -2,6 +2,7 @@
 #include "simulation/release/releases.hpp"
 
 #include "base/random.hpp"
+#include "simulation/release/size_draws.hpp"
 #include "simulation/release/tolerances.hpp"
 
 #include <algorithm>
@@ -9,10 +10,7 @@
 
 namespace frostfill
 {
-namespace
-{
 
-/// The largest radius of each class, ascending: the smallest of all, then by a constant ratio.
 std::vector<double> classLimits(const RadiusDistribution& radii)
 {
     std::vector<double> limits = radii.distinct(kMaxClasses);
@@ -33,8 +31,6 @@ std::vector<double> classLimits(const RadiusDistribution& radii)
     return limits;
 }
 
-} // namespace
-
 Releases::Releases(const World& world, double band, Threads& threads)
     : world_(world), threads_(threads)
 {
@@ -42,11 +38,24 @@ Releases::Releases(const World& world, double band, Threads& threads)
     {
         classes_.push_back({limit, ReleaseSites(world, limit, band, threads)});
     }
+    if (world.radii.curve())
+    {
+        ledger_.emplace(*world.radii.curve());
+        for (std::uint32_t id = 0; id < world.spheres.size(); ++id)
+        {
+            ledger_->add(world.spheres.radius(id));
+        }
+        draws_ = world.spheres.size();
+    }
 }
 
 // A place at which a sphere cannot stay is given up, and with it the radius.
 std::optional<PlacedSphere> Releases::next(const ReleaseQuery& query)
 {
+    if (ledger_)
+    {
+        return nextOfCurve(query);
+    }
     while (!classes_.empty())
     {
         if (!drawn_)
@@ -71,6 +80,53 @@ std::optional<PlacedSphere> Releases::next(const ReleaseQuery& query)
         dropClasses(std::max<std::size_t>(1, lastClass_));
     }
     return std::nullopt;
+}
+
+// A place is given up here, too, but the radius stays: else those that stay in few places would
+// be too few.
+std::optional<PlacedSphere> Releases::nextOfCurve(const ReleaseQuery& query)
+{
+    while (drawn_ || drawOfCurve())
+    {
+        const double radius = *drawn_;
+        if (const auto found = find(radius, query))
+        {
+            if (!found->stays)
+            {
+                classes_[lastClass_].sites.giveUp();
+                continue;
+            }
+            drawn_.reset();
+            ledger_->add(radius);
+            return PlacedSphere{found->place, radius};
+        }
+        if (lastClass_ == 0 || classes_[lastClass_].sites.any())
+        {
+            return std::nullopt;
+        }
+        dropClasses(lastClass_);
+        ranOut_ = true;
+    }
+    return std::nullopt;
+}
+
+// Once sizes have run out, only those are drawn that the curve can still bear. False when there is
+// none: the curve cannot be kept any longer.
+bool Releases::drawOfCurve()
+{
+    const std::optional<double>& within = world_.scene.spheres.sizes.within;
+    const bool isBound = ranOut_ && within;
+    const double most = isBound ? std::max(*within, ledger_->deviation()) : 0;
+    for (int k = 0; k < kMaxDrawsOfCurve; ++k)
+    {
+        const double radius = radiusOfDraw(++draws_);
+        if (!isBound || ledger_->deviationWith(radius) <= most)
+        {
+            drawn_ = radius;
+            return true;
+        }
+    }
+    return false;
 }
 
 std::optional<Eigen::Vector3d> Releases::place(double radius, const ReleaseQuery& query)
@@ -137,8 +193,10 @@ void Releases::close(const Eigen::Vector3d& centre, double radius)
 
 double Releases::radiusOfDraw(std::uint64_t number) const
 {
-    return world_.radii.draw(uniformRandom(world_.scene.seed, number, kRadiusDraw),
-                             classes_.back().largest);
+    const std::uint64_t seed = world_.scene.seed;
+    const double share =
+        ledger_ ? evenRandom(seed, number) : uniformRandom(seed, number, kRadiusDraw);
+    return world_.radii.draw(share, classes_.back().largest);
 }
 
 void Releases::dropClasses(std::size_t from)

@@ -3,6 +3,7 @@
 // spheres of a set to the world.
 #pragma once
 
+#include "scene/size_ledger.hpp"
 #include "simulation/release/release_rule.hpp"
 #include "simulation/release/release_sites.hpp"
 
@@ -16,6 +17,8 @@ namespace frostfill
 /// sorted into a few classes; each class has sites of its own, at which its largest radius fits. As
 /// an object only fills up, a class for which no place is left is done with: from then on radii are
 /// drawn from what is below it. So "full" means that not even the smallest radius finds a place.
+/// Radii of a size curve are drawn evenly; once some find no place, the run ends when the curve
+/// would be off by more than its scene allows.
 class Releases final : public ReleasePart
 {
 public:
@@ -25,7 +28,11 @@ public:
     [[nodiscard]] std::optional<PlacedSphere> next(const ReleaseQuery& query) override;
     [[nodiscard]] std::optional<Eigen::Vector3d> place(double radius,
                                                        const ReleaseQuery& query) override;
-    [[nodiscard]] bool any() override { return classes_.front().sites.any(); }
+    /// Of a size curve all radii have to find a place at first, or it could not be kept.
+    [[nodiscard]] bool any() override
+    {
+        return (ledger_ && !ranOut_ ? classes_.back() : classes_.front()).sites.any();
+    }
     void close(const Eigen::Vector3d& centre, double radius) override;
 
 private:
@@ -38,6 +45,8 @@ private:
     void lookAhead(double radius, const ReleaseQuery& query);
     [[nodiscard]] double radiusOfDraw(std::uint64_t number) const;
     void dropClasses(std::size_t from);
+    [[nodiscard]] std::optional<PlacedSphere> nextOfCurve(const ReleaseQuery& query);
+    [[nodiscard]] bool drawOfCurve();
     [[nodiscard]] std::size_t classOf(double radius) const;
 
     const World& world_;
@@ -46,6 +55,8 @@ private:
     std::size_t lastClass_ = 0;
     std::optional<double> drawn_; ///< the next radius, for which there was no place yet
     std::uint64_t draws_ = 0;
+    std::optional<SizeLedger> ledger_; ///< of a size curve
+    bool ranOut_ = false;              ///< some of its sizes find no place any more
     struct Unknown
     {
         const ReleaseSites* sites;

@@ -52,6 +52,12 @@ inline constexpr double kWidestClass = 1.1;
 /// Which of the random numbers of a draw the radius takes; 0 to 2 are those of the sites.
 inline constexpr std::uint64_t kRadiusDraw = 3;
 
+/// Radii in a row that a size curve cannot bear, after which it cannot be kept. [1] Larger: time,
+/// at the end. Smaller: a radius that could still be added is missed.
+inline constexpr int kMaxDrawsOfCurve = 256;
+/// Which of the random numbers of a draw says where among all sites a gap is looked for.
+inline constexpr std::uint64_t kGapDraw = 4;
+
 // Inlets.
 
 /// Places in a row that are taken, after which there is no room in the inlets for now. Larger:

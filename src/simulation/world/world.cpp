@@ -27,8 +27,11 @@ namespace
 RadiusDistribution radiiOf(const Scene& scene, const MeshReport& report, const TriangleMesh& mesh,
                            const TriangleTree& tree, std::optional<TriangleBvh>& bvh)
 {
-    RadiusDistribution radii(
-        scene.spheres.radius.value_or(sphereRadius(scene, report, mesh, tree, bvh)));
+    const RadiusDistribution radii =
+        scene.spheres.sizes.curve
+            ? RadiusDistribution(scene.spheres.sizes)
+            : RadiusDistribution(
+                  scene.spheres.radius.value_or(sphereRadius(scene, report, mesh, tree, bvh)));
     const double r = radii.largest();
     const double most = kPackingFraction * report.volume /
                         (4.0 / 3.0 * std::numbers::pi * r * r * r * radii.inLargest().meanPower(3));
