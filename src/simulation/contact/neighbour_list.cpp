@@ -9,6 +9,19 @@
 namespace frostfill
 {
 
+namespace
+{
+
+/// A small sphere moves by less than a large one, and has more around it within the same skin.
+double skinOf(const World& world, double radius, double ahead)
+{
+    constexpr double kSkin = NeighbourList::kSkin;
+    constexpr double kBeyondAhead = 1.5;
+    return world.radii.curve() ? std::min(kSkin, std::max(radius, kBeyondAhead * ahead)) : kSkin;
+}
+
+} // namespace
+
 bool NeighbourList::ensure(const World& world, const Eigen::Vector3d& p, double radius,
                            double ahead)
 {
@@ -18,20 +31,21 @@ bool NeighbourList::ensure(const World& world, const Eigen::Vector3d& p, double 
     }
     centre_ = p;
     radius_ = radius;
+    skin_ = skinOf(world, radius, ahead);
     spheres_.clear();
     const SphereGrid& resting = world.spheres.resting();
-    resting.forEachNear(p, radius + 1 + kSkin,
+    resting.forEachNear(p, radius + 1 + skin_,
                         [&](std::uint32_t row)
                         {
                             const Ball& other = resting[row];
                             const double contact = radius + other.radius;
-                            if (isWithin(other.position(), p, contact + kSkin) &&
+                            if (isWithin(other.position(), p, contact + skin_) &&
                                 !resting.isDiscarded(row))
                             {
                                 spheres_.push_back({other.x, other.y, other.z, contact});
                             }
                         });
-    listTriangles(world, p, radius + kSkin);
+    listTriangles(world, p, radius + skin_);
     return true;
 }
 
@@ -91,7 +105,7 @@ void NeighbourList::findBelowNodes(const Eigen::Vector3d& from, const Eigen::Vec
     const TriangleBvh& tree = world_->surface.tree();
     const Eigen::Vector3d middle = (from + to) / 2;
     const double ball = distance + (to - from).norm() / 2;
-    const double listed = radius_ + kSkin - (middle - centre_).norm();
+    const double listed = radius_ + skin_ - (middle - centre_).norm();
     const double within = std::min(ball + kInnerSkin, listed);
     if (hasInnerSkin_ && ball <= distance + kInnerSkin && within > ball)
     {
@@ -116,7 +130,7 @@ void NeighbourList::findBelowNodes(const Eigen::Vector3d& from, const Eigen::Vec
 bool NeighbourList::add(const Eigen::Vector3d& p, double radius)
 {
     const double contact = radius_ + radius;
-    if (radius_ < 0 || !isWithin(p, centre_, contact + kSkin))
+    if (radius_ < 0 || !isWithin(p, centre_, contact + skin_))
     {
         return false;
     }

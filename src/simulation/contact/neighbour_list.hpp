@@ -42,7 +42,7 @@ public:
     /// How far a sphere may go from p before ensure has to be called again.
     [[nodiscard]] double room(const Eigen::Vector3d& p) const
     {
-        return kSkin - (p - centre_).norm();
+        return skin_ - (p - centre_).norm();
     }
 
     /// Spheres at rest, each as its centre and the sum of the two radii.
@@ -88,6 +88,7 @@ private:
 
     Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();
     double radius_ = -1;
+    double skin_ = kSkin; ///< of this list: less for a small sphere of a size curve
     std::vector<Ball> spheres_;
     std::vector<std::uint32_t> triangles_; ///< all, or with nodes those last found
     TriangleBvh::Nodes nodes_;             ///< where they are many

@@ -16,7 +16,7 @@ namespace frostfill
 struct RestObservers
 {
     RestObservers(World& world, double band, Threads& threads)
-        : falls(world.spheres.resting().frame(), world.triangles),
+        : resting(world.spheres.resting()), falls(resting, world.triangles),
           release(makeRelease(world, band, threads)), discard(makeDiscard(world, threads))
     {
         for (std::uint32_t id = 0; id < world.spheres.size(); ++id)
@@ -28,7 +28,7 @@ struct RestObservers
     /// Sphere `id` has come to rest.
     void add(std::uint32_t id, const Eigen::Vector3d& place, double radius)
     {
-        falls.insert(place);
+        falls.insert(place, resting.levelFor(radius));
         release->close(place, radius);
         if (discard)
         {
@@ -46,6 +46,7 @@ struct RestObservers
         }
     }
 
+    const SphereGrid& resting;
     FallIndex falls;
     std::unique_ptr<ReleasePart> release;
     std::unique_ptr<DiscardPart> discard; ///< empty when nothing is to be discarded

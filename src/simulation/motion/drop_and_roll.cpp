@@ -18,6 +18,7 @@ bool DropAndRoll::settle(Eigen::Vector3d& p, double radius, NeighbourList& aroun
     const Path path{radius, around, seen};
     const Eigen::Vector3d start = p;
     double longest = kLongestSlide * radius;
+    const double shortestLook = kShortestLook * (world_.radii.curve() ? radius : 1);
     thread_local std::vector<Eigen::Vector3d> normals; // keeps its memory
     // A path loses height with every step, so it ends; the bound is for wedges that Newton's method
     // enters ever more slowly.
@@ -25,7 +26,7 @@ bool DropAndRoll::settle(Eigen::Vector3d& p, double radius, NeighbourList& aroun
                                                   kStepsPerRadiusOfHeight * world_.height / radius);
     for (std::uint64_t step = 0; step < bound; ++step)
     {
-        look(path, p, kShortestLook);
+        look(path, p, shortestLook);
         p += contactNormals(world_.surface, around, p, radius, kTouch, normals);
         const Eigen::Vector3d down = world_.pull.direction(p);
         const Eigen::Vector3d pull = projectToFree(down, normals);

@@ -4,6 +4,7 @@
 #include "geometry/bricked_cells.hpp"
 #include "geometry/grid_frame.hpp"
 #include "mesh/interior/triangle_grid.hpp"
+#include "simulation/world/sphere_grid.hpp"
 
 #include <bit>
 #include <cstdint>
@@ -19,13 +20,20 @@ class FallIndex
 {
 public:
     FallIndex(const GridFrame& frame, const TriangleGrid& triangles);
+    /// With the levels of a grid of spheres.
+    FallIndex(const SphereGrid& spheres, const TriangleGrid& triangles);
 
-    void insert(const Eigen::Vector3d& centre);
+    /// `level`: that of the sphere's radius.
+    void insert(const Eigen::Vector3d& centre, std::size_t level = 0);
 
     /// The highest layer of cells, at most y, with a sphere's centre in the column (x, z) or one of
     /// the eight around it: nothing else can touch a sphere with its centre in the column that
     /// comes down from layer y. -1 when there is none.
     [[nodiscard]] int highestSphere(int x, int z, int y) const;
+
+    /// The same of a level: in the column (x, z) or one of those around it that are at most
+    /// `beside` away.
+    [[nodiscard]] int highestSphere(int x, int z, int y, std::size_t level, int beside) const;
 
     /// The highest layer, at most y, in which a wall may touch a sphere with its centre in the
     /// column (x, z).
@@ -40,13 +48,14 @@ private:
     std::size_t wordOf(const GridPlace& cell);
     [[nodiscard, gnu::noinline]] int highestInBricks(int x, int z, int y,
                                                      const std::vector<std::uint64_t>& bits) const;
-    /// The highest bit, at most y, of a column whose words are asked for by their number.
+    /// The highest bit, at most y, of a column whose words are asked for by their number, down to
+    /// the word `last`.
     template <class WordAt>
-    [[nodiscard]] static int highestIn(int y, WordAt&& wordAt)
+    [[nodiscard]] static int highestIn(int y, WordAt&& wordAt, int last = 0)
     {
         int index = y / 64;
         std::uint64_t candidates = wordAt(index) & (~std::uint64_t{0} >> (63 - y % 64));
-        while (candidates == 0 && index > 0)
+        while (candidates == 0 && index > last)
         {
             candidates = wordAt(--index);
         }
@@ -68,6 +77,14 @@ private:
     BrickedCells<1> words_;              ///< of 64 cells each, by their layer, x and z
     std::vector<std::uint64_t> spheres_; ///< [#words_]
     std::vector<std::uint64_t> walls_;   ///< [#words_]
+    /// Of spheres of a finer level.
+    struct Level
+    {
+        GridFrame frame;
+        BrickedCells<1> words;
+        std::vector<std::uint64_t> spheres; ///< [#words]
+    };
+    std::vector<Level> finer_;
 };
 
 } // namespace frostfill

@@ -15,46 +15,85 @@ namespace frostfill
 namespace
 {
 
+/// Where spheres are looked for that a falling one touches: a column of cells of a level, and how
+/// many around it.
+struct FallColumn
+{
+    std::size_t level;
+    std::array<int, 3> cell;
+    int beside;
+};
+
 /// Height at which the first of the spheres is touched that lie in a layer of cells, in p's column
-/// or one of the eight around it.
-double contactInLayer(const World& world, const std::array<int, 3>& column, int layer,
+/// or one of those around it.
+double contactInLayer(const World& world, const FallColumn& column, int layer,
                       const Eigen::Vector3d& p, double radius)
 {
     double highest = -std::numeric_limits<double>::infinity();
-    const std::array<int, 3>& count = world.spheres.resting().frame().count;
-    const std::array<int, 3> low = {std::max(0, column[0] - 1), layer, std::max(0, column[2] - 1)};
-    const std::array<int, 3> high = {std::min(count[0] - 1, column[0] + 1), layer,
-                                     std::min(count[2] - 1, column[2] + 1)};
     const SphereGrid& resting = world.spheres.resting();
-    resting.forEachIn(low, high,
-                      [&](std::uint32_t row)
-                      {
-                          const Ball& other = resting[row];
-                          const double reach = radius + other.radius;
-                          const double squared = squaredHeightOfTouch(other.position() - p, reach);
-                          if (squared > 0 && p.y() - other.y > kSlides * reach)
-                          {
-                              highest =
-                                  std::max(highest, std::min(p.y(), other.y + std::sqrt(squared)));
-                          }
-                      });
+    const std::array<int, 3>& count = resting.frame(column.level).count;
+    const auto& [x, y, z] = column.cell;
+    const std::array<int, 3> low = {std::max(0, x - column.beside), layer,
+                                    std::max(0, z - column.beside)};
+    const std::array<int, 3> high = {std::min(count[0] - 1, x + column.beside), layer,
+                                     std::min(count[2] - 1, z + column.beside)};
+    resting.forEachIn(
+        low, high,
+        [&](std::uint32_t row)
+        {
+            const Ball& other = resting[row];
+            const double reach = radius + other.radius;
+            const double squared = squaredHeightOfTouch(other.position() - p, reach);
+            if (squared > 0 && p.y() - other.y > kSlides * reach)
+            {
+                highest = std::max(highest, std::min(p.y(), other.y + std::sqrt(squared)));
+            }
+        },
+        column.level);
+    return highest;
+}
+
+/// `highest`: what is touched already.
+double sphereOfLevelBelow(const World& world, const FallIndex& falls, const FallColumn& column,
+                          const Eigen::Vector3d& p, double radius, double highest)
+{
+    const SphereGrid& resting = world.spheres.resting();
+    const GridFrame& frame = resting.frame(column.level);
+    const double reach = radius + resting.largest(column.level);
+    const auto& [x, y, z] = column.cell;
+    const auto next = [&](int from)
+    { return falls.highestSphere(x, z, from, column.level, column.beside); };
+    for (int layer = next(y); layer >= 0;)
+    {
+        // Whatever lies in this layer is touched lower than at its top and the reach.
+        if (column.level > 0 && highest >= frame.origin.y() + frame.cell * (layer + 1) + reach)
+        {
+            break;
+        }
+        highest = std::max(highest, contactInLayer(world, column, layer, p, radius));
+        // Whatever lies in the layers below is touched lower than this.
+        if (layer == 0 || highest >= frame.origin.y() + frame.cell * layer + reach)
+        {
+            break;
+        }
+        layer = next(layer - 1);
+    }
     return highest;
 }
 
 double sphereBelow(const World& world, const FallIndex& falls, const std::array<int, 3>& column,
                    const Eigen::Vector3d& p, double radius)
 {
-    const GridFrame& frame = falls.frame();
-    double highest = -std::numeric_limits<double>::infinity();
-    for (int layer = falls.highestSphere(column[0], column[2], column[1]); layer >= 0;)
+    const SphereGrid& resting = world.spheres.resting();
+    double highest = sphereOfLevelBelow(world, falls, {0, column, 1}, p, radius,
+                                        -std::numeric_limits<double>::infinity());
+    for (std::size_t level = 1; level < resting.levels(); ++level)
     {
-        highest = std::max(highest, contactInLayer(world, column, layer, p, radius));
-        // Whatever lies in the layers below is touched lower than this.
-        if (layer == 0 || highest >= frame.origin.y() + frame.cell * layer + radius + 1)
-        {
-            break;
-        }
-        layer = falls.highestSphere(column[0], column[2], layer - 1);
+        const GridFrame& frame = resting.frame(level);
+        const int beside =
+            static_cast<int>(std::ceil((radius + resting.largest(level)) / frame.cell));
+        highest = sphereOfLevelBelow(world, falls, {level, frame.coordinates(p), beside}, p, radius,
+                                     highest);
     }
     return highest;
 }

@@ -31,7 +31,8 @@ constexpr std::size_t kMaxSorted = 100'000;
 /// Of the spheres at rest and of those that run.
 SphereGrid gatherAll(const World& world)
 {
-    SphereGrid all(world.spheres.resting().frame());
+    SphereGrid all(world.spheres.resting().frame(),
+                   static_cast<int>(world.spheres.resting().levels()) - 1);
     for (std::uint32_t id = 0; id < world.spheres.size(); ++id)
     {
         if (world.spheres.position(id).allFinite())

@@ -10,9 +10,10 @@
 namespace frostfill
 {
 
-ReleaseSites::ReleaseSites(const World& world, double radius, double band, Threads& threads)
+ReleaseSites::ReleaseSites(const World& world, double radius, double band, Threads& threads,
+                           double coarsest)
     : world_(world), threads_(threads), radius_(radius),
-      sites_(world.surface, world.inside, radius, threads)
+      sites_(world.surface, world.inside, radius, threads, kSmallLattice, coarsest)
 {
     if (band >= 0)
     {

@@ -26,7 +26,9 @@ public:
     /// others are used together with it; lower ones follow as those above fill up. Negative: every
     /// free place is as good as a ceiling, in the order of the lattice.
     /// `threads`: those that long work is shared with, which outlive this.
-    ReleaseSites(const World& world, double radius, double band, Threads& threads);
+    /// `coarsest`: see SiteLattice.
+    ReleaseSites(const World& world, double radius, double band, Threads& threads,
+                 double coarsest = 0);
 
     /// A place that is clear of walls and of spheres at rest, and what came of it.
     struct Found

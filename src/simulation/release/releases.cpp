@@ -36,7 +36,11 @@ Releases::Releases(const World& world, double band, Threads& threads)
 {
     for (const double limit : classLimits(world.radii))
     {
-        classes_.push_back({limit, ReleaseSites(world, limit, band, threads)});
+        // Sites for small spheres are many. While the object fills from below coarse ones will do.
+        const double coarsest = world.radii.curve() && band >= 0 ? kCoarsestSites : 0;
+        classes_.push_back({limit,
+                            std::make_unique<ReleaseSites>(world, limit, band, threads, coarsest),
+                            limit < coarsest});
     }
     if (world.radii.curve())
     {
@@ -70,10 +74,10 @@ std::optional<PlacedSphere> Releases::next(const ReleaseQuery& query)
             {
                 return PlacedSphere{found->place, radius};
             }
-            classes_[lastClass_].sites.giveUp();
+            classes_[lastClass_].sites->giveUp();
             continue;
         }
-        if (classes_.size() == 1 || classes_[lastClass_].sites.any())
+        if (classes_.size() == 1 || classes_[lastClass_].sites->any())
         {
             return std::nullopt;
         }
@@ -93,14 +97,19 @@ std::optional<PlacedSphere> Releases::nextOfCurve(const ReleaseQuery& query)
         {
             if (!found->stays)
             {
-                classes_[lastClass_].sites.giveUp();
+                classes_[lastClass_].sites->giveUp();
                 continue;
             }
             drawn_.reset();
             ledger_->add(radius);
             return PlacedSphere{found->place, radius};
         }
-        if (lastClass_ == 0 || classes_[lastClass_].sites.any())
+        Class& one = classes_[lastClass_];
+        if (findsMore(one))
+        {
+            continue;
+        }
+        if (lastClass_ == 0 || one.sites->any())
         {
             return std::nullopt;
         }
@@ -108,6 +117,19 @@ std::optional<PlacedSphere> Releases::nextOfCurve(const ReleaseQuery& query)
         ranOut_ = true;
     }
     return std::nullopt;
+}
+
+// Whether the class has got finer sites, in which there is a place for now or later.
+bool Releases::findsMore(Class& one)
+{
+    if (!one.isCoarse || one.sites->any())
+    {
+        return false;
+    }
+    one.isCoarse = false;
+    one.sites = std::make_unique<ReleaseSites>(world_, one.largest, -1, threads_);
+    one.sites->scatter(true);
+    return true;
 }
 
 // Once sizes have run out, only those are drawn that the curve can still bear. False when there is
@@ -137,7 +159,7 @@ std::optional<Eigen::Vector3d> Releases::place(double radius, const ReleaseQuery
         {
             return found->place;
         }
-        classes_[lastClass_].sites.giveUp();
+        classes_[lastClass_].sites->giveUp();
     }
     return std::nullopt;
 }
@@ -149,7 +171,7 @@ std::optional<ReleaseSites::Found> Releases::find(double radius, const ReleaseQu
         return std::nullopt;
     }
     lastClass_ = classOf(radius);
-    ReleaseSites& sites = classes_[lastClass_].sites;
+    ReleaseSites& sites = *classes_[lastClass_].sites;
     if (query.ahead == 0 || threads_.concurrency() == 1)
     {
         return sites.find(radius, query);
@@ -164,7 +186,7 @@ void Releases::lookAhead(double radius, const ReleaseQuery& query)
     std::uint64_t number = draws_;
     for (std::size_t k = 0; k < query.ahead; ++k, radius = radiusOfDraw(++number))
     {
-        ReleaseSites& sites = classes_[classOf(radius)].sites;
+        ReleaseSites& sites = *classes_[classOf(radius)].sites;
         Draw* draw = sites.expectPlace(radius);
         if (draw == nullptr)
         {
@@ -177,7 +199,7 @@ void Releases::lookAhead(double radius, const ReleaseQuery& query)
     }
     for (Class& one : classes_)
     {
-        one.sites.rewind();
+        one.sites->rewind();
     }
     threads_.forEachLarge(unknown_.size(), [&](std::size_t i)
                           { unknown_[i].sites->findOut(*unknown_[i].draw, query); });
@@ -187,7 +209,7 @@ void Releases::close(const Eigen::Vector3d& centre, double radius)
 {
     for (Class& one : classes_)
     {
-        one.sites.close(centre, radius);
+        one.sites->close(centre, radius);
     }
 }
 

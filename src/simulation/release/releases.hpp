@@ -7,6 +7,7 @@
 #include "simulation/release/release_rule.hpp"
 #include "simulation/release/release_sites.hpp"
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -31,7 +32,7 @@ public:
     /// Of a size curve all radii have to find a place at first, or it could not be kept.
     [[nodiscard]] bool any() override
     {
-        return (ledger_ && !ranOut_ ? classes_.back() : classes_.front()).sites.any();
+        return (ledger_ && !ranOut_ ? classes_.back() : classes_.front()).sites->any();
     }
     void close(const Eigen::Vector3d& centre, double radius) override;
 
@@ -39,8 +40,10 @@ private:
     struct Class
     {
         double largest; ///< radius, for which its sites are
-        ReleaseSites sites;
+        std::unique_ptr<ReleaseSites> sites;
+        bool isCoarse = false; ///< places may be left that its sites do not lead to
     };
+    [[nodiscard]] bool findsMore(Class& one);
     [[nodiscard]] std::optional<ReleaseSites::Found> find(double radius, const ReleaseQuery& query);
     void lookAhead(double radius, const ReleaseQuery& query);
     [[nodiscard]] double radiusOfDraw(std::uint64_t number) const;

@@ -152,9 +152,10 @@ private:
 };
 
 SiteLattice::SiteLattice(const Surface& surface, const InsideTest& inside, double radius,
-                         Threads& threads, double smallLattice)
+                         Threads& threads, double smallLattice, double coarsest)
     : radius_(radius),
-      lattice_(GridFrame::cover(surface.box(), cellFor(surface.box().sizes(), radius), 0)),
+      lattice_(GridFrame::cover(surface.box(),
+                                cellFor(surface.box().sizes(), std::max(radius, coarsest)), 0)),
       wordsPerRow_((static_cast<std::size_t>(lattice_.count[0]) + 63) / 64)
 {
     const double words = static_cast<double>(wordsPerRow_) * lattice_.count[1] * lattice_.count[2];

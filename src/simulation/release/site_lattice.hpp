@@ -24,9 +24,10 @@ namespace frostfill
 class SiteLattice
 {
 public:
-    /// `radius` is at most 1.
+    /// `radius` is at most 1. `coarsest`: cells are as large as those for this radius, if it is
+    /// larger; there may be places in them that no site leads to.
     SiteLattice(const Surface& surface, const InsideTest& inside, double radius, Threads& threads,
-                double smallLattice = kSmallLattice);
+                double smallLattice = kSmallLattice, double coarsest = 0);
 
     /// Closes all cells that a sphere at rest leaves no place in.
     void close(const Eigen::Vector3d& centre, double radius);

@@ -52,6 +52,9 @@ inline constexpr double kWidestClass = 1.1;
 /// Which of the random numbers of a draw the radius takes; 0 to 2 are those of the sites.
 inline constexpr std::uint64_t kRadiusDraw = 3;
 
+/// Sites of small spheres of a size curve are as for this radius. [largest radius] Larger: the
+/// first layers of spheres begin farther from walls. Smaller: time and memory for sites.
+inline constexpr double kCoarsestSites = 0.35;
 /// Radii in a row that a size curve cannot bear, after which it cannot be kept. [1] Larger: time,
 /// at the end. Smaller: a radius that could still be added is missed.
 inline constexpr int kMaxDrawsOfCurve = 256;

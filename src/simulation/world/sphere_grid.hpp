@@ -25,12 +25,27 @@ struct alignas(32) Ball
 
 /// Spheres that do not move, in columns by row, and by cell of a grid as linked lists of rows.
 /// Cells are at least as large as the largest distance asked for.
+///
+/// Where sizes differ much there are grids with levels: the spheres of at most half the largest
+/// radius are in a grid of half the cell, and so on. A search asks each level for what it can hold.
 class SphereGrid
 {
 public:
-    explicit SphereGrid(const GridFrame& frame)
-        : frame_(frame), cells_(frame.count), head_(cells_.size(), kEnd)
+    /// `levels`: grids besides that of the frame, each with half the cell of the one before.
+    explicit SphereGrid(const GridFrame& frame, int levels = 0) : coarse_(frame, 1)
     {
+        GridFrame fine = frame;
+        double largest = 1;
+        for (int level = 0; level < levels; ++level)
+        {
+            fine.cell /= 2;
+            largest /= 2;
+            for (int& count : fine.count)
+            {
+                count *= 2;
+            }
+            finer_.emplace_back(fine, largest);
+        }
     }
 
     /// Returns the row, which is the last.
@@ -40,7 +55,7 @@ public:
         balls_.push_back({p.x(), p.y(), p.z(), radius});
         rows_.push_back({id & kLargestId, false, kEnd});
         link(row);
-        extent_.extend(p);
+        levelOf(radius).extent.extend(p);
         return row;
     }
 
@@ -84,84 +99,148 @@ public:
     void setDiscarded(std::uint32_t row, bool discarded) { rows_[row].discarded = discarded; }
 
     /// Calls visit(row) for each sphere in the cells that a ball of radius `reach` about p meets,
-    /// and maybe for a few more.
+    /// and maybe for a few more. `reach` is meant for the largest spheres, whose radius is 1: of a
+    /// smaller one the centre is looked for as much nearer as its radius is smaller.
     template <class Visit>
     void forEachNear(const Eigen::Vector3d& p, double reach, Visit&& visit) const
     {
-        if (extent_.squaredExteriorDistance(p) > reach * reach)
+        forEachNearIn(coarse_, p, reach, visit);
+        for (const Level& level : finer_)
+        {
+            forEachNearIn(level, p, reach - 1 + level.largest, visit);
+        }
+    }
+
+    /// Calls visit(row) for each sphere in the cells of a level from `low` to `high`, both
+    /// included.
+    template <class Visit>
+    void forEachIn(const std::array<int, 3>& low, const std::array<int, 3>& high, Visit&& visit,
+                   std::size_t level = 0) const
+    {
+        const Level& one = levelAt(level);
+        one.cells.forEachIn(low, high, listOf(one, visit));
+    }
+    /// The same for whole layers of cells, from `first` to `last` along z, and those of all levels
+    /// within them.
+    template <class Visit>
+    void forEachInLayers(int first, int last, Visit&& visit) const
+    {
+        for (std::size_t level = 0; level < levels(); ++level)
+        {
+            const Level& one = levelAt(level);
+            const std::array<int, 3>& count = one.frame.count;
+            one.cells.forEachInLarge({0, 0, first << level},
+                                     {count[0] - 1, count[1] - 1, ((last + 1) << level) - 1},
+                                     listOf(one, visit));
+        }
+    }
+
+    /// Of the coarsest level.
+    [[nodiscard]] const GridFrame& frame() const { return coarse_.frame; }
+    [[nodiscard]] std::size_t levels() const { return 1 + finer_.size(); }
+    [[nodiscard]] const GridFrame& frame(std::size_t level) const { return levelAt(level).frame; }
+    /// The largest radius of a level.
+    [[nodiscard]] double largest(std::size_t level) const { return levelAt(level).largest; }
+    /// The level that spheres of a radius are in.
+    [[nodiscard]] std::size_t levelFor(double radius) const
+    {
+        std::size_t level = 0;
+        while (level < finer_.size() && radius <= finer_[level].largest)
+        {
+            ++level;
+        }
+        return level;
+    }
+
+private:
+    struct Level
+    {
+        Level(const GridFrame& frameOfLevel, double largestRadius)
+            : frame(frameOfLevel), largest(largestRadius), cells(frame.count),
+              head(cells.size(), kEnd)
+        {
+        }
+
+        GridFrame frame;
+        double largest;
+        BrickedCells<> cells;
+        std::vector<std::uint32_t> head; ///< [#cells]
+        Eigen::AlignedBox3d extent;      ///< of all that were ever inserted
+    };
+
+    [[nodiscard]] const Level& levelAt(std::size_t level) const
+    {
+        return level == 0 ? coarse_ : finer_[level - 1];
+    }
+    [[nodiscard]] Level& levelOf(double radius)
+    {
+        const std::size_t level = levelFor(radius);
+        return level == 0 ? coarse_ : finer_[level - 1];
+    }
+
+    template <class Visit>
+    void forEachNearIn(const Level& level, const Eigen::Vector3d& p, double reach,
+                       Visit& visit) const
+    {
+        if (level.extent.squaredExteriorDistance(p) > reach * reach)
         {
             return; // a fall begins far above all that is at rest
         }
-        const auto low = frame_.coordinates(p.array() - reach);
-        const auto high = frame_.coordinates(p.array() + reach);
+        const GridFrame& frame = level.frame;
+        const auto low = frame.coordinates(p.array() - reach);
+        const auto high = frame.coordinates(p.array() + reach);
         for (int z = low[2]; z <= high[2]; ++z)
         {
-            const double dz = distanceToLayer(p, 2, z);
+            const double dz = distanceToLayer(frame, p, 2, z);
             for (int y = low[1]; y <= high[1]; ++y)
             {
-                const double dy = distanceToLayer(p, 1, y);
+                const double dy = distanceToLayer(frame, p, 1, y);
                 if (dz * dz + dy * dy <= reach * reach)
                 {
-                    cells_.forEachInRow(low[0], high[0], y, z, listOf(visit));
+                    level.cells.forEachInRow(low[0], high[0], y, z, listOf(level, visit));
                 }
             }
         }
     }
-
-    /// Calls visit(row) for each sphere in the cells from `low` to `high`, both included.
-    template <class Visit>
-    void forEachIn(const std::array<int, 3>& low, const std::array<int, 3>& high,
-                   Visit&& visit) const
-    {
-        cells_.forEachIn(low, high, listOf(visit));
-    }
-    /// The same for whole layers of cells, from `first` to `last` along z.
-    template <class Visit>
-    void forEachInLayers(int first, int last, Visit&& visit) const
-    {
-        cells_.forEachInLarge({0, 0, first}, {frame_.count[0] - 1, frame_.count[1] - 1, last},
-                              listOf(visit));
-    }
-
-    [[nodiscard]] const GridFrame& frame() const { return frame_; }
-
-private:
     /// Calls visit(row) for each sphere of a cell.
     template <class Visit>
-    [[nodiscard]] auto listOf(Visit& visit) const
+    [[nodiscard]] auto listOf(const Level& level, Visit& visit) const
     {
-        return [this, &visit](std::size_t cell)
+        return [this, &level, &visit](std::size_t cell)
         {
-            for (std::uint32_t row = head_[cell]; row != kEnd; row = rows_[row].next)
+            for (std::uint32_t row = level.head[cell]; row != kEnd; row = rows_[row].next)
             {
                 visit(row);
             }
         };
     }
     /// From p to the nearest point of a layer of cells. Layers at the border reach to infinity.
-    [[nodiscard]] double distanceToLayer(const Eigen::Vector3d& p, int axis, int layer) const
+    [[nodiscard]] static double distanceToLayer(const GridFrame& frame, const Eigen::Vector3d& p,
+                                                int axis, int layer)
     {
-        const double low = frame_.origin[axis] + frame_.cell * layer;
+        const double low = frame.origin[axis] + frame.cell * layer;
         const double below = layer > 0 ? low - p[axis] : 0;
-        const double above = layer + 1 < frame_.count[axis] ? p[axis] - (low + frame_.cell) : 0;
+        const double above = layer + 1 < frame.count[axis] ? p[axis] - (low + frame.cell) : 0;
         return std::max({0.0, below, above});
     }
 
     void link(std::uint32_t row)
     {
-        const auto [x, y, z] = frame_.coordinates(balls_[row].position());
-        const std::size_t cell = cells_.obtain(x, y, z);
-        if (cell >= head_.size())
+        Level& level = levelOf(balls_[row].radius);
+        const auto [x, y, z] = level.frame.coordinates(balls_[row].position());
+        const std::size_t cell = level.cells.obtain(x, y, z);
+        if (cell >= level.head.size())
         {
-            head_.resize(cells_.size(), kEnd);
+            level.head.resize(level.cells.size(), kEnd);
         }
-        rows_[row].next = std::exchange(head_[cell], row);
+        rows_[row].next = std::exchange(level.head[cell], row);
     }
     /// The link of its list that leads to the row.
     std::uint32_t& linkTo(std::uint32_t row)
     {
-        const auto [x, y, z] = frame_.coordinates(balls_[row].position());
-        std::uint32_t* link = &head_[cells_.find(x, y, z)];
+        Level& level = levelOf(balls_[row].radius);
+        const auto [x, y, z] = level.frame.coordinates(balls_[row].position());
+        std::uint32_t* link = &level.head[level.cells.find(x, y, z)];
         while (*link != row)
         {
             link = &rows_[*link].next;
@@ -171,10 +250,8 @@ private:
 
     static constexpr std::uint32_t kEnd = 0xffffffff;
     static constexpr std::uint32_t kLargestId = 0x7fffffff;
-    GridFrame frame_;
-    BrickedCells<> cells_;
-    std::vector<std::uint32_t> head_; ///< [#cells_]
-    Eigen::AlignedBox3d extent_;      ///< of all that were ever inserted
+    Level coarse_;
+    std::vector<Level> finer_;
     std::vector<Ball> balls_;
     struct Row
     {

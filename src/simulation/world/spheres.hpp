@@ -21,8 +21,8 @@ namespace frostfill
 class Spheres
 {
 public:
-    /// `frame`: of the grid of spheres at rest.
-    explicit Spheres(const GridFrame& frame = {}) : resting_(frame) {}
+    /// `frame`: of the grid of spheres at rest; `levels`: see SphereGrid.
+    explicit Spheres(const GridFrame& frame = {}, int levels = 0) : resting_(frame, levels) {}
 
     [[nodiscard]] RunningSpheres& running() { return running_; }
     [[nodiscard]] const RunningSpheres& running() const { return running_; }

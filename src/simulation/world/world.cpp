@@ -27,11 +27,10 @@ namespace
 RadiusDistribution radiiOf(const Scene& scene, const MeshReport& report, const TriangleMesh& mesh,
                            const TriangleTree& tree, std::optional<TriangleBvh>& bvh)
 {
-    const RadiusDistribution radii =
-        scene.spheres.sizes.curve
-            ? RadiusDistribution(scene.spheres.sizes)
-            : RadiusDistribution(
-                  scene.spheres.radius.value_or(sphereRadius(scene, report, mesh, tree, bvh)));
+    const RadiusDistribution radii = scene.spheres.sizes.curve
+                                         ? RadiusDistribution(scene.spheres.sizes)
+                                         : RadiusDistribution(scene.spheres.radius.value_or(
+                                               sphereRadius(scene, report, mesh, tree, bvh)));
     const double r = radii.largest();
     const double most = kPackingFraction * report.volume /
                         (4.0 / 3.0 * std::numbers::pi * r * r * r * radii.inLargest().meanPower(3));
@@ -92,6 +91,12 @@ GridFrame checkedGrid(const Surface& surface, const MeshReport& report, const Fr
     return gridOver(surface, kTriangleCell);
 }
 
+/// Grids for the smaller spheres of a size curve, each for half the radius of the one before.
+int finerLevels(const RadiusDistribution& radii)
+{
+    return radii.curve() ? static_cast<int>(std::log2(1 / radii.smallest())) : 0;
+}
+
 /// By the estimate that sphereRadius uses, the other way round.
 std::size_t countThatFits(const World& world)
 {
@@ -139,7 +144,8 @@ World::World(const Scene& sceneOfRun, std::shared_ptr<const ObjectOfRun> sharedO
       triangles(object->triangles), inside(object->inside), radii(object->radii.inLargest()),
       height(surface.box().sizes().y()),
       motion(scene.move, frame, height), pull{.uniform = {0, -frame.gravity, 0}},
-      spheres(gridOver(surface, kSphereCell)), polygons(surface.size(), PolygonState::active)
+      spheres(gridOver(surface, kSphereCell), finerLevels(radii)),
+      polygons(surface.size(), PolygonState::active)
 {
     if (scene.spheres.count && !scene.spheres.untilFull)
     {
