@@ -47,10 +47,10 @@ std::string playbackText(const Scene& scene, const FillPlan& plan)
 }
 
 /// What to give for --radius instead: all radii smaller by one factor.
-std::string radiusAdvice(const std::optional<Radii>& given, const FillResult& result)
+std::string radiusAdvice(const SphereSettings& given, const FillResult& result)
 {
     const double factor = *result.radiusThatFits / result.largestRadius;
-    if (given && !given->file.empty())
+    if (given.sizes.curve || (given.radius && !given.radius->file.empty()))
     {
         return fmt::format("take radii {:.3g} times as large", factor);
     }
@@ -150,7 +150,7 @@ void printResult(const Scene& scene, const FillResult& result)
             "full before the count: {} of {} spheres are in, and no other sphere of {} fits; {}\n",
             result.spheres, *scene.spheres.count,
             radiiText(result.smallestRadius, result.largestRadius),
-            radiusAdvice(scene.spheres.radius, result));
+            radiusAdvice(scene.spheres, result));
     }
     else if (result.full)
     {

@@ -306,8 +306,8 @@ std::vector<SizeCurve::Piece> SizeFile::ofCurve() const
 // Those of the file. A curve of few rows is also looked at between them, where it is a line.
 std::vector<double> SizeFile::sieves() const
 {
-    const std::size_t parts =
-        header_.isCumulative ? (kFewestSieves + rows_.size() - 1) / rows_.size() : 1;
+    const std::size_t steps = std::max<std::size_t>(1, rows_.size() - 1);
+    const std::size_t parts = header_.isCumulative ? (kFewestSieves + steps - 1) / steps : 1;
     std::vector<double> radii = {rows_.front().radius};
     for (const Row& row : rows_)
     {

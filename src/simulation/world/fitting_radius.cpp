@@ -51,8 +51,9 @@ double radiusThatFits(const World& world, std::size_t count)
 void refuseTooLarge(const World& world)
 {
     const ThickParts parts = thickParts(world);
-    std::string help = "choose a smaller --radius";
-    if (world.targetCount > 0)
+    const bool isCurve = world.radii.curve().has_value(); // whose largest have to fit
+    std::string help = isCurve ? "choose smaller --sizes" : "choose a smaller --radius";
+    if (world.targetCount > 0 && !isCurve)
     {
         help = fmt::format("{} of radius {:.3g} should fit", world.targetCount,
                            radiusThatFits(world, parts, world.targetCount));
@@ -60,8 +61,8 @@ void refuseTooLarge(const World& world)
     throw Error(ErrorCode::badData,
                 fmt::format("no sphere of radius {:g} fits into {}: where it is thickest there is "
                             "room for a radius of {:.3g}; {}",
-                            world.frame.length * world.radii.smallest(), world.scene.object.mesh,
-                            world.frame.length * parts.largest(), help));
+                            world.frame.length * (isCurve ? 1 : world.radii.smallest()),
+                            world.scene.object.mesh, world.frame.length * parts.largest(), help));
 }
 
 } // namespace frostfill
