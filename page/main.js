@@ -190,6 +190,7 @@ function choices(id, all, chosen, changed) {
 }
 
 showHeader();
+showSizes();
 showErrors();
 showMachine();
 showCommand();

@@ -50,6 +50,16 @@ std::string_view trimmed(std::string_view text)
                : text.substr(first, text.find_last_not_of(kSpaces) + 1 - first);
 }
 
+/// As a message has it: a file may hold anything.
+std::string shown(std::string_view text)
+{
+    constexpr std::size_t kMost = 60;
+    std::string some(text.substr(0, kMost));
+    std::replace_if(
+        some.begin(), some.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+    return some;
+}
+
 /// Reads one file, and says of what is wrong where it is.
 class SizeFile
 {
@@ -93,7 +103,7 @@ void SizeFile::readWord(const std::string& word, int column, bool& known)
         if (word != "radius" && word != "diameter")
         {
             refuse(line_, fmt::format("'{}' is not radius or diameter, in the unit of the mesh; {}",
-                                      word, kHeaderForm));
+                                      shown(word), kHeaderForm));
         }
         return;
     }
@@ -115,7 +125,7 @@ void SizeFile::readWord(const std::string& word, int column, bool& known)
     {
         refuse(line_,
                fmt::format("'{}' is not share, cumulative, passing, number, mass, volume or %; {}",
-                           word, kHeaderForm));
+                           shown(word), kHeaderForm));
     }
 }
 
@@ -127,7 +137,7 @@ void SizeFile::readHeader(std::string_view text)
     if (middle == std::string_view::npos ||
         text.find(header_.separator, middle + 1) != std::string_view::npos)
     {
-        refuse(line_, fmt::format("'{}' does not name two columns; {}", text, kHeaderForm));
+        refuse(line_, fmt::format("'{}' does not name two columns; {}", shown(text), kHeaderForm));
     }
     for (int column = 0; column < 2; ++column)
     {
@@ -169,7 +179,7 @@ double SizeFile::number(std::string_view text, const char* what) const
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
     {
-        refuse(line_, fmt::format("'{}' must be a {}, a number", text, what));
+        refuse(line_, fmt::format("'{}' must be a {}, a number", shown(text), what));
     }
     return value;
 }
@@ -181,7 +191,7 @@ void SizeFile::readRow(std::string_view text)
         text.find(header_.separator, middle + 1) != std::string_view::npos)
     {
         refuse(line_, fmt::format("'{}' must be two numbers, a size and a share, separated by '{}'",
-                                  text, header_.separator));
+                                  shown(text), header_.separator));
     }
     const char* what = header_.isDiameter ? "diameter" : "radius";
     const double size = number(text.substr(0, middle), what);

@@ -21,6 +21,7 @@ namespace frostfill
 [[nodiscard]] Figure peersFigure();       ///< other engines beside ours
 [[nodiscard]] Figure stabilityFigure();   ///< the stress matrix
 [[nodiscard]] Figure densityFigure();     ///< density against set size
+[[nodiscard]] Figure sizesFigure();       ///< size curves as asked and as achieved
 [[nodiscard]] Figure trianglesFigure();   ///< cost against the number of triangles
 
 } // namespace frostfill

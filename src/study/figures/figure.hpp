@@ -47,6 +47,10 @@ public:
     /// times are to be measured anew: then the caller measures and writes it.
     [[nodiscard]] bool reuse(const std::string& name) const;
 
+    [[nodiscard]] std::filesystem::path path(const std::string& name) const
+    {
+        return request_.directory / name;
+    }
     [[nodiscard]] bool quick() const { return request_.quick; }
     [[nodiscard]] const std::string& object() const { return request_.object; }
     void say(const std::string& what) const { request_.say(what); }

@@ -12,7 +12,7 @@ std::span<const Figure> allFigures()
         torusFigure(),   studioFigure(),    volumeFigure(),     interactionFigure(),
         timesFigure(),   claimFigure(),     operationsFigure(), discardedFigure(),
         densityFigure(), fillingFigure(),   cutawaysFigure(),   closedFormsFigure(),
-        errorFigure(),   stabilityFigure(), trianglesFigure(),
+        errorFigure(),   stabilityFigure(), trianglesFigure(),  sizesFigure(),
     };
     return kFigures;
 }
