@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "scene/read_sizes.hpp"
 
+#include "scene/size_header.hpp"
+
 #include <frostfill/error.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -33,33 +34,6 @@ struct Row
     double share; ///< as written
 };
 
-struct Header
-{
-    bool isDiameter = false;
-    bool isCumulative = false;
-    std::optional<SharesOf> by;
-    char separator = ',';
-};
-
-std::string_view trimmed(std::string_view text)
-{
-    constexpr const char* kSpaces = " \t\r\"";
-    const std::size_t first = text.find_first_not_of(kSpaces);
-    return first == std::string_view::npos
-               ? std::string_view{}
-               : text.substr(first, text.find_last_not_of(kSpaces) + 1 - first);
-}
-
-/// As a message has it: a file may hold anything.
-std::string shown(std::string_view text)
-{
-    constexpr std::size_t kMost = 60;
-    std::string some(text.substr(0, kMost));
-    std::replace_if(
-        some.begin(), some.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-    return some;
-}
-
 /// Reads one file, and says of what is wrong where it is.
 class SizeFile
 {
@@ -73,7 +47,6 @@ private:
         throw Error(ErrorCode::badData, fmt::format("{}, line {}: {}", file_, line, what));
     }
     void readHeader(std::string_view text);
-    void readWord(const std::string& word, int column, bool& known);
     void readRow(std::string_view text);
     [[nodiscard]] double number(std::string_view text, const char* what) const;
     [[nodiscard]] int power() const;
@@ -85,87 +58,16 @@ private:
 
     const std::string& file_;
     std::optional<SharesOf> by_;
-    Header header_;
+    SizeHeader header_;
     std::size_t line_ = 0;
     std::size_t headerLine_ = 0;
     std::vector<Row> rows_;
 };
 
-constexpr const char* kHeaderForm =
-    "a header names the columns, such as 'diameter,cumulative mass' or 'radius,share'";
-
-void SizeFile::readWord(const std::string& word, int column, bool& known)
-{
-    if (column == 0)
-    {
-        known = known || word == "radius" || word == "diameter";
-        header_.isDiameter = header_.isDiameter || word == "diameter";
-        if (word != "radius" && word != "diameter")
-        {
-            refuse(line_, fmt::format("'{}' is not radius or diameter, in the unit of the mesh; {}",
-                                      shown(word), kHeaderForm));
-        }
-        return;
-    }
-    if (word == "number" || word == "mass" || word == "volume")
-    {
-        header_.by = word == "number" ? SharesOf::number
-                     : word == "mass" ? SharesOf::mass
-                                      : SharesOf::volume;
-    }
-    else if (word == "cumulative" || word == "passing")
-    {
-        header_.isCumulative = known = true;
-    }
-    else if (word == "share")
-    {
-        known = true;
-    }
-    else if (word != "%" && word != "by")
-    {
-        refuse(line_,
-               fmt::format("'{}' is not share, cumulative, passing, number, mass, volume or %; {}",
-                           shown(word), kHeaderForm));
-    }
-}
-
 void SizeFile::readHeader(std::string_view text)
 {
     headerLine_ = line_;
-    header_.separator = text.find(';') != std::string_view::npos ? ';' : ',';
-    const std::size_t middle = text.find(header_.separator);
-    if (middle == std::string_view::npos ||
-        text.find(header_.separator, middle + 1) != std::string_view::npos)
-    {
-        refuse(line_, fmt::format("'{}' does not name two columns; {}", shown(text), kHeaderForm));
-    }
-    for (int column = 0; column < 2; ++column)
-    {
-        const std::string_view name =
-            trimmed(column == 0 ? text.substr(0, middle) : text.substr(middle + 1));
-        bool known = false;
-        std::string word;
-        for (std::size_t k = 0; k <= name.size(); ++k)
-        {
-            const char c = k < name.size() ? name[k] : ' ';
-            if (c != ' ' && c != '_' && c != '\t')
-            {
-                word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-            }
-            else if (!word.empty())
-            {
-                readWord(word, column, known);
-                word.clear();
-            }
-        }
-        if (!known)
-        {
-            refuse(line_,
-                   fmt::format("column {} must be {}; {}", column + 1,
-                               column == 0 ? "radius or diameter" : "share, cumulative or passing",
-                               kHeaderForm));
-        }
-    }
+    header_ = readSizeHeader(text, [this](const std::string& what) { refuse(line_, what); });
     if (header_.by && by_ && (*header_.by == SharesOf::number) != (*by_ == SharesOf::number))
     {
         refuse(line_, "the header and --by do not agree on what the shares are shares of");
@@ -358,7 +260,7 @@ SizeCurve SizeFile::read()
     }
     if (headerLine_ == 0)
     {
-        throw Error(ErrorCode::badData, fmt::format("{} is empty: {}", file_, kHeaderForm));
+        throw Error(ErrorCode::badData, fmt::format("{} is empty: {}", file_, kSizeHeaderForm));
     }
     if (rows_.empty())
     {

@@ -275,10 +275,21 @@ double InsideTest::distance(const Eigen::Vector3d& p, double atMost) const
 
 bool InsideTest::isNearTwoSided(const Eigen::Vector3d& p) const
 {
-    std::vector<std::uint32_t> found;
-    const auto near = grid_->near(p, grid_->reach(), found);
-    return std::any_of(near.begin(), near.end(),
-                       [this](std::uint32_t id) { return (*surface_)[id].twoSided; });
+    const auto isTwoSided = [this](std::uint32_t id) { return (*surface_)[id].twoSided; };
+    const std::span<const std::uint32_t> all = grid_->near(p);
+    if (all.size() <= TriangleGrid::kShortList)
+    {
+        return std::any_of(all.begin(), all.end(), isTwoSided);
+    }
+    const double reach = grid_->reach();
+    bool isNear = false;
+    surface_->tree().forEachTriangleNear(p, reach,
+                                         [&](std::uint32_t id)
+                                         {
+                                             isNear = isTwoSided(id);
+                                             return isNear ? -1 : reach;
+                                         });
+    return isNear;
 }
 
 // No surface is within the reach of p, so every point within that distance is on the same side as
