@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <frostfill/bed.hpp>
 #include <frostfill/shell.hpp>
 
 #include <cstddef>
@@ -37,6 +38,12 @@ enum class ExportFormat
     lethe,      ///< a list of particles that Lethe inserts
     openmc,     ///< a Python module that makes a lattice of spheres for OpenMC
     gmsh,       ///< a .geo script whose volumes are the spheres (OpenCASCADE)
+    // Geometry of one frame; see BedSettings.
+    stlBed,   ///< one closed surface of spheres and container
+    openFoam, ///< a case of OpenFOAM
+    gmshBed,  ///< exact spheres and container for gmsh
+    vti,      ///< distances and labels of voxels for VTK
+    npy,      ///< the same for NumPy
 };
 
 struct ExportFormatInfo
@@ -61,6 +68,7 @@ struct ExportRequest
     /// All triangles of a dense mesh where a simplified shell would be written: in glb and
     /// glbInstanced. The other formats have the true mesh, or none.
     bool fullMesh = false;
+    BedSettings bed = {}; ///< of the formats that are geometry
 };
 
 struct ExportResult

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "analysis/container.hpp"
-#include "analysis/sphere_levels.hpp"
 #include "base/threads.hpp"
+#include "geometry/sphere_levels.hpp"
 
 #include <frostfill/analysis.hpp>
 

@@ -31,6 +31,8 @@ struct ExportArguments
     std::string frames;
     std::string out;
     bool fullMesh = false;
+    std::string contacts;
+    BedSettings bed;
     bool overwrite = false;
     bool quiet = false;
 };
@@ -50,18 +52,53 @@ std::string describeFormats()
 int exportAll(const ExportArguments& arguments)
 {
     // Every name is checked before the first file is written.
+    BedSettings bed = arguments.bed;
+    if (!arguments.contacts.empty())
+    {
+        parseContacts(arguments.contacts, bed);
+    }
+    checkBedSettings(bed);
     std::vector<ExportRequest> requests =
         exportRequests(arguments.run, arguments.formats, arguments.out);
     for (ExportRequest& request : requests)
     {
         request.frames = arguments.frames;
         request.fullMesh = arguments.fullMesh;
+        request.bed = bed;
         request.overwrite = arguments.overwrite;
     }
     catchStopSignals();
     runHasBegun();
     exportFiles(requests, arguments.quiet);
     return 0;
+}
+
+void addGeometryOptions(CLI::App& command, ExportArguments& arguments)
+{
+    BedSettings& bed = arguments.bed;
+    command
+        .add_option("--contacts", arguments.contacts,
+                    "stl-bed, openfoam: where spheres touch: none, shrink:FACTOR, caps:GAP, "
+                    "bridges:RADIUS,GAP, in radii (shrink:0.99)")
+        ->type_name("HOW");
+    command
+        .add_option(
+            "--resolution", bed.resolution,
+            fmt::format("stl-bed, openfoam: a sphere has 20 N^2 triangles ({})", bed.resolution))
+        ->type_name("N");
+    command.add_flag("--ascii", bed.ascii, "stl-bed: text, with a named solid for each patch");
+    command
+        .add_option(
+            "--cell", bed.cell,
+            fmt::format("openfoam: edge of a cell before refinement, in mean diameters ({})",
+                        bed.cell))
+        ->type_name("X");
+    command
+        .add_option("--voxels", bed.voxels,
+                    fmt::format("vti, npy: voxels along the longest side ({})", bed.voxels))
+        ->type_name("N");
+    command.add_option("--threads", bed.threads, "Geometry: threads; 0: one for each core")
+        ->type_name("N");
 }
 
 } // namespace
@@ -87,6 +124,7 @@ Command addExportCommand(CLI::App& program)
         ->type_name("DIR");
     command->add_flag("--full-mesh", arguments->fullMesh,
                       fmt::format("{}: in glTF", kFullMeshHelp));
+    addGeometryOptions(*command, *arguments);
     command->add_flag("--overwrite", arguments->overwrite, "Replace files of an earlier export");
     command->add_flag("--quiet", arguments->quiet, "Print nothing but errors");
     return [arguments] { return exportAll(*arguments); };

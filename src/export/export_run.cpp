@@ -118,6 +118,18 @@ ExportResult exportRun(const ExportRequest& request, const ExportProgress& progr
         run.shell = simplifyShell(run.mesh, request.fullMesh);
     }
 
+    if (isGeometry(request.format))
+    {
+        checkBedSettings(request.bed);
+        run.bed = request.bed;
+        if (run.numbers.size() > 1)
+        {
+            throw Error(ErrorCode::usage,
+                        fmt::format("{} is the geometry of one frame, not of {}; give --frames "
+                                    "last or one number",
+                                    format.name, run.numbers.size()));
+        }
+    }
     const std::vector<std::string> names = exportFiles(request.format, run.numbers);
     if (!request.overwrite)
     {

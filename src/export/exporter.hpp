@@ -31,6 +31,7 @@ struct ExportedRun
     std::size_t spheres = 0;               ///< in the last of them; for npz alone
     SimplifiedShell shell = {};            ///< of the mesh; for glTF alone
     Scene scene = {};                      ///< as far as the head of the file tells it
+    BedSettings bed = {};                  ///< for geometry alone
 };
 
 /// A frame as it is exported.
@@ -107,5 +108,10 @@ MakeExporter makeGmshExporter;
 /// The exporter of a format.
 [[nodiscard]] std::unique_ptr<Exporter> makeExporter(ExportFormat format, const ExportedRun& run,
                                                      const std::filesystem::path& folder);
+
+/// Whether a format is the geometry of one frame.
+[[nodiscard]] bool isGeometry(ExportFormat format);
+[[nodiscard]] std::unique_ptr<Exporter> makeBedExporter(ExportFormat format, const ExportedRun& run,
+                                                        const std::filesystem::path& folder);
 
 } // namespace frostfill

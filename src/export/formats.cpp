@@ -13,6 +13,13 @@ namespace frostfill
 namespace
 {
 
+template <ExportFormat format>
+std::unique_ptr<Exporter> makeBedExporter(const ExportedRun& run,
+                                          const std::filesystem::path& folder)
+{
+    return makeBedExporter(format, run, folder);
+}
+
 /// All that is known of a format: who asks for one finds it here.
 struct FormatEntry
 {
@@ -23,7 +30,7 @@ struct FormatEntry
     std::array<const char*, 3> files;
 };
 
-constexpr std::array<FormatEntry, 17> kEntries = {{
+constexpr std::array<FormatEntry, 22> kEntries = {{
     {{ExportFormat::vtp, "vtp", "all", "spheres and mesh for ParaView and VTK; open run.pvd"},
      makeVtpExporter,
      {"run.pvd", ".vtp"}},
@@ -77,6 +84,21 @@ constexpr std::array<FormatEntry, 17> kEntries = {{
     {{ExportFormat::gmsh, "gmsh", "last", "the spheres as volumes of a .geo script of gmsh"},
      makeGmshExporter,
      {"spheres.geo"}},
+    {{ExportFormat::stlBed, "stl-bed", "last", "one closed surface of spheres and container"},
+     makeBedExporter<ExportFormat::stlBed>,
+     {"bed.stl", "bed.stl.json"}},
+    {{ExportFormat::openFoam, "openfoam", "last", "a case of OpenFOAM for the flow between spheres"},
+     makeBedExporter<ExportFormat::openFoam>,
+     {"openfoam"}},
+    {{ExportFormat::gmshBed, "gmsh-bed", "last", "exact spheres and container for gmsh"},
+     makeBedExporter<ExportFormat::gmshBed>,
+     {"bed.geo", "bed.geo.json"}},
+    {{ExportFormat::vti, "vti", "last", "distance and label of each voxel for VTK"},
+     makeBedExporter<ExportFormat::vti>,
+     {"bed.vti", "bed.vti.json"}},
+    {{ExportFormat::npy, "npy", "last", "distance and label of each voxel for NumPy"},
+     makeBedExporter<ExportFormat::npy>,
+     {"distance.npy", "label.npy", "volume.json"}},
 }};
 
 constexpr auto kFormats = []

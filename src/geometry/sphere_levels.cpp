@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "analysis/sphere_levels.hpp"
+#include "geometry/sphere_levels.hpp"
 
 #include <map>
 

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+#include "bed/bed.hpp"
+
+#include <frostfill/error.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+namespace frostfill
+{
+namespace
+{
+
+/// Cosine of the angle by which a flat end may be askew, and share of the height that it may be
+/// away from the end. Larger: slopes count as ends. Smaller: rounding takes ends away.
+constexpr double kFlat = 0.9999;
+constexpr double kAtEnd = 1e-4;
+
+[[noreturn]] void refuse(const std::string& what)
+{
+    throw Error(ErrorCode::usage, what);
+}
+
+/// Numbers separated by commas; empty if they are none.
+std::vector<double> numbersOf(std::string_view text)
+{
+    std::vector<double> numbers;
+    while (true)
+    {
+        const std::size_t comma = text.find(',');
+        const std::string_view word = text.substr(0, comma);
+        double number = 0;
+        const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), number);
+        if (fault != std::errc() || end != word.data() + word.size())
+        {
+            return {};
+        }
+        numbers.push_back(number);
+        if (comma == std::string_view::npos)
+        {
+            return numbers;
+        }
+        text.remove_prefix(comma + 1);
+    }
+}
+
+std::vector<BedPatch> findPatches(const TriangleMesh& mesh, const Eigen::Vector3d& up)
+{
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (const Eigen::Vector3d& vertex : mesh.vertices)
+    {
+        low = std::min(low, up.dot(vertex));
+        high = std::max(high, up.dot(vertex));
+    }
+    const double margin = kAtEnd * (high - low);
+    std::vector<BedPatch> patches;
+    for (const auto& triangle : mesh.triangles)
+    {
+        const Eigen::Vector3d& a = mesh.vertices[triangle[0]];
+        const Eigen::Vector3d& b = mesh.vertices[triangle[1]];
+        const Eigen::Vector3d& c = mesh.vertices[triangle[2]];
+        const double slope = (b - a).cross(c - a).normalized().dot(up);
+        const double height = up.dot(a);
+        patches.push_back(slope < -kFlat && height < low + margin   ? BedPatch::inlet
+                          : slope > kFlat && height > high - margin ? BedPatch::outlet
+                                                                    : BedPatch::wall);
+    }
+    return patches;
+}
+
+} // namespace
+
+void parseContacts(const std::string& text, BedSettings& result)
+{
+    BedSettings settings = result; // which stays as it is if the text is refused
+    const std::size_t colon = text.find(':');
+    const std::string name = text.substr(0, colon);
+    const bool hasValues = colon != std::string::npos;
+    const std::vector<double> values =
+        hasValues ? numbersOf(std::string_view(text).substr(colon + 1)) : std::vector<double>();
+    const auto mayHave = [&](std::size_t most)
+    {
+        if (hasValues && (values.empty() || values.size() > most))
+        {
+            refuse(fmt::format("'{}' is no treatment of contacts; write none, shrink:FACTOR, "
+                               "caps:GAP or bridges:RADIUS,GAP",
+                               text));
+        }
+    };
+    if (name == "none")
+    {
+        mayHave(0);
+        settings.contacts = ContactTreatment::none;
+    }
+    else if (name == "shrink")
+    {
+        mayHave(1);
+        settings.contacts = ContactTreatment::shrink;
+        settings.factor = hasValues ? values[0] : settings.factor;
+    }
+    else if (name == "caps")
+    {
+        mayHave(1);
+        settings.contacts = ContactTreatment::caps;
+        settings.gap = hasValues ? values[0] : settings.gap;
+    }
+    else if (name == "bridges")
+    {
+        mayHave(2);
+        settings.contacts = ContactTreatment::bridges;
+        settings.bridge = hasValues ? values[0] : settings.bridge;
+        settings.gap = values.size() > 1 ? values[1] : settings.gap;
+    }
+    else
+    {
+        refuse(fmt::format("there is no treatment of contacts '{}'; there are none, shrink, caps, "
+                           "bridges",
+                           name));
+    }
+    checkBedSettings(settings);
+    result = settings;
+}
+
+void checkBedSettings(const BedSettings& settings)
+{
+    // Written so that what is no number is refused, too.
+    if (!(settings.factor > 0 && settings.factor < 1))
+    {
+        refuse("shrink needs a factor above 0 and below 1, such as shrink:0.99");
+    }
+    if (!(settings.gap >= 1e-4 && settings.gap <= 0.2))
+    {
+        refuse("the gap of caps and bridges must be from 0.0001 to 0.2 radii");
+    }
+    if (!(settings.bridge >= 0.01 && settings.bridge <= 0.5))
+    {
+        refuse("the radius of bridges must be from 0.01 to 0.5 radii");
+    }
+    if (settings.resolution < 1 || settings.resolution > 100)
+    {
+        refuse("the resolution of spheres must be from 1 to 100: they have 20 N^2 triangles");
+    }
+    if (settings.voxels < 2 || settings.voxels > 4096)
+    {
+        refuse("the number of voxels along the longest side must be from 2 to 4096");
+    }
+    if (!(settings.cell >= 0.01 && settings.cell <= 10))
+    {
+        refuse("the edge of a cell must be from 0.01 to 10 mean diameters");
+    }
+    if (settings.threads < 0)
+    {
+        refuse("the number of threads must not be negative");
+    }
+}
+
+Bed::Bed(const TriangleMesh& mesh, std::vector<Eigen::Vector3d> centres, std::vector<double> radii,
+         const Eigen::Vector3d& up, const BedSettings& settings)
+    : settings_(settings), threads_(std::make_unique<Threads>(settings.threads)),
+      centres_(std::move(centres)), radii_(std::move(radii)), up_(up), surface_(mesh),
+      levels_(centres_, radii_), patches_(findPatches(mesh, up)),
+      containerVolume_(inspectInterior(mesh).volume)
+{
+    for (const double radius : radii_)
+    {
+        meanDiameter_ += 2 * radius / static_cast<double>(radii_.size());
+    }
+}
+
+bool Bed::has(BedPatch patch) const
+{
+    return patch == BedPatch::spheres ||
+           std::find(patches_.begin(), patches_.end(), patch) != patches_.end();
+}
+
+double Bed::porosity() const
+{
+    double volume = 0;
+    for (const double radius : radii_)
+    {
+        volume += 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
+    }
+    return 1 - volume / containerVolume_;
+}
+
+} // namespace frostfill

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// Room: a packing as geometry for other programs: one closed surface of spheres and walls, cases of
+// OpenFOAM and gmsh, and volumes of distances and labels.
+#pragma once
+
+#include "base/threads.hpp"
+#include "geometry/sphere_levels.hpp"
+#include "mesh/interior/surface.hpp"
+
+#include <frostfill/bed.hpp>
+#include <frostfill/mesh.hpp>
+
+#include <Eigen/Geometry>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace frostfill
+{
+
+/// Parts of the surface, each a patch or a solid of its own.
+enum class BedPatch : std::uint8_t
+{
+    inlet,  ///< the flat foot of the container, if it has one
+    outlet, ///< its flat top
+    wall,
+    spheres, ///< with bridges
+};
+inline constexpr std::array<const char*, 4> kBedPatches = {"inlet", "outlet", "wall", "spheres"};
+
+/// Spheres in a closed container, in the world.
+class Bed
+{
+public:
+    /// `mesh` is closed and wound outwards. `up` is a unit vector, from foot to top. Throws Error
+    /// badData where there is no sphere.
+    Bed(const TriangleMesh& mesh, std::vector<Eigen::Vector3d> centres, std::vector<double> radii,
+        const Eigen::Vector3d& up, const BedSettings& settings);
+
+    [[nodiscard]] const BedSettings& settings() const { return settings_; }
+    [[nodiscard]] const TriangleMesh& mesh() const { return surface_.mesh(); }
+    [[nodiscard]] const Surface& surface() const { return surface_; }
+    [[nodiscard]] const SphereLevels& levels() const { return levels_; }
+    [[nodiscard]] Threads& threads() const { return *threads_; }
+    [[nodiscard]] const Eigen::Vector3d& up() const { return up_; }
+    [[nodiscard]] std::size_t size() const { return radii_.size(); }
+    [[nodiscard]] const Eigen::Vector3d& centre(std::size_t k) const { return centres_[k]; }
+    /// Before any treatment.
+    [[nodiscard]] double radius(std::size_t k) const { return radii_[k]; }
+    /// As the geometry has it.
+    [[nodiscard]] double treatedRadius(std::size_t k) const
+    {
+        return settings_.contacts == ContactTreatment::shrink ? settings_.factor * radii_[k]
+                                                              : radii_[k];
+    }
+    [[nodiscard]] double meanDiameter() const { return meanDiameter_; }
+    [[nodiscard]] BedPatch patch(std::size_t triangle) const { return patches_[triangle]; }
+    [[nodiscard]] bool has(BedPatch patch) const;
+    [[nodiscard]] double containerVolume() const { return containerVolume_; }
+    /// [1] without any treatment, of spheres that do not overlap.
+    [[nodiscard]] double porosity() const;
+
+private:
+    BedSettings settings_;
+    std::unique_ptr<Threads> threads_;
+    std::vector<Eigen::Vector3d> centres_;
+    std::vector<double> radii_;
+    Eigen::Vector3d up_;
+    Surface surface_;
+    SphereLevels levels_;
+    std::vector<BedPatch> patches_; ///< [#T]
+    double meanDiameter_ = 0;
+    double containerVolume_ = 0;
+};
+
+/// A sphere and a wall, or two spheres, that are near each other.
+struct BedLink
+{
+    static constexpr std::uint32_t kWall = 0xFFFFFFFF;
+
+    std::uint32_t first = 0;
+    std::uint32_t second = kWall; ///< above first, or the wall
+    double gap = 0;               ///< [unit] negative where they overlap
+    Eigen::Vector3d direction;    ///< unit, from first
+    double bridge = 0;            ///< [unit] radius of the cylinder; 0: both are flattened
+    std::uint32_t triangle = 0;   ///< of the wall, that is near
+};
+
+/// A point as STL has it.
+[[nodiscard]] inline Eigen::Vector3f inSinglePrecision(const Eigen::Vector3d& p)
+{
+    return p.cast<float>();
+}
+
+/// For who tests whether places are in single precision.
+[[nodiscard]] inline Eigen::Vector3d roundedToSingle(const Eigen::Vector3d& p)
+{
+    return p.cast<float>().cast<double>();
+}
+
+} // namespace frostfill

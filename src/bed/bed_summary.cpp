@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "bed/bed_summary.hpp"
+
+#include "output/atomic_file.hpp"
+
+namespace frostfill
+{
+
+nlohmann::ordered_json bedSummary(const Bed& bed)
+{
+    constexpr std::array<const char*, 4> kNames = {"none", "shrink", "caps", "bridges"};
+    const BedSettings& settings = bed.settings();
+    nlohmann::ordered_json treatment = {
+        {"name", kNames[static_cast<std::size_t>(settings.contacts)]}};
+    if (settings.contacts == ContactTreatment::shrink)
+    {
+        treatment["factor"] = settings.factor;
+    }
+    else if (settings.contacts != ContactTreatment::none)
+    {
+        treatment["gap"] = settings.gap;
+    }
+    if (settings.contacts == ContactTreatment::bridges)
+    {
+        treatment["radius"] = settings.bridge;
+    }
+    const Eigen::AlignedBox3d& box = bed.surface().box();
+    const auto point = [](const Eigen::Vector3d& p) {
+        return nlohmann::ordered_json{p.x(), p.y(), p.z()};
+    };
+    return {{"spheres", bed.size()},
+            {"contacts", treatment},
+            {"container_volume", bed.containerVolume()},
+            {"container_box", {point(box.min()), point(box.max())}},
+            {"mean_diameter", bed.meanDiameter()},
+            {"porosity_exact", bed.porosity()}};
+}
+
+nlohmann::ordered_json surfaceSummary(const BedSurface& surface)
+{
+    nlohmann::ordered_json summary = bedSummary(surface.bed());
+    summary["porosity_of_surface"] = surface.porosity();
+    summary["free_volume"] = surface.freeVolume();
+    summary["near_places"] = surface.links().links.size();
+    summary["bridges"] = surface.links().bridged;
+    summary["bridges_thinner_than_asked"] = surface.links().thinned;
+    summary["flattened"] = surface.links().flattened;
+    summary["triangles"] = surface.triangles();
+    for (std::size_t patch = 0; patch < kBedPatches.size(); ++patch)
+    {
+        summary["triangles_of_patch"][kBedPatches[patch]] =
+            surface.triangles(static_cast<BedPatch>(patch));
+    }
+    return summary;
+}
+
+void writeSummary(const nlohmann::ordered_json& summary, const std::filesystem::path& file)
+{
+    AtomicFile out(file);
+    out.write(summary.dump(2) + "\n");
+    out.commit();
+}
+
+} // namespace frostfill

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "bed/bed_surface.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace frostfill
+{
+namespace
+{
+
+constexpr std::size_t kSpheresInPart = 64;
+/// Parts that are made at once and wait to be written.
+constexpr std::size_t kPartsAtOnce = 64;
+
+} // namespace
+
+BedSurface::BedSurface(const Bed& bed)
+    : bed_(bed), geodesic_(geodesicSphere(bed.settings().resolution)), links_(findLinks(bed)),
+      walls_(bed, links_)
+{
+    // The volume is summed about the middle, so that large coordinates take no digits.
+    const Eigen::Vector3d middle = bed.surface().box().center();
+    for (std::size_t patch = 0; patch < kBedPatches.size(); ++patch)
+    {
+        forEachPart(static_cast<BedPatch>(patch),
+                    [&](std::span<const StlTriangle> triangles)
+                    {
+                        counts_[patch] += triangles.size();
+                        for (const StlTriangle& triangle : triangles)
+                        {
+                            const Eigen::Vector3d a = triangle[0].cast<double>() - middle;
+                            const Eigen::Vector3d b = triangle[1].cast<double>() - middle;
+                            const Eigen::Vector3d c = triangle[2].cast<double>() - middle;
+                            freeVolume_ += a.dot(b.cross(c)) / 6;
+                        }
+                    });
+    }
+}
+
+std::size_t BedSurface::triangles() const
+{
+    std::size_t all = 0;
+    for (const std::size_t count : counts_)
+    {
+        all += count;
+    }
+    return all;
+}
+
+void BedSurface::addSphere(std::uint32_t sphere, SphereShape& shape,
+                           std::vector<StlTriangle>& triangles) const
+{
+    shape.add(sphere, triangles);
+    for (const std::uint32_t number : links_.ofSphere[sphere])
+    {
+        const BedLink& link = links_.links[number];
+        if (link.first != sphere || link.bridge == 0)
+        {
+            continue;
+        }
+        if (link.second == BedLink::kWall)
+        {
+            walls_.addBridge(number, triangles);
+            continue;
+        }
+        const std::uint32_t corners = cornersOf(bed_, link);
+        for (std::uint32_t k = 0; k < corners; ++k)
+        {
+            const std::uint32_t next = (k + 1) % corners;
+            const Eigen::Vector3f a = cornerInWorld(bed_, link, link.first, k, corners);
+            const Eigen::Vector3f b = cornerInWorld(bed_, link, link.first, next, corners);
+            const Eigen::Vector3f c = cornerInWorld(bed_, link, link.second, next, corners);
+            const Eigen::Vector3f d = cornerInWorld(bed_, link, link.second, k, corners);
+            triangles.push_back({a, c, b});
+            triangles.push_back({a, d, c});
+        }
+    }
+}
+
+void BedSurface::forEachPart(BedPatch patch, const Sink& sink) const
+{
+    if (patch != BedPatch::spheres)
+    {
+        sink(walls_.triangles(patch));
+        return;
+    }
+    const std::size_t parts = (bed_.size() + kSpheresInPart - 1) / kSpheresInPart;
+    std::vector<std::vector<StlTriangle>> made(std::min(parts, kPartsAtOnce));
+    for (std::size_t begin = 0; begin < parts; begin += kPartsAtOnce)
+    {
+        const std::size_t count = std::min(kPartsAtOnce, parts - begin);
+        bed_.threads().forEachLarge(
+            count,
+            [&](std::size_t k)
+            {
+                made[k].clear();
+                SphereShape shape(bed_, links_, geodesic_);
+                const std::size_t first = (begin + k) * kSpheresInPart;
+                const std::size_t end = std::min(bed_.size(), first + kSpheresInPart);
+                for (std::size_t sphere = first; sphere < end; ++sphere)
+                {
+                    addSphere(static_cast<std::uint32_t>(sphere), shape, made[k]);
+                }
+            });
+        for (std::size_t k = 0; k < count; ++k)
+        {
+            sink(made[k]);
+        }
+    }
+}
+
+} // namespace frostfill

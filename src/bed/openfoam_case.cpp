@@ -1,0 +1,339 @@
+// SPDX-License-Identifier: MIT
+#include "bed/bed_files.hpp"
+#include "bed/bed_summary.hpp"
+#include "bed/stl_file.hpp"
+#include "mesh/interior/inside_test.hpp"
+#include "output/atomic_file.hpp"
+
+#include <frostfill/error.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace frostfill
+{
+namespace
+{
+
+/// Places that are tried for one in the free space.
+constexpr int kPlaces = 20000;
+/// [unit^2/s] of water where lengths are in metres, and the number of Reynolds of a mean sphere.
+constexpr double kViscosity = 1e-6;
+constexpr double kReynolds = 1;
+
+/// Of places of a low-discrepancy sequence [Roberts 2018], the one that is farthest from
+/// everything. Irrational, so that it is on no face of a cell.
+Eigen::Vector3d freePlace(const Bed& bed)
+{
+    const Eigen::AlignedBox3d& box = bed.surface().box();
+    const Eigen::Vector3d steps(0.8191725133961645, 0.6710436067037893, 0.5497004779019703);
+    Eigen::Vector3d best = box.center();
+    double clearance = 0;
+    for (int k = 1; k <= kPlaces; ++k)
+    {
+        Eigen::Vector3d share = k * steps;
+        share -= Eigen::Vector3d(share.array().floor());
+        const Eigen::Vector3d p = box.min() + share.cwiseProduct(box.sizes());
+        double gap = bed.meanDiameter();
+        bed.levels().forEachNear(
+            p, [&](double largest) { return largest + gap; },
+            [&](std::uint32_t, const Eigen::Vector3d& centre, double radius)
+            { gap = std::min(gap, (centre - p).norm() - radius); });
+        if (gap > clearance)
+        {
+            const double wall = nearestDistance(bed.surface(), p, 1e300).value;
+            gap = std::min(gap, wall);
+        }
+        if (gap > clearance)
+        {
+            clearance = gap;
+            best = p;
+        }
+    }
+    if (clearance <= 0)
+    {
+        throw Error(ErrorCode::badData, "no place in the container is free, which a mesh could "
+                                        "begin from");
+    }
+    return best;
+}
+
+class Case
+{
+public:
+    Case(const Bed& bed, std::filesystem::path folder, Files& files)
+        : bed_(bed), folder_(std::move(folder)), files_(files)
+    {
+        for (const char* part : {"system", "constant/triSurface", "0"})
+        {
+            createDirectory(folder_ / part);
+        }
+        for (std::size_t k = 0; k < kBedPatches.size(); ++k)
+        {
+            if (bed.has(static_cast<BedPatch>(k)))
+            {
+                patches_.push_back(static_cast<BedPatch>(k));
+            }
+        }
+    }
+
+    void writeSurfaces(const BedSurface& surface)
+    {
+        for (const BedPatch patch : patches_)
+        {
+            files_.push_back(folder_ / "constant/triSurface" / fmt::format("{}.stl", name(patch)));
+            writeStl(surface, {&patch, 1}, false, files_.back());
+        }
+        files_.push_back(folder_ / "bed.json");
+        writeSummary(surfaceSummary(surface), files_.back());
+    }
+
+    void writeBlocks()
+    {
+        const double cell = bed_.settings().cell * bed_.meanDiameter();
+        const Eigen::AlignedBox3d& box = bed_.surface().box();
+        const Eigen::Vector3d cells = ((box.sizes().array() + 2 * cell) / cell).ceil();
+        const Eigen::Vector3d low = box.center() - cells * cell / 2;
+        const Eigen::Vector3d high = box.center() + cells * cell / 2;
+        std::string text = "vertices\n(\n";
+        for (const double z : {low.z(), high.z()})
+        {
+            text += fmt::format("    ({0:.9g} {2:.9g} {4:.9g})\n    ({1:.9g} {2:.9g} {4:.9g})\n"
+                                "    ({1:.9g} {3:.9g} {4:.9g})\n    ({0:.9g} {3:.9g} {4:.9g})\n",
+                                low.x(), high.x(), low.y(), high.y(), z);
+        }
+        text += fmt::format(
+            ");\nblocks ( hex (0 1 2 3 4 5 6 7) ({} {} {}) simpleGrading (1 1 1) );\nedges ();\n"
+            "boundary\n(\n    background\n    {{\n        type patch;\n        faces ( (0 3 2 1) "
+            "(4 5 6 7) (0 1 5 4) (2 3 7 6) (1 2 6 5) (0 4 7 3) );\n    }}\n);\n",
+            cells.x(), cells.y(), cells.z());
+        put("system/blockMeshDict", "dictionary", text);
+    }
+
+    void writeSnappy()
+    {
+        std::string geometry;
+        std::string surfaces;
+        for (const BedPatch patch : patches_)
+        {
+            geometry +=
+                fmt::format("    {0}.stl {{ type triSurfaceMesh; name {0}; }}\n", name(patch));
+            surfaces += fmt::format("        {} {{ level ({}); patchInfo {{ type {}; }} }}\n",
+                                    name(patch), patch == BedPatch::spheres ? "1 2" : "0 1",
+                                    isOpen(patch) ? "patch" : "wall");
+        }
+        const Eigen::Vector3d place = freePlace(bed_);
+        put("system/snappyHexMeshDict", "dictionary",
+            fmt::format(kSnappy, geometry, surfaces, place.x(), place.y(), place.z()));
+    }
+
+    void writeFields()
+    {
+        const double speed = kReynolds * kViscosity / bed_.meanDiameter();
+        const Eigen::Vector3d flow = speed * bed_.up();
+        std::string velocities = "    background { type slip; }\n";
+        std::string pressures = "    background { type zeroGradient; }\n";
+        for (const BedPatch patch : patches_)
+        {
+            const std::string inlet =
+                fmt::format("type fixedValue; value uniform ({:.9g} {:.9g} {:.9g});", flow.x(),
+                            flow.y(), flow.z());
+            velocities += fmt::format("    {} {{ {} }}\n", name(patch),
+                                      patch == BedPatch::inlet    ? inlet
+                                      : patch == BedPatch::outlet ? "type zeroGradient;"
+                                                                  : "type noSlip;");
+            pressures += fmt::format("    {} {{ {} }}\n", name(patch),
+                                     patch == BedPatch::outlet ? "type fixedValue; value uniform 0;"
+                                                               : "type zeroGradient;");
+        }
+        put("0/U", "volVectorField",
+            fmt::format("dimensions [0 1 -1 0 0 0 0];\ninternalField uniform (0 0 0);\n"
+                        "boundaryField\n{{\n{}}}\n",
+                        velocities));
+        put("0/p", "volScalarField",
+            fmt::format("dimensions [0 2 -2 0 0 0 0];\ninternalField uniform 0;\n"
+                        "boundaryField\n{{\n{}}}\n",
+                        pressures));
+    }
+
+    void writeRest()
+    {
+        put("system/controlDict", "dictionary", kControl);
+        put("system/fvSchemes", "dictionary", kSchemes);
+        put("system/fvSolution", "dictionary", kSolution);
+        put("constant/transportProperties", "dictionary",
+            fmt::format("transportModel Newtonian;\nnu [0 2 -1 0 0 0 0] {:g};\n", kViscosity));
+        put("constant/turbulenceProperties", "dictionary", "simulationType laminar;\n");
+        putPlain("Allrun", "#!/bin/sh\ncd \"${0%/*}\" || exit 1\nset -e\nblockMesh\n"
+                           "snappyHexMesh -overwrite\ncheckMesh\nsimpleFoam\n");
+        std::filesystem::permissions(folder_ / "Allrun", std::filesystem::perms::owner_exec,
+                                     std::filesystem::perm_options::add);
+    }
+
+private:
+    static const char* name(BedPatch patch) { return kBedPatches[static_cast<std::size_t>(patch)]; }
+    static bool isOpen(BedPatch patch)
+    {
+        return patch == BedPatch::inlet || patch == BedPatch::outlet;
+    }
+
+    void put(const std::string& file, const char* kind, const std::string& text)
+    {
+        const std::size_t slash = file.rfind('/');
+        putPlain(file, fmt::format("FoamFile\n{{\n    version 2.0;\n    format ascii;\n    class "
+                                   "{};\n    object {};\n}}\n\n{}",
+                                   kind, file.substr(slash + 1), text));
+    }
+    void putPlain(const std::string& file, const std::string& text)
+    {
+        files_.push_back(folder_ / file);
+        AtomicFile out(files_.back());
+        out.write(text);
+        out.commit();
+    }
+
+    // The settings of OpenFOAM's tutorials for meshes without layers.
+    static constexpr const char* kSnappy = R"(castellatedMesh true;
+snap true;
+addLayers false;
+
+geometry
+{{
+{}}}
+
+castellatedMeshControls
+{{
+    maxLocalCells 100000000;
+    maxGlobalCells 200000000;
+    minRefinementCells 10;
+    maxLoadUnbalance 0.10;
+    nCellsBetweenLevels 2;
+    features ();
+    refinementSurfaces
+    {{
+{}    }}
+    resolveFeatureAngle 30;
+    refinementRegions {{}}
+    locationInMesh ({:.9g} {:.9g} {:.9g});
+    allowFreeStandingZoneFaces true;
+}}
+
+snapControls
+{{
+    nSmoothPatch 3;
+    tolerance 2.0;
+    nSolveIter 30;
+    nRelaxIter 5;
+    nFeatureSnapIter 10;
+    implicitFeatureSnap true;
+    explicitFeatureSnap false;
+    multiRegionFeatureSnap false;
+}}
+
+addLayersControls
+{{
+    relativeSizes true;
+    layers {{}}
+    expansionRatio 1.0;
+    finalLayerThickness 0.3;
+    minThickness 0.1;
+    nGrow 0;
+    featureAngle 60;
+    nRelaxIter 3;
+    nSmoothSurfaceNormals 1;
+    nSmoothNormals 3;
+    nSmoothThickness 10;
+    maxFaceThicknessRatio 0.5;
+    maxThicknessToMedialRatio 0.3;
+    minMedialAxisAngle 90;
+    nBufferCellsNoExtrude 0;
+    nLayerIter 50;
+}}
+
+meshQualityControls
+{{
+    maxNonOrtho 65;
+    maxBoundarySkewness 20;
+    maxInternalSkewness 4;
+    maxConcave 80;
+    minVol 1e-30;
+    minTetQuality 1e-15;
+    minArea -1;
+    minTwist 0.02;
+    minDeterminant 0.001;
+    minFaceWeight 0.05;
+    minVolRatio 0.01;
+    minTriangleTwist -1;
+    nSmoothScale 4;
+    errorReduction 0.75;
+}}
+
+mergeTolerance 1e-6;
+)";
+    static constexpr const char* kControl = R"(application simpleFoam;
+startFrom startTime;
+startTime 0;
+stopAt endTime;
+endTime 200;
+deltaT 1;
+writeControl timeStep;
+writeInterval 200;
+purgeWrite 0;
+writeFormat binary;
+writePrecision 8;
+timeFormat general;
+timePrecision 6;
+runTimeModifiable true;
+)";
+    static constexpr const char* kSchemes = R"(ddtSchemes { default steadyState; }
+gradSchemes { default cellLimited Gauss linear 1; }
+divSchemes
+{
+    default none;
+    div(phi,U) bounded Gauss upwind;
+    div((nuEff*dev2(T(grad(U))))) Gauss linear;
+}
+laplacianSchemes { default Gauss linear limited 0.5; }
+interpolationSchemes { default linear; }
+snGradSchemes { default limited 0.5; }
+)";
+    static constexpr const char* kSolution = R"(solvers
+{
+    p { solver GAMG; smoother GaussSeidel; tolerance 1e-14; relTol 0.05; }
+    U { solver smoothSolver; smoother symGaussSeidel; tolerance 1e-14; relTol 0.1; }
+}
+SIMPLE
+{
+    consistent yes;
+    nNonOrthogonalCorrectors 1;
+    pRefCell 0;
+    pRefValue 0;
+    residualControl { p 1e-4; U 1e-4; }
+}
+relaxationFactors { equations { U 0.8; } }
+)";
+
+    const Bed& bed_;
+    std::filesystem::path folder_;
+    Files& files_;
+    std::vector<BedPatch> patches_;
+};
+
+} // namespace
+
+void writeOpenFoamCase(const Bed& bed, const std::filesystem::path& folder, Files& files)
+{
+    const BedSurface surface(bed);
+    Case made(bed, folder / "openfoam", files);
+    made.writeRest();
+    std::swap(files.front(), files.back()); // Allrun is what to begin with
+    made.writeBlocks();
+    made.writeSnappy();
+    made.writeFields();
+    made.writeSurfaces(surface);
+}
+
+} // namespace frostfill

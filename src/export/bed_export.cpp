@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "bed/bed_files.hpp"
+#include "export/exporter.hpp"
+
+#include <frostfill/error.hpp>
+
+#include <utility>
+
+namespace frostfill
+{
+namespace
+{
+
+/// The geometry of one frame: its spheres, wherever they move, in the container where it is then.
+class BedExporter : public Exporter
+{
+public:
+    BedExporter(ExportFormat format, const ExportedRun& run, std::filesystem::path folder)
+        : format_(format), run_(run), folder_(std::move(folder))
+    {
+    }
+    void add(const ExportedFrame& frame) override
+    {
+        std::vector<Eigen::Vector3d> centres;
+        std::vector<double> radii;
+        for (std::size_t k = 0; k < frame.state.states.size(); ++k)
+        {
+            if (!frame.state.waits(k))
+            {
+                centres.push_back(frame.centre(k));
+                radii.push_back(frame.radii[k]);
+            }
+        }
+        if (radii.empty())
+        {
+            throw Error(ErrorCode::badData, "the frame has no sphere yet");
+        }
+        TriangleMesh mesh = run_.mesh;
+        for (Eigen::Vector3d& vertex : mesh.vertices)
+        {
+            vertex = frame.inWorld(vertex);
+        }
+        Eigen::Vector3d up = Eigen::Vector3d::Unit(run_.up);
+        up = frame.moved ? Eigen::Vector3d(frame.state.pose.rotation * up) : up;
+        const Bed bed(mesh, std::move(centres), std::move(radii), up, run_.bed);
+        switch (format_)
+        {
+        case ExportFormat::stlBed:
+            return writeStlBed(bed, folder_, files_);
+        case ExportFormat::openFoam:
+            return writeOpenFoamCase(bed, folder_, files_);
+        case ExportFormat::gmshBed:
+            return writeGmshBed(bed, folder_, files_);
+        case ExportFormat::vti:
+            return writeVti(bed, folder_, files_);
+        default:
+            return writeNpy(bed, folder_, files_);
+        }
+    }
+    void finish() override {}
+
+private:
+    ExportFormat format_;
+    const ExportedRun& run_;
+    std::filesystem::path folder_;
+};
+
+} // namespace
+
+bool isGeometry(ExportFormat format)
+{
+    return format == ExportFormat::stlBed || format == ExportFormat::openFoam ||
+           format == ExportFormat::gmshBed || format == ExportFormat::vti ||
+           format == ExportFormat::npy;
+}
+
+std::unique_ptr<Exporter> makeBedExporter(ExportFormat format, const ExportedRun& run,
+                                          const std::filesystem::path& folder)
+{
+    return std::make_unique<BedExporter>(format, run, folder);
+}
+
+} // namespace frostfill

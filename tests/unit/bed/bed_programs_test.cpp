@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+// Geometry of a run, read by the programs that it is meant for, where they are installed.
+#include "support/expect_error.hpp"
+#include "unit/export/exported_run.hpp"
+
+#include <frostfill/export.hpp>
+#include <frostfill/mesh.hpp>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <string>
+
+namespace frostfill
+{
+namespace
+{
+
+using test::expectError;
+using test::readFile;
+
+class BedFiles : public ::testing::Test
+{
+protected:
+    BedFiles()
+    {
+        Scene scene = presetScene(Preset::fast, "cube");
+        scene.spheres.count = 20;
+        scene.spheres.radius = 0.28;
+        test::recordRun(scene, folder_ / "run.frost", 20);
+    }
+    void write(ExportFormat format, const std::string& contacts = "shrink:0.99",
+               std::size_t resolution = 4, bool ascii = false) const
+    {
+        ExportRequest request;
+        request.run = folder_.path();
+        request.format = format;
+        request.out = folder_ / "out";
+        request.overwrite = true;
+        request.bed.voxels = 32;
+        request.bed.cell = 0.5;
+        request.bed.ascii = ascii;
+        request.bed.resolution = resolution;
+        parseContacts(contacts, request.bed);
+        exportRun(request);
+    }
+    /// Of a shell in the folder of the files; what it says is in said.txt.
+    [[nodiscard]] int run(const std::string& command) const
+    {
+        const std::string line =
+            fmt::format("cd '{}' && ( {} ) > said.txt 2>&1", (folder_ / "out").string(), command);
+        return std::system(line.c_str()); // NOLINT(cert-env33-c): of our own words
+    }
+    [[nodiscard]] std::string said() const { return readFile(folder_ / "out/said.txt"); }
+    [[nodiscard]] bool has(const std::string& text) const
+    {
+        return said().find(text) != std::string::npos;
+    }
+    static bool isThere(const char* command)
+    {
+        return std::system(fmt::format("{} >/dev/null 2>&1", command).c_str()) == 0; // NOLINT
+    }
+    test::TemporaryFolder folder_;
+};
+
+/// Debian's OpenFOAM wants to be told where it is.
+constexpr const char* kOpenFoam = "export WM_PROJECT_DIR=${WM_PROJECT_DIR:-/usr/share/openfoam}; ";
+
+TEST_F(BedFiles, OfStlAreReadBackAsAClosedSurfaceOfTheStatedVolume)
+{
+    for (const bool ascii : {false, true})
+    {
+        write(ExportFormat::stlBed, "bridges:0.2", 4, ascii);
+        const auto summary = nlohmann::json::parse(readFile(folder_ / "out/bed.stl.json"));
+        const TriangleMesh mesh = readMesh(folder_ / "out/bed.stl");
+        const MeshReport report = inspectMesh(mesh);
+        EXPECT_TRUE(report.closed());
+        EXPECT_EQ(report.nonManifoldEdges, 0U);
+        EXPECT_EQ(report.triangles, summary["triangles"].get<std::size_t>());
+        EXPECT_NEAR(report.volume, summary["free_volume"], 1e-6);
+        EXPECT_NEAR(report.volume / 8, summary["porosity_of_surface"], 1e-6);
+        EXPECT_NEAR(summary["porosity_exact"], 1 - 20 * 4 * M_PI / 3 * 0.28 * 0.28 * 0.28 / 8,
+                    1e-9);
+    }
+    const std::string text = readFile(folder_ / "out/bed.stl");
+    for (const char* patch : {"inlet", "outlet", "wall", "spheres"})
+    {
+        EXPECT_NE(text.find(fmt::format("\nendsolid {}\n", patch)), std::string::npos);
+    }
+}
+
+TEST_F(BedFiles, OfStlAreClosedAndNotSelfIntersectingForOpenFoam)
+{
+    if (!isThere("which surfaceCheck"))
+    {
+        GTEST_SKIP() << "surfaceCheck is not installed";
+    }
+    for (const char* contacts : {"shrink:0.99", "caps:0.02", "bridges:0.2"})
+    {
+        SCOPED_TRACE(contacts);
+        write(ExportFormat::stlBed, contacts);
+        EXPECT_EQ(run(std::string(kOpenFoam) + "surfaceCheck bed.stl -checkSelfIntersection"), 0);
+        EXPECT_TRUE(has("Surface has no illegal triangles")) << said();
+        EXPECT_TRUE(has("Surface is closed. All edges connected to two faces"));
+        EXPECT_TRUE(has("Surface is not self-intersecting"));
+    }
+}
+
+TEST_F(BedFiles, AreMeshedByGmsh)
+{
+    if (!isThere("which gmsh"))
+    {
+        GTEST_SKIP() << "gmsh is not installed";
+    }
+    const std::string mesh =
+        "gmsh -3 {0}.geo -format msh2 -o {0}.msh && /usr/bin/python3 '" FROSTFILL_BED_READERS
+        "/volume_of_gmsh.py' {0}.msh {1} {2} {3}";
+    write(ExportFormat::gmshBed);
+    // Facets of a mesh as coarse as gmsh makes it cut off some of each sphere.
+    EXPECT_EQ(
+        run(fmt::format(fmt::runtime(mesh), "bed", "bed.geo.json", "porosity_of_geometry", "0.03")),
+        0)
+        << said();
+    for (const char* contacts : {"shrink:0.99", "bridges:0.2"})
+    {
+        // As text: gmsh tells the free space from the spheres by the solids that bound it.
+        write(ExportFormat::stlBed, contacts, 4, true);
+        test::writeFile(folder_ / "out/stl.geo", "Merge \"bed.stl\"; s() = Surface{:};\n"
+                                                 "Surface Loop(1) = {s()}; Volume(1) = {1};\n");
+        EXPECT_EQ(run(fmt::format(fmt::runtime(mesh), "stl", "bed.stl.json", "porosity_of_surface",
+                                  "1e-5")),
+                  0)
+            << said();
+    }
+}
+
+TEST_F(BedFiles, OfOpenFoamAreMeshedWithTheirPatches)
+{
+    if (!isThere("which snappyHexMesh"))
+    {
+        GTEST_SKIP() << "snappyHexMesh is not installed";
+    }
+    write(ExportFormat::openFoam);
+    EXPECT_EQ(run(std::string(kOpenFoam) +
+                  "cd openfoam && blockMesh && snappyHexMesh -overwrite && checkMesh"),
+              0)
+        << said();
+    EXPECT_TRUE(has("Mesh OK")) << said();
+    const std::string boundary = readFile(folder_ / "out/openfoam/constant/polyMesh/boundary");
+    for (const char* patch : {"inlet", "outlet", "wall", "spheres"})
+    {
+        EXPECT_NE(boundary.find(fmt::format("    {}\n", patch)), std::string::npos) << boundary;
+    }
+}
+
+TEST_F(BedFiles, OfVoxelsHaveTheDistancesOfTheirSpheresAndAreReadByVtk)
+{
+    write(ExportFormat::vti);
+    write(ExportFormat::npy);
+    write(ExportFormat::csv);
+    EXPECT_EQ(run("/usr/bin/python3 '" FROSTFILL_BED_READERS "/read_volume.py'"), 0) << said();
+}
+
+TEST_F(BedFiles, AreOfOneFrameWithASphere)
+{
+    ExportRequest request;
+    request.run = folder_.path();
+    request.format = ExportFormat::stlBed;
+    request.out = folder_ / "out";
+    request.frames = "0,last";
+    expectError(
+        ErrorCode::usage, [&] { exportRun(request); }, "one frame", "--frames");
+    request.frames = "last";
+    request.bed.resolution = 0;
+    expectError(
+        ErrorCode::usage, [&] { exportRun(request); }, "resolution");
+    request.bed.resolution = 2;
+    exportRun(request);
+    expectError(
+        ErrorCode::cannotCreate, [&] { exportRun(request); }, "bed.stl", "--overwrite");
+    request.format = ExportFormat::gmshBed;
+    request.bed.contacts = ContactTreatment::caps;
+    expectError(
+        ErrorCode::usage, [&] { exportRun(request); }, "shrink");
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "out/bed.geo"));
+}
+
+} // namespace
+} // namespace frostfill

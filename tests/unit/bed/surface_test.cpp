@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/interior/crossings.hpp"
+#include "support/expect_error.hpp"
+#include "unit/bed/bed_on_the_spot.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <string>
+
+namespace frostfill
+{
+namespace
+{
+
+using test::bedOf;
+using test::expectError;
+
+BedSettings treatment(const std::string& text, std::size_t resolution = 4)
+{
+    BedSettings settings;
+    settings.resolution = resolution;
+    parseContacts(text, settings);
+    return settings;
+}
+
+std::size_t crossings(const TriangleMesh& mesh)
+{
+    Threads threads(2);
+    const VertexTriangles around(mesh);
+    return findCrossings(mesh, around, TriangleTree(mesh, kSmallLeaf), threads).count;
+}
+
+/// Closed, oriented, free of crossings, and of the volume that it says.
+void expectSound(const BedSurface& surface)
+{
+    const TriangleMesh mesh = test::welded(surface);
+    EXPECT_EQ(mesh.triangles.size(), surface.triangles());
+    EXPECT_EQ(test::openEdges(mesh), 0U);
+    EXPECT_EQ(crossings(mesh), 0U);
+    EXPECT_NEAR(signedVolume(mesh) / surface.freeVolume(), 1, 1e-9);
+}
+
+class SurfaceOfTreatment : public ::testing::TestWithParam<const char*>
+{
+};
+
+TEST_P(SurfaceOfTreatment, IsClosedAndNowhereCrossesItselfInACrystal)
+{
+    const test::Spheres spheres = test::crystal(2);
+    for (const std::size_t resolution : {1, 2, 4, 7})
+    {
+        SCOPED_TRACE(resolution);
+        const Bed bed = bedOf(test::crystalBox(2), spheres, treatment(GetParam(), resolution));
+        expectSound(BedSurface(bed));
+    }
+}
+
+TEST_P(SurfaceOfTreatment, IsClosedAndNowhereCrossesItselfWithSpheresOfAllSizes)
+{
+    const test::Spheres spheres = test::touchingSpheres(400, 0.3, 10);
+    ASSERT_EQ(spheres.radii.size(), 400U);
+    const Bed bed = bedOf(shapes::box({-1, -1, -1}, {1, 1, 1}, 3), spheres, treatment(GetParam()));
+    const BedSurface surface(bed);
+    EXPECT_EQ(surface.links().links.empty(), std::string(GetParam()).starts_with("shrink"));
+    expectSound(surface);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, SurfaceOfTreatment,
+                         ::testing::Values("shrink:0.99", "caps:0.02", "caps:0.1", "bridges:0.2",
+                                           "bridges:0.35,0.05", "bridges:0.1"));
+
+// The triangles of inscribed spheres tend to spheres as 1 / N^2.
+TEST(BedSurface, HasThePorosityOfShrunkSpheresAsTheyGetFiner)
+{
+    const test::Spheres spheres = test::crystal(1);
+    double before = 0;
+    for (const std::size_t resolution : {5, 10, 20})
+    {
+        const Bed bed = bedOf(test::crystalBox(1), spheres, treatment("shrink:0.95", resolution));
+        const double exact = 1 - 0.95 * 0.95 * 0.95 * (1 - bed.porosity());
+        const double error = BedSurface(bed).porosity() - exact;
+        EXPECT_GT(error, 0);
+        EXPECT_LT(error, 0.9 / static_cast<double>(resolution * resolution));
+        if (before > 0)
+        {
+            EXPECT_NEAR(before / error, 4, 0.1);
+        }
+        before = error;
+    }
+}
+
+// Two spheres and a cylinder: a cap of height h = r - sqrt(r^2 - b^2) is left out of each.
+TEST(BedSurface, HasTheVolumeOfABridge)
+{
+    const test::Spheres two = {{{-1, 0, 0}, {1, 0, 0}}, {1, 1}};
+    const Bed bed = bedOf(shapes::box({-3, -3, -3}, {3, 3, 3}), two, treatment("bridges:0.5", 60));
+    const BedSurface surface(bed);
+    EXPECT_EQ(surface.links().bridged, 1U);
+    const double pi = std::numbers::pi;
+    const double h = 1 - std::sqrt(1 - 0.25);
+    const double solid = 2 * (4.0 / 3.0 * pi - pi * h * h * (3 - h) / 3) + pi * 0.25 * 2 * h;
+    EXPECT_NEAR(216 - surface.freeVolume(), solid, 1e-3 * solid);
+    expectSound(surface);
+}
+
+TEST(BedSurface, FlattensSpheresUpToTheGap)
+{
+    const test::Spheres two = {{{-1, 0, 0}, {1, 0, 0}}, {1, 1}};
+    const Bed bed = bedOf(shapes::box({-2, -3, -3}, {3, 3, 3}), two, treatment("caps:0.1"));
+    const BedSurface surface(bed);
+    EXPECT_EQ(surface.links().flattened, 2U); // the other sphere, and the wall at -2
+    double left = -9;
+    double right = 9;
+    double lowest = 9;
+    for (const Eigen::Vector3d& p : test::welded(surface).vertices)
+    {
+        if (std::abs(p.y()) < 2)
+        {
+            left = p.x() < 0 ? std::max(left, p.x()) : left;
+            right = p.x() > 0 && p.x() < 2.5 ? std::min(right, p.x()) : right;
+            lowest = std::min(lowest, p.x());
+        }
+    }
+    EXPECT_NEAR(right - left, 0.1, 1e-6);
+    EXPECT_NEAR(lowest, -1.9, 1e-6);
+    expectSound(surface);
+}
+
+TEST(BedSurface, HasTheSamePartsForAnyNumberOfThreads)
+{
+    const test::Spheres spheres = test::touchingSpheres(300, 0.3, 5);
+    std::vector<StlTriangle> first;
+    for (const int threads : {1, 2, 5})
+    {
+        BedSettings settings = treatment("bridges:0.2");
+        settings.threads = threads;
+        const Bed bed = bedOf(shapes::box({-1, -1, -1}, {1, 1, 1}), spheres, settings);
+        const BedSurface surface(bed);
+        std::vector<StlTriangle> all;
+        surface.forEachPart(BedPatch::spheres, [&](std::span<const StlTriangle> part)
+                            { all.insert(all.end(), part.begin(), part.end()); });
+        first = first.empty() ? all : first;
+        EXPECT_TRUE(all == first);
+    }
+}
+
+TEST(BedSurface, KnowsTheFlatEndsOfATubeAndNoneOfATorus)
+{
+    const test::Spheres one = {{{0, 0, 0}}, {0.5}};
+    const Bed box = bedOf(shapes::box({-1, -1, -1}, {1, 1, 1}, 2), one, {});
+    EXPECT_EQ(BedSurface(box).triangles(BedPatch::inlet), 8U);
+    EXPECT_EQ(BedSurface(box).triangles(BedPatch::outlet), 8U);
+    EXPECT_EQ(BedSurface(box).triangles(BedPatch::wall), 32U);
+    const Bed torus = bedOf(shapes::torus(), {{{1, 0, 0}}, {0.2}}, {});
+    EXPECT_FALSE(torus.has(BedPatch::inlet));
+    EXPECT_TRUE(torus.has(BedPatch::wall));
+}
+
+TEST(BedSurface, RefusesWhatNoTreatmentParts)
+{
+    const TriangleMesh cube = shapes::box({-1, -1, -1}, {1, 1, 1});
+    const auto make = [&](const test::Spheres& spheres, const char* how)
+    {
+        const Bed bed = bedOf(cube, spheres, treatment(how));
+        const BedSurface surface(bed);
+    };
+    const test::Spheres crossing = {{{0, 0, 0}, {0.3, 0, 0}}, {0.2, 0.2}};
+    expectError(
+        ErrorCode::badData, [&] { make(crossing, "shrink:0.99"); }, "sphere 0",
+        "overlaps sphere 1");
+    EXPECT_NO_THROW(make(crossing, "shrink:0.7"));
+    EXPECT_NO_THROW(make(crossing, "caps"));
+    EXPECT_NO_THROW(make(crossing, "bridges"));
+    expectError(
+        ErrorCode::badData,
+        [&] {
+            make({{{0, 2, 0}}, {0.1}}, "shrink");
+        },
+        "outside the container");
+    expectError(
+        ErrorCode::badData,
+        [&] {
+            make({{{0, 0.95, 0}}, {0.1}}, "shrink");
+        },
+        "passes through the wall");
+    expectError(
+        ErrorCode::badData,
+        [&] {
+            make({{{0, 0.95, 0}}, {0.2}}, "caps");
+        },
+        "nothing is left");
+    expectError(
+        ErrorCode::badData,
+        [&] {
+            make({{{0, 0, 0}, {0, 0, 0}}, {0.2, 0.2}}, "caps");
+        },
+        "sphere 0", "centre of sphere 1");
+}
+
+TEST(BedSettings, AreRefusedWhereTheyMakeNoSense)
+{
+    BedSettings settings;
+    for (const char* text :
+         {"shrinks", "shrink:", "shrink:1", "shrink:0", "shrink:-1", "shrink:nan", "shrink:0.9,1",
+          "none:1", "caps:0", "caps:0.5", "caps:x", "bridges:0", "bridges:0.6", "bridges:0.2,0.5",
+          "bridges:0.2,0.02,1", "bridges:0.2,", "", "caps:0.02 "})
+    {
+        SCOPED_TRACE(text);
+        expectError(
+            ErrorCode::usage, [&] { parseContacts(text, settings); }, "e");
+    }
+    const auto refused = [](const BedSettings& wrong, const char* says)
+    {
+        expectError(
+            ErrorCode::usage, [&] { checkBedSettings(wrong); }, says);
+    };
+    refused({.resolution = 0}, "resolution");
+    refused({.resolution = 101}, "resolution");
+    refused({.voxels = 1}, "voxels");
+    refused({.voxels = 4097}, "voxels");
+    refused({.cell = 0}, "cell");
+    refused({.cell = std::nan("")}, "cell");
+    refused({.threads = -1}, "threads");
+    parseContacts("bridges:0.3,0.05", settings);
+    EXPECT_EQ(settings.bridge, 0.3);
+    EXPECT_EQ(settings.gap, 0.05);
+}
+
+} // namespace
+} // namespace frostfill
