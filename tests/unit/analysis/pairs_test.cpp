@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace frostfill
 {
@@ -73,6 +75,24 @@ TEST(PairCorrelation, ReachesAsFarAsAnObjectHasRoom)
     const PairCorrelation pairs = pairsOf(test::boxAround(packing), packing, 5);
     EXPECT_NEAR(pairs.range, 1.5, 1e-12); // 4^3 spheres of 6^3 are so far from walls
     EXPECT_EQ(pairs.centres, 64U);
+}
+
+// A crystal's number density is known, and that of small balls is far from it unless the sphere in
+// the middle counts: within 1.5 diameters of a sphere of a simple cubic crystal there are 19.
+TEST(PairCorrelation, CountsTheSphereItselfInItsDensity)
+{
+    const Packing packing = test::packingOf(test::lattices()[0], 6, 1);
+    const PairCorrelation pairs = pairsOf(test::boxAround(packing), packing, 1.5);
+    const double ball = 4.0 / 3.0 * std::numbers::pi * 1.5 * 1.5 * 1.5;
+    EXPECT_NEAR(pairs.numberDensity, 19 / ball, 1e-12);
+    double neighbours = 0;
+    for (const PairBin& bin : pairs.bins)
+    {
+        const double shell =
+            4.0 / 3.0 * std::numbers::pi * (std::pow(bin.to, 3) - std::pow(bin.from, 3));
+        neighbours += bin.g * shell * 19 / ball;
+    }
+    EXPECT_NEAR(neighbours, 18, 1e-9);
 }
 
 } // namespace
