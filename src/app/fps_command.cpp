@@ -242,8 +242,7 @@ Command addFpsCommand(CLI::App& program)
         ->check(CLI::Range(1, 1000000))
         ->type_name("N")
         ->group(measurement);
-    command->add_flag("--no-render", arguments->noRender, "Draw nothing")
-        ->group(measurement);
+    command->add_flag("--no-render", arguments->noRender, "Draw nothing")->group(measurement);
     addLoadOptions(*command, arguments->load);
     addOutputOptions(*command, *arguments);
     return [arguments] { return fps(*arguments); };

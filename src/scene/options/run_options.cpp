@@ -249,10 +249,11 @@ void addRest(TableBuilder& table)
         .range(0, JudgeSettings::kMostFriction)
         .of(Preset::fast);
     table
-        .add("rest.fraction", "--fraction",
-             "Packing fraction of the bulk, beyond four radii from walls, to which all flow without "
-             "friction before it holds them",
-             FROSTFILL_FIELD(rest.fraction))
+        .add(
+            "rest.fraction", "--fraction",
+            "Packing fraction of the bulk, beyond four radii from walls, to which all flow without "
+            "friction before it holds them",
+            FROSTFILL_FIELD(rest.fraction))
         .orUnset("none")
         .range(0.5, 0.7)
         .of(Preset::fast);
