@@ -167,7 +167,7 @@ void writeLammpsData(const StartState& state, const std::filesystem::path& file,
 
 void writeLammps(const StartState& state, const std::vector<std::filesystem::path>& files)
 {
-    const ContactLaw& law = state.law;
+    const GrainLaw& law = state.law;
     const auto planes = planesOf(state.walls, state.box);
     AtomicFile script(files[0]);
     script.write(headingOf(state, "#"));

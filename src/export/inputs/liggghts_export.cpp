@@ -68,7 +68,7 @@ run ${{steps}}
 
 void writeLiggghts(const StartState& state, const std::vector<std::filesystem::path>& files)
 {
-    const ContactLaw& law = state.law;
+    const GrainLaw& law = state.law;
     const bool rolls = law.rollingFriction > 0;
     AtomicFile script(files[0]);
     script.write(headingOf(state, "#"));

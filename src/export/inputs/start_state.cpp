@@ -30,10 +30,10 @@ constexpr double kSink = 1e-4;
 constexpr double kPressureToSink = 4.45;
 constexpr double kShareOfPile = 0.6;
 
-ContactLaw lawOf(const ExportedRun& run, const StartState& state)
+GrainLaw lawOf(const ExportedRun& run, const StartState& state)
 {
     const Scene& scene = run.scene;
-    ContactLaw law;
+    GrainLaw law;
     law.restitution = scene.motion.restitution;
     law.friction = scene.rest.friction;
     law.wallFriction = scene.rest.wallFriction.value_or(law.friction);

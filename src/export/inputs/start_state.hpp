@@ -20,7 +20,7 @@ namespace frostfill
 /// How contacts give way, for programs that need a stiffness. The unit of length is that of the
 /// mesh, time is in seconds, mass in kilograms. Friction, restitution and gravity are those of the
 /// run. A run has no density and no stiffness: see lawOf().
-struct ContactLaw
+struct GrainLaw
 {
     double density = 0;
     double young = 0;
@@ -49,7 +49,7 @@ struct StartState
     double smallest = 0, largest = 0; ///< radius
     TriangleMesh walls;
     Eigen::AlignedBox3d box; ///< around spheres and walls
-    ContactLaw law;
+    GrainLaw law;
     double unitsPerMetre = 1;
 };
 

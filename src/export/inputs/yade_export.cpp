@@ -56,7 +56,7 @@ with open("yade_end.txt", "w") as file:
 
 void writeYade(const StartState& state, const std::vector<std::filesystem::path>& files)
 {
-    const ContactLaw& law = state.law;
+    const GrainLaw& law = state.law;
     AtomicFile script(files[0]);
     script.write(headingOf(state, "#"));
     script.write(fmt::format(fmt::runtime(kYadeScript), fmt::arg("friction", law.friction),

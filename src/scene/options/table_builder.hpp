@@ -81,5 +81,6 @@ void addPictureOptions(TableBuilder& table);
 
 // clang-format off
 // Reference to a field of a scene, const or not.
+// NOLINTNEXTLINE(bugprone-macro-parentheses)
 #define FROSTFILL_FIELD(name) [](auto& scene) -> auto& { return scene.name; }
 // clang-format on

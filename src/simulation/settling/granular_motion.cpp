@@ -194,6 +194,7 @@ void GranularMotion::look(bool hardens)
         const double squared = running_.velocity[row].squaredNorm();
         unrest_.missing = std::max(unrest_.missing, missing);
         unrest_.moving += missing > kMissingOnMoving ? 1 : 0;
+        unrest_.creeping += missing > kMissingOnCreeping ? 1 : 0;
         unrest_.speed = std::max(unrest_.speed, std::sqrt(squared));
         unrest_.kinetic += (massOf(radius) * squared +
                             inertiaOverRadius(radius) * radius * spin_[row].squaredNorm()) /

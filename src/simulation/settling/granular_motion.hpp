@@ -12,11 +12,12 @@ namespace frostfill
 /// How far from rest spheres are.
 struct Unrest
 {
-    double missing = 0;     ///< [own weight] on a sphere, at most
-    std::size_t moving = 0; ///< spheres on which kMissingOnMoving is missing
-    double speed = 0;       ///< [sqrt(g r)] of the fastest
-    double overlap = 0;     ///< [r] the deepest
-    double kinetic = 0;     ///< energy, with that of spin
+    double missing = 0;       ///< [own weight] on a sphere, at most
+    std::size_t moving = 0;   ///< spheres on which kMissingOnMoving is missing
+    std::size_t creeping = 0; ///< spheres on which kMissingOnCreeping is missing
+    double speed = 0;         ///< [sqrt(g r)] of the fastest
+    double overlap = 0;       ///< [r] the deepest
+    double kinetic = 0;       ///< energy, with that of spin
 };
 
 /// Moves all running spheres together, with spin, by forces of soft contacts, in small explicit

@@ -155,7 +155,7 @@ bool Settling::harden()
     }
     motion_.advance(kTimeOfLook, {1 / kHardening, kDrag});
     inPhase_ += kTimeOfLook;
-    if (balances() && !rests() && motion_.unrest().overlap < kOverlapRelieved)
+    if (!rests() && canBeRelieved())
     {
         motion_.relieve();
     }
@@ -190,6 +190,14 @@ bool Settling::balances() const
 bool Settling::rests() const
 {
     return balances() && motion_.unrest().overlap <= kOverlapAtRest;
+}
+
+// What creeps would go on without drag.
+bool Settling::canBeRelieved() const
+{
+    const Unrest& unrest = motion_.unrest();
+    return balances() && unrest.overlap < kOverlapRelieved &&
+           static_cast<double>(unrest.creeping) <= kFewMove * static_cast<double>(running_.size());
 }
 
 // If the bulk is not yet as dense as asked, aims higher.

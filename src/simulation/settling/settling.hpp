@@ -58,6 +58,7 @@ private:
     [[nodiscard]] bool isCalm() const;
     [[nodiscard]] bool balances() const;
     [[nodiscard]] bool rests() const;
+    [[nodiscard]] bool canBeRelieved() const;
     void freeze();
     [[nodiscard]] bool hasCompacted();
     void report();
