@@ -75,9 +75,9 @@ inline constexpr double kDrag = 3;
 /// forces are out of balance again.
 inline constexpr double kOverlapRelieved = 1e-3;
 /// Force that is missing on a sphere that creeps [own weight]: where more than kFewMove of them do,
-/// overlaps are not yet taken away. Larger: more goes on moving in another program, such as 5 % of
-/// 338 spheres beyond 0.02 r at 0.02. Smaller: time.
-inline constexpr double kMissingOnCreeping = 0.005;
+/// overlaps are not yet taken away. Larger: more goes on moving in another program, such as 12 % of
+/// 2,000 spheres beyond 0.02 r, not 1 %, at 0.005. Smaller: time.
+inline constexpr double kMissingOnCreeping = 0.001;
 /// Sweeps for that, at most, and what they may leave [kGapAtRest].
 inline constexpr int kSweepsOfRelief = 500;
 inline constexpr double kLeftByRelief = 0.1;
