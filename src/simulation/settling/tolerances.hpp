@@ -123,7 +123,7 @@ inline constexpr double kBelowTop = 0.95;
 inline constexpr double kFractionMissing = 0.001;
 /// What the first round aims below the fraction, as a pile goes on growing denser while friction
 /// stops it. Larger: more rounds. Smaller: too dense, which nothing loosens.
-inline constexpr double kGainOfStop = 0.005;
+inline constexpr double kGainOfStop = 0.01;
 /// Rounds of compaction at most. What is lost when contacts harden is added after the first.
 inline constexpr int kMostCompactions = 5;
 
