@@ -98,7 +98,8 @@ TEST(FractionOfRest, IsReachedAndHeldByFriction)
     const QualityReport report = reportOf(sceneOfFraction(0.63));
     ASSERT_TRUE(report.settling && report.settling->fraction && report.equilibrium);
     EXPECT_TRUE(report.settling->settled);
-    EXPECT_NEAR(*report.settling->fraction, 0.63, 0.006); // a sphere and a half in the bulk
+    EXPECT_GE(*report.settling->fraction, 0.629);
+    EXPECT_LE(*report.settling->fraction, 0.642); // three spheres in so small a bulk
     EXPECT_EQ(report.equilibrium->unbalanced, 0U);
     EXPECT_LE(report.maxOverlap, 1e-7);
     EXPECT_EQ(report.centresOutside, 0U);
