@@ -3,6 +3,7 @@
 #include "bed/bed_summary.hpp"
 #include "bed/distance_field.hpp"
 #include "output/atomic_file.hpp"
+#include "output/npy_header.hpp"
 #include "run_file/bytes.hpp"
 
 #include <fmt/format.h>
@@ -38,22 +39,13 @@ nlohmann::ordered_json volumeSummary(const Bed& bed, const DistanceField& field)
     return summary;
 }
 
-/// NumPy's format, version 1.0.
 void writeArray(const std::filesystem::path& name, const char* type, const DistanceField& field,
                 std::string_view values)
 {
-    std::string dictionary =
-        fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': ({}, {}, {}), }}", type,
-                    field.count[2], field.count[1], field.count[0]);
-    constexpr std::size_t kBefore = 10;
-    dictionary.append(63 - (kBefore + dictionary.size()) % 64, ' ');
-    dictionary += '\n';
-    ByteWriter head;
-    head.bytes() += "\x93NUMPY";
-    head.raw(std::uint16_t{1});
-    head.raw(static_cast<std::uint16_t>(dictionary.size()));
     AtomicFile file(name);
-    file.write(head.bytes() + dictionary);
+    file.write(npyHeader(type, {static_cast<std::size_t>(field.count[2]),
+                                static_cast<std::size_t>(field.count[1]),
+                                static_cast<std::size_t>(field.count[0])}));
     file.write(values);
     file.commit();
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "export/npz_file.hpp"
 
+#include "output/npy_header.hpp"
 #include "run_file/bytes.hpp"
 
 #include <frostfill/error.hpp>
@@ -47,19 +48,7 @@ void NpzFile::begin(const std::string& name, std::string_view type,
     header.bytes() += entries_.back().name;
     put(header.bytes());
 
-    // The header of an array is a Python dictionary, filled up to a multiple of 64 bytes.
-    std::string dictionary = fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': ({}",
-                                         type, fmt::join(shape, ", "));
-    dictionary += shape.size() == 1 ? ",), }" : "), }";
-    constexpr std::size_t kBefore = 10;
-    dictionary.append(63 - (kBefore + dictionary.size()) % 64, ' ');
-    dictionary += '\n';
-    ByteWriter array;
-    array.bytes() += "\x93NUMPY";
-    array.raw(std::uint16_t{1});
-    array.raw(static_cast<std::uint16_t>(dictionary.size()));
-    array.bytes() += dictionary;
-    write(array.bytes());
+    write(npyHeader(type, shape));
 }
 
 void NpzFile::write(std::string_view bytes)

@@ -101,18 +101,7 @@ constexpr const char* kLammpsScript = R"(#
 #   lmp -in lammps.in -var friction 0.5   with another number
 # Needs the package GRANULAR. The run knows friction, restitution and gravity; density is that of glass, and
 # contacts are so stiff that no sphere sinks into another by 1e-3 of its radius.
-variable friction index {friction}
-variable wallFriction index {wallFriction}
-variable rollingFriction index {rollingFriction}
-variable restitution index {restitution}
-variable density index {density}
-variable young index {young:.6g}
-variable poisson index {poisson}
-variable gravity index {gravity}
-# A fifth of the time in which a wave crosses the smallest sphere, and ten times sqrt(r/g)
-variable dt equal 0.2*PI*{smallest}*sqrt(2*(1+v_poisson)*v_density/v_young)/(0.1631*v_poisson+0.8766)
-variable steps equal ceil(10*sqrt({largest}/v_gravity)/v_dt)
-
+{variables}
 units si
 atom_style sphere
 atom_modify map array
@@ -172,12 +161,7 @@ void writeLammps(const StartState& state, const std::vector<std::filesystem::pat
     AtomicFile script(files[0]);
     script.write(headingOf(state, "#"));
     script.write(fmt::format(
-        fmt::runtime(kLammpsScript), fmt::arg("friction", law.friction),
-        fmt::arg("wallFriction", law.wallFriction),
-        fmt::arg("rollingFriction", law.rollingFriction), fmt::arg("restitution", law.restitution),
-        fmt::arg("density", law.density), fmt::arg("young", law.young),
-        fmt::arg("poisson", law.poisson), fmt::arg("gravity", law.gravity),
-        fmt::arg("smallest", state.smallest), fmt::arg("largest", state.largest),
+        fmt::runtime(kLammpsScript), fmt::arg("variables", scriptVariables(state, law.restitution)),
         fmt::arg("skin", 0.3 * state.smallest), fmt::arg("down", directionText(law.down, " ")),
         fmt::arg("rolling", rollingOf(state)),
         fmt::arg("walls", planes ? wallsOf(*planes) : kHeld)));

@@ -124,6 +124,30 @@ std::string headingOf(const StartState& state, const char* mark)
         mark, state.spheres.size(), state.frame, state.time, state.unitsPerMetre);
 }
 
+std::string scriptVariables(const StartState& state, double restitution)
+{
+    constexpr const char* kVariables = R"(variable friction index {friction}
+variable wallFriction index {wallFriction}
+variable rollingFriction index {rollingFriction}
+variable restitution index {restitution}
+variable density index {density}
+variable young index {young:.6g}
+variable poisson index {poisson}
+variable gravity index {gravity}
+# A fifth of the time in which a wave crosses the smallest sphere, and ten times sqrt(r/g)
+variable dt equal 0.2*PI*{smallest}*sqrt(2*(1+v_poisson)*v_density/v_young)/(0.1631*v_poisson+0.8766)
+variable steps equal ceil(10*sqrt({largest}/v_gravity)/v_dt)
+)";
+    const GrainLaw& law = state.law;
+    return fmt::format(fmt::runtime(kVariables), fmt::arg("friction", law.friction),
+                       fmt::arg("wallFriction", law.wallFriction),
+                       fmt::arg("rollingFriction", law.rollingFriction),
+                       fmt::arg("restitution", restitution), fmt::arg("density", law.density),
+                       fmt::arg("young", law.young), fmt::arg("poisson", law.poisson),
+                       fmt::arg("gravity", law.gravity), fmt::arg("smallest", state.smallest),
+                       fmt::arg("largest", state.largest));
+}
+
 void writeStl(const std::filesystem::path& file, const TriangleMesh& mesh, const char* name)
 {
     AtomicFile stl(file);

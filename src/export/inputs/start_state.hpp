@@ -59,6 +59,10 @@ struct StartState
 /// Two or three lines that say what a file is, each behind `mark`.
 [[nodiscard]] std::string headingOf(const StartState& state, const char* mark);
 
+/// The variables of a script of LIGGGHTS or LAMMPS: the contact law, the time step and the number
+/// of steps. One of the style index is what -var sets.
+[[nodiscard]] std::string scriptVariables(const StartState& state, double restitution);
+
 /// Writes triangles as the text form of STL, which all codes of discrete elements read, with all
 /// digits. Triangles without an area are left out.
 void writeStl(const std::filesystem::path& file, const TriangleMesh& mesh, const char* name);
