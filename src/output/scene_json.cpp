@@ -78,6 +78,21 @@ OptionValue valueFromJson(const Json& json)
     return json.is_string() ? json.get<std::string>() : std::string();
 }
 
+/// The values below `json`; a vector is one.
+std::size_t keysIn(const Json& json)
+{
+    if (!json.is_object())
+    {
+        return 1;
+    }
+    std::size_t keys = 0;
+    for (const Json& value : json)
+    {
+        keys += keysIn(value);
+    }
+    return keys;
+}
+
 } // namespace
 
 Json sceneToJson(const Scene& scene)
@@ -93,15 +108,28 @@ Json sceneToJson(const Scene& scene)
 Scene sceneFromJson(const Json& json, std::string_view nameForMessages)
 {
     Scene scene;
+    std::size_t known = 0;
     for (const Option& option : sceneOptions())
     {
         const auto pointer = pointerTo(option.key);
-        if (!json.contains(pointer) || !setOption(option, scene, valueFromJson(json[pointer])))
+        if (!json.contains(pointer))
+        {
+            continue;
+        }
+        if (!setOption(option, scene, valueFromJson(json[pointer])))
         {
             throw Error(ErrorCode::badData,
                         fmt::format("{}: 'scene.{}' must be {}", nameForMessages, option.key,
                                     describeAllowed(option)));
         }
+        ++known;
+    }
+    if (known == 0 || known != keysIn(json))
+    {
+        throw Error(ErrorCode::badData,
+                    fmt::format("{}: 'scene' has {}, so another version wrote it: use that one",
+                                nameForMessages,
+                                known == 0 ? "no key that is known" : "keys that are not known"));
     }
     return scene;
 }

@@ -29,17 +29,35 @@ TEST(SceneJson, HasTheKeysOfASceneFile)
     EXPECT_EQ(json["motion"]["integrator"], "explicit");
 }
 
-TEST(SceneJson, NamesAKeyThatIsMissingOrWrong)
+TEST(SceneJson, NamesAValueThatIsWrong)
 {
     auto json = sceneToJson(presetScene(Preset::paper, "torus"));
     json["motion"]["restitution"] = 7;
     test::expectError(
         ErrorCode::badData, [&] { (void)sceneFromJson(json, "summary.json"); }, "summary.json",
         "motion.restitution");
-    json["motion"].erase("restitution");
+}
+
+TEST(SceneJson, TakesTheDefaultOfAKeyThatAnEarlierVersionDidNotKnow)
+{
+    const Scene scene = presetScene(Preset::paper, "torus");
+    auto json = sceneToJson(scene);
+    json.erase("rest");
+    json["camera"].erase("target");
+    EXPECT_EQ(sceneToToml(sceneFromJson(json, "summary.json")), sceneToToml(scene));
+}
+
+TEST(SceneJson, RefusesKeysThatALaterVersionWrote)
+{
+    auto json = sceneToJson(presetScene(Preset::paper, "torus"));
+    json["motion"]["wind"] = 7;
     test::expectError(
-        ErrorCode::badData, [&] { (void)sceneFromJson(json, "summary.json"); },
-        "motion.restitution");
+        ErrorCode::badData, [&] { (void)sceneFromJson(json, "summary.json"); }, "summary.json",
+        "not known");
+    test::expectError(
+        ErrorCode::badData,
+        [&] { (void)sceneFromJson(nlohmann::ordered_json::object(), "summary.json"); },
+        "no key that is known");
 }
 
 } // namespace
