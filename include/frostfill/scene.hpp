@@ -65,6 +65,7 @@ enum class Motion : std::uint8_t
     fall,    ///< the whole fall, for animations
     skip,    ///< spheres appear at their first contact; only settling is simulated
     descend, ///< drop-and-roll: no dynamics; each sphere moves down to a place that carries it
+    granular, ///< all at once, with spin and friction, as grains [Cundall & Strack 1979]
 };
 
 enum class Rest : std::uint8_t

@@ -76,8 +76,7 @@ FillPlan makePlan(const Scene& scene, const LoadedMesh& mesh, const Simulation& 
     plan.pictureRate = frames.picturesPerSecond(scene.frames.fps);
     plan.fallSeconds = frames.timing.slowMotion *
                        (frames.timing.lag > 0 ? frames.timing.lag : fallTime(scene, mesh.report));
-    plan.fallsLeftOut = scene.preset == Preset::fast && scene.motion.mode != Motion::fall &&
-                        frames.all > 1 && frames.timing.lag == 0;
+    plan.fallsLeftOut = !hasFalls(scene) && frames.all > 1 && frames.timing.lag == 0;
     plan.frames = frames.kept;
     plan.frameBytes = frames.bytes;
     plan.volume = mesh.report.volume;

@@ -14,6 +14,7 @@ namespace
 /// begin later. Smaller: more runs whose length is known only roughly.
 constexpr double kTrialSpheres = 30000;
 constexpr double kTrialSpheresPaper = 10000;
+constexpr double kTrialSpheresGranular = 500; // slow
 constexpr double kTrialSpheresDescent = 50000; // quick
 /// Steps of the motion descend, however many spheres; see DropAndRollEngine.
 constexpr double kStepsOfDescent = 200;
@@ -53,11 +54,6 @@ RunLength lengthOf(const Scene& scene, Simulation& simulation,
     return watch.take();
 }
 
-bool hasFalls(const Scene& scene)
-{
-    return scene.preset == Preset::paper || scene.motion.mode == Motion::fall;
-}
-
 bool descends(const Scene& scene)
 {
     return scene.preset != Preset::paper && scene.motion.mode == Motion::descend;
@@ -67,7 +63,10 @@ bool descends(const Scene& scene)
 Scene withoutExtras(const Scene& scene)
 {
     Scene bare = scene;
-    bare.rest = {}; // takes longer than the filling, for few seconds that are shown of it
+    if (scene.motion.mode != Motion::granular)
+    {
+        bare.rest = {}; // takes longer than the filling, for few seconds that are shown of it
+    }
     if (scene.preset == Preset::fast && scene.discard.rule == DiscardRule::exact)
     {
         bare.discard.rule = DiscardRule::none;
@@ -92,12 +91,19 @@ double setsOf(const Scene& scene, const Simulation& simulation)
 
 } // namespace
 
+bool hasFalls(const Scene& scene)
+{
+    return scene.preset == Preset::paper || scene.motion.mode == Motion::fall ||
+           scene.motion.mode == Motion::granular;
+}
+
 bool isItsOwnTrial(const Scene& scene, const Simulation& simulation)
 {
     return static_cast<double>(simulation.expectedSpheres()) <=
-           (scene.preset == Preset::paper ? kTrialSpheresPaper
-            : descends(scene)             ? kTrialSpheresDescent
-                                          : kTrialSpheres);
+           (scene.preset == Preset::paper               ? kTrialSpheresPaper
+            : scene.motion.mode == Motion::granular ? kTrialSpheresGranular
+            : descends(scene)                           ? kTrialSpheresDescent
+                                                        : kTrialSpheres);
 }
 
 LengthWatch::LengthWatch(const Scene& scene) : falls_(hasFalls(scene))
@@ -129,6 +135,10 @@ Scene modelOf(const Scene& scene, const Simulation& simulation, double factor)
     {
         model.spheres.count = fewer(*scene.spheres.count);
     }
+    for (Inlet& inlet : model.spheres.inlets)
+    {
+        inlet.radius *= factor;
+    }
     if (scene.spheres.groupSize > 0)
     {
         model.spheres.groupSize = fewer(scene.spheres.groupSize);
@@ -154,8 +164,10 @@ RunLength estimateRunLength(const Scene& scene, const TriangleMesh& mesh,
         return {kStepsOfDescent * simulation.timeStep(), false, {}};
     }
     const auto spheres = static_cast<double>(simulation.expectedSpheres());
-    const double factor =
-        std::cbrt(spheres / (scene.preset == Preset::paper ? kModelPaper : kModel));
+    const double spheresOfModel = scene.preset == Preset::paper               ? kModelPaper
+                                  : scene.motion.mode == Motion::granular ? kTrialSpheresGranular
+                                                                              : kModel;
+    const double factor = std::cbrt(spheres / spheresOfModel);
     const Scene smaller = modelOf(withoutExtras(scene), simulation, factor);
     Simulation model(smaller, mesh);
     const double perSet = lengthOf(smaller, model, stopRequested).seconds / setsOf(smaller, model);

@@ -22,6 +22,9 @@ struct RunLength
     std::vector<Landing> landings;
 };
 
+/// Whether spheres are simulated from where they begin to fall.
+[[nodiscard]] bool hasFalls(const Scene& scene);
+
 /// Whether a run is short enough to be its own trial, which `simulation` has not begun: then its
 /// length is exact.
 [[nodiscard]] bool isItsOwnTrial(const Scene& scene, const Simulation& simulation);

@@ -62,6 +62,7 @@ struct PackingCalibration
     case Motion::skip:
         return {0.5953, 0.3840, 0.0145, 0.5887, 0.0029};
     case Motion::fall:
+    case Motion::granular: // without friction
         break;
     }
     return {0.5951, 0.3620, 0.0130, 0.5896, 0.0035};

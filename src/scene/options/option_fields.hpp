@@ -28,7 +28,7 @@ struct EnumNames<Preset>
 template <>
 struct EnumNames<Motion>
 {
-    static constexpr std::array<const char*, 3> kNames = {"fall", "skip", "descend"};
+    static constexpr std::array<const char*, 4> kNames = {"fall", "skip", "descend", "granular"};
 };
 
 template <>

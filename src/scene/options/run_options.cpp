@@ -132,7 +132,8 @@ void addMotion(TableBuilder& table)
         .range(1 / kLargestGravity, kLargestGravity);
     table.add("motion.mode", "--motion",
               "fall: the whole fall; skip: from the first contact on; descend: drop-and-roll, no "
-              "dynamics",
+              "dynamics; granular: all at once with spin and friction, so that heaps form (with "
+              "--rest joint)",
               FROSTFILL_FIELD(motion.mode));
     table
         .add("motion.integrator", "--integrator", "Variant of Euler's method",

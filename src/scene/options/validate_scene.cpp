@@ -18,6 +18,11 @@ void validateRest(const Scene& scene)
     const RestSettings& rest = scene.rest;
     if (rest.mode == Rest::each)
     {
+        if (scene.motion.mode == Motion::granular)
+        {
+            throw Error(ErrorCode::usage, "grains rest together, or not at all: motion.mode "
+                                          "(--motion) granular requires rest.mode (--rest) joint");
+        }
         if (rest.friction != 0 || rest.wallFriction || rest.rollingFriction != 0)
         {
             throw Error(ErrorCode::usage,

@@ -44,6 +44,7 @@ bool JointRestEngine::fill()
     world_.clock.full = false;
     world_.clock.inletsReached = false;
     filling_.reset();
+    settling_.wakeAll();
     settling_.begin();
     world_.clock.settles = true;
     record_.open(world_, 0);

@@ -3,6 +3,7 @@
 
 #include "simulation/engine/drop_and_roll_engine.hpp"
 #include "simulation/engine/fast_engine.hpp"
+#include "simulation/engine/granular_engine.hpp"
 #include "simulation/engine/joint_rest_engine.hpp"
 #include "simulation/paper/paper_engine.hpp"
 
@@ -29,6 +30,10 @@ std::unique_ptr<Engine> makeFilling(World& world)
 
 std::unique_ptr<Engine> makeEngine(World& world)
 {
+    if (world.scene.motion.mode == Motion::granular)
+    {
+        return std::make_unique<GranularEngine>(world);
+    }
     if (world.scene.rest.mode == Rest::joint)
     {
         return std::make_unique<JointRestEngine>(world, makeFilling);

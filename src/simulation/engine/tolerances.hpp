@@ -46,6 +46,18 @@ inline constexpr double kTooFast = 10;
 /// piles are squeezed. Larger: time.
 inline constexpr int kSweepsInAvalanche = 40;
 
+// Pouring grains (Motion::granular).
+
+/// Grains are looked at, and more may appear, after this time [sqrt(r/g)]. A picture may show it.
+/// Larger: grains that appear leave gaps in what falls. Smaller: time.
+inline constexpr double kTimeOfPour = 0.1;
+/// All that has been poured in rests, but for few that creep, when no grain is faster than this
+/// [sqrt(g r)], though the last ones have had this time to begin to fall [sqrt(r/g)].
+inline constexpr double kSpeedOfPour = 0.5;
+inline constexpr double kTimeToFall = 2;
+/// Pouring is over in any case when none has appeared for so long [sqrt(r/g)].
+inline constexpr double kLongestPour = 400;
+
 // Where spheres appear.
 
 /// Below the highest ceiling, in which falls begin [r]. Larger: spheres appear in sight, lower

@@ -11,7 +11,7 @@ namespace frostfill
 GranularMotion::GranularMotion(World& world, const ContactLaw& law, Threads& threads)
     : world_(world), running_(world.spheres.running()), threads_(threads), law_(law),
       spin_(running_, [](std::uint32_t, Eigen::Vector3d& spin) { spin.setZero(); }),
-      listedAt_(running_), pairs_(running_, spin_, law_, threads),
+      listedAt_(running_), reach_(running_), pairs_(running_, spin_, law_, threads),
       walls_(world, spin_, law_, threads)
 {
     listAnew();
@@ -21,6 +21,13 @@ void GranularMotion::listAnew()
 {
     isListed_ = false;
     active_.assign(running_.size(), 1);
+}
+
+// Lists them at once, or nothing would be woken around those that move.
+void GranularMotion::admit()
+{
+    active_.resize(running_.size(), 1);
+    list();
 }
 
 void GranularMotion::stiffen(double factor)
@@ -35,6 +42,7 @@ void GranularMotion::advance(double time, const Course& course)
 {
     const double longest = kStepOfSettling * world_.radii.smallest() / std::sqrt(law_.stiffness);
     const auto steps = static_cast<std::size_t>(std::ceil(time / longest));
+    dt_ = time / static_cast<double>(steps);
     if (isListed_)
     {
         spread();
@@ -42,7 +50,7 @@ void GranularMotion::advance(double time, const Course& course)
     }
     for (std::size_t k = 0; k < steps && !world_.stop.isAsked(); ++k)
     {
-        step({time / static_cast<double>(steps), course.hardening}, course.drag);
+        step({dt_, course.hardening}, course.drag);
     }
     look(course.hardening > 0);
 }
@@ -78,14 +86,17 @@ void GranularMotion::pushAll()
     walls_.push({});
 }
 
+// What is fast has a wider margin, so that lists are good for some steps.
 void GranularMotion::list()
 {
-    pairs_.list();
-    walls_.list();
     for (std::uint32_t row = 0; row < running_.size(); ++row)
     {
         listedAt_[row] = running_.position[row];
+        const double ahead = kStepsListed * dt_ * running_.velocity[row].norm();
+        reach_[row] = running_.radius[row] + kListMargin / 2 + std::min(kMostListedAhead, ahead);
     }
+    pairs_.list(reach_.all());
+    walls_.list(reach_.all());
     isListed_ = true;
     choose();
 }
@@ -125,7 +136,7 @@ void GranularMotion::choose()
             spin_[row].setZero();
         }
     }
-    squareMoved_.resize((rows_.size() + kSpheresTogether - 1) / kSpheresTogether);
+    isFar_.resize((rows_.size() + kSpheresTogether - 1) / kSpheresTogether);
     pairs_.choose(active_);
     walls_.choose(active_);
 }
@@ -141,16 +152,14 @@ void GranularMotion::step(const ContactStep& step, double drag)
     forEachPart(threads_, rows_.size(), kSpheresTogether,
                 [&](std::size_t first, std::size_t last, std::size_t part)
                 {
-                    double most = 0;
+                    char isFar = 0;
                     for (std::size_t k = first; k < last; ++k)
                     {
-                        most = std::max(most, move(rows_[k], step.dt, drag));
+                        isFar |= static_cast<char>(move(rows_[k], step.dt, drag));
                     }
-                    squareMoved_[part] = most;
+                    isFar_[part] = isFar;
                 });
-    // Two that have come nearer by half of the margin: the other half is for what is held.
-    isListed_ = std::all_of(squareMoved_.begin(), squareMoved_.end(),
-                            [](double square) { return square < kListMargin * kListMargin / 16; });
+    isListed_ = std::count(isFar_.begin(), isFar_.end(), 1) == 0;
 }
 
 SurfaceForce GranularMotion::forceOn(std::uint32_t row) const
@@ -169,8 +178,8 @@ Eigen::Vector3d GranularMotion::accelerationOf(std::uint32_t row, const SurfaceF
            world_.pull.at(running_.position[row], {0, 0, 0});
 }
 
-// Returns the square of how far it is from where it was listed.
-double GranularMotion::move(std::uint32_t row, double dt, double drag)
+// Returns whether it has left its margin but for the quarter that is for what is held.
+bool GranularMotion::move(std::uint32_t row, double dt, double drag)
 {
     const SurfaceForce sum = forceOn(row);
     const double radius = running_.radius[row];
@@ -181,7 +190,8 @@ double GranularMotion::move(std::uint32_t row, double dt, double drag)
     position += dt * velocity;
     spin_[row] =
         keeps * (spin_[row] + dt / inertiaOverRadius(radius) * (sum.torque + sum.moment / radius));
-    return (position - listedAt_[row]).squaredNorm();
+    const double margin = reach_[row] - radius - kListMargin / 4;
+    return (position - listedAt_[row]).squaredNorm() >= margin * margin;
 }
 
 void GranularMotion::look(bool hardens)

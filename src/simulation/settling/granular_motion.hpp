@@ -54,6 +54,8 @@ public:
     void relieve();
     /// To be called when there are other spheres, or they are elsewhere: all are moved.
     void listAnew();
+    /// To be called when spheres have appeared in rows behind those that were there.
+    void admit();
 
     /// As all lie at the end of the last advance().
     [[nodiscard]] const Unrest& unrest() const { return unrest_; }
@@ -72,7 +74,7 @@ private:
     void step(const ContactStep& step, double drag);
     [[nodiscard]] SurfaceForce forceOn(std::uint32_t row) const;
     [[nodiscard]] Eigen::Vector3d accelerationOf(std::uint32_t row, const SurfaceForce& sum) const;
-    [[nodiscard]] double move(std::uint32_t row, double dt, double drag);
+    [[nodiscard]] bool move(std::uint32_t row, double dt, double drag);
     void look(bool hardens);
 
     World& world_;
@@ -81,13 +83,15 @@ private:
     ContactLaw law_;
     RunningColumn<Eigen::Vector3d> spin_;     ///< angular velocity
     RunningColumn<Eigen::Vector3d> listedAt_; ///< place when contacts were listed
+    RunningColumn<double> reach_; ///< [r] radius and margin when contacts were listed
     PairContacts pairs_;
     WallContacts walls_;
     OverlapRelief relief_;
     bool isListed_ = false;
     std::vector<char> active_;        ///< by row: it is not at rest, or near one that is not
     std::vector<std::uint32_t> rows_; ///< the active ones, ascending
-    std::vector<double> squareMoved_; ///< by part of rows_: since contacts were listed, at most
+    std::vector<char> isFar_;         ///< by part of rows_: one has left its margin
+    double dt_ = 0;                   ///< of the steps
     Unrest unrest_;
 };
 

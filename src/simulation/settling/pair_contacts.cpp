@@ -15,9 +15,9 @@ PairContacts::Pair PairContacts::pairOf(std::uint32_t a, std::uint32_t b) const
     return {a, b, Spring(law_, 2 * ra * rb / (ra + rb), ma * mb / (ma + mb))};
 }
 
-void PairContacts::list()
+void PairContacts::list(std::span<const double> reaches)
 {
-    broadPhase_.findPairs();
+    broadPhase_.findPairs(reaches);
     const std::vector<Pair> before = std::move(pairs_);
     const std::vector<ContactMemory> known = std::move(memory_);
     const std::vector<SurfaceForce> forcesBefore = std::move(forces_);

@@ -8,6 +8,7 @@
 #include "simulation/world/running_spheres.hpp"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace frostfill
@@ -21,12 +22,13 @@ public:
     PairContacts(RunningSpheres& running, const RunningColumn<Eigen::Vector3d>& spin,
                  const ContactLaw& law, Threads& threads)
         : running_(running), spin_(spin), law_(law), threads_(threads),
-          broadPhase_(running, threads, kListMargin)
+          broadPhase_(running, threads, 0)
     {
     }
 
-    /// Pairs of the list before, of the same rows, keep what they know.
-    void list();
+    /// `reaches`: radii by row, and as far as each may go until the next list. Pairs of the list
+    /// before, of the same rows, keep what they know.
+    void list(std::span<const double> reaches);
     /// The law has become stiffer by a factor.
     void stiffen(double factor);
     /// From now on push() looks only at pairs of which one at least is active, by row; the others

@@ -44,7 +44,7 @@ Settling::Settling(World& world, Threads& threads)
     }
 }
 
-void Settling::begin()
+void Settling::wakeAll()
 {
     world_.restoreDiscarded();
     const std::size_t known = order_.size();
@@ -53,6 +53,20 @@ void Settling::begin()
               static_cast<std::uint32_t>(known));
     wakeInOrder(known);
     motion_.listAnew();
+}
+
+void Settling::admit()
+{
+    for (std::size_t id = order_.size(); id < world_.spheres.size(); ++id)
+    {
+        order_.push_back(static_cast<std::uint32_t>(id));
+        mass_ += massOf(world_.spheres.radius(id));
+    }
+    motion_.admit();
+}
+
+void Settling::begin()
+{
     compactTo_ = world_.scene.rest.fraction.value_or(0) - kGainOfStop;
     compactions_ = 0;
     isDensest_ = false;
@@ -82,8 +96,6 @@ void Settling::wakeInOrder(std::size_t first)
 
 bool Settling::step()
 {
-    ++world_.clock.steps;
-    world_.clock.time += kTimeOfLook;
     switch (phase_)
     {
     case Phase::compacts:
@@ -116,7 +128,7 @@ void Settling::startFlow()
 
 void Settling::compact()
 {
-    advanceFlow();
+    flowFor(kTimeOfLook);
     isDensest_ = isCalm() || inPhase_ >= kLongestFlow;
     if (isDensest_ || bulk_->measure().value_or(1) >= compactTo_)
     {
@@ -129,7 +141,7 @@ void Settling::compact()
 
 void Settling::flow()
 {
-    advanceFlow();
+    flowFor(kTimeOfLook);
     if (isCalm() || inPhase_ >= kLongestFlow)
     {
         phase_ = Phase::hardens;
@@ -137,12 +149,19 @@ void Settling::flow()
     }
 }
 
-void Settling::advanceFlow()
+void Settling::flowFor(double time)
 {
     const double before = motion_.energy();
-    motion_.advance(kTimeOfLook, {});
+    advance(time, {});
     world_.counts.energy.enter(before, motion_.energy(), mass_ * world_.height);
-    inPhase_ += kTimeOfLook;
+}
+
+void Settling::advance(double time, const GranularMotion::Course& course)
+{
+    motion_.advance(time, course);
+    ++world_.clock.steps;
+    world_.clock.time += time;
+    inPhase_ += time;
 }
 
 // Lifts spheres by what has weighed them down: work that is not counted.
@@ -153,8 +172,7 @@ bool Settling::harden()
         motion_.stiffen(kStiffer);
         stiffened_ *= kStiffer;
     }
-    motion_.advance(kTimeOfLook, {1 / kHardening, kDrag});
-    inPhase_ += kTimeOfLook;
+    advance(kTimeOfLook, {1 / kHardening, kDrag});
     if (!rests() && canBeRelieved())
     {
         motion_.relieve();

@@ -37,6 +37,16 @@ public:
     Settling(World& world, Threads& threads);
 
     /// All at rest run again, discarded or not.
+    void wakeAll();
+    /// Spheres have appeared.
+    void admit();
+    /// They move for a time [sqrt(r/g)].
+    void flowFor(double time);
+    /// Whether few of all move.
+    [[nodiscard]] bool isCalm() const;
+    [[nodiscard]] const Unrest& unrest() const { return motion_.unrest(); }
+
+    /// All that run begin to settle.
     void begin();
     /// Some time. Returns whether it is over: all have come to rest, or have been moving for too
     /// long, and are frozen.
@@ -50,12 +60,11 @@ private:
         hardens,
     };
     void wakeInOrder(std::size_t first);
+    void advance(double time, const GranularMotion::Course& course);
     void compact();
     void startFlow();
-    void advanceFlow();
     void flow();
     bool harden();
-    [[nodiscard]] bool isCalm() const;
     [[nodiscard]] bool balances() const;
     [[nodiscard]] bool rests() const;
     [[nodiscard]] bool canBeRelieved() const;

@@ -31,6 +31,10 @@ inline constexpr double kStepOfSettling = 0.2;
 /// Gap up to which two spheres are listed, or a triangle beside a sphere [r]. Larger: longer lists.
 /// Smaller: they are made anew more often.
 inline constexpr double kListMargin = 0.1;
+/// What is fast is listed as far ahead besides as it goes in so many steps, but at most so far [r].
+/// Larger: longer lists. Smaller: while spheres fall, lists are made anew in each step.
+inline constexpr double kStepsListed = 12;
+inline constexpr double kMostListedAhead = 0.5;
 /// Two walls whose normals differ by less than this, one minus the cosine, are one. Normals of one
 /// plane differ by 1e-13.
 inline constexpr double kOneWall = 1e-9;

@@ -6,14 +6,16 @@
 namespace frostfill
 {
 
-void WallContacts::list()
+// A sphere may reach a wall with all that two spheres share in a gap.
+void WallContacts::list(std::span<const double> reaches)
 {
     threads_.forEach(running_.size(),
                      [&](std::size_t i)
                      {
                          const auto row = static_cast<std::uint32_t>(i);
                          around_[row].ensure(world_, running_.position[row], running_.radius[row],
-                                             kListMargin);
+                                             reaches[row] - running_.radius[row] +
+                                                 kListMargin / 2);
                      });
     std::vector<Beside> before = std::move(beside_);
     const std::vector<std::uint32_t> placeBefore = std::move(placeOf_);
@@ -21,7 +23,7 @@ void WallContacts::list()
     placeOf_.assign(running_.size(), kNowhere);
     for (std::uint32_t row = 0; row < running_.size(); ++row)
     {
-        const double reach = running_.radius[row] + kListMargin;
+        const double reach = reaches[row] + kListMargin / 2;
         if (around_[row].trianglesNear(running_.position[row], reach).empty())
         {
             continue;

@@ -8,6 +8,7 @@
 #include "simulation/world/world.hpp"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace frostfill
@@ -26,8 +27,8 @@ public:
     {
     }
 
-    /// Which spheres may touch walls. Those of the list before, by row, keep what they know.
-    void list();
+    /// Which spheres may touch walls: see PairContacts::list.
+    void list(std::span<const double> reaches);
     /// The law has become stiffer by a factor.
     void stiffen(double factor);
     /// From now on push() looks only at active spheres, by row; the others are pushed as they were.

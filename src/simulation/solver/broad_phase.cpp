@@ -19,6 +19,12 @@ bool BroadPhase::mayTouch(const Eigen::Vector3d& a, double radiusOfA, const Eige
 
 void BroadPhase::findPairs()
 {
+    findPairs(running_.radius.all());
+}
+
+void BroadPhase::findPairs(std::span<const double> radii)
+{
+    radii_ = radii;
     if (running_.size() <= kFewRunners)
     {
         findAmongAll();
@@ -32,7 +38,7 @@ void BroadPhase::findPairs()
 void BroadPhase::findAmongAll()
 {
     const std::span<const Eigen::Vector3d> position = running_.position.all();
-    const std::span<const double> radius = running_.radius.all();
+    const std::span<const double> radius = radii_;
     for (std::uint32_t i = 0; i < position.size(); ++i)
     {
         nearby_[i].clear();
@@ -47,7 +53,7 @@ void BroadPhase::findAmongAll()
     }
 }
 
-// No radius is larger than 1, so pairs are in the same cell or in neighbours. Few runners far apart
+// Cells are for spheres of radius 1, or what is larger, so pairs are in the same cell or in neighbours. Few runners far apart
 // get larger cells, or looking through empty ones would take longer than looking at the runners.
 void BroadPhase::layOutCells()
 {
@@ -65,7 +71,8 @@ void BroadPhase::layOutCells()
         return;
     }
     const double most = kCellsForRunner * running_.size();
-    for (edge_ = (2 + margin_) * kBeyondRounding;; edge_ *= kCoarser)
+    const double largest = std::max(1.0, *std::max_element(radii_.begin(), radii_.end()));
+    for (edge_ = (2 * largest + margin_) * kBeyondRounding;; edge_ *= kCoarser)
     {
         const Eigen::Array3d cells = (box.sizes() / edge_).array().floor() + 1;
         if (cells.prod() <= most)
@@ -106,7 +113,7 @@ void BroadPhase::sortIntoCells()
     }
     for (std::uint32_t row = running_.size(); row-- > 0;)
     {
-        nodes_[--first_[cells_[row]]] = {running_.position[row], running_.radius[row], row};
+        nodes_[--first_[cells_[row]]] = {running_.position[row], radii_[row], row};
     }
 }
 

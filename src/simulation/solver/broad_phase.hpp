@@ -25,6 +25,8 @@ public:
     }
 
     void findPairs();
+    /// The same as if each runner had this radius, by row [r].
+    void findPairs(std::span<const double> radii);
     /// Runners that the last search has found near this one, by row, ascending. One that has begun
     /// to run since has those of whoever had its row before.
     [[nodiscard]] const std::vector<std::uint32_t>& nearby(std::uint32_t row) const
@@ -56,6 +58,7 @@ private:
     RunningSpheres& running_;
     Threads& threads_;
     double margin_;
+    std::span<const double> radii_; ///< by row, while pairs are searched
     RunningColumn<std::vector<std::uint32_t>> nearby_;
     Eigen::Vector3d low_ = Eigen::Vector3d::Zero(); ///< corner of the first cell
     double edge_ = 1;                               ///< of a cell [r]

@@ -182,7 +182,8 @@ std::size_t groupSize(const World& world)
         return spheres.groupSize;
     }
     auto inSet = static_cast<std::size_t>(kFootprint * spheresInLayer(world));
-    if (world.scene.motion.mode == Motion::fall)
+    const Motion motion = world.scene.motion.mode;
+    if (motion == Motion::fall || motion == Motion::granular)
     {
         // As many at once as pour into the object in the time of the animation, drawn or not.
         const double seconds = world.scene.frames.duration.value_or(kUsualDuration);

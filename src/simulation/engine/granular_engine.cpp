@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+#include "simulation/engine/granular_engine.hpp"
+
+#include "base/stage_timer.hpp"
+#include "simulation/contact/depenetration.hpp"
+#include "simulation/discard/discard_rule.hpp"
+#include "simulation/engine/tolerances.hpp"
+
+#include <algorithm>
+
+namespace frostfill
+{
+
+GranularEngine::GranularEngine(World& world)
+    : world_(world), threads_(world.scene.threads), grid_(world.spheres.resting().frame()),
+      release_(makeRelease(world, kTopBand, threads_)), settling_(world, threads_),
+      groupSize_(groupSize(world))
+{
+    if (!release_->any())
+    {
+        refuseTooLarge(world);
+    }
+    world.clock.dt = kTimeOfPour;
+}
+
+bool GranularEngine::step()
+{
+    if (world_.clock.finished)
+    {
+        return false;
+    }
+    switch (phase_)
+    {
+    case Phase::rests:
+        if (!pourAgain() && !world_.stop.isAsked())
+        {
+            finish();
+            return false;
+        }
+        break;
+    case Phase::pours:
+        pour();
+        break;
+    case Phase::settles:
+        settle();
+        break;
+    }
+    return true;
+}
+
+// What appears is looked for while the others still rest, as only that finds every place.
+bool GranularEngine::pourAgain()
+{
+    const std::vector<PlacedSphere> found = search();
+    if (found.empty())
+    {
+        return false;
+    }
+    settling_.wakeAll();
+    admit(found);
+    phase_ = Phase::pours;
+    return true;
+}
+
+void GranularEngine::pour()
+{
+    admit(search());
+    {
+        const StageTimer timer(world_.counts.times, Stage::motion);
+        settling_.flowFor(kTimeOfPour);
+    }
+    sinceAdmitted_ += kTimeOfPour;
+    if (isOver())
+    {
+        record_.close(world_);
+        record_.open(world_, 0);
+        settling_.begin();
+        world_.clock.settles = true;
+        phase_ = Phase::settles;
+    }
+}
+
+// What has just appeared is slow, too.
+bool GranularEngine::isOver() const
+{
+    const bool isCalm = settling_.isCalm() && settling_.unrest().speed < kSpeedOfPour;
+    return (sinceAdmitted_ > kTimeToFall && isCalm) || sinceAdmitted_ > kLongestPour;
+}
+
+void GranularEngine::settle()
+{
+    const StageTimer timer(world_.counts.times, Stage::settling);
+    if (!settling_.step())
+    {
+        return;
+    }
+    record_.close(world_);
+    world_.clock.settles = false;
+    phase_ = Phase::rests;
+    release_ = makeRelease(world_, kTopBand, threads_);
+    for (std::uint32_t id = 0; id < world_.spheres.size(); ++id)
+    {
+        release_->close(world_.spheres.position(id), world_.spheres.radius(id));
+    }
+}
+
+// The rest of the set that finds no room now does not wait for any: the next look begins a new one.
+std::vector<PlacedSphere> GranularEngine::search()
+{
+    const StageTimer timer(world_.counts.times, Stage::releasing);
+    ReleaseQuery query;
+    query.ahead = kDrawsAhead;
+    query.givesUp = true;
+    query.suits = [this](const Eigen::Vector3d& place, double radius)
+    { return grid_.isClear(place, radius); };
+    std::size_t wanted = groupSize_ * world_.scene.spheres.groupsPerSet;
+    if (world_.targetCount > 0)
+    {
+        wanted = std::min(wanted, world_.targetCount - world_.spheres.size());
+    }
+    std::vector<PlacedSphere> found;
+    grid_.rebuild(world_.spheres.running());
+    while (found.size() < wanted && !world_.stop.isAsked())
+    {
+        const auto next = release_->next(query);
+        if (!next)
+        {
+            break;
+        }
+        grid_.add(next->place, next->radius);
+        found.push_back(*next);
+    }
+    return found;
+}
+
+void GranularEngine::admit(std::span<const PlacedSphere> spheres)
+{
+    if (spheres.empty())
+    {
+        return;
+    }
+    for (std::size_t k = 0; k < spheres.size(); ++k)
+    {
+        const auto group = nextGroup_ + static_cast<std::uint32_t>(k / groupSize_);
+        world_.spheres.add(spheres[k].place, spheres[k].radius, group);
+    }
+    nextGroup_ = world_.spheres.group(world_.spheres.size() - 1) + 1;
+    settling_.admit();
+    record_.close(world_);
+    record_.open(world_, spheres.size());
+    sinceAdmitted_ = 0;
+}
+
+void GranularEngine::releaseAt(std::span<const PlacedSphere> spheres)
+{
+    requireInside(world_, spheres);
+    std::vector<PlacedSphere> placed;
+    for (PlacedSphere one : spheres)
+    {
+        if (!depenetrate(world_, one.place, one.radius, kFarRelease) ||
+            !grid_.isClear(one.place, one.radius))
+        {
+            refuseOverlap(world_, one);
+        }
+        grid_.add(one.place, one.radius);
+        placed.push_back(one);
+    }
+    admit(placed);
+    phase_ = Phase::pours;
+}
+
+void GranularEngine::finish()
+{
+    endForWantOfPlaces(world_, *release_);
+    world_.clock.finished = true;
+    const StageTimer timer(world_.counts.times, Stage::discarding);
+    const std::unique_ptr<DiscardPart> discard = makeDiscard(world_, threads_);
+    for (std::uint32_t id = 0; discard && id < world_.spheres.size(); ++id)
+    {
+        discard->addResting(id);
+    }
+    if (discard)
+    {
+        discard->finish(world_.clock.full);
+    }
+}
+
+} // namespace frostfill
