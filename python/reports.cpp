@@ -66,6 +66,7 @@ void addQuality(py::module_& module)
     add("volume_estimate_error", &R::volumeEstimateError, "[unit^3] its uncertainty");
     add("equilibrium", &R::equilibrium,
         "whether all that is at rest stays so together; None unless judge_friction is given");
+    add("heaps", &R::heaps, "the heap below each inlet");
     add("settling", &R::settling, "how all settled together; None unless rest is joint");
     addText(report);
 }
@@ -83,6 +84,15 @@ void addSettling(py::module_& module)
     add("overlap", &R::overlap, "[radius] that was left, at most");
     add("fraction", &R::fraction,
         "packing fraction of the bulk; None unless fraction asks for one");
+    addText(report);
+}
+
+void addHeap(py::module_& module)
+{
+    py::class_<HeapReport> report(module, "HeapReport", "The heap below an inlet.");
+    report.def_readonly("spheres", &HeapReport::spheres, "at rest, nearest to this inlet");
+    report.def_readonly("slope", &HeapReport::slope,
+                        "[degree] of its free surface; None for a heap of a few radii");
     addText(report);
 }
 
@@ -177,6 +187,7 @@ void addVolume(py::module_& module)
 
 void addReports(py::module_& module)
 {
+    addHeap(module);
     addSizes(module);
     addEquilibrium(module);
     addSettling(module);

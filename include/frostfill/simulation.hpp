@@ -66,6 +66,15 @@ struct SettlingReport
     std::optional<double> fraction = {};
 };
 
+/// The heap below an inlet.
+struct HeapReport
+{
+    std::size_t spheres = 0; ///< at rest, nearest to this inlet
+    /// [degree] of its free surface: the angle of repose, where friction holds it and no wall does;
+    /// none for a heap of a few radii
+    std::optional<double> slope = {};
+};
+
 /// The quality of a state. Overlaps are penetration depths over the radius, the smaller one of two.
 struct QualityReport
 {
@@ -89,6 +98,7 @@ struct QualityReport
     double volumeEstimateError = 0;
     std::optional<EquilibriumReport> equilibrium; ///< if it is asked for: JudgeSettings::friction
     std::optional<SettlingReport> settling;       ///< of a run with Rest::joint
+    std::vector<HeapReport> heaps;                ///< below the scene's inlets
 };
 
 /// A point of a size curve: what share of all spheres is no larger, of their mass and their number.

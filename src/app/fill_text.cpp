@@ -172,6 +172,13 @@ void printResult(const Scene& scene, const FillResult& result)
             fmt::print("{}", fractionText(*scene.rest.fraction, *settling->fraction));
         }
     }
+    for (const HeapReport& heap : result.quality.heaps)
+    {
+        if (heap.slope && scene.motion.mode == Motion::granular)
+        {
+            fmt::print("a heap of {} spheres lies at {:.1f} degrees\n", heap.spheres, *heap.slope);
+        }
+    }
     fmt::print("{}{}", sizesText(scene, result), fillingText(scene, result));
     if (result.skippedFrames > 0)
     {

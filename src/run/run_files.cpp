@@ -224,6 +224,14 @@ Json qualityJson(const QualityReport& quality)
             json["settling"]["bulk_fraction"] = *settling->fraction;
         }
     }
+    for (const HeapReport& heap : quality.heaps)
+    {
+        json["heaps"].push_back({{"spheres", heap.spheres}, {"slope_degree", nullptr}});
+        if (heap.slope)
+        {
+            json["heaps"].back()["slope_degree"] = *heap.slope;
+        }
+    }
     return json;
 }
 

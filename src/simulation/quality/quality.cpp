@@ -6,6 +6,7 @@
 #include "scene/packing_estimate.hpp"
 #include "simulation/quality/beside.hpp"
 #include "simulation/quality/equilibrium.hpp"
+#include "simulation/quality/heap_slope.hpp"
 #include "simulation/quality/support.hpp"
 #include "simulation/quality/tolerances.hpp"
 
@@ -216,6 +217,7 @@ QualityReport examine(const World& world)
         parts.front().add(parts[i]);
     }
     QualityReport report = parts.front().report();
+    report.heaps = heapsOf(world);
     if (world.clock.settling.rounds > 0)
     {
         report.settling = world.clock.settling;

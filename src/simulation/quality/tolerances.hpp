@@ -23,6 +23,18 @@ inline constexpr double kSameWall = 1 - 1e-12;
 /// does not.
 inline constexpr double kUnsupported = 0.1;
 
+// The slope of a heap. Its top is round, and its foot thins out, so both are left out.
+
+/// Sectors of a ring. Larger: a sector of a small ring holds no sphere. Smaller: the highest of
+/// more spheres counts, and the heap seems higher.
+inline constexpr std::size_t kSectorsOfHeap = 16;
+/// Share of the spheres within the heap's radius. Larger: what has rolled away belongs to it.
+inline constexpr double kInHeap = 0.95;
+/// Rings that count, in radii of the heap.
+inline constexpr double kNearestRing = 0.2;
+inline constexpr double kFarthestRing = 0.8;
+inline constexpr std::size_t kFewestRings = 4;
+
 // Whether all that is at rest stays so together. How much of its weight may be missing on a
 // balanced sphere is the scene's: see JudgeSettings.
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "support/expect_error.hpp"
-#include "support/shapes.hpp"
-
-#include <frostfill/simulation.hpp>
+#include "unit/simulation/settling/joint_scene.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,30 +10,6 @@ namespace frostfill
 {
 namespace
 {
-
-Scene jointScene(Motion motion, double friction)
-{
-    Scene scene = presetScene(Preset::fast, "box");
-    scene.spheres.radius = 0.2;
-    scene.spheres.count.reset();
-    scene.motion.mode = motion;
-    scene.rest.mode = Rest::joint;
-    scene.rest.friction = friction;
-    scene.judge.friction = friction;
-    return scene;
-}
-
-TriangleMesh smallBox()
-{
-    return shapes::box({-1, -1, -1}, {1, 0.5, 1});
-}
-
-void run(Simulation& simulation)
-{
-    while (simulation.step())
-    {
-    }
-}
 
 TEST(JointRest, FillsUpWhatHasSunkWhateverTheMotion)
 {

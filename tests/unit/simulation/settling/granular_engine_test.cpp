@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "simulation/engine/make_engine.hpp"
+#include "support/expect_error.hpp"
+#include "unit/simulation/settling/joint_scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace frostfill
+{
+namespace
+{
+
+/// Grains poured onto a floor that is wide enough for them.
+double heapSlopeAt(double friction, double rollingFriction)
+{
+    Scene scene = jointScene(Motion::granular, friction);
+    scene.judge.friction.reset();
+    scene.spheres.radius = 0.05;
+    scene.spheres.count = 350;
+    scene.spheres.inlets = {{{0, -0.2, 0}, 0.2}};
+    scene.rest.rollingFriction = rollingFriction;
+    Simulation simulation(scene, shapes::box({-1, -1, -1}, {1, 0, 1}));
+    run(simulation);
+    const QualityReport report = simulation.quality();
+    EXPECT_EQ(report.centresOutside, 0U);
+    EXPECT_LE(report.maxOverlap, 1e-7);
+    EXPECT_EQ(report.heaps.size(), 1U);
+    EXPECT_EQ(report.heaps.front().spheres, 350U);
+    return report.heaps.front().slope.value_or(0);
+}
+
+TEST(GranularEngine, FillsUntilFullAndAllRestTogether)
+{
+    for (const double friction : {0.0, 0.4})
+    {
+        Simulation simulation(jointScene(Motion::granular, friction), smallBox());
+        run(simulation);
+        EXPECT_TRUE(simulation.full());
+        EXPECT_GT(simulation.sphereCount(), 70U);
+        const QualityReport report = simulation.quality();
+        ASSERT_TRUE(report.settling && report.equilibrium);
+        EXPECT_TRUE(report.settling->settled);
+        EXPECT_EQ(report.equilibrium->unbalanced, 0U);
+        EXPECT_EQ(report.unsupported, 0U);
+        EXPECT_LE(report.maxOverlap, 1e-7);
+        EXPECT_EQ(report.centresOutside, 0U);
+        EXPECT_LE(report.energyExcess, 1e-9);
+    }
+}
+
+TEST(GranularEngine, LetsASphereFallAsGalileoSays)
+{
+    Scene scene = jointScene(Motion::granular, 0.3);
+    scene.spheres.count = 1;
+    Simulation simulation(scene, shapes::box({-1, -4, -1}, {1, 4, 1}));
+    Snapshot snapshot;
+    ASSERT_TRUE(simulation.step());
+    simulation.capture(snapshot);
+    const double start = snapshot.time;
+    const double high = snapshot.centres.at(0).y();
+    const double speed = start * scene.motion.gravity;
+    while (simulation.step() && simulation.time() < 0.9)
+    {
+        simulation.capture(snapshot);
+        const double time = snapshot.time - start;
+        const double fallen = speed * time + scene.motion.gravity * time * time / 2;
+        EXPECT_NEAR(high - snapshot.centres.at(0).y(), fallen, 0.01);
+    }
+}
+
+TEST(GranularEngine, EndsWithTheSameBitsOnAnyNumberOfThreadsAndWithDiscardsOff)
+{
+    std::string hash;
+    for (const auto& [threads, rule] : {std::pair(1, DiscardRule::exact),
+                                        {2, DiscardRule::exact},
+                                        {5, DiscardRule::exact},
+                                        {2, DiscardRule::none}})
+    {
+        Scene scene = jointScene(Motion::granular, 0.3);
+        scene.threads = threads;
+        scene.discard.rule = rule;
+        Simulation simulation(scene, smallBox());
+        run(simulation);
+        hash = hash.empty() ? simulation.stateHash() : hash;
+        EXPECT_EQ(simulation.stateHash(), hash) << threads;
+        Snapshot snapshot;
+        simulation.capture(snapshot);
+        EXPECT_EQ(snapshot.running, 0U);
+        EXPECT_EQ(snapshot.discarded > 0, rule == DiscardRule::exact);
+    }
+}
+
+TEST(GranularEngine, HeapsLieSteeperTheMoreFrictionThereIs)
+{
+    const double flat = heapSlopeAt(0.05, 0);
+    const double low = heapSlopeAt(0.3, 0.05);
+    const double high = heapSlopeAt(0.8, 0.3);
+    EXPECT_LT(flat, 8);
+    EXPECT_GT(low, flat + 2);
+    EXPECT_GT(high, low + 5);
+}
+
+TEST(GranularEngine, StartsWithWhatIsPlaced)
+{
+    Scene scene = jointScene(Motion::granular, 0.3);
+    scene.spheres.count = 2;
+    World world(scene, smallBox());
+    const std::vector<PlacedSphere> placed = {{{0, -1, 0}, 1}, {{2.5, 1, 0}, 1}};
+    const auto engine = makeEngine(world);
+    engine->releaseAt(placed);
+    while (engine->step())
+    {
+    }
+    ASSERT_EQ(world.spheres.frozenCount() + world.spheres.discardedCount(), 2U);
+    const double floor = -world.height / 2;
+    for (std::uint32_t id = 0; id < 2; ++id)
+    {
+        EXPECT_NEAR(world.spheres.position(id).x(), placed[id].place.x(), 1e-3);
+        EXPECT_NEAR(world.spheres.position(id).y(), floor + 1, 1e-4);
+    }
+    World other(scene, smallBox());
+    const std::vector<PlacedSphere> crowded = {{{0, 0, 0}, 1}, {{0.5, 0, 0}, 1}};
+    test::expectError(
+        ErrorCode::badData, [&] { makeEngine(other)->releaseAt(crowded); }, "no room");
+}
+
+TEST(GranularEngine, NeedsThatAllRestTogether)
+{
+    Scene scene = jointScene(Motion::granular, 0);
+    scene.rest = {};
+    scene.judge.friction.reset();
+    test::expectError(ErrorCode::usage, [&] { validateScene(scene); }, "--rest");
+}
+
+} // namespace
+} // namespace frostfill
