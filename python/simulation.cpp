@@ -131,7 +131,7 @@ private:
         std::shared_ptr<State>& oldest = states_[turn_];
         turn_ = 1 - turn_;
         oldest = std::make_shared<State>();
-        oldest->snapshot.columns = carriedColumns(scene_.style.colourBy);
+        oldest->snapshot.columns = carriedColumns(askedColumns(scene_));
         return oldest;
     }
 

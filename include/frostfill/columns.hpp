@@ -63,9 +63,10 @@ struct Column
     double high = 1;  ///< likewise
     bool file = true; ///< in spheres.csv
     bool exported = true;
-    bool python = true;     ///< an array of a state in Python
-    bool colour = true;     ///< a choice of --color-by
-    bool onRequest = false; ///< it takes long: carried only where it gives spheres their colours
+    bool python = true;      ///< an array of a state in Python
+    bool colour = true;      ///< a choice of --color-by
+    bool onRequest = false;  ///< it takes long: carried only where it is asked for
+    std::string partOf = {}; ///< name of what several columns are together, to ask for all of them
 
     /// Its value, of a column that each state has in a field of its own: of all built-in ones but
     /// `contacts` and `unbalance`. Null for a column that a snapshot carries, see ColumnValues.
@@ -80,6 +81,9 @@ struct Column
         return type == ColumnType::uint8 || type == ColumnType::uint32;
     }
 };
+
+/// What the columns qx, qy, qz and qw are part of.
+inline constexpr const char* kOrientation = "orientation";
 
 /// All columns in the order of tables: those built in, then those added. A column stays where it is
 /// in memory.
@@ -114,8 +118,9 @@ private:
     const Column* column_;
 };
 
-/// One of each carried column, without values; of those on request only the one that is asked for.
-[[nodiscard]] std::vector<ColumnValues> carriedColumns(std::string_view asked = {});
+/// One of each carried column, without values; of those on request only those that are asked for,
+/// by their names or by what they are part of.
+[[nodiscard]] std::vector<ColumnValues> carriedColumns(std::span<const std::string> asked = {});
 
 /// Null if the column is not among them.
 [[nodiscard]] const ColumnValues* findValues(std::span<const ColumnValues> values,

@@ -62,9 +62,9 @@ enum class Preset : std::uint8_t
 };
 enum class Motion : std::uint8_t
 {
-    fall,    ///< the whole fall, for animations
-    skip,    ///< spheres appear at their first contact; only settling is simulated
-    descend, ///< drop-and-roll: no dynamics; each sphere moves down to a place that carries it
+    fall,     ///< the whole fall, for animations
+    skip,     ///< spheres appear at their first contact; only settling is simulated
+    descend,  ///< drop-and-roll: no dynamics; each sphere moves down to a place that carries it
     granular, ///< all at once, with spin and friction, as grains [Cundall & Strack 1979]
 };
 
@@ -208,6 +208,7 @@ struct RestSettings
     /// flowing without friction; if not given, as it comes
     std::optional<double> fraction;
     double rollingFriction = 0; ///< [1] moment that resists rolling, over normal force and radius
+    bool orientation = false;   ///< keep how spheres have turned, in columns of their own
 };
 
 /// What is no longer tested (PAPER: equation 3 and covered polygons).
@@ -304,6 +305,9 @@ struct Scene
 
 /// Throws Error usage for the first invalid value, with the allowed range.
 void validateScene(const Scene& scene);
+
+/// The columns on request that a scene asks for: see carriedColumns().
+[[nodiscard]] std::vector<std::string> askedColumns(const Scene& scene);
 
 /// Unit vector against gravity, in mesh coordinates.
 [[nodiscard]] Eigen::Vector3d upVector(Axis axis);

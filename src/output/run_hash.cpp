@@ -46,13 +46,17 @@ std::string runHash(const Scene& scene, const TriangleMesh& mesh)
     {
         json.erase("judge");
     }
+    if (!same.rest.fraction)
+    {
+        json["rest"].erase("fraction");
+    }
+    if (!same.rest.orientation)
+    {
+        json["rest"].erase("orientation");
+    }
     if (same.rest.mode == Rest::each)
     {
         json.erase("rest");
-    }
-    else if (!same.rest.fraction)
-    {
-        json["rest"].erase("fraction");
     }
     if (same.spheres.inlets.empty())
     {

@@ -40,7 +40,7 @@ std::vector<ColumnValues> columnsToCarry(const Scene& scene)
 {
     if (isKept(scene))
     {
-        return carriedColumns(scene.style.colourBy);
+        return carriedColumns(askedColumns(scene));
     }
     const Column& shown = *findColumn(scene.style.colourBy);
     return shown.isCarried() ? std::vector{ColumnValues(shown)} : std::vector<ColumnValues>();

@@ -14,7 +14,7 @@ namespace
 /// begin later. Smaller: more runs whose length is known only roughly.
 constexpr double kTrialSpheres = 30000;
 constexpr double kTrialSpheresPaper = 10000;
-constexpr double kTrialSpheresGranular = 500; // slow
+constexpr double kTrialSpheresGranular = 500;  // slow
 constexpr double kTrialSpheresDescent = 50000; // quick
 /// Steps of the motion descend, however many spheres; see DropAndRollEngine.
 constexpr double kStepsOfDescent = 200;
@@ -100,10 +100,10 @@ bool hasFalls(const Scene& scene)
 bool isItsOwnTrial(const Scene& scene, const Simulation& simulation)
 {
     return static_cast<double>(simulation.expectedSpheres()) <=
-           (scene.preset == Preset::paper               ? kTrialSpheresPaper
+           (scene.preset == Preset::paper           ? kTrialSpheresPaper
             : scene.motion.mode == Motion::granular ? kTrialSpheresGranular
-            : descends(scene)                           ? kTrialSpheresDescent
-                                                        : kTrialSpheres);
+            : descends(scene)                       ? kTrialSpheresDescent
+                                                    : kTrialSpheres);
 }
 
 LengthWatch::LengthWatch(const Scene& scene) : falls_(hasFalls(scene))
@@ -164,9 +164,9 @@ RunLength estimateRunLength(const Scene& scene, const TriangleMesh& mesh,
         return {kStepsOfDescent * simulation.timeStep(), false, {}};
     }
     const auto spheres = static_cast<double>(simulation.expectedSpheres());
-    const double spheresOfModel = scene.preset == Preset::paper               ? kModelPaper
+    const double spheresOfModel = scene.preset == Preset::paper           ? kModelPaper
                                   : scene.motion.mode == Motion::granular ? kTrialSpheresGranular
-                                                                              : kModel;
+                                                                          : kModel;
     const double factor = std::cbrt(spheres / spheresOfModel);
     const Scene smaller = modelOf(withoutExtras(scene), simulation, factor);
     Simulation model(smaller, mesh);

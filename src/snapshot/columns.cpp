@@ -32,6 +32,20 @@ Column coordinate(const char* name, double (*fixed)(const SphereRow&))
             .fixed = fixed};
 }
 
+Column orientation(const char* name)
+{
+    return {.name = name,
+            .plural = name,
+            .frame = "mesh",
+            .help = "component of the unit quaternion that turns a sphere from how it appeared",
+            .changes = ColumnChanges::running,
+            .digits = 14,
+            .python = false,
+            .colour = false,
+            .onRequest = true,
+            .partOf = kOrientation};
+}
+
 std::deque<Column> builtIn()
 {
     return {
@@ -119,6 +133,10 @@ std::deque<Column> builtIn()
          .digits = 11,
          .python = false,
          .onRequest = true},
+        orientation("qx"),
+        orientation("qy"),
+        orientation("qz"),
+        orientation("qw"),
     };
 }
 
@@ -221,12 +239,15 @@ bool ColumnValues::set(std::size_t sphere, double value)
     return std::exchange(bits[sphere], now) != now;
 }
 
-std::vector<ColumnValues> carriedColumns(std::string_view asked)
+std::vector<ColumnValues> carriedColumns(std::span<const std::string> asked)
 {
     std::vector<ColumnValues> carried;
     for (const Column& column : table())
     {
-        if (column.isCarried() && (!column.onRequest || column.name == asked))
+        const bool isAsked = std::any_of(asked.begin(), asked.end(),
+                                         [&](const std::string& name)
+                                         { return name == column.name || name == column.partOf; });
+        if (column.isCarried() && (!column.onRequest || isAsked))
         {
             carried.emplace_back(column);
         }

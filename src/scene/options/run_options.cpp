@@ -259,6 +259,11 @@ void addRest(TableBuilder& table)
         .range(0.5, 0.7)
         .of(Preset::fast);
     table
+        .add("rest.orientation", "--orientation",
+             "Keep how spheres have turned since they appeared, as quaternions in tables and runs",
+             FROSTFILL_FIELD(rest.orientation))
+        .of(Preset::fast);
+    table
         .add("rest.rolling_friction", "--rolling-friction",
              "Moment that resists rolling while all settle together, over normal force and radius",
              FROSTFILL_FIELD(rest.rollingFriction))

@@ -29,6 +29,12 @@ void validateRest(const Scene& scene)
                         "friction (--friction, --wall-friction, --rolling-friction) acts while all "
                         "spheres settle together: give rest.mode (--rest) joint");
         }
+        if (rest.orientation)
+        {
+            throw Error(ErrorCode::usage, "spheres turn only while all settle together: "
+                                          "rest.orientation (--orientation) requires rest.mode "
+                                          "(--rest) joint");
+        }
         if (rest.fraction)
         {
             throw Error(ErrorCode::usage, "a packing fraction (rest.fraction, --fraction) is "

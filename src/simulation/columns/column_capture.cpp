@@ -68,7 +68,7 @@ void ColumnCapture::fillColumn(ColumnValues& values, Snapshot& snapshot)
 std::vector<ColumnValues> ColumnCapture::all()
 {
     constexpr std::size_t kInPart = 4096; // spheres that one thread looks at in one go
-    std::vector<ColumnValues> columns = carriedColumns(world_.scene.style.colourBy);
+    std::vector<ColumnValues> columns = carriedColumns(askedColumns(world_.scene));
     const std::size_t count = world_.spheres.size();
     Threads threads(world_.scene.threads);
     for (ColumnValues& values : columns)

@@ -53,8 +53,9 @@ double footOf(std::span<const HeapGrain> grains)
 std::size_t sectorOf(double azimuth)
 {
     const double share = azimuth / (2 * std::numbers::pi) + 0.5;
-    return std::min(kSectorsOfHeap - 1, static_cast<std::size_t>(std::max(0.0, share) *
-                                                                 static_cast<double>(kSectorsOfHeap)));
+    return std::min(
+        kSectorsOfHeap - 1,
+        static_cast<std::size_t>(std::max(0.0, share) * static_cast<double>(kSectorsOfHeap)));
 }
 
 /// Down the line of least squares.
@@ -130,9 +131,9 @@ std::vector<HeapReport> heapsOf(const World& world)
         const Eigen::Vector3d p = world.spheres.position(id);
         const auto across = [&](const Eigen::Vector3d& middle)
         { return std::hypot(p.x() - middle.x(), p.z() - middle.z()); };
-        const auto nearest = std::min_element(middles.begin(), middles.end(),
-                                              [&](const auto& a, const auto& b)
-                                              { return across(a) < across(b); });
+        const auto nearest =
+            std::min_element(middles.begin(), middles.end(),
+                             [&](const auto& a, const auto& b) { return across(a) < across(b); });
         grains[static_cast<std::size_t>(nearest - middles.begin())].push_back(
             {across(*nearest), std::atan2(p.z() - nearest->z(), p.x() - nearest->x()),
              p.y() + world.spheres.radius(id)});

@@ -89,6 +89,10 @@ void GranularMotion::pushAll()
 // What is fast has a wider margin, so that lists are good for some steps.
 void GranularMotion::list()
 {
+    if (world_.scene.rest.orientation)
+    {
+        world_.orientations.resize(world_.spheres.size(), Eigen::Quaterniond::Identity());
+    }
     for (std::uint32_t row = 0; row < running_.size(); ++row)
     {
         listedAt_[row] = running_.position[row];
@@ -190,8 +194,24 @@ bool GranularMotion::move(std::uint32_t row, double dt, double drag)
     position += dt * velocity;
     spin_[row] =
         keeps * (spin_[row] + dt / inertiaOverRadius(radius) * (sum.torque + sum.moment / radius));
+    if (!world_.orientations.empty())
+    {
+        turn(row, dt);
+    }
     const double margin = reach_[row] - radius - kListMargin / 4;
     return (position - listedAt_[row]).squaredNorm() >= margin * margin;
+}
+
+// By the angle and about the axis of the spin, so that a quaternion stays one.
+void GranularMotion::turn(std::uint32_t row, double dt)
+{
+    const double rate = spin_[row].norm();
+    if (rate > 0)
+    {
+        Eigen::Quaterniond& orientation = world_.orientations[running_.id[row]];
+        const Eigen::AngleAxisd turned(rate * dt, spin_[row] / rate);
+        orientation = (turned * orientation).normalized();
+    }
 }
 
 void GranularMotion::look(bool hardens)

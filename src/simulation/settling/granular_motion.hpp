@@ -75,6 +75,7 @@ private:
     [[nodiscard]] SurfaceForce forceOn(std::uint32_t row) const;
     [[nodiscard]] Eigen::Vector3d accelerationOf(std::uint32_t row, const SurfaceForce& sum) const;
     [[nodiscard]] bool move(std::uint32_t row, double dt, double drag);
+    void turn(std::uint32_t row, double dt);
     void look(bool hardens);
 
     World& world_;
@@ -83,7 +84,7 @@ private:
     ContactLaw law_;
     RunningColumn<Eigen::Vector3d> spin_;     ///< angular velocity
     RunningColumn<Eigen::Vector3d> listedAt_; ///< place when contacts were listed
-    RunningColumn<double> reach_; ///< [r] radius and margin when contacts were listed
+    RunningColumn<double> reach_;             ///< [r] radius and margin when contacts were listed
     PairContacts pairs_;
     WallContacts walls_;
     OverlapRelief relief_;

@@ -14,8 +14,7 @@ void WallContacts::list(std::span<const double> reaches)
                      {
                          const auto row = static_cast<std::uint32_t>(i);
                          around_[row].ensure(world_, running_.position[row], running_.radius[row],
-                                             reaches[row] - running_.radius[row] +
-                                                 kListMargin / 2);
+                                             reaches[row] - running_.radius[row] + kListMargin / 2);
                      });
     std::vector<Beside> before = std::move(beside_);
     const std::vector<std::uint32_t> placeBefore = std::move(placeOf_);

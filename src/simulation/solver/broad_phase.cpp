@@ -53,8 +53,9 @@ void BroadPhase::findAmongAll()
     }
 }
 
-// Cells are for spheres of radius 1, or what is larger, so pairs are in the same cell or in neighbours. Few runners far apart
-// get larger cells, or looking through empty ones would take longer than looking at the runners.
+// Cells are for spheres of radius 1, or what is larger, so pairs are in the same cell or in
+// neighbours. Few runners far apart get larger cells, or looking through empty ones would take
+// longer than looking at the runners.
 void BroadPhase::layOutCells()
 {
     Eigen::AlignedBox3d box;

@@ -15,6 +15,8 @@
 
 #include <frostfill/simulation.hpp>
 
+#include <Eigen/Geometry>
+
 #include <limits>
 #include <memory>
 #include <span>
@@ -75,6 +77,9 @@ struct World
 
     // What is in it.
     Spheres spheres;
+    /// By id, how each has turned since it appeared, in run coordinates; those beyond the end have
+    /// not. Only if the scene asks for it.
+    std::vector<Eigen::Quaterniond> orientations;
     std::vector<PolygonState> polygons;
     std::size_t discardedPolygons = 0;
     std::size_t targetCount = 0; ///< spheres after which no set appears any more; 0: until full

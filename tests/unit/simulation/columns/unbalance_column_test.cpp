@@ -85,8 +85,8 @@ TEST(UnbalanceColumn, IsCarriedOnlyWhereItIsAskedFor)
     const auto has = [](const std::vector<ColumnValues>& columns)
     { return findValues(columns, *findColumn("unbalance")) != nullptr; };
     EXPECT_FALSE(has(carriedColumns()));
-    EXPECT_FALSE(has(carriedColumns("contacts")));
-    EXPECT_TRUE(has(carriedColumns("unbalance")));
+    EXPECT_FALSE(has(carriedColumns(std::vector<std::string>{"contacts"})));
+    EXPECT_TRUE(has(carriedColumns(std::vector<std::string>{"unbalance"})));
     Scene scene = test::smallTorus();
     EXPECT_FALSE(has(Simulation(scene, shapes::torus()).columns()));
     scene.style.colourBy = "unbalance";

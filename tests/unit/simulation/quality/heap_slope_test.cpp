@@ -72,8 +72,8 @@ TEST(HeapSlope, TellsTheHeapsOfTwoInletsApart)
         for (const double middle : {-20.0, 20.0})
         {
             const double height = middle < 0 ? grain.top : grain.top / 2;
-            world->spheres.addResting({middle + grain.across * std::cos(grain.azimuth),
-                                       height - 10, grain.across * std::sin(grain.azimuth)},
+            world->spheres.addResting({middle + grain.across * std::cos(grain.azimuth), height - 10,
+                                       grain.across * std::sin(grain.azimuth)},
                                       1, 0);
         }
     }

@@ -126,12 +126,44 @@ TEST(GranularEngine, StartsWithWhatIsPlaced)
         ErrorCode::badData, [&] { makeEngine(other)->releaseAt(crowded); }, "no room");
 }
 
+TEST(GranularEngine, TellsHowGrainsHaveTurnedWhenAskedAndChangesNoBit)
+{
+    Scene scene = jointScene(Motion::granular, 0.4);
+    scene.spheres.count = 30;
+    scene.object.up = Axis::z;
+    Simulation plain(scene, smallBox());
+    run(plain);
+    scene.rest.orientation = true;
+    Simulation asked(scene, smallBox());
+    run(asked);
+    EXPECT_EQ(asked.stateHash(), plain.stateHash());
+    const auto find = [](const std::vector<ColumnValues>& columns, const char* name)
+    { return findValues(columns, *findColumn(name)); };
+    EXPECT_EQ(find(plain.columns(), "qw"), nullptr);
+    const std::vector<ColumnValues> columns = asked.columns();
+    std::size_t turned = 0;
+    for (std::size_t id = 0; id < 30; ++id)
+    {
+        double squares = 0;
+        for (const char* name : {"qx", "qy", "qz", "qw"})
+        {
+            ASSERT_NE(find(columns, name), nullptr);
+            squares += std::pow(find(columns, name)->at(id), 2);
+        }
+        EXPECT_NEAR(squares, 1, 1e-3);
+        EXPECT_GE(find(columns, "qw")->at(id), 0);
+        turned += find(columns, "qw")->at(id) < 0.99 ? 1 : 0;
+    }
+    EXPECT_GT(turned, 10U);
+}
+
 TEST(GranularEngine, NeedsThatAllRestTogether)
 {
     Scene scene = jointScene(Motion::granular, 0);
     scene.rest = {};
     scene.judge.friction.reset();
-    test::expectError(ErrorCode::usage, [&] { validateScene(scene); }, "--rest");
+    test::expectError(
+        ErrorCode::usage, [&] { validateScene(scene); }, "--rest");
 }
 
 } // namespace

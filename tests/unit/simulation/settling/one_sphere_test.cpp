@@ -137,5 +137,19 @@ TEST(OneSphere, IsPressedIntoARoundWallAsIntoAFlatOne)
     EXPECT_NEAR(bench.motion().unrest().overlap, 1 / Bench::kStiff, 0.5 / Bench::kStiff);
 }
 
+TEST(OneSphere, HasTurnedByTheWayThatItHasRolled)
+{
+    Bench bench(20 * kDegree);
+    bench.world().scene.rest.orientation = true;
+    const auto ball = bench.addOnFloor(-8);
+    bench.start(0.5);
+    bench.advance(4);
+    const double way = bench.place(ball).x() + 8;
+    ASSERT_GT(way, 1);
+    const Eigen::AngleAxisd turned(bench.world().orientations.at(ball));
+    EXPECT_NEAR(turned.angle(), way, 2e-3);
+    EXPECT_NEAR(turned.axis().z(), -1, 1e-6) << "it rolls to the right";
+}
+
 } // namespace
 } // namespace frostfill
