@@ -89,6 +89,26 @@ TEST(DocumentedFigures, ThePilesThatHaveSettledTogetherStandAsItsTableSays)
     EXPECT_EQ(rows, 2);
 }
 
+// One heap of the table: the others take minutes.
+TEST(DocumentedFigures, AHeapLiesAsSteepAsItsTableSays)
+{
+    const std::string page = readFile(kRepository / "docs/accuracy.md");
+    std::smatch row;
+    ASSERT_TRUE(std::regex_search(
+        page, row, std::regex(R"(\| 0\.6 \| [0-9.]+ \| [0-9.]+ \| ([0-9.]+) \(LIGGGHTS)")));
+    std::smatch command;
+    ASSERT_TRUE(std::regex_search(page, command,
+                                  std::regex("frostfill (fill cube [^\n]*--motion granular "
+                                             "[^\n]*--rolling-friction 0\\.3)")));
+    const test::TemporaryFolder folder;
+    ASSERT_EQ(test::runProgram(std::string(command[1]) + " --frames none --quiet --out heap",
+                               folder.path())
+                  .code,
+              0);
+    const auto summary = nlohmann::json::parse(readFile(folder.path() / "heap/summary.json"));
+    EXPECT_NEAR(summary["error"]["heaps"][0]["slope_degree"].get<double>(), std::stod(row[1]), 0.5);
+}
+
 // By the recorded run of `bench error --peers`, of engines that came to rest.
 TEST(DocumentedFigures, TheReadmeNamesTheFastestOtherEngine)
 {
