@@ -164,6 +164,9 @@ struct ReachInspection
                                            std::size_t bytes = std::size_t{256} << 20);
 
 /// Fills one mesh as a scene describes. PAPER: Algorithm 1 and the schedule of sets around it.
+///
+/// Of more spheres than Scene::spillFrom, those at rest are in a file that is mapped: what nothing
+/// comes near any more takes no memory, and comes back by itself when it is asked for.
 class Simulation
 {
 public:

@@ -83,6 +83,10 @@ std::vector<ColumnValues> ColumnCapture::all()
                             values.set(id, valueOf(values.column(), source,
                                                    static_cast<std::uint32_t>(id)));
                         }
+                        if (first % Spheres::kRowsUntilLeaving == 0)
+                        {
+                            world_.spheres.leave();
+                        }
                     });
     }
     return columns;

@@ -76,6 +76,7 @@ struct Simulation::Implementation
     std::unique_ptr<Engine> engine;
     Guard guard;
     ColumnCapture columns{world};
+    std::size_t leaveAt = 0; ///< when so many spheres rest
     std::uint64_t source = nextSource();
 };
 
@@ -140,6 +141,12 @@ bool Simulation::step()
     if (implementation_->world.scene.preset == Preset::fast)
     {
         implementation_->guard.check();
+    }
+    const std::size_t resting = restingCount();
+    if (resting >= implementation_->leaveAt)
+    {
+        implementation_->world.spheres.leave();
+        implementation_->leaveAt = resting + Spheres::kRowsUntilLeaving;
     }
     return advanced;
 }
@@ -216,8 +223,13 @@ const MeshReport& Simulation::object() const
     return implementation_->world.report;
 }
 
+// Whoever asks for all of them in their order, as tables do, has them streamed.
 SphereRecord Simulation::sphere(std::size_t id) const
 {
+    if (id % Spheres::kRowsUntilLeaving == 0)
+    {
+        implementation_->world.spheres.leave();
+    }
     return recordOf(implementation_->world, id);
 }
 

@@ -208,10 +208,16 @@ QualityReport examine(const World& world)
         count / kInPart + 1,
         Examination(world, gathered ? *gathered : world.spheres.resting(), winding));
     Threads threads(world.scene.threads);
-    forEachPart(
-        threads, count, kInPart,
-        [&](std::size_t first, std::size_t last, std::size_t part)
-        { parts[part].look(static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(last)); });
+    forEachPart(threads, count, kInPart,
+                [&](std::size_t first, std::size_t last, std::size_t part)
+                {
+                    parts[part].look(static_cast<std::uint32_t>(first),
+                                     static_cast<std::uint32_t>(last));
+                    if (first % Spheres::kRowsUntilLeaving == 0)
+                    {
+                        world.spheres.leave(); // neighbours come to rest at about the same time
+                    }
+                });
     for (std::size_t i = 1; i < parts.size(); ++i)
     {
         parts.front().add(parts[i]);

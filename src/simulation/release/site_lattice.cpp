@@ -152,11 +152,12 @@ private:
 };
 
 SiteLattice::SiteLattice(const Surface& surface, const InsideTest& inside, double radius,
-                         Threads& threads, double smallLattice, double coarsest)
+                         Threads& threads, double smallLattice, double coarsest,
+                         std::size_t inMemory)
     : radius_(radius),
       lattice_(GridFrame::cover(surface.box(),
                                 cellFor(surface.box().sizes(), std::max(radius, coarsest)), 0)),
-      wordsPerRow_((static_cast<std::size_t>(lattice_.count[0]) + 63) / 64)
+      wordsPerRow_((static_cast<std::size_t>(lattice_.count[0]) + 63) / 64), bits_(inMemory)
 {
     const double words = static_cast<double>(wordsPerRow_) * lattice_.count[1] * lattice_.count[2];
     const bool isSmall = words <= smallLattice;
@@ -164,7 +165,7 @@ SiteLattice::SiteLattice(const Surface& surface, const InsideTest& inside, doubl
     {
         listWords(surface.box(), inside);
     }
-    bits_.assign(isSmall ? static_cast<std::size_t>(words) : list_.size(), 0);
+    bits_.resize(isSmall ? static_cast<std::size_t>(words) : list_.size(), 0);
     const int layers = lattice_.count[2];
     forEachSlab(threads, (layers + kSlabThickness - 1) / kSlabThickness,
                 [&](int slab)
@@ -237,7 +238,7 @@ void SiteLattice::dropClosedWords()
     {
         kept.append(list_.place(0));
     }
-    bits_.resize(kept.size());
+    bits_.resize(kept.size(), 0);
     bits_.shrink_to_fit();
     list_ = std::move(kept);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/spilled_array.hpp"
 #include "geometry/bricked_cells.hpp"
 #include "geometry/grid_frame.hpp"
 
@@ -28,11 +29,16 @@ struct alignas(32) Ball
 ///
 /// Where sizes differ much there are grids with levels: the spheres of at most half the largest
 /// radius are in a grid of half the cell, and so on. A search asks each level for what it can hold.
+///
+/// Rows of many spheres are in files: see leave().
 class SphereGrid
 {
 public:
     /// `levels`: grids besides that of the frame, each with half the cell of the one before.
-    explicit SphereGrid(const GridFrame& frame, int levels = 0) : coarse_(frame, 1)
+    /// `inMemory`: rows up to which all are in memory.
+    explicit SphereGrid(const GridFrame& frame, int levels = 0,
+                        std::size_t inMemory = kRowsInMemory)
+        : coarse_(frame, 1, inMemory), balls_(inMemory), rows_(inMemory)
     {
         GridFrame fine = frame;
         double largest = 1;
@@ -44,9 +50,12 @@ public:
             {
                 count *= 2;
             }
-            finer_.emplace_back(fine, largest);
+            finer_.emplace_back(fine, largest, inMemory);
         }
     }
+
+    /// Rows that a grid keeps in memory at most, unless it is told otherwise.
+    static constexpr std::size_t kRowsInMemory = std::size_t{2} << 20;
 
     /// Returns the row, which is the last.
     std::uint32_t insert(std::uint32_t id, const Eigen::Vector3d& p, double radius)
@@ -64,6 +73,21 @@ public:
     {
         balls_.reserve(count);
         rows_.reserve(count);
+    }
+
+    /// Whether there are so many rows that they are in a file.
+    [[nodiscard]] bool isInFile() const { return balls_.isInFile(); }
+    /// What large grids have in files leaves memory until a search comes near it again: rows that
+    /// are no longer touched take none.
+    void leave() const
+    {
+        balls_.leave();
+        rows_.leave();
+        coarse_.head.leave();
+        for (const Level& level : finer_)
+        {
+            level.head.leave();
+        }
     }
 
     /// Takes out a row; the last one takes its place.
@@ -155,17 +179,17 @@ public:
 private:
     struct Level
     {
-        Level(const GridFrame& frameOfLevel, double largestRadius)
-            : frame(frameOfLevel), largest(largestRadius), cells(frame.count),
-              head(cells.size(), kEnd)
+        Level(const GridFrame& frameOfLevel, double largestRadius, std::size_t inMemory)
+            : frame(frameOfLevel), largest(largestRadius), cells(frame.count), head(inMemory)
         {
+            head.resize(cells.size(), kEnd);
         }
 
         GridFrame frame;
         double largest;
         BrickedCells<> cells;
-        std::vector<std::uint32_t> head; ///< [#cells]
-        Eigen::AlignedBox3d extent;      ///< of all that were ever inserted
+        SpilledArray<std::uint32_t> head; ///< [#cells]
+        Eigen::AlignedBox3d extent;       ///< of all that were ever inserted
     };
 
     [[nodiscard]] const Level& levelAt(std::size_t level) const
@@ -252,14 +276,14 @@ private:
     static constexpr std::uint32_t kLargestId = 0x7fffffff;
     Level coarse_;
     std::vector<Level> finer_;
-    std::vector<Ball> balls_;
+    SpilledArray<Ball> balls_;
     struct Row
     {
         std::uint32_t id : 31;
         bool discarded : 1;
         std::uint32_t next; ///< row in the list of its cell
     };
-    std::vector<Row> rows_;
+    SpilledArray<Row> rows_;
 };
 
 } // namespace frostfill

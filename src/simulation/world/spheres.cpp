@@ -139,4 +139,11 @@ void Spheres::restoreDiscarded()
     discarded_ = 0;
 }
 
+void Spheres::leave() const
+{
+    resting_.leave();
+    where_.leave();
+    group_.leave();
+}
+
 } // namespace frostfill

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/spilled_array.hpp"
 #include "simulation/world/change_log.hpp"
 #include "simulation/world/running_spheres.hpp"
 #include "simulation/world/sphere_grid.hpp"
@@ -21,8 +22,12 @@ namespace frostfill
 class Spheres
 {
 public:
-    /// `frame`: of the grid of spheres at rest; `levels`: see SphereGrid.
-    explicit Spheres(const GridFrame& frame = {}, int levels = 0) : resting_(frame, levels) {}
+    /// `frame`: of the grid of spheres at rest; `levels`, `inMemory`: see SphereGrid.
+    explicit Spheres(const GridFrame& frame = {}, int levels = 0,
+                     std::size_t inMemory = SphereGrid::kRowsInMemory)
+        : resting_(frame, levels, inMemory), where_(inMemory), group_(inMemory)
+    {
+    }
 
     [[nodiscard]] RunningSpheres& running() { return running_; }
     [[nodiscard]] const RunningSpheres& running() const { return running_; }
@@ -86,6 +91,11 @@ public:
     /// Takes all discards back.
     void restoreDiscarded();
 
+    /// What a large table has in files leaves memory, and comes back as it is looked at: near
+    /// running spheres, or in order of the ids. To be called every kRowsUntilLeaving rows or so.
+    void leave() const;
+    static constexpr std::size_t kRowsUntilLeaving = std::size_t{1} << 18;
+
 private:
     static constexpr std::uint32_t kRuns = 1;
 
@@ -95,8 +105,8 @@ private:
 
     RunningSpheres running_;
     SphereGrid resting_;
-    std::vector<std::uint32_t> where_; ///< by id: twice the row, and kRuns
-    std::vector<std::uint32_t> group_; ///< by id
+    SpilledArray<std::uint32_t> where_; ///< by id: twice the row, and kRuns
+    SpilledArray<std::uint32_t> group_; ///< by id
     ChangeLog changes_;
     std::size_t discarded_ = 0;
     bool gaps_ = false; ///< a running row is gone

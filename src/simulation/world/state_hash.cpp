@@ -18,6 +18,10 @@ std::string hashState(const Spheres& spheres)
     };
     for (std::size_t i = 0; i < spheres.size(); ++i)
     {
+        if (i % Spheres::kRowsUntilLeaving == 0)
+        {
+            spheres.leave();
+        }
         for (const double coordinate : spheres.position(i))
         {
             take(std::bit_cast<std::uint64_t>(coordinate));

@@ -2,6 +2,7 @@
 #include "simulation/world/world.hpp"
 
 #include "base/memory_at_hand.hpp"
+#include "base/spilled_bytes.hpp"
 #include "mesh/repair/inspect_interior.hpp"
 #include "scene/packing_estimate.hpp"
 #include "scene/thick_parts.hpp"
@@ -23,6 +24,14 @@ namespace frostfill
 namespace
 {
 
+/// Spheres of a run whose rows stay in memory here.
+double rowsInMemory(const Scene& scene, double spheres)
+{
+    return scene.spillFrom > 0 && maySpill(kFilePerSphere * spheres)
+               ? static_cast<double>(scene.spillFrom)
+               : spheres;
+}
+
 /// Of a run that there is memory for.
 RadiusDistribution radiiOf(const Scene& scene, const MeshReport& report, const TriangleMesh& mesh,
                            const TriangleTree& tree, std::optional<TriangleBvh>& bvh)
@@ -35,9 +44,9 @@ RadiusDistribution radiiOf(const Scene& scene, const MeshReport& report, const T
     const double most = kPackingFraction * report.volume /
                         (4.0 / 3.0 * std::numbers::pi * r * r * r * radii.inLargest().meanPower(3));
     const bool counted = scene.spheres.count && !scene.spheres.untilFull;
-    requireMemory(scene, report, r,
-                  counted ? std::min(static_cast<double>(*scene.spheres.count), most) : most,
-                  memoryAtHand());
+    const double wanted =
+        counted ? std::min(static_cast<double>(*scene.spheres.count), most) : most;
+    requireMemory(scene, report, r, wanted, memoryAtHand(), rowsInMemory(scene, wanted));
     return radii;
 }
 
@@ -144,7 +153,7 @@ World::World(const Scene& sceneOfRun, std::shared_ptr<const ObjectOfRun> sharedO
       triangles(object->triangles), inside(object->inside), radii(object->radii.inLargest()),
       height(surface.box().sizes().y()),
       motion(scene.move, frame, height), pull{.uniform = {0, -frame.gravity, 0}},
-      spheres(gridOver(surface, kSphereCell), finerLevels(radii)),
+      spheres(gridOver(surface, kSphereCell), finerLevels(radii), inMemory(scene)),
       polygons(surface.size(), PolygonState::active)
 {
     if (scene.spheres.count && !scene.spheres.untilFull)

@@ -166,7 +166,7 @@ protected:
         return {x, y, 10 * draw()};
     }
 
-    Spheres spheres{GridFrame{{0, 0, 0}, 2, {5, 5, 5}}};
+    Spheres spheres{GridFrame{{0, 0, 0}, 2, {5, 5, 5}}, 0, 8}; // most of them in files
     RunningColumn<std::string> notes{spheres.running(),
                                      [](std::uint32_t, std::string& text) { text = "new"; }};
     std::vector<Model> model;
@@ -189,6 +189,7 @@ TEST_F(SpheresTest, IsWhatAModelIsThatKnowsNoRows)
             change(static_cast<std::uint32_t>(draw() * static_cast<double>(model.size())));
         }
         expectSame(); // with gaps in the ranks
+        spheres.leave();
         spheres.closeRanks();
         expectSame();
         EXPECT_EQ(spheres.running().size(), spheres.runningCount());
