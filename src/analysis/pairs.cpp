@@ -16,7 +16,7 @@ constexpr double kLeastShare = 0.01;
 constexpr std::size_t kFewestCentres = 50;
 /// Of more spheres that have room, so many speak for all, evenly spread. Larger: time. Smaller: of
 /// bins of narrow shells the scatter is seen.
-constexpr std::size_t kMostCentres = 200'000;
+constexpr std::size_t kMostCentres = 100'000;
 
 /// The range that was asked for, or the largest that leaves enough centres.
 double rangeWithRoom(const AnalysisInput& input, double asked)

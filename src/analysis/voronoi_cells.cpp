@@ -13,47 +13,56 @@ namespace
 {
 
 /// A cell is first known up to so far from the surface of its sphere [mean diameter]. Larger: more
-/// neighbours than bound a cell. Smaller: many cells are made twice.
-constexpr double kFirstReach = 0.6;
-/// And then so many times as far. Likewise.
+/// neighbours than bound a cell. Smaller: many are looked for twice.
+constexpr double kFirstReach = 0.4;
+/// Then, from so far, so many times as far again and again. Likewise.
+constexpr double kSecondReach = 0.6;
 constexpr double kNextReach = 1.5;
 /// A cell that reaches farther is open. [mean diameter, or distance of neighbours in a regular
 /// packing of the same density] Larger: spheres at a free surface take long. Smaller: cells in
 /// loose packings do not count.
 constexpr double kFarthest = 8;
-/// Planes between two looks at how large the cell still is.
-constexpr int kLookEvery = 2;
+/// Share of the distance of a plane within which rounding may have a vertex on either side of it.
+constexpr double kRounding = 1e-9;
 
 /// Makes cells one after another. voro++'s tolerances are lengths, so all is in mean diameters.
 class CellMaker
 {
 public:
     CellMaker(const AnalysisInput& input, double farthest)
-        : input_(input), unit_(input.meanDiameter), farthest_(farthest)
+        : input_(input), unit_(input.meanDiameter), perUnit_(1 / unit_), farthest_(farthest)
     {
     }
 
     /// The kind of a cell and its volume [mesh unit].
     std::pair<CellKind, double> make(std::size_t k)
     {
-        for (double reach = input_.radii[k] / unit_ + kFirstReach; reach < farthest_;
-             reach *= kNextReach)
+        sphere_ = k;
+        radius_ = input_.radii[k] / unit_;
+        near_.clear();
+        cell_.init(-farthest_, farthest_, -farthest_, farthest_, -farthest_, farthest_);
+        double gathered = -1;
+        double next = radius_ + kSecondReach;
+        for (double reach = radius_ + kFirstReach; reach < farthest_; reach = next)
         {
-            gather(k, reach);
-            if (holdsNearestWall(k, reach))
+            next *= kNextReach;
+            const std::size_t before = near_.size();
+            gather(gathered, reach);
+            gathered = reach;
+            if (holdsNearestWall(reach))
             {
                 return {CellKind::atWall, AnalysisInput::kNothing};
             }
-            if (!cut(reach))
+            if (!cut(before))
             {
                 return {CellKind::none, AnalysisInput::kNothing};
             }
             cell_.vertices(vertices_);
-            if (reachesOutside(k, reach))
+            if (reachesOutside(reach))
             {
                 return {CellKind::atWall, AnalysisInput::kNothing};
             }
-            if (square(cell_) <= reach * reach)
+            if (square() <= reach * reach)
             {
                 return {CellKind::whole, cell_.volume() * unit_ * unit_ * unit_};
             }
@@ -66,111 +75,157 @@ private:
     {
         double square; ///< of the distance
         std::uint32_t id;
-        double rest; ///< by which the square of its radius is smaller than that of this sphere
-        Eigen::Vector3d apart;
+        std::uint32_t place; ///< in its level
+        const SphereLevels::Level* level;
     };
 
-    /// Of the farthest vertex; voro++'s coordinates are doubled.
-    static double square(voro::voronoicell& cell) { return cell.max_radius_squared() / 4; }
+    [[nodiscard]] Eigen::Vector3d apart(const Neighbour& other) const
+    {
+        return (other.level->spheres[other.place].centre - input_.centres[sphere_]) * perUnit_;
+    }
+    /// By which the square of its radius is smaller than that of this sphere.
+    [[nodiscard]] double rest(const Neighbour& other) const
+    {
+        const double its = other.level->spheres[other.place].radius * perUnit_;
+        return radius_ * radius_ - its * its;
+    }
+
+    /// The largest value of any vertex, from two at a time so that neither waits for the other;
+    /// voro++'s coordinates are doubled.
+    template <class Value>
+    [[nodiscard]] double largest(Value&& value) const
+    {
+        const double* at = cell_.pts;
+        const double* end = at + 3 * static_cast<std::ptrdiff_t>(cell_.p);
+        double even = value(at);
+        double odd = even;
+        for (at += 3; at + 3 < end; at += 6)
+        {
+            even = std::max(even, value(at));
+            odd = std::max(odd, value(at + 3));
+        }
+        return std::max({even, odd, value(end - 3)});
+    }
+    [[nodiscard]] double square() const
+    {
+        return largest([](const double* at)
+                       { return at[0] * at[0] + at[1] * at[1] + at[2] * at[2]; }) /
+               4;
+    }
+    /// Whether the plane of a neighbour surely leaves the cell as it is.
+    [[nodiscard]] bool isBeyond(const Eigen::Vector3d& apart, double distance) const
+    {
+        return largest([&](const double* at)
+                       { return at[0] * apart.x() + at[1] * apart.y() + at[2] * apart.z(); }) <
+               distance - kRounding * std::abs(distance);
+    }
 
     /// How far a sphere may be that bounds the cell within `reach`: a place there is as near to it
     /// as to the cell's own, by squares of distances less squares of radii.
     static double farthestNeighbour(double reach, double rest)
     {
         const double within = reach * reach - rest;
-        return within < 0 ? 0 : reach + std::sqrt(within);
+        return reach < 0 || within < 0 ? 0 : reach + std::sqrt(within);
     }
 
-    /// All that may bound the cell within `reach`, the nearest first.
-    void gather(std::size_t k, double reach)
+    /// Adds all that may bound the cell within `reach` and is not there yet, the nearest first.
+    /// Those up to `gathered` are there; below 0, none.
+    void gather(double gathered, double reach)
     {
-        const double radius = input_.radii[k] / unit_;
-        const double perUnit = 1 / unit_;
-        near_.clear();
+        const Eigen::Vector3d& centre = input_.centres[sphere_];
+        const double squareOfUnit = unit_ * unit_;
+        const std::size_t before = near_.size();
         for (const SphereLevels::Level& level : input_.levels.levels())
         {
-            const double largest = level.largest * perUnit;
-            const double limit = farthestNeighbour(reach, radius * radius - largest * largest);
-            level.forEachRange(input_.centres[k], limit * unit_,
-                               [&](std::uint32_t first, std::uint32_t end)
-                               {
-                                   for (std::uint32_t place = first; place < end; ++place)
-                                   {
-                                       const SphereLevels::Sphere& other = level.spheres[place];
-                                       const Eigen::Vector3d apart =
-                                           (other.centre - input_.centres[k]) * perUnit;
-                                       const double square = apart.squaredNorm();
-                                       if (square <= limit * limit && level.ids[place] != k)
-                                       {
-                                           const double its = other.radius * perUnit;
-                                           near_.push_back({square, level.ids[place],
-                                                            radius * radius - its * its, apart});
-                                       }
-                                   }
-                               });
+            const double largest = level.largest * perUnit_;
+            const double step = radius_ * radius_ - largest * largest;
+            const double limit = farthestNeighbour(reach, step);
+            const double had = farthestNeighbour(gathered, step);
+            const double most = limit * limit * squareOfUnit;
+            const double least = gathered < 0 ? -1 : had * had * squareOfUnit;
+            const auto look = [&](std::uint32_t first, std::uint32_t end)
+            {
+                std::size_t count = near_.size();
+                near_.resize(count + end - first);
+                for (std::uint32_t place = first; place < end; ++place)
+                {
+                    const double square = (level.spheres[place].centre - centre).squaredNorm();
+                    near_[count] = {square, level.ids[place], place, &level};
+                    const bool isNew = square <= most && square > least;
+                    count += isNew && level.ids[place] != sphere_ ? 1 : 0;
+                }
+                near_.resize(count);
+            };
+            level.forEachRange(centre, limit * unit_, look);
         }
-        std::sort(near_.begin(), near_.end(),
+        for (std::size_t k = before; k < near_.size(); ++k)
+        {
+            near_[k].square *= perUnit_ * perUnit_;
+        }
+        std::sort(near_.begin() + static_cast<std::ptrdiff_t>(before), near_.end(),
                   [](const Neighbour& a, const Neighbour& b)
-                  { return std::pair(a.square, a.id) < std::pair(b.square, b.id); });
+                  { return a.square != b.square ? a.square < b.square : a.id < b.id; });
     }
 
     /// Whether the nearest place of all walls belongs to the cell.
-    [[nodiscard]] bool holdsNearestWall(std::size_t k, double reach) const
+    [[nodiscard]] bool holdsNearestWall(double reach) const
     {
-        if (input_.wallDistances[k] > reach * unit_)
+        if (input_.wallDistances[sphere_] > reach * unit_)
         {
             return false;
         }
-        const Eigen::Vector3d wall =
-            (input_.container.nearestWallPoint(input_.centres[k]) - input_.centres[k]) / unit_;
+        const Eigen::Vector3d& centre = input_.centres[sphere_];
+        const Eigen::Vector3d wall = (input_.container.nearestWallPoint(centre) - centre) / unit_;
         return std::all_of(near_.begin(), near_.end(),
                            [&](const Neighbour& other)
-                           { return 2 * wall.dot(other.apart) <= other.square + other.rest; });
+                           { return 2 * wall.dot(apart(other)) <= other.square + rest(other); });
     }
 
-    /// Cuts a cube down to the cell, as far as `reach`. False if nothing is left.
-    bool cut(double reach)
+    /// Cuts off what belongs to neighbours from `first` on. False if nothing is left.
+    bool cut(std::size_t first)
     {
-        cell_.init(-reach, reach, -reach, reach, -reach, reach);
-        double far = std::sqrt(square(cell_));
-        int planes = 0;
-        for (const Neighbour& other : near_)
+        double far = std::sqrt(square());
+        for (std::size_t k = first; k < near_.size(); ++k)
         {
-            const double limit = farthestNeighbour(far, other.rest);
+            const Neighbour& other = near_[k];
+            const double difference = rest(other);
+            const double limit = farthestNeighbour(far, difference);
             if (other.square > limit * limit)
             {
                 continue;
             }
             if (other.square == 0) // two in one place: the larger one has the cell
             {
-                if (other.rest < 0)
+                if (difference < 0)
                 {
                     return false;
                 }
                 continue;
             }
-            if (!cell_.plane(other.apart.x(), other.apart.y(), other.apart.z(),
-                             other.square + other.rest))
+            const Eigen::Vector3d way = apart(other);
+            const double distance = other.square + difference;
+            if (isBeyond(way, distance))
+            {
+                continue;
+            }
+            if (!cell_.plane(way.x(), way.y(), way.z(), distance))
             {
                 return false;
             }
-            if (++planes % kLookEvery == 0)
-            {
-                far = std::sqrt(square(cell_));
-            }
+            far = std::sqrt(square());
         }
         return true;
     }
 
     /// Whether a vertex is outside, or what the cell surely has of the way to it.
-    [[nodiscard]] bool reachesOutside(std::size_t k, double reach) const
+    [[nodiscard]] bool reachesOutside(double reach) const
     {
         for (std::size_t v = 0; v + 2 < vertices_.size(); v += 3)
         {
             const Eigen::Vector3d vertex(vertices_[v], vertices_[v + 1], vertices_[v + 2]);
             const double known = std::min(1.0, reach / vertex.norm());
-            if (known * vertex.norm() * unit_ > input_.wallDistances[k] &&
-                !input_.container.contains(input_.centres[k] + known * unit_ * vertex))
+            if (known * vertex.norm() * unit_ > input_.wallDistances[sphere_] &&
+                !input_.container.contains(input_.centres[sphere_] + known * unit_ * vertex))
             {
                 return true;
             }
@@ -180,7 +235,11 @@ private:
 
     const AnalysisInput& input_;
     double unit_;
+    double perUnit_;
     double farthest_; ///< [unit_]
+    // Of the sphere at hand.
+    std::size_t sphere_ = 0;
+    double radius_ = 0; ///< [unit_]
     voro::voronoicell cell_;
     std::vector<Neighbour> near_;
     std::vector<double> vertices_;

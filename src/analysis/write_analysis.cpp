@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/analysis_points.hpp"
 #include "analysis/sphere_values.hpp"
+#include "base/threads.hpp"
 #include "output/atomic_file.hpp"
 #include "output/column_text.hpp"
 
@@ -12,6 +13,7 @@
 #include <cmath>
 #include <map>
 #include <string_view>
+#include <utility>
 
 namespace frostfill
 {
@@ -21,25 +23,41 @@ namespace
 /// Width of the bins of shares from 0 to 1: local packing fractions, and Q6.
 constexpr double kShareBin = 0.01;
 
+/// Rows that one thread writes in one go, and such parts that wait to go to the file.
+constexpr std::size_t kRowsInPart = 4096;
+constexpr std::size_t kPartsAtOnce = 64;
+
 /// A folder that gets the tables of an analysis.
 class Tables
 {
 public:
-    explicit Tables(const std::filesystem::path& folder) : folder_(folder) {}
+    Tables(const std::filesystem::path& folder, int threads) : folder_(folder), threads_(threads) {}
 
-    /// Writes count rows; put(row, k) appends one.
+    /// Writes count rows; put(row, k) appends one, on any thread.
     template <class Put>
     void table(const std::string& name, std::string_view head, std::size_t count, Put&& put)
     {
         AtomicFile file(folder_ / name);
-        fmt::memory_buffer row;
         file.write(fmt::format("{}\n", head));
-        for (std::size_t k = 0; k < count; ++k)
+        std::vector<fmt::memory_buffer> parts(kPartsAtOnce);
+        for (std::size_t begin = 0; begin < count; begin += kRowsInPart * kPartsAtOnce)
         {
-            row.clear();
-            put(row, k);
-            row.push_back('\n');
-            file.write({row.data(), row.size()});
+            const std::size_t rows = std::min(count - begin, kRowsInPart * kPartsAtOnce);
+            forEachPart(threads_, rows, kRowsInPart,
+                        [&](std::size_t first, std::size_t end, std::size_t part)
+                        {
+                            fmt::memory_buffer& text = parts[part];
+                            text.clear();
+                            for (std::size_t k = first; k < end; ++k)
+                            {
+                                put(text, begin + k);
+                                text.push_back('\n');
+                            }
+                        });
+            for (std::size_t part = 0; part * kRowsInPart < rows; ++part)
+            {
+                file.write({parts[part].data(), parts[part].size()});
+            }
         }
         file.commit();
         names_.push_back(name);
@@ -51,9 +69,11 @@ public:
         return folder_ / name;
     }
     [[nodiscard]] std::vector<std::string>& names() { return names_; }
+    [[nodiscard]] Threads& threads() { return threads_; }
 
 private:
     std::filesystem::path folder_;
+    Threads threads_;
     std::vector<std::string> names_;
 };
 
@@ -62,7 +82,8 @@ template <class... Numbers>
 void put(fmt::memory_buffer& row, const Numbers&... numbers)
 {
     const char* separator = "";
-    ((fmt::format_to(std::back_inserter(row), "{}{}", std::exchange(separator, ","), numbers)),
+    ((fmt::format_to(std::back_inserter(row), FMT_COMPILE("{}{}"), std::exchange(separator, ","),
+                     numbers)),
      ...);
 }
 
@@ -118,7 +139,6 @@ void writeContacts(Tables& tables, const PackingAnalysis& analysis)
                      put(row, analysis.ids[contact.first], analysis.ids[contact.second],
                          contact.gap);
                  });
-    writeNetworkVtp(analysis, tables.add("network.vtp"));
 }
 
 /// How many values are in each bin; those that are no numbers are in none.
@@ -153,16 +173,27 @@ void writeSpheres(Tables& tables, const PackingAnalysis& analysis)
     tables.table("spheres.csv", head, analysis.ids.size(),
                  [&](fmt::memory_buffer& row, std::size_t k)
                  {
+                     const char* separator = "";
                      for (const SphereValue& value : values)
                      {
-                         if (row.size() > 0)
-                         {
-                             row.push_back(',');
-                         }
+                         row.append(std::string_view(std::exchange(separator, ",")));
                          putText(row, value.column, value.of(k));
                      }
                  });
-    writeSpheresVtp(analysis, tables.add("spheres.vtp"));
+}
+
+/// The files for ParaView, which are written at once.
+void writePoints(Tables& tables, const PackingAnalysis& analysis)
+{
+    using Write = void (*)(const PackingAnalysis&, const std::filesystem::path&);
+    std::vector<std::pair<Write, std::filesystem::path>> files = {
+        {writeSpheresVtp, tables.add("spheres.vtp")}};
+    if (analysis.contacts)
+    {
+        files.emplace_back(writeNetworkVtp, tables.add("network.vtp"));
+    }
+    tables.threads().forEachLarge(files.size(), [&](std::size_t k)
+                                  { files[k].first(analysis, files[k].second); });
 }
 
 } // namespace
@@ -181,7 +212,7 @@ std::vector<std::string> writeAnalysis(const PackingAnalysis& analysis,
                                        const std::filesystem::path& folder)
 {
     createDirectory(folder);
-    Tables tables(folder);
+    Tables tables(folder, analysis.settings.threads);
     if (analysis.porosity)
     {
         writePorosity(tables, *analysis.porosity);
@@ -212,6 +243,7 @@ std::vector<std::string> writeAnalysis(const PackingAnalysis& analysis,
         writeSizes(tables, *analysis.sizes);
     }
     writeSpheres(tables, analysis);
+    writePoints(tables, analysis);
     AtomicFile summary(tables.add("summary.json"));
     summary.write(analysisSummary(analysis));
     summary.commit();
