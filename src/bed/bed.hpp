@@ -88,6 +88,7 @@ struct BedLink
     Eigen::Vector3d direction;    ///< unit, from first
     double bridge = 0;            ///< [unit] radius of the cylinder; 0: both are flattened
     std::uint32_t triangle = 0;   ///< of the wall, that is near
+    double turn = 0;              ///< [rad] of the bridge's corners about the direction
 };
 
 /// A point as STL has it.

@@ -43,6 +43,7 @@ nlohmann::ordered_json surfaceSummary(const BedSurface& surface)
     summary["free_volume"] = surface.freeVolume();
     summary["near_places"] = surface.links().links.size();
     summary["bridges"] = surface.links().bridged;
+    summary["bridges_to_walls"] = surface.links().bridgedWalls;
     summary["bridges_thinner_than_asked"] = surface.links().thinned;
     summary["flattened"] = surface.links().flattened;
     summary["triangles"] = surface.triangles();

@@ -61,7 +61,7 @@ void BedSurface::addSphere(std::uint32_t sphere, SphereShape& shape,
         }
         if (link.second == BedLink::kWall)
         {
-            walls_.addBridge(number, triangles);
+            walls_.addBridge(bed_, link, number, triangles);
             continue;
         }
         const std::uint32_t corners = cornersOf(bed_, link);

@@ -18,6 +18,8 @@ namespace
 constexpr double kRoom = 0.4;
 /// Share of the angle between two links of a sphere that each bridge may have.
 constexpr double kAngleRoom = 0.45;
+/// Share of the angle between two links that both may take.
+constexpr double kBeside = 0.95;
 /// Share of the radius that was asked for, below which there is no bridge.
 constexpr double kThinnest = 0.25;
 /// [radius] from the centre, below which nothing is flattened: spheres that overlap so far are
@@ -183,10 +185,10 @@ double bridgeOf(const Bed& bed, const BedLinks& all, const BedLink& link)
     return bridge >= kThinnest * asked && bridge > 2 * circle ? bridge : 0;
 }
 
-/// Whether a bridge of a sphere covers the place at which another link would flatten it, 1; leaves
-/// it alone, 0; or gets in its way, -1.
-int relation(const Bed& bed, const BedLinks& all, std::uint32_t sphere, std::uint32_t bridge,
-             std::uint32_t other)
+/// Whether a bridge of a sphere and another link leave each other room. Walls that are side by side
+/// do: where the bridge ends, it ends on all of them, and beyond it they flatten the sphere.
+bool leaveRoom(const Bed& bed, const BedLinks& all, std::uint32_t sphere, std::uint32_t bridge,
+               std::uint32_t other)
 {
     const BedLink& its = all.links[other];
     const double angle = angleBetween(all.direction(bridge, sphere), all.direction(other, sphere));
@@ -195,11 +197,7 @@ int relation(const Bed& bed, const BedLinks& all, std::uint32_t sphere, std::uin
                                          : std::acos(std::min(1.0, cutOf(bed, its, sphere)));
     const bool bothWalls =
         its.second == BedLink::kWall && all.links[bridge].second == BedLink::kWall;
-    if (bothWalls && its.bridge == 0 && angle < 0.8 * wide)
-    {
-        return 1;
-    }
-    return wide + theirs < 0.95 * angle ? 0 : -1;
+    return (bothWalls && its.bridge == 0) || wide + theirs < kBeside * angle;
 }
 
 /// Of walls that meet a sphere side by side, such as facets of a tube, the nearest has the bridge.
@@ -216,9 +214,10 @@ void leaveCoveredWalls(const Bed& bed, BedLinks& all)
                  ++later)
             {
                 BedLink& other = all.links[links[later]];
-                if (other.second == BedLink::kWall &&
-                    angleBetween(nearer.direction, other.direction) <
-                        std::asin(nearer.bridge / bed.radius(sphere)))
+                if (other.second == BedLink::kWall && other.bridge > 0 &&
+                    kBeside * angleBetween(nearer.direction, other.direction) <=
+                        std::asin(nearer.bridge / bed.radius(sphere)) +
+                            std::asin(other.bridge / bed.radius(sphere)))
                 {
                     other.bridge = 0;
                 }
@@ -252,7 +251,7 @@ void dropWhatDoesNotFit(const Bed& bed, BedLinks& all)
                 for (const std::uint32_t other : all.ofSphere[sphere])
                 {
                     if (other != link && all.links[link].bridge > 0 &&
-                        relation(bed, all, sphere, link, other) < 0)
+                        !leaveRoom(bed, all, sphere, link, other))
                     {
                         all.links[link].bridge = 0;
                         changed = true;
@@ -261,13 +260,14 @@ void dropWhatDoesNotFit(const Bed& bed, BedLinks& all)
             }
         }
     }
-    all.bridged = all.thinned = all.flattened = 0;
+    all.bridged = all.bridgedWalls = all.thinned = all.flattened = 0;
     for (const BedLink& link : all.links)
     {
         const double smaller = link.second == BedLink::kWall
                                    ? bed.radius(link.first)
                                    : std::min(bed.radius(link.first), bed.radius(link.second));
         ++(link.bridge > 0 ? all.bridged : all.flattened);
+        all.bridgedWalls += link.bridge > 0 && link.second == BedLink::kWall ? 1 : 0;
         all.thinned +=
             link.bridge > 0 && link.bridge < bed.settings().bridge * smaller * (1 - 1e-9) ? 1 : 0;
     }

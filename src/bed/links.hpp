@@ -15,8 +15,9 @@ struct BedLinks
     std::vector<BedLink> links;                       ///< by first, then by second
     std::vector<std::vector<std::uint32_t>> ofSphere; ///< [#S] links of each
     std::size_t bridged = 0;
-    std::size_t thinned = 0;   ///< bridges that are thinner than asked: others are in the way
-    std::size_t flattened = 0; ///< instead of bridged, or as asked
+    std::size_t bridgedWalls = 0; ///< of these, those to walls
+    std::size_t thinned = 0;      ///< bridges that are thinner than asked: others are in the way
+    std::size_t flattened = 0;    ///< instead of bridged, or as asked
 
     /// The direction of a link as one of its spheres sees it.
     [[nodiscard]] Eigen::Vector3d direction(std::uint32_t link, std::uint32_t sphere) const

@@ -33,11 +33,11 @@ std::uint32_t cornersOfCircle(double wide, std::size_t resolution)
 /// On a unit sphere, about a direction. The second sphere of a bridge sees the corners of the first
 /// turning the other way.
 Eigen::Vector3d onCircle(const Eigen::Vector3d& direction, const Eigen::Vector3d& axis, double wide,
-                         std::uint32_t corner, std::uint32_t corners)
+                         double turnOfAll, std::uint32_t corner, std::uint32_t corners)
 {
     const Eigen::Vector3d e1 = axis.unitOrthogonal();
     const Eigen::Vector3d e2 = axis.cross(e1);
-    const double turn = 2 * std::numbers::pi * corner / corners;
+    const double turn = turnOfAll + 2 * std::numbers::pi * corner / corners;
     return std::cos(wide) * direction +
            std::sin(wide) * (std::cos(turn) * e1 + std::sin(turn) * e2);
 }
@@ -57,8 +57,8 @@ Eigen::Vector3d cornerOf(const Bed& bed, const BedLink& link, std::uint32_t sphe
 {
     const Eigen::Vector3d direction =
         sphere == link.first ? link.direction : Eigen::Vector3d(-link.direction);
-    return onCircle(direction, link.direction, std::asin(link.bridge / bed.radius(sphere)), corner,
-                    corners);
+    return onCircle(direction, link.direction, std::asin(link.bridge / bed.radius(sphere)),
+                    link.turn, corner, corners);
 }
 
 Eigen::Vector3f cornerInWorld(const Bed& bed, const BedLink& link, std::uint32_t sphere,
@@ -73,20 +73,6 @@ double SphereShape::wide(std::uint32_t sphere, std::uint32_t link) const
     const BedLink& its = links_.links[link];
     return its.bridge > 0 ? std::asin(its.bridge / bed_.radius(sphere))
                           : std::acos(std::min(1.0, cutOf(bed_, its, sphere)));
-}
-
-bool SphereShape::isCovered(std::uint32_t sphere, std::uint32_t link) const
-{
-    const BedLink& its = links_.links[link];
-    const auto covers = [&](std::uint32_t other)
-    {
-        const BedLink& bridge = links_.links[other];
-        return bridge.second == BedLink::kWall && bridge.bridge > 0 &&
-               angleOf(links_.direction(link, sphere), links_.direction(other, sphere)) <
-                   wide(sphere, other);
-    };
-    const std::vector<std::uint32_t>& others = links_.ofSphere[sphere];
-    return its.second == BedLink::kWall && std::any_of(others.begin(), others.end(), covers);
 }
 
 bool SphereShape::hasRoom(std::uint32_t sphere, std::uint32_t link, double own) const
@@ -114,7 +100,7 @@ void SphereShape::addCircle(std::uint32_t sphere, std::uint32_t link, bool isBri
     for (std::uint32_t corner = 0; corner < corners; ++corner)
     {
         points_.push_back(isBridge ? cornerOf(bed_, its, sphere, corner, corners)
-                                   : onCircle(direction, its.direction, own, corner, corners));
+                                   : onCircle(direction, its.direction, own, 0, corner, corners));
         circleOf_.push_back(static_cast<std::uint32_t>(circles_.size()));
     }
     circles_.push_back({direction, std::cos(own + kAround * edge), isBridge ? link : kFlat});
@@ -133,8 +119,7 @@ void SphereShape::look(std::uint32_t sphere)
         {
             addCircle(sphere, link, true);
         }
-        else if (const double cut = cutOf(bed_, links_.links[link], sphere);
-                 cut < 1 && !isCovered(sphere, link))
+        else if (const double cut = cutOf(bed_, links_.links[link], sphere); cut < 1)
         {
             cuts_.push_back({links_.direction(link, sphere), cut});
             if (hasRoom(sphere, link, wide(sphere, link)))

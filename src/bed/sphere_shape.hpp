@@ -60,7 +60,6 @@ private:
     void addPlain(std::uint32_t sphere, std::vector<StlTriangle>& triangles) const;
     void addCircle(std::uint32_t sphere, std::uint32_t link, bool isBridge);
     [[nodiscard]] bool hasRoom(std::uint32_t sphere, std::uint32_t link, double wide) const;
-    [[nodiscard]] bool isCovered(std::uint32_t sphere, std::uint32_t link) const;
     [[nodiscard]] double wide(std::uint32_t sphere, std::uint32_t link) const;
 
     const Bed& bed_;

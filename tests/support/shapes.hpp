@@ -246,4 +246,29 @@ inline TriangleMesh bentTube(int sides = 16)
     return mesh;
 }
 
+/// A standing cylinder about the y axis, with flat ends of triangles about their middle.
+inline TriangleMesh cylinder(double radius, double height, int sides)
+{
+    TriangleMesh mesh;
+    mesh.vertices = {{0, -height / 2, 0}, {0, height / 2, 0}};
+    for (int k = 0; k < sides; ++k)
+    {
+        const double turn = 2 * std::numbers::pi * k / sides;
+        const double x = radius * std::cos(turn);
+        const double z = radius * std::sin(turn);
+        mesh.vertices.emplace_back(x, -height / 2, z);
+        mesh.vertices.emplace_back(x, height / 2, z);
+    }
+    for (int k = 0; k < sides; ++k)
+    {
+        const auto low = static_cast<std::uint32_t>(2 + 2 * k);
+        const auto next = static_cast<std::uint32_t>(2 + 2 * ((k + 1) % sides));
+        mesh.triangles.push_back({0, low, next});
+        mesh.triangles.push_back({1, next + 1, low + 1});
+        mesh.triangles.push_back({low, low + 1, next + 1});
+        mesh.triangles.push_back({low, next + 1, next});
+    }
+    return mesh;
+}
+
 } // namespace frostfill::shapes

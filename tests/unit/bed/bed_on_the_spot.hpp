@@ -75,6 +75,30 @@ inline Spheres touchingSpheres(std::size_t count, double largest, double ratio)
     return spheres;
 }
 
+/// Spheres of like size in any object, each of which touches a wall or another one, to rounding.
+inline Spheres touchingSpheresIn(const TriangleMesh& mesh, std::size_t count, double largest)
+{
+    const Surface surface(mesh);
+    Spheres spheres;
+    for (std::uint64_t draw = 0; spheres.radii.size() < count && draw < 200000; ++draw)
+    {
+        const Eigen::Vector3d random(uniformRandom(7, draw, 0), uniformRandom(7, draw, 1),
+                                     uniformRandom(7, draw, 2));
+        const Eigen::Vector3d p = surface.box().min() + random.cwiseProduct(surface.box().sizes());
+        double room = nearestDistance(surface, p, 1e300).value;
+        for (std::size_t k = 0; k < spheres.radii.size(); ++k)
+        {
+            room = std::min(room, (spheres.centres[k] - p).norm() - spheres.radii[k]);
+        }
+        if (room < largest && room > largest / 2)
+        {
+            spheres.centres.push_back(p);
+            spheres.radii.push_back(room);
+        }
+    }
+    return spheres;
+}
+
 /// Vertices with equal coordinates become one.
 inline TriangleMesh welded(const BedSurface& surface)
 {

@@ -23,11 +23,12 @@ using test::readFile;
 class BedFiles : public ::testing::Test
 {
 protected:
-    BedFiles()
+    BedFiles() { fill("cube", 0.28); }
+    void fill(const char* object, double radius) const
     {
-        Scene scene = presetScene(Preset::fast, "cube");
+        Scene scene = presetScene(Preset::fast, object);
         scene.spheres.count = 20;
-        scene.spheres.radius = 0.28;
+        scene.spheres.radius = radius;
         test::recordRun(scene, folder_ / "run.frost", 20);
     }
     void write(ExportFormat format, const std::string& contacts = "shrink:0.99",
@@ -96,14 +97,21 @@ TEST_F(BedFiles, OfStlAreClosedAndNotSelfIntersectingForOpenFoam)
     {
         GTEST_SKIP() << "surfaceCheck is not installed";
     }
-    for (const char* contacts : {"shrink:0.99", "caps:0.02", "bridges:0.2"})
+    for (const auto& [object, radius] : {std::pair{"cube", 0.28}, {"torus", 0.1}})
     {
-        SCOPED_TRACE(contacts);
-        write(ExportFormat::stlBed, contacts);
-        EXPECT_EQ(run(std::string(kOpenFoam) + "surfaceCheck bed.stl -checkSelfIntersection"), 0);
-        EXPECT_TRUE(has("Surface has no illegal triangles")) << said();
-        EXPECT_TRUE(has("Surface is closed. All edges connected to two faces"));
-        EXPECT_TRUE(has("Surface is not self-intersecting"));
+        fill(object, radius);
+        for (const char* contacts : {"shrink:0.99", "caps:0.02", "bridges:0.2"})
+        {
+            SCOPED_TRACE(fmt::format("{} {}", object, contacts));
+            write(ExportFormat::stlBed, contacts);
+            const auto summary = nlohmann::json::parse(readFile(folder_ / "out/bed.stl.json"));
+            EXPECT_EQ(summary["bridges_to_walls"] > 10, contacts == std::string("bridges:0.2"));
+            EXPECT_EQ(run(std::string(kOpenFoam) + "surfaceCheck bed.stl -checkSelfIntersection"),
+                      0);
+            EXPECT_TRUE(has("Surface has no illegal triangles")) << said();
+            EXPECT_TRUE(has("Surface is closed. All edges connected to two faces"));
+            EXPECT_TRUE(has("Surface is not self-intersecting"));
+        }
     }
 }
 

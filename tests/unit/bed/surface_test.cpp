@@ -104,6 +104,75 @@ TEST(BedSurface, HasTheVolumeOfABridge)
     expectSound(surface);
 }
 
+// One sphere on the floor: the same with a cap and half of the cylinder.
+TEST(BedSurface, HasTheVolumeOfABridgeToAWall)
+{
+    for (const int parts : {1, 3, 8})
+    {
+        SCOPED_TRACE(parts); // of the floor: the hole is in one triangle, or in many
+        const test::Spheres one = {{{0.3, -2, 0.1}}, {1}};
+        const Bed bed =
+            bedOf(shapes::box({-3, -3, -3}, {3, 3, 3}, parts), one, treatment("bridges:0.5", 60));
+        const BedSurface surface(bed);
+        EXPECT_EQ(surface.links().bridgedWalls, 1U);
+        const double pi = std::numbers::pi;
+        const double h = 1 - std::sqrt(1 - 0.25);
+        const double solid = 4.0 / 3.0 * pi - pi * h * h * (3 - h) / 3 + pi * 0.25 * h;
+        EXPECT_NEAR(216 - surface.freeVolume(), solid, 1e-3 * solid);
+        expectSound(surface);
+    }
+}
+
+class BridgesToWalls : public ::testing::TestWithParam<int>
+{
+protected:
+    [[nodiscard]] static TriangleMesh container()
+    {
+        switch (GetParam())
+        {
+        case 0:
+            return shapes::box({-1, -1, -1}, {1, 1, 1}, 1);
+        case 1:
+            return shapes::box({-1, -1, -1}, {1, 1, 1}, 40);
+        case 2:
+            return shapes::cylinder(1, 2, 64);
+        case 3:
+            return shapes::cylinder(1, 2, 7);
+        case 4:
+            return shapes::torus();
+        default:
+            return shapes::torus(1, 0.4, 96, 48);
+        }
+    }
+};
+
+TEST_P(BridgesToWalls, LeaveTheSurfaceClosedAndNowhereCrossingItself)
+{
+    const TriangleMesh mesh = container();
+    const test::Spheres spheres = test::touchingSpheresIn(mesh, 250, 0.16);
+    for (const char* how : {"bridges:0.2", "bridges:0.1,0.005", "bridges:0.4,0.05"})
+    {
+        SCOPED_TRACE(how);
+        const Bed bed = bedOf(mesh, spheres, treatment(how));
+        const BedSurface surface(bed);
+        std::size_t walls = 0;
+        for (std::uint32_t k = 0; k < bed.size(); ++k)
+        {
+            const auto& links = surface.links().ofSphere[k];
+            walls += std::any_of(links.begin(), links.end(),
+                                 [&](std::uint32_t link)
+                                 { return surface.links().links[link].second == BedLink::kWall; })
+                         ? 1
+                         : 0;
+        }
+        EXPECT_GT(walls, 25U);
+        EXPECT_GE(10 * surface.links().bridgedWalls, 8 * walls);
+        expectSound(surface);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Containers, BridgesToWalls, ::testing::Range(0, 6));
+
 TEST(BedSurface, FlattensSpheresUpToTheGap)
 {
     const test::Spheres two = {{{-1, 0, 0}, {1, 0, 0}}, {1, 1}};
