@@ -46,6 +46,17 @@ enum class ColumnOf : std::uint8_t
     resting,
 };
 
+/// What the ends of a column's scale of colours are.
+enum class ColumnScale : std::uint8_t
+{
+    own,    ///< `low` and `high`
+    groups, ///< the groups of the run
+    sets,   ///< the sets of the run
+    fall,   ///< the speeds of a fall through the object
+    height, ///< the heights of the object
+    depth,  ///< 0 and half of the object's smallest side
+};
+
 /// A quantity of a sphere.
 struct Column
 {
@@ -67,9 +78,15 @@ struct Column
     bool colour = true;      ///< a choice of --color-by
     bool onRequest = false;  ///< it takes long: carried only where it is asked for
     std::string partOf = {}; ///< name of what several columns are together, to ask for all of them
+    /// Found of all spheres at rest together, as `analyse` does, for each picture and each exported
+    /// frame that asks for it: no run keeps it, see analysis/measured_columns.hpp. Not a number
+    /// where a sphere has none.
+    bool measured = false;
+    ColumnScale scale = ColumnScale::own;
 
     /// Its value, of a column that each state has in a field of its own: of all built-in ones but
-    /// `contacts` and `unbalance`. Null for a column that a snapshot carries, see ColumnValues.
+    /// `contacts`, `unbalance` and measured ones. Null for a column that a snapshot carries, see
+    /// ColumnValues.
     double (*fixed)(const SphereRow& row) = nullptr;
     /// Computes a carried value from what the sphere has. Null for a column that only the
     /// simulation knows, see simulation/columns.
@@ -95,6 +112,9 @@ inline constexpr const char* kOrientation = "orientation";
 /// The names of those that may give spheres their colours.
 [[nodiscard]] std::vector<std::string> colourColumns();
 
+/// The names of those that are measured.
+[[nodiscard]] std::vector<std::string> measuredNames();
+
 /// Adds a carried column, of type uint32 or float32, before the first simulation and from one
 /// thread. Throws Error usage for a name that is taken or no word, or for another type.
 const Column& addColumn(Column column);
@@ -119,7 +139,7 @@ private:
 };
 
 /// One of each carried column, without values; of those on request only those that are asked for,
-/// by their names or by what they are part of.
+/// by their names or by what they are part of; none that is measured.
 [[nodiscard]] std::vector<ColumnValues> carriedColumns(std::span<const std::string> asked = {});
 
 /// Null if the column is not among them.

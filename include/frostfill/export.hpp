@@ -69,6 +69,8 @@ struct ExportRequest
     /// glbInstanced. The other formats have the true mesh, or none.
     bool fullMesh = false;
     BedSettings bed = {}; ///< of the formats that are geometry
+    /// Columns that are measured of each frame, see Column::measured, beside those of the run.
+    std::vector<std::string> measured = {};
 };
 
 struct ExportResult

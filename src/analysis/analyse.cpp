@@ -28,27 +28,6 @@ void require(bool holds, const char* what)
     }
 }
 
-void checkSettings(const AnalysisSettings& settings)
-{
-    require(settings.bins > 0 && settings.bins <= kMostBins,
-            "the number of bins must be from 1 to 100000");
-    require(settings.range > 0 && settings.range <= kLongestRange,
-            "the range must be above 0 and at most 50 mean diameters");
-    require(settings.contactGap >= 0 && settings.contactGap <= 1,
-            "the gap of a contact must be from 0 to 1 of the smaller radius");
-    require(settings.bondLength >= 1 && settings.bondLength <= 3,
-            "the length of a bond must be from 1 to 3 sums of both radii");
-    require(settings.samples >= kFewestSamples && settings.samples <= kMostSamples,
-            "the number of samples must be from 16 to 1e10");
-    require(!settings.centre || settings.centre->allFinite(), "the centre must be three numbers");
-    require(settings.threads >= 0, "the number of threads must not be negative");
-    if (!hasVoronoiCells() && std::find(settings.only.begin(), settings.only.end(),
-                                        AnalysisKind::cells) != settings.only.end())
-    {
-        throw Error(ErrorCode::missingProgram, missingVoronoiCells());
-    }
-}
-
 bool isAsked(const AnalysisSettings& settings, AnalysisKind kind)
 {
     if (settings.only.empty())
@@ -74,16 +53,6 @@ void checkSpheres(const Packing& packing)
                                                         k, packing.radii[k]));
         }
     }
-}
-
-double meanDiameterOf(const std::vector<double>& radii)
-{
-    double sum = 0;
-    for (const double radius : radii)
-    {
-        sum += radius;
-    }
-    return radii.empty() ? 1 : 2 * sum / static_cast<double>(radii.size());
 }
 
 /// Keeps the spheres that are inside, and counts the others.
@@ -115,13 +84,6 @@ void takeSpheres(const Packing& packing, const Container& container, Threads& th
             ++(packing.centres[k].allFinite() ? analysis.outside : analysis.notFinite);
         }
     }
-    if (analysis.ids.empty())
-    {
-        throw Error(ErrorCode::badData,
-                    fmt::format("none of {} centres is inside the mesh: are both in the same unit "
-                                "and place?",
-                                count));
-    }
     analysis.wallDistances.resize(analysis.ids.size());
     forEachPart(threads, analysis.ids.size(), AnalysisInput::kInPart,
                 [&](std::size_t first, std::size_t end, std::size_t)
@@ -134,6 +96,37 @@ void takeSpheres(const Packing& packing, const Container& container, Threads& th
 }
 
 } // namespace
+
+void checkSettings(const AnalysisSettings& settings)
+{
+    require(settings.bins > 0 && settings.bins <= kMostBins,
+            "the number of bins must be from 1 to 100000");
+    require(settings.range > 0 && settings.range <= kLongestRange,
+            "the range must be above 0 and at most 50 mean diameters");
+    require(settings.contactGap >= 0 && settings.contactGap <= 1,
+            "the gap of a contact must be from 0 to 1 of the smaller radius");
+    require(settings.bondLength >= 1 && settings.bondLength <= 3,
+            "the length of a bond must be from 1 to 3 sums of both radii");
+    require(settings.samples >= kFewestSamples && settings.samples <= kMostSamples,
+            "the number of samples must be from 16 to 1e10");
+    require(!settings.centre || settings.centre->allFinite(), "the centre must be three numbers");
+    require(settings.threads >= 0, "the number of threads must not be negative");
+    if (!hasVoronoiCells() && std::find(settings.only.begin(), settings.only.end(),
+                                        AnalysisKind::cells) != settings.only.end())
+    {
+        throw Error(ErrorCode::missingProgram, missingVoronoiCells());
+    }
+}
+
+double meanDiameterOf(const std::vector<double>& radii)
+{
+    double sum = 0;
+    for (const double radius : radii)
+    {
+        sum += radius;
+    }
+    return radii.empty() ? 1 : 2 * sum / static_cast<double>(radii.size());
+}
 
 const std::vector<std::string>& analysisNames()
 {
@@ -171,17 +164,18 @@ ProfileFrame::ProfileFrame(const AnalysisInput& input)
     }
 }
 
-PackingAnalysis analysePacking(const TriangleMesh& mesh, const Packing& packing,
-                               const AnalysisSettings& settings)
+PackingAnalysis analyseIn(const Container& container, const Packing& packing,
+                          const AnalysisSettings& settings)
 {
-    checkSettings(settings);
-    checkSpheres(packing);
     PackingAnalysis analysis;
     analysis.settings = settings;
-    Threads threads(settings.threads);
-    const Container container(mesh, meanDiameterOf(packing.radii));
-    takeSpheres(packing, container, threads, analysis);
     analysis.meshVolume = container.report().volume;
+    Threads threads(settings.threads);
+    takeSpheres(packing, container, threads, analysis);
+    if (analysis.ids.empty())
+    {
+        return analysis;
+    }
     const SphereLevels levels(analysis.centres, analysis.radii);
     const AnalysisInput input{settings,
                               container,
@@ -204,6 +198,23 @@ PackingAnalysis analysePacking(const TriangleMesh& mesh, const Packing& packing,
     find(AnalysisKind::cells, analysis.cells, findCells);
     find(AnalysisKind::order, analysis.order, findOrder);
     find(AnalysisKind::sizes, analysis.sizes, findSizes);
+    return analysis;
+}
+
+PackingAnalysis analysePacking(const TriangleMesh& mesh, const Packing& packing,
+                               const AnalysisSettings& settings)
+{
+    checkSettings(settings);
+    checkSpheres(packing);
+    PackingAnalysis analysis =
+        analyseIn(Container(mesh, meanDiameterOf(packing.radii)), packing, settings);
+    if (analysis.ids.empty())
+    {
+        throw Error(ErrorCode::badData,
+                    fmt::format("none of {} centres is inside the mesh: are both in the same unit "
+                                "and place?",
+                                packing.radii.size()));
+    }
     return analysis;
 }
 

@@ -78,6 +78,15 @@ private:
     double widest_ = 0;
 };
 
+/// Analyses spheres in a container that is known already. Without a sphere inside, it finds
+/// nothing.
+[[nodiscard]] PackingAnalysis analyseIn(const Container& container, const Packing& packing,
+                                        const AnalysisSettings& settings);
+/// Of equal weight; 1 without spheres.
+[[nodiscard]] double meanDiameterOf(const std::vector<double>& radii);
+/// Throws Error usage for settings out of range, missingProgram for cells that are not built in.
+void checkSettings(const AnalysisSettings& settings);
+
 // One function for each kind of analysis.
 
 [[nodiscard]] PorosityProfiles findPorosity(const AnalysisInput& input);

@@ -5,15 +5,26 @@
 #include <frostfill/columns.hpp>
 
 #include <functional>
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace frostfill
 {
 
+/// Where the values of a measured column come from.
+struct Finding
+{
+    const char* column;
+    std::optional<AnalysisKind> kind; ///< that finds them; none: they are always there
+    double (*of)(const PackingAnalysis& analysis, std::size_t k);
+};
+[[nodiscard]] std::span<const Finding> findings();
+
 /// A value that each sphere of an analysis has.
 struct SphereValue
 {
-    Column column; ///< its name, type, unit and help
+    Column column; ///< as declared in the table of columns, but with all digits
     std::function<double(std::size_t k)> of;
 };
 

@@ -4,10 +4,12 @@
 #include "app/progress/stop_signals.hpp"
 #include "app/text/shell_text.hpp"
 
+#include <frostfill/columns.hpp>
 #include <frostfill/export.hpp>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <memory>
 #include <string>
@@ -33,6 +35,7 @@ struct ExportArguments
     bool fullMesh = false;
     std::string contacts;
     BedSettings bed;
+    std::vector<std::string> measured;
     bool overwrite = false;
     bool quiet = false;
 };
@@ -65,6 +68,7 @@ int exportAll(const ExportArguments& arguments)
         request.frames = arguments.frames;
         request.fullMesh = arguments.fullMesh;
         request.bed = bed;
+        request.measured = arguments.measured;
         request.overwrite = arguments.overwrite;
     }
     catchStopSignals();
@@ -124,6 +128,12 @@ Command addExportCommand(CLI::App& program)
         ->type_name("DIR");
     command->add_flag("--full-mesh", arguments->fullMesh,
                       fmt::format("{}: in glTF", kFullMeshHelp));
+    command
+        ->add_option("--measure", arguments->measured,
+                     fmt::format("Columns that are found for spheres at rest, as by analyse: {}",
+                                 fmt::join(measuredNames(), ", ")))
+        ->delimiter(',')
+        ->type_name("NAMES");
     addGeometryOptions(*command, *arguments);
     command->add_flag("--overwrite", arguments->overwrite, "Replace files of an earlier export");
     command->add_flag("--quiet", arguments->quiet, "Print nothing but errors");

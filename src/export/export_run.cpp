@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "analysis/measured_columns.hpp"
 #include "export/exporter.hpp"
 #include "output/atomic_file.hpp"
 #include "output/scene_json.hpp"
@@ -13,6 +14,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <optional>
 #include <set>
 
 namespace frostfill
@@ -136,12 +138,24 @@ ExportResult exportRun(const ExportRequest& request, const ExportProgress& progr
         requireFree(request.out, names);
     }
     createDirectory(request.out);
+    std::optional<MeasuredColumns> measured;
+    if (!request.measured.empty())
+    {
+        measured.emplace(run.mesh, request.measured, request.bed.threads);
+    }
     const auto exporter = makeExporter(request.format, run, request.out);
+    Snapshot withMeasured;
     std::size_t done = 0;
     std::size_t spheres = 0;
     for (const std::size_t index : chosen)
     {
-        const Snapshot& state = reader.seek(index);
+        const Snapshot& kept = reader.seek(index);
+        if (measured)
+        {
+            withMeasured = kept;
+            measured->fill(withMeasured, reader.centres(), reader.radii());
+        }
+        const Snapshot& state = measured ? withMeasured : kept;
         ExportedFrame frame{reader.frames()[index], state, reader.centres(), reader.radii()};
         frame.moved = hasMoved(state.pose);
         exporter->add(frame);

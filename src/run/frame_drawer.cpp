@@ -79,6 +79,11 @@ FrameDrawer::FrameDrawer(const PaintRequest& request)
         settings_.camera = request_.path->at(0, settings_.camera);
         settings_.camera.turntable = 1; // the object fits, equally large, at all angles
     }
+    const Column* shown = findColumn(settings_.style.colourBy);
+    if (shown != nullptr && shown->measured)
+    {
+        measured_.emplace(request_.mesh, std::vector{shown->name}, request_.scene.threads);
+    }
     renderer_.emplace(request_.mesh, settings_);
     drawn_.renderer = renderer_->description();
     drawn_.objectRegion = renderer_->objectRegion();
@@ -121,13 +126,24 @@ bool FrameDrawer::leavesOut(const PicturePlan::Picture& picture, const PngText& 
     return !ours || isThere || request_.onlyLook;
 }
 
+/// The state with what is measured of it. All of it is drawn again: a value may change where
+/// nothing has moved.
+const Snapshot& FrameDrawer::measured(const Snapshot& state)
+{
+    std::swap(measuredStates_[0], measuredStates_[1]);
+    measuredStates_[0] = state;
+    measuredStates_[0].source = 0;
+    measured_->fill(measuredStates_[0]);
+    return measuredStates_[0];
+}
+
 void FrameDrawer::draw(const PicturePlan::Picture& picture, const Snapshot& state,
                        std::uint64_t revision)
 {
     const std::pair shown(revision, cameraAt(picture.frame));
     const bool isNew = shown_ != shown;
     shown_ = shown;
-    state_ = &state;
+    state_ = measured_ ? state_ : &state;
     if (isNew)
     {
         drawn_.sets.resize(std::max<std::size_t>(drawn_.sets.size(), state.set + 1));
@@ -155,13 +171,14 @@ void FrameDrawer::draw(const PicturePlan::Picture& picture, const Snapshot& stat
     const bool draws = isNew || !isDrawn_;
     if (draws)
     {
-        render(state, isNew);
+        state_ = measured_ ? &measured(state) : &state;
+        render(*state_, isNew);
     }
     noRows_.assign(static_cast<std::size_t>(image_->height), 0);
     writer_.put(picture.number, *image_, draws ? renderer_->changedRows() : noRows_, state.set,
                 text);
     // A picture at which thinning begins may fall to it itself: the passes have to hear of it.
-    sideOutputs_.put(picture.number, picture.thins || picture.index, *renderer_, state, *image_);
+    sideOutputs_.put(picture.number, picture.thins || picture.index, *renderer_, *state_, *image_);
 }
 
 void FrameDrawer::render(const Snapshot& state, bool isNew)

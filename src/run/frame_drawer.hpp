@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "analysis/measured_columns.hpp"
 #include "run/camera_path.hpp"
 #include "run/frame_writer.hpp"
 #include "run/picture_plan.hpp"
@@ -11,6 +12,7 @@
 #include <frostfill/renderer.hpp>
 #include <frostfill/scene.hpp>
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <limits>
@@ -96,6 +98,7 @@ public:
 private:
     [[nodiscard]] double cameraAt(std::size_t frame) const;
     [[nodiscard]] bool leavesOut(const PicturePlan::Picture& picture, const PngText& text);
+    [[nodiscard]] const Snapshot& measured(const Snapshot& state);
     void render(const Snapshot& state, bool isNew);
     void checkForBlank();
 
@@ -105,6 +108,8 @@ private:
     FrameWriter writer_;
     SideOutputs sideOutputs_;
     std::optional<Renderer> renderer_;
+    std::optional<MeasuredColumns> measured_; ///< where one gives spheres their colours
+    std::array<Snapshot, 2> measuredStates_;  ///< in turn
     /// Of the newest picture: the revision of its state, and where the camera is.
     std::optional<std::pair<std::uint64_t, double>> shown_;
     const Snapshot* state_ = nullptr; ///< that it shows

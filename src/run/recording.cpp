@@ -43,7 +43,8 @@ std::vector<ColumnValues> columnsToCarry(const Scene& scene)
         return carriedColumns(askedColumns(scene));
     }
     const Column& shown = *findColumn(scene.style.colourBy);
-    return shown.isCarried() ? std::vector{ColumnValues(shown)} : std::vector<ColumnValues>();
+    return shown.isCarried() && !shown.measured ? std::vector{ColumnValues(shown)}
+                                                : std::vector<ColumnValues>();
 }
 
 // Nothing has to be known of a run of which only the end is looked at.

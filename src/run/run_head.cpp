@@ -64,20 +64,18 @@ ColourFacts colourFacts(const Scene& scene, const Simulation& simulation)
 
 ColourRange colourRange(const Scene& scene, const ColourFacts& facts)
 {
-    const std::string& by = scene.style.colourBy;
-    if (by == "set")
+    const Column* column = findColumn(scene.style.colourBy);
+    switch (column != nullptr ? column->scale : ColumnScale::own)
     {
+    case ColumnScale::sets:
         return {0, std::max(1.0, std::ceil(facts.groups / scene.spheres.groupsPerSet) - 1)};
-    }
-    if (by == "group")
-    {
+    case ColumnScale::groups:
         return {0, std::max(1.0, facts.groups - 1)};
-    }
-    if (by == "speed") // of a fall through the object
-    {
+    case ColumnScale::fall:
         return {0, scene.motion.gravity * facts.fallSeconds};
+    default:
+        return {}; // the renderer knows
     }
-    return {}; // the renderer knows
 }
 
 std::string headText(const RunHead& head)

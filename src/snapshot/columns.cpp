@@ -46,6 +46,53 @@ Column orientation(const char* name)
             .partOf = kOrientation};
 }
 
+/// What `analyse` finds of a sphere.
+Column measured(const char* name, const char* plural, const char* title, const char* unit,
+                const char* help, ColumnType type, double low, double high)
+{
+    return {.name = name,
+            .plural = plural,
+            .title = title,
+            .unit = unit,
+            .help = help,
+            .type = type,
+            .changes = ColumnChanges::atRest,
+            .of = ColumnOf::resting,
+            .low = low,
+            .high = high,
+            .file = false,
+            .python = false,
+            .measured = true};
+}
+
+/// The scales are those of what packings have: no crystal is above the upper ends.
+std::vector<Column> measuredColumns()
+{
+    constexpr ColumnType whole = ColumnType::uint32;
+    constexpr ColumnType real = ColumnType::float32;
+    std::vector<Column> all = {
+        measured("wall_distance", "wall_distances", "Distance from wall", "mesh unit",
+                 "from the centre to the wall", real, 0, 1),
+        measured("sphere_contacts", "sphere_contacts", "Contacts with spheres", "",
+                 "other spheres that it touches", whole, 0, kKissingNumber),
+        measured("wall_contacts", "wall_contacts", "Contacts with walls", "",
+                 "pieces of wall that it touches", whole, 0, 3),
+        measured("rattler", "rattlers", "Rattler", "", "1 if its contacts do not hold it",
+                 ColumnType::uint8, 0, 1),
+        measured("cell", "cells", "Voronoi cell", "", "0 whole, 1 cut by a wall, 2 open, 3 none",
+                 ColumnType::uint8, 0, 3),
+        measured("cell_volume", "cell_volumes", "Volume of the cell", "mesh unit^3",
+                 "nan unless whole", real, 0, 1),
+        measured("local_fraction", "local_fractions", "Packing fraction in the cell", "",
+                 "share of the cell; nan likewise", real, 0.4, 0.75),
+        measured("bonds", "bonds", "Bonds", "", "spheres near enough for Q6", whole, 0, 14),
+        measured("q6", "q6", "Q6", "", "Q6 of its bonds", real, 0.2, 0.6),
+    };
+    all[0].scale = ColumnScale::depth;
+    all[5].colour = false; // it has no scale that fits all packings; local_fraction has
+    return all;
+}
+
 std::deque<Column> builtIn()
 {
     return {
@@ -80,6 +127,7 @@ std::deque<Column> builtIn()
          .help = "the group with which a sphere appeared, from 0",
          .type = ColumnType::uint32,
          .changes = ColumnChanges::never,
+         .scale = ColumnScale::groups,
          .fixed = [](const SphereRow& row) -> double { return row.group; }},
         {.name = "set",
          .plural = "sets",
@@ -89,6 +137,7 @@ std::deque<Column> builtIn()
          .changes = ColumnChanges::never,
          .file = false,
          .python = false,
+         .scale = ColumnScale::sets,
          .fixed = [](const SphereRow& row) -> double { return row.set; }},
         {.name = "speed",
          .plural = "speeds",
@@ -100,6 +149,7 @@ std::deque<Column> builtIn()
          .of = ColumnOf::running,
          .digits = 11,
          .file = false,
+         .scale = ColumnScale::fall,
          .fixed = [](const SphereRow& row) -> double { return row.speed; }},
         {.name = "height",
          .plural = "heights",
@@ -111,6 +161,7 @@ std::deque<Column> builtIn()
          .file = false,
          .exported = false,
          .python = false,
+         .scale = ColumnScale::height,
          .fixed = [](const SphereRow& row) { return row.height; }},
         {.name = "contacts",
          .plural = "contacts",
@@ -142,7 +193,13 @@ std::deque<Column> builtIn()
 
 std::deque<Column>& table()
 {
-    static std::deque<Column> all = builtIn();
+    static std::deque<Column> all = []
+    {
+        std::deque<Column> columns = builtIn();
+        const std::vector<Column> found = measuredColumns();
+        columns.insert(columns.end(), found.begin(), found.end());
+        return columns;
+    }();
     return all;
 }
 
@@ -173,6 +230,19 @@ std::vector<std::string> colourColumns()
     for (const Column& column : table())
     {
         if (column.colour)
+        {
+            names.push_back(column.name);
+        }
+    }
+    return names;
+}
+
+std::vector<std::string> measuredNames()
+{
+    std::vector<std::string> names;
+    for (const Column& column : table())
+    {
+        if (column.measured)
         {
             names.push_back(column.name);
         }
@@ -247,7 +317,7 @@ std::vector<ColumnValues> carriedColumns(std::span<const std::string> asked)
         const bool isAsked = std::any_of(asked.begin(), asked.end(),
                                          [&](const std::string& name)
                                          { return name == column.name || name == column.partOf; });
-        if (column.isCarried() && (!column.onRequest || isAsked))
+        if (column.isCarried() && !column.measured && (!column.onRequest || isAsked))
         {
             carried.emplace_back(column);
         }

@@ -65,16 +65,17 @@ room(render ${seen} render/framing render/context render/passes render/overlay r
 
 room(run_file base ${mesh} snapshot)
 room(packing ${mesh} scene scene/options snapshot simulation simulation/quality run_file)
+room(analysis base geometry ${mesh} scene snapshot simulation simulation/quality packing)
 room(output base mesh snapshot scene scene/options image)
 room(shell mesh mesh/interior geometry snapshot)
 room(bed base geometry mesh mesh/interior output run_file)
-room(export base mesh view scene scene/options snapshot run_file output shell bed)
+room(export base mesh view scene scene/options snapshot run_file output shell bed analysis)
 room(export/inputs mesh mesh/interior scene snapshot output export)
-room(run base mesh view scene scene/options snapshot simulation image renderer render/overlay run_file output)
+room(run base mesh view scene scene/options snapshot simulation image renderer render/overlay run_file output analysis)
 room(page mesh view scene snapshot renderer render/framing render/context render/overlay render/picture
      run_file output shell run)
 
-room(analysis base geometry ${mesh} scene snapshot simulation simulation/quality packing output export run_file)
+room(analysis/files base snapshot run_file output export analysis)
 
 room(import mesh scene snapshot run_file packing run)
 
@@ -82,7 +83,7 @@ room(sweep base mesh scene scene/options simulation image renderer run_file outp
 
 set(below base geometry oracle ${mesh} view scene scene/options snapshot simulation simulation/world ${parts}
           simulation/quality simulation/columns simulation/engine image renderer render/framing render/context
-          render/overlay render/picture run_file packing output export run analysis)
+          render/overlay render/picture run_file packing output export run analysis analysis/files)
 room(study ${below})
 room(study/stability ${below} study)
 room(study/operations ${below} study)

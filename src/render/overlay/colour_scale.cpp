@@ -3,6 +3,7 @@
 
 #include <frostfill/error.hpp>
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -123,11 +124,20 @@ SphereColours::SphereColours(const RenderSettings& settings,
     {
         range_ = {column_->low, column_->high};
     }
-    if (column_->name == "speed")
+    if (column_->scale == ColumnScale::fall)
     {
         range_ = {0, roundUp(kFastShare * range_.high)};
     }
-    if (column_->name != "height" || vertices.empty())
+    if (column_->scale == ColumnScale::depth && !vertices.empty())
+    {
+        Eigen::AlignedBox3d box;
+        for (const Eigen::Vector3d& vertex : vertices)
+        {
+            box.extend(vertex);
+        }
+        range_ = {0, box.sizes().minCoeff() / 2};
+    }
+    if (column_->scale != ColumnScale::height || vertices.empty())
     {
         return;
     }
@@ -191,7 +201,9 @@ Colour SphereColours::of(const Snapshot& snapshot, std::size_t sphere) const
         return otherColour(snapshot.states[sphere]);
     }
     const double width = range_.high - range_.low;
-    return scaleColour(width > 0 ? (value(snapshot, sphere) - range_.low) / width : 0);
+    const double shown = value(snapshot, sphere);
+    return std::isnan(shown) ? otherColour(snapshot.states[sphere])
+                             : scaleColour(width > 0 ? (shown - range_.low) / width : 0);
 }
 
 Colour SphereColours::ofSwatch(SphereState state) const

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "analysis/analysis_points.hpp"
+#include "analysis/files/analysis_points.hpp"
 #include "analysis/sphere_values.hpp"
 #include "base/threads.hpp"
 #include "output/atomic_file.hpp"

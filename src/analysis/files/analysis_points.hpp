@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Room: an analysis as files: tables, and points and lines for ParaView.
 #pragma once
 
 #include <frostfill/analysis.hpp>
