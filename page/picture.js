@@ -142,7 +142,6 @@ class Picture {
       distancePlane: looked.distancePlane,
       supersample: this.times,
       haze: look.haze,
-      gloss: look.gloss,
       background: ground,
       outlineWidth: strokes.line,
       cutPlanes: planes ?? new Array(8).fill(0),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shadow on the ground, which has the colour of the background.
+// Shadow on the ground.
 
 in float dark;
 
@@ -7,5 +7,5 @@ out vec4 colour;
 
 void main()
 {
-    colour = vec4(0.07, 0.08, 0.11, dark);
+    colour = vec4(kShadow, dark);
 }

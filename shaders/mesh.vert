@@ -13,7 +13,7 @@ uniform mat4 projection;
 out vec3 eyePosition;
 out vec3 eyeNormal;
 out vec3 barycentric;
-flat out vec3 edgeStrength;
+flat out vec3 edgeStrengths;
 out float creaseDistance;
 flat out uint state;
 
@@ -24,7 +24,7 @@ void main()
     eyeNormal = mat3(view) * normal;
     int vertex = gl_VertexID % 3;
     barycentric = vec3(vertex == 0, vertex == 1, vertex == 2);
-    edgeStrength = edges.xyz;
+    edgeStrengths = edges.xyz;
     creaseDistance = edges.w;
     state = polygonState;
     gl_Position = projection * eye;

@@ -30,8 +30,6 @@ uniform vec2 samplePositions[SAMPLES]; // from the pixel's centre [pixel]
 
 out vec4 colour;
 
-const vec3 kHighlight = vec3(-0.234, 0.351, 0.907); // halfway between key light and viewer
-
 #if defined(SAMPLES) && !defined(CUTAWAY)
 // Which of the pixel's samples lie inside the outline. Depth and colour are those of the centre, so
 // smooth outlines cost no more shading than jagged ones.
@@ -60,77 +58,51 @@ flat in vec2 openTo;
 uniform vec3 lamp; // towards it
 uniform vec3 above; // away from the ground
 
-const float kSoftness = 0.3; // the lamp's half width, seen from anywhere
-
-// What reaches a point of the sphere of the sky and of the lamp. Neighbours are spheres too, so that
-// no rays are needed: what they hide of the sky is a power that fits the exact formula also where
-// the horizon cuts them [Quilez 2014]; of a round lamp, it follows from how far the ray to its
-// middle passes from their surface.
-vec2 lightLeft(vec3 normal)
+// What is not there has no radius, and hides nothing.
+vec3 litInStudio(vec3 tint, vec3 normal)
 {
     vec2 left = openTo;
     for (int i = 0; i < 12; ++i)
     {
-        vec3 way = occluder[i].xyz - normal;
+        vec3 way = occluder[i].xyz;
         float radius = occluder[i].w;
-        float squared = dot(way, way);
-        float facing = clamp(0.5 * radius * (dot(normal, way) + radius) / squared, 0.0, 1.0);
-        left.x *= 1.0 - 0.85 * facing * sqrt(facing);
-
-        float ahead = dot(way, lamp);
-        float beside = sqrt(max(squared - ahead * ahead, 0.0));
-        float hidden = clamp(0.5 + (radius - beside) / (2.0 * kSoftness * abs(ahead) + 0.04), 0.0, 1.0);
-        left.y *= ahead > 0.0 ? 1.0 - hidden : 1.0;
+        float along = dot(normal, way);
+        float squared = dot(way, way) + 1.0 - 2.0 * along;
+        left.x *= skyPast(along, radius, squared);
+        left.y *= lampPast(dot(way - normal, lamp), radius, squared);
     }
-    return left;
-}
-
-vec3 inStudio(vec3 normal)
-{
-    vec2 left = lightLeft(normal);
-    float facing = dot(normal, lamp);
-    float sky = mix(0.34, 0.66, 0.5 + 0.5 * dot(normal, above)) * left.x;
-    float key = 0.74 * max(facing, 0.0) * left.y;
-    // Light that has been to the neighbours and back has their colour, which is mostly the sphere's.
-    vec3 tint = tintAndSteepness.rgb;
-    vec3 ambient = sky * mix(tint, vec3(1.0), 0.04) * (1.0 + 0.25 * (1.0 - left.x) * tint);
-    float gloss = max(dot(normal, normalize(lamp + vec3(0.0, 0.0, 1.0))), 0.0);
-    gloss *= gloss;
-    gloss *= gloss;
-    gloss *= gloss;
-    gloss *= gloss;
-    return ambient + tint * key + 0.10 * gloss * left.y;
+    return inStudio(tint, dot(normal, above), dot(normal, lamp),
+                    dot(normal, normalize(lamp + vec3(0.0, 0.0, 1.0))), left.x, left.y);
 }
 #endif
 
-// Colour at a place of the sphere: `at` is where on the disc that is seen, `rhoSquared` 0 in its
-// middle and 1 at its rim; `shade` is what keeps light from it.
-vec3 shaded(vec3 normal, vec2 at, float rhoSquared, float shade)
+SphereLook look()
 {
-    float pixel = hazeAndPixel.a;
+    SphereLook own;
+    own.tint = tintAndSteepness.rgb;
+    own.haze = hazeAndPixel.rgb;
+    own.pixel = hazeAndPixel.a;
+    own.gloss = marks.x;
+    own.ring = marks.y;
+    own.hatch = marks.z;
+    return own;
+}
+
+// Colour at a place of the sphere: `at` is where on the disc that is seen. The marks of all states
+// are drawn without branches: a software renderer runs every branch anyway.
+vec3 shaded(vec3 normal, vec2 at, float rhoSquared, float w)
+{
+    SphereLook own = look();
 #ifdef STUDIO
-    vec3 lit = inStudio(normal);
-    float light = 1.0;
+    vec3 lit = litInStudio(own.tint, normal);
 #else
-    vec3 lit = tintAndSteepness.rgb;
-    float light = lightOn(normal) * shade;
+    vec3 lit = own.tint * (lightOn(normal) * lightNearRim(w));
 #endif
-
-    // The marks of all states, without branches: a software renderer runs every branch anyway. The
-    // gloss is the 32nd power of the cosine to the highlight's middle.
-    float ring = clamp((rhoSquared - 0.76) / (2.0 * pixel + 0.02) + 0.5, 0.0, 1.0);
-    float hatch = stripes((at.x + at.y) * 1.3 + 0.25, kHatchShare, pixel * 1.84);
-    float gloss = max(dot(normal, kHighlight), 0.0);
-    gloss *= gloss;
-    gloss *= gloss;
-    gloss *= gloss;
-    gloss *= gloss;
-    gloss *= gloss;
-    light *= 1.0 - marks.y * ring - marks.z * hatch;
+    float left = unmarked(own, rhoSquared, at.x + at.y);
 #ifdef OUTLINES
-    light *= 1.0 - 0.8 * clamp(outlineWidth - (1.0 - sqrt(rhoSquared)) / pixel + 0.5, 0.0, 1.0);
+    left *= unlined(own, rhoSquared, outlineWidth);
 #endif
-    return lit * light + marks.x * gloss + hazeAndPixel.rgb;
+    return lit * left + own.haze + glossOf(own, dot(normal, kHighlight));
 }
 
 #ifdef CUTAWAY
@@ -160,9 +132,9 @@ void main()
     float enter = 1.0 / (1.0 + rise);
     float leave = 1.0 / (1.0 - rise);
 #endif
-    vec3 cap;
-    bool seen = enterCutSphere(origin, direction, enter, leave, cap) && rhoSquared < 1.0;
-    vec3 hit = origin + enter * direction;
+    CutMeeting met = meetCutPlanes(origin, direction, enter, leave);
+    bool seen = met.isThere && rhoSquared < 1.0;
+    vec3 hit = origin + met.t * direction;
 #ifdef ORTHOGRAPHIC
     float depth = 0.5 * (projection[2][2] * hit.z + projection[3][2]) + 0.5;
 #else
@@ -171,25 +143,18 @@ void main()
     gl_FragDepth = seen ? depth : 2.0;
 
     vec3 fromCentre = (hit - centreAndCurvature.xyz) * centreAndCurvature.w;
-    if (cap == vec3(0.0))
+    if (met.capped)
     {
-        colour = vec4(shaded(fromCentre, at, rhoSquared, 0.64 + 0.36 * min(1.7 * w, 1.0)), 1.0);
+        vec4 plane = cutPlanes[met.onSecond ? 1 : 0];
+        vec3 cap = normalize(plane.xyz);
+        float height = dot(fromCentre, cap);
+        colour = vec4(onCut(look(), lightOn(cap), dot(fromCentre, fromCentre), height * height,
+                            at.x + at.y),
+                      1.0);
     }
     else
     {
-        // The cut is matt and paler than the outside, with a rim that parts neighbours. Lengths are
-        // in the sphere's radius: of the point from the disc's middle, and the disc's own radius.
-        float height = dot(fromCentre, cap);
-        float discSquared = 1.0 - height * height;
-        float innerSquared = max(dot(fromCentre, fromCentre) - height * height, 0.0);
-        float inside = sqrt(discSquared) - sqrt(innerSquared);
-        float rim = clamp((inside - hazeAndPixel.a) / (hazeAndPixel.a + 0.02), 0.0, 1.0);
-        vec3 tint = mix(tintAndSteepness.rgb, vec3(1.0), 0.34);
-        float hatch = stripes((at.x + at.y) * 1.3 + 0.25, kHatchShare, hazeAndPixel.a * 1.84);
-        float light = (0.80 + 0.15 * lightOn(cap)) * (1.0 - marks.z * hatch);
-        light *= 1.0 - 0.7 * (1.0 - rim);
-        light *= 1.0 - marks.y * clamp((innerSquared / discSquared - 0.6) / 0.06, 0.0, 1.0) * rim;
-        colour = vec4(tint * light + hazeAndPixel.rgb, 1.0);
+        colour = vec4(shaded(fromCentre, at, rhoSquared, w), 1.0);
     }
 }
 #else
@@ -216,8 +181,7 @@ void main()
 #endif
     gl_FragDepth = depth;
 
-    // Neighbours keep light from each other's rims.
     vec3 normal = (hit - centreAndCurvature.xyz) * centreAndCurvature.w;
-    colour = vec4(shaded(normal, corner, rhoSquared, 0.64 + 0.36 * min(1.7 * w, 1.0)), 1.0);
+    colour = vec4(shaded(normal, corner, rhoSquared, w), 1.0);
 }
 #endif

@@ -21,7 +21,6 @@ layout(location = 15) in vec4 open;
 
 flat out vec4 occluder[12]; // way to the centre and radius, in the sphere's radius [eye space]
 flat out vec2 openTo; // what all others let through of the sky, of the lamp
-const float kOccluderRange = 7.0;
 #endif
 
 uniform mat4 view;
@@ -33,7 +32,6 @@ uniform vec4 background; // what is far fades to black where it is clear
 uniform vec4 heightPlane; // with an eye-space point: 0 at the object's foot, 1 at its top
 uniform vec4 distancePlane; // with an eye-space point: 0 at the object's front, 1 at its back
 uniform float haze; // share of the background in the furthest spheres
-uniform float gloss; // 1, or 0 where it is not wanted
 
 out vec2 corner; // position in the circle's plane, in its radius
 out vec3 onPlane; // Q, the point of the square [eye space]
@@ -43,30 +41,23 @@ flat out vec4 hazeAndPixel; // what is added to the colour, a pixel's length in 
 flat out vec3 marks; // strength of gloss, of the ring and of the hatch
 flat out uint identity; // index of the sphere
 
-// Colour alone does not tell the states apart for everyone. Running spheres are glossy with a dark
-// ring, discarded ones are hatched, frozen ones are plain.
-const vec3 kMarks[3] = vec3[3](vec3(0.65, 0.8, 0.0), vec3(0.0), vec3(0.0, 0.0, 0.42));
+#ifdef STUDIO
+const bool kStudio = true;
+#else
+const bool kStudio = false;
+#endif
 
 // All that is the same over one sphere is worked out here, once a corner and not once a pixel.
 // `pixel` is the length of one in the sphere's radius.
 void setColours(vec3 centre, float pixel)
 {
-    // The foot of a pile gets less light than its top, and what is far fades.
-    float foot = 0.86 + 0.14 * clamp(dot(heightPlane, vec4(centre, 1.0)), 0.0, 1.0);
     float far = haze * clamp(dot(distancePlane, vec4(centre, 1.0)), 0.0, 1.0);
-    tintAndSteepness.rgb = sphereColour.rgb * foot * (1.0 - far);
-    hazeAndPixel = vec4(background.rgb * background.a * far, pixel);
-    marks = kMarks[sphereState] * vec3(gloss, 1.0, 1.0);
-#ifdef STUDIO
-    marks.z = 0.0;
-#endif
-#ifndef OUTLINES
-    // On small spheres a hatch is noise. It fades to its mean, and is gone at 12 pixels across
-    // in the picture as it is seen.
-    float shown = smoothstep(12.0, 120.0, 2.0 / (pixel * supersample));
-    tintAndSteepness.rgb *= 1.0 - kHatchShare * marks.z * (1.0 - shown);
-    marks.z *= shown;
-#endif
+    SphereLook look = lookOf(sphereColour.rgb, marksOf(sphereState),
+                             dot(heightPlane, vec4(centre, 1.0)), far,
+                             background.rgb * background.a, pixel, supersample, kStudio, kPrint);
+    tintAndSteepness.rgb = look.tint;
+    hazeAndPixel = vec4(look.haze, pixel);
+    marks = vec3(look.gloss, look.ring, look.hatch);
 }
 
 void main()

@@ -29,10 +29,11 @@ void main()
     float enter = 1.0 / (1.0 + rise);
     float leave = 1.0 / (1.0 - rise);
 #endif
-    vec3 cap = vec3(0.0);
     bool seen = rhoSquared < 1.0;
 #ifdef CUTAWAY
-    seen = enterCutSphere(origin, direction, enter, leave, cap) && seen;
+    CutMeeting met = meetCutPlanes(origin, direction, enter, leave);
+    seen = met.isThere && seen;
+    enter = met.t;
 #endif
     vec3 hit = origin + enter * direction;
 #ifdef ORTHOGRAPHIC
@@ -43,7 +44,10 @@ void main()
     gl_FragDepth = seen ? depth : 2.0;
 
     vec3 normal = (hit - centreAndCurvature.xyz) * centreAndCurvature.w;
-    normal = cap == vec3(0.0) ? normal : cap;
+#ifdef CUTAWAY
+    vec4 plane = cutPlanes[met.onSecond ? 1 : 0];
+    normal = met.capped ? normalize(plane.xyz) : normal;
+#endif
     normalColour = vec4(0.5 + 0.5 * normal, 1.0);
     uvec4 bytes = (uvec4(identity + 1u) >> uvec4(0u, 8u, 16u, 24u)) & 255u;
     identityColour = vec4(bytes) / 255.0;

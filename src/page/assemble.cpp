@@ -3,6 +3,7 @@
 
 #include "page/embedded.hpp"
 #include "render/context/embedded.hpp"
+#include "render/context/shader.hpp"
 
 #include <algorithm>
 #include <array>
@@ -57,7 +58,7 @@ std::string scripts()
 
 Json shaders()
 {
-    return {{"common", embedded::shader_common_glsl()},
+    return {{"common", commonShaderText()},
             {"sphere_vert", embedded::shader_sphere_vert()},
             {"sphere_frag", embedded::shader_sphere_frag()},
             {"mesh_vert", embedded::shader_mesh_vert()},

@@ -62,7 +62,6 @@ Json lookJson(const char* name, const Palette& palette, const PageView& view,
             {"active_ink", inkJson(palette.activePolygon, palette.background)},
             {"discarded_ink", inkJson(palette.discardedPolygon, palette.background)},
             {"haze", uniformsOf(view.framing, settings).haze},
-            {"gloss", look == Look::paper ? 0 : 1},
             {"outlines", variant.outlines},
             {"fading_lines", variant.fadingLines}};
 }

@@ -208,8 +208,8 @@ TEST(Documentation, EveryCitationIsInTheListOfReferences)
     EXPECT_EQ(citedIn("the [Author & Other 2001, 3.1] and [van Somebody 1999]"),
               (std::set<std::string>{"Author & Other 2001", "van Somebody 1999"}));
     const std::set<std::string> listed = citedIn(readFile(kSource / "docs/references.md"));
-    static const std::set<std::string> kTexts = {".hpp",  ".cpp",  ".md", ".gp",
-                                                 ".vert", ".frag", ".txt"};
+    static const std::set<std::string> kTexts = {".hpp",  ".cpp",  ".md",   ".gp",
+                                                 ".glsl", ".vert", ".frag", ".txt"};
     std::set<std::string> cited;
     for (const char* folder : {"src", "include", "tests", "tools", "shaders", "docs"})
     {

@@ -17,7 +17,8 @@ constexpr std::string_view kVersion = "#version 330 core\n";
 GLuint compile(const GlFunctions& gl, GLenum stage, std::string_view definitions,
                std::string_view source)
 {
-    const std::array parts = {kVersion, definitions, embedded::shader_common_glsl(), source};
+    const std::string common = commonShaderText();
+    const std::array<std::string_view, 4> parts = {kVersion, definitions, common, source};
     std::array<const GLchar*, parts.size()> strings{};
     std::array<GLint, parts.size()> lengths{};
     for (std::size_t i = 0; i < parts.size(); ++i)
@@ -42,6 +43,20 @@ GLuint compile(const GlFunctions& gl, GLenum stage, std::string_view definitions
 }
 
 } // namespace
+
+std::string commonShaderText()
+{
+    std::string text;
+    for (const std::string_view part :
+         {embedded::shader_real_glsl(), embedded::shader_numbers_glsl(),
+          embedded::shader_lights_glsl(), embedded::shader_looks_glsl(),
+          embedded::shader_studio_glsl(), embedded::shader_film_glsl(),
+          embedded::shader_common_glsl()})
+    {
+        text += part;
+    }
+    return text;
+}
 
 ShaderProgram::ShaderProgram(const GlFunctions& gl, std::string_view definitions,
                              std::string_view vertex, std::string_view fragment)

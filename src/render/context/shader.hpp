@@ -15,6 +15,9 @@
 namespace frostfill
 {
 
+/// What stands in front of all stages: the text that C++ has too, and what GLSL needs for it.
+[[nodiscard]] std::string commonShaderText();
+
 /// A linked program.
 class ShaderProgram
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/framing/ground_shadow.hpp"
 
-#include "render/framing/lamp.hpp"
+#include "render/framing/numbers.hpp"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -107,7 +107,7 @@ float lampHidden(const Heights& thrown, const glm::vec2& place)
     {
         if (std::isfinite(thrown.lowest[i]))
         {
-            const float radius = 1.5F * thrown.cell + kLampSoftness * thrown.lowest[i];
+            const float radius = 1.5F * thrown.cell + shading::kLampSoftness * thrown.lowest[i];
             const glm::vec2 way = thrown.middle(i) - place;
             const float inside = 1 - glm::dot(way, way) / (radius * radius);
             sum += inside > 0 ? 2 * inside / (static_cast<float>(M_PI) * radius * radius) : 0;

@@ -140,7 +140,6 @@ SpherePass::SpherePass(const GlFunctions& gl, const ShaderVariant& variant,
     const std::array background = {toVector(style.palette.background)};
     program_.set("background", background);
     program_.set("outlineWidth", lineWidth);
-    program_.set("gloss", style.look == Look::paper ? 0.0F : 1.0F);
     if (samplePositions.size() > 1)
     {
         program_.set("samplePositions", samplePositions);

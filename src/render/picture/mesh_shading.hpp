@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "render/framing/numbers.hpp"
+
 #include <frostfill/mesh.hpp>
 
 #include <glm/vec3.hpp>
@@ -46,13 +48,12 @@ struct ShadedMesh
 /// How far from a crease triangles know of it [unit space]: some pixels in a picture of usual size.
 inline constexpr float kCreaseReach = 0.02F;
 
-/// What a line of the shell is, 0..255, as edgeStrengths gives it and mesh.frag reads it.
+/// What a line of the shell is, as edgeStrengths gives it.
 namespace line_strength
 {
-inline constexpr std::uint8_t kPlain = 60;    ///< an edge within a smooth surface
-inline constexpr std::uint8_t kStrong = 190;  ///< the sharpest crease, and a rim; those less sharp
-                                              ///< lie between
-inline constexpr std::uint8_t kOutline = 255; ///< what the viewer sees the surface end at
+inline constexpr std::uint8_t kPlain = shading::kPlainEdge;
+inline constexpr std::uint8_t kStrong = shading::kStrongEdge;
+inline constexpr std::uint8_t kOutline = shading::kOutlineEdge;
 } // namespace line_strength
 
 /// `positions` are the mesh's vertices in unit space. Without `fadingLines` no crease is stray, and

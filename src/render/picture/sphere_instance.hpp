@@ -22,14 +22,11 @@ struct SphereInstance
     friend bool operator==(const SphereInstance&, const SphereInstance&) = default;
 };
 
-/// Longest way and largest radius that SphereLight tells [radius of the sphere that is lit].
-inline constexpr float kOccluderRange = 7;
-
 /// What keeps light from one sphere.
 struct SphereLight
 {
     /// The neighbours that hide most from it: the way to their centres and their radii, over
-    /// kOccluderRange times its own radius, -127..127 for -1..1. All 0: there is none.
+    /// shading::kOccluderRange times its own radius, -127..127 for -1..1. All 0: there is none.
     std::array<std::array<std::int8_t, 4>, 12> occluders{};
     /// What all others let through to it, 0..255 for 0..1: of the sky, of the lamp.
     std::array<std::uint8_t, 4> open{255, 255, 0, 0};

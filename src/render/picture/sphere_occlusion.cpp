@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/picture/sphere_occlusion.hpp"
 
-#include "render/framing/lamp.hpp"
+#include "render/framing/numbers.hpp"
 #include "render/picture/for_all.hpp"
 
 #include <glm/common.hpp>
@@ -31,7 +31,7 @@ constexpr std::size_t kSurroundedATask = 64;
 /// `beside`: from the ray through the sphere's centre.
 float lampHidden(float ahead, float beside, float radius)
 {
-    const float spread = 1 + kLampSoftness * ahead;
+    const float spread = 1 + shading::kLampSoftness * ahead;
     return std::clamp((radius + spread - beside) / (2 * spread), 0.0F, 1.0F) *
            std::min(radius * radius / (spread * spread) * 1.5F, 1.0F);
 }
@@ -51,7 +51,7 @@ struct Zone
         const glm::vec3 way = point - middle;
         const float squared = glm::dot(way, way);
         const float ahead = glm::dot(way, ray);
-        const float beside = wide + kLampSoftness * (ahead + slack) + slack;
+        const float beside = wide + shading::kLampSoftness * (ahead + slack) + slack;
         return squared < (close + slack) * (close + slack) ||
                (ahead > -slack && ahead < farthest + slack &&
                 squared - ahead * ahead < beside * beside);
@@ -61,7 +61,7 @@ struct Zone
     void each(const OccluderGrid& grid, Visit visit) const
     {
         const glm::vec3 end = middle + farthest * ray;
-        const float atEnd = wide + kLampSoftness * farthest;
+        const float atEnd = wide + shading::kLampSoftness * farthest;
         grid.eachIn(
             glm::min(middle - close, end - atEnd), glm::max(middle + close, end + atEnd),
             [&](const glm::vec3& point, float slack) { return mayHold(point, slack); }, visit);
@@ -195,7 +195,7 @@ SphereOcclusion::neighboursOf(const SphereInstance& sphere) const
         float weight = squared < (1 + kReach + radius) * (1 + kReach + radius)
                            ? radius * radius / squared
                            : 0.0F;
-        const float wide = 1 + radius + kLampSoftness * std::max(ahead, 0.0F);
+        const float wide = 1 + radius + shading::kLampSoftness * std::max(ahead, 0.0F);
         if (ahead > 0 && ahead < kLampReach && besideSquared < wide * wide)
         {
             weight += 0.5F * radius * radius / (1 + ahead);
@@ -238,7 +238,7 @@ SphereLight SphereOcclusion::lightOn(const SphereInstance& sphere) const
         const Neighbour& near = neighbours[i];
         // What is too large to be told is brought nearer: it hides as much.
         const float size = std::max({std::abs(near.way.x), std::abs(near.way.y),
-                                     std::abs(near.way.z), near.radius, kOccluderRange});
+                                     std::abs(near.way.z), near.radius, shading::kOccluderRange});
         light.occluders[i] = {toByte(near.way.x / size), toByte(near.way.y / size),
                               toByte(near.way.z / size), toByte(near.radius / size)};
     }
@@ -311,7 +311,7 @@ bool SphereOcclusion::reaches(const SphereInstance& from, const SphereInstance& 
         return true;
     }
     const float ahead = glm::dot(way, lamp_);
-    const float wide = to.radius + from.radius + kLampSoftness * ahead;
+    const float wide = to.radius + from.radius + shading::kLampSoftness * ahead;
     return ahead > 0 && ahead < kLampReach * to.radius * 1.0001F &&
            squared - ahead * ahead < wide * wide * 1.0001F;
 }

@@ -18,42 +18,22 @@ using Setup = SphereRaster::Setup;
 using Cut = SphereRaster::Cut;
 using Drawn = SphereRaster::Drawn;
 
-/// Where a ray meets what is left of a sphere.
-struct Met
-{
-    Floats t;      ///< as Cut::Plane has it
-    Mask capped;   ///< on the cut
-    Mask onSecond; ///< on the cut's second plane
-    Mask isThere;  ///< anything is left
-};
-
-FROSTFILL_INLINE Met meet(const Cut& cut, const Places& at, Floats enter, Floats leave)
+FROSTFILL_INLINE CutMeeting meet(const Cut& cut, const Places& at, Floats enter, Floats leave)
 {
     std::array<Floats, 2> start;
     std::array<Floats, 2> growth;
-    Mask taken = ~Mask{};
     for (std::size_t i = 0; i < 2; ++i)
     {
         const Cut::Plane& plane = cut.planes[i];
         start[i] = plane.start + plane.startAcross * at.across + plane.startAbove * at.above;
         growth[i] = plane.growth + plane.growthAcross * at.across + plane.growthAbove * at.above;
-        taken &= start[i] + enter * growth[i] > 0;
     }
-    // What is taken away is convex: the ray leaves it once, through the plane that comes first.
-    Floats first = leave;
-    Mask onSecond{};
-    for (std::size_t i = 0; i < 2; ++i)
-    {
-        const Floats meets = -start[i] / growth[i];
-        const Mask sooner = (growth[i] < 0) & (meets < first);
-        first = select(sooner, meets, first);
-        onSecond = i == 1 ? sooner : onSecond;
-    }
-    return {select(taken, first, enter), taken, onSecond, ~taken | (first < leave)};
+    return meetCut(start[0], growth[0], start[1], growth[1], enter, leave);
 }
 
 /// The normals where a ray meets a sphere.
-FROSTFILL_INLINE Normals normalsAt(const Setup& s, const Cut& cut, const Places& at, const Met& met)
+FROSTFILL_INLINE Normals normalsAt(const Setup& s, const Cut& cut, const Places& at,
+                                   const CutMeeting& met)
 {
     if (cut.orthographic)
     {
@@ -65,10 +45,10 @@ FROSTFILL_INLINE Normals normalsAt(const Setup& s, const Cut& cut, const Places&
     return {select(met.capped, onCut, onSphere), at.across * met.t, at.above * met.t};
 }
 
-/// Colour on the cut, which is matt and paler than the outside, with a rim that parts neighbours.
+/// What a look shows on the cut.
 template <class Look>
-FROSTFILL_INLINE Words onCut(const Setup& s, const Cut& cut, const Look& look,
-                             const Normals& normals, const Places& at, const Met& met)
+FROSTFILL_INLINE Words shownOnCut(const Setup& s, const Cut& cut, const Look& look,
+                                  const Normals& normals, const Places& at, const CutMeeting& met)
 {
     const auto ofPlane = [&](auto valueOf) __attribute__((always_inline))
     {
@@ -86,18 +66,8 @@ FROSTFILL_INLINE Words onCut(const Setup& s, const Cut& cut, const Look& look,
         const Floats squared = normals.axis * normals.axis +
                                (cut.shrink * cut.shrink) *
                                    (normals.right * normals.right + normals.above * normals.above);
-        const Floats innerSquared = max(squared - heightSquared, 0);
-        const Floats discSquared = 1 - heightSquared;
-        const Floats inside = root(max(discSquared, 0)) - root(innerSquared);
-        const Floats rim = clamped((inside - s.pixel) * (1 / (s.pixel + 0.02F)));
-        Floats light = ofPlane([](const Cut::Plane& plane) { return plane.light; }) *
-                       (1 - hatchAt(s, at)) * (1 - 0.7F * (1 - rim));
-        light *= 1 - s.ring * clamped((innerSquared / discSquared - 0.6F) * (1 / 0.06F)) * rim;
-        const auto channel = [&](std::size_t c) __attribute__((always_inline))
-        {
-            return (s.tint[c] + 0.34F * (255 - s.tint[c])) * light + s.haze[c];
-        };
-        return inBytes(channel(0), channel(1), channel(2));
+        const Floats light = ofPlane([](const Cut::Plane& plane) { return plane.light; });
+        return inBytes(onCut(s.look, light, squared, heightSquared, at.across + at.above));
     }
 }
 
@@ -120,7 +90,7 @@ FROSTFILL_INLINE Seen seenThrough(const Setup& s, const Cut& cut, const Look& lo
     const Floats rise = (cut.orthographic ? cut.radius : s.radiusOverDistance) * at.w;
     const Floats enter = cut.orthographic ? -rise : 1 / (1 + rise);
     const Floats leave = cut.orthographic ? rise : 1 / (1 - rise);
-    const Met met = meet(cut, at, enter, leave);
+    const CutMeeting met = meet(cut, at, enter, leave);
     const Floats q = along * s.nearScale;
     Seen seen;
     seen.isNear = cut.orthographic ? q - met.t : q / met.t;
@@ -133,7 +103,7 @@ FROSTFILL_INLINE Seen seenThrough(const Setup& s, const Cut& cut, const Look& lo
     seen.colour = look.template shaded<marks>(normals, at);
     if (any(seen.mask & met.capped))
     {
-        seen.colour = select(met.capped, onCut(s, cut, look, normals, at, met), seen.colour);
+        seen.colour = select(met.capped, shownOnCut(s, cut, look, normals, at, met), seen.colour);
     }
     return seen;
 }
@@ -203,14 +173,6 @@ void drawPlain(int samples, const Drawn& drawn, const PixelRectangle& rows, cons
     drawSamples(samples, drawn, rows, part, tile);
 }
 
-/// As lightOn() of common.glsl.
-float lightOn(const glm::vec3& normal)
-{
-    const auto along = [&](const LightWay& way)
-    { return all(normal.x * way.x + normal.y * way.y + normal.z * way.z); };
-    return lightOf(all(normal.y), along(kKeyLight), along(kFillLight), along(kBackLight))[0];
-}
-
 } // namespace
 
 void drawCutSphere(bool avx2, int samples, const SphereRaster::Drawn& drawn,
@@ -238,7 +200,7 @@ void SphereRaster::setCut(const SphereInstance& sphere, const Axes& axes, Cut& c
                             : Cut::Plane{offset, 0,     0,  along * axes.shrink * axes.shrink,
                                          across, above, {}, {}};
         cut.planes[i].heightSquared = height * height;
-        cut.planes[i].light = 0.80F + 0.15F * lightOn(normal);
+        cut.planes[i].light = lightOn({all(normal.x), all(normal.y), all(normal.z)})[0];
     }
 }
 
@@ -246,8 +208,8 @@ SphereRaster::Surface SphereRaster::surfaceOf(const SphereInstance& sphere, cons
 {
     const auto bytesOf = [](const glm::vec3& normal)
     {
-        return inBytes(all(127.5F + 127.5F * normal.x), all(127.5F + 127.5F * normal.y),
-                       all(127.5F + 127.5F * normal.z))[0];
+        const Vectors facing = {all(normal.x), all(normal.y), all(normal.z)};
+        return inBytes(0.5F * kWhite + all(0.5F * kWhite) * facing)[0];
     };
     Surface surface{axes.slope({1, 0, 0}), axes.slope({0, 1, 0}), axes.slope({0, 0, 1}), 0, {}};
     for (std::size_t c = 0; c < 4; ++c)

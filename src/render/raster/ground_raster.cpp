@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "render/raster/ground_raster.hpp"
 
+#include "render/framing/numbers.hpp"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
@@ -10,14 +12,6 @@
 
 namespace frostfill
 {
-namespace
-{
-
-// The number of ground.frag.
-const glm::vec3 kShadow(0.07F, 0.08F, 0.11F);
-
-} // namespace
-
 GroundRaster::GroundRaster(const GroundShadow& ground, const glm::mat4& view, const PixelGrid& grid,
                            const Colour& background)
     : ground_(ground), grid_(grid), background_(toVector(background))
@@ -70,7 +64,7 @@ float GroundRaster::darknessAt(float x, float y) const
 
 std::uint32_t GroundRaster::blended(float dark) const
 {
-    const glm::vec4 colour = dark * glm::vec4(kShadow, 1) + (1 - dark) * background_;
+    const glm::vec4 colour = dark * glm::vec4(shading::kShadow, 1) + (1 - dark) * background_;
     std::uint32_t word = 0;
     for (int c = 0; c < 4; ++c)
     {

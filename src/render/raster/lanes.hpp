@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "render/raster/lights.hpp"
 #include "render/raster/sample_tile.hpp"
 
 #include <algorithm>
@@ -150,24 +149,11 @@ FROSTFILL_INLINE Floats iota()
     return Floats{0, 1, 2, 3, 4, 5, 6, 7};
 }
 
-/// As common.glsl has it.
-FROSTFILL_INLINE Floats stripes(Floats phase, float share, float width)
+template <class ValueOf>
+FROSTFILL_INLINE Floats eight(ValueOf valueOf)
 {
-    // Truncating serves for floor: phases are above -4.
-    const Floats fraction =
-        phase - (__builtin_convertvector(__builtin_convertvector(phase + 4, Mask), Floats) - 4);
-    const Floats fromMiddle = max(fraction - 0.5F, 0.5F - fraction);
-    const Floats crisp =
-        clamped((fromMiddle - 0.5F * (1 - share)) * (1 / std::max(width, 1e-4F)) + 0.5F);
-    const float mean = std::clamp(2.5F * width - 0.75F, 0.0F, 1.0F);
-    return crisp + (share - crisp) * mean;
-}
-
-/// Light on a surface; common.glsl has the same.
-template <class Up, class Key, class Fill, class Back>
-FROSTFILL_INLINE Floats lightOf(const Up& up, const Key& key, const Fill& fill, const Back& back)
-{
-    return 0.56F + 0.13F * up + 0.50F * max(key, 0) + 0.16F * max(fill, 0) + 0.5F * max(back, 0);
+    return Floats{valueOf(0), valueOf(1), valueOf(2), valueOf(3),
+                  valueOf(4), valueOf(5), valueOf(6), valueOf(7)};
 }
 
 } // namespace frostfill::lanes

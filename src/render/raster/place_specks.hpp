@@ -96,22 +96,22 @@ ShellRaster::coloursOf(const SpeckSpots& spots, const Ends& lower, const Ends& u
         base[static_cast<std::size_t>(i)] = paints([&](const Paint& p) { return p.base[i]; });
         ink[static_cast<std::size_t>(i)] = paints([&](const Paint& p) { return p.ink[i]; });
     }
-    const Floats density = paints([](const Paint& p) { return p.density; });
-    const Floats rimDensity = paints([](const Paint& p) { return p.rimDensity; });
+    const Floats density = paints([](const Paint& p) { return p.own.density; });
+    const Floats rimDensity = paints([](const Paint& p) { return p.own.rimDensity; });
 
     // At the corners.
-    const float reach = reachOf(strokes_.lineWidth);
     std::array<std::array<Floats, 3>, 4> ofCorners; // of each channel
     Floats least = all(1);
     Floats most = all(0);
     for (std::size_t i = 0; i < 3; ++i)
     {
-        const Floats facing = max(light.facing[i], -light.facing[i]);
-        const Floats contour = contourOf(strokes.contour, light.pixelsOfFacing, facing, reach);
+        const Floats facing = abs(light.facing[i]);
+        const Floats contour =
+            contourLine(strokes.contour, facing, light.pixelsOfFacing, strokes_.lineWidth);
         least = min(least, contour);
         most = max(most, contour);
         const auto channels =
-            channelsOf(base, ink, variant_.outlines, shareOf(density, rimDensity, facing),
+            channelsOf(base, ink, variant_.outlines, filmShare(density, rimDensity, facing),
                        light.light[i], contour);
         for (std::size_t channel = 0; channel < 4; ++channel)
         {
@@ -131,8 +131,8 @@ ShellRaster::coloursOf(const SpeckSpots& spots, const Ends& lower, const Ends& u
                                      inColour(plane.upwards)};
     }
     const Mask hatched = paints([](const Paint& p) { return p.hatch; }) != 0;
-    colours.enough =
-        ~((most - least > kEvenContour) | strokes.edges | hatched | creaseDrawn(strokes, reach));
+    colours.enough = ~((most - least > kEvenContour) | strokes.edges | hatched |
+                       creaseDrawn(strokes, strokes_.lineWidth));
     return colours;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What a cutaway leaves of the shell, as in mesh.frag with CUTAWAY.
+// How far the shell is from a cutaway.
 #pragma once
 
-#include "render/raster/lanes.hpp"
+#include "render/raster/shading.hpp"
 #include "render/raster/shell_raster.hpp"
 
 #include <array>
@@ -11,15 +11,10 @@
 namespace frostfill::lanes
 {
 
-/// What is left ends in a line of its own: how much of the surface there is, and of the line.
-struct CutEdge
-{
-    Floats left, line;
-};
-
-/// At a point of the picture. How near it is changes by `nearX` and `nearY` from pixel to pixel.
-FROSTFILL_INLINE CutEdge cutEdgeAt(const ShellCut& cut, float lineWidth, Floats x, Floats y,
-                                   Floats isNear, float nearX, float nearY)
+/// How far a point is from the cut in the picture, positive beyond it, where it is `isNear`, which
+/// changes by `nearX` and `nearY` from pixel to pixel. [pixel]
+FROSTFILL_INLINE Floats pixelsFromCut(const ShellCut& cut, Floats x, Floats y, Floats isNear,
+                                      float nearX, float nearY)
 {
     const Floats over = cut.orthographic ? all(1) : 1 / isNear;
     const Floats rayX = cut.left + cut.perColumn * x;
@@ -36,13 +31,12 @@ FROSTFILL_INLINE CutEdge cutEdgeAt(const ShellCut& cut, float lineWidth, Floats 
         const Floats slopeX = (a * cut.perColumn + bySideX) * over;
         const Floats slopeY = (b * cut.perRow + bySideY) * over;
         depth[i] = ahead + d;
-        slope[i] = max(slopeX, -slopeX) + max(slopeY, -slopeY);
+        slope[i] = abs(slopeX) + abs(slopeY);
     }
     const Mask first = depth[0] < depth[1];
     const Floats steepest = cut.steepest * over;
     const Floats steep = min(max(select(first, slope[0], slope[1]), 1e-6F), steepest);
-    const Floats pixels = select(first, depth[0], depth[1]) / steep;
-    return {clamped(0.5F - pixels), 0.85F * clamped(1.5F * lineWidth + pixels + 0.5F)};
+    return select(first, depth[0], depth[1]) / steep;
 }
 
 } // namespace frostfill::lanes

@@ -2,7 +2,7 @@
 // What triangles have whose looks are worked out, a triangle a lane.
 #pragma once
 
-#include "render/raster/shell_light.hpp"
+#include "render/raster/shading.hpp"
 #include "render/raster/shell_raster.hpp"
 #include "render/raster/shell_sides.hpp"
 
@@ -15,19 +15,6 @@ namespace frostfill
 {
 namespace lanes
 {
-
-constexpr float kPlainLine = line_strength::kPlain / 255.0F;
-constexpr float kStrongLine = line_strength::kStrong / 255.0F;
-// The numbers of common.glsl and mesh.frag.
-constexpr float kOutlineFrom = 1;
-constexpr float kOutlineTo = 2.5F;
-constexpr float kCreaseFade = 6;
-
-FROSTFILL_INLINE Floats fades(float from, float to, Floats value)
-{
-    const Floats t = clamped((value - from) / (to - from));
-    return t * t * (3 - 2 * t);
-}
 
 /// From the square of a gradient: the length over which a value changes by 1. [pixel]
 FROSTFILL_INLINE Floats pixelsOf(Floats square)
@@ -98,8 +85,7 @@ FROSTFILL_INLINE Floats creases(const ShadedMesh& mesh,
             });
         }
         pixels = slopes.pixelsOfValue(distances);
-        const Floats fade = 1 - fades(0.5F * kCreaseFade, kCreaseFade, sizeInLines);
-        crease = select(pixels < 1e5F, ofLine * kStrongLine * fade, Floats{});
+        crease = ofLine * creaseStrength(sizeInLines, pixels);
     }
     columns.crease = crease;
     columns.pixelsOfCrease = pixels;
@@ -188,14 +174,14 @@ FROSTFILL_INLINE void ShellRaster::setStrokes(const Triangles& triangles, const 
                                               const lanes::Slopes& slopes, Columns& columns) const
 {
     using namespace lanes;
-    const Floats ofLine = paints([](const Paint& paint) { return paint.ofLine; });
+    const Floats ofLine = paints([](const Paint& paint) { return paint.own.ofLine; });
     const Floats size = slopes.pixels();
     const bool fading = variant_.fadingLines;
-    const Floats edges = fading ? paints([](const Paint& paint) { return paint.ofEdges; }) *
-                                      fades(strokes_.edgeFade[0], strokes_.edgeFade[1], size)
-                                : all(1);
-    const Floats outline =
-        fading ? fades(kOutlineFrom, kOutlineTo, size / strokes_.lineWidth) : all(1);
+    const Floats plainShown = fading
+                                  ? paints([](const Paint& paint) { return paint.own.ofEdges; }) *
+                                        smoothstep(strokes_.edgeFade[0], strokes_.edgeFade[1], size)
+                                  : all(1);
+    const Floats outline = fading ? outlineShown(size / strokes_.lineWidth) : all(1);
     Words ofEdges; // the strength of each in a byte
     for (std::size_t lane = 0; lane < kLanes; ++lane)
     {
@@ -207,14 +193,11 @@ FROSTFILL_INLINE void ShellRaster::setStrokes(const Triangles& triangles, const 
     {
         const Words byte = ofEdges >> (8 * i) & 255;
         const Floats strength = __builtin_convertvector(reinterpret_cast<Mask>(byte), Floats) / 255;
-        Floats shown = all(1);
-        shown = select(strength < kPlainLine + 0.002F, edges, shown);
-        shown = select(strength > kStrongLine + 0.002F, outline, shown);
-        const Floats drawn = ofLine * shown * min(strength, kStrongLine);
+        const Floats drawn = ofLine * edgeStrength(strength, plainShown, outline);
         edgesDrawn |= drawn > 0;
         columns.strength[i] = drawn;
     }
-    const Floats contour = ofLine * kStrongLine * (1 - outline);
+    const Floats contour = ofLine * contourStrength(outline);
     columns.contour = contour;
     const Mask lines =
         edgesDrawn | (contour > 0) |

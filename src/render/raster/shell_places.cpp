@@ -121,14 +121,13 @@ FROSTFILL_INLINE void ShellRaster::placeVerticesAny(std::uint32_t first)
     };
     const glm::mat3 view(view_);
     const Vectors own = {ofNormal(0), ofNormal(1), ofNormal(2)};
-    const Vectors normal = {along(own, view[0].x, view[1].x, view[2].x),
-                            along(own, view[0].y, view[1].y, view[2].y),
-                            along(own, view[0].z, view[1].z, view[2].z)};
+    const glm::mat3 toOwn = glm::transpose(view);
+    const Vectors normal = {dot(own, toOwn[0]), dot(own, toOwn[1]), dot(own, toOwn[2])};
     const Floats length = max(root(dot(normal, normal)), 1e-6F);
     const Floats facing = -dot(normal, rays) / length;
     const Vectors unit = {normal.x / length, normal.y / length, normal.z / length};
-    const Floats before = 0.55F + 0.45F * lightOn(unit);
-    const Floats behind = 0.55F + 0.45F * lightOn({-unit.x, -unit.y, -unit.z});
+    const Floats before = lightInFilm(lightOn(unit));
+    const Floats behind = lightInFilm(lightOn({-unit.x, -unit.y, -unit.z}));
     for (std::size_t lane = 0; lane < count; ++lane)
     {
         vertices_[first + lane].normal = {normal.x[lane], normal.y[lane], normal.z[lane]};

@@ -3,6 +3,7 @@
 
 #include "render/picture/for_all.hpp"
 #include "render/picture/mesh_shading.hpp"
+#include "render/raster/shading.hpp"
 #include "render/raster/shell_rows.hpp"
 #include "render/raster/shell_specks.hpp"
 
@@ -15,8 +16,6 @@ namespace frostfill
 namespace
 {
 
-/// The slope of the distance from a cut that is drawn smoothly, as in mesh.frag. [1 / pixel]
-constexpr float kSteepest = 4;
 constexpr float kAnySteepness = 1e6F;
 
 /// That one core sets up before another may take more.
@@ -43,19 +42,8 @@ ShellRaster::ShellRaster(const ShadedMesh& mesh, const ShaderVariant& variant,
             Paint& paint = paints_[state][front];
             paint.base = 255.0F * glm::vec3(base);
             paint.ink = 255.0F * inkFor(colours[state], palette.background);
-            paint.density =
-                base.a * (discarded ? (front == 1 ? 0.1F : 0) : (front == 1 ? 0.55F : 0.45F));
-            paint.rimDensity = discarded ? (front == 1 ? 0.5F * base.a : 0) : 3 * paint.density;
-            paint.ofLine = (front == 1 ? 1.0F : 0.5F) * (discarded ? 0.6F : 1.0F);
-            paint.ofEdges = discarded ? 0 : 1;
-            if (discarded && variant_.outlines)
-            {
-                // The hatch is the second cue; its gaps keep the spheres behind it visible.
-                paint.density = base.a * (front == 1 ? 1.0F : 0.6F);
-                paint.rimDensity = 0;
-                paint.ofLine = front == 1 ? 1.0F : 0.5F;
-                paint.hatch = front == 1 ? 1.0F : -1.0F;
-            }
+            paint.own = lanes::paintOf(base.a, discarded, front == 1, variant_.outlines);
+            paint.hatch = !discarded || !variant_.outlines ? 0 : front == 1 ? 1.0F : -1.0F;
         }
     }
 }
@@ -77,7 +65,7 @@ void ShellRaster::lookFrom(const SphereUniforms& uniforms, bool orthographic,
     rows_.hatchShift =
         std::ceil(static_cast<float>(size.height + kTileEdge) / strokes_.hatchPeriod);
     rows_.cut = {orthographic, grid_.left, grid_.bottom, grid_.perColumn, grid_.perRow};
-    rows_.cut.steepest = variant_.fadingLines ? kSteepest * grid_.perRow : kAnySteepness;
+    rows_.cut.steepest = variant_.fadingLines ? shading::kSteepest * grid_.perRow : kAnySteepness;
     for (std::size_t i = 0; i < 2; ++i)
     {
         const glm::vec4& plane = uniforms.cutPlanes[i];

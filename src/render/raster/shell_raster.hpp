@@ -174,10 +174,8 @@ private:
     struct Paint
     {
         glm::vec3 base, ink; ///< [0..255]
-        float density = 0, rimDensity = 0;
-        float ofLine = 0;  ///< how strongly lines are drawn
-        float ofEdges = 0; ///< plain ones beside
-        float hatch = 0;   ///< as Setup has it
+        shading::ShellPaint own;
+        float hatch = 0; ///< as Setup has it
     };
 
     [[nodiscard]] const Paint& paintOf(PolygonState state, bool front) const

@@ -143,25 +143,26 @@ struct Painter
         {
             return;
         }
-        auto [surface, line] = surfaceAndLine<detail != Detail::film>(s, f, x, y, d0, d1, d2);
+        const auto [surface, line] = surfaceAndLine<detail != Detail::film>(s, f, x, y, d0, d1, d2);
+        Film film{surface.share, {}};
         if constexpr (detail == Detail::cut)
         {
-            const CutEdge edge = cutEdgeAt(f.cut, f.lineWidth, x, y, isNear, nearX, nearY);
-            line = max(line, edge.line);
-            putLineInFilm(f.print, surface.share, line);
-            surface.share *= edge.left;
-            line *= edge.left;
+            const Floats away = pixelsFromCut(f.cut, x, y, isNear, nearX, nearY);
+            const Floats left = leftOfCut(away);
+            film = lineInFilm(f.print, surface.share, max(line, lineOfCut(away, f.lineWidth)));
+            film.film *= left;
+            film.line *= left;
         }
         else if constexpr (detail == Detail::lines)
         {
-            putLineInFilm(f.print, surface.share, line);
+            film = lineInFilm(f.print, surface.share, line);
         }
-        const Words alpha = byteOf(255 * (surface.share + line));
+        const Words alpha = byteOf(255 * (film.film + film.line));
         const Floats limit = __builtin_convertvector(reinterpret_cast<Mask>(alpha), Floats);
-        const Floats lit = surface.share * surface.light;
+        const Floats lit = film.film * surface.light;
         const auto channel = [&](float base, float ink) __attribute__((always_inline))
         {
-            return byteOf(min(base * lit + ink * line, limit));
+            return byteOf(min(base * lit + ink * film.line, limit));
         };
         const Words colour = channel(s.base.r, s.ink.r) | channel(s.base.g, s.ink.g) << 8 |
                              channel(s.base.b, s.ink.b) << 16 | alpha << 24;

@@ -85,8 +85,8 @@ FROSTFILL_INLINE void ShellRaster::setUpAny(const Triangles& triangles,
         const Paint& paint = paintOf(states_[triangles[lane]], place.front);
         setup.base = paint.base;
         setup.ink = paint.ink;
-        setup.density = paint.density;
-        setup.rimDensity = paint.rimDensity;
+        setup.density = paint.own.density;
+        setup.rimDensity = paint.own.rimDensity;
         setup.hatch = paint.hatch;
         setup.cut = place.cut;
         setup.edges = columns.edges[lane] != 0;

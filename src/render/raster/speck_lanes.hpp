@@ -136,21 +136,22 @@ FROSTFILL_INLINE std::array<Floats, 4> channelsOf(const std::array<Floats, 3>& b
                                                   const std::array<Floats, 3>& ink, bool print,
                                                   Floats film, Floats light, Floats line)
 {
-    putLineInFilm(print, film, line);
-    const Floats alpha = 255 * min(film + line, 1);
+    const Film drawn = lineInFilm(print, film, line);
+    const Floats alpha = 255 * min(drawn.film + drawn.line, 1);
     const auto channel = [&](std::size_t i) __attribute__((always_inline))
     {
-        return min(base[i] * (film * light) + ink[i] * line, alpha);
+        return min(base[i] * (drawn.film * light) + ink[i] * drawn.line, alpha);
     };
     return {channel(0), channel(1), channel(2), alpha};
 }
 
 /// Whether others' creases reach into the triangles.
-FROSTFILL_INLINE Mask creaseDrawn(const StrokeColumns& strokes, float reach)
+FROSTFILL_INLINE Mask creaseDrawn(const StrokeColumns& strokes, float lineWidth)
 {
     const auto& off = strokes.creaseDistance;
     const Floats least = min(off[0], min(off[1], off[2]));
-    return (strokes.crease > 0) & (least < kCreaseEnd) & (least * strokes.pixelsOfCrease < reach);
+    return (strokes.crease > 0) & (least < kCreaseEnd) &
+           (onLine(least * strokes.pixelsOfCrease, lineWidth) > 0);
 }
 
 /// What a ShellSpeck's colour has for a value.

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// How spheres look in a point, as in sphere.frag, which has what is behind these numbers.
+// How spheres look in a point.
 #pragma once
 
-#include "render/framing/lamp.hpp"
-#include "render/raster/lanes.hpp"
+#include "render/raster/shading.hpp"
 #include "render/raster/sphere_raster.hpp"
 
 #include <algorithm>
@@ -42,42 +41,32 @@ struct Places
     Floats across, above, rhoSquared, w;
 };
 
-FROSTFILL_INLINE Floats power16(Floats value)
-{
-    value *= value;
-    value *= value;
-    value *= value;
-    return value * value;
-}
-
-FROSTFILL_INLINE Floats power32(Floats value)
-{
-    return power16(value * value);
-}
-
-FROSTFILL_INLINE Floats hatchAt(const SphereSetup& s, const Places& at)
-{
-    return s.hatch * stripes((at.across + at.above) * 1.3F + 0.25F, SphereRaster::kHatchShare,
-                             s.pixel * 1.84F);
-}
-
-/// What the marks leave of the light.
+/// What the marks leave of light.
 template <Marks marks>
-FROSTFILL_INLINE Floats unmarked(const SphereSetup& s, const Places& at)
+FROSTFILL_INLINE Floats leftOfLight(const SphereSetup& s, const Places& at)
 {
-    const Floats ring = clamped((at.rhoSquared - 0.76F) * (1 / (2 * s.pixel + 0.02F)) + 0.5F);
-    const Floats left = 1 - s.ring * ring - hatchAt(s, at);
-    if constexpr (marks == Marks::print)
+    if constexpr (marks == Marks::none)
     {
-        const Floats fromRim = (1 - root(at.rhoSquared)) * (1 / s.pixel);
-        return left * (1 - 0.8F * clamped(s.outline - fromRim + 0.5F));
+        return all(1);
     }
-    return left;
+    const Floats left = unmarked(s.look, at.rhoSquared, at.across + at.above);
+    return marks == Marks::print ? left * unlined(s.look, at.rhoSquared, s.outline) : left;
 }
 
-FROSTFILL_INLINE Words inBytes(Floats red, Floats green, Floats blue)
+FROSTFILL_INLINE Words inBytes(const Vectors& colour)
 {
-    return byteOf(red) | byteOf(green) << 8 | byteOf(blue) << 16 | 0xff000000U;
+    return byteOf(colour.x) | byteOf(colour.y) << 8 | byteOf(colour.z) << 16 | 0xff000000U;
+}
+
+/// With gloss and haze.
+template <Marks marks>
+FROSTFILL_INLINE Words finished(const SphereSetup& s, const Normals& normals, const Vectors& lit)
+{
+    if constexpr (marks == Marks::none)
+    {
+        return inBytes(lit + s.look.haze);
+    }
+    return inBytes(lit + s.look.haze + glossOf(s.look, dot(normals, s.highlight)));
 }
 
 struct InClean
@@ -87,17 +76,10 @@ struct InClean
     template <Marks marks>
     FROSTFILL_INLINE Words shaded(const Normals& normals, const Places& at) const
     {
-        Floats light = lightOf(dot(normals, s.up), dot(normals, s.key), dot(normals, s.fill),
-                               dot(normals, s.back)) *
-                       (0.64F + 0.36F * min(1.7F * at.w, 1));
-        Floats gloss{};
-        if constexpr (marks != Marks::none)
-        {
-            gloss = power32(max(dot(normals, s.highlight), 0)) * s.gloss;
-            light *= unmarked<marks>(s, at);
-        }
-        return inBytes(s.tint[0] * light + s.haze[0] + gloss, s.tint[1] * light + s.haze[1] + gloss,
-                       s.tint[2] * light + s.haze[2] + gloss);
+        const Floats light = lightFrom(dot(normals, s.up), dot(normals, s.key),
+                                       dot(normals, s.fill), dot(normals, s.back));
+        return finished<marks>(
+            s, normals, s.look.tint * (light * lightNearRim(at.w) * leftOfLight<marks>(s, at)));
     }
 };
 
@@ -115,15 +97,10 @@ struct InStudio
             const SphereRaster::Lighting::Occluder& o = l.occluders[i];
             const Floats along = dot(normals, o.way);
             const Floats squared = o.squared - 2 * along;
-            const Floats share = clamped(0.5F * o.radius * (along + (o.radius - 1)) / squared);
-            sky *= 1 - 0.85F * share * root(share);
+            sky *= skyPast(along, o.radius, squared);
             if (o.ahead > -1)
             {
-                const Floats ahead = o.ahead - facing;
-                const Floats beside = root(max(squared - ahead * ahead, 0));
-                const Floats hidden = clamped(
-                    0.5F + (o.radius - beside) / (2 * kLampSoftness * max(ahead, 0) + 0.04F));
-                lamp *= select(ahead > 0, 1 - hidden, all(1));
+                lamp *= lampPast(o.ahead - facing, o.radius, squared);
             }
         }
     }
@@ -135,24 +112,9 @@ struct InStudio
         Floats lamp = all(l.lamp);
         const Floats facing = dot(normals, l.towardsLamp);
         takeLight(normals, facing, sky, lamp);
-        const Floats fromSky = (0.5F + 0.16F * dot(normals, l.up)) * sky;
-        const Floats key = 0.74F * max(facing, 0) * lamp;
-        const Floats shine = power16(max(dot(normals, l.gloss), 0)) * (25.5F * lamp);
-        const Floats returned = 0.25F * (1 - sky) * (1.0F / 255);
-        Floats left = all(1);
-        Floats gloss{};
-        if constexpr (marks != Marks::none)
-        {
-            gloss = power32(max(dot(normals, s.highlight), 0)) * s.gloss;
-            left = unmarked<marks>(s, at);
-        }
-        const auto channel = [&](std::size_t c) __attribute__((always_inline))
-        {
-            const float tint = s.tint[c];
-            const Floats ambient = fromSky * (0.96F * tint + 10.2F) * (1 + returned * tint);
-            return (ambient + tint * key + shine) * left + s.haze[c] + gloss;
-        };
-        return inBytes(channel(0), channel(1), channel(2));
+        const Vectors lit =
+            inStudio(s.look.tint, dot(normals, l.up), facing, dot(normals, l.gloss), sky, lamp);
+        return finished<marks>(s, normals, lit * leftOfLight<marks>(s, at));
     }
 };
 
@@ -164,11 +126,9 @@ struct InSurfaces
     template <Marks marks>
     FROSTFILL_INLINE Words shaded(const Normals& normals, const Places& /*at*/) const
     {
-        const auto channel = [&](const SphereSetup::Slope& way) __attribute__((always_inline))
-        {
-            return 127.5F + 127.5F * dot(normals, way);
-        };
-        return inBytes(channel(surface.right), channel(surface.up), channel(surface.towards));
+        const Vectors facing = {dot(normals, surface.right), dot(normals, surface.up),
+                                dot(normals, surface.towards)};
+        return inBytes(0.5F * kWhite + all(0.5F * kWhite) * facing);
     }
 };
 
@@ -191,7 +151,7 @@ FROSTFILL_INLINE void withLook(const SphereRaster::Drawn& drawn, Visit visit)
     using State = std::integral_constant<Marks, Marks::state>;
     using Print = std::integral_constant<Marks, Marks::print>;
     const SphereSetup s = drawn.setup; // so that the tile cannot be part of it
-    const bool marked = s.gloss + s.ring + s.hatch > 0;
+    const bool marked = s.look.gloss + s.look.ring + s.look.hatch > 0;
     if (drawn.surface != nullptr)
     {
         visit(s, InSurfaces{*drawn.surface}, None{});

@@ -24,7 +24,7 @@ constexpr float kRowSlack = 0.6F;
 FROSTFILL_INLINE std::array<int, 2> columnsOf(const Setup& s, float aboveRow, float alongRow,
                                               const PixelRectangle& rows, float left)
 {
-    const float larger = 1 + kRowSlack * s.pixel;
+    const float larger = 1 + kRowSlack * s.look.pixel;
     const float along = alongRow * larger;
     const float alongX = s.alongX * larger;
     const float a = s.acrossX * s.acrossX + s.aboveX * s.aboveX - alongX * alongX;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "render/framing/numbers.hpp"
 #include "render/picture/cut_share.hpp"
 #include "render/picture/sphere_instance.hpp"
 #include "render/raster/sample_tile.hpp"
@@ -31,9 +32,6 @@ struct PixelGrid
 class SphereRaster
 {
 public:
-    /// Share of the hatch that is dark, as in common.glsl.
-    static constexpr float kHatchShare = 0.34F;
-
     /// Plane of a tile's colours that identities are left in.
     static constexpr std::size_t kIdentities = 1;
 
@@ -77,11 +75,8 @@ public:
             float axis, right, above;
         };
         Slope up, key, fill, back, highlight;
-        std::array<float, 3> tint;                                     ///< [0..255]
-        std::array<float, 3> haze;                                     ///< [0..255]
-        float gloss, ring, hatch;                                      ///< strengths of the marks
+        shading::SphereLook look;                                      ///< [0..255]
         float outline;                                                 ///< its width, for print
-        float pixel;                                                   ///< in its radius
         std::array<float, kMaxTileSamples> acrossAt, aboveAt, alongAt; ///< from a pixel's middle
     };
 

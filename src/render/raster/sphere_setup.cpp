@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What is the same over one sphere is worked out here, once and not for every pixel.
-#include "render/raster/lights.hpp"
+#include "render/raster/shading.hpp"
 #include "render/raster/sphere_raster.hpp"
 
 #include <glm/common.hpp>
@@ -17,17 +17,6 @@ namespace
 
 using Setup = SphereRaster::Setup;
 using Lighting = SphereRaster::Lighting;
-
-// The numbers of sphere.vert and sphere.frag.
-const glm::vec3 kHighlight(-0.234F, 0.351F, 0.907F);
-/// Strength of gloss, ring and hatch for each SphereState.
-constexpr std::array<std::array<float, 3>, 3> kStateMarks = {
-    {{0.65F, 0.8F, 0}, {0, 0, 0}, {0, 0, 0.42F}}};
-
-glm::vec3 towards(const lanes::LightWay& light)
-{
-    return {light.x, light.y, light.z};
-}
 
 /// As OpenGL takes a signed byte for -1..1.
 float shareOf(std::int8_t byte)
@@ -78,29 +67,15 @@ void SphereRaster::setColours(const SphereInstance& sphere, const glm::vec3& cen
                               Setup& setup) const
 {
     const glm::vec4 point(centre, 1);
-    const float foot =
-        0.86F + 0.14F * glm::clamp(glm::dot(uniforms_.heightPlane, point), 0.0F, 1.0F);
     const float far =
         uniforms_.haze * glm::clamp(glm::dot(uniforms_.distancePlane, point), 0.0F, 1.0F);
     const float distance = grid_.orthographic ? 1 : -centre.z;
-    setup.pixel = distance / (uniforms_.pixelScale * sphere.radius);
-    const auto& [gloss, ring, ofHatch] = kStateMarks[sphere.state];
-    const float hatch = lit ? 0 : ofHatch;
-    setup.gloss = print_ ? 0 : 255 * gloss;
-    setup.ring = ring;
+    const glm::vec3 colour(sphere.colour[0], sphere.colour[1], sphere.colour[2]);
+    setup.look = lanes::lookOf(
+        colour, lanes::marksOf(sphere.state), glm::dot(uniforms_.heightPlane, point), far,
+        lanes::kWhite * background_, distance / (uniforms_.pixelScale * sphere.radius),
+        uniforms_.supersample, lit, print_);
     setup.outline = outline_;
-    // On small spheres a hatch is noise. It fades to its mean, and is gone at 12 pixels across in
-    // the picture as it is seen.
-    const float shown =
-        print_ ? 1 : glm::smoothstep(12.0F, 120.0F, 2 / (setup.pixel * uniforms_.supersample));
-    setup.hatch = hatch * shown;
-    const float dimmed = foot * (1 - far) * (1 - kHatchShare * hatch * (1 - shown));
-    for (int c = 0; c < 3; ++c)
-    {
-        const auto channel = static_cast<std::size_t>(c);
-        setup.tint[channel] = static_cast<float>(sphere.colour[channel]) * dimmed;
-        setup.haze[channel] = 255 * background_[c] * far;
-    }
 }
 
 bool SphereRaster::setUp(const SphereInstance& sphere, bool lit, Axes& axes, Setup& setup) const
@@ -148,10 +123,10 @@ bool SphereRaster::setUp(const SphereInstance& sphere, bool lit, Axes& axes, Set
         setup.rise = 0;
     }
     setup.up = axes.slope({0, 1, 0});
-    setup.key = axes.slope(towards(lanes::kKeyLight));
-    setup.fill = axes.slope(towards(lanes::kFillLight));
-    setup.back = axes.slope(towards(lanes::kBackLight));
-    setup.highlight = axes.slope(kHighlight);
+    setup.key = axes.slope(shading::kKeyLight);
+    setup.fill = axes.slope(shading::kFillLight);
+    setup.back = axes.slope(shading::kBackLight);
+    setup.highlight = axes.slope(shading::kHighlight);
     for (std::size_t k = 0; k < kMaxTileSamples; ++k)
     {
         const SampleOffset at = samples_ > 1 ? kFourSamples[k] : SampleOffset{};
@@ -183,9 +158,9 @@ void SphereRaster::setLighting(const SphereLight& light, const Axes& axes, Light
         if (radius > 0)
         {
             const glm::vec3 way =
-                kOccluderRange * (toEye * glm::vec3(shareOf(x), shareOf(y), shareOf(z)));
+                shading::kOccluderRange * (toEye * glm::vec3(shareOf(x), shareOf(y), shareOf(z)));
             lighting.occluders[lighting.count++] = {axes.slope(way), glm::dot(way, way) + 1,
-                                                    kOccluderRange * shareOf(radius),
+                                                    shading::kOccluderRange * shareOf(radius),
                                                     glm::dot(way, lamp)};
         }
     }

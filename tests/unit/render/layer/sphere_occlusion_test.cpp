@@ -58,9 +58,9 @@ TEST(SphereOcclusion, TellWhereANeighbourIsInTheRadiusOfTheSphere)
     SphereOcclusion sphereOcclusion(kLamp, {});
     sphereOcclusion.add(sphereAt({0.3F, 0, 0}, 0.2F));
     const SphereLight light = sphereOcclusion.of(sphereAt({0, 0, 0}, 0.1F));
-    EXPECT_NEAR(light.occluders[0][0] * kOccluderRange / 127, 3, 0.03);
+    EXPECT_NEAR(light.occluders[0][0] * shading::kOccluderRange / 127, 3, 0.03);
     EXPECT_EQ(light.occluders[0][1], 0);
-    EXPECT_NEAR(light.occluders[0][3] * kOccluderRange / 127, 2, 0.03);
+    EXPECT_NEAR(light.occluders[0][3] * shading::kOccluderRange / 127, 2, 0.03);
     EXPECT_EQ(light.occluders[1][3], 0) << "the only one";
 }
 
