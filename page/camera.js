@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Where the eye is, as in src/render/framing: azimuth about the up axis, elevation above the horizon,
+// Where the eye is, as in src/render/framing, whose numbers are in facts.framing: azimuth about the
+// up axis, elevation above the horizon,
 // a target in the middle of the picture. Lengths are in unit space, where the object has a radius
 // of 1. Matrices are arrays of columns.
-
-const kMargin = 0.04; // of the picture that stays free around the object at first
-const kDepthPadding = 0.5; // spheres are drawn so far from the object
-const kNearShare = 0.02; // nearest that the near plane comes to the eye, over its distance
 
 const radians = (degrees) => degrees * Math.PI / 180;
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -61,12 +58,9 @@ function fittedPoints(points) {
 
 /** The horizontal direction in which a camera at this azimuth stands. */
 function horizontalDirection(azimuth) {
-  const up = facts.up;
-  const side = Math.abs(up[0]) < 0.9 ? [1, 0, 0] : [0, 1, 0];
-  const right = normalized(difference(side, scaled(up, dot(side, up))));
-  const back = cross(right, up);
   const angle = radians(azimuth);
-  return sum(scaled(back, Math.cos(angle)), scaled(right, Math.sin(angle)));
+  return sum(scaled(facts.framing.back, Math.cos(angle)),
+    scaled(facts.framing.right, Math.sin(angle)));
 }
 
 class Camera {
@@ -112,7 +106,7 @@ class Camera {
       return;
     }
     const { right, up, back } = this.axes();
-    const vertical = this.tangent * (1 - kMargin);
+    const vertical = this.tangent * (1 - facts.framing.margin);
     const sides = [[right, vertical * this.aspect], [up, vertical]];
     this.target = [0, 0, 0];
     let offset = [0, 0, 0];
@@ -162,8 +156,9 @@ class Camera {
     const bounds = this.bounds(back);
     const high = bounds.high - dot(back, this.target);
     const low = bounds.low - dot(back, this.target);
-    const near = Math.max(this.distance - high - kDepthPadding, kNearShare * this.distance);
-    const far = this.distance - low + kDepthPadding;
+    const padding = facts.framing.depth_padding;
+    const near = Math.max(this.distance - high - padding, facts.framing.near_share * this.distance);
+    const far = this.distance - low + padding;
     const projection = [1 / (this.tangent * this.aspect), 0, 0, 0, 0, 1 / this.tangent, 0, 0,
       0, 0, -(far + near) / (far - near), -1, 0, 0, -2 * far * near / (far - near), 0];
     const tall = Math.max(bounds.head - bounds.foot, 1e-6);

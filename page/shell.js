@@ -2,8 +2,6 @@
 // The object's shell, as in src/render/passes/mesh_pass.cpp: each triangle has three corners of its
 // own, so that the fragment stage knows how far each edge is.
 
-const kOutline = 255; // line_strength of an edge where the surface turns away
-
 class Shell {
   constructor(gl, sections) {
     this.gl = gl;
@@ -92,7 +90,7 @@ class Shell {
     for (let i = 0; i < this.kinds.length / 2; ++i) {
       const first = this.sides[2 * i];
       const second = this.sides[2 * i + 1];
-      const strength = seen[first] !== seen[second] ? kOutline : this.kinds[2 * i + 1];
+      const strength = seen[first] !== seen[second] ? facts.framing.outline : this.kinds[2 * i + 1];
       const corners = this.kinds[2 * i];
       this.setEdge(first, corners & 3, strength);
       if (second !== first) {

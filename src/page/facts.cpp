@@ -5,6 +5,7 @@
 #include "render/framing/front.hpp"
 #include "render/framing/pose_framing.hpp"
 #include "render/overlay/colour_scale.hpp"
+#include "render/picture/mesh_shading.hpp"
 #include "render/picture/painter_settings.hpp"
 #include "run/frame_painter.hpp"
 
@@ -166,6 +167,22 @@ Json cutawayJson(const PageView& view)
     return planes;
 }
 
+Json vectorJson(const glm::dvec3& v)
+{
+    return {v.x, v.y, v.z};
+}
+
+/// Numbers of `frame`, with which the page looks from anywhere.
+Json framingJson(const PageView& view)
+{
+    return {{"margin", kFramingMargin},
+            {"depth_padding", kDepthPadding},
+            {"near_share", kNearShare},
+            {"back", vectorJson(horizontalDirection(view.settings.up, 0))},
+            {"right", vectorJson(horizontalDirection(view.settings.up, 90))},
+            {"outline", line_strength::kOutline}};
+}
+
 Json cameraJson(const PageView& view)
 {
     const Camera& camera = view.settings.camera;
@@ -249,6 +266,7 @@ Json pageFacts(const RunFileReader& run, const RunHead& head, const PageView& vi
         facts["poses"].push_back(poseJson(pose));
     }
     facts["camera"] = cameraJson(view);
+    facts["framing"] = framingJson(view);
     facts["cutaway"] = cutawayJson(view);
     facts["shell"] = view.settings.style.shell;
     facts["shell_opacity"] =

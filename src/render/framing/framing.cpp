@@ -18,15 +18,6 @@ namespace frostfill
 namespace
 {
 
-/// Share of the region that stays free around the object.
-constexpr double kMargin = 0.04;
-
-/// Spheres that have leaked out of the object are drawn up to this distance from it [unit space].
-constexpr double kDepthPadding = 0.5;
-
-/// Nearest the near plane comes to the eye, over the eye's distance; keeps depth exact.
-constexpr double kNearShare = 0.02;
-
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Directions of the picture in unit space.
@@ -132,8 +123,8 @@ Window windowOf(const PictureRegion& region, const PictureSize& size)
     const double width = size.width;
     const double height = size.height;
     return {(region.left + region.right) / width - 1, 1 - (region.top + region.bottom) / height,
-            (region.right - region.left) / width * (1 - kMargin),
-            (region.bottom - region.top) / height * (1 - kMargin)};
+            (region.right - region.left) / width * (1 - kFramingMargin),
+            (region.bottom - region.top) / height * (1 - kFramingMargin)};
 }
 
 /// Where the eye must stand along one axis of the picture, for the tangent t of half the angle that

@@ -51,6 +51,15 @@ struct Framing
     }
 };
 
+/// Share of the region that stays free around the object.
+inline constexpr double kFramingMargin = 0.04;
+
+/// Spheres that have leaked out of the object are drawn up to this distance from it [unit space].
+inline constexpr double kDepthPadding = 0.5;
+
+/// Nearest the near plane comes to the eye, over the eye's distance; keeps depth exact.
+inline constexpr double kNearShare = 0.02;
+
 /// Where the camera stands if nothing is known of the object. [degree]
 inline constexpr double kUsualAzimuth = 30;
 

@@ -88,6 +88,11 @@ TEST_F(PageFacts, AreThoseOfTheRun)
     EXPECT_EQ(camera.at("zoom"), 1.5);
     EXPECT_EQ(camera.at("target"), json({0.1, 0.2, -0.3}));
     EXPECT_TRUE(camera.at("distance").is_null());
+    // With y up, a camera at azimuth 0 looks along -z, and x is to the right.
+    EXPECT_EQ(facts.at("framing").at("back"), json({0, 0, 1}));
+    EXPECT_EQ(facts.at("framing").at("right").at(0), 1);
+    EXPECT_GT(facts.at("framing").at("margin"), 0);
+    EXPECT_EQ(facts.at("framing").at("outline"), 255);
     const TriangleMesh mesh = loadMesh("torus").mesh;
     double foot = 1e9;
     for (const Eigen::Vector3d& vertex : mesh.vertices)
