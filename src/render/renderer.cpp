@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "render/overlay/annotated_picture.hpp"
-#include "render/picture/ambient_occlusion.hpp"
 #include "render/picture/pass_pictures.hpp"
 #include "render/picture/shrink.hpp"
 #include "render/pipeline.hpp"
+#include "render/raster/ambient_occlusion.hpp"
+#include "render/raster/has_avx2.hpp"
 #include "render/raster/tile_pipeline.hpp"
 
 #include <frostfill/error.hpp>
@@ -95,7 +96,7 @@ struct Renderer::Implementation
             const Framing& framing = backend->framing();
             const double reach = kOcclusionReach * meanRadius(snapshot) * framing.scale;
             backend->drawSurfaces(snapshot, {whole.width, whole.height}, surfaces);
-            applyAmbientLight(ambientLight(surfaces, framing, reach), whole);
+            occlusion.darken(surfaces, framing, reach, whole);
         }
         const Legend& legend = backend->legend();
         for (const Legend::Piece& piece : legend.pieces(snapshot))
@@ -116,6 +117,7 @@ struct Renderer::Implementation
     Image whole; ///< if the picture is finished as a whole
     std::vector<std::uint8_t> wholeRows;
     Surfaces surfaces; ///< reused from frame to frame
+    AmbientOcclusion occlusion{lanes::hasAvx2()};
 };
 
 Renderer::Renderer(const TriangleMesh& mesh, const RenderSettings& settings)
