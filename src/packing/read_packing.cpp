@@ -123,6 +123,17 @@ constexpr MomentFormat kMomentFormats[] = {
     {"XYZ", isXyz, readXyzTimestep},
     {"a data file of MercuryDPM", isMercury, readMercuryTimestep}};
 
+/// A text that is one packing.
+struct TextFormat
+{
+    const char* name;
+    bool (*is)(std::string_view text);
+    Timestep (*read)(TextLines lines, double radius);
+};
+constexpr TextFormat kTextFormats[] = {{"the text of YADE", isYade, readYade},
+                                       {"the particle input of MFiX", isMfix, readMfix},
+                                       {"a data file of LAMMPS", isLammpsData, readLammpsData}};
+
 void refuseColumns(const PackingColumns& columns, const std::filesystem::path& file,
                    const std::string& format)
 {
@@ -156,9 +167,12 @@ Packing readContent(const std::filesystem::path& file, const PackingFileOptions&
         return readBinaryFile(content, file);
     }
     TextLines lines(content, file.string());
-    if (isYade(content))
+    for (const TextFormat& format : kTextFormats)
     {
-        return packingOf(readYade(lines, options.radius), "the text of YADE");
+        if (format.is(content))
+        {
+            return packingOf(format.read(lines, options.radius), format.name);
+        }
     }
     for (const MomentFormat& format : kMomentFormats)
     {

@@ -73,6 +73,11 @@ void addSphere(const std::vector<std::string_view>& words, const SphereColumns& 
 [[nodiscard]] Timestep readTable(TextLines lines, const PackingFileOptions& options);
 /// Reads the text of YADE, which names its columns in its first line: #format x_y_z_r.
 [[nodiscard]] Timestep readYade(TextLines lines, double radius);
+/// Reads the particle input of MFiX, from version 2.0. Throws for one in two dimensions.
+[[nodiscard]] Timestep readMfix(TextLines lines, double radius);
+/// Reads the section Atoms of a data file of LAMMPS or LIGGGHTS. Throws for an atom_style whose
+/// columns are not known.
+[[nodiscard]] Timestep readLammpsData(TextLines lines, double radius);
 /// Reads little-endian doubles: x, y, z and diameter of each sphere, as packing-generation writes
 /// them. `diameters` is what they are multiplied by. `file` is for messages.
 [[nodiscard]] Timestep readBinary(std::string_view bytes, const std::string& file,

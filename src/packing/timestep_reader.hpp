@@ -21,6 +21,10 @@ namespace frostfill
 /// Whether it is a data file of MercuryDPM: its first line has a number of spheres, a time, and the
 /// ends of a box in two or three dimensions.
 [[nodiscard]] bool isMercury(std::string_view text);
+/// Whether it is the particle input of MFiX: its first line says a version, its second is a ruler.
+[[nodiscard]] bool isMfix(std::string_view text);
+/// Whether it is a data file of LAMMPS: its head has a number of atoms.
+[[nodiscard]] bool isLammpsData(std::string_view text);
 /// Whether it is the binary file of packing-generation: by its name, or because it is no text.
 [[nodiscard]] bool isBinary(std::string_view content, const std::filesystem::path& file);
 

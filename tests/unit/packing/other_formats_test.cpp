@@ -9,7 +9,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <limits>
 
@@ -71,6 +74,46 @@ TEST_F(OtherFormats, IncludeMercuryDpmUpToItsLastMoment)
               "MercuryDPM");
 }
 
+std::string mfix(const std::string& diameter, const std::string& rows,
+                 const std::string& phase = "F 1")
+{
+    return "Version 2.0\n====\nInstructions:\nDimension: Enter \"2\" for 2D, \"3\" for 3D "
+           "(Integer)\n"
+           "Particles: Number of particles to read\n====\nDimension:    3\nParticles:    2\n====\n"
+           "Variable      Read(T/F)     Default value (when Read=F)\n====\n"
+           "Coordinates:     T          Must always be T\nPhase_ID:  " +
+           phase + "\nDiameter:  " + diameter +
+           "\nDensity:   T  (Real)\nVelocity:  F 0.0 0.0 0.0\n====\n|  X  |  Y  |  Z  |\n====\n" +
+           rows;
+}
+
+TEST_F(OtherFormats, IncludeTheParticleInputOfMfix)
+{
+    expectTwo(read(mfix("T", "0.5 -1 2 0.5 2500\n1 2 -3e-3 1 2500\n")), "MFiX");
+    expectTwo(read(mfix("T 9", "0.5 -1 2  1  0.5 2500\n1 2 -3e-3  2  1 2500\n", "T")), "MFiX");
+    const Packing one = read(mfix("F 0.25", "0.5 -1 2 2500\n1 2 3 2500\n"), {.radius = 7});
+    EXPECT_EQ(one.radii, (std::vector<double>{0.125, 0.125}));
+    EXPECT_EQ(one.centres[1], Eigen::Vector3d(1, 2, 3));
+    EXPECT_EQ(read(mfix("F", "0.5 -1 2\n1 2 3\n"), {.radius = 7}).radii[0], 7);
+}
+
+TEST_F(OtherFormats, IncludeDataFilesOfLammpsInEachStyleOfSpheres)
+{
+    const std::string head = "LAMMPS data file via write_data\n\n2 atoms\n1 atom types\n\n"
+                             "-9 9 xlo xhi\n-9 9 ylo yhi\n-9 9 zlo zhi\n\nMasses\n\n1 1\n\n";
+    const std::string rows =
+        "7 1 0.5 2500 0.5 -1 2 0 0 0\n3 1 1 2500 1 2 -3e-3 0 0 0 # a comment\n";
+    const std::string rest = "\nVelocities\n\n7 0 0 0 0 0 0\n3 0 0 0 0 0 0\n";
+    expectTwo(read(head + "Atoms # sphere\n\n" + rows + rest), "LAMMPS");
+    expectTwo(read(head + "Atoms\n\n" + rows), "LAMMPS");
+    expectTwo(read(head + "Atoms  # bpm/sphere\n\n1 1 1 0.5 9 0.5 -1 2\n2 1 1 1 9 1 2 -3e-3\n"),
+              "LAMMPS");
+    const Packing points =
+        read(head + "Atoms # atomic\n\n1 1 0.5 -1 2\n2 1 1 2 3\n", {.radius = 0.25});
+    EXPECT_EQ(points.radii, (std::vector<double>{0.25, 0.25}));
+    EXPECT_EQ(points.centres[0], Eigen::Vector3d(0.5, -1, 2));
+}
+
 TEST_F(OtherFormats, IncludeTheBinaryOfPackingGeneration)
 {
     expectTwo(read(bytesOf(kTwo)), "packing-generation");
@@ -128,6 +171,10 @@ TEST_F(OtherFormats, GiveBackWhatWasExportedToTheLastBit)
     for (const Exported& each : {Exported{"yade", "yade.txt"},
                                  {"mercurydpm", "mercurydpm.data"},
                                  {"lethe", "particles.input"},
+                                 {"mfix", "particle_input.dat"},
+                                 {"lammps-data", "spheres.data"},
+                                 {"lammps", "lammps.data"},
+                                 {"liggghts", "liggghts.data"},
                                  {"csv", ""},
                                  {"xyz", "spheres.xyz"},
                                  {"lammps-dump", "spheres.dump"}})
@@ -150,6 +197,42 @@ TEST_F(OtherFormats, GiveBackWhatWasExportedToTheLastBit)
     const Packing binary = read(bytesOf(numbers), {}, "spheres.xyzd");
     EXPECT_EQ(binary.centres, run.centres);
     EXPECT_EQ(binary.radii, run.radii);
+}
+
+// It writes them in an order of its own, with 17 digits.
+TEST_F(OtherFormats, IncludeWhatLammpsItselfWrites)
+{
+    if (std::system("which lmp >/dev/null 2>&1") != 0) // NOLINT(cert-env33-c): of our own words
+    {
+        GTEST_SKIP() << "lmp is not installed";
+    }
+    writeFile(folder_ / "in.lammps",
+              "units si\natom_style sphere\nboundary f f f\nregion box block -1 1 -1 1 -1 1\n"
+              "create_box 1 box\ncreate_atoms 1 random 50 7 box\n"
+              "variable size atom 0.01+0.001*id\nset type 1 density 2500\n"
+              "set type 1 diameter v_size\npair_style none\ncomm_modify cutoff 1\n"
+              "write_data written.data\nwrite_dump all custom written.dump x y z radius "
+              "modify format float %.17g\n");
+    const std::string command =
+        "cd '" + folder_.path().string() + "' && lmp -in in.lammps -log none >said.txt 2>&1";
+    ASSERT_EQ(std::system(command.c_str()), 0) // NOLINT(cert-env33-c): of our own words
+        << test::readFile(folder_ / "said.txt");
+    const Packing data = readPacking(folder_ / "written.data");
+    const Packing dump = readPacking(folder_ / "written.dump");
+    EXPECT_NE(data.format.find("data file of LAMMPS"), std::string::npos) << data.format;
+    const auto sorted = [](const Packing& packing)
+    {
+        std::vector<std::array<double, 4>> rows;
+        for (std::size_t k = 0; k < packing.centres.size(); ++k)
+        {
+            const Eigen::Vector3d& p = packing.centres[k];
+            rows.push_back({packing.radii[k], p.x(), p.y(), p.z()});
+        }
+        std::sort(rows.begin(), rows.end());
+        return rows;
+    };
+    EXPECT_EQ(data.centres.size(), 50U);
+    EXPECT_EQ(sorted(data), sorted(dump));
 }
 
 struct Wrong
