@@ -9,7 +9,6 @@
 
 #include <cmath>
 #include <string>
-#include <vector>
 
 namespace frostfill
 {
@@ -154,58 +153,6 @@ TEST_F(CheckCommand, TakesTheColumnsOfATableByName)
                   .code,
               0);
     EXPECT_TRUE(std::filesystem::exists(folder_ / "found/contacts.csv"));
-}
-
-TEST_F(CheckCommand, RefusesInASentenceWhatItCannotMeasure)
-{
-    writeFile(folder_ / "bad.csv", "x,y,z,radius\n0,0,0,0.1\n0,0,zero,0.1\n");
-    writeFile(folder_ / "flat.csv", "x,y,z,radius\n0,0,0,0\n");
-    writeFile(folder_ / "beads.csv", "a,b,c,s\n0,0,0,0.2\n");
-    writeFile(folder_ / "yade.txt", "#format x_y_z_r\n0 0 0 0.1\n0 0 0\n");
-    writeFile(folder_ / "cut.xyzd", std::string(33, 'x'));
-    writeFile(folder_ / "mercury.data", "2 0 -1 -1 -1 1 1 1\n0 0 0 0 0 0 0.1 0 0 0 0 0 0 0\n");
-    struct Case
-    {
-        std::string arguments;
-        int code;
-        std::string says;
-    };
-    const std::vector<Case> cases = {
-        {"check", 64, "FILE"},
-        {"check two.csv", 64, "--mesh"},
-        {"check missing.csv --mesh cube", 66, "missing.csv"},
-        {"check bad.csv --mesh cube", 65, "line 3"},
-        {"check flat.csv --mesh cube", 65, "above 0"},
-        {"check two.csv --mesh missing.stl", 66, "missing.stl"},
-        {"check beads.csv --mesh cube", 65, "no column x"},
-        {"check beads.csv --mesh cube --columns x=a,y=b,z=c", 65, "--radius"},
-        {"check beads.csv --mesh cube --columns x=a,y=b,z=e", 65, "no column 'e' among a, b, c, s"},
-        {"check beads.csv --mesh cube --columns a,b,c", 64, "'a' names no column"},
-        {"check beads.csv --mesh cube --columns x=a,radiu=d", 64, "did you mean radius?"},
-        {"check beads.csv --mesh cube --columns", 64, "--columns"},
-        {"check yade.txt --mesh cube", 65, "yade.txt, line 3: 3 values"},
-        {"check yade.txt --mesh cube --columns x=1", 65, "yade.txt, line 3"},
-        {"check cut.xyzd --mesh cube", 65, "cut.xyzd, byte 33"},
-        {"check mercury.data --mesh cube", 65, "mercury.data, line 2"},
-        {"analyse beads.csv --mesh cube --columns x=a,x=b", 64, "given twice"},
-        {"analyse yade.txt --mesh cube", 65, "yade.txt, line 3"},
-        {"check two.csv --mesh cube --max-overlap -1", 64, "--max-overlap"},
-        {"check two.csv --mesh cube --judge-friction -1", 64, "--judge-friction"},
-        {"check two.csv --mesh cube --judge-friction 9", 64, "0 to 8"},
-        {"check two.csv --mesh cube --judge-friction much", 64, "none"},
-        {"check two.csv --mesh cube --judge-unbalance 0", 64, "--judge-unbalance"},
-        {"check two.csv --mesh cube --max-unbalanced 3", 64, "--judge-friction"},
-        {"check two.csv --mesh cube --judge-unbalance 0.3", 64, "--judge-friction"},
-        {"check two.csv --mesh cube --judge-friction 1 --max-unbalanced -3", 64,
-         "--max-unbalanced"},
-    };
-    for (const Case& each : cases)
-    {
-        const Answer answer = run(each.arguments);
-        EXPECT_EQ(answer.code, each.code) << each.arguments << answer.errors;
-        EXPECT_NE(answer.errors.find(each.says), std::string::npos)
-            << each.arguments << ": " << answer.errors;
-    }
 }
 
 } // namespace
