@@ -42,7 +42,7 @@ TEST(MeasuredColumns, AreThoseOfTheTableEachOfThemFoundByAnAnalysis)
         EXPECT_TRUE(column->measured);
         EXPECT_FALSE(column->file); // of a run
     }
-    for (const ColumnValues& carried : carriedColumns("q6"))
+    for (const ColumnValues& carried : carriedColumns(std::vector<std::string>{"q6"}))
     {
         EXPECT_FALSE(carried.column().measured);
     }
