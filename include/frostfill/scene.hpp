@@ -308,9 +308,6 @@ struct Scene
 /// Throws Error usage for the first invalid value, with the allowed range.
 void validateScene(const Scene& scene);
 
-/// The columns on request that a scene asks for: see carriedColumns().
-[[nodiscard]] std::vector<std::string> askedColumns(const Scene& scene);
-
 /// Unit vector against gravity, in mesh coordinates.
 [[nodiscard]] Eigen::Vector3d upVector(Axis axis);
 

@@ -163,6 +163,9 @@ struct ReachInspection
 [[nodiscard]] ReachInspection inspectReach(const TriangleMesh& mesh, double radius,
                                            std::size_t bytes = std::size_t{256} << 20);
 
+/// The columns on request that a scene asks for: see carriedColumns().
+[[nodiscard]] std::vector<std::string> askedColumns(const Scene& scene);
+
 /// Fills one mesh as a scene describes. PAPER: Algorithm 1 and the schedule of sets around it.
 ///
 /// Of more spheres than Scene::spillFrom, those at rest are in a file that is mapped: what nothing

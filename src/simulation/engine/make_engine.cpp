@@ -5,13 +5,36 @@
 #include "simulation/engine/fast_engine.hpp"
 #include "simulation/engine/granular_engine.hpp"
 #include "simulation/engine/joint_rest_engine.hpp"
+#include "simulation/engine/tolerances.hpp"
 #include "simulation/paper/paper_engine.hpp"
+
+#include <frostfill/error.hpp>
+
+#include <fmt/format.h>
+
+#include <cmath>
 
 namespace frostfill
 {
 
 namespace
 {
+
+/// Throws Error usage for a time step in which nothing would ever happen.
+void requireStep(const World& world)
+{
+    const double unit = std::sqrt(world.radii.smallest()) * world.frame.time;
+    const double shortest = kShortestStep * unit;
+    if (world.scene.motion.dt && *world.scene.motion.dt < shortest)
+    {
+        throw Error(ErrorCode::usage,
+                    fmt::format("a time step (--dt) of {:.3g} s is too short for spheres of radius "
+                                "{:.3g}, which take {:.3g} s to fall by half of it: give {:.1g} s "
+                                "or more",
+                                *world.scene.motion.dt, world.frame.length * world.radii.smallest(),
+                                unit, 2 * shortest));
+    }
+}
 
 std::unique_ptr<Engine> makeFilling(World& world)
 {
@@ -30,6 +53,7 @@ std::unique_ptr<Engine> makeFilling(World& world)
 
 std::unique_ptr<Engine> makeEngine(World& world)
 {
+    requireStep(world);
     if (world.scene.motion.mode == Motion::granular)
     {
         return std::make_unique<GranularEngine>(world);

@@ -8,7 +8,8 @@
 namespace frostfill
 {
 
-/// The engine that the world's scene asks for. Throws Error badData when nothing fits.
+/// The engine that the world's scene asks for. Throws Error badData when nothing fits,
+/// and usage for a time step in which nothing would happen.
 [[nodiscard]] std::unique_ptr<Engine> makeEngine(World& world);
 
 } // namespace frostfill

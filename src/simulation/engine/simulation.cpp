@@ -2,7 +2,6 @@
 #include "simulation/columns/column_capture.hpp"
 #include "simulation/engine/guard.hpp"
 #include "simulation/engine/make_engine.hpp"
-#include "simulation/engine/tolerances.hpp"
 #include "simulation/quality/quality.hpp"
 #include "simulation/quality/size_report.hpp"
 #include "simulation/reach/reach_inspection.hpp"
@@ -12,8 +11,6 @@
 
 #include <frostfill/error.hpp>
 #include <frostfill/simulation.hpp>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <atomic>
@@ -34,28 +31,6 @@ std::uint64_t nextSource()
     return ++last;
 }
 
-/// Throws Error usage for a time step in which nothing would ever happen.
-void requireStep(const World& world)
-{
-    const double unit = std::sqrt(world.radii.smallest()) * world.frame.time;
-    const double shortest = kShortestStep * unit;
-    if (world.scene.motion.dt && *world.scene.motion.dt < shortest)
-    {
-        throw Error(ErrorCode::usage,
-                    fmt::format("a time step (--dt) of {:.3g} s is too short for spheres of radius "
-                                "{:.3g}, which take {:.3g} s to fall by half of it: give {:.1g} s "
-                                "or more",
-                                *world.scene.motion.dt, world.frame.length * world.radii.smallest(),
-                                unit, 2 * shortest));
-    }
-}
-
-std::unique_ptr<Engine> makeCheckedEngine(World& world)
-{
-    requireStep(world);
-    return makeEngine(world);
-}
-
 } // namespace
 
 struct Simulation::Implementation
@@ -63,12 +38,12 @@ struct Simulation::Implementation
     /// Of a TriangleMesh or a LoadedMesh.
     template <class Mesh>
     Implementation(const Scene& scene, const Mesh& mesh)
-        : world(scene, mesh), engine(makeCheckedEngine(world)), guard(world)
+        : world(scene, mesh), engine(makeEngine(world)), guard(world)
     {
     }
 
     Implementation(const Scene& scene, const World& like)
-        : world(scene, like.object), engine(makeCheckedEngine(world)), guard(world)
+        : world(scene, like.object), engine(makeEngine(world)), guard(world)
     {
     }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <frostfill/columns.hpp>
-#include <frostfill/scene.hpp>
+#include <frostfill/simulation.hpp>
 
 namespace frostfill
 {
