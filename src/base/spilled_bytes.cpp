@@ -70,10 +70,10 @@ bool allows(decltype(RLIMIT_FSIZE) kind, double bytes)
            bytes <= static_cast<double>(limit.rlim_cur);
 }
 
-bool growFile(int file, std::size_t size)
+bool growFile(int file, std::size_t from, std::size_t to)
 {
-    return allows(RLIMIT_FSIZE, static_cast<double>(size)) &&
-           ::posix_fallocate(file, 0, static_cast<off_t>(size)) == 0;
+    return allows(RLIMIT_FSIZE, static_cast<double>(to)) &&
+           ::posix_fallocate(file, static_cast<off_t>(from), static_cast<off_t>(to - from)) == 0;
 }
 
 } // namespace
@@ -85,7 +85,8 @@ std::optional<std::filesystem::path> spillFolder()
     const char* const asked = std::getenv("TMPDIR");
     for (const char* folder : {asked, "/var/tmp", "/tmp"})
     {
-        if (folder != nullptr && *folder != '\0' && !liesInMemory(folder))
+        if (folder != nullptr && *folder != '\0' && !liesInMemory(folder) &&
+            ::access(folder, W_OK | X_OK) == 0)
         {
             return folder;
         }
@@ -212,7 +213,7 @@ bool SpilledBytes::moveToMapping(int file, std::size_t used, std::size_t size)
 // The disk is asked for all of it now: a page that it has no room for later would end the program.
 bool SpilledBytes::growMapping(std::size_t size)
 {
-    if (isInFile() && !growFile(file_, size))
+    if (isInFile() && !growFile(file_, size_, size))
     {
         return false;
     }
