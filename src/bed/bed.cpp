@@ -19,6 +19,8 @@ namespace
 /// away from the end. Larger: slopes count as ends. Smaller: rounding takes ends away.
 constexpr double kFlat = 0.9999;
 constexpr double kAtEnd = 1e-4;
+/// Share of the largest coordinate below which one is 0.
+constexpr double kDust = 1e-14;
 
 [[noreturn]] void refuse(const std::string& what)
 {
@@ -46,6 +48,22 @@ std::vector<double> numbersOf(std::string_view text)
         }
         text.remove_prefix(comma + 1);
     }
+}
+
+/// Coordinates that only rounding keeps from being 0, such as those of a tube that was made with
+/// sines: programs that test a surface for crossings trip over them.
+TriangleMesh withoutDust(TriangleMesh mesh)
+{
+    double longest = 0;
+    for (const Eigen::Vector3d& vertex : mesh.vertices)
+    {
+        longest = std::max(longest, vertex.cwiseAbs().maxCoeff());
+    }
+    for (Eigen::Vector3d& vertex : mesh.vertices)
+    {
+        vertex = (vertex.array().abs() < kDust * longest).select(0, vertex);
+    }
+    return mesh;
 }
 
 std::vector<BedPatch> findPatches(const TriangleMesh& mesh, const Eigen::Vector3d& up)
@@ -162,7 +180,7 @@ void checkBedSettings(const BedSettings& settings)
 Bed::Bed(const TriangleMesh& mesh, std::vector<Eigen::Vector3d> centres, std::vector<double> radii,
          const Eigen::Vector3d& up, const BedSettings& settings)
     : settings_(settings), threads_(std::make_unique<Threads>(settings.threads)),
-      centres_(std::move(centres)), radii_(std::move(radii)), up_(up), surface_(mesh),
+      centres_(std::move(centres)), radii_(std::move(radii)), up_(up), surface_(withoutDust(mesh)),
       levels_(centres_, radii_), patches_(findPatches(mesh, up)),
       containerVolume_(inspectInterior(mesh).volume)
 {

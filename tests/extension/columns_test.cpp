@@ -174,8 +174,16 @@ TEST(Columns, RefuseNamesAndTypesThatCannotBe)
 
 TEST(Columns, AreChoicesOfColours)
 {
-    const std::vector<std::string> expected = {"state",  "group",    "set",       "speed",
-                                               "height", "contacts", "unbalance", "axis_distance"};
+    std::vector<std::string> expected = {"state",  "group",    "set",      "speed",
+                                         "height", "contacts", "unbalance"};
+    for (const std::string& name : measuredNames())
+    {
+        if (name != "cell_volume") // no scale fits all packings
+        {
+            expected.push_back(name);
+        }
+    }
+    expected.emplace_back("axis_distance");
     EXPECT_EQ(colourColumns(), expected);
     expectError(
         ErrorCode::badData,

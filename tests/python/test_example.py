@@ -23,6 +23,53 @@ class LiggghtsAtRest(FolderCase):
         self.assertLess(found["quality"].max_overlap, 1e-3)
 
 
+class ExampleOf(FolderCase):
+    """Runs an example by its name in a folder of its own."""
+
+    def run_example(self, name):
+        before = sys.argv
+        sys.argv = [f"{name}.py", str(self.folder)]
+        self.addCleanup(setattr, sys, "argv", before)
+        return runpy.run_path(str(SOURCE / "examples" / f"{name}.py"))
+
+
+class FixedBed(ExampleOf):
+    def test_is_meshed_and_flows_in_openfoam(self):
+        if not shutil.which("snappyHexMesh"):
+            self.skipTest("apt-get install openfoam")
+        found = self.run_example("openfoam_bed")
+        self.assertIn("Mesh OK", found["checked"])
+        self.assertGreater(found["cells"], 5000)
+        # Flat facets lack 3 % of each sphere, and a hundredth of its radius another 3 %.
+        self.assertTrue(0 < found["porosity"] - found["exact"] < 0.07 * (1 - found["exact"]))
+        self.assertEqual(len(found["residuals"]), 5)
+        self.assertLess(found["residuals"][-1], 0.2)
+
+
+class PowderLayer(ExampleOf):
+    def test_has_the_masses_of_its_sieves(self):
+        found = self.run_example("powder_layer")
+        self.assertLess(found["deviation"], 0.6)  # of 100
+        self.assertGreater(len(found["run"].radii), 2000)
+        self.assertTrue(0.52 < found["middle"] < 0.64, found["middle"])
+
+
+class TubePorosity(ExampleOf):
+    def test_swings_at_the_wall_as_the_correlations_do(self):
+        found = self.run_example("tube_porosity")
+        z, porosity = found["z"], found["found"]
+        # As a closed form: at the wall it is 1, and half a diameter away the first layer is densest.
+        self.assertGreater(porosity[z < 0.05].min(), 0.9)
+        self.assertTrue(0.45 < found["first"] < 0.75, found["first"])
+        second = z[(z > 0.7) & (z < 1.3)][porosity[(z > 0.7) & (z < 1.3)].argmax()]
+        self.assertAlmostEqual(second, 1, delta=0.1)
+        self.assertLess(found["apart"](found["de_klerk"]), 0.08)
+        self.assertLess(found["apart"](found["mueller"]), 0.085)
+        self.assertTrue((self.folder / "tube.txt").exists())
+        if shutil.which("gnuplot"):
+            self.assertGreater((self.folder / "tube.png").stat().st_size, 5000)
+
+
 class Example(FolderCase):
     def test_of_a_packing_runs_and_measures_what_is_known_of_random_packings(self):
         before = sys.argv

@@ -122,6 +122,35 @@ TEST(ColourScale, OfContactsIsForWhatRestsAndEndsAtTheKissingNumber)
     EXPECT_EQ(colours.ofSwatch(SphereState::frozen), scaleColour(0.5));
 }
 
+TEST(ColourScale, IsForSpheresThatHaveANumberAlone)
+{
+    RenderSettings settings;
+    settings.style.colourBy = "local_fraction";
+    const SphereColours colours(settings, {});
+    Snapshot snapshot;
+    snapshot.columns.emplace_back(*findColumn("local_fraction"));
+    snapshot.resize(4);
+    snapshot.states = {SphereState::frozen, SphereState::frozen, SphereState::frozen,
+                       SphereState::running};
+    snapshot.columns[0].set(0, std::nan(""));
+    snapshot.columns[0].set(1, 0.4);
+    snapshot.columns[0].set(2, 0.75);
+    EXPECT_EQ(colours.of(snapshot, 1), scaleColour(0));
+    EXPECT_EQ(colours.of(snapshot, 2), scaleColour(1));
+    EXPECT_NE(colours.of(snapshot, 0), scaleColour(0));
+    const Colour grey = colours.of(snapshot, 0);
+    EXPECT_LT(std::abs(grey[0] - grey[2]), 20);
+    EXPECT_EQ(colours.of(snapshot, 3), settings.style.palette.running);
+}
+
+TEST(ColourScale, OfDistancesFromWallsEndsWhereNoneIsFarther)
+{
+    RenderSettings settings;
+    settings.style.colourBy = "wall_distance";
+    const std::vector<Eigen::Vector3d> corners = {{0, 0, 0}, {4, 1, 3}};
+    EXPECT_EQ(SphereColours(settings, corners).range().high, 0.5);
+}
+
 TEST(ColourScale, RefusesAColumnThatGivesNoColours)
 {
     for (const char* name : {"radius", "colour"})

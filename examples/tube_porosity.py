@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: MIT
+# %% [markdown]
+# # Porosity across a tube, beside published correlations
+#
+# Walls order spheres: the porosity swings across half a dozen layers. Reactor design uses correlations of it that
+# were fitted to measured beds: those of [Mueller 1992] and of [de Klerk 2003]. This packs a tube of ten diameters
+# and compares. As a program, it writes its files into the folder that is given:
+# `scripts/python examples/tube_porosity.py tube`. gnuplot draws the figure where it is installed.
+
+# %%
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import frostfill
+import numpy as np
+
+folder = Path(sys.argv[1] if len(sys.argv) > 1 and not sys.argv[1].startswith("-") else "tube")
+folder.mkdir(parents=True, exist_ok=True)
+
+# %% [markdown]
+# ## The tube, filled
+
+# %%
+RATIO, SIDES, LENGTH = 10, 128, 30  # tube over sphere, facets, diameters of a sphere
+radius = 1 / RATIO
+height = 2 * radius * LENGTH
+turn = 2 * np.pi * np.arange(SIDES) / SIDES
+ring = np.stack([np.cos(turn), 0 * turn, np.sin(turn)], 1)
+vertices = np.concatenate([[[0, 0, 0], [0, height, 0]], ring, ring + [0, height, 0]])
+triangles = []
+for k in range(SIDES):
+    low, next_low = 2 + k, 2 + (k + 1) % SIDES
+    high, next_high = low + SIDES, next_low + SIDES
+    triangles += [[0, low, next_low], [1, next_high, high], [low, high, next_high], [low, next_high, next_low]]
+run = frostfill.fill(vertices=vertices, triangles=triangles, radius=radius, until_full=True,
+                     motion="descend", seed=4)
+print(f"{len(run.radii)} spheres")
+
+# %% [markdown]
+# ## The profile
+#
+# `z` is the distance from the wall in diameters of a sphere.
+
+# %%
+analysis = frostfill.analyse(run.centres, run.radii, run.vertices, run.triangles, only="porosity",
+                             bins=100, samples=1 << 19)
+rings = analysis.porosity_radial
+z = (1 - rings[:, :2].mean(axis=1)) / (2 * radius)
+found = rings[:, 2]
+shares = rings[:, 4] / rings[:, 4].sum()
+
+# %% [markdown]
+# ## The correlations
+#
+# De Klerk's has the porosity far from the wall as its parameter, here that of this bed. Mueller's has none, but
+# is of beds that are denser there.
+
+# %%
+bulk = np.average(found[z > 3], weights=shares[z > 3])
+de_klerk = np.where(z <= 0.637, 2.14 * z**2 - 2.53 * z + 1,
+                    bulk + 0.29 * np.exp(-0.6 * z) * np.cos(2.3 * np.pi * (z - 0.16)) + 0.15 * np.exp(-0.9 * z))
+
+
+def bessel(x):
+    """J0, by its integral."""
+    angles = (np.arange(200) + 0.5) * np.pi / 200
+    return np.cos(np.multiply.outer(x, np.sin(angles))).mean(axis=-1)
+
+
+far = 0.379 + 0.078 / (RATIO - 1.8)
+mueller = far + (1 - far) * bessel((8.243 - 12.98 / (RATIO + 3.156)) * z) * np.exp(-(0.304 - 0.724 / RATIO) * z)
+
+# %% [markdown]
+# ## How far apart they are
+#
+# The mean difference, each ring counted by its area, and the first minimum, which is half a diameter from the wall.
+
+
+# %%
+def apart(other):
+    return np.average(np.abs(found - other), weights=shares)
+
+
+near = z < 1
+first = z[near][found[near].argmin()]
+print(f"porosity {np.average(found, weights=shares):.3f}, far from the wall {bulk:.3f} (Mueller: {far:.3f})")
+print(f"first minimum {found[near].min():.3f} at {first:.2f} diameters; de Klerk {de_klerk.min():.3f}, "
+      f"Mueller {mueller.min():.3f}")
+print(f"mean difference: de Klerk {apart(de_klerk):.3f}, Mueller {apart(mueller):.3f}")
+
+# %%
+np.savetxt(folder / "tube.txt", np.stack([z, found, de_klerk, mueller], 1), header="z found de_klerk mueller")
+PLOT = """set terminal pngcairo size 800,500
+set output 'tube.png'
+set xlabel 'distance from the wall [diameters]'
+set ylabel 'porosity'
+set yrange [0:1]
+plot 'tube.txt' using 1:2 with lines lw 3 title 'Frostfill', '' using 1:3 with lines lw 2 dt 2 title 'de Klerk 2003', \
+     '' using 1:4 with lines lw 2 dt 3 title 'Mueller 1992'
+"""
+if shutil.which("gnuplot"):
+    subprocess.run(["gnuplot"], input=PLOT, text=True, cwd=folder, check=True)
