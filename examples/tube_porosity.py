@@ -21,9 +21,12 @@ folder.mkdir(parents=True, exist_ok=True)
 
 # %% [markdown]
 # ## The tube, filled
+#
+# All spheres settle together, as in a bed that is poured and shaken. If each rests at its first support, the bed
+# is loose and less in order: then the mean difference to de Klerk is 0.06, not 0.03.
 
 # %%
-RATIO, SIDES, LENGTH = 10, 128, 30  # tube over sphere, facets, diameters of a sphere
+RATIO, SIDES, LENGTH = 10, 128, 15  # tube over sphere, facets, diameters of a sphere
 radius = 1 / RATIO
 height = 2 * radius * LENGTH
 turn = 2 * np.pi * np.arange(SIDES) / SIDES
@@ -35,7 +38,7 @@ for k in range(SIDES):
     high, next_high = low + SIDES, next_low + SIDES
     triangles += [[0, low, next_low], [1, next_high, high], [low, high, next_high], [low, next_high, next_low]]
 run = frostfill.fill(vertices=vertices, triangles=triangles, radius=radius, until_full=True,
-                     motion="descend", seed=4)
+                     motion="descend", rest="joint", friction=0.05, seed=4)
 print(f"{len(run.radii)} spheres")
 
 # %% [markdown]
