@@ -67,13 +67,6 @@ private:
 
 } // namespace
 
-bool isGeometry(ExportFormat format)
-{
-    return format == ExportFormat::stlBed || format == ExportFormat::openFoam ||
-           format == ExportFormat::gmshBed || format == ExportFormat::vti ||
-           format == ExportFormat::npy;
-}
-
 std::unique_ptr<Exporter> makeBedExporter(ExportFormat format, const ExportedRun& run,
                                           const std::filesystem::path& folder)
 {

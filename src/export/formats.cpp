@@ -28,6 +28,7 @@ struct FormatEntry
     /// The files that it writes, the one to open first; one that begins with a dot stands for a
     /// file a frame, which ends in it.
     std::array<const char*, 3> files;
+    bool isGeometry = false; ///< of one frame
 };
 
 constexpr std::array<FormatEntry, 22> kEntries = {{
@@ -86,20 +87,25 @@ constexpr std::array<FormatEntry, 22> kEntries = {{
      {"spheres.geo"}},
     {{ExportFormat::stlBed, "stl-bed", "last", "one closed surface of spheres and container"},
      makeBedExporter<ExportFormat::stlBed>,
-     {"bed.stl", "bed.stl.json"}},
+     {"bed.stl", "bed.stl.json"},
+     true},
     {{ExportFormat::openFoam, "openfoam", "last",
       "a case of OpenFOAM for the flow between spheres"},
      makeBedExporter<ExportFormat::openFoam>,
-     {"openfoam"}},
+     {"openfoam"},
+     true},
     {{ExportFormat::gmshBed, "gmsh-bed", "last", "exact spheres and container for gmsh"},
      makeBedExporter<ExportFormat::gmshBed>,
-     {"bed.geo", "bed.geo.json"}},
+     {"bed.geo", "bed.geo.json"},
+     true},
     {{ExportFormat::vti, "vti", "last", "distance and label of each voxel for VTK"},
      makeBedExporter<ExportFormat::vti>,
-     {"bed.vti", "bed.vti.json"}},
+     {"bed.vti", "bed.vti.json"},
+     true},
     {{ExportFormat::npy, "npy", "last", "distance and label of each voxel for NumPy"},
      makeBedExporter<ExportFormat::npy>,
-     {"distance.npy", "label.npy", "volume.json"}},
+     {"distance.npy", "label.npy", "volume.json"},
+     true},
 }};
 
 constexpr auto kFormats = []
@@ -132,6 +138,11 @@ const FormatEntry& entryOf(ExportFormat format)
 }
 
 } // namespace
+
+bool isGeometry(ExportFormat format)
+{
+    return entryOf(format).isGeometry;
+}
 
 std::span<const ExportFormatInfo> exportFormats()
 {
