@@ -114,7 +114,7 @@ class Shell {
     gl.bindVertexArray(this.array);
     gl.depthMask(false);
     gl.enable(gl.BLEND);
-    gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
+    gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
     gl.enable(gl.CULL_FACE);
     for (const hidden of [gl.FRONT, gl.BACK]) {
       gl.cullFace(hidden);

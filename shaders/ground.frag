@@ -7,5 +7,5 @@ out vec4 colour;
 
 void main()
 {
-    colour = vec4(kShadow, dark);
+    colour = vec4(dark * kShadow, dark); // premultiplied
 }

@@ -17,7 +17,7 @@ uniform float hatchPeriod; // [pixel]
 uniform float pixelLength; // of one, in eye space at distance 1, or at any without perspective
 uniform vec2 edgeFade; // plain edges appear where triangles grow from one to the other [pixel]
 
-out vec4 colour;
+out vec4 colour; // premultiplied, so that it is rounded as tiles round
 
 // A length of the picture over which a value changes by 1. [pixel]
 float pixelsOf(float value)
@@ -79,21 +79,24 @@ void main()
     float line = lineCoverage(towards, paint.ofEdges) * paint.ofLine;
     float left = 1.0;
 #ifdef CUTAWAY
-    float slope = max(fwidth(cutDepth(eyePosition)), 1e-6);
-#ifdef FADING_LINES
+    float depth = cutDepth(eyePosition);
+    float slope = max(fwidth(depth), 1e-6);
 #ifdef ORTHOGRAPHIC
-    slope = min(slope, kSteepest * pixelLength);
+    float steepest = kSteepest * pixelLength;
 #else
-    slope = min(slope, kSteepest * pixelLength * -eyePosition.z);
+    float steepest = kSteepest * pixelLength * -eyePosition.z;
 #endif
+#ifdef FADING_LINES
+    slope = min(slope, steepest);
+#else
+    slope = depth > 0.0 ? min(slope, steepest) : slope; // the line keeps its width
 #endif
-    float away = cutDepth(eyePosition) / slope;
+    float away = depth / slope;
     left = leftOfCut(away);
     line = max(line, lineOfCut(away, lineWidth));
 #endif
     Film seen = lineInFilm(kPrint, share, line);
     vec3 lit = base.rgb * lightInFilm(lightOn(normal));
     vec3 ink = discarded ? discardedInk : activeInk;
-    colour = vec4((lit * seen.film + ink * seen.line) / max(seen.film + seen.line, 1e-6),
-                  left * (seen.film + seen.line));
+    colour = left * vec4(lit * seen.film + ink * seen.line, seen.film + seen.line);
 }

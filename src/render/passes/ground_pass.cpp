@@ -40,7 +40,7 @@ void GroundPass::draw(const glm::mat4& view, const glm::mat4& projection) const
     gl_.enable(GL_DEPTH_CLAMP); // it reaches further than the object, for which the far plane is
     gl_.depthMask(GL_FALSE);
     gl_.enable(GL_BLEND);
-    gl_.blendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    gl_.blendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     gl_.bindVertexArray(array_);
     gl_.drawElements(GL_TRIANGLES, corners_, GL_UNSIGNED_INT, nullptr);
     gl_.disable(GL_DEPTH_CLAMP);

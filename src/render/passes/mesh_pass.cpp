@@ -184,7 +184,7 @@ void MeshPass::draw(const MeshBuffer& mesh, const glm::mat4& view, const glm::ma
     gl_.enable(GL_DEPTH_TEST);
     gl_.depthMask(GL_FALSE);
     gl_.enable(GL_BLEND);
-    gl_.blendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    gl_.blendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     gl_.enable(GL_CULL_FACE);
     for (const bool fronts : {false, true})
     {

@@ -10,7 +10,7 @@ namespace frostfill
 void makePassPictures(const Surfaces& surfaces, const Framing& framing, PassPictures& pictures)
 {
     constexpr double kFurthest = 65534;
-    const DepthLimits limits = depthLimits(framing);
+    const DepthLimits limits = depthLimits(framing.projection, framing.orthographic);
     pictures.nearest = limits.nearest / framing.scale;
     pictures.furthest = limits.furthest / framing.scale;
     const std::size_t count = surfaces.distance.size();

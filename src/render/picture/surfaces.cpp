@@ -24,12 +24,12 @@ std::vector<SphereInstance> placeSpheres(const Snapshot& snapshot, const Framing
     return spheres;
 }
 
-DepthLimits depthLimits(const Framing& framing)
+DepthLimits depthLimits(const glm::dmat4& projection, bool orthographic)
 {
-    const double a = framing.projection[2][2];
-    const double b = framing.projection[3][2];
-    return framing.orthographic ? DepthLimits{(b + 1) / a, (b - 1) / a}
-                                : DepthLimits{b / (a - 1), b / (a + 1)};
+    const double a = projection[2][2];
+    const double b = projection[3][2];
+    return orthographic ? DepthLimits{(b + 1) / a, (b - 1) / a}
+                        : DepthLimits{b / (a - 1), b / (a + 1)};
 }
 
 } // namespace frostfill

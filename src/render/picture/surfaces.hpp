@@ -35,6 +35,6 @@ struct DepthLimits
 {
     double nearest, furthest;
 };
-[[nodiscard]] DepthLimits depthLimits(const Framing& framing);
+[[nodiscard]] DepthLimits depthLimits(const glm::dmat4& projection, bool orthographic);
 
 } // namespace frostfill

@@ -166,7 +166,7 @@ FROSTFILL_INLINE void lightRow(const Scene& scene, const std::array<Spiral, kTil
                                float* light)
 {
     const Spiral& spiral = spirals[static_cast<std::size_t>(y % kTile)];
-    const auto [from, to] = columnsSeen(scene.surfaces, y);
+    const auto [from, to] = scene.columns[static_cast<std::size_t>(y)];
     std::array<float, kLanes> own;
     for (int x = from & ~(kLanes - 1); x < to; x += kLanes)
     {
@@ -180,8 +180,7 @@ FROSTFILL_INLINE void evenOutRow(const Scene& scene, const float* rough, int y, 
 {
     const Surfaces& surfaces = scene.surfaces;
     const int width = surfaces.width;
-    const auto [from, to] = columnsSeen(surfaces, y);
-    std::fill_n(light, width, 1.0F);
+    const auto [from, to] = scene.columns[static_cast<std::size_t>(y)];
     const float* distances = surfaces.distance.data();
     const float step = scene.reach / 2;
     constexpr int kHalfTile = kTile / 2;
@@ -253,15 +252,25 @@ void forEachRow(int height, Row row)
                       });
 }
 
-} // namespace
-
-const std::vector<float>& AmbientOcclusion::lightOn(const Surfaces& surfaces,
-                                                    const Framing& framing, double reach)
+Scene sceneOf(const Surfaces& surfaces, const Framing& framing, double reach)
 {
     const PictureSize size{surfaces.width, surfaces.height};
-    const Scene scene{surfaces, pixelGrid(framing.projection, framing.orthographic, size),
-                      static_cast<float>(reach),
-                      static_cast<float>(0.5 * framing.projection[1][1] * surfaces.height)};
+    Scene scene{surfaces,
+                pixelGrid(framing.projection, framing.orthographic, size),
+                static_cast<float>(reach),
+                static_cast<float>(0.5 * framing.projection[1][1] * surfaces.height),
+                {}};
+    scene.columns.resize(static_cast<std::size_t>(surfaces.height));
+    forEachRow(surfaces.height, [&](int y)
+               { scene.columns[static_cast<std::size_t>(y)] = columnsSeen(surfaces, y); });
+    return scene;
+}
+
+} // namespace
+
+void AmbientOcclusion::findLight(const Scene& scene)
+{
+    const Surfaces& surfaces = scene.surfaces;
     const std::array<Spiral, kTile> ways = spirals();
     rough_.resize(surfaces.distance.size());
     light_.resize(surfaces.distance.size());
@@ -274,26 +283,35 @@ const std::vector<float>& AmbientOcclusion::lightOn(const Surfaces& surfaces,
                    (avx2_ ? evenOutRowAvx2 : evenOutRowPlain)(scene, rough_.data(), y,
                                                               lineOf(light_, y));
                });
+}
+
+const std::vector<float>& AmbientOcclusion::lightOn(const Surfaces& surfaces,
+                                                    const Framing& framing, double reach)
+{
+    light_.assign(surfaces.distance.size(), 1);
+    findLight(sceneOf(surfaces, framing, reach));
     return light_;
 }
 
 void AmbientOcclusion::darken(const Surfaces& surfaces, const Framing& framing, double reach,
                               Image& image)
 {
-    const std::vector<float>& light = lightOn(surfaces, framing, reach);
+    const Scene scene = sceneOf(surfaces, framing, reach);
+    findLight(scene);
     const auto channels = static_cast<std::size_t>(image.channels);
-    const auto width = static_cast<std::size_t>(surfaces.width);
     forEachRow(surfaces.height,
                [&](int y)
                {
-                   const auto first = static_cast<std::size_t>(y) * width;
-                   for (std::size_t i = first; i < first + width; ++i)
+                   const auto [from, to] = scene.columns[static_cast<std::size_t>(y)];
+                   const auto row = static_cast<std::size_t>(y * surfaces.width);
+                   for (std::size_t i = row + static_cast<std::size_t>(from);
+                        i < row + static_cast<std::size_t>(to); ++i)
                    {
                        std::uint8_t* pixel = image.pixels.data() + i * channels;
-                       for (std::size_t c = 0; light[i] < 1 && c < 3; ++c)
+                       for (std::size_t c = 0; light_[i] < 1 && c < 3; ++c)
                        {
                            pixel[c] = static_cast<std::uint8_t>(
-                               static_cast<float>(pixel[c]) * light[i] + 0.5F);
+                               static_cast<float>(pixel[c]) * light_[i] + 0.5F);
                        }
                    }
                });

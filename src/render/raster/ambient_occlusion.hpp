@@ -7,6 +7,7 @@
 
 #include <frostfill/image.hpp>
 
+#include <array>
 #include <vector>
 
 namespace frostfill
@@ -34,9 +35,12 @@ public:
         PixelGrid grid; ///< rows upwards
         float reach;
         float pixelScale; ///< pixels in a length of 1 at distance 1, or at any without perspective
+        std::vector<std::array<int, 2>> columns; ///< of each row between which there are surfaces
     };
 
 private:
+    void findLight(const Scene& scene);
+
     bool avx2_;
     std::vector<float> rough_; ///< before its noise is evened out
     std::vector<float> light_;

@@ -34,9 +34,9 @@ FROSTFILL_INLINE Floats pixelsFromCut(const ShellCut& cut, Floats x, Floats y, F
         slope[i] = abs(slopeX) + abs(slopeY);
     }
     const Mask first = depth[0] < depth[1];
-    const Floats steepest = cut.steepest * over;
-    const Floats steep = min(max(select(first, slope[0], slope[1]), 1e-6F), steepest);
-    return select(first, depth[0], depth[1]) / steep;
+    const Floats nearest = select(first, depth[0], depth[1]);
+    const Floats steepest = select(nearest > 0, all(cut.steepest), cut.steepestBefore) * over;
+    return nearest / min(max(select(first, slope[0], slope[1]), 1e-6F), steepest);
 }
 
 } // namespace frostfill::lanes

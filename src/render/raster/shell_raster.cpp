@@ -16,6 +16,7 @@ namespace frostfill
 namespace
 {
 
+/// Of a distance from a cut, where the line at its end keeps its width. [1 / pixel]
 constexpr float kAnySteepness = 1e6F;
 
 /// That one core sets up before another may take more.
@@ -65,7 +66,8 @@ void ShellRaster::lookFrom(const SphereUniforms& uniforms, bool orthographic,
     rows_.hatchShift =
         std::ceil(static_cast<float>(size.height + kTileEdge) / strokes_.hatchPeriod);
     rows_.cut = {orthographic, grid_.left, grid_.bottom, grid_.perColumn, grid_.perRow};
-    rows_.cut.steepest = variant_.fadingLines ? shading::kSteepest * grid_.perRow : kAnySteepness;
+    rows_.cut.steepest = shading::kSteepest * grid_.perRow;
+    rows_.cut.steepestBefore = variant_.fadingLines ? rows_.cut.steepest : kAnySteepness;
     for (std::size_t i = 0; i < 2; ++i)
     {
         const glm::vec4& plane = uniforms.cutPlanes[i];
@@ -210,11 +212,13 @@ void ShellRaster::cutPlaces(std::uint32_t first)
             most = std::min(most, high);
         }
         // How far from the cut its line and the end of the surface reach, and for rounding.
-        const float pixel = rows_.cut.steepest * (grid_.orthographic ? 1 : furthest);
+        const float distance = grid_.orthographic ? 1 : furthest;
+        const float beyond = rows_.cut.steepest * distance;
+        const float before = rows_.cut.steepestBefore * distance;
         Place& place = places_[t];
-        place.cut = !ahead || most > -(1.5F * strokes_.lineWidth + 0.6F) * pixel - 1e-5F;
+        place.cut = !ahead || most > -(1.5F * strokes_.lineWidth + 0.6F) * before - 1e-5F;
         place.speck = place.speck && !place.cut;
-        if (ahead && least > 0.6F * pixel + 1e-5F)
+        if (ahead && least > 0.6F * beyond + 1e-5F)
         {
             place.edges = {}; // nothing of it is left
         }

@@ -33,6 +33,7 @@ struct ShellCut
     /// Of the distance from the cut, at distance 1: triangles that are seen edge-on end sharply at
     /// the cut. They would leave specks beyond it. [1 / pixel]
     float steepest = 0;
+    float steepestBefore = 0;                     ///< the same before the cut, where its line is
     std::array<std::array<float, 4>, 2> planes{}; ///< as CutPlanes, in eye space
 };
 

@@ -12,8 +12,9 @@ using namespace lanes;
 using Setup = ShellRaster::Setup;
 
 /// Light and angle change evenly over small triangles whose normals differ by less than the angle
-/// of this cosine.
-constexpr float kFlat = 0.96F;
+/// of this cosine, 6 degrees: their film is then seldom one level off. At 16 degrees it was so in a
+/// quarter of its pixels.
+constexpr float kFlat = 0.995F;
 
 FROSTFILL_INLINE void setSides(const ShellSides<Floats>& sides, SetupColumns& columns)
 {

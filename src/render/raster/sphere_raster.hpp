@@ -168,6 +168,7 @@ private:
     int samples_;
     bool avx2_;
     float front_;
+    std::array<float, 2> shown_; ///< distances ahead between which outlines are, as OpenGL clips
 };
 
 } // namespace frostfill

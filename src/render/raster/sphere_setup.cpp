@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What is the same over one sphere is worked out here, once and not for every pixel.
+#include "render/picture/surfaces.hpp"
 #include "render/raster/shading.hpp"
 #include "render/raster/sphere_raster.hpp"
 
@@ -48,6 +49,8 @@ SphereRaster::SphereRaster(const SphereUniforms& uniforms, const ShaderVariant& 
                   toVector(style.palette.background).a),
       samples_(samples), avx2_(avx2), front_(front)
 {
+    const auto [nearest, furthest] = depthLimits(uniforms.projection, variant.orthographic);
+    shown_ = {static_cast<float>(nearest), static_cast<float>(furthest)};
 }
 
 SphereRaster SphereRaster::ofSurfaces(const SphereUniforms& uniforms, const ShaderVariant& variant,
@@ -83,6 +86,7 @@ bool SphereRaster::setUp(const SphereInstance& sphere, bool lit, Axes& axes, Set
     const glm::vec3 centre = centreOf(sphere);
     const float radius = sphere.radius;
     auto& [axis, right, above, shrink] = axes = Axes{};
+    const auto isShown = [&](float ahead) { return ahead > shown_[0] && ahead < shown_[1]; };
     if (grid_.orthographic)
     {
         setup.x = (centre.x - grid_.left) / grid_.perColumn;
@@ -105,6 +109,10 @@ bool SphereRaster::setUp(const SphereInstance& sphere, bool lit, Axes& axes, Set
         {
             return false; // the eye is in the sphere or past it
         }
+        if (!isShown(-centre.z * (1 - radiusOverDistance * radiusOverDistance)))
+        {
+            return false;
+        }
         axis = centre / distance;
         right = glm::normalize(glm::vec3(-centre.z, 0, centre.x));
         above = glm::cross(centre, right) / -distance;
@@ -121,6 +129,10 @@ bool SphereRaster::setUp(const SphereInstance& sphere, bool lit, Axes& axes, Set
         setup.radiusOverDistance = radiusOverDistance;
         setup.nearScale = 1 / (squared - radius * radius);
         setup.rise = 0;
+    }
+    if (grid_.orthographic && !isShown(-centre.z))
+    {
+        return false;
     }
     setup.up = axes.slope({0, 1, 0});
     setup.key = axes.slope(shading::kKeyLight);

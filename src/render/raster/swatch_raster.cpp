@@ -21,6 +21,7 @@ SwatchRaster::SwatchRaster(const Viewpoint& viewpoint, const ShaderVariant& vari
     const Legend& legend = viewpoint.legend();
     SphereUniforms flat;
     flat.projection = pixelProjection(settings.size);
+    flat.supersample = static_cast<float>(settings.supersample);
     const float lineWidth = strokesFor(settings).lineWidth;
     raster_ = std::make_unique<SphereRaster>(flat, variantOfSwatches(variant), settings.size,
                                              settings.style, lineWidth, samples, avx2, kInFront);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Tiles draw the pictures of OSMesa, in whatever style, from wherever, and cut open or whole.
+#include "unit/render/context/agreement.hpp"
+
 #include "support/pictures.hpp"
 
 #include <frostfill/renderer.hpp>
@@ -16,71 +18,10 @@ namespace
 {
 
 using namespace testing_support;
-
-/// What both may differ by: one picture, and the mean of a region of 8x8 pixels. [of 255]
-struct Apart
-{
-    double rms = 0.75;
-    double region = 4;
-};
-
-/// The largest mean difference of a region of 8x8 pixels, over its channels.
-double worstRegion(const Image& a, const Image& b)
-{
-    constexpr int kRegion = 8;
-    const int columns = (a.width + kRegion - 1) / kRegion;
-    std::vector<double> sums(static_cast<std::size_t>(columns * (a.height / kRegion + 1)));
-    for (int y = 0; y < a.height; ++y)
-    {
-        for (int x = 0; x < a.width; ++x)
-        {
-            for (int c = 0; c < a.channels; ++c)
-            {
-                const int region = y / kRegion * columns + x / kRegion;
-                sums[static_cast<std::size_t>(region)] += std::abs(a.at(x, y)[c] - b.at(x, y)[c]);
-            }
-        }
-    }
-    return *std::max_element(sums.begin(), sums.end()) / (kRegion * kRegion * a.channels);
-}
-
-/// A mesh with spheres of all states and discarded polygons.
-struct Subject
-{
-    std::string name;
-    TriangleMesh mesh;
-    Snapshot snapshot;
-};
-
-/// Spheres do not overlap: where they do, a cut shows any of them.
-Subject subjectOf(const std::string& name, const TriangleMesh& mesh, double spacing)
-{
-    Subject subject{name, mesh, {}};
-    Numbers numbers;
-    const auto cells = static_cast<int>(2.6 / spacing);
-    for (int i = 0; i < cells * cells * cells; ++i)
-    {
-        const Eigen::Vector3d cell =
-            Eigen::Vector3i(i % cells, i / cells % cells, i / (cells * cells)).cast<double>();
-        const Eigen::Vector3d jitter(numbers.next(), numbers.next(), numbers.next());
-        const double radius = spacing * (0.25 + 0.1 * numbers.next());
-        const Eigen::Vector3d centre =
-            (cell.array() + 0.5 - 0.5 * cells).matrix() * spacing + 0.25 * spacing * jitter;
-        if (numbers.next() < 0.4 && centre.norm() < 1.3)
-        {
-            addSphere(subject.snapshot, centre, radius,
-                      static_cast<SphereState>(static_cast<int>(3 * numbers.next())));
-        }
-    }
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    {
-        const bool discarded = numbers.next() < 0.3;
-        subject.snapshot.polygons.push_back(discarded ? PolygonState::discarded
-                                                      : PolygonState::active);
-        subject.snapshot.discardedPolygons += discarded ? 1 : 0;
-    }
-    return subject;
-}
+using test::Apart;
+using test::Subject;
+using test::subjectOf;
+using test::worstRegion;
 
 std::vector<Subject> subjects()
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/picture/sphere_occlusion.hpp"
 
+#include "render/framing/numbers.hpp"
 #include "support/pictures.hpp"
 
 #include <glm/geometric.hpp>

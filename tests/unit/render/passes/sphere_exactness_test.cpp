@@ -190,6 +190,16 @@ TEST(SphereExactness, PerspectiveOutlinesAndDepthsAreThoseOfTheRayCaster)
     compare(settings);
 }
 
+TEST(SphereExactness, OutlinesForPrintChangeNoShape)
+{
+    RenderSettings settings;
+    settings.size = {400, 300};
+    settings.style.look = Look::paper;
+    compare(settings);
+    settings.style.cutaway = {Cutaway::Kind::plane, {0.2, 0.3, 1}, 0.1, 0, 90};
+    compare(settings);
+}
+
 TEST(SphereExactness, WideAnglesStretchSpheresAsTheyShould)
 {
     RenderSettings settings;
