@@ -17,7 +17,10 @@ double skinOf(const World& world, double radius, double ahead)
 {
     constexpr double kSkin = NeighbourList::kSkin;
     constexpr double kBeyondAhead = 1.5;
-    return world.radii.curve() ? std::min(kSkin, std::max(radius, kBeyondAhead * ahead)) : kSkin;
+    constexpr double kOwnRadii = 2;
+    return world.radii.curve()
+               ? std::min(kSkin, std::max(kOwnRadii * radius, kBeyondAhead * ahead))
+               : kSkin;
 }
 
 } // namespace

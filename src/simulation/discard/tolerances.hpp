@@ -28,6 +28,11 @@ inline constexpr std::array<ReachMap::Margins, 2> kReachMargins = {
 /// looked at where they decide, hardly more is dropped.
 inline constexpr double kReachVoxel = 0.69;
 
+/// The smallest sphere of a size curve up to which nothing is discarded: it passes between three of
+/// the largest that touch, 2 / sqrt(3) - 1. [largest radius] Larger: what is out of reach is
+/// tested. Smaller: time for looks that drop nothing.
+inline constexpr double kPassesBetween = 0.1547;
+
 /// Updates in a run about; each looks at a share of all spheres that come to rest. An update costs
 /// a few ns for each sphere and polygon that is kept. Larger: time. Smaller: what is out of reach
 /// is tested for longer, and pictures jump when it goes.

@@ -14,6 +14,12 @@ namespace frostfill
 namespace
 {
 
+/// Of spheres of different sizes: that of the mean volume.
+double usualRadius(const World& world)
+{
+    return std::cbrt(world.radii.meanPower(3));
+}
+
 double timeStep(const World& world)
 {
     if (world.scene.motion.dt)
@@ -24,7 +30,10 @@ double timeStep(const World& world)
     }
     const bool quiet = world.scene.motion.mode == Motion::skip && !world.scene.move.any();
     const double step = quiet ? kSkipStep : kStep;
-    return step * std::sqrt(world.radii.smallest());
+    const double ofSmallest = step * std::sqrt(world.radii.smallest());
+    return quiet && world.radii.curve()
+               ? std::min(kLongerForSizes * ofSmallest, step * std::sqrt(usualRadius(world)))
+               : ofSmallest;
 }
 
 // The age at which a sphere is overdue: what one may take that falls through the object and bounces
@@ -53,10 +62,13 @@ FastEngine::FastEngine(World& world)
     : world_(world), running_(world.spheres.running()), threads_(world.scene.threads),
       grid_(world.spheres.resting().frame()), observers_(world, releaseBand(world), threads_),
       flight_(world, {{world.scene.motion.restitution}}), dropAndRoll_(world, observers_.falls),
-      sets_(world, ageLimit(world)), solver_(running_, flight_, threads_,
-                                             {.restitution = {world.scene.motion.restitution},
-                                              .sweeps = sweeps(world),
-                                              .stiff = !sets_.keepsSets()}),
+      sets_(world, ageLimit(world)),
+      solver_(running_, flight_, threads_,
+              {.restitution = {world.scene.motion.restitution},
+               .sweeps = sweeps(world),
+               .stiff = !sets_.keepsSets(),
+               .usualRadius = world.radii.curve() ? usualRadius(world) : 1,
+               .dt = timeStep(world)}),
       freezer_(world, grid_, observers_, flight_, solver_, threads_, ageLimit(world)), waker_(world)
 {
     if (world.spheres.size() == 0 && !observers_.release->any())

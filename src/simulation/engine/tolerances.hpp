@@ -16,6 +16,9 @@ namespace frostfill
 inline constexpr double kStep = 0.165;
 /// The same with Motion::skip, where nothing falls from far and so nothing is fast.
 inline constexpr double kSkipStep = 0.33;
+/// So much longer at most are steps of a size curve then, as for a sphere of the mean volume: most
+/// are not the smallest. [1] Larger: small ones that run press into one another for longer.
+inline constexpr double kLongerForSizes = 2;
 /// The shortest step that may be asked for [sqrt(r/g) of the smallest]. Smaller: runs of which
 /// it seems not to end. Larger: a study of ever shorter steps has to stop early.
 inline constexpr double kShortestStep = 1e-6;

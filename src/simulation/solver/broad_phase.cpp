@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace frostfill
 {
@@ -32,6 +33,12 @@ void BroadPhase::findPairs(std::span<const double> radii)
     }
     layOutCells();
     sortIntoCells();
+    if (usual_ < 1)
+    {
+        threads_.forEach(nodes_.size(), [&](std::size_t i) { findSmaller(nodes_[i]); });
+        tellSmaller();
+        return;
+    }
     threads_.forEach(nodes_.size(), [&](std::size_t i) { findNear(nodes_[i]); });
 }
 
@@ -54,8 +61,8 @@ void BroadPhase::findAmongAll()
 }
 
 // Cells are for spheres of radius 1, or what is larger, so pairs are in the same cell or in
-// neighbours. Few runners far apart get larger cells, or looking through empty ones would take
-// longer than looking at the runners.
+// neighbours; unless sizes differ: then cells are for those that are usual. Few runners far apart
+// get larger cells, or looking through empty ones would take longer than looking at the runners.
 void BroadPhase::layOutCells()
 {
     Eigen::AlignedBox3d box;
@@ -71,9 +78,10 @@ void BroadPhase::layOutCells()
     {
         return;
     }
-    const double most = kCellsForRunner * running_.size();
-    const double largest = std::max(1.0, *std::max_element(radii_.begin(), radii_.end()));
-    for (edge_ = (2 * largest + margin_) * kBeyondRounding;; edge_ *= kCoarser)
+    const double most = (usual_ < 1 ? kCellsForSmallRunner : kCellsForRunner) * running_.size();
+    const double largest = *std::max_element(radii_.begin(), radii_.end());
+    const double radius = usual_ < 1 ? usual_ : std::max(1.0, largest);
+    for (edge_ = (2 * radius + margin_) * kBeyondRounding;; edge_ *= kCoarser)
     {
         const Eigen::Array3d cells = (box.sizes() / edge_).array().floor() + 1;
         if (cells.prod() <= most)
@@ -85,15 +93,16 @@ void BroadPhase::layOutCells()
     }
 }
 
+int BroadPhase::along(double position, int axis) const
+{
+    return count_[axis] == 1 // places may then be no numbers
+               ? 0
+               : std::clamp(static_cast<int>((position - low_[axis]) / edge_), 0, count_[axis] - 1);
+}
+
 std::uint32_t BroadPhase::cellOf(const Eigen::Vector3d& p) const
 {
-    const auto along = [&](int axis)
-    {
-        return count_[axis] == 1
-                   ? 0
-                   : std::min(static_cast<int>((p[axis] - low_[axis]) / edge_), count_[axis] - 1);
-    };
-    return cellAt(along(0), along(1), along(2));
+    return cellAt(along(p.x(), 0), along(p.y(), 1), along(p.z(), 2));
 }
 
 void BroadPhase::sortIntoCells()
@@ -145,6 +154,55 @@ void BroadPhase::findNear(const Node& node)
         }
     }
     std::sort(nearby.begin(), nearby.end());
+}
+
+// A search that each pair is found by once, from the larger of the two: small ones, which are many,
+// then look at few cells.
+void BroadPhase::findSmaller(const Node& node)
+{
+    std::vector<std::uint32_t>& nearby = nearby_[node.row];
+    nearby.clear();
+    const Eigen::Vector3d& p = node.position;
+    const double reach = (2 * node.radius + margin_) * kBeyondRounding;
+    for (int z = along(p.z() - reach, 2); z <= along(p.z() + reach, 2); ++z)
+    {
+        for (int y = along(p.y() - reach, 1); y <= along(p.y() + reach, 1); ++y)
+        {
+            const std::uint32_t end = first_[cellAt(along(p.x() + reach, 0), y, z) + 1];
+            for (std::uint32_t k = first_[cellAt(along(p.x() - reach, 0), y, z)]; k < end; ++k)
+            {
+                const Node& other = nodes_[k];
+                if (std::tie(other.radius, other.row) < std::tie(node.radius, node.row) &&
+                    mayTouch(p, node.radius, other.position, other.radius))
+                {
+                    nearby.push_back(other.row);
+                }
+            }
+        }
+    }
+}
+
+void BroadPhase::tellSmaller()
+{
+    const std::uint32_t size = running_.size();
+    found_.resize(size);
+    for (std::uint32_t row = 0; row < size; ++row)
+    {
+        found_[row] = nearby_[row].size();
+    }
+    for (std::uint32_t row = 0; row < size; ++row)
+    {
+        for (std::size_t k = 0; k < found_[row]; ++k)
+        {
+            nearby_[nearby_[row][k]].push_back(row);
+        }
+    }
+    threads_.forEach(size,
+                     [&](std::size_t k)
+                     {
+                         auto& nearby = nearby_[static_cast<std::uint32_t>(k)];
+                         std::sort(nearby.begin(), nearby.end());
+                     });
 }
 
 } // namespace frostfill

@@ -5,6 +5,7 @@
 #include "simulation/solver/tolerances.hpp"
 #include "simulation/world/running_spheres.hpp"
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <vector>
@@ -22,6 +23,13 @@ public:
     BroadPhase(RunningSpheres& running, Threads& threads, double margin = kPairMargin)
         : running_(running), threads_(threads), margin_(margin), nearby_(running)
     {
+    }
+    /// For runners of different sizes: cells are as for those of this radius, and the margin is for
+    /// steps of `dt`. [r], [sqrt(r/g)]
+    void expectSizes(double radius, double dt)
+    {
+        usual_ = radius;
+        margin_ = kPairMargin * std::min(1.0, dt / kLongestOfMargin);
     }
 
     void findPairs();
@@ -52,12 +60,16 @@ private:
     {
         return static_cast<std::uint32_t>((z * count_[1] + y) * count_[0] + x);
     }
+    [[nodiscard]] int along(double position, int axis) const;
     [[nodiscard]] std::uint32_t cellOf(const Eigen::Vector3d& p) const;
     void findNear(const Node& node);
+    void findSmaller(const Node& node);
+    void tellSmaller();
 
     RunningSpheres& running_;
     Threads& threads_;
     double margin_;
+    double usual_ = 1; ///< radius that cells are for; below 1 sizes differ
     std::span<const double> radii_; ///< by row, while pairs are searched
     RunningColumn<std::vector<std::uint32_t>> nearby_;
     Eigen::Vector3d low_ = Eigen::Vector3d::Zero(); ///< corner of the first cell
@@ -66,6 +78,7 @@ private:
     std::vector<std::uint32_t> first_;              ///< by cell, x fastest: its first node
     std::vector<std::uint32_t> cells_;              ///< by row
     std::vector<Node> nodes_;                       ///< by cell, then by row
+    std::vector<std::size_t> found_;                ///< by row: how many smaller ones
 };
 
 } // namespace frostfill

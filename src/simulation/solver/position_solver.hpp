@@ -26,6 +26,10 @@ public:
           crowd_(running, pairs_, threads), turns_(crowd_),
           velocitySolver_(running, flight, crowd_, turns_, settings)
     {
+        if (settings.usualRadius < 1)
+        {
+            pairs_.expectSizes(settings.usualRadius, settings.dt);
+        }
     }
 
     /// Separates the runners and makes their velocities agree with it.

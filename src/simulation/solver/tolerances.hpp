@@ -15,10 +15,14 @@ namespace frostfill
 /// Gap up to which two runners are a pair, because they may touch within the step. [r] A step is at
 /// most 0.33 sqrt(r/g) long. Larger: more pairs to look at. Smaller: fast spheres overlap first.
 inline constexpr double kPairMargin = 0.3;
+/// That step [sqrt(r/g)]. Where small spheres make steps shorter, the gap is as much smaller.
+inline constexpr double kLongestOfMargin = 0.33;
 /// Runners up to which all pairs are looked at, which is faster than cells for so few.
 inline constexpr std::size_t kFewRunners = 64;
 /// Cells for each runner at most. Larger: time for empty cells. Smaller: more runners to look at.
 inline constexpr double kCellsForRunner = 2;
+/// The same where sizes differ: small runners look at few cells.
+inline constexpr double kCellsForSmallRunner = 16;
 /// By how much cells grow until there are few enough. Larger: fewer and fuller ones than need be.
 inline constexpr double kCoarser = 1.25;
 /// So much larger are cells than what pairs need, so that no rounding puts a pair into cells that

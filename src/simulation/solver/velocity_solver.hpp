@@ -23,6 +23,8 @@ struct SolverSettings
     /// more densely.
     bool stiff = true;
     double tolerance = 1e-3; ///< penetration depth at which the sweeps end early [r]
+    double usualRadius = 1;  ///< below 1 where sizes differ; see BroadPhase::expectSizes
+    double dt = 0;           ///< then the length of a step [sqrt(r/g)]
 };
 
 /// Velocities of runners that collide. Pairs that are in contact, or that would be within a step

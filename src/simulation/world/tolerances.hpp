@@ -17,6 +17,10 @@ inline constexpr double kTriangleReach = 1.5;
 /// Edge of a cell of the spheres' grid. [r] Two radii, so that 27 cells hold all that a sphere may
 /// touch. Smaller: a search misses spheres. Larger: longer lists.
 inline constexpr double kSphereCell = 2;
+/// Spheres in a cell from which on those of at most half the largest radius of their grid get a
+/// grid of half the cell. [1] Larger: more spheres to look at. Smaller: more cells, most of them
+/// empty.
+inline constexpr double kCrowdedCell = 4;
 /// What the grids have beyond the object's box. [r] A centre in contact with the outside of a wall
 /// must have a cell.
 inline constexpr double kGridMargin = 2;

@@ -100,10 +100,29 @@ GridFrame checkedGrid(const Surface& surface, const MeshReport& report, const Fr
     return gridOver(surface, kTriangleCell);
 }
 
-/// Grids for the smaller spheres of a size curve, each for half the radius of the one before.
+/// Grids for the smaller spheres of a size curve, each for half the radius of the one before, as
+/// long as its cells would be crowded otherwise.
 int finerLevels(const RadiusDistribution& radii)
 {
-    return radii.curve() ? static_cast<int>(std::log2(1 / radii.smallest())) : 0;
+    if (!radii.curve())
+    {
+        return 0;
+    }
+    const double density = // of all spheres [1 / r^3]
+        kPackingFraction / (4.0 / 3.0 * std::numbers::pi * radii.meanPower(3));
+    int levels = 0;
+    for (double largest = 0.5; largest >= radii.smallest(); largest /= 2)
+    {
+        const double cell = 4 * largest; // of the level above
+        const double inCell =
+            density * radii.curve()->cumulative(largest, SizeCurve::kNumber) * cell * cell * cell;
+        if (inCell <= kCrowdedCell)
+        {
+            break;
+        }
+        ++levels;
+    }
+    return levels;
 }
 
 /// By the estimate that sphereRadius uses, the other way round.

@@ -82,6 +82,8 @@ TEST(BroadPhase, FindsThePairsThatLookingAtAllFinds)
                 Runners runners;
                 scatter(runners, count, size, smallest, seed++);
                 ASSERT_EQ(runners.found(), runners.expected());
+                runners.pairs.expectSizes(0.2, kLongestOfMargin);
+                ASSERT_EQ(runners.found(), runners.expected());
             }
         }
     }
@@ -104,6 +106,7 @@ TEST(BroadPhase, FindsPairsOnEitherSideOfABorder)
             {
                 const auto found = runners.found();
                 ASSERT_EQ(found, runners.expected());
+                runners.pairs.expectSizes(0.2, kLongestOfMargin); // from the second time on
                 EXPECT_EQ(found[50].size(), gap < kPairMargin ? 2U : 0U);
             }
         }
