@@ -68,7 +68,8 @@ std::optional<std::vector<WallPlane>> planesOf(const TriangleMesh& mesh,
     return planes;
 }
 
-std::string wallsOf(const std::vector<WallPlane>& planes)
+/// `rolling`: what the contact law says of it, if anything.
+std::string wallsOf(const std::vector<WallPlane>& planes, const std::string& rolling)
 {
     std::string text = "# Walls: the planes of the mesh, which is convex\n";
     std::string names;
@@ -82,8 +83,8 @@ std::string wallsOf(const std::vector<WallPlane>& planes)
     }
     return text + fmt::format("region container intersect {}{}\n", planes.size(), names) +
            "fix walls all wall/gran/region granular hertz/material ${young} ${restitution} "
-           "${poisson} tangential mindlin NULL 1.0 ${wallFriction} damping tsuji region "
-           "container\nfix move all nve/sphere\n";
+           "${poisson} tangential mindlin NULL 1.0 ${wallFriction}" +
+           rolling + " damping tsuji region container\nfix move all nve/sphere\n";
 }
 
 constexpr const char* kHeld =
@@ -158,13 +159,14 @@ void writeLammps(const StartState& state, const std::vector<std::filesystem::pat
 {
     const GrainLaw& law = state.law;
     const auto planes = planesOf(state.walls, state.box);
+    const std::string rolling = rollingOf(state);
     AtomicFile script(files[0]);
     script.write(headingOf(state, "#"));
     script.write(fmt::format(
         fmt::runtime(kLammpsScript), fmt::arg("variables", scriptVariables(state, law.restitution)),
         fmt::arg("skin", 0.3 * state.smallest), fmt::arg("down", directionText(law.down, " ")),
-        fmt::arg("rolling", rollingOf(state)),
-        fmt::arg("walls", planes ? wallsOf(*planes) : kHeld)));
+        fmt::arg("rolling", rolling),
+        fmt::arg("walls", planes ? wallsOf(*planes, rolling) : kHeld)));
     script.commit();
     writeLammpsData(state, files[1], planes.has_value());
 }
