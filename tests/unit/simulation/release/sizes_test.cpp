@@ -95,6 +95,26 @@ TEST_F(SizesOfARun, AreKeptWithinTheLimitUntilFullInEachMotion)
     }
 }
 
+// 400 spheres of 1:5 and 1:20, of which a few large ones are most of the mass.
+TEST_F(SizesOfARun, AreSoundInAFallAndWhenAllRestTogether)
+{
+    for (const char* curve : {"radius,cumulative mass\n0.03,0\n0.15,100\n",
+                              "radius,cumulative mass\n0.012,0\n0.24,100\n"})
+    {
+        for (const Rest rest : {Rest::each, Rest::joint})
+        {
+            Scene one = scene(curve, rest == Rest::joint ? Motion::skip : Motion::fall);
+            one.spheres.count = 400;
+            one.rest.mode = rest;
+            one.rest.friction = rest == Rest::joint ? 0.3 : 0;
+            const Simulation run = finished(one);
+            EXPECT_EQ(run.sphereCount(), 400U);
+            expectSound(run);
+            EXPECT_LE(run.quality().energyExcess, 1e-12);
+        }
+    }
+}
+
 TEST_F(SizesOfARun, GoOnWithoutALimitAndSayHowFarTheyAreOff)
 {
     Scene bound = scene("diameter,cumulative mass\n0.1,0\n0.4,100\n");
