@@ -18,9 +18,8 @@ double skinOf(const World& world, double radius, double ahead)
     constexpr double kSkin = NeighbourList::kSkin;
     constexpr double kBeyondAhead = 1.5;
     constexpr double kOwnRadii = 2;
-    return world.radii.curve()
-               ? std::min(kSkin, std::max(kOwnRadii * radius, kBeyondAhead * ahead))
-               : kSkin;
+    return world.radii.curve() ? std::min(kSkin, std::max(kOwnRadii * radius, kBeyondAhead * ahead))
+                               : kSkin;
 }
 
 } // namespace
