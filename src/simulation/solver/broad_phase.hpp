@@ -69,7 +69,7 @@ private:
     RunningSpheres& running_;
     Threads& threads_;
     double margin_;
-    double usual_ = 1; ///< radius that cells are for; below 1 sizes differ
+    double usual_ = 1;              ///< radius that cells are for; below 1 sizes differ
     std::span<const double> radii_; ///< by row, while pairs are searched
     RunningColumn<std::vector<std::uint32_t>> nearby_;
     Eigen::Vector3d low_ = Eigen::Vector3d::Zero(); ///< corner of the first cell
