@@ -48,7 +48,7 @@ public:
     [[nodiscard]] const T* begin() const { return data_; }
     [[nodiscard]] const T* end() const { return data_ + size_; }
 
-    void push_back(const T& value)
+    void pushBack(const T& value)
     {
         if (size_ == room_) [[unlikely]]
         {
@@ -59,7 +59,7 @@ public:
         }
         data_[size_++] = value;
     }
-    void pop_back() { --size_; }
+    void popBack() { --size_; }
     void resize(std::size_t size, const T& value)
     {
         makeRoom(size);
@@ -71,7 +71,7 @@ public:
     void reserve(std::size_t count) { makeRoom(std::min(count, bytes_.inMemory() / sizeof(T))); }
 
     /// Gives back memory that is not in use, but none of a file, which has left.
-    void shrink_to_fit()
+    void shrinkToFit()
     {
         if (!isInFile())
         {

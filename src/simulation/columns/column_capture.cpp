@@ -83,10 +83,7 @@ std::vector<ColumnValues> ColumnCapture::all()
                             values.set(id, valueOf(values.column(), source,
                                                    static_cast<std::uint32_t>(id)));
                         }
-                        if (first % Spheres::kRowsUntilLeaving == 0)
-                        {
-                            world_.spheres.leave();
-                        }
+                        world_.spheres.leaveBefore(first);
                     });
     }
     return columns;

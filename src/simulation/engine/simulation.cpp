@@ -51,7 +51,6 @@ struct Simulation::Implementation
     std::unique_ptr<Engine> engine;
     Guard guard;
     ColumnCapture columns{world};
-    std::size_t leaveAt = 0; ///< when so many spheres rest
     std::uint64_t source = nextSource();
 };
 
@@ -117,12 +116,7 @@ bool Simulation::step()
     {
         implementation_->guard.check();
     }
-    const std::size_t resting = restingCount();
-    if (resting >= implementation_->leaveAt)
-    {
-        implementation_->world.spheres.leave();
-        implementation_->leaveAt = resting + Spheres::kRowsUntilLeaving;
-    }
+    implementation_->world.spheres.leaveWhenDue();
     return advanced;
 }
 void Simulation::stopWhen(std::function<bool()> requested)
@@ -201,10 +195,7 @@ const MeshReport& Simulation::object() const
 // Whoever asks for all of them in their order, as tables do, has them streamed.
 SphereRecord Simulation::sphere(std::size_t id) const
 {
-    if (id % Spheres::kRowsUntilLeaving == 0)
-    {
-        implementation_->world.spheres.leave();
-    }
+    implementation_->world.spheres.leaveBefore(id);
     return recordOf(implementation_->world, id);
 }
 

@@ -213,10 +213,7 @@ QualityReport examine(const World& world)
                 {
                     parts[part].look(static_cast<std::uint32_t>(first),
                                      static_cast<std::uint32_t>(last));
-                    if (first % Spheres::kRowsUntilLeaving == 0)
-                    {
-                        world.spheres.leave(); // neighbours come to rest at about the same time
-                    }
+                    world.spheres.leaveBefore(first); // neighbours came at about the same time
                 });
     for (std::size_t i = 1; i < parts.size(); ++i)
     {

@@ -15,10 +15,7 @@ std::optional<SizeReport> sizeReport(const World& world)
     SizeLedger ledger(*world.radii.curve());
     for (std::uint32_t id = 0; id < world.spheres.size(); ++id)
     {
-        if (id % Spheres::kRowsUntilLeaving == 0)
-        {
-            world.spheres.leave();
-        }
+        world.spheres.leaveBefore(id);
         ledger.add(world.spheres.radius(id));
     }
     SizeReport report;

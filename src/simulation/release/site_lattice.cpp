@@ -239,7 +239,7 @@ void SiteLattice::dropClosedWords()
         kept.append(list_.place(0));
     }
     bits_.resize(kept.size(), 0);
-    bits_.shrink_to_fit();
+    bits_.shrinkToFit();
     list_ = std::move(kept);
 }
 

@@ -61,8 +61,8 @@ public:
     std::uint32_t insert(std::uint32_t id, const Eigen::Vector3d& p, double radius)
     {
         const auto row = static_cast<std::uint32_t>(size());
-        balls_.push_back({p.x(), p.y(), p.z(), radius});
-        rows_.push_back({id & kLargestId, false, kEnd});
+        balls_.pushBack({p.x(), p.y(), p.z(), radius});
+        rows_.pushBack({id & kLargestId, false, kEnd});
         link(row);
         levelOf(radius).extent.extend(p);
         return row;
@@ -101,8 +101,8 @@ public:
             balls_[row] = balls_[last];
             rows_[row] = rows_[last];
         }
-        balls_.pop_back();
-        rows_.pop_back();
+        balls_.popBack();
+        rows_.popBack();
     }
 
     /// The sphere has got another id. It is met first in its cell from now on, as one that has just

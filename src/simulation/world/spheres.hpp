@@ -95,6 +95,23 @@ public:
     /// running spheres, or in order of the ids. To be called every kRowsUntilLeaving rows or so.
     void leave() const;
     static constexpr std::size_t kRowsUntilLeaving = std::size_t{1} << 18;
+    /// The same in a loop over all ids in their order that has come to this one.
+    void leaveBefore(std::size_t id) const
+    {
+        if (id % kRowsUntilLeaving == 0)
+        {
+            leave();
+        }
+    }
+    /// The same after each step of a run.
+    void leaveWhenDue()
+    {
+        if (resting_.size() >= leaveAt_)
+        {
+            leave();
+            leaveAt_ = resting_.size() + kRowsUntilLeaving;
+        }
+    }
 
 private:
     static constexpr std::uint32_t kRuns = 1;
@@ -109,7 +126,8 @@ private:
     SpilledArray<std::uint32_t> group_; ///< by id
     ChangeLog changes_;
     std::size_t discarded_ = 0;
-    bool gaps_ = false; ///< a running row is gone
+    std::size_t leaveAt_ = 0; ///< when so many rest
+    bool gaps_ = false;       ///< a running row is gone
 };
 
 } // namespace frostfill

@@ -18,10 +18,7 @@ std::string hashState(const Spheres& spheres)
     };
     for (std::size_t i = 0; i < spheres.size(); ++i)
     {
-        if (i % Spheres::kRowsUntilLeaving == 0)
-        {
-            spheres.leave();
-        }
+        spheres.leaveBefore(i);
         for (const double coordinate : spheres.position(i))
         {
             take(std::bit_cast<std::uint64_t>(coordinate));

@@ -35,7 +35,7 @@ SpilledArray<std::uint64_t> filled(std::size_t count, std::size_t inMemory = kFe
     SpilledArray<std::uint64_t> array(inMemory);
     for (std::size_t i = 0; i < count; ++i)
     {
-        array.push_back(valueOf(i));
+        array.pushBack(valueOf(i));
     }
     return array;
 }
@@ -146,7 +146,7 @@ TEST_F(SpilledArrayTest, FillsWhatItGrowsByAndShrinks)
     EXPECT_EQ(array[4], 7u);
     EXPECT_EQ(array[5], 9u);
     EXPECT_EQ(array[10 * kFew - 1], 9u);
-    array.pop_back();
+    array.popBack();
     EXPECT_EQ(array.size(), 10 * kFew - 1);
     EXPECT_EQ(static_cast<std::size_t>(array.end() - array.begin()), array.size());
 }
@@ -154,10 +154,10 @@ TEST_F(SpilledArrayTest, FillsWhatItGrowsByAndShrinks)
 TEST_F(SpilledArrayTest, TakesOverOneOfItsOwnValuesWhileItMoves)
 {
     SpilledArray<std::uint64_t> array(kFew);
-    array.push_back(valueOf(3));
+    array.pushBack(valueOf(3));
     while (array.size() < 100 * kFew)
     {
-        array.push_back(array[0]);
+        array.pushBack(array[0]);
         ASSERT_EQ(array[array.size() - 1], valueOf(3));
     }
 }
@@ -233,7 +233,7 @@ TEST_F(SpilledArrayTest, ReturnsToMemoryWhenItsFileCannotGrowFurther)
     const FileLimit limit(std::size_t{20} << 20);
     while (array.size() < kMany)
     {
-        array.push_back(valueOf(array.size()));
+        array.pushBack(valueOf(array.size()));
     }
     EXPECT_FALSE(array.isInFile());
     EXPECT_EQ(wrong(array), 0u);
@@ -248,12 +248,12 @@ TEST_F(SpilledArrayTest, GivesBackWhatIsNotInUseOfWhatIsInMemory)
 {
     SpilledArray<std::uint64_t> array = filled(kFew);
     array.resize(10, 0);
-    array.shrink_to_fit();
+    array.shrinkToFit();
     EXPECT_EQ(array.size(), 10u);
     EXPECT_EQ(wrong(array), 0u);
     for (std::size_t i = 10; i < 2 * kFew; ++i)
     {
-        array.push_back(valueOf(i));
+        array.pushBack(valueOf(i));
     }
     EXPECT_TRUE(array.isInFile());
     EXPECT_EQ(wrong(array), 0u);
