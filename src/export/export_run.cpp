@@ -79,6 +79,20 @@ void requireFree(const std::filesystem::path& folder, const std::vector<std::str
     }
 }
 
+/// Geometry is of one frame.
+void takeGeometry(const ExportRequest& request, const ExportFormatInfo& format, ExportedRun& run)
+{
+    checkBedSettings(request.bed);
+    run.bed = request.bed;
+    if (run.numbers.size() > 1)
+    {
+        throw Error(ErrorCode::usage,
+                    fmt::format("{} is the geometry of one frame, not of {}; give --frames last or "
+                                "one number",
+                                format.name, run.numbers.size()));
+    }
+}
+
 } // namespace
 
 Eigen::AlignedBox3d boxInWorld(const ExportedRun& run, const ExportedFrame& frame)
@@ -114,23 +128,13 @@ ExportResult exportRun(const ExportRequest& request, const ExportProgress& progr
         // for.
         run.spheres = reader.seek(chosen.back()).states.size();
     }
-
     if (request.format == ExportFormat::glb || request.format == ExportFormat::glbInstanced)
     {
         run.shell = simplifyShell(run.mesh, request.fullMesh);
     }
-
     if (isGeometry(request.format))
     {
-        checkBedSettings(request.bed);
-        run.bed = request.bed;
-        if (run.numbers.size() > 1)
-        {
-            throw Error(ErrorCode::usage,
-                        fmt::format("{} is the geometry of one frame, not of {}; give --frames "
-                                    "last or one number",
-                                    format.name, run.numbers.size()));
-        }
+        takeGeometry(request, format, run);
     }
     const std::vector<std::string> names = exportFiles(request.format, run.numbers);
     if (!request.overwrite)
