@@ -35,11 +35,9 @@ Json rateJson(double stepMs, const PictureMs* picture)
 
 Json pictureJson(const PictureMs& picture)
 {
-    return {{"spheres_ms", picture.spheres},
-            {"with_samples_ms", picture.samples},
-            {"render_ms", picture.render},
-            {"readback_ms", picture.readback},
-            {"png_ms", picture.encode}};
+    return {{"spheres_ms", picture.spheres}, {"with_samples_ms", picture.samples},
+            {"render_ms", picture.render},   {"readback_ms", picture.readback},
+            {"png_ms", picture.encode},      {"osmesa_ms", picture.osmesa}};
 }
 
 Json setJson(const FpsSet& set, const FpsPictures* pictures)

@@ -133,10 +133,11 @@ Table pictureTable(const FpsResult& result)
     Table table;
     table.title = "What a picture takes in ms, when every frame is drawn: spheres and legend with "
                   "one sample a pixel, with all samples, with the shell too (drawing); then "
-                  "readback and PNG";
+                  "readback and PNG; all of the drawing and readback with OSMesa, and how far "
+                  "its pictures are apart (rms of 255)";
     table.words = 2;
-    table.headings = {"object",  "method",   "pixels", "samples",  "running",
-                      "spheres", "+samples", "+shell", "readback", "PNG"};
+    table.headings = {"object",   "method", "pixels",   "samples", "running", "spheres",
+                      "+samples", "+shell", "readback", "PNG",     "OSMesa",  "apart"};
     for (const FpsObject& object : result.objects)
     {
         for (const FpsMethod method : {FpsMethod::grid, FpsMethod::fast})
@@ -156,6 +157,9 @@ Table pictureTable(const FpsResult& result)
             {
                 row.push_back(fmt::format("{:.3f}", value));
             }
+            const bool both = mean.osmesa > 0;
+            row.push_back(both ? fmt::format("{:.3f}", mean.osmesa) : kNotSeparate);
+            row.push_back(both ? fmt::format("{:.2f}", pictures->apart) : kNotSeparate);
             table.rows.push_back(row);
         }
     }
@@ -232,8 +236,8 @@ Table fpsSetTable(const FpsResult& result)
             table.headings.push_back(fmt::format("{}_{}_ms", stage, what));
         }
     }
-    for (const char* what : {"render_ms", "readback_ms", "png_ms", "fps_simulation", "fps_drawing",
-                             "fps_readback", "fps_png"})
+    for (const char* what : {"render_ms", "readback_ms", "png_ms", "osmesa_ms", "fps_simulation",
+                             "fps_drawing", "fps_readback", "fps_png"})
     {
         table.headings.emplace_back(what);
     }
@@ -263,8 +267,9 @@ Table fpsSetTable(const FpsResult& result)
                 addDistribution(row, set.spherePolygon);
                 addDistribution(row, set.sphereSphere);
                 addDistribution(row, set.step);
-                for (const double value : {picture.render, picture.readback, picture.encode,
-                                           fps.simulation, fps.drawing, fps.readback, fps.png})
+                for (const double value :
+                     {picture.render, picture.readback, picture.encode, picture.osmesa,
+                      fps.simulation, fps.drawing, fps.readback, fps.png})
                 {
                     row.push_back(fmt::format("{:.6g}", value));
                 }

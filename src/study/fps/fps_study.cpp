@@ -201,12 +201,14 @@ PictureMs& PictureMs::operator+=(const PictureMs& other)
     render += other.render;
     readback += other.readback;
     encode += other.encode;
+    osmesa += other.osmesa;
     return *this;
 }
 
 PictureMs PictureMs::over(double count) const
 {
-    return {spheres / count, samples / count, render / count, readback / count, encode / count};
+    return {spheres / count,  samples / count, render / count,
+            readback / count, encode / count,  osmesa / count};
 }
 
 const FpsPictures* FpsObject::picturesOf(FpsMethod method) const

@@ -52,6 +52,7 @@ struct PictureMs
     double render = 0;  ///< and with the shell: all there is to draw
     double readback = 0;
     double encode = 0; ///< as PNG, where only what has changed is compressed
+    double osmesa = 0; ///< of drawing and reading back all of it with OSMesa; 0 where that is not
 
     PictureMs& operator+=(const PictureMs& other);
     [[nodiscard]] PictureMs over(double count) const;
@@ -63,6 +64,7 @@ struct FpsPictures
     std::vector<PictureMs> sets; ///< in the middle of each set; empty when nothing was drawn
     PictureMs mean;              ///< of them
     double running = 0;          ///< spheres in them, on average
+    double apart = 0; ///< from those of OSMesa: the largest root of a mean square [of 255]
 };
 
 /// One set of one method, over all repeats. Milliseconds a frame; a frame is one time step.

@@ -4,6 +4,8 @@
 #include "image/png_bands.hpp"
 #include "run/frame_recorder.hpp"
 
+#include <frostfill/error.hpp>
+#include <frostfill/image.hpp>
 #include <frostfill/simulation.hpp>
 
 #include <algorithm>
@@ -50,6 +52,19 @@ public:
         noShell_.emplace(mesh, less);
         less.samples = 1;
         spheres_.emplace(mesh, less);
+        try
+        {
+            RenderSettings other = renderSettings(scene);
+            other.backend = Backend::osmesa;
+            osmesa_.emplace(mesh, other);
+        }
+        catch (const Error& error)
+        {
+            if (error.code() != ErrorCode::noOpenGl)
+            {
+                throw;
+            }
+        }
     }
 
     PictureMs draw(const Simulation& simulation)
@@ -67,9 +82,18 @@ public:
         picture.encode =
             std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
                 .count();
+        if (osmesa_)
+        {
+            const double before = osmesa_->times()[Stage::readback];
+            const Image* other = nullptr;
+            picture.osmesa = drawing(*osmesa_, &other);
+            picture.osmesa += 1000 * (osmesa_->times()[Stage::readback] - before);
+            apart_ = std::max(apart_, compareImages(*image, *other).rootMeanSquare);
+        }
         return picture;
     }
     [[nodiscard]] std::size_t running() const { return snapshot_.running; }
+    [[nodiscard]] double apart() const { return apart_; }
     [[nodiscard]] const std::string& description() const { return whole_.description(); }
 
 private:
@@ -88,6 +112,8 @@ private:
     Renderer whole_;
     std::optional<Renderer> noShell_;
     std::optional<Renderer> spheres_;
+    std::optional<Renderer> osmesa_;
+    double apart_ = 0; ///< of 255
     PngBands encoder_;
     Snapshot snapshot_;
 };
@@ -133,6 +159,7 @@ FpsPictures PictureTiming::timeRun(const Scene& scene)
     const double count = std::max(1.0, static_cast<double>(pictures.sets.size()));
     pictures.mean = pictures.mean.over(count);
     pictures.running = running / (count * kCounted);
+    pictures.apart = clock_->apart();
     return pictures;
 }
 

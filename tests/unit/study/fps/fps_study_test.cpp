@@ -123,6 +123,11 @@ TEST(FpsPictures, AreThoseOfEachMethodAndTellTheirParts)
     {
         EXPECT_GE(pictures->sets.size(), 2u);
         EXPECT_GT(pictures->running, 0);
+        if (pictures->mean.osmesa > 0) // it is there
+        {
+            EXPECT_GT(pictures->apart, 0);
+            EXPECT_LT(pictures->apart, 1);
+        }
         EXPECT_GT(pictures->mean.spheres, 0);
         EXPECT_GT(pictures->mean.render, pictures->mean.spheres);
         EXPECT_GT(pictures->mean.encode, 0);
