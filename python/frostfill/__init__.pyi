@@ -40,7 +40,7 @@ def fill(
         inlet: str | int | Sequence[float] | Sequence[str] = ...,
         seed: int = ...,
         gravity: float = ...,
-        motion: Literal['fall', 'skip', 'descend'] = ...,
+        motion: Literal['fall', 'skip', 'descend', 'granular'] = ...,
         integrator: Literal['explicit', 'semi-implicit'] = ...,
         dt: float | Literal['auto'] | None = ...,
         restitution: float = ...,
@@ -60,6 +60,7 @@ def fill(
         friction: float = ...,
         wall_friction: float | Literal['auto'] | None = ...,
         fraction: float | Literal['none'] | None = ...,
+        orientation: bool = ...,
         rolling_friction: float = ...,
         judge_friction: float | Literal['none'] | None = ...,
         judge_unbalance: float = ...,
@@ -305,7 +306,7 @@ class Simulation:
         inlet: str | int | Sequence[float] | Sequence[str] = ...,
         seed: int = ...,
         gravity: float = ...,
-        motion: Literal['fall', 'skip', 'descend'] = ...,
+        motion: Literal['fall', 'skip', 'descend', 'granular'] = ...,
         integrator: Literal['explicit', 'semi-implicit'] = ...,
         dt: float | Literal['auto'] | None = ...,
         restitution: float = ...,
@@ -325,6 +326,7 @@ class Simulation:
         friction: float = ...,
         wall_friction: float | Literal['auto'] | None = ...,
         fraction: float | Literal['none'] | None = ...,
+        orientation: bool = ...,
         rolling_friction: float = ...,
         judge_friction: float | Literal['none'] | None = ...,
         judge_unbalance: float = ...,
@@ -631,6 +633,9 @@ class QualityReport:
     def equilibrium(self) -> EquilibriumReport | None:
         """whether all that is at rest stays so together; None unless judge_friction is given"""
     @property
+    def heaps(self) -> List[HeapReport]:
+        """the heap below each inlet"""
+    @property
     def settling(self) -> SettlingReport | None:
         """how all settled together; None unless rest is joint"""
 
@@ -840,7 +845,7 @@ def volume(
         inlet: str | int | Sequence[float] | Sequence[str] = ...,
         seed: int = ...,
         gravity: float = ...,
-        motion: Literal['fall', 'skip', 'descend'] = ...,
+        motion: Literal['fall', 'skip', 'descend', 'granular'] = ...,
         integrator: Literal['explicit', 'semi-implicit'] = ...,
         dt: float | Literal['auto'] | None = ...,
         restitution: float = ...,
@@ -860,6 +865,7 @@ def volume(
         friction: float = ...,
         wall_friction: float | Literal['auto'] | None = ...,
         fraction: float | Literal['none'] | None = ...,
+        orientation: bool = ...,
         rolling_friction: float = ...,
         judge_friction: float | Literal['none'] | None = ...,
         judge_unbalance: float = ...,
