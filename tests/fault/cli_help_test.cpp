@@ -110,7 +110,7 @@ TEST_F(HelpCommands, BashCompletesCommandsOptionsAndWords)
     EXPECT_EQ(completed("frostfill fil"), "fill\n");
     EXPECT_EQ(completed("frostfill bench err"), "error\n");
     EXPECT_EQ(completed("frostfill fill torus --group"), "--group-size --groups-per-set\n");
-    EXPECT_EQ(completed("frostfill fill --motion ''"), "fall skip descend\n");
+    EXPECT_EQ(completed("frostfill fill --motion ''"), "fall skip descend granular\n");
     EXPECT_EQ(completed("frostfill mesh torus --re"), "--repair\n");
 }
 

@@ -67,6 +67,18 @@ std::string synopsis(const CommandText& command)
     return ".SH SYNOPSIS\n" + line + "\n";
 }
 
+/// A list of words may be broken between them.
+std::string breakable(const std::string& words)
+{
+    std::string text;
+    for (const char letter : plain(words))
+    {
+        text += letter;
+        text += letter == '|' ? "\\:" : "";
+    }
+    return text;
+}
+
 std::string optionEntry(const OptionText& option)
 {
     std::vector<std::string> names;
@@ -74,7 +86,7 @@ std::string optionEntry(const OptionText& option)
     {
         names.push_back((option.positional ? "\\fI" : "\\fB") + plain(name) + "\\fR");
     }
-    const std::string value = option.value.empty() ? "" : " \\fI" + plain(option.value) + "\\fR";
+    const std::string value = option.value.empty() ? "" : " \\fI" + breakable(option.value) + "\\fR";
     return fmt::format(".TP\n{}{}\n{}\n", fmt::join(names, ", "), value, plain(option.help));
 }
 

@@ -67,7 +67,7 @@ TEST(HeapSlope, TellsTheHeapsOfTwoInletsApart)
 {
     const auto world = smallWorld(shapes::box({-40, -10, -20}, {40, 20, 20}));
     world->scene.spheres.inlets = {{{-20, 18, 0}, 4}, {{20, 18, 0}, 4}};
-    for (const HeapGrain& grain : cone(30 * kDegree, 18, 3000))
+    for (const HeapGrain& grain : cone(30 * kDegree, 18, 12000))
     {
         for (const double middle : {-20.0, 20.0})
         {
@@ -79,7 +79,7 @@ TEST(HeapSlope, TellsTheHeapsOfTwoInletsApart)
     }
     const std::vector<HeapReport> heaps = heapsOf(*world);
     ASSERT_EQ(heaps.size(), 2U);
-    EXPECT_EQ(heaps[0].spheres, 3000U);
+    EXPECT_EQ(heaps[0].spheres, 12000U);
     ASSERT_TRUE(heaps[0].slope && heaps[1].slope);
     EXPECT_NEAR(*heaps[0].slope, 30, 1);
     EXPECT_NEAR(*heaps[1].slope, 16.1, 1); // half as high

@@ -27,6 +27,7 @@ std::unique_ptr<World> worldWithFriction(double friction, double wallFriction)
 
 void settle(Settling& settling)
 {
+    settling.wakeAll();
     settling.begin();
     while (!settling.step())
     {
@@ -127,6 +128,7 @@ TEST(Settling, MovesNothingThatHasSettledAndLetsOnlyWhatIsNewComeToRest)
         }
         return most;
     };
+    settling.wakeAll();
     settling.begin();
     EXPECT_FALSE(settling.step());
     EXPECT_LT(farthest(), 1e-4) << "contacts hold what they held";
