@@ -86,7 +86,8 @@ std::string optionEntry(const OptionText& option)
     {
         names.push_back((option.positional ? "\\fI" : "\\fB") + plain(name) + "\\fR");
     }
-    const std::string value = option.value.empty() ? "" : " \\fI" + breakable(option.value) + "\\fR";
+    const std::string value =
+        option.value.empty() ? "" : " \\fI" + breakable(option.value) + "\\fR";
     return fmt::format(".TP\n{}{}\n{}\n", fmt::join(names, ", "), value, plain(option.help));
 }
 
