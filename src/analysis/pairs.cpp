@@ -34,7 +34,8 @@ class PairCounts
 {
 public:
     PairCounts(double range, double width)
-        : range_(range), width_(width), counts_(static_cast<std::size_t>(range / width + 0.5) + 1)
+        : range_(range), width_(width),
+          counts_(static_cast<std::size_t>(std::lround(range / width)) + 1)
     {
     }
 
@@ -42,19 +43,21 @@ public:
     {
         for (const SphereLevels::Level& level : levels.levels())
         {
-            level.forEachRange(
-                centre, range_,
-                [&](std::uint32_t first, std::uint32_t end)
-                {
-                    for (std::uint32_t k = first; k < end; ++k)
-                    {
-                        const double square = (level.spheres[k].centre - centre).squaredNorm();
-                        if (square <= range_ * range_)
-                        {
-                            ++counts_[static_cast<std::size_t>(std::sqrt(square) / width_ + 0.5)];
-                        }
-                    }
-                });
+            level.forEachRange(centre, range_,
+                               [&](std::uint32_t first, std::uint32_t end)
+                               {
+                                   for (std::uint32_t k = first; k < end; ++k)
+                                   {
+                                       const double square =
+                                           (level.spheres[k].centre - centre).squaredNorm();
+                                       if (square <= range_ * range_)
+                                       {
+                                           const double bin =
+                                               std::sqrt(square) / width_ + 0.5; // the nearest
+                                           ++counts_[static_cast<std::size_t>(bin)];
+                                       }
+                                   }
+                               });
         }
         --counts_.front(); // itself
     }
