@@ -97,11 +97,7 @@ void GranularEngine::settle()
     record_.close(world_);
     world_.clock.settles = false;
     phase_ = Phase::rests;
-    release_ = makeRelease(world_, kTopBand, threads_);
-    for (std::uint32_t id = 0; id < world_.spheres.size(); ++id)
-    {
-        release_->close(world_.spheres.position(id), world_.spheres.radius(id));
-    }
+    release_ = makeRelease(world_, kTopBand, threads_); // it sees what rests
 }
 
 // The rest of the set that finds no room now does not wait for any: the next look begins a new one.
