@@ -6,8 +6,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
 #include <utility>
 
 namespace frostfill
@@ -93,7 +91,8 @@ std::vector<Column> measuredColumns()
     return all;
 }
 
-std::deque<Column> builtIn()
+/// What each state has in a field of its own.
+std::vector<Column> fixedColumns()
 {
     return {
         coordinate("x", [](const SphereRow& row) { return row.centre.x(); }),
@@ -163,6 +162,13 @@ std::deque<Column> builtIn()
          .python = false,
          .scale = ColumnScale::height,
          .fixed = [](const SphereRow& row) { return row.height; }},
+    };
+}
+
+/// What only the simulation knows.
+std::vector<Column> carriedOfRuns()
+{
+    return {
         {.name = "contacts",
          .plural = "contacts",
          .title = "Contacts",
@@ -195,9 +201,11 @@ std::deque<Column>& table()
 {
     static std::deque<Column> all = []
     {
-        std::deque<Column> columns = builtIn();
-        const std::vector<Column> found = measuredColumns();
-        columns.insert(columns.end(), found.begin(), found.end());
+        std::deque<Column> columns;
+        for (const auto& some : {fixedColumns(), carriedOfRuns(), measuredColumns()})
+        {
+            columns.insert(columns.end(), some.begin(), some.end());
+        }
         return columns;
     }();
     return all;
@@ -273,40 +281,6 @@ const Column& addColumn(Column column)
     column.plural = column.plural.empty() ? column.name : column.plural;
     column.title = column.title.empty() ? column.name : column.title;
     return table().emplace_back(std::move(column));
-}
-
-namespace
-{
-
-/// With so many binary digits behind the first, as far as that leaves a number.
-float rounded(float value, int digits)
-{
-    constexpr int kAll = 23;
-    if (digits <= 0 || digits >= kAll)
-    {
-        return value;
-    }
-    const int lost = kAll - digits;
-    const auto bits = std::bit_cast<std::uint32_t>(value) + (1U << (lost - 1));
-    const auto result = std::bit_cast<float>(bits >> lost << lost);
-    return std::isfinite(result) ? result : value;
-}
-
-} // namespace
-
-double ColumnValues::at(std::size_t sphere) const
-{
-    const std::uint32_t value = sphere < bits.size() ? bits[sphere] : 0;
-    return column_->isWhole() ? double(value) : double{std::bit_cast<float>(value)};
-}
-
-bool ColumnValues::set(std::size_t sphere, double value)
-{
-    const auto now =
-        column_->isWhole()
-            ? static_cast<std::uint32_t>(value)
-            : std::bit_cast<std::uint32_t>(rounded(static_cast<float>(value), column_->digits));
-    return std::exchange(bits[sphere], now) != now;
 }
 
 std::vector<ColumnValues> carriedColumns(std::span<const std::string> asked)
