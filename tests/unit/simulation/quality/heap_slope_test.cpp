@@ -47,9 +47,9 @@ TEST(HeapSlope, LeavesOutTheRoundTopAndWhatHasRolledAway)
     {
         grain.top = std::min(grain.top, 25 * std::tan(25 * kDegree));
     }
-    for (int k = 0; k < 500; ++k)
+    for (int k = 0; k < 800; ++k)
     {
-        grains.push_back({40 + 0.1 * k, 0.1 * k - 3, 2});
+        grains.push_back({31 + 0.02 * k, std::remainder(0.1 * k, 2 * std::numbers::pi), 2});
     }
     const auto slope = heapSlope(grains, 1);
     ASSERT_TRUE(slope);
