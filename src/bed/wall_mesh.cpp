@@ -114,15 +114,22 @@ std::uint32_t WallMesh::addWithin(std::uint32_t piece, const Eigen::Vector3d& p)
     return v;
 }
 
-std::uint32_t WallMesh::addOn(std::uint32_t piece, std::size_t edge, const Eigen::Vector3d& p)
+// The edge becomes the first one of the piece and of that beyond it, which is returned.
+std::uint32_t WallMesh::turnBoth(std::uint32_t piece, std::size_t edge)
 {
-    const std::uint32_t v = addVertex(p);
     const std::uint32_t other = pieces_[piece].beyond[edge];
     turn(piece, edge);
     const Piece& there = pieces_[other];
     turn(other,
          static_cast<std::size_t>(std::find(there.beyond.begin(), there.beyond.end(), piece) -
                                   there.beyond.begin()));
+    return other;
+}
+
+std::uint32_t WallMesh::addOn(std::uint32_t piece, std::size_t edge, const Eigen::Vector3d& p)
+{
+    const std::uint32_t v = addVertex(p);
+    const std::uint32_t other = turnBoth(piece, edge);
     const Piece here = pieces_[piece];
     const Piece beyond = pieces_[other];
     const auto [a, b, c] = here.corner;
@@ -150,12 +157,7 @@ std::uint32_t WallMesh::addOn(std::uint32_t piece, std::size_t edge, const Eigen
 
 void WallMesh::flip(std::uint32_t piece, std::size_t edge)
 {
-    const std::uint32_t other = pieces_[piece].beyond[edge];
-    turn(piece, edge);
-    const Piece& there = pieces_[other];
-    turn(other,
-         static_cast<std::size_t>(std::find(there.beyond.begin(), there.beyond.end(), piece) -
-                                  there.beyond.begin()));
+    const std::uint32_t other = turnBoth(piece, edge);
     const Piece here = pieces_[piece];
     const Piece beyond = pieces_[other];
     const auto [a, b, c] = here.corner;

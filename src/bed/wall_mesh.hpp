@@ -70,6 +70,7 @@ private:
     std::uint32_t addVertex(const Eigen::Vector3d& p);
     void rejoin(std::uint32_t piece, std::uint32_t before, std::uint32_t now);
     void turn(std::uint32_t piece, std::size_t edge);
+    std::uint32_t turnBoth(std::uint32_t piece, std::size_t edge);
     void flip(std::uint32_t piece, std::size_t edge);
     void own(std::uint32_t piece);
     [[nodiscard]] bool isBetterFlipped(std::uint32_t piece, std::size_t edge) const;

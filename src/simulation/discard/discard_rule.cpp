@@ -25,4 +25,14 @@ std::unique_ptr<DiscardPart> makeDiscard(World& world, Threads& threads)
     return discardRules()[world.scene.discard.rule](world, threads);
 }
 
+std::unique_ptr<DiscardPart> makeDiscardAtRest(World& world, Threads& threads)
+{
+    std::unique_ptr<DiscardPart> discard = makeDiscard(world, threads);
+    for (std::uint32_t id = 0; discard && id < world.spheres.size(); ++id)
+    {
+        discard->addResting(id);
+    }
+    return discard;
+}
+
 } // namespace frostfill

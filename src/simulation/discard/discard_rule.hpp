@@ -43,4 +43,7 @@ using MakeDiscard = std::function<std::unique_ptr<DiscardPart>(World& world, Thr
 /// as that of discarding.
 [[nodiscard]] std::unique_ptr<DiscardPart> makeDiscard(World& world, Threads& threads);
 
+/// The same when all spheres rest, which it then knows.
+[[nodiscard]] std::unique_ptr<DiscardPart> makeDiscardAtRest(World& world, Threads& threads);
+
 } // namespace frostfill

@@ -272,11 +272,7 @@ void FastEngine::finish()
     world_.clock.finished = true;
     if (waker_.phase() == Waker::Phase::over)
     {
-        observers_.discard = makeDiscard(world_, threads_);
-        for (std::uint32_t id = 0; observers_.discard && id < world_.spheres.size(); ++id)
-        {
-            observers_.discard->addResting(id);
-        }
+        observers_.discard = makeDiscardAtRest(world_, threads_);
     }
     if (observers_.discard)
     {

@@ -169,14 +169,9 @@ void GranularEngine::finish()
 {
     endForWantOfPlaces(world_, *release_);
     world_.clock.finished = true;
-    const StageTimer timer(world_.counts.times, Stage::discarding);
-    const std::unique_ptr<DiscardPart> discard = makeDiscard(world_, threads_);
-    for (std::uint32_t id = 0; discard && id < world_.spheres.size(); ++id)
+    if (const auto discard = makeDiscardAtRest(world_, threads_))
     {
-        discard->addResting(id);
-    }
-    if (discard)
-    {
+        const StageTimer timer(world_.counts.times, Stage::discarding);
         discard->finish(world_.clock.full);
     }
 }

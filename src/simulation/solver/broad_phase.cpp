@@ -79,8 +79,8 @@ void BroadPhase::layOutCells()
         return;
     }
     const double most = (usual_ < 1 ? kCellsForSmallRunner : kCellsForRunner) * running_.size();
-    const double largest = *std::max_element(radii_.begin(), radii_.end());
-    const double radius = usual_ < 1 ? usual_ : std::max(1.0, largest);
+    const double radius =
+        usual_ < 1 ? usual_ : std::max(1.0, *std::max_element(radii_.begin(), radii_.end()));
     for (edge_ = (2 * radius + margin_) * kBeyondRounding;; edge_ *= kCoarser)
     {
         const Eigen::Array3d cells = (box.sizes() / edge_).array().floor() + 1;

@@ -72,24 +72,7 @@ TEST(GranularEngine, LetsASphereFallAsGalileoSays)
 
 TEST(GranularEngine, EndsWithTheSameBitsOnAnyNumberOfThreadsAndWithDiscardsOff)
 {
-    std::string hash;
-    for (const auto& [threads, rule] : {std::pair(1, DiscardRule::exact),
-                                        {2, DiscardRule::exact},
-                                        {5, DiscardRule::exact},
-                                        {2, DiscardRule::none}})
-    {
-        Scene scene = jointScene(Motion::granular, 0.3);
-        scene.threads = threads;
-        scene.discard.rule = rule;
-        Simulation simulation(scene, smallBox());
-        run(simulation);
-        hash = hash.empty() ? simulation.stateHash() : hash;
-        EXPECT_EQ(simulation.stateHash(), hash) << threads;
-        Snapshot snapshot;
-        simulation.capture(snapshot);
-        EXPECT_EQ(snapshot.running, 0U);
-        EXPECT_EQ(snapshot.discarded > 0, rule == DiscardRule::exact);
-    }
+    expectSameBits(Motion::granular);
 }
 
 TEST(GranularEngine, HeapsLieSteeperTheMoreFrictionThereIs)

@@ -5,6 +5,11 @@
 
 #include <frostfill/simulation.hpp>
 
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+
 /// A small object whose spheres rest together in the end.
 namespace frostfill
 {
@@ -30,6 +35,29 @@ inline void run(Simulation& simulation)
 {
     while (simulation.step())
     {
+    }
+}
+
+/// Whatever changes no bit changes none; and discards are made in the end.
+inline void expectSameBits(Motion motion)
+{
+    std::string hash;
+    for (const auto& [threads, rule] : {std::pair(1, DiscardRule::exact),
+                                        {2, DiscardRule::exact},
+                                        {5, DiscardRule::exact},
+                                        {2, DiscardRule::none}})
+    {
+        Scene scene = jointScene(motion, 0.3);
+        scene.threads = threads;
+        scene.discard.rule = rule;
+        Simulation simulation(scene, smallBox());
+        run(simulation);
+        hash = hash.empty() ? simulation.stateHash() : hash;
+        EXPECT_EQ(simulation.stateHash(), hash) << threads;
+        Snapshot snapshot;
+        simulation.capture(snapshot);
+        EXPECT_EQ(snapshot.running, 0U);
+        EXPECT_EQ(snapshot.discarded > 0, rule == DiscardRule::exact);
     }
 }
 
