@@ -93,9 +93,14 @@ std::string fillingText(const Scene& scene, const FillResult& result)
 std::string fractionText(double asked, double reached)
 {
     constexpr double kNear = 0.002;
+    if (asked == RestSettings::kLoosest || asked == RestSettings::kDensest)
+    {
+        return fmt::format("the bulk packs to {:.4f}, as {} as it gets\n", reached,
+                           asked == RestSettings::kLoosest ? "loosely" : "densely");
+    }
     const char* why = reached > asked + kNear
-                          ? "; it came in denser, and nothing loosens it: --motion descend fills "
-                            "more loosely"
+                          ? "; it came in denser, and nothing loosens it: --motion granular fills "
+                            "more loosely, with more friction more so"
                       : reached < asked - kNear ? "; without friction nothing flows any more"
                                                 : "";
     return fmt::format("the bulk packs to {:.4f}, where {:g} is asked{}\n", reached, asked, why);

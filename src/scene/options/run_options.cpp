@@ -250,13 +250,12 @@ void addRest(TableBuilder& table)
         .range(0, JudgeSettings::kMostFriction)
         .of(Preset::fast);
     table
-        .add(
-            "rest.fraction", "--fraction",
-            "Packing fraction of the bulk, beyond four radii from walls, to which all flow without "
-            "friction before it holds them",
-            FROSTFILL_FIELD(rest.fraction))
+        .add("rest.fraction", "--fraction",
+             "Packing fraction 4 r from walls, which friction holds; below 0.6, grains sink slowly",
+             FROSTFILL_FIELD(rest.fraction))
         .orUnset("none")
-        .range(0.5, 0.7)
+        .range(RestSettings::kLoosest, RestSettings::kDensest)
+        .words({{"loosest", RestSettings::kLoosest}, {"densest", RestSettings::kDensest}})
         .of(Preset::fast);
     table
         .add("rest.orientation", "--orientation",

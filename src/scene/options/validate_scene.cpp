@@ -43,7 +43,13 @@ void validateRest(const Scene& scene)
         }
         return;
     }
-    if (rest.fraction && rest.friction == 0)
+    if (rest.fraction == RestSettings::kLoosest && scene.motion.mode != Motion::granular)
+    {
+        throw Error(ErrorCode::usage, "only grains come in as loosely as friction lets them "
+                                      "(rest.fraction, --fraction loosest): give motion.mode "
+                                      "(--motion) granular");
+    }
+    if (rest.fraction && rest.fraction != RestSettings::kDensest && rest.friction == 0)
     {
         throw Error(ErrorCode::usage, "only friction holds spheres at a packing fraction "
                                       "(rest.fraction, --fraction) that is asked for: give "

@@ -10,11 +10,20 @@
 
 namespace frostfill
 {
+namespace
+{
+
+double dragOfPour(const RestSettings& rest)
+{
+    return rest.fraction.value_or(1) < kFractionOfPour ? kDragOfLoosePour : 0;
+}
+
+} // namespace
 
 GranularEngine::GranularEngine(World& world)
     : world_(world), threads_(world.scene.threads), grid_(world.spheres.resting().frame()),
       release_(makeRelease(world, kTopBand, threads_)), settling_(world, threads_),
-      groupSize_(groupSize(world))
+      groupSize_(groupSize(world)), drag_(dragOfPour(world.scene.rest))
 {
     if (!release_->any())
     {
@@ -67,7 +76,7 @@ void GranularEngine::pour()
     admit(search());
     {
         const StageTimer timer(world_.counts.times, Stage::motion);
-        settling_.flowFor(kTimeOfPour);
+        settling_.flowFor(kTimeOfPour, drag_);
     }
     sinceAdmitted_ += kTimeOfPour;
     if (isOver())
@@ -84,7 +93,8 @@ void GranularEngine::pour()
 bool GranularEngine::isOver() const
 {
     const bool isCalm = settling_.isCalm() && settling_.unrest().speed < kSpeedOfPour;
-    return (sinceAdmitted_ > kTimeToFall && isCalm) || sinceAdmitted_ > kLongestPour;
+    const double timeToSink = drag_ * world_.height; // at the speed at which drag is weight
+    return (sinceAdmitted_ > kTimeToFall && isCalm) || sinceAdmitted_ > kLongestPour + timeToSink;
 }
 
 void GranularEngine::settle()

@@ -20,6 +20,9 @@ namespace frostfill
 /// all move at once, with spin and friction: they roll, slopes slide, and below an inlet a heap
 /// grows. Nothing freezes, and so nothing is discarded, before the whole rests.
 ///
+/// Where a loose packing is asked for, they sink as in a thick liquid: a sphere that arrives slowly
+/// stays where it is first held, and knocks no other into a hole.
+///
 /// When no more find room, all settle, which may leave room again: then all run, and more are
 /// poured in.
 class GranularEngine final : public Engine
@@ -52,6 +55,7 @@ private:
     Settling settling_;
     SetRecorder record_;
     std::size_t groupSize_;
+    double drag_; ///< while they pour [1/sqrt(r/g)]
     std::uint32_t nextGroup_ = 0;
     Phase phase_ = Phase::rests;
     double sinceAdmitted_ = 0; ///< time

@@ -60,6 +60,11 @@ inline constexpr double kSpeedOfPour = 0.5;
 inline constexpr double kTimeToFall = 2;
 /// Pouring is over in any case when none has appeared for so long [sqrt(r/g)].
 inline constexpr double kLongestPour = 400;
+/// A packing fraction of the bulk below this is looser than what is poured: grains then sink with
+/// a drag of all motion [1/sqrt(r/g)], so at a tenth of sqrt(g r) in the end. Larger: time.
+/// Smaller: denser, such as 0.580 at 5 and 0.601 without drag, with friction 1.
+inline constexpr double kFractionOfPour = 0.6;
+inline constexpr double kDragOfLoosePour = 10;
 
 // Where spheres appear.
 

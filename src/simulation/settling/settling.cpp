@@ -149,10 +149,10 @@ void Settling::flow()
     }
 }
 
-void Settling::flowFor(double time)
+void Settling::flowFor(double time, double drag)
 {
     const double before = motion_.energy();
-    advance(time, {});
+    advance(time, {0, drag});
     world_.counts.energy.enter(before, motion_.energy(), mass_ * world_.height);
 }
 

@@ -40,8 +40,8 @@ public:
     void wakeAll();
     /// Spheres have appeared.
     void admit();
-    /// They move for a time [sqrt(r/g)].
-    void flowFor(double time);
+    /// They move for a time [sqrt(r/g)], with a drag [1/sqrt(r/g)].
+    void flowFor(double time, double drag = 0);
     /// Whether few of all move.
     [[nodiscard]] bool isCalm() const;
     [[nodiscard]] const Unrest& unrest() const { return motion_.unrest(); }

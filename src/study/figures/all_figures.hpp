@@ -22,6 +22,7 @@ namespace frostfill
 [[nodiscard]] Figure stabilityFigure();   ///< the stress matrix
 [[nodiscard]] Figure densityFigure();     ///< density against set size
 [[nodiscard]] Figure sizesFigure();       ///< size curves as asked and as achieved
+[[nodiscard]] Figure frictionFigure();    ///< packing fraction and contacts against friction
 [[nodiscard]] Figure trianglesFigure();   ///< cost against the number of triangles
 
 } // namespace frostfill

@@ -9,10 +9,11 @@ namespace frostfill
 std::span<const Figure> allFigures()
 {
     static const std::array kFigures = {
-        torusFigure(),   studioFigure(),    volumeFigure(),     interactionFigure(),
-        timesFigure(),   claimFigure(),     operationsFigure(), discardedFigure(),
-        densityFigure(), fillingFigure(),   cutawaysFigure(),   closedFormsFigure(),
-        errorFigure(),   stabilityFigure(), trianglesFigure(),  sizesFigure(),
+        torusFigure(),    studioFigure(),    volumeFigure(),     interactionFigure(),
+        timesFigure(),    claimFigure(),     operationsFigure(), discardedFigure(),
+        densityFigure(),  fillingFigure(),   cutawaysFigure(),   closedFormsFigure(),
+        errorFigure(),    stabilityFigure(), trianglesFigure(),  sizesFigure(),
+        frictionFigure(),
     };
     return kFigures;
 }

@@ -107,7 +107,7 @@ TEST(FractionOfRest, IsReachedAndHeldByFriction)
 
 TEST(FractionOfRest, LeavesAloneWhatIsDenserAlready)
 {
-    const QualityReport asked = reportOf(sceneOfFraction(0.5));
+    const QualityReport asked = reportOf(sceneOfFraction(0.51));
     const QualityReport usual = reportOf(sceneOfFraction(std::nullopt));
     ASSERT_TRUE(asked.settling->fraction);
     EXPECT_GT(*asked.settling->fraction, 0.55);
@@ -118,10 +118,27 @@ TEST(FractionOfRest, LeavesAloneWhatIsDenserAlready)
 
 TEST(FractionOfRest, EndsWhereNothingFlowsAnyMore)
 {
-    const QualityReport report = reportOf(sceneOfFraction(0.7));
+    const QualityReport report = reportOf(sceneOfFraction(RestSettings::kDensest));
     EXPECT_TRUE(report.settling->settled);
     EXPECT_LT(*report.settling->fraction, 0.68);
     EXPECT_GT(*report.settling->fraction, 0.6);
+}
+
+// Spheres are poured into the same box under the same friction, with and without drag.
+TEST(FractionOfRest, IsLooserWhereGrainsSinkSlowly)
+{
+    Scene scene = sceneOfFraction(RestSettings::kLoosest);
+    scene.motion.mode = Motion::granular;
+    scene.rest.friction = 1;
+    scene.judge.friction = 1;
+    const QualityReport loosest = reportOf(scene);
+    scene.rest.fraction = 0.6; // poured as usual, then
+    const QualityReport poured = reportOf(scene);
+    EXPECT_TRUE(loosest.settling->settled);
+    EXPECT_LT(*loosest.settling->fraction, 0.59);
+    EXPECT_GT(*loosest.settling->fraction, 0.55);
+    EXPECT_GT(*poured.settling->fraction, *loosest.settling->fraction + 0.01);
+    EXPECT_EQ(loosest.equilibrium->unbalanced, 0U);
 }
 
 TEST(FractionOfRest, IsRefusedWhereItHasNoMeaning)
@@ -137,6 +154,8 @@ TEST(FractionOfRest, IsRefusedWhereItHasNoMeaning)
         ErrorCode::usage, [](Scene& s) { s.rest.friction = 0; }, "--friction");
     refuse(
         ErrorCode::usage, [](Scene& s) { s.rest = {.fraction = 0.62}; }, "--rest");
+    refuse(
+        ErrorCode::usage, [](Scene& s) { s.rest.fraction = RestSettings::kLoosest; }, "granular");
     refuse(
         ErrorCode::usage, [](Scene& s) { s.rest.fraction = 0.8; }, "--fraction");
     refuse(
