@@ -153,7 +153,7 @@ TEST(FractionOfRest, IsRefusedWhereItHasNoMeaning)
     refuse(
         ErrorCode::usage, [](Scene& s) { s.rest.friction = 0; }, "--friction");
     refuse(
-        ErrorCode::usage, [](Scene& s) { s.rest = {.fraction = 0.62}; }, "--rest");
+        ErrorCode::usage, [](Scene& s) { s.rest.mode = Rest::each; }, "--rest");
     refuse(
         ErrorCode::usage, [](Scene& s) { s.rest.fraction = RestSettings::kLoosest; }, "granular");
     refuse(
