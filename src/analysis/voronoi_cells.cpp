@@ -43,9 +43,11 @@ public:
         cell_.init(-farthest_, farthest_, -farthest_, farthest_, -farthest_, farthest_);
         double gathered = -1;
         double next = radius_ + kSecondReach;
-        for (double reach = radius_ + kFirstReach; reach < farthest_; reach = next)
+        for (double most = radius_ + kFirstReach; most < farthest_; most = next)
         {
             next *= kNextReach;
+            // What is farther than the cell reaches already cannot bound it.
+            const double reach = std::min(most, std::sqrt(square()) * (1 + kRounding));
             const std::size_t before = near_.size();
             gather(gathered, reach);
             gathered = reach;
@@ -73,22 +75,17 @@ public:
 private:
     struct Neighbour
     {
-        double square; ///< of the distance
-        std::uint32_t id;
-        std::uint32_t place; ///< in its level
-        const SphereLevels::Level* level;
+        Eigen::Vector3d apart; ///< from the sphere at hand
+        double square;         ///< of that
+        double rest;           ///< by which the square of its radius is smaller
     };
-
-    [[nodiscard]] Eigen::Vector3d apart(const Neighbour& other) const
+    /// What neighbours are sorted by: little is moved.
+    struct Key
     {
-        return (other.level->spheres[other.place].centre - input_.centres[sphere_]) * perUnit_;
-    }
-    /// By which the square of its radius is smaller than that of this sphere.
-    [[nodiscard]] double rest(const Neighbour& other) const
-    {
-        const double its = other.level->spheres[other.place].radius * perUnit_;
-        return radius_ * radius_ - its * its;
-    }
+        double square;
+        std::uint32_t id;
+        std::uint32_t place; ///< among those that were found
+    };
 
     /// The largest value of any vertex, from two at a time so that neither waits for the other;
     /// voro++'s coordinates are doubled.
@@ -134,7 +131,8 @@ private:
     {
         const Eigen::Vector3d& centre = input_.centres[sphere_];
         const double squareOfUnit = unit_ * unit_;
-        const std::size_t before = near_.size();
+        found_.clear();
+        keys_.clear();
         for (const SphereLevels::Level& level : input_.levels.levels())
         {
             const double largest = level.largest * perUnit_;
@@ -145,26 +143,34 @@ private:
             const double least = gathered < 0 ? -1 : had * had * squareOfUnit;
             const auto look = [&](std::uint32_t first, std::uint32_t end)
             {
-                std::size_t count = near_.size();
-                near_.resize(count + end - first);
                 for (std::uint32_t place = first; place < end; ++place)
                 {
-                    const double square = (level.spheres[place].centre - centre).squaredNorm();
-                    near_[count] = {square, level.ids[place], place, &level};
-                    const bool isNew = square <= most && square > least;
-                    count += isNew && level.ids[place] != sphere_ ? 1 : 0;
+                    const SphereLevels::Sphere& other = level.spheres[place];
+                    const Eigen::Vector3d apart = other.centre - centre;
+                    const double square = apart.squaredNorm();
+                    if (square <= most && square > least && level.ids[place] != sphere_)
+                    {
+                        add(apart, square, other.radius, level.ids[place]);
+                    }
                 }
-                near_.resize(count);
             };
             level.forEachRange(centre, limit * unit_, look);
         }
-        for (std::size_t k = before; k < near_.size(); ++k)
-        {
-            near_[k].square *= perUnit_ * perUnit_;
-        }
-        std::sort(near_.begin() + static_cast<std::ptrdiff_t>(before), near_.end(),
-                  [](const Neighbour& a, const Neighbour& b)
+        std::sort(keys_.begin(), keys_.end(),
+                  [](const Key& a, const Key& b)
                   { return a.square != b.square ? a.square < b.square : a.id < b.id; });
+        for (const Key& key : keys_)
+        {
+            near_.push_back(found_[key.place]);
+        }
+    }
+    /// In the unit of the mesh.
+    void add(const Eigen::Vector3d& apart, double square, double radius, std::uint32_t id)
+    {
+        const double its = radius * perUnit_;
+        keys_.push_back(
+            {square * (perUnit_ * perUnit_), id, static_cast<std::uint32_t>(found_.size())});
+        found_.push_back({apart * perUnit_, keys_.back().square, radius_ * radius_ - its * its});
     }
 
     /// Whether the nearest place of all walls belongs to the cell.
@@ -178,37 +184,34 @@ private:
         const Eigen::Vector3d wall = (input_.container.nearestWallPoint(centre) - centre) / unit_;
         return std::all_of(near_.begin(), near_.end(),
                            [&](const Neighbour& other)
-                           { return 2 * wall.dot(apart(other)) <= other.square + rest(other); });
+                           { return 2 * wall.dot(other.apart) <= other.square + other.rest; });
     }
 
     /// Cuts off what belongs to neighbours from `first` on. False if nothing is left.
     bool cut(std::size_t first)
     {
         double far = std::sqrt(square());
-        for (std::size_t k = first; k < near_.size(); ++k)
+        for (const Neighbour& other : std::span(near_).subspan(first))
         {
-            const Neighbour& other = near_[k];
-            const double difference = rest(other);
-            const double limit = farthestNeighbour(far, difference);
+            const double limit = farthestNeighbour(far, other.rest);
             if (other.square > limit * limit)
             {
                 continue;
             }
             if (other.square == 0) // two in one place: the larger one has the cell
             {
-                if (difference < 0)
+                if (other.rest < 0)
                 {
                     return false;
                 }
                 continue;
             }
-            const Eigen::Vector3d way = apart(other);
-            const double distance = other.square + difference;
-            if (isBeyond(way, distance))
+            const double distance = other.square + other.rest;
+            if (isBeyond(other.apart, distance))
             {
                 continue;
             }
-            if (!cell_.plane(way.x(), way.y(), way.z(), distance))
+            if (!cell_.plane(other.apart.x(), other.apart.y(), other.apart.z(), distance))
             {
                 return false;
             }
@@ -241,7 +244,9 @@ private:
     std::size_t sphere_ = 0;
     double radius_ = 0; ///< [unit_]
     voro::voronoicell cell_;
-    std::vector<Neighbour> near_;
+    std::vector<Neighbour> near_; ///< the nearest first, those of each reach by themselves
+    std::vector<Neighbour> found_;
+    std::vector<Key> keys_;
     std::vector<double> vertices_;
 };
 
