@@ -37,6 +37,13 @@ void GranularMotion::stiffen(double factor)
     walls_.stiffen(factor);
 }
 
+void GranularMotion::forget()
+{
+    pairs_.forget();
+    walls_.forget();
+    listAnew();
+}
+
 // Mass over stiffness is least for the smallest sphere, as the square of its radius.
 void GranularMotion::advance(double time, const Course& course)
 {

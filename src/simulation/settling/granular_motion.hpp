@@ -43,6 +43,8 @@ public:
     void advance(double time, const Course& course);
     /// All contacts become stiffer by a factor; friction holds what it held.
     void stiffen(double factor);
+    /// All contacts begin anew, as in a program that knows only where spheres lie. All are moved.
+    void forget();
     /// From now on.
     void setFriction(double ofSpheres, double ofWalls)
     {

@@ -81,6 +81,11 @@ void PairContacts::stiffen(double factor)
     }
 }
 
+void PairContacts::forget()
+{
+    std::fill(memory_.begin(), memory_.end(), ContactMemory{});
+}
+
 void PairContacts::choose(const std::vector<char>& active)
 {
     chosen_.clear();

@@ -31,6 +31,8 @@ public:
     void list(std::span<const double> reaches);
     /// The law has become stiffer by a factor.
     void stiffen(double factor);
+    /// Contacts begin anew: nothing is held but by overlaps.
+    void forget();
     /// From now on push() looks only at pairs of which one at least is active, by row; the others
     /// go on pushing as they did.
     void choose(const std::vector<char>& active);

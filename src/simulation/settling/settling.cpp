@@ -69,6 +69,7 @@ void Settling::begin()
 {
     compactTo_ = world_.scene.rest.fraction.value_or(0) - kGainOfStop;
     compactions_ = 0;
+    reloads_ = 0;
     isDensest_ = false;
     startFlow();
     ++world_.clock.settling.rounds;
@@ -181,6 +182,10 @@ bool Settling::harden()
     {
         return false;
     }
+    if (rests() && !standsAnew())
+    {
+        return false;
+    }
     report();
     if (!hasCompacted())
     {
@@ -216,6 +221,38 @@ bool Settling::canBeRelieved() const
     const Unrest& unrest = motion_.unrest();
     return balances() && unrest.overlap < kOverlapRelieved &&
            static_cast<double>(unrest.creeping) <= kFewMove * static_cast<double>(running_.size());
+}
+
+// What resists rolling pinches spheres: forces that contacts have kept hold one between two others
+// that nothing else presses together. A program that knows only places would let it fall. So all
+// forces are forgotten until the pile stays where it is.
+bool Settling::standsAnew()
+{
+    if (world_.scene.rest.rollingFriction == 0 || reloads_ == kMostReloads ||
+        (reloads_ > 0 && hasStayed()))
+    {
+        return true;
+    }
+    ++reloads_;
+    inPhase_ = 0;
+    restedAt_.clear();
+    for (std::size_t row = 0; row < running_.size(); ++row)
+    {
+        restedAt_.push_back(running_.position[row]);
+    }
+    motion_.forget();
+    return false;
+}
+
+bool Settling::hasStayed() const
+{
+    std::size_t moved = 0;
+    for (std::size_t row = 0; row < running_.size(); ++row)
+    {
+        const double way = (running_.position[row] - restedAt_[row]).norm();
+        moved += way > kStays * running_.radius[row] ? 1 : 0;
+    }
+    return static_cast<double>(moved) <= kMovingAtRest * static_cast<double>(running_.size());
 }
 
 // If the bulk is not yet as dense as asked, aims higher.

@@ -68,6 +68,8 @@ private:
     [[nodiscard]] bool balances() const;
     [[nodiscard]] bool rests() const;
     [[nodiscard]] bool canBeRelieved() const;
+    [[nodiscard]] bool standsAnew();
+    [[nodiscard]] bool hasStayed() const;
     void freeze();
     [[nodiscard]] bool hasCompacted();
     void report();
@@ -77,13 +79,15 @@ private:
     GranularMotion motion_;
     std::vector<std::uint32_t> order_; ///< ids, by the row in which each of them runs
     Phase phase_ = Phase::flows;
-    double inPhase_ = 0;               ///< time since it began
-    double stiffened_ = 1;             ///< by this factor
-    double mass_ = 0;                  ///< of all
-    std::optional<BulkFraction> bulk_; ///< if the scene asks for a packing fraction
-    double compactTo_ = 0;             ///< fraction, while contacts are soft
-    int compactions_ = 0;              ///< since all began to run
-    bool isDensest_ = false;           ///< without friction it had come to rest
+    double inPhase_ = 0;                    ///< time since it began
+    double stiffened_ = 1;                  ///< by this factor
+    double mass_ = 0;                       ///< of all
+    std::optional<BulkFraction> bulk_;      ///< if the scene asks for a packing fraction
+    double compactTo_ = 0;                  ///< fraction, while contacts are soft
+    int compactions_ = 0;                   ///< since all began to run
+    int reloads_ = 0;                       ///< times that forces were forgotten, of these spheres
+    std::vector<Eigen::Vector3d> restedAt_; ///< by row, when they were last
+    bool isDensest_ = false;                ///< without friction it had come to rest
 };
 
 } // namespace frostfill

@@ -51,6 +51,17 @@ void WallContacts::stiffen(double factor)
     }
 }
 
+void WallContacts::forget()
+{
+    for (Beside& one : beside_)
+    {
+        for (Wall& wall : one.walls)
+        {
+            wall.memory = {};
+        }
+    }
+}
+
 void WallContacts::choose(const std::vector<char>& active)
 {
     chosen_.clear();

@@ -31,6 +31,8 @@ public:
     void list(std::span<const double> reaches);
     /// The law has become stiffer by a factor.
     void stiffen(double factor);
+    /// Contacts begin anew: nothing is held but by overlaps.
+    void forget();
     /// From now on push() looks only at active spheres, by row; the others are pushed as they were.
     void choose(const std::vector<char>& active);
     void push(const ContactStep& step);

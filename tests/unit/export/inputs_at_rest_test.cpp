@@ -105,7 +105,9 @@ INSTANTIATE_TEST_SUITE_P(
         OtherCode{"liggghtsWithSizes", "liggghts", kLiggghts, "liggghts.dump", kSizes, 0, 0.97},
         OtherCode{"lammpsWithSizes", "lammps", kLammps, "lammps.dump", kSizes, 0, 0.97},
         OtherCode{"liggghtsWithRolling", "liggghts", kLiggghts, "liggghts.dump", nullptr, 0.1},
-        OtherCode{"lammpsWithRolling", "lammps", kLammps, "lammps.dump", nullptr, 0.1}),
+        OtherCode{"lammpsWithRolling", "lammps", kLammps, "lammps.dump", nullptr, 0.1},
+        OtherCode{"liggghtsWithBoth", "liggghts", kLiggghts, "liggghts.dump", kSizes, 0.1},
+        OtherCode{"lammpsWithBoth", "lammps", kLammps, "lammps.dump", kSizes, 0.1}),
     [](const ::testing::TestParamInfo<OtherCode>& code) { return std::string(code.param.name); });
 
 } // namespace
