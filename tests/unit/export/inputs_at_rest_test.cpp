@@ -27,6 +27,7 @@ struct OtherCode
     const char* sizes = nullptr; ///< content of a size curve
     double rollingFriction = 0;
     double near = 0.99; ///< share that stays; of few in a small cube less, see docs/exports.md
+    std::uint64_t count = 300;
 };
 
 bool succeeds(const std::string& command)
@@ -50,7 +51,7 @@ TEST_P(SpheresAtRest, StayWhereTheyAreInAnotherCode)
     const test::TemporaryFolder folder;
     FillRequest request;
     request.scene = presetScene(Preset::fast, "cube");
-    request.scene.spheres.count = 300;
+    request.scene.spheres.count = code.count;
     request.scene.spheres.untilFull = true;
     if (code.sizes != nullptr)
     {
@@ -107,7 +108,9 @@ INSTANTIATE_TEST_SUITE_P(
         OtherCode{"liggghtsWithRolling", "liggghts", kLiggghts, "liggghts.dump", nullptr, 0.1},
         OtherCode{"lammpsWithRolling", "lammps", kLammps, "lammps.dump", nullptr, 0.1},
         OtherCode{"liggghtsWithBoth", "liggghts", kLiggghts, "liggghts.dump", kSizes, 0.1},
-        OtherCode{"lammpsWithBoth", "lammps", kLammps, "lammps.dump", kSizes, 0.1}),
+        OtherCode{"lammpsWithBoth", "lammps", kLammps, "lammps.dump", kSizes, 0.1},
+        // YADE's steps are slow.
+        OtherCode{"yade", "yade", "yade -n -x yade.py", "yade_end.txt", nullptr, 0, 0.99, 30}),
     [](const ::testing::TestParamInfo<OtherCode>& code) { return std::string(code.param.name); });
 
 } // namespace
