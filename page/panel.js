@@ -132,6 +132,6 @@ function dressPage(look) {
     root.setProperty(`--${name}`, css(look[name]));
   }
   root.setProperty("--polygon", css(look.discarded_polygon));
-  const isDark = look.background.slice(0, 3).reduce((a, b) => a + b) < 384 && look.background[3] > 127;
+  const isDark = look.background.slice(0, 3).reduce((a, b) => a + b) < 384;
   root.setProperty("color-scheme", isDark ? "dark" : "light");
 }

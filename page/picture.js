@@ -142,7 +142,7 @@ class Picture {
       distancePlane: looked.distancePlane,
       supersample: this.times,
       haze: look.haze,
-      background: ground,
+      background: ground.slice(0, 3),
       outlineWidth: strokes.line,
       cutPlanes: planes ?? new Array(8).fill(0),
     });

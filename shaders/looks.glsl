@@ -14,7 +14,7 @@ INLINE vec3 marksOf(uint state)
 }
 
 // The foot of a pile (`height` 0) gets less light than its top (1), and what is far fades into the
-// background, which is premultiplied. In the studio nothing is hatched. `supersample`: pixels for one
+// background's colour, even where that is clear. In the studio nothing is hatched. `supersample`: pixels for one
 // of the picture as it is seen, each way.
 INLINE SphereLook lookOf(vec3 colour, vec3 marks, float height, float far, vec3 background,
                          float pixel, float supersample, bool studio, bool print)

@@ -28,7 +28,7 @@ uniform mat4 projection;
 
 uniform float pixelScale; // pixels in a length of 1 at distance 1, or at any without perspective
 uniform float supersample; // drawn for one pixel of the picture, each way
-uniform vec4 background; // what is far fades to black where it is clear
+uniform vec3 background;
 uniform vec4 heightPlane; // with an eye-space point: 0 at the object's foot, 1 at its top
 uniform vec4 distancePlane; // with an eye-space point: 0 at the object's front, 1 at its back
 uniform float haze; // share of the background in the furthest spheres
@@ -54,7 +54,7 @@ void setColours(vec3 centre, float pixel)
     float far = haze * clamp(dot(distancePlane, vec4(centre, 1.0)), 0.0, 1.0);
     SphereLook look = lookOf(sphereColour.rgb, marksOf(sphereState),
                              dot(heightPlane, vec4(centre, 1.0)), far,
-                             background.rgb * background.a, pixel, supersample, kStudio, kPrint);
+                             background, pixel, supersample, kStudio, kPrint);
     tintAndSteepness.rgb = look.tint;
     hazeAndPixel = vec4(look.haze, pixel);
     marks = vec3(look.gloss, look.ring, look.hatch);

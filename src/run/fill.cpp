@@ -5,6 +5,7 @@
 #include "run/run_directory.hpp"
 #include "run/run_files.hpp"
 #include "run/run_length.hpp"
+#include "run/side_outputs.hpp"
 #include "run/verdict.hpp"
 #include "scene/packing_estimate.hpp"
 
@@ -213,7 +214,7 @@ void finishFiles(const RunRecord& run, FrameRecorder* recorder)
 }
 
 /// Throws Error usage for wishes that cannot be met together.
-void requireFramesForPictures(const FillRequest& request)
+void requireWishesFit(const FillRequest& request)
 {
     if (!request.scene.frames.enabled && (!request.video.empty() || request.contactSheet))
     {
@@ -226,13 +227,14 @@ void requireFramesForPictures(const FillRequest& request)
         throw Error(ErrorCode::usage,
                     "--camera-path and --turntable both move the camera: omit one of them");
     }
+    requireBackgroundOf(request.video, request.scene);
 }
 
 } // namespace
 
 FillPlan planFill(const FillRequest& request, const FillObserver& observer)
 {
-    requireFramesForPictures(request);
+    requireWishesFit(request);
     validateScene(request.scene);
     bool resumes = false;
     LoadedMesh mesh = meshOf(request, resumes);
@@ -249,7 +251,7 @@ FillPlan planFill(const FillRequest& request, const FillObserver& observer)
 
 FillResult fill(const FillRequest& request, const FillObserver& observer)
 {
-    requireFramesForPictures(request);
+    requireWishesFit(request);
     PhaseClock clock;
     validateScene(request.scene);
     bool resumes = false;

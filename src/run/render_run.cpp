@@ -6,6 +6,7 @@
 #include "run/resume.hpp"
 #include "run/run_directory.hpp"
 #include "run/run_head.hpp"
+#include "run/side_outputs.hpp"
 #include "run_file/file_of_run.hpp"
 #include "run_file/kept_frames.hpp"
 
@@ -219,6 +220,7 @@ RenderResult renderRun(const RenderRequest& request, const RenderObserver& obser
         request.change(scene);
     }
     validateScene(scene);
+    requireBackgroundOf(request.video, scene);
     const std::filesystem::path directory = directoryOf(request, file);
     const std::optional<CameraPath> path = cameraPath(request, head, scene);
     KeptFrames frames(reader);

@@ -10,6 +10,18 @@
 namespace frostfill
 {
 
+void requireBackgroundOf(const std::filesystem::path& video, const Scene& scene)
+{
+    const std::string ending = video.extension().string();
+    if (scene.style.palette.background[3] < 255 && (ending == ".mp4" || ending == ".gif"))
+    {
+        throw Error(ErrorCode::usage,
+                    fmt::format("a video that ends in {} has no clear background: name it .webm, "
+                                "or give --background a colour without alpha",
+                                ending));
+    }
+}
+
 SideOutputs::SideOutputs(const Scene& scene, std::filesystem::path directory,
                          const std::filesystem::path& video)
     : limit_(scene.frames.limit), directory_(std::move(directory)),

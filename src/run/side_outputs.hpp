@@ -16,6 +16,9 @@
 namespace frostfill
 {
 
+/// Throws Error usage where the pictures have a background that the video would not show.
+void requireBackgroundOf(const std::filesystem::path& video, const Scene& scene);
+
 /// What is made of a run's frames beside the pictures themselves: passes and a video.
 class SideOutputs
 {

@@ -195,7 +195,7 @@ TEST_F(FillCommand, MakesPassesSheetAndTurntableOfTheSameFrames)
 {
     const Answer answer =
         run(kEightInTwos + "--size 64x48 --max-frames 3 --hold 0.2 --turntable 1 "
-                           "--passes all --contact-sheet --background transparent "
+                           "--passes all --contact-sheet --background none "
                            "--style dark --color-by speed --cutaway wedge:0,90 "
                            "--ambient-occlusion --supersample 2 --backend osmesa");
     ASSERT_EQ(answer.code, 0) << answer.errors;

@@ -59,6 +59,18 @@ TEST_F(Environment, SizesThatCannotBeDrawnAreRefusedAndTheSmallestIsDrawn)
     }
 }
 
+TEST_F(Environment, VideosWithoutABackgroundAreRefusedWhereTheirFormatHasNoAlpha)
+{
+    for (const char* name : {"a.mp4", "a.gif"})
+    {
+        const Answer answer =
+            run(kLong + "--background none --out a --video " + name, "timeout 60");
+        EXPECT_EQ(answer.code, 64) << name << answer.errors;
+        EXPECT_NE(answer.errors.find(".webm"), std::string::npos) << answer.errors;
+    }
+    EXPECT_FALSE(fs::exists(folder_ / "a"));
+}
+
 TEST_F(Environment, PicturesThatShowNothingAreTold)
 {
     for (const char* view : {"--target 1e6,0,0", "--azimuth 0 --target 0,0,50 --distance 1"})

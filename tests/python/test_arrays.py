@@ -108,7 +108,7 @@ class Arrays(unittest.TestCase):
         self.assertGreater(picture.std(), 1)
         self.assertEqual(picture._repr_png_()[:8], b"\x89PNG\r\n\x1a\n")
         self.assertIsNone(picture[0]._repr_png_())
-        clear = frostfill.Simulation("cube", count=5).render(size=(40, 30), background="transparent")
+        clear = frostfill.Simulation("cube", count=5).render(size=(40, 30), background="none")
         self.assertEqual(clear.shape, (30, 40, 4))
 
 

@@ -45,16 +45,11 @@ constexpr int kPolygonRow = 3;
 constexpr int kHeading = -1;
 constexpr int kNoSwatch = -2;
 
-/// Around text. Where the background is clear it is the text's opposite, so that the text can be
-/// read on whatever the picture is laid on.
+/// Around text, so that it can be read also where the background is clear.
 Colour haloOf(const Palette& palette)
 {
-    if (palette.background[3] == 255)
-    {
-        return palette.background;
-    }
-    const bool dark = palette.text[0] + palette.text[1] + palette.text[2] < 3 * 128;
-    return dark ? Colour{255, 255, 255, 255} : Colour{0, 0, 0, 255};
+    const Colour& ground = palette.background;
+    return {ground[0], ground[1], ground[2], 255};
 }
 
 } // namespace

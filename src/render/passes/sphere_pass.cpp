@@ -137,8 +137,7 @@ SpherePass::SpherePass(const GlFunctions& gl, const ShaderVariant& variant,
                         embedded::shader_sphere_vert(), embedded::shader_sphere_frag())
 {
     program_.use();
-    const std::array background = {toVector(style.palette.background)};
-    program_.set("background", background);
+    program_.set("background", glm::vec3(toVector(style.palette.background)));
     program_.set("outlineWidth", lineWidth);
     if (samplePositions.size() > 1)
     {

@@ -98,7 +98,7 @@ std::optional<CutPlanes> cutPlanesOf(const RenderSettings& settings, const Frami
 glm::vec3 inkFor(const Colour& surface, const Colour& background)
 {
     const glm::vec3 own(toVector(surface));
-    const bool dark = background[3] > 127 && background[0] + background[1] + background[2] < 3 * 96;
+    const bool dark = background[0] + background[1] + background[2] < 3 * 96;
     return dark ? glm::mix(own, glm::vec3(1), 0.12F) : 0.38F * own;
 }
 

@@ -164,7 +164,7 @@ private:
     bool print_;
     bool surfaces_ = false;
     float outline_;        ///< [pixel] for print
-    glm::vec3 background_; ///< [0..1] premultiplied
+    glm::vec3 background_; ///< [0..1]
     int samples_;
     bool avx2_;
     float front_;

@@ -45,9 +45,7 @@ SphereRaster::SphereRaster(const SphereUniforms& uniforms, const ShaderVariant& 
                            int samples, bool avx2, float front)
     : uniforms_(uniforms), grid_(pixelGrid(uniforms.projection, variant.orthographic, size)),
       cutaway_(variant.cutaway), print_(variant.outlines), outline_(lineWidth),
-      background_(glm::vec3(toVector(style.palette.background)) *
-                  toVector(style.palette.background).a),
-      samples_(samples), avx2_(avx2), front_(front)
+      background_(toVector(style.palette.background)), samples_(samples), avx2_(avx2), front_(front)
 {
     const auto [nearest, furthest] = depthLimits(uniforms.projection, variant.orthographic);
     shown_ = {static_cast<float>(nearest), static_cast<float>(furthest)};

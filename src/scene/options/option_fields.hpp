@@ -256,7 +256,7 @@ Option fieldOption(Option option, Access access)
     }
     if constexpr (std::is_same_v<Field, Colour>)
     {
-        option.placeholder = "#RRGGBB";
+        option.placeholder = "none|#RRGGBB";
     }
     if constexpr (std::is_same_v<Field, PictureSize>)
     {
@@ -264,7 +264,7 @@ Option fieldOption(Option option, Access access)
     }
     if constexpr (std::is_same_v<Field, Colour>)
     {
-        option.form = "a colour such as #ffcc00, #ffcc0080 with alpha, or transparent";
+        option.form = "a colour such as #ffcc00, #ffcc0080 with alpha, or none";
     }
     if constexpr (std::is_same_v<Field, PictureSize>)
     {

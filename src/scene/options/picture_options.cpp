@@ -176,7 +176,8 @@ void addPicture(TableBuilder& table)
                          scene.staticLayer = std::get<std::string>(value) == "on";
                          return true;
                      }});
-    table.add("picture.background", "--background", "Colour of the background",
+    table.add("picture.background", "--background",
+              "Colour of the background; none: pictures with alpha, to lay on anything",
               FROSTFILL_FIELD(style.palette.background));
     table.add("picture.backend", "--backend",
               "What draws; auto: builtin, without OpenGL; all draw the same pictures",

@@ -59,9 +59,9 @@ std::string colourText(const Colour& colour)
 
 bool readColour(std::string_view text, Colour& colour)
 {
-    if (text == "transparent")
+    if (text == "none" || text == "transparent")
     {
-        colour = {255, 255, 255, 0};
+        colour[3] = 0; // what lies on it goes on fading to the colour and is edged for it
         return true;
     }
     if ((text.size() != 7 && text.size() != 9) || text[0] != '#')

@@ -114,12 +114,9 @@ TEST(Looks, TransparentBackgroundIsRightOverWhiteAndOverBlack)
     const TriangleMesh mesh = boxMesh({1, 1, 1});
     const Snapshot snapshot = pack(mesh, 40, 0.15);
     RenderSettings settings = smallSettings();
-    settings.style.look = Look::paper; // without haze, which takes on the background's colour
     settings.style.legend = false;
     for (const int ground : {255, 0})
     {
-        // Edges of the shell are drawn lighter on a dark ground.
-        settings.style.shell = ground == 255;
         const auto grey = static_cast<std::uint8_t>(ground);
         settings.style.palette.background = {grey, grey, grey, 255};
         const Image opaque = draw(mesh, settings, snapshot);
@@ -129,6 +126,49 @@ TEST(Looks, TransparentBackgroundIsRightOverWhiteAndOverBlack)
         EXPECT_EQ(clear.at(0, 0)[3], 0);
         const ImageDifference difference = compareImages(over(clear, ground), opaque);
         EXPECT_LE(difference.largest, 3) << "over " << ground;
+    }
+}
+
+TEST(Looks, NoBackgroundIsClearOutsideSolidWithinAndGivesTheOpaquePictureOverItsColour)
+{
+    const TriangleMesh mesh = boxMesh({1, 1, 1});
+    const Snapshot snapshot = pack(mesh, 60, 0.15);
+    for (const Look look : {Look::clean, Look::paper, Look::dark, Look::studio})
+    {
+        RenderSettings settings = smallSettings();
+        settings.style.look = look;
+        settings.style.palette = paletteOf(look);
+        const Colour ground = settings.style.palette.background;
+        const Image opaque = draw(mesh, settings, snapshot);
+        settings.style.palette.background[3] = 0;
+        const Image clear = draw(mesh, settings, snapshot);
+        ASSERT_EQ(clear.channels, 4);
+        EXPECT_EQ(clear.at(0, 0)[3], 0);
+        double squares = 0;
+        int largest = 0;
+        int solid = 0;
+        int apartByMore = 0; // layers of the shell are rounded one by one
+        for (int y = 0; y < clear.height; ++y)
+        {
+            for (int x = 0; x < clear.width; ++x)
+            {
+                const auto* pixel = clear.at(x, y);
+                solid += pixel[3] == 255 ? 1 : 0;
+                for (std::size_t c = 0; c < 3; ++c)
+                {
+                    const int laid =
+                        (pixel[c] * pixel[3] + ground[c] * (255 - pixel[3]) + 127) / 255;
+                    const int apart = std::abs(laid - int{opaque.at(x, y)[c]});
+                    largest = std::max(largest, apart);
+                    squares += apart * apart;
+                    apartByMore += apart > 1 ? 1 : 0;
+                }
+            }
+        }
+        EXPECT_GT(solid, clear.width * clear.height / 20);
+        EXPECT_LE(largest, 4) << static_cast<int>(look);
+        EXPECT_LE(apartByMore, 3 * clear.width * clear.height / 100) << static_cast<int>(look);
+        EXPECT_LE(std::sqrt(squares / (3.0 * clear.width * clear.height)), 0.5);
     }
 }
 

@@ -192,11 +192,17 @@ TEST(PictureOptions, AStyleBringsItsColoursAndGivenOnesComeAfterIt)
     EXPECT_EQ(again.style.palette.frozen, scene.style.palette.frozen);
 }
 
-TEST(PictureOptions, TransparentIsAColourOfTheBackground)
+TEST(PictureOptions, NoBackgroundIsThatOfTheStyleWithoutItsAlpha)
 {
-    Scene scene;
-    ASSERT_TRUE(setOption(*findOption("picture.background"), scene, std::string("transparent")));
-    EXPECT_EQ(scene.style.palette.background[3], 0);
+    for (const char* word : {"none", "transparent"})
+    {
+        Scene scene = parseScene("[picture]\nstyle = 'dark'\n", "test");
+        const Colour dark = scene.style.palette.background;
+        ASSERT_TRUE(setOption(*findOption("picture.background"), scene, std::string(word)));
+        EXPECT_EQ(scene.style.palette.background, (Colour{dark[0], dark[1], dark[2], 0}));
+        const Scene again = parseScene(sceneToToml(scene), "again");
+        EXPECT_EQ(again.style.palette.background, scene.style.palette.background);
+    }
 }
 
 TEST(ValidateScene, LetsOnlyTheDynamicsOfThePresetFastMoveTheObject)
