@@ -12,6 +12,7 @@
 #include <frostfill/renderer.hpp>
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -39,6 +40,14 @@ struct Timing
     double median = 1e30; ///< [ms]
     double processor = 0; ///< [ms] mean over all threads, which other programs disturb less
 };
+
+/// The most memory that the process has had; it counts what is measured first only.
+std::size_t peakBytes()
+{
+    rusage usage{};
+    ::getrusage(RUSAGE_SELF, &usage);
+    return 1024 * static_cast<std::size_t>(usage.ru_maxrss);
+}
 
 /// `work` is called `count` times; the first two are not counted.
 template <class Work>
@@ -105,21 +114,31 @@ Timing frameToMemory(const Options& options, std::size_t frozen, std::size_t run
                  });
 }
 
-Timing everythingRedrawn(const Options& options, std::size_t frozen, bool layer, int quads = 0)
+Timing everythingRedrawn(const Options& options, std::size_t frozen, bool layer, int quads = 0,
+                         Look look = Look::clean)
 {
     RenderSettings settings = settingsFor(options);
+    settings.style.look = look;
+    settings.style.palette = paletteOf(look);
     settings.staticLayer = layer;
     settings.style.shell = settings.style.legend = quads > 0;
     const RenderScene scene(frozen, 20);
+    const std::size_t before = peakBytes();
     Renderer renderer(unitCube(std::max(quads, 1)), settings);
     double azimuth = 30;
-    return timed(options.quick ? 5 : 20,
-                 [&]
-                 {
-                     settings.camera.azimuth = azimuth += 7;
-                     renderer.setCamera(settings.camera);
-                     static_cast<void>(renderer.draw(scene.snapshot));
-                 });
+    const Timing timing = timed(options.quick || frozen > 1000000 ? 5 : 20,
+                                [&]
+                                {
+                                    settings.camera.azimuth = azimuth += 7;
+                                    renderer.setCamera(settings.camera);
+                                    static_cast<void>(renderer.draw(scene.snapshot));
+                                });
+    if (frozen >= 1000000)
+    {
+        fmt::print("{:46} {:10.1f}\n", "  bytes a sphere beyond the state, at the peak",
+                   static_cast<double>(peakBytes() - before) / static_cast<double>(frozen));
+    }
+    return timing;
 }
 
 /// Frames a second from snapshots to files: what a run does, without the simulation.
@@ -198,6 +217,13 @@ void run(const Options& options)
             [&] { return everythingRedrawn(options, 10000, true, 21); });
     measure("1M, default picture, camera moves",
             [&] { return everythingRedrawn(options, 1000000, true, 21); });
+    if (!options.only.empty()) // they take gigabytes
+    {
+        measure("10M, default picture, camera moves",
+                [&] { return everythingRedrawn(options, 10000000, true, 21); });
+        measure("10M, studio, camera moves",
+                [&] { return everythingRedrawn(options, 10000000, true, 21, Look::studio); });
+    }
     if (options.only.empty())
     {
         compareFiles(options);

@@ -111,6 +111,7 @@ void SphereDrawList::startAgain(const Snapshot& snapshot)
     places_.clear();
     restingIds_.clear();
     resting_.clear();
+    cells_.clear();
     runningIds_.clear();
     changes_ = {};
     places_.reserve(snapshot.centres.size());
@@ -144,7 +145,10 @@ const SphereDrawList::Changes& SphereDrawList::update(const Snapshot& snapshot,
     }
     else if (knowsWhatChanged(snapshot))
     {
-        for (const std::uint32_t id : snapshot.changed)
+        const bool isTheSame =
+            snapshot.revision == revision_ && snapshot.centres.size() == places_.size();
+        for (const std::uint32_t id :
+             isTheSame ? std::span<const std::uint32_t>() : std::span(snapshot.changed))
         {
             lookAt(snapshot, id);
         }
@@ -210,6 +214,36 @@ void SphereDrawList::sortFrontToBack(const Framing& framing)
            });
     resting_ = std::move(spheres);
     restingIds_ = std::move(ids);
+}
+
+bool SphereDrawList::orderByCells()
+{
+    if (!cells_.empty() && 2 * std::size_t{cells_.back().end} > resting_.size())
+    {
+        return false;
+    }
+    auto [order, cells] = frostfill::orderByCells(resting_);
+    // Round by round, in place: there are millions.
+    for (std::uint32_t start = 0; start < order.size(); ++start)
+    {
+        const SphereInstance first = resting_[start];
+        const std::uint32_t id = restingIds_[start];
+        std::uint32_t to = start;
+        for (std::uint32_t from = order[to]; from != start; from = order[to])
+        {
+            resting_[to] = resting_[from];
+            restingIds_[to] = restingIds_[from];
+            order[to] = to;
+            to = from;
+        }
+        resting_[to] = first;
+        restingIds_[to] = id;
+        order[to] = to;
+    }
+    forAll(restingIds_.size(), kSpheresPerTask,
+           [&](std::size_t i) { places_[restingIds_[i]] = static_cast<std::uint32_t>(i); });
+    cells_ = std::move(cells);
+    return true;
 }
 
 } // namespace frostfill

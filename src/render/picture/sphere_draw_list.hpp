@@ -3,6 +3,7 @@
 
 #include "render/framing/framing.hpp"
 #include "render/overlay/colour_scale.hpp"
+#include "render/picture/sphere_cells.hpp"
 #include "render/picture/sphere_instance.hpp"
 
 #include <frostfill/snapshot.hpp>
@@ -43,6 +44,11 @@ public:
 
     /// Orders the spheres at rest by their distance from the viewer, the nearest first.
     void sortFrontToBack(const Framing& framing);
+    /// Orders the spheres at rest by cells, whatever the camera, unless most are. Returns whether
+    /// it has done so.
+    bool orderByCells();
+    /// Of the spheres at rest that came first; what came to rest since is in none.
+    [[nodiscard]] std::span<const SphereCell> cells() const { return cells_; }
 
     [[nodiscard]] std::span<const SphereInstance> resting() const { return resting_; }
     [[nodiscard]] std::span<const SphereInstance> running() const { return running_; }
@@ -64,6 +70,7 @@ private:
     std::vector<std::uint32_t> places_;     ///< [#S] index in resting_, or kRuns
     std::vector<std::uint32_t> restingIds_; ///< [resting]
     std::vector<SphereInstance> resting_;
+    std::vector<SphereCell> cells_;
     std::vector<std::uint32_t> runningIds_; ///< ascending
     std::vector<SphereInstance> running_;
     Changes changes_;

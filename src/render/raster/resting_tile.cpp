@@ -44,9 +44,11 @@ void RestingTile::paintGround(SampleTile& tile, const PixelRectangle& pixels) co
 
 bool RestingTile::lists(std::uint32_t sphere) const
 {
-    const auto place =
-        std::lower_bound(spheres_.begin(), spheres_.end(), sphere,
-                         [](const Listed& a, std::uint32_t index) { return a.index < index; });
+    const auto isBefore = [](const Listed& a, std::uint32_t index) { return a.index < index; };
+    const auto isIt = [&](const Listed& a) { return a.index == sphere; };
+    const auto place = inOrder_
+                           ? std::lower_bound(spheres_.begin(), spheres_.end(), sphere, isBefore)
+                           : std::find_if(spheres_.begin(), spheres_.end(), isIt);
     return place != spheres_.end() && place->index == sphere;
 }
 
@@ -105,10 +107,49 @@ void RestingTile::findFurthestAtTimes(const PixelRectangle& drawn)
     furthestOfAll_ = *std::min_element(furthest_.begin(), furthest_.end());
 }
 
+void RestingTile::paint(const SphereRaster& raster, const RestingSpheres& resting,
+                        std::uint32_t sphere, const SphereBounds& bounds, const TilePart& whole,
+                        bool cull)
+{
+    if (cull && hides(bounds, whole))
+    {
+        return;
+    }
+    spheres_.push_back({sphere, bounds.nearest});
+    resting.draw(sphere, bounds, raster, whole, *samples_);
+    if (cull)
+    {
+        findFurthestAtTimes(whole.within(bounds.pixels));
+    }
+}
+
+void RestingTile::paintCells(const SphereRaster& raster, const RestingSpheres& resting,
+                             const TilePart& whole, bool cull)
+{
+    for (const std::uint32_t c : cells_)
+    {
+        const SphereBounds& placed = resting.placedCells[c];
+        if (cull && (placed.nearest <= furthestOfAll_ || hides(placed, whole)))
+        {
+            continue;
+        }
+        for (std::uint32_t i = resting.cells[c].first; i < resting.cells[c].end; ++i)
+        {
+            const SphereBounds bounds = resting.bounds(i);
+            if (!whole.within(bounds.pixels).empty())
+            {
+                paint(raster, resting, i, bounds, whole, cull);
+                inOrder_ = false;
+            }
+        }
+    }
+    cells_.clear();
+}
+
 void RestingTile::repaint(const SphereRaster& raster, const RestingSpheres& resting,
                           const TilePart& whole, bool cull)
 {
-    if (spheres_.empty())
+    if (empty())
     {
         samples_.reset();
         return;
@@ -118,22 +159,17 @@ void RestingTile::repaint(const SphereRaster& raster, const RestingSpheres& rest
     furthestOfAll_ = kNothing;
     touched_ = 0;
     drawn_ = 0;
-    std::size_t kept = 0;
-    for (const Listed& listed : spheres_)
+    listed_.swap(spheres_);
+    spheres_.clear();
+    paintCells(raster, resting, whole, cull);
+    for (const Listed& listed : listed_)
     {
-        const std::uint32_t sphere = listed.index;
-        if (cull && (listed.nearest <= furthestOfAll_ || hides(resting.placed[sphere], whole)))
+        if (!cull || listed.nearest > furthestOfAll_)
         {
-            continue;
-        }
-        spheres_[kept++] = listed;
-        resting.draw(sphere, raster, whole, *samples_);
-        if (cull)
-        {
-            findFurthestAtTimes(whole.within(resting.placed[sphere].pixels));
+            paint(raster, resting, listed.index, resting.bounds(listed.index), whole, cull);
         }
     }
-    spheres_.erase(spheres_.begin() + static_cast<std::ptrdiff_t>(kept), spheres_.end());
+    listed_.clear();
 }
 
 void RestingTile::recolour(const SphereRaster& raster, const RestingSpheres& resting,
@@ -141,20 +177,20 @@ void RestingTile::recolour(const SphereRaster& raster, const RestingSpheres& res
 {
     // Shapes stay, so what is hidden now is hidden afterwards too.
     std::erase_if(spheres_,
-                  [&](const Listed& listed) { return hides(resting.placed[listed.index], whole); });
+                  [&](const Listed& listed) { return hides(resting.bounds(listed.index), whole); });
     start(pixels);
     TilePart part = whole;
     part.pixels = pixels;
     for (const Listed& listed : spheres_)
     {
-        resting.draw(listed.index, raster, part, *samples_);
+        resting.draw(listed.index, resting.bounds(listed.index), raster, part, *samples_);
     }
 }
 
 bool RestingTile::add(const SphereRaster& raster, const RestingSpheres& resting,
                       std::uint32_t sphere, const TilePart& whole)
 {
-    const SphereBounds& placed = resting.placed[sphere];
+    const SphereBounds placed = resting.bounds(sphere);
     if (hides(placed, whole))
     {
         return false;
@@ -164,7 +200,7 @@ bool RestingTile::add(const SphereRaster& raster, const RestingSpheres& resting,
         start(whole.pixels);
     }
     spheres_.push_back({sphere, placed.nearest});
-    resting.draw(sphere, raster, whole, *samples_);
+    resting.draw(sphere, placed, raster, whole, *samples_);
     findFurthestAtTimes(whole.within(placed.pixels));
     return true;
 }

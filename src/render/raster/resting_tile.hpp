@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "render/picture/sphere_cells.hpp"
 #include "render/raster/ground_raster.hpp"
 #include "render/raster/sample_tile.hpp"
 #include "render/raster/sphere_raster.hpp"
+#include "render/raster/tile_view.hpp"
 
 #include <array>
 #include <cstdint>
@@ -15,24 +17,27 @@
 namespace frostfill
 {
 
-/// Where a sphere may be seen in the picture, and how near it comes.
-struct SphereBounds
-{
-    PixelRectangle pixels;
-    float nearest = 0;
-};
-
 /// The spheres at rest, with all that it takes to draw one.
 struct RestingSpheres
 {
     std::span<const SphereInstance> spheres;
-    std::span<const SphereBounds> placed; ///< [spheres]
+    std::span<const SphereBounds> placed; ///< [spheres that are in no cell]
     std::span<const SphereLight> lights;  ///< [spheres] if they are lit as in the studio
+    std::span<const SphereCell> cells = {};
+    std::span<const SphereBounds> placedCells = {}; ///< [cells]
+    const TileView* view = nullptr;                 ///< with cells
 
-    void draw(std::size_t sphere, const SphereRaster& raster, const TilePart& part,
-              SampleTile& tile) const
+    [[nodiscard]] std::size_t inCells() const { return cells.empty() ? 0 : cells.back().end; }
+    /// What is in a cell is placed when it is needed: most never are.
+    [[nodiscard]] SphereBounds bounds(std::size_t sphere) const
     {
-        raster.draw(spheres[sphere], placed[sphere].pixels, part, tile,
+        const std::size_t before = inCells();
+        return sphere < before ? view->place(spheres[sphere]) : placed[sphere - before];
+    }
+    void draw(std::size_t sphere, const SphereBounds& bounds, const SphereRaster& raster,
+              const TilePart& part, SampleTile& tile) const
+    {
+        raster.draw(spheres[sphere], bounds.pixels, part, tile,
                     lights.empty() ? nullptr : &lights[sphere]);
     }
 };
@@ -48,10 +53,17 @@ public:
     void setGround(std::unique_ptr<TileBackground> ground) { ground_ = std::move(ground); }
 
     /// Forgets all.
-    void clear() { spheres_.clear(); }
+    void clear()
+    {
+        spheres_.clear();
+        cells_.clear();
+        inOrder_ = true;
+    }
+    /// The next cell of spheres at rest, the nearest first; they come before those in none.
+    void listCell(std::uint32_t cell) { cells_.push_back(cell); }
     /// The next of the spheres at rest; it is not drawn yet.
     void list(std::uint32_t sphere, float nearest) { spheres_.push_back({sphere, nearest}); }
-    [[nodiscard]] bool empty() const { return spheres_.empty(); }
+    [[nodiscard]] bool empty() const { return spheres_.empty() && cells_.empty(); }
     [[nodiscard]] bool lists(std::uint32_t sphere) const;
     /// Calls visit(sphere) for all that may be seen.
     template <typename Visit>
@@ -116,15 +128,23 @@ private:
     };
 
     void start(const PixelRectangle& pixels);
+    /// Draws a sphere and keeps it in the list, unless it is hidden. `cull` as in repaint().
+    void paint(const SphereRaster& raster, const RestingSpheres& resting, std::uint32_t sphere,
+               const SphereBounds& bounds, const TilePart& whole, bool cull);
+    void paintCells(const SphereRaster& raster, const RestingSpheres& resting,
+                    const TilePart& whole, bool cull);
     /// Nothing but the background and the ground.
     void paintGround(SampleTile& tile, const PixelRectangle& pixels) const;
     /// `drawn`: pixels of the tile that a sphere was drawn to.
     void findFurthestAtTimes(const PixelRectangle& drawn);
     void findFurthestOf(std::size_t block);
 
-    std::uint32_t background_;    ///< premultiplied
-    std::size_t planes_;          ///< of samples that are drawn
-    std::vector<Listed> spheres_; ///< that may be seen, ascending
+    std::uint32_t background_;         ///< premultiplied
+    std::size_t planes_;               ///< of samples that are drawn
+    std::vector<Listed> spheres_;      ///< that may be seen
+    std::vector<Listed> listed_;       ///< during repaint()
+    bool inOrder_ = true;              ///< they are ascending: none comes from a cell
+    std::vector<std::uint32_t> cells_; ///< of which spheres are not listed yet
     std::unique_ptr<TileBackground> ground_;
     std::unique_ptr<SampleTile> samples_;
     std::int64_t drawn_ = 0;                   ///< pixels since it was looked for what is hidden

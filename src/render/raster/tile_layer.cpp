@@ -4,6 +4,7 @@
 #include "render/picture/for_all.hpp"
 
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
 
 #include <utility>
 
@@ -57,9 +58,11 @@ void TileLayer::lookFrom(const TileView& view, const Framing& framing,
                       });
 }
 
-void TileLayer::follow(std::span<const SphereInstance> resting, std::size_t first)
+void TileLayer::follow(std::span<const SphereInstance> resting, std::span<const SphereCell> cells,
+                       std::size_t first)
 {
     resting_ = resting;
+    cells_ = cells;
     if (sphereOcclusion_)
     {
         sphereOcclusion_->follow(resting, first);
@@ -68,8 +71,33 @@ void TileLayer::follow(std::span<const SphereInstance> resting, std::size_t firs
 
 RestingSpheres TileLayer::restingSpheres() const
 {
-    return {resting_, placed_,
-            sphereOcclusion_ ? sphereOcclusion_->lights() : std::span<const SphereLight>()};
+    return {resting_,
+            placed_,
+            sphereOcclusion_ ? sphereOcclusion_->lights() : std::span<const SphereLight>(),
+            cells_,
+            placedCells_,
+            view_};
+}
+
+void TileLayer::listCells()
+{
+    placedCells_.resize(cells_.size());
+    forAll(cells_.size(), kSpheresPerTask,
+           [&](std::size_t i) { placedCells_[i] = view_->place(cells_[i].around); });
+    std::vector<std::pair<float, std::uint32_t>> order;
+    for (std::uint32_t i = 0; i < cells_.size(); ++i)
+    {
+        if (!placedCells_[i].pixels.empty())
+        {
+            order.emplace_back(-placedCells_[i].nearest, i);
+        }
+    }
+    tbb::parallel_sort(order.begin(), order.end());
+    for (const auto& [nearest, cell] : order)
+    {
+        grid_.each(placedCells_[cell].pixels,
+                   [&, cell = cell](std::size_t tile) { tiles_[tile].listCell(cell); });
+    }
 }
 
 void TileLayer::rebuild(bool cull, std::span<PixelRectangle> dirty)
@@ -78,20 +106,25 @@ void TileLayer::rebuild(bool cull, std::span<PixelRectangle> dirty)
     {
         tile.clear();
     }
-    placed_.resize(resting_.size());
-    forAll(resting_.size(), kSpheresPerTask,
-           [&](std::size_t i) { placed_[i] = view_->place(resting_[i]); });
-    for (std::uint32_t i = 0; i < resting_.size(); ++i)
+    listCells();
+    const std::size_t inCells = restingSpheres().inCells();
+    placed_.resize(resting_.size() - inCells);
+    forAll(placed_.size(), kSpheresPerTask,
+           [&](std::size_t i) { placed_[i] = view_->place(resting_[inCells + i]); });
+    for (std::size_t i = 0; i < placed_.size(); ++i)
     {
-        const SphereBounds& placed = placed_[i];
-        grid_.each(placed.pixels, [&](std::size_t tile) { tiles_[tile].list(i, placed.nearest); });
+        const auto sphere = static_cast<std::uint32_t>(inCells + i);
+        grid_.each(placed_[i].pixels,
+                   [&](std::size_t tile) { tiles_[tile].list(sphere, placed_[i].nearest); });
     }
     if (sphereOcclusion_)
     {
-        if (cull)
+        if (cull || !cells_.empty())
         {
             // Only their shapes, to see which spheres need light.
-            repaintTiles({resting_, placed_, {}}, cull);
+            RestingSpheres shapes = restingSpheres();
+            shapes.lights = {};
+            repaintTiles(shapes, cull);
         }
         updateVisibleLight();
     }
@@ -129,7 +162,7 @@ void TileLayer::updateVisibleLight()
 
 bool TileLayer::isSeen(std::uint32_t resting, std::size_t tile) const
 {
-    return tiles_[tile].lists(resting) && !hides(placed_[resting], tile);
+    return tiles_[tile].lists(resting) && !hides(boundsOf(resting), tile);
 }
 
 bool TileLayer::isHidden(const SphereBounds& sphere) const
@@ -145,7 +178,8 @@ void TileLayer::repaint(std::span<const std::size_t> recoloured, std::span<Pixel
     std::vector<std::size_t> stale;
     const auto note = [&](std::uint32_t sphere)
     {
-        grid_.each(placed_[sphere].pixels,
+        const PixelRectangle pixels = boundsOf(sphere).pixels;
+        grid_.each(pixels,
                    [&](std::size_t tile)
                    {
                        if (isSeen(sphere, tile))
@@ -155,7 +189,7 @@ void TileLayer::repaint(std::span<const std::size_t> recoloured, std::span<Pixel
                            {
                                stale.push_back(tile);
                            }
-                           part = around(part, grid_.part(tile).within(placed_[sphere].pixels));
+                           part = around(part, grid_.part(tile).within(pixels));
                        }
                    });
     };
@@ -168,7 +202,7 @@ void TileLayer::repaint(std::span<const std::size_t> recoloured, std::span<Pixel
         const auto isSeenAnywhere = [&](std::uint32_t sphere)
         {
             bool seen = false;
-            grid_.each(placed_[sphere].pixels,
+            grid_.each(boundsOf(sphere).pixels,
                        [&](std::size_t tile) { seen = seen || isSeen(sphere, tile); });
             return seen;
         };

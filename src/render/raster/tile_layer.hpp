@@ -33,7 +33,8 @@ public:
 
     /// Takes the spheres at rest: those from `first` on came since. They have to stay until the
     /// next call.
-    void follow(std::span<const SphereInstance> resting, std::size_t first);
+    void follow(std::span<const SphereInstance> resting, std::span<const SphereCell> cells,
+                std::size_t first);
     /// Draws all. With `cull`, what is hidden is left out.
     void rebuild(bool cull, std::span<PixelRectangle> dirty);
     /// Draws these and those whose light arrivals have changed.
@@ -52,6 +53,12 @@ public:
 
 private:
     [[nodiscard]] RestingSpheres restingSpheres() const;
+    /// Lists the cells in the tiles where they are seen, the nearest first.
+    void listCells();
+    [[nodiscard]] SphereBounds boundsOf(std::uint32_t resting) const
+    {
+        return restingSpheres().bounds(resting);
+    }
     void repaintTiles(const RestingSpheres& resting, bool cull);
     void updateVisibleLight();
     [[nodiscard]] bool isSeen(std::uint32_t resting, std::size_t tile) const;
@@ -65,7 +72,9 @@ private:
     std::optional<SphereOcclusion> sphereOcclusion_; ///< in the studio
     const TileView* view_ = nullptr;
     std::span<const SphereInstance> resting_;
-    std::vector<SphereBounds> placed_;      ///< [resting]
+    std::span<const SphereCell> cells_;
+    std::vector<SphereBounds> placedCells_; ///< [cells]
+    std::vector<SphereBounds> placed_;      ///< [resting that are in no cell]
     std::vector<RestingTile> tiles_;        ///< from the lower left corner
     std::vector<PixelRectangle> repainted_; ///< [tiles] in the tile, during repaint()
 };

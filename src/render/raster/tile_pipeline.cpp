@@ -120,9 +120,18 @@ const std::vector<PixelRectangle>& TilePipeline::draw(const Snapshot& snapshot, 
     const SphereDrawList::Changes& changes =
         drawList_.update(snapshot, viewpoint().framing(), viewpoint().colours());
     const bool startAgain = stale_ || changes.everything;
-    if (startAgain && drawList_.resting().size() >= kSortFrom)
+    std::size_t first = changes.firstArrival; // of what stands where it did not
+    if (startAgain)
     {
-        drawList_.sortFrontToBack(viewpoint().framing());
+        const bool inCells = drawList_.resting().size() >= kCellsFrom;
+        if (!inCells || drawList_.orderByCells())
+        {
+            first = 0;
+        }
+        if (!inCells && drawList_.resting().size() >= kSortFrom)
+        {
+            drawList_.sortFrontToBack(viewpoint().framing());
+        }
     }
     if (shell_)
     {
@@ -148,7 +157,7 @@ const std::vector<PixelRectangle>& TilePipeline::draw(const Snapshot& snapshot, 
         trianglesListed_ = true;
     }
     stale_ = false;
-    layer_->follow(drawList_.resting(), startAgain ? 0 : changes.firstArrival);
+    layer_->follow(drawList_.resting(), drawList_.cells(), first);
     if (startAgain || !viewpoint().settings().staticLayer)
     {
         layer_->rebuild(viewpoint().settings().staticLayer, dirty_);

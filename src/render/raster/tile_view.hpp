@@ -2,11 +2,17 @@
 #pragma once
 
 #include "render/picture/projected_sphere.hpp"
-#include "render/raster/resting_tile.hpp"
 #include "render/raster/sphere_raster.hpp"
 
 namespace frostfill
 {
+
+/// Where a sphere may be seen in the picture, and how near it comes.
+struct SphereBounds
+{
+    PixelRectangle pixels;
+    float nearest = 0;
+};
 
 /// How spheres come into the picture, from where the camera is.
 struct TileView
