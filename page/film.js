@@ -133,7 +133,9 @@ class Film {
 
   renew(ids, ran) {
     for (const id of ids) {
-      this.places.set(["x", "y", "z"].map((axis) => this.ofRenewed(axis)), 3 * id);
+      this.places[3 * id] = this.ofRenewed("x");
+      this.places[3 * id + 1] = this.ofRenewed("y");
+      this.places[3 * id + 2] = this.ofRenewed("z");
       this.gone.fill(0, 3 * id, 3 * id + 3);
       for (const [name, changes] of this.columns) {
         this.values[name][id] = changes === "never" ? this.ofRenewed(name) : 0;

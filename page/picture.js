@@ -33,11 +33,16 @@ class Picture {
       gl.bindBuffer(gl.ARRAY_BUFFER, this.buffers[attribute]);
       describe();
       gl.enableVertexAttribArray(attribute);
-      gl.vertexAttribDivisor(attribute, 1);
     });
     this.instances = new Float32Array(0);
     this.states = new Uint8Array(0);
     this.colours = new Uint32Array(0);
+    this.hidden = new Hidden();
+    // A corner for each vertex: a software renderer takes 30 us for each instance of four vertices.
+    this.corners = { places: new Float32Array(0), states: new Uint8Array(0), colours: new Uint32Array(0) };
+    this.indices = gl.createBuffer();
+    this.squares = new Uint32Array(0);
+    this.leftOut = 0; // spheres of this frame that are not drawn
   }
 
   /** Places and states of the frame, in unit space; spheres that are not seen are left out. */
@@ -59,8 +64,6 @@ class Picture {
       }
     }
     this.count = at;
-    this.fill(0, this.instances.subarray(0, 4 * at));
-    this.fill(1, this.states.subarray(0, at));
     this.shell.setPolygons(film.polygons);
   }
 
@@ -74,7 +77,49 @@ class Picture {
         this.colours[at++] = this.colours[id];
       }
     }
-    this.fill(2, this.colours.subarray(0, at));
+  }
+
+  /** Gives the driver the corners of what is drawn: of all, or of very many those that may be seen. */
+  takeSeen(looked, planes) {
+    const { corners, instances, states, colours, count } = this;
+    const seen = count <= kManySpheres ? null
+      : this.hidden.seenOf(instances, count, looked, this.drawnSize, planes);
+    this.drawn = seen?.length ?? count;
+    this.leftOut = count - this.drawn;
+    corners.places = grown(corners.places, 16 * this.drawn);
+    corners.states = grown(corners.states, 4 * this.drawn);
+    corners.colours = grown(corners.colours, 4 * this.drawn);
+    for (let k = 0; k < this.drawn; ++k) {
+      const i = seen ? seen[k] : k;
+      for (let at = 4 * k; at < 4 * k + 4; ++at) {
+        corners.places[4 * at] = instances[4 * i];
+        corners.places[4 * at + 1] = instances[4 * i + 1];
+        corners.places[4 * at + 2] = instances[4 * i + 2];
+        corners.places[4 * at + 3] = instances[4 * i + 3];
+        corners.states[at] = states[i];
+        corners.colours[at] = colours[i];
+      }
+    }
+    this.fill(0, corners.places.subarray(0, 16 * this.drawn));
+    this.fill(1, corners.states.subarray(0, 4 * this.drawn));
+    this.fill(2, corners.colours.subarray(0, 4 * this.drawn));
+    this.makeSquares();
+  }
+
+  /** Of each square two triangles. */
+  makeSquares() {
+    const { gl } = this;
+    if (6 * this.drawn <= this.squares.length) {
+      return;
+    }
+    const before = this.squares.length / 6;
+    this.squares = grown(this.squares, 6 * this.drawn);
+    for (let k = before; 6 * k + 5 < this.squares.length; ++k) {
+      this.squares.set([4 * k, 4 * k + 1, 4 * k + 2, 4 * k + 2, 4 * k + 1, 4 * k + 3], 6 * k);
+    }
+    gl.bindVertexArray(this.array);
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.indices);
+    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, this.squares, gl.STATIC_DRAW);
   }
 
   fill(buffer, numbers) {
@@ -112,17 +157,24 @@ class Picture {
     if (isNew) {
       this.takeFrame();
     }
-    if (isNew || shown.colourBy !== view.colourBy || shown.look !== view.look) {
+    const isColoured = isNew || shown.colourBy !== view.colourBy || shown.look !== view.look;
+    if (isColoured) {
       this.takeColours();
     }
     Object.assign(shown, { frame: film.at, colourBy: view.colourBy, look: view.look });
     const looked = camera.look(film.pose());
+    const planes = cutPlanes(view.cut, looked.view);
+    const from = this.count > kManySpheres
+      ? [looked.view, looked.projection, this.drawnSize, planes].join() : "anywhere";
+    if (isColoured || shown.from !== from) {
+      this.takeSeen(looked, planes);
+      shown.from = from;
+    }
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.frame);
     gl.viewport(0, 0, ...this.drawnSize);
     const ground = bytesToUnit(opaque(view.look.background));
     gl.clearColor(...ground);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-    const planes = cutPlanes(view.cut, looked.view);
     this.drawSpheres(looked, ground, planes);
     if (view.shell > 0) {
       this.drawShell(looked, planes);
@@ -148,7 +200,7 @@ class Picture {
     });
     gl.enable(gl.DEPTH_TEST);
     gl.bindVertexArray(this.array);
-    gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, this.count);
+    gl.drawElements(gl.TRIANGLES, 6 * this.drawn, gl.UNSIGNED_INT, 0);
   }
 
   drawShell(looked, planes) {

@@ -14,11 +14,11 @@ for (const [, id, text] of page.matchAll(/<script id="(\w+)"[^>]*>(.*?)<\/script
 }
 globalThis.document = { getElementById: (id) => elements[id] };
 
-// The script is made of files that begin alike; the first four ask the browser for nothing else.
+// The script is made of files that begin alike; the first five ask the browser for nothing else.
 const script = page.match(/<script type="module">(.*?)<\/script>/s)[1];
-const files = script.split("// SPDX-License-Identifier: MIT\n").slice(1, 5);
-const { facts, unpackSections, Film, Camera, poseMatrix, colourSpheres } = new Function(
-  `${files.join("")}; return { facts, unpackSections, Film, Camera, poseMatrix, colourSpheres };`)();
+const files = script.split("// SPDX-License-Identifier: MIT\n").slice(1, 6);
+const { facts, unpackSections, Film, Camera, Hidden, poseMatrix, colourSpheres } = new Function(
+  `${files.join("")}; return { facts, unpackSections, Film, Camera, Hidden, poseMatrix, colourSpheres };`)();
 
 const film = new Film(await unpackSections());
 const near = (a, b, error, what) => assert.ok(Math.abs(a - b) <= error, `${what}: ${a}, not ${b}`);
@@ -126,3 +126,42 @@ for (const aspect of [0.4, 1, 2.5]) {
   assert.ok(facts.poses.length > 0 || Math.abs(widest - 0.96) < 0.001, `${widest} at ${aspect}`);
 }
 console.log(`${frames} frames in two orders`);
+
+// Nothing is left out that a ray meets first, in whichever point of a pixel; and most of a heap is.
+function checkHidden(cut) {
+  let seed = 1;
+  const random = () => (seed = (seed * 48271) % 2147483647) / 2147483647;
+  const count = 3000;
+  const spheres = new Float32Array(4 * count).map((_, k) =>
+    k % 4 === 3 ? 0.02 + 0.06 * random() : 2 * random() - 1);
+  const view = [1, 0, 0, 0, 0, 0.8, -0.6, 0, 0, 0.6, 0.8, 0, 0, 0.1, -4, 1];
+  const projection = [2.1, 0, 0, 0, 0, 2.8, 0, 0, 0.1, -0.05, -1.5, -1, 0, 0, -6, 0];
+  const size = [320, 240];
+  const planes = cut ? [0, 0, 1, 4, 0, 0, 1, 4] : null; // nearer than 4 is taken away
+  const hidden = new Hidden();
+  const seen = new Set(hidden.seenOf(spheres, count, { view, projection }, size, planes));
+  assert.ok(seen.size < 0.7 * count && seen.size > 0.05 * count, `${seen.size} of ${count} are seen`);
+  const centres = Array.from({ length: count }, (_, i) => moved(view, spheres.subarray(4 * i, 4 * i + 3)));
+  for (let ray = 0; ray < 4000; ++ray) {
+    const x = (2 * random() - 1 + projection[8]) / projection[0];
+    const y = (2 * random() - 1 + projection[9]) / projection[5];
+    const along = [x, y, -1];
+    let nearest = Infinity;
+    let first = -1;
+    for (let i = 0; i < count; ++i) {
+      const radius = spheres[4 * i + 3];
+      const a = dot(along, along);
+      const b = dot(along, centres[i]);
+      const left = b * b - a * (dot(centres[i], centres[i]) - radius * radius);
+      const [enter, leave] = left > 0 ? [(b - Math.sqrt(left)) / a, (b + Math.sqrt(left)) / a] : [1, 0];
+      const at = cut ? Math.max(enter, 4) : enter; // -z > 4 stays
+      if (at < leave && at < nearest) {
+        nearest = at;
+        first = i;
+      }
+    }
+    assert.ok(first < 0 || seen.has(first), `sphere ${first} is left out, and ray ${ray} meets it`);
+  }
+}
+checkHidden(false);
+checkHidden(true);
