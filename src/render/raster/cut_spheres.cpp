@@ -94,7 +94,8 @@ FROSTFILL_INLINE Seen seenThrough(const Setup& s, const Cut& cut, const Look& lo
     const Floats q = along * s.nearScale;
     Seen seen;
     seen.isNear = cut.orthographic ? q - met.t : q / met.t;
-    seen.mask = (at.rhoSquared < 1) & (along > 0) & met.isThere & (seen.isNear > before);
+    seen.mask = (at.rhoSquared < 1) & (along > s.leastAlong) & (along < s.mostAlong) & met.isThere &
+                (seen.isNear > before);
     if (!any(seen.mask))
     {
         return seen;

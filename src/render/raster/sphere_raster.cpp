@@ -82,7 +82,8 @@ FROSTFILL_INLINE void drawRows(const Setup& s, const Look& look, const PixelRect
                 const Floats c = along + s.alongAt[k];
                 float* held = tile.inverseDepth[k].data() + at;
                 const auto before = load<Floats>(held);
-                seen[k] = (a * a + b * b < c * c) & (c > 0) & (isNear > before);
+                seen[k] = (a * a + b * b < c * c) & (c > s.leastAlong) & (c < s.mostAlong) &
+                          (isNear > before);
                 seenAtAll |= seen[k];
                 store(select(seen[k], isNear, before), held);
             }

@@ -66,8 +66,10 @@ public:
         float acrossX;               ///< K D.R = acrossX dx
         float aboveX, aboveY;        ///< K D.A = aboveX dx + aboveY dy
         float along, alongX, alongY; ///< D.C = along + alongX dx + alongY dy
-        float radiusOverDistance;    ///< e; 0 without perspective
-        float nearScale, rise;       ///< inverse depth = q + (q e + rise) w, q = D.C nearScale
+        /// D.C between which the outline's plane is as far away as OpenGL shows anything
+        float leastAlong, mostAlong;
+        float radiusOverDistance; ///< e; 0 without perspective
+        float nearScale, rise;    ///< inverse depth = q + (q e + rise) w, q = D.C nearScale
         /// Coefficients of the dot product of the normal with a direction: of (e + w) t, and of the
         /// two coordinates in the outline times t, where t = 1 / (1 + e w).
         struct Slope

@@ -84,7 +84,6 @@ bool SphereRaster::setUp(const SphereInstance& sphere, bool lit, Axes& axes, Set
     const glm::vec3 centre = centreOf(sphere);
     const float radius = sphere.radius;
     auto& [axis, right, above, shrink] = axes = Axes{};
-    const auto isShown = [&](float ahead) { return ahead > shown_[0] && ahead < shown_[1]; };
     if (grid_.orthographic)
     {
         setup.x = (centre.x - grid_.left) / grid_.perColumn;
@@ -97,6 +96,8 @@ bool SphereRaster::setUp(const SphereInstance& sphere, bool lit, Axes& axes, Set
         setup.radiusOverDistance = 0;
         setup.nearScale = centre.z + front_;
         setup.rise = radius;
+        setup.leastAlong = 0;
+        setup.mostAlong = 2;
     }
     else
     {
@@ -107,10 +108,10 @@ bool SphereRaster::setUp(const SphereInstance& sphere, bool lit, Axes& axes, Set
         {
             return false; // the eye is in the sphere or past it
         }
-        if (!isShown(-centre.z * (1 - radiusOverDistance * radiusOverDistance)))
-        {
-            return false;
-        }
+        // The plane of the outline is (squared - radius^2) / D.C ahead; it may be seen in part.
+        const float ahead = squared - radius * radius;
+        setup.leastAlong = ahead / shown_[1];
+        setup.mostAlong = ahead / shown_[0];
         axis = centre / distance;
         right = glm::normalize(glm::vec3(-centre.z, 0, centre.x));
         above = glm::cross(centre, right) / -distance;
@@ -128,7 +129,7 @@ bool SphereRaster::setUp(const SphereInstance& sphere, bool lit, Axes& axes, Set
         setup.nearScale = 1 / (squared - radius * radius);
         setup.rise = 0;
     }
-    if (grid_.orthographic && !isShown(-centre.z))
+    if (grid_.orthographic && !(-centre.z > shown_[0] && -centre.z < shown_[1]))
     {
         return false;
     }

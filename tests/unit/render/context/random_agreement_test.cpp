@@ -40,8 +40,8 @@ TriangleMesh fitted(TriangleMesh mesh)
     return mesh;
 }
 
-/// Without what lies outside the object's box: OpenGL cuts off what leaks out further than the
-/// picture is deep.
+/// Without what lies outside the object's box: what leaks nearer than the picture begins has no
+/// depth in OpenGL.
 Subject inside(Subject subject)
 {
     const Eigen::AlignedBox3d box = boundingBox(subject.mesh);
@@ -65,7 +65,7 @@ std::vector<Subject> objects()
 {
     return {inside(test::subjectOf("torus", shapes::torus(1, 0.4, 24, 8), 0.3)),
             inside(test::subjectOf("dense torus", shapes::torus(1, 0.4, 300, 100), 0.2)),
-            inside(test::subjectOf("box", testing_support::boxMesh({1, 0.8, 0.6}), 0.25)),
+            test::subjectOf("leaking box", testing_support::boxMesh({1, 0.8, 0.6}), 0.25),
             inside(test::subjectOf("human", fitted(loadMesh("human").mesh), 0.08)),
             inside(test::subjectOf("sphere", fitted(loadMesh("sphere").mesh), 0.12))};
 }
