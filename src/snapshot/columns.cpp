@@ -38,7 +38,6 @@ Column orientation(const char* name)
             .help = "component of the unit quaternion that turns a sphere from how it appeared",
             .changes = ColumnChanges::running,
             .digits = 14,
-            .python = false,
             .colour = false,
             .onRequest = true,
             .partOf = kOrientation};

@@ -31,6 +31,20 @@ class Arrays(unittest.TestCase):
         self.assertEqual(simulation.triangles.dtype, "u4")
         self.assertLess(simulation.triangles.max(), len(simulation.vertices))
 
+    def test_tell_how_spheres_have_turned_when_asked(self):
+        simulation = frostfill.Simulation("torus", count=30, rest="joint", friction=0.3,
+                                          orientation=True)
+        while simulation.step():
+            pass
+        snapshot = simulation.snapshot()
+        turned = numpy.stack([snapshot.qx, snapshot.qy, snapshot.qz, snapshot.qw], axis=1)
+        self.assertEqual(turned.shape, (30, 4))
+        self.assertTrue(numpy.allclose(numpy.linalg.norm(turned, axis=1), 1, atol=1e-6))
+        self.assertTrue((numpy.abs(turned[:, :3]) > 0.01).any())
+        plain = frostfill.Simulation("torus", count=30).snapshot()
+        with self.assertRaises(frostfill.Error):
+            plain.qx
+
     def test_of_every_step_are_those_of_a_fresh_snapshot(self):
         """Only what has changed is renewed; in a twin, each snapshot is made from nothing."""
         stepped = frostfill.Simulation("torus", count=60, groups_per_set=1)

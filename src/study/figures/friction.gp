@@ -11,7 +11,7 @@ set xlabel "friction"
 at(what, y) = strcol("preparation") eq what ? column(y) : NaN
 
 set key bottom right
-set yrange [0.54:0.65]
+set yrange [0.5:0.65]
 set ylabel "packing fraction of the bulk"
 $published << END
 friction,fraction,contacts
