@@ -497,6 +497,18 @@ class Snapshot:
     def contacts(self) -> NDArray[numpy.uint32]:
         """uint32 [n]: of a sphere at rest: other spheres at rest, and pieces of wall, whose gap to it is below 0.01 of its radius; 0 while it runs."""
     @property
+    def qx(self) -> NDArray[numpy.float32]:
+        """float32 [n]: component of the unit quaternion that turns a sphere from how it appeared."""
+    @property
+    def qy(self) -> NDArray[numpy.float32]:
+        """float32 [n]: component of the unit quaternion that turns a sphere from how it appeared."""
+    @property
+    def qz(self) -> NDArray[numpy.float32]:
+        """float32 [n]: component of the unit quaternion that turns a sphere from how it appeared."""
+    @property
+    def qw(self) -> NDArray[numpy.float32]:
+        """float32 [n]: component of the unit quaternion that turns a sphere from how it appeared."""
+    @property
     def triangle_states(self) -> NDArray[numpy.uint8]:
         """uint8 [t]: 0 active, 1 discarded, of the triangles of the simulated mesh."""
     @property

@@ -235,11 +235,8 @@ bool Settling::standsAnew()
     }
     ++reloads_;
     inPhase_ = 0;
-    restedAt_.clear();
-    for (std::size_t row = 0; row < running_.size(); ++row)
-    {
-        restedAt_.push_back(running_.position[row]);
-    }
+    const auto places = running_.position.all();
+    restedAt_.assign(places.begin(), places.end());
     motion_.forget();
     return false;
 }
@@ -247,7 +244,7 @@ bool Settling::standsAnew()
 bool Settling::hasStayed() const
 {
     std::size_t moved = 0;
-    for (std::size_t row = 0; row < running_.size(); ++row)
+    for (std::uint32_t row = 0; row < running_.size(); ++row)
     {
         const double way = (running_.position[row] - restedAt_[row]).norm();
         moved += way > kStays * running_.radius[row] ? 1 : 0;
