@@ -204,10 +204,10 @@ struct RestSettings
     Rest mode = Rest::each;
     double friction = 0;                ///< [1] Coulomb's, of two spheres
     std::optional<double> wallFriction; ///< [1] Coulomb's, of a wall; if not given, as of spheres
-    /// The ends of what may be asked for as packing fraction. Nothing packs as loosely as the one or
-    /// as densely as the other, so they ask for the loosest and the densest that there is: spheres
-    /// of one size rest at 0.55 at least, and at 0.64 at most [Onoda & Liniger 1990; Bernal & Mason
-    /// 1960].
+    /// The ends of what may be asked for as packing fraction. Nothing packs as loosely as the one
+    /// or as densely as the other, so they ask for the loosest and the densest that there is:
+    /// spheres of one size rest at 0.55 at least, and at 0.64 at most [Onoda & Liniger 1990; Bernal
+    /// & Mason 1960].
     static constexpr double kLoosest = 0.5;
     static constexpr double kDensest = 0.7;
     /// [1] packing fraction of the bulk, beyond four radii from walls, to which all is compacted by
