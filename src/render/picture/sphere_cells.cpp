@@ -34,22 +34,35 @@ std::uint64_t spread(std::uint32_t value)
     return bits;
 }
 
-SphereInstance around(std::span<const SphereInstance> spheres)
+glm::vec3 centreOf(const SphereInstance& sphere)
 {
-    glm::vec3 low(spheres[0].x, spheres[0].y, spheres[0].z);
-    glm::vec3 high = low;
+    return {sphere.x, sphere.y, sphere.z};
+}
+
+struct Box
+{
+    glm::vec3 low, high;
+};
+
+Box boxOfCentres(std::span<const SphereInstance> spheres)
+{
+    Box box = {centreOf(spheres[0]), centreOf(spheres[0])};
     for (const SphereInstance& sphere : spheres)
     {
-        const glm::vec3 centre(sphere.x, sphere.y, sphere.z);
-        low = glm::min(low, centre);
-        high = glm::max(high, centre);
+        box.low = glm::min(box.low, centreOf(sphere));
+        box.high = glm::max(box.high, centreOf(sphere));
     }
+    return box;
+}
+
+SphereInstance around(std::span<const SphereInstance> spheres)
+{
+    const auto [low, high] = boxOfCentres(spheres);
     const glm::vec3 middle = 0.5F * (low + high);
     float reach = 0;
     for (const SphereInstance& sphere : spheres)
     {
-        reach = std::max(reach, glm::length(glm::vec3(sphere.x, sphere.y, sphere.z) - middle) +
-                                    sphere.radius);
+        reach = std::max(reach, glm::length(centreOf(sphere) - middle) + sphere.radius);
     }
     return {middle.x, middle.y, middle.z, 1.0001F * reach, 0};
 }
@@ -57,23 +70,16 @@ SphereInstance around(std::span<const SphereInstance> spheres)
 /// Above each place the number of its cell along a curve that keeps neighbours together.
 std::vector<std::uint64_t> keyed(std::span<const SphereInstance> spheres)
 {
-    glm::vec3 low(spheres[0].x, spheres[0].y, spheres[0].z);
-    glm::vec3 high = low;
-    for (const SphereInstance& sphere : spheres)
-    {
-        const glm::vec3 centre(sphere.x, sphere.y, sphere.z);
-        low = glm::min(low, centre);
-        high = glm::max(high, centre);
-    }
+    const auto [low, high] = boxOfCentres(spheres);
     const glm::dvec3 size = glm::max(glm::dvec3(high - low), 1e-6);
     const double cells = static_cast<double>(spheres.size()) / kInCell;
     constexpr float kLast = (1 << kAxisBits) - 1;
     const auto perLength = static_cast<float>(std::cbrt(cells / (size.x * size.y * size.z)));
     std::vector<std::uint64_t> keys(spheres.size());
     forAll(spheres.size(), kSpheresPerTask,
-           [&](std::size_t i)
+           [&, low = low](std::size_t i)
            {
-               const glm::vec3 way = glm::vec3(spheres[i].x, spheres[i].y, spheres[i].z) - low;
+               const glm::vec3 way = centreOf(spheres[i]) - low;
                const glm::uvec3 place(glm::clamp(perLength * way, 0.0F, kLast));
                const std::uint64_t cell =
                    spread(place.x) | spread(place.y) << 1 | spread(place.z) << 2;

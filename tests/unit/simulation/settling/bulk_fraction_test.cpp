@@ -132,7 +132,7 @@ TEST(FractionOfRest, IsLooserWhereGrainsSinkSlowly)
     scene.rest.friction = 1;
     scene.judge.friction = 1;
     const QualityReport loosest = reportOf(scene);
-    scene.rest.fraction = 0.6; // poured as usual, then
+    scene.rest.fraction = 0.6; // no drag, and denser only if that came in looser
     const QualityReport poured = reportOf(scene);
     EXPECT_TRUE(loosest.settling->settled);
     EXPECT_LT(*loosest.settling->fraction, 0.59);
