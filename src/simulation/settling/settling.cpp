@@ -223,13 +223,16 @@ bool Settling::canBeRelieved() const
            static_cast<double>(unrest.creeping) <= kFewMove * static_cast<double>(running_.size());
 }
 
-// What resists rolling pinches spheres: forces that contacts have kept hold one between two others
-// that nothing else presses together. A program that knows only places would let it fall. So all
-// forces are forgotten until the pile stays where it is.
+// What resists rolling pinches spheres, and so do large ones about a small one: forces that
+// contacts have kept hold it between two others that nothing else presses together. A program that
+// knows only places would let it fall. So all forces are forgotten until the pile stays where it
+// is.
 bool Settling::standsAnew()
 {
-    if (world_.scene.rest.rollingFriction == 0 || reloads_ == kMostReloads ||
-        (reloads_ > 0 && hasStayed()))
+    const RestSettings& rest = world_.scene.rest;
+    const bool isPinched = rest.rollingFriction > 0 ||
+                           (rest.friction > 0 && world_.radii.smallest() < world_.radii.largest());
+    if (!isPinched || reloads_ == kMostReloads || (reloads_ > 0 && hasStayed()))
     {
         return true;
     }

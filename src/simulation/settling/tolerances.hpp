@@ -107,10 +107,10 @@ inline constexpr double kOverlapAtRest = 1e-8;
 inline constexpr double kMovingAtRest = 5e-3;
 inline constexpr double kFewMoveAtRest = 5;
 inline constexpr double kMissingAtRest = 0.1;
-/// With rolling friction a pile stands anew from where it lies, without the forces that contacts
-/// have kept, before it is at rest: no more than kMovingAtRest may go farther meanwhile [own
-/// radius], or that is repeated, at most so many times. Larger, and fewer: more moves in another
-/// program. Otherwise: time.
+/// With rolling friction, or several sizes, a pile stands anew from where it lies, without the
+/// forces that contacts have kept, before it is at rest: no more than kMovingAtRest may go farther
+/// meanwhile [own radius], or that is repeated, at most so many times. Larger, and fewer: more
+/// moves in another program. Otherwise: time.
 inline constexpr double kStays = 0.02;
 inline constexpr int kMostReloads = 6;
 /// After this time all is frozen as it is [sqrt(r/g)], and the report says so.

@@ -65,9 +65,11 @@ TEST(MeasuredColumns, AreWhatAnAnalysisOfTheSpheresAtRestFinds)
         ASSERT_EQ(snapshot.columns.size(), 3U);
         for (std::size_t k = 1; k < packing.radii.size(); ++k)
         {
-            EXPECT_FLOAT_EQ(snapshot.columns[0].at(k), analysis.order->q6[k - 1]);
+            EXPECT_FLOAT_EQ(snapshot.columns[0].at(k),
+                            static_cast<float>(analysis.order->q6[k - 1]));
             EXPECT_EQ(snapshot.columns[1].at(k), analysis.contacts->spheres[k - 1]);
-            EXPECT_FLOAT_EQ(snapshot.columns[2].at(k), analysis.wallDistances[k - 1]);
+            EXPECT_FLOAT_EQ(snapshot.columns[2].at(k),
+                            static_cast<float>(analysis.wallDistances[k - 1]));
         }
         EXPECT_TRUE(std::isnan(snapshot.columns[0].at(0))); // it runs
         EXPECT_EQ(snapshot.columns[1].at(0), 0);

@@ -103,8 +103,8 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         OtherCode{"liggghts", "liggghts", kLiggghts, "liggghts.dump"},
         OtherCode{"lammps", "lammps", kLammps, "lammps.dump"},
-        OtherCode{"liggghtsWithSizes", "liggghts", kLiggghts, "liggghts.dump", kSizes, 0, 0.97},
-        OtherCode{"lammpsWithSizes", "lammps", kLammps, "lammps.dump", kSizes, 0, 0.97},
+        OtherCode{"liggghtsWithSizes", "liggghts", kLiggghts, "liggghts.dump", kSizes},
+        OtherCode{"lammpsWithSizes", "lammps", kLammps, "lammps.dump", kSizes},
         OtherCode{"liggghtsWithRolling", "liggghts", kLiggghts, "liggghts.dump", nullptr, 0.1},
         OtherCode{"lammpsWithRolling", "lammps", kLammps, "lammps.dump", nullptr, 0.1},
         OtherCode{"liggghtsWithBoth", "liggghts", kLiggghts, "liggghts.dump", kSizes, 0.1},
