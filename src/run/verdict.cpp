@@ -43,6 +43,13 @@ std::string describe(const StraySphere& stray)
 std::optional<std::string> findFaultOfFast(const FillResult& result, double restitution)
 {
     const QualityReport& quality = result.quality;
+    if (quality.settling && !quality.settling->settled)
+    {
+        return fmt::format("the spheres had not settled together when they were frozen: {:.2g} of "
+                           "its weight is missing on one, and two overlap by {:.2g} of a radius; "
+                           "try another --radius, more --friction, or --rest each",
+                           quality.settling->missing, quality.maxOverlap);
+    }
     if (quality.maxOverlap > kFaultyOverlap)
     {
         return fmt::format("two spheres overlap by {:.2g} of a radius; try a smaller --dt or more "
@@ -61,12 +68,6 @@ std::optional<std::string> findFaultOfFast(const FillResult& result, double rest
         return fmt::format("{} of {} are at rest without support; try --motion descend, a lower "
                            "--restitution or a longer --set-time-limit",
                            spheres(quality.unsupported), result.spheres);
-    }
-    if (quality.settling && !quality.settling->settled)
-    {
-        return fmt::format("the spheres had not settled together when they were frozen: {:.2g} of "
-                           "its weight is missing on one; try more --friction, or --rest each",
-                           quality.settling->missing);
     }
     return std::nullopt;
 }

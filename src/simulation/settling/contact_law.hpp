@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace frostfill
@@ -85,6 +86,9 @@ struct ContactStep
     /// is left by the method of multipliers [Hestenes 1969] [Powell 1969], but a gap of up to
     /// kGapAtRest.
     double hardening = 0;
+    /// [r] Where such a force is that of a larger overlap, spheres have too little room. Friction
+    /// does not hold them, so that they slip out, and when all flows it is no more than that.
+    double slipsFrom = std::numeric_limits<double>::infinity();
 };
 
 /// A spring and a dashpot along a surface that give way where they would be stronger than `most`.
@@ -116,8 +120,12 @@ struct ContactStep
     if (step.hardening > 0 && (touch.depth > 0 || touch.depth < -kGapAtRest))
     {
         const double overlap = touch.depth + kGapAtRest;
-        memory.held =
-            std::max(0.0, memory.held + step.dt * step.hardening * spring.stiffness * overlap);
+        const double held = memory.held + step.dt * step.hardening * spring.stiffness * overlap;
+        memory.held = std::clamp(held, 0.0, kMostOverSlipping * spring.stiffness * step.slipsFrom);
+    }
+    if (step.hardening == 0)
+    {
+        memory.held = std::min(memory.held, spring.stiffness * step.slipsFrom);
     }
     return std::max(0.0, push);
 }
@@ -156,6 +164,12 @@ struct SurfaceForce
     const double push = normalForce(spring, touch, step, memory);
     SurfaceForce result;
     result.force = push * touch.normal;
+    if (memory.held > spring.stiffness * step.slipsFrom)
+    {
+        memory.slide.setZero();
+        memory.roll.setZero();
+        return result;
+    }
     if (friction > 0)
     {
         const Eigen::Vector3d hold =

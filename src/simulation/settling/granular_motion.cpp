@@ -10,6 +10,7 @@ namespace frostfill
 
 GranularMotion::GranularMotion(World& world, const ContactLaw& law, Threads& threads)
     : world_(world), running_(world.spheres.running()), threads_(threads), law_(law),
+      softest_(law.stiffness),
       spin_(running_, [](std::uint32_t, Eigen::Vector3d& spin) { spin.setZero(); }),
       listedAt_(running_), reach_(running_), pairs_(running_, spin_, law_, threads),
       walls_(world, spin_, law_, threads)
@@ -57,7 +58,7 @@ void GranularMotion::advance(double time, const Course& course)
     }
     for (std::size_t k = 0; k < steps && !world_.stop.isAsked(); ++k)
     {
-        step({dt_, course.hardening}, course.drag);
+        step({dt_, course.hardening, slipsFrom()}, course);
     }
     look(course.hardening > 0);
 }
@@ -73,7 +74,10 @@ void GranularMotion::relieve()
     {
         inverseMass.push_back(1 / massOf(radius));
     }
-    relief_.solve(inverseMass);
+    if (!relief_.solve(inverseMass))
+    {
+        return;
+    }
     for (std::uint32_t row = 0; row < running_.size(); ++row)
     {
         running_.position[row] += relief_.displacement(row);
@@ -152,7 +156,7 @@ void GranularMotion::choose()
     walls_.choose(active_);
 }
 
-void GranularMotion::step(const ContactStep& step, double drag)
+void GranularMotion::step(const ContactStep& step, const Course& course)
 {
     if (!isListed_)
     {
@@ -166,7 +170,7 @@ void GranularMotion::step(const ContactStep& step, double drag)
                     char isFar = 0;
                     for (std::size_t k = first; k < last; ++k)
                     {
-                        isFar |= static_cast<char>(move(rows_[k], step.dt, drag));
+                        isFar |= static_cast<char>(move(rows_[k], course));
                     }
                     isFar_[part] = isFar;
                 });
@@ -190,14 +194,19 @@ Eigen::Vector3d GranularMotion::accelerationOf(std::uint32_t row, const SurfaceF
 }
 
 // Returns whether it has left its margin but for the quarter that is for what is held.
-bool GranularMotion::move(std::uint32_t row, double dt, double drag)
+bool GranularMotion::move(std::uint32_t row, const Course& course)
 {
+    const double dt = dt_;
     const SurfaceForce sum = forceOn(row);
     const double radius = running_.radius[row];
-    const double keeps = 1 - dt * drag;
+    const double keeps = 1 - dt * course.drag;
     Eigen::Vector3d& position = running_.position[row];
     Eigen::Vector3d& velocity = running_.velocity[row];
     velocity = keeps * (velocity + dt * accelerationOf(row, sum));
+    if (velocity.squaredNorm() > course.fastest * course.fastest)
+    {
+        velocity *= course.fastest / velocity.norm();
+    }
     position += dt * velocity;
     spin_[row] =
         keeps * (spin_[row] + dt / inertiaOverRadius(radius) * (sum.torque + sum.moment / radius));

@@ -4,6 +4,7 @@
 #include "simulation/settling/pair_contacts.hpp"
 #include "simulation/settling/wall_contacts.hpp"
 
+#include <limits>
 #include <vector>
 
 namespace frostfill
@@ -37,6 +38,8 @@ public:
     {
         double hardening = 0; ///< see ContactStep
         double drag = 0;      ///< of all motion [1/sqrt(r/g)]
+        /// [sqrt(g r)] No sphere becomes faster.
+        double fastest = std::numeric_limits<double>::infinity();
     };
     /// For a time [sqrt(r/g)], in steps that the stiffness allows. Who is to be moved is looked at
     /// before.
@@ -52,7 +55,7 @@ public:
         law_.wallFriction = ofWalls;
     }
     /// Takes overlaps away where spheres lie, and lets forces be: see OverlapRelief. Stops all
-    /// motion.
+    /// motion. Leaves all as it was where no way out is near.
     void relieve();
     /// To be called when there are other spheres, or they are elsewhere: all are moved.
     void listAnew();
@@ -69,14 +72,15 @@ public:
     void setSpin(std::uint32_t row, const Eigen::Vector3d& spin) { spin_[row] = spin; }
 
 private:
+    [[nodiscard]] double slipsFrom() const { return kSlipsFrom * softest_ / law_.stiffness; }
     void list();
     void choose();
     void spread();
     void pushAll();
-    void step(const ContactStep& step, double drag);
+    void step(const ContactStep& step, const Course& course);
     [[nodiscard]] SurfaceForce forceOn(std::uint32_t row) const;
     [[nodiscard]] Eigen::Vector3d accelerationOf(std::uint32_t row, const SurfaceForce& sum) const;
-    [[nodiscard]] bool move(std::uint32_t row, double dt, double drag);
+    [[nodiscard]] bool move(std::uint32_t row, const Course& course);
     void turn(std::uint32_t row, double dt);
     void look(bool hardens);
 
@@ -84,6 +88,7 @@ private:
     RunningSpheres& running_;
     Threads& threads_;
     ContactLaw law_;
+    double softest_;                          ///< stiffness before contacts grew stiffer
     RunningColumn<Eigen::Vector3d> spin_;     ///< angular velocity
     RunningColumn<Eigen::Vector3d> listedAt_; ///< place when contacts were listed
     RunningColumn<double> reach_;             ///< [r] radius and margin when contacts were listed

@@ -7,7 +7,7 @@
 namespace frostfill
 {
 
-void OverlapRelief::solve(const std::vector<double>& inverseMass)
+bool OverlapRelief::solve(const std::vector<double>& inverseMass)
 {
     moved_.assign(inverseMass.size(), Eigen::Vector3d::Zero());
     double worst = kGapAtRest;
@@ -19,6 +19,14 @@ void OverlapRelief::solve(const std::vector<double>& inverseMass)
             worst = std::max(worst, open(entry, inverseMass));
         }
     }
+    const bool isNear = std::all_of(moved_.begin(), moved_.end(),
+                                    [](const Eigen::Vector3d& moved) {
+                                        return moved.squaredNorm() <= kMostRelieved * kMostRelieved;
+                                    });
+    if (!isNear)
+    {
+        return false;
+    }
     for (const Entry& entry : contacts_)
     {
         if (entry.push > 0)
@@ -28,6 +36,7 @@ void OverlapRelief::solve(const std::vector<double>& inverseMass)
                 std::max(0.0, entry.push - entry.contact.stiffness * depth);
         }
     }
+    return true;
 }
 
 double OverlapRelief::openedBy(const LoadedContact& contact) const

@@ -41,8 +41,10 @@ public:
         contacts_.push_back(
             {contact, push, push > 0 && contact.closes, 0, contact.depth + kGapAtRest / 2});
     }
-    /// `inverseMass` by row. Each contact's memory is that of afterwards.
-    void solve(const std::vector<double>& inverseMass);
+    /// `inverseMass` by row. Each contact's memory is that of afterwards. Returns whether that is
+    /// so: not if something would have to go farther than kMostRelieved, as where a row of spheres
+    /// is too long for its place.
+    [[nodiscard]] bool solve(const std::vector<double>& inverseMass);
     /// By row [r].
     [[nodiscard]] const Eigen::Vector3d& displacement(std::uint32_t row) const
     {

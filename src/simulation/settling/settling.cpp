@@ -173,7 +173,7 @@ bool Settling::harden()
         motion_.stiffen(kStiffer);
         stiffened_ *= kStiffer;
     }
-    advance(kTimeOfLook, {1 / kHardening, kDrag});
+    advance(kTimeOfLook, {1 / kHardening, kDrag, kFastestHardening});
     if (!rests() && canBeRelieved())
     {
         motion_.relieve();

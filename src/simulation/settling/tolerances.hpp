@@ -75,6 +75,17 @@ inline constexpr double kLongestFlow = 200;
 inline constexpr double kHardening = 0.7;
 /// Drag of all motion meanwhile [1/sqrt(r/g)]. Larger: soft piles take longer. Smaller: see above.
 inline constexpr double kDrag = 3;
+/// The fastest that a sphere becomes meanwhile [sqrt(g r)]. What falls through that drag has a
+/// third of it. A row of spheres that is too long for its place, as three across a tube of their
+/// diameters, is pressed together ever more until it gives way. Larger: then it bursts. Smaller:
+/// time.
+inline constexpr double kFastestHardening = 1;
+/// Overlap in whose stead a contact holds a force from which friction does not hold it, before
+/// contacts grow stiffer [r]: a force as of ten columns as high as the object. Larger: such a row
+/// is stuck. Smaller: what lies in a narrow wedge does not come to rest. And the most that it is
+/// [this]. Larger: such a row bursts. Smaller: it does not get out where others lie on it.
+inline constexpr double kSlipsFrom = 0.1;
+inline constexpr double kMostOverSlipping = 100;
 /// Overlap from which it is taken away at once [r]. Larger: normals turn by more meanwhile, and
 /// forces are out of balance again.
 inline constexpr double kOverlapRelieved = 1e-3;
@@ -82,6 +93,9 @@ inline constexpr double kOverlapRelieved = 1e-3;
 /// overlaps are not yet taken away. Larger: more goes on moving in another program, such as 12 % of
 /// 2,000 spheres beyond 0.02 r, not 1 %, at 0.005. Smaller: time.
 inline constexpr double kMissingOnCreeping = 0.001;
+/// No sphere goes farther meanwhile [r]. Larger: what cannot be taken away moves spheres through
+/// walls. Smaller: high piles are lifted by hardening alone.
+inline constexpr double kMostRelieved = 0.2;
 /// Sweeps for that, at most, and what they may leave [kGapAtRest].
 inline constexpr int kSweepsOfRelief = 500;
 inline constexpr double kLeftByRelief = 0.1;

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <ostream>
 
 namespace frostfill
 {
@@ -29,6 +30,12 @@ struct OtherCode
     double near = 0.99; ///< share that stays; of few in a small cube less, see docs/exports.md
     std::uint64_t count = 300;
 };
+
+// A name for lists of tests, in place of its bytes.
+void PrintTo(const OtherCode& code, std::ostream* out)
+{
+    *out << code.name;
+}
 
 bool succeeds(const std::string& command)
 {
