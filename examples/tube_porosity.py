@@ -61,10 +61,11 @@ shares = rings[:, 4] / rings[:, 4].sum()
 # ## The correlations
 #
 # De Klerk's has the porosity far from the wall as its parameter, here that of this bed. Mueller's has none, but
-# is of beds that are denser there.
+# is of beds that are denser there, and for ratios up to 13.
 
 # %%
-bulk = np.average(found[z > 3], weights=shares[z > 3])
+is_far = z > min(3, 0.3 * RATIO)
+bulk = np.average(found[is_far], weights=shares[is_far])
 de_klerk = np.where(z <= 0.637, 2.14 * z**2 - 2.53 * z + 1,
                     bulk + 0.29 * np.exp(-0.6 * z) * np.cos(2.3 * np.pi * (z - 0.16)) + 0.15 * np.exp(-0.9 * z))
 
