@@ -28,6 +28,7 @@ struct Packing
     std::optional<TriangleMesh> mesh;
     std::optional<Axis> up;
     double settledWith = 0; ///< [1] friction under which a run's spheres settled together
+    double rollingFriction = 0; ///< [1] and the rolling friction
 };
 
 /// Which columns of a table hold what, where their names are not those that readPacking() knows: a

@@ -63,6 +63,7 @@ def fill(
         orientation: bool = ...,
         rolling_friction: float = ...,
         judge_friction: float | Literal['none'] | None = ...,
+        judge_rolling_friction: float | Literal['auto'] | None = ...,
         judge_unbalance: float = ...,
         threads: int = ...,
         spill_from: int = ...,
@@ -329,6 +330,7 @@ class Simulation:
         orientation: bool = ...,
         rolling_friction: float = ...,
         judge_friction: float | Literal['none'] | None = ...,
+        judge_rolling_friction: float | Literal['auto'] | None = ...,
         judge_unbalance: float = ...,
         threads: int = ...,
         spill_from: int = ...,
@@ -592,6 +594,7 @@ def check(
         wrap: float | Literal['auto', 'none'] | None = ...,
         unite: bool = ...,
         judge_friction: float | Literal['none'] | None = ...,
+        judge_rolling_friction: float | Literal['auto'] | None = ...,
         judge_unbalance: float = ...,
     ) -> QualityReport:
     """Judges spheres in a mesh, from any source.
@@ -880,6 +883,7 @@ def volume(
         orientation: bool = ...,
         rolling_friction: float = ...,
         judge_friction: float | Literal['none'] | None = ...,
+        judge_rolling_friction: float | Literal['auto'] | None = ...,
         judge_unbalance: float = ...,
         threads: int = ...,
         spill_from: int = ...,

@@ -56,6 +56,10 @@ void enterScene(const std::string& text, Packing& packing)
             packing.settledWith = std::max(packing.settledWith, friction.get<double>());
         }
     }
+    if (const auto rolling = at("/scene/rest/rolling_friction"); rolling.is_number())
+    {
+        packing.rollingFriction = rolling.get<double>();
+    }
 }
 
 Packing lastOfRun(const std::filesystem::path& file)
@@ -228,6 +232,7 @@ QualityReport judgePacking(const TriangleMesh& mesh, const Packing& packing, Axi
 {
     JudgeSettings judge = settings;
     judge.settledWith = std::max(judge.settledWith, packing.settledWith);
+    judge.rollingFriction = settings.rollingFriction.value_or(packing.rollingFriction);
     return examine(mesh, packing.centres, packing.radii, packing.atRest, up, judge);
 }
 

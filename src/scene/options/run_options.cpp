@@ -9,7 +9,6 @@ namespace
 constexpr double kLargestGroup = 1e6;
 constexpr double kMaxThreads = 1024;
 constexpr double kMaxSweeps = 1000;
-constexpr double kLeastUnbalance = 1e-4;
 // What no run needs, and what would overflow, underflow or go on for ever in it.
 constexpr double kLargestNumber = 1e9;
 constexpr double kLargestGravity = 1e6;
@@ -230,63 +229,6 @@ void addFreezing(TableBuilder& table)
         .above(0, kLongestWait);
 }
 
-void addRest(TableBuilder& table)
-{
-    table.heading("Rest of all together");
-    table.add("rest.mode", "--rest",
-              "each: on what is at rest, sphere by sphere; joint: then all settle together until "
-              "forces hold them all",
-              FROSTFILL_FIELD(rest.mode));
-    table
-        .add("rest.friction", "--friction", "Friction of spheres while all settle together",
-             FROSTFILL_FIELD(rest.friction))
-        .range(0, JudgeSettings::kMostFriction)
-        .of(Preset::fast);
-    table
-        .add("rest.wall_friction", "--wall-friction",
-             "Friction of walls while all settle together; auto: that of spheres",
-             FROSTFILL_FIELD(rest.wallFriction))
-        .orUnset("auto")
-        .range(0, JudgeSettings::kMostFriction)
-        .of(Preset::fast);
-    table
-        .add("rest.fraction", "--fraction",
-             "Packing fraction 4 r from walls, which friction holds; below 0.6, grains sink slowly",
-             FROSTFILL_FIELD(rest.fraction))
-        .orUnset("none")
-        .range(RestSettings::kLoosest, RestSettings::kDensest)
-        .words({{"loosest", RestSettings::kLoosest}, {"densest", RestSettings::kDensest}})
-        .of(Preset::fast);
-    table
-        .add("rest.orientation", "--orientation",
-             "Keep how spheres have turned since they appeared, as quaternions in tables and runs",
-             FROSTFILL_FIELD(rest.orientation))
-        .of(Preset::fast);
-    table
-        .add("rest.rolling_friction", "--rolling-friction",
-             "Moment that resists rolling while all settle together, over normal force and radius",
-             FROSTFILL_FIELD(rest.rollingFriction))
-        .range(0, 1)
-        .of(Preset::fast);
-}
-
-void addJudge(TableBuilder& table)
-{
-    table.heading("Judging what is at rest");
-    table
-        .add("judge.friction", "--judge-friction",
-             "Judge whether all spheres at rest stay so together under this friction, and find the "
-             "least one; none: only whether each is supported by what is around it",
-             FROSTFILL_FIELD(judge.friction))
-        .orUnset("none")
-        .range(0, JudgeSettings::kMostFriction);
-    table
-        .add("judge.unbalance", "--judge-unbalance",
-             "Share of its weight that may be missing on a sphere that is balanced",
-             FROSTFILL_FIELD(judge.unbalance))
-        .range(kLeastUnbalance, 1);
-}
-
 void addDiscards(TableBuilder& table)
 {
     table.heading("Threads");
@@ -341,8 +283,7 @@ void addRunOptions(TableBuilder& table)
     addMotion(table);
     addMove(table);
     addFreezing(table);
-    addRest(table);
-    addJudge(table);
+    addRestOptions(table);
     addDiscards(table);
 }
 

@@ -75,6 +75,7 @@ private:
 
 /// The two parts of the table: the simulation, and the pictures.
 void addRunOptions(TableBuilder& table);
+void addRestOptions(TableBuilder& table); ///< a part of those of a run
 void addPictureOptions(TableBuilder& table);
 
 } // namespace frostfill

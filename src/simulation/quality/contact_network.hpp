@@ -32,6 +32,18 @@ struct ContactNetwork
 
     std::vector<Body> bodies;
     std::vector<Contact> contacts;
+    double rollingFriction = 0; ///< moment that resists rolling, over normal force and arm()
+
+    /// The reduced radius of a contact [r].
+    [[nodiscard]] double arm(const Contact& contact) const
+    {
+        const double radius = bodies[contact.upon].radius;
+        if (contact.from == kWall)
+        {
+            return radius;
+        }
+        return radius * bodies[contact.from].radius / (radius + bodies[contact.from].radius);
+    }
 };
 
 /// Of all spheres at rest, by their rows. Two are in contact when the gap between them is below

@@ -2,6 +2,7 @@
 #include "simulation/quality/equilibrium.hpp"
 
 #include "simulation/quality/joint_balance.hpp"
+#include "simulation/quality/least_friction.hpp"
 #include "simulation/quality/tolerances.hpp"
 
 namespace frostfill

@@ -2,6 +2,7 @@
 #include "simulation/quality/joint_balance.hpp"
 
 #include "base/random.hpp"
+#include "simulation/quality/force_cone.hpp"
 #include "simulation/quality/tolerances.hpp"
 
 #include <Eigen/Geometry>
@@ -25,26 +26,6 @@ double massOf(const ContactNetwork::Body& body)
     return body.radius * body.radius * body.radius;
 }
 
-/// The nearest force whose tangential part is at most `friction` times its normal one.
-Eigen::Vector3d projectToCone(const Eigen::Vector3d& force, const Eigen::Vector3d& normal,
-                              double friction)
-{
-    const double along = force.dot(normal);
-    const Eigen::Vector3d across = force - along * normal;
-    const double length = across.norm();
-    if (along >= 0 && length <= friction * along)
-    {
-        return force;
-    }
-    const double onto = (along + friction * length) / (1 + friction * friction);
-    if (onto <= 0)
-    {
-        return Eigen::Vector3d::Zero();
-    }
-    const double share = length > 0 ? friction * onto / length : 0;
-    return onto * normal + share * across;
-}
-
 /// Whether forces leave far too many unbalanced, and hardly fewer than half the looks ago.
 bool isHopeless(const std::vector<std::size_t>& looks, std::size_t except)
 {
@@ -61,6 +42,10 @@ JointBalance::JointBalance(const ContactNetwork& network, Threads& threads)
       firstContact_(network.bodies.size() + 1, 0),
       acceleration_(network.bodies.size(), Eigen::Vector3d::Zero()), spin_(acceleration_)
 {
+    if (network.rollingFriction > 0)
+    {
+        roll_ = rollAhead_ = rollNext_ = force_;
+    }
     const auto& contacts = network.contacts;
     const auto forEachEnd = [&](auto&& visit)
     {
@@ -84,7 +69,7 @@ JointBalance::JointBalance(const ContactNetwork& network, Threads& threads)
 }
 
 // Forces lie at the points of contact, so the torque on both bodies is the same but for the radius.
-void JointBalance::accelerate(const Vectors& force, bool pulled)
+void JointBalance::accelerate(const Vectors& force, const Vectors& roll, bool pulled)
 {
     forEachPart(threads_, network_.bodies.size(), kTakenTogether,
                 [&](std::size_t first, std::size_t last, std::size_t)
@@ -100,6 +85,11 @@ void JointBalance::accelerate(const Vectors& force, bool pulled)
                             const Eigen::Vector3d& f = force[contact];
                             contactsOf_[k] % 2 == 0 ? sum += f : sum -= f;
                             torque -= network_.contacts[contact].normal.cross(f);
+                            if (!roll.empty())
+                            {
+                                const Eigen::Vector3d m = armOver(body, contact) * roll[contact];
+                                contactsOf_[k] % 2 == 0 ? torque += m : torque -= m;
+                            }
                         }
                         const double mass = massOf(network_.bodies[body]);
                         acceleration_[body] = sum / mass;
@@ -123,7 +113,26 @@ Eigen::Vector3d JointBalance::approach(std::size_t contact) const
     return acceleration_[upon] - acceleration_[from] - (spin_[upon] + spin_[from]).cross(normal);
 }
 
+// How long the lever of a moment is on a body, over its radius.
+double JointBalance::armOver(std::size_t body, std::size_t contact) const
+{
+    return network_.arm(network_.contacts[contact]) / network_.bodies[body].radius;
+}
+
+// The acceleration of one body's spin against the other's, times the arm.
+Eigen::Vector3d JointBalance::rolling(std::size_t contact) const
+{
+    const auto& [normal, upon, from] = network_.contacts[contact];
+    Eigen::Vector3d rolling = armOver(upon, contact) * spin_[upon];
+    if (from != ContactNetwork::kWall)
+    {
+        rolling -= armOver(from, contact) * spin_[from];
+    }
+    return rolling - rolling.dot(normal) * normal;
+}
+
 // By how much a force in it accelerates its own surfaces. Without friction none turns.
+// A moment accelerates spins by less.
 double JointBalance::compliance(std::size_t contact) const
 {
     const auto& [normal, upon, from] = network_.contacts[contact];
@@ -150,10 +159,14 @@ void JointBalance::findStiffness()
         {
             next_[k] += normal.cross(Eigen::Vector3d(random(1), random(2), random(3)));
         }
+        if (!roll_.empty())
+        {
+            rollNext_[k] = normal.cross(Eigen::Vector3d(random(4), random(5), random(6)));
+        }
     }
     for (int k = 0; k < kPowerSteps; ++k)
     {
-        accelerate(next_, false);
+        accelerate(next_, rollNext_, false);
         double before = 0;
         double after = 0;
         for (std::size_t contact = 0; contact < count; ++contact)
@@ -168,14 +181,50 @@ void JointBalance::findStiffness()
             before += next_[contact].squaredNorm() * compliance;
             after += change.squaredNorm() * compliance;
             next_[contact] = change;
+            if (!roll_.empty())
+            {
+                const Eigen::Vector3d turned = rolling(contact) / compliance;
+                before += rollNext_[contact].squaredNorm() * compliance;
+                after += turned.squaredNorm() * compliance;
+                rollNext_[contact] = turned;
+            }
         }
         stiffness_ = before > 0 ? std::max(1.0, std::sqrt(after / before)) : 1;
-        for (Eigen::Vector3d& one : next_)
+        for (Vectors* all : {&next_, &rollNext_})
         {
-            one /= stiffness_;
+            for (Eigen::Vector3d& one : *all)
+            {
+                one /= stiffness_;
+            }
         }
     }
     stiffness_ *= kSafety;
+}
+
+// By the slope, and back into the cone.
+void JointBalance::descend(std::size_t k, Progress& progress)
+{
+    const double along = 1 / (compliance(k) * stiffness_);
+    const Eigen::Vector3d& normal = network_.contacts[k].normal;
+    const Eigen::Vector3d down = ahead_[k] - along * approach(k);
+    double steep = 0;
+    if (roll_.empty())
+    {
+        next_[k] = projectToCone(down, normal, friction_);
+    }
+    else
+    {
+        const ContactLoad load =
+            projectToCone({down, rollAhead_[k] - along * rolling(k)}, normal, slopes());
+        next_[k] = load.force;
+        rollNext_[k] = load.roll;
+        const Eigen::Vector3d slope = (rollAhead_[k] - rollNext_[k]) / along;
+        progress.uphill += slope.dot(rollNext_[k] - roll_[k]);
+        steep = slope.squaredNorm();
+    }
+    const Eigen::Vector3d slope = (ahead_[k] - next_[k]) / along;
+    progress.uphill += slope.dot(next_[k] - force_[k]);
+    progress.steepest = std::max({progress.steepest, slope.squaredNorm(), steep});
 }
 
 JointBalance::Progress JointBalance::step()
@@ -186,12 +235,7 @@ JointBalance::Progress JointBalance::step()
                 {
                     for (std::size_t k = first; k < last; ++k)
                     {
-                        const double along = 1 / (compliance(k) * stiffness_);
-                        next_[k] = projectToCone(ahead_[k] - along * approach(k),
-                                                 network_.contacts[k].normal, friction_);
-                        const Eigen::Vector3d slope = (ahead_[k] - next_[k]) / along;
-                        parts[part].uphill += slope.dot(next_[k] - force_[k]);
-                        parts[part].steepest = std::max(parts[part].steepest, slope.squaredNorm());
+                        descend(k, parts[part]);
                     }
                 });
     Progress all;
@@ -212,9 +256,14 @@ void JointBalance::moveOn(double momentum)
                     for (std::size_t k = first; k < last; ++k)
                     {
                         ahead_[k] = next_[k] + momentum * (next_[k] - force_[k]);
+                        if (!roll_.empty())
+                        {
+                            rollAhead_[k] = rollNext_[k] + momentum * (rollNext_[k] - roll_[k]);
+                        }
                     }
                 });
     std::swap(force_, next_);
+    std::swap(roll_, rollNext_);
 }
 
 Balance JointBalance::solve(double friction, const BalanceGoal& goal)
@@ -227,22 +276,31 @@ Balance JointBalance::solve(double friction, const BalanceGoal& goal)
     }
     for (std::size_t k = 0; k < force_.size(); ++k)
     {
-        force_[k] = projectToCone(force_[k], network_.contacts[k].normal, friction);
+        const Eigen::Vector3d& normal = network_.contacts[k].normal;
+        if (roll_.empty())
+        {
+            force_[k] = projectToCone(force_[k], normal, friction);
+            continue;
+        }
+        const ContactLoad load = projectToCone({force_[k], roll_[k]}, normal, slopes());
+        force_[k] = load.force;
+        roll_[k] = load.roll;
     }
     ahead_ = force_;
+    rollAhead_ = roll_;
     double time = 1; // Nesterov's sequence
     Balance balance;
     std::vector<std::size_t> looks; // unbalanced spheres
     for (int k = 1; k <= kMostForceSteps && !balance.settled; ++k)
     {
-        accelerate(ahead_, true);
+        accelerate(ahead_, rollAhead_, true);
         const Progress progress = step();
         const double later = progress.uphill > 0 ? 1 : (1 + std::sqrt(1 + 4 * time * time)) / 2;
         moveOn(progress.uphill > 0 ? 0 : (time - 1) / later);
         time = later;
         if (k % kLookEvery == 0 || k == kMostForceSteps)
         {
-            accelerate(force_, true);
+            accelerate(force_, roll_, true);
             balance = look(goal);
             looks.push_back(balance.unbalanced);
             balance.settled = progress.steepest <= kSettledForces * goal.unbalance ||
@@ -268,37 +326,6 @@ Balance JointBalance::look(const BalanceGoal& goal) const
         balance.largest = std::max(balance.largest, missing);
     }
     return balance;
-}
-
-// Each search begins with the forces of the one before.
-double leastFriction(const ContactNetwork& network, double unbalance, std::size_t except,
-                     Threads& threads)
-{
-    JointBalance forces(network, threads);
-    const BalanceGoal goal = {unbalance, except, true};
-    const auto stands = [&](double friction)
-    { return forces.solve(friction, goal).unbalanced <= except; };
-    if (stands(0))
-    {
-        return 0;
-    }
-    double falls = 0;
-    double holds = 1;
-    while (!stands(holds))
-    {
-        falls = holds;
-        holds *= 2;
-        if (holds > JudgeSettings::kMostFriction)
-        {
-            return std::numeric_limits<double>::infinity();
-        }
-    }
-    while (holds - falls > std::max(kFrictionStep * holds, kLeastFriction))
-    {
-        const double middle = (falls + holds) / 2;
-        (stands(middle) ? holds : falls) = middle;
-    }
-    return holds;
 }
 
 } // namespace frostfill

@@ -3,6 +3,7 @@
 
 #include "base/threads.hpp"
 #include "simulation/quality/contact_network.hpp"
+#include "simulation/quality/force_cone.hpp"
 
 #include <cstddef>
 #include <limits>
@@ -29,8 +30,10 @@ struct Balance
 
 /// Looks for forces in all contacts of a packing at once that hold every sphere: normal forces push
 /// and never pull, tangential ones are at most the friction times as large (Coulomb's cone), and on
-/// each sphere forces and torques add up to none. Nothing is known of how the packing came to be,
-/// so what stands here can stand. What does not stand cannot, but for forces that had not settled.
+/// each sphere forces and torques add up to none. If the network has rolling friction, moments
+/// resist rolling, at most as it allows [Luding 2008]. Nothing is known of how the packing came to
+/// be, so what stands here can stand. What does not stand cannot, but for forces that had not
+/// settled.
 ///
 /// Where they cannot hold all, what is missing is as little as can be, summed up over squares of
 /// accelerations times masses. Without friction these are the accelerations with which the spheres
@@ -69,7 +72,11 @@ private:
         double steepest = 0; ///< change of an acceleration
     };
 
-    void accelerate(const Vectors& force, bool pulled);
+    void accelerate(const Vectors& force, const Vectors& roll, bool pulled);
+    [[nodiscard]] double armOver(std::size_t body, std::size_t contact) const;
+    [[nodiscard]] Eigen::Vector3d rolling(std::size_t contact) const;
+    [[nodiscard]] ConeSlopes slopes() const { return {friction_, network_.rollingFriction}; }
+    void descend(std::size_t contact, Progress& progress);
     [[nodiscard]] Eigen::Vector3d approach(std::size_t contact) const;
     [[nodiscard]] double compliance(std::size_t contact) const;
     void findStiffness();
@@ -86,17 +93,15 @@ private:
     Vectors force_;
     Vectors ahead_; ///< forces, with their momentum
     Vectors next_;
+    // Moments against rolling, over the arm; none of them without rolling friction.
+    Vectors roll_;
+    Vectors rollAhead_;
+    Vectors rollNext_;
     // By body.
     std::vector<std::uint32_t> firstContact_; ///< [#bodies + 1] in contactsOf_
     std::vector<std::uint32_t> contactsOf_;   ///< the contact twice, plus 1 for the one that pushes
     Vectors acceleration_;
     Vectors spin_; ///< angular acceleration times radius
 };
-
-/// The least friction with which all but `except` bodies miss at most `unbalance` of their weight,
-/// to kFrictionStep of itself or kLeastFriction; infinite when none up to
-/// JudgeSettings::kMostFriction will do. By bisection.
-[[nodiscard]] double leastFriction(const ContactNetwork& network, double unbalance,
-                                   std::size_t except, Threads& threads);
 
 } // namespace frostfill

@@ -139,5 +139,35 @@ TEST_F(PackingFile, OfARunIsJudgedAsTheRunItself)
     expectTheSame(readPacking(folder_ / "run"));
 }
 
+TEST_F(PackingFile, OfARunWithRollingFrictionIsJudgedWithIt)
+{
+    FillRequest request;
+    request.scene = presetScene(Preset::fast, "cube");
+    request.scene.spheres.radius = 0.05;
+    request.scene.spheres.count = 60;
+    request.scene.spheres.inlets = {{{0, -0.3, 0}, 0.15}};
+    request.scene.motion.mode = Motion::granular;
+    request.scene.rest.mode = Rest::joint;
+    request.scene.rest.friction = 0.6;
+    request.scene.rest.rollingFriction = 0.3;
+    request.scene.judge.friction = 0.6;
+    request.scene.frames.enabled = false;
+    request.scene.frames.keepRun = true;
+    request.directory = folder_ / "run";
+    const FillResult result = fill(request);
+    ASSERT_FALSE(result.failure);
+    ASSERT_TRUE(result.quality.equilibrium);
+    EXPECT_EQ(result.quality.equilibrium->unbalanced, 0U);
+
+    const Packing heap = readPacking(folder_ / "run");
+    EXPECT_EQ(heap.rollingFriction, 0.3);
+    JudgeSettings judge;
+    judge.friction = 0.6;
+    EXPECT_EQ(judgePacking(*heap.mesh, heap, Axis::y, judge).equilibrium->unbalanced, 0U);
+    judge.rollingFriction = 0;
+    EXPECT_GT(judgePacking(*heap.mesh, heap, Axis::y, judge).equilibrium->unbalanced, 0U)
+        << "spheres roll off a heap";
+}
+
 } // namespace
 } // namespace frostfill

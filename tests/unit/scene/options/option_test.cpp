@@ -59,7 +59,7 @@ TEST(Options, OfEachUseAreThePartOfTheTableThatChangesItsResult)
     const std::set<std::string> loading = {"object.lid", "object.unite", "object.wrap"};
     EXPECT_EQ(keysFor(OptionUse::loading), loading);
     std::set<std::string> judging = loading;
-    judging.insert({"object.up", "judge.friction", "judge.unbalance"});
+    judging.insert({"object.up", "judge.friction", "judge.rolling_friction", "judge.unbalance"});
     EXPECT_EQ(keysFor(OptionUse::judging), judging);
 
     const std::set<std::string> pictures = keysFor(OptionUse::pictures);

@@ -4,6 +4,7 @@
 
 #include "base/random.hpp"
 #include "oracle/rest.hpp"
+#include "simulation/quality/least_friction.hpp"
 #include "unit/simulation/quality/hand_network.hpp"
 
 #include <Eigen/Dense>
@@ -282,6 +283,35 @@ TEST(JointBalance, FindsTheSameBitsOnAnyNumberOfThreads)
     const std::vector<double> one = solve(1);
     EXPECT_EQ(solve(2), one);
     EXPECT_EQ(solve(5), one);
+}
+
+TEST(JointBalance, LetsASphereStandOnASlopeThatRollingFrictionIsEnoughFor)
+{
+    const double slope = 0.2;
+    ContactNetwork network =
+        HandNetwork(1.7).add({0, 0, 0}).wall(0, {std::sin(slope), std::cos(slope), 0}).network();
+    EXPECT_EQ(leastFrictionOf(network), std::numeric_limits<double>::infinity()) << "it rolls";
+    network.rollingFriction = 0.99 * std::tan(slope);
+    EXPECT_EQ(leastFrictionOf(network), std::numeric_limits<double>::infinity());
+    network.rollingFriction = 1.01 * std::tan(slope);
+    EXPECT_NEAR(leastFrictionOf(network), std::tan(slope), 0.01 * std::tan(slope));
+}
+
+// The force between them is the weight of the upper one. Its torque is that weight times the radius
+// times the sine, and the reduced radius is half of the radius.
+TEST(JointBalance, LetsASphereLeanFromTheTopOfAnotherByHalfOfTheRollingFriction)
+{
+    const double lean = 0.1;
+    ContactNetwork network = HandNetwork()
+                                 .add({0, 0, 0})
+                                 .add({2 * std::sin(lean), 2 * std::cos(lean), 0})
+                                 .touch(1, 0)
+                                 .wall(0, {0, 1, 0})
+                                 .network();
+    network.rollingFriction = 2 * 0.99 * std::tan(lean);
+    EXPECT_EQ(leastFrictionOf(network), std::numeric_limits<double>::infinity());
+    network.rollingFriction = 2 * 1.01 * std::tan(lean);
+    EXPECT_NEAR(leastFrictionOf(network), std::tan(lean), 0.01 * std::tan(lean));
 }
 
 } // namespace
