@@ -62,6 +62,12 @@ public:
     {
         return force_[contact];
     }
+    /// The moment that resists rolling in it, on the body that it pushes, and against it on the
+    /// other one. For networks with rolling friction.
+    [[nodiscard]] Eigen::Vector3d moment(std::size_t contact) const
+    {
+        return network_.arm(network_.contacts[contact]) * roll_[contact];
+    }
 
 private:
     using Vectors = std::vector<Eigen::Vector3d>;
