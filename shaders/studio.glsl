@@ -3,6 +3,9 @@
 // radius of the sphere that is lit; `squared` is the square of the way from the point of its surface
 // to the neighbour's centre.
 
+const float kSkyLight = 0.5F; // on what is level
+const float kLampLight = 0.74F; // on what faces it
+
 // What a neighbour leaves of the sky: a power that fits the exact formula also where the horizon cuts
 // it [Quilez 2014]. `along` is the way from the own centre to the neighbour's, along the normal.
 INLINE real skyPast(real along, float radius, real squared)
@@ -25,11 +28,28 @@ INLINE real lampPast(real ahead, float radius, real squared)
 // cosines of the angles between its normal and what is above, the lamp, and the middle of its gloss.
 INLINE real3 inStudio(vec3 tint, real up, real facing, real shiny, real sky, real lamp)
 {
-    real fromSky = (0.5F + 0.16F * up) * sky;
-    real key = 0.74F * max(facing, 0.0F) * lamp;
+    real fromSky = (kSkyLight + 0.16F * up) * sky;
+    real key = kLampLight * max(facing, 0.0F) * lamp;
     real shine = power16(max(shiny, 0.0F)) * (0.10F * kWhite * lamp);
     // Light that has been to the neighbours and back has their colour, which is mostly the sphere's.
     real returned = (0.25F / kWhite) * (1.0F - sky);
     real3 ambient = fromSky * mix(tint, vec3(kWhite), 0.04F) * (1.0F + returned * tint);
     return ambient + tint * key + shine;
+}
+
+// How dark a sphere makes the wall that it touches: its height above it, and the lamp's two parts along
+// and away from the wall, are those of ContactShadow. `across` and `along` are the way from where it
+// touches.
+INLINE real contactShadow(real across, real along, float height, float lampAlong, float lampUp,
+                          float strength)
+{
+    real beside = across * across + along * along;
+    real squared = beside + height * height;
+    float key = kLampLight * max(lampUp, 0.0F);
+    // Exact for what lies above the horizon as a whole, as it does [Quilez 2014].
+    real hidden = min(height * (1.0F / (squared * sqrt(squared))), 1.0F);
+    real lamp = lampPast(across * lampAlong + height * lampUp, 1.0F, squared);
+    real lost = (kSkyLight * hidden + key * (1.0F - lamp)) * (1.0F / (kSkyLight + key));
+    // The wall is thin, and bends away where it is round: nothing is dark at the rim.
+    return (kContact * strength) * lost * (1.0F - smoothstep(0.4F, 1.0F, beside));
 }

@@ -56,7 +56,7 @@ list(APPEND seen renderer)
 room(render/framing ${seen})
 room(render/context ${seen} render/framing)
 room(render/overlay ${seen} render/framing render/context)
-room(render/picture ${seen} render/framing render/overlay) # what draws has it; it knows no OpenGL
+room(render/picture ${seen} geometry mesh/interior render/framing render/overlay) # what draws has it; it knows no OpenGL
 room(render/passes ${seen} render/framing render/context render/picture)
 room(render/layer ${seen} render/framing render/context render/passes render/overlay render/picture)
 room(render/raster ${seen} render/framing render/overlay render/picture)

@@ -19,7 +19,7 @@ namespace
 constexpr int kCells = 56;               ///< of the shadow, along each edge of its square
 constexpr float kAround = 0.8F;          ///< of free ground around what may throw a shadow
 constexpr float kNearest = 0.02F;        ///< height below which things count as touching
-constexpr float kSkyShare = 0.62F;       ///< of the light, where all of the sky is hidden
+constexpr float kSkyShare = 0.46F;       ///< of the light, where all of the sky is hidden
 constexpr float kLampShare = 0.2F;       ///< the shell is clear
 constexpr float kMinShadow = 1.0F / 512; ///< less is not seen
 

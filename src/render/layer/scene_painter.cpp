@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 namespace frostfill
 {
@@ -52,6 +53,10 @@ ScenePainter::ScenePainter(const GlFunctions& gl, const TriangleMesh& mesh,
     if (studio_)
     {
         sphereOcclusion_.emplace(studio_->lamp, cutPlanesOf(settings_, framing));
+        if (auto contacts = contactShadowsOf(mesh, positions, settings_, studio_->lamp))
+        {
+            contacts_ = std::make_unique<ContactPass>(gl_, std::move(contacts));
+        }
     }
     if (studio_ && studio_->ground)
     {
@@ -115,6 +120,10 @@ void ScenePainter::setView(const Framing& framing)
     {
         studio_->light(framing, uniforms_);
     }
+    if (contacts_)
+    {
+        contacts_->shadows().lookFrom(framing, settings_.size, uniforms_);
+    }
     if (variant_.cutaway)
     {
         meshPass_.setCutPlanes(uniforms_.cutPlanes);
@@ -154,11 +163,15 @@ void ScenePainter::clear()
     gl_.clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
 }
 
-void ScenePainter::paintGround()
+void ScenePainter::paintGround(const PixelRectangle& part)
 {
     if (ground_ && studio_->showsGround(framing_))
     {
         ground_->draw(uniforms_.view, uniforms_.projection);
+    }
+    if (contacts_)
+    {
+        contacts_->draw(part, uniforms_.view, uniforms_.projection);
     }
 }
 

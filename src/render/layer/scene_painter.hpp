@@ -6,6 +6,7 @@
 #include "render/layer/triangle_tiles.hpp"
 #include "render/overlay/colour_scale.hpp"
 #include "render/overlay/legend.hpp"
+#include "render/passes/contact_pass.hpp"
 #include "render/passes/ground_pass.hpp"
 #include "render/passes/mesh_pass.hpp"
 #include "render/passes/sphere_pass.hpp"
@@ -45,8 +46,14 @@ public:
     std::span<const PixelRectangle> setPolygons(std::span<const PolygonState> states);
 
     void clear();
-    /// The studio's, where the camera looks down at it.
-    void paintGround();
+    /// The studio's, where the camera looks down at it, and on the shell the shadows of spheres
+    /// that touch it, as far as they may be seen in `part`.
+    void paintGround(const PixelRectangle& part);
+    /// In the studio, with a shell: the shadows on it, else none.
+    [[nodiscard]] ContactShadows* contactShadows()
+    {
+        return contacts_ ? &contacts_->shadows() : nullptr;
+    }
     /// Everything that is painted from now on, clearing too, is confined to the rectangle.
     void confine(const PixelRectangle& part);
     void endConfinement();
@@ -103,6 +110,7 @@ private:
     std::optional<Studio> studio_;
     std::optional<SphereOcclusion> sphereOcclusion_;
     std::unique_ptr<GroundPass> ground_;
+    std::unique_ptr<ContactPass> contacts_;
     std::vector<SphereLight> lights_;
     Framing framing_;
     SphereUniforms uniforms_;

@@ -76,7 +76,7 @@ void StaticLayer::rebuild(ScenePainter& painter, const SphereProjector& projecto
     }
     framebuffer_.bind();
     painter.clear();
-    painter.paintGround();
+    painter.paintGround(framebuffer_.whole());
     std::size_t batch = std::max(kFirstBatch, resting.size() / kBatchShare);
     for (std::size_t first = 0; first < resting.size();)
     {
@@ -145,7 +145,7 @@ void StaticLayer::repaint(ScenePainter& painter, std::span<const SphereInstance>
         scratch.bind();
         painter.confine(part);
         painter.clear();
-        painter.paintGround();
+        painter.paintGround(part);
         painter.paintSpheres(spheres_);
         const TriangleTiles::Part all{part};
         painter.paintShell({&all, 1});

@@ -2,8 +2,11 @@
 #pragma once
 
 #include "render/framing/cutaway_planes.hpp"
+#include "render/picture/contact_shadows.hpp"
 #include "render/picture/sphere_occlusion.hpp"
 #include "render/picture/studio.hpp"
+#include "render/picture/tile_lists.hpp"
+#include "render/raster/contact_raster.hpp"
 #include "render/raster/ground_raster.hpp"
 #include "render/raster/resting_tile.hpp"
 #include "render/raster/tile_grid.hpp"
@@ -24,7 +27,8 @@ class TileLayer
 {
 public:
     TileLayer(const TileGrid& grid, const RenderSettings& settings, int samples,
-              std::optional<Studio> studio, const std::optional<CutPlanes>& cut);
+              std::optional<Studio> studio, const std::optional<CutPlanes>& cut,
+              std::unique_ptr<ContactShadows> contacts, bool avx2);
 
     /// The view has to stay until the next call, and everything has to be rebuilt.
     void lookFrom(const TileView& view, const Framing& framing, const SphereUniforms& uniforms);
@@ -59,6 +63,11 @@ private:
     {
         return restingSpheres().bounds(resting);
     }
+    void listContacts();
+    /// Draws what is seen where nothing lies: ground and contact shadows.
+    void paintBackground(std::size_t tile);
+    /// Draws where contact shadows have come.
+    void addContacts(std::span<PixelRectangle> dirty);
     void repaintTiles(const RestingSpheres& resting, bool cull);
     void updateVisibleLight();
     [[nodiscard]] bool isSeen(std::uint32_t resting, std::size_t tile) const;
@@ -70,6 +79,12 @@ private:
     Colour background_;
     std::optional<Studio> studio_;
     std::optional<SphereOcclusion> sphereOcclusion_; ///< in the studio
+    bool avx2_;
+    std::unique_ptr<ContactShadows> contacts_; ///< in the studio, with a shell
+    bool contactsChanged_ = false;
+    std::optional<ContactRaster> contactRaster_;           ///< from where the camera is
+    TileLists contactsIn_;                                 ///< those that are seen
+    std::vector<std::unique_ptr<TileBackground>> grounds_; ///< [tiles] with contacts: without them
     const TileView* view_ = nullptr;
     std::span<const SphereInstance> resting_;
     std::span<const SphereCell> cells_;

@@ -42,9 +42,12 @@ TilePipeline::TilePipeline(const TriangleMesh& mesh, const RenderSettings& setti
     {
         addShell(mesh, positions);
     }
-    layer_.emplace(grid_, viewpoint().settings(), samples_,
-                   studioOf(mesh, positions, viewpoint().settings(), viewpoint().framing()),
-                   cutPlanesOf(settings, viewpoint().framing()));
+    std::optional<Studio> studio =
+        studioOf(mesh, positions, viewpoint().settings(), viewpoint().framing());
+    auto contacts =
+        studio ? contactShadowsOf(mesh, positions, viewpoint().settings(), studio->lamp) : nullptr;
+    layer_.emplace(grid_, viewpoint().settings(), samples_, std::move(studio),
+                   cutPlanesOf(settings, viewpoint().framing()), std::move(contacts), avx2_);
     if (viewpoint().legend().visible())
     {
         swatches_ = std::make_unique<SwatchRaster>(viewpoint(), variant_, samples_, avx2_);
