@@ -140,7 +140,7 @@ TEST(Shell, HasItsLinesInTheColourOfThePolygons)
     settings.style.palette.activePolygon = {0, 200, 0, 100};
     settings.style.palette.discardedPolygon = {200, 0, 0, 100};
     Snapshot snapshot;
-    for (const Backend backend : {Backend::builtin, Backend::osmesa})
+    for (const Backend backend : test::backends())
     {
         settings.backend = backend;
         for (const PolygonState state : {PolygonState::active, PolygonState::discarded})

@@ -2,6 +2,7 @@
 // The legend shows what there is in the picture: its swatches have the colours that are found
 // there.
 #include "render/overlay/viewpoint.hpp"
+#include "support/drawn_with.hpp"
 
 #include <frostfill/renderer.hpp>
 
@@ -55,7 +56,7 @@ void expectColoursOfPolygons(RenderSettings settings, PolygonState state, Backen
 
 void expectColoursOfPolygons(const RenderSettings& settings, PolygonState state)
 {
-    for (const Backend backend : {Backend::automatic, Backend::osmesa})
+    for (const Backend backend : test::backends())
     {
         SCOPED_TRACE(static_cast<int>(backend));
         expectColoursOfPolygons(settings, state, backend);

@@ -2,6 +2,7 @@
 // Tiles draw the pictures of OSMesa, in whatever style, from wherever, and cut open or whole.
 #include "unit/render/context/agreement.hpp"
 
+#include "support/drawn_with.hpp"
 #include "support/pictures.hpp"
 
 #include <frostfill/renderer.hpp>
@@ -48,6 +49,13 @@ class Agreement : public testing::Test
 {
 protected:
     Agreement() { settings.size = {480, 270}; }
+    void SetUp() override
+    {
+        if (!test::openGl())
+        {
+            GTEST_SKIP() << test::kNoOpenGl;
+        }
+    }
 
     void choose(Look look)
     {
@@ -73,7 +81,7 @@ protected:
                 settings.camera = camera;
                 settings.samples = 5 - settings.samples;
                 std::vector<Image> pictures;
-                for (const Backend backend : {Backend::osmesa, Backend::automatic})
+                for (const Backend backend : {*test::openGl(), Backend::automatic})
                 {
                     settings.backend = backend;
                     Renderer renderer(subject.mesh, settings);

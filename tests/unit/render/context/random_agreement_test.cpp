@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Same means same: OSMesa and tiles beside each other, for scenes that nobody has chosen.
+#include "support/drawn_with.hpp"
 #include "support/shapes.hpp"
 #include "unit/render/context/agreement.hpp"
 
@@ -129,6 +130,10 @@ Image drawnBy(Backend backend, RenderSettings settings, const Subject& subject)
 
 TEST(RandomAgreement, IsThereForSixtyScenes)
 {
+    if (!test::openGl())
+    {
+        GTEST_SKIP() << test::kNoOpenGl;
+    }
     std::vector<Subject> all = objects();
     Numbers numbers;
     double sum = 0;
@@ -140,7 +145,7 @@ TEST(RandomAgreement, IsThereForSixtyScenes)
         const RenderSettings settings = anySettings(numbers);
         const double height = 2 * numbers.next() - 1;
         discardBelow(height, numbers.next() - 0.5, subject);
-        const Image osmesa = drawnBy(Backend::osmesa, settings, subject);
+        const Image osmesa = drawnBy(*test::openGl(), settings, subject);
         const Image tiles = drawnBy(Backend::builtin, settings, subject);
         const double rms = test::rmsBeside(osmesa, tiles, kOnOutlines);
         const double withAll = compareImages(osmesa, tiles).rootMeanSquare;

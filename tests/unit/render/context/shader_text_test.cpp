@@ -3,6 +3,7 @@
 #include "render/context/context.hpp"
 #include "render/context/gl.hpp"
 #include "render/context/shader.hpp"
+#include "support/drawn_with.hpp"
 #include "support/paths.hpp"
 
 #include <gtest/gtest.h>
@@ -44,7 +45,11 @@ std::string refusal(const GlFunctions& gl, GLenum stage, const std::string& text
 
 TEST(ShaderText, IsGlslEsAsThePageCompilesIt)
 {
-    const std::unique_ptr<Context> context = openContext(Backend::osmesa);
+    if (!test::openGl())
+    {
+        GTEST_SKIP() << test::kNoOpenGl;
+    }
+    const std::unique_ptr<Context> context = openContext(*test::openGl());
     const GlFunctions gl = loadGlFunctions(*context);
     // As page/programs.js has it.
     const std::string head = "#version 300 es\nprecision highp float;\nprecision highp int;\n";

@@ -186,11 +186,15 @@ TEST_P(StaticLayerTest, WritesOnlyTextThatReadsDifferently)
 // may not be one too many.
 TEST(StaticLayerMarks, LastWhereverThePictureFallsThatTakesTwo)
 {
+    if (!test::openGl())
+    {
+        GTEST_SKIP() << test::kNoOpenGl;
+    }
     const TriangleMesh mesh = torusMesh(1, 0.4, 24, 8);
     RenderSettings settings;
     settings.size = {90, 60};
     settings.samples = 1;
-    settings.backend = Backend::osmesa;
+    settings.backend = *test::openGl();
     RenderSettings plain = settings;
     plain.staticLayer = false;
     Renderer off(mesh, plain);

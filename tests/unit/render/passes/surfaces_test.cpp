@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: MIT
-// Depth, normals and identities, as OpenGL and as tiles draw them, against a ray caster.
+// Depth, normals, identities, and what of light neighbours keep off by them, as OpenGL and as tiles
+// draw them, against a ray caster.
 #include "render/picture/painter_settings.hpp"
 #include "render/pipeline.hpp"
+#include "render/raster/ambient_occlusion.hpp"
+#include "render/raster/has_avx2.hpp"
 #include "render/raster/tile_pipeline.hpp"
+#include "support/drawn_with.hpp"
 #include "support/pictures.hpp"
 #include "unit/render/passes/ray_caster.hpp"
 
 #include <glm/mat3x3.hpp>
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace frostfill
 {
@@ -43,7 +50,38 @@ struct Apart
     double normal = 0;     ///< [1 / 255 of -1..1]
     std::size_t onEdge = 0;
     std::size_t doubtful = 0; ///< where spheres overlap, a cut shows any of them
+    double occlusion = 0;     ///< mean difference of the light that neighbours leave
 };
+
+/// What the ray caster has found in a pixel, in place of what was drawn.
+void put(const test::Hit& hit, double ahead, const glm::dvec3& normal, std::size_t i,
+         Surfaces& surfaces)
+{
+    surfaces.distance[i] = hit.isThere() ? static_cast<float>(ahead) : Surfaces::kNothing;
+    surfaces.identity[i] = hit.isThere() ? static_cast<std::uint32_t>(hit.sphere + 1) : 0;
+    for (int c = 0; c < 3; ++c)
+    {
+        surfaces.normal[i][static_cast<std::size_t>(c)] =
+            static_cast<std::uint8_t>(hit.isThere() ? std::lround(127.5 + 127.5 * normal[c]) : 0);
+    }
+}
+
+/// Where all around a point is compared, one pixel on an edge does not count.
+double meanDifferenceOfLight(const Surfaces& drawn, const Surfaces& exact, const Framing& framing)
+{
+    constexpr double kReach = 0.15; // unit space
+    AmbientOcclusion ofDrawn(lanes::hasAvx2());
+    AmbientOcclusion ofExact(lanes::hasAvx2());
+    const std::vector<float>& light = ofDrawn.lightOn(drawn, framing, kReach);
+    const std::vector<float>& expected = ofExact.lightOn(exact, framing, kReach);
+    EXPECT_LT(*std::min_element(expected.begin(), expected.end()), 0.8F) << "it proves little";
+    double sum = 0;
+    for (std::size_t i = 0; i < light.size(); ++i)
+    {
+        sum += std::abs(double{light[i]} - double{expected[i]});
+    }
+    return sum / static_cast<double>(light.size());
+}
 
 Apart apartFromRays(const Surfaces& surfaces, const Framing& framing,
                     const RenderSettings& settings, const Snapshot& snapshot)
@@ -53,10 +91,18 @@ Apart apartFromRays(const Surfaces& surfaces, const Framing& framing,
     const std::vector<SphereInstance> spheres = placeSpheres(snapshot, framing);
     const glm::dmat3 toEye(framing.view);
     Apart apart;
+    Surfaces exact = surfaces;
     for (std::size_t i = 0; i < surfaces.distance.size(); ++i)
     {
         const test::Ray ray = caster.throughPixel(i);
         const test::Hit hit = caster.cast(ray, spheres);
+        const glm::dvec3 point = ray.origin + (hit.isThere() ? hit.distance : 0) * ray.direction;
+        const double ahead = -(framing.view * glm::dvec4(point, 1)).z;
+        const glm::dvec3 normal = toEye * hit.normal;
+        if (!hit.isDoubtful)
+        {
+            put(hit, ahead, normal, i, exact);
+        }
         if (hit.onEdge || hit.isDoubtful)
         {
             ++(hit.onEdge ? apart.onEdge : apart.doubtful);
@@ -74,18 +120,15 @@ Apart apartFromRays(const Surfaces& surfaces, const Framing& framing,
             continue;
         }
         ++apart.covered;
-        const glm::dvec3 point = ray.origin + hit.distance * ray.direction;
-        const double ahead = -(framing.view * glm::dvec4(point, 1)).z;
         apart.distance =
             std::max(apart.distance, std::abs(double{surfaces.distance[i]} - ahead) / hit.radius);
-        const glm::dvec3 normal = toEye * hit.normal;
         for (int c = 0; c < 3; ++c)
         {
-            const double exact = 127.5 + 127.5 * normal[c];
             const double own = surfaces.normal[i][static_cast<std::size_t>(c)];
-            apart.normal = std::max(apart.normal, std::abs(own - exact));
+            apart.normal = std::max(apart.normal, std::abs(own - (127.5 + 127.5 * normal[c])));
         }
     }
+    apart.occlusion = meanDifferenceOfLight(surfaces, exact, framing);
     return apart;
 }
 
@@ -107,10 +150,14 @@ void expectThoseOfTheRayCaster(const RenderSettings& settings, int count = 60,
         EXPECT_EQ(apart.wrong, 0U);
         EXPECT_LT(apart.distance, kDepthOfSurface);
         EXPECT_LE(apart.normal, 0.52); // half is rounding
+        EXPECT_LT(apart.occlusion, 1e-5);
     };
+    if (const std::optional<Backend> openGl = test::openGl())
     {
         SCOPED_TRACE("OpenGL");
-        Pipeline pipeline(mesh, settings);
+        RenderSettings own = settings;
+        own.backend = *openGl;
+        Pipeline pipeline(mesh, own);
         expect(pipeline, pipeline.framing());
     }
     {
@@ -160,7 +207,7 @@ TEST(SurfacesAgainstRays, ShowNoSphereThatWaits)
     Snapshot snapshot;
     addSphere(snapshot, {0, 0, 0}, 0.5, SphereState::running);
     snapshot.waiting = {1};
-    for (const Backend backend : {Backend::automatic, Backend::osmesa})
+    for (const Backend backend : test::backends())
     {
         RenderSettings settings;
         settings.backend = backend;

@@ -84,6 +84,10 @@ TEST(SphereCells, HoldEverySphereOnceAndWhole)
 
 TEST(SphereCells, GiveThePictureThatOsmesaDraws)
 {
+    if (!test::openGl())
+    {
+        GTEST_SKIP() << test::kNoOpenGl;
+    }
     const TriangleMesh mesh = boxMesh({2, 2, 2});
     const Snapshot snapshot = heap(kCellsFrom);
     for (const Look look : {Look::clean, Look::studio})
@@ -96,7 +100,7 @@ TEST(SphereCells, GiveThePictureThatOsmesaDraws)
                 settings.style.cutaway = {Cutaway::Kind::plane, {0.3, 0.1, 1}, 0.1, 0, 90};
             }
             Renderer tiles(mesh, settings);
-            settings.backend = Backend::osmesa;
+            settings.backend = *test::openGl();
             Renderer osmesa(mesh, settings);
             const ImageDifference difference =
                 compareImages(tiles.draw(snapshot), osmesa.draw(snapshot));
