@@ -62,8 +62,8 @@ glm::mat4 pixelProjection(const PictureSize& size)
     glm::mat4 projection(0);
     projection[0][0] = 2.0F / static_cast<float>(size.width);
     projection[1][1] = 2.0F / static_cast<float>(size.height);
-    projection[2][2] = -1e-5F;
-    projection[3] = {-1, -1, -0.99F, 1};
+    projection[2][2] = -1e-6F;
+    projection[3] = {-1, -1, -0.9999F, 1};
     return projection;
 }
 

@@ -8,6 +8,8 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
+
 namespace frostfill
 {
 namespace
@@ -31,9 +33,10 @@ std::vector<SphereInstance> withIdentities(std::span<const SphereInstance> spher
     return result;
 }
 
-/// Of a tile, top row first; `inPicture` is the part of it that is.
+/// Of a tile, top row first; `inPicture` is the part of it that is. What bulges out nearer than
+/// `nearest`, where the picture begins, is as far as that, as OpenGL has it.
 void write(const SampleTile* tile, const PixelRectangle& inPicture, const TilePart& part,
-           bool orthographic, Surfaces& surfaces)
+           bool orthographic, float nearest, Surfaces& surfaces)
 {
     for (int y = inPicture.bottom; y < inPicture.top; ++y)
     {
@@ -52,7 +55,7 @@ void write(const SampleTile* tile, const PixelRectangle& inPicture, const TilePa
                 surfaces.identity[to] = 0;
                 continue;
             }
-            surfaces.distance[to] = orthographic ? -near : 1 / near;
+            surfaces.distance[to] = std::max(orthographic ? -near : 1 / near, nearest);
             const std::uint32_t normal = tile->colour[0][at];
             surfaces.normal[to] = {static_cast<std::uint8_t>(normal),
                                    static_cast<std::uint8_t>(normal >> 8),
@@ -83,6 +86,8 @@ void drawSurfacesInTiles(std::span<const SphereInstance> spheres, const TileView
     {
         lists.list(i, placed[i].pixels);
     }
+    const auto nearest =
+        static_cast<float>(depthLimits(framing.projection, framing.orthographic).nearest);
     surfaces.width = size.width;
     surfaces.height = size.height;
     const auto pixels =
@@ -101,7 +106,7 @@ void drawSurfacesInTiles(std::span<const SphereInstance> spheres, const TileView
                           }
                           tile.repaint(view.raster, {sorted, placed, {}}, part, true);
                           write(tile.samples(), grid.inPicture(part), part, framing.orthographic,
-                                surfaces);
+                                nearest, surfaces);
                       });
 }
 
