@@ -4,6 +4,18 @@
 
 const float kHatchShare = 0.34F; // that is dark
 
+// It is one where e < 1 and the sphere's centre is ahead.
+INLINE Circle circleOf(vec3 centre, float radius)
+{
+    Circle circle;
+    float distance = length(centre);
+    circle.steepness = radius / distance;
+    circle.right = normalize(vec3(-centre.z, 0.0F, centre.x));
+    circle.above = cross(centre, circle.right) / -distance;
+    circle.shrink = 1.0F - circle.steepness * circle.steepness;
+    return circle;
+}
+
 // Colour alone does not tell the states apart for everyone. Running spheres are glossy with a dark
 // ring, discarded ones are hatched, frozen ones are plain.
 INLINE vec3 marksOf(uint state)

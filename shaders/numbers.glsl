@@ -38,6 +38,16 @@ const float kContact = 0.7F;
 // sharply at the cut: they would leave specks beyond it. [1 / pixel]
 const float kSteepest = 4.0F;
 
+// The circle in which the cone from the eye touches a sphere: see sphere.vert. Unit vectors to the right
+// and upwards in its plane; its centre is `shrink` times the sphere's, and its radius is the sphere's
+// times the root of that.
+struct Circle
+{
+    vec3 right, above;
+    float steepness; // e, the sphere's radius over its distance
+    float shrink;
+};
+
 // What is the same all over a sphere.
 struct SphereLook
 {

@@ -80,21 +80,19 @@ void main()
     onPlane = centre + radius * vec3(corner, 0.0);
     gl_Position = projection * vec4(onPlane, 1.0);
 #else
-    float distance = length(centre);
-    float steepness = radius / distance;
+    Circle circle = circleOf(centre, radius);
     setColours(centre, -centre.z / (pixelScale * radius));
-    tintAndSteepness.a = steepness;
-    if (steepness >= 1.0 || centre.z >= 0.0)
+    tintAndSteepness.a = circle.steepness;
+    if (circle.steepness >= 1.0 || centre.z >= 0.0)
     {
         // The eye is in the sphere or past it: there is no such circle.
         onPlane = vec3(0.0);
         gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
         return;
     }
-    vec3 right = normalize(vec3(-centre.z, 0.0, centre.x));
-    vec3 above = cross(centre, right) / -distance;
-    float shrink = 1.0 - steepness * steepness;
-    onPlane = shrink * centre + radius * sqrt(shrink) * (corner.x * right + corner.y * above);
+    onPlane = circle.shrink * centre
+              + radius * sqrt(circle.shrink)
+                    * (corner.x * circle.right + corner.y * circle.above);
     gl_Position = projection * vec4(onPlane, 1.0);
 #endif
 }

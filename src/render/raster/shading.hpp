@@ -105,8 +105,11 @@ FROSTFILL_INLINE Floats select(Mask mask, Floats a, float b)
 }
 
 using glm::clamp;
+using glm::cross;
+using glm::length;
 using glm::max;
 using glm::mix;
+using glm::normalize;
 using glm::smoothstep;
 
 using namespace shading;

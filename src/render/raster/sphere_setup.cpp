@@ -102,9 +102,8 @@ bool SphereRaster::setUp(const SphereInstance& sphere, bool lit, Axes& axes, Set
     else
     {
         const float squared = glm::dot(centre, centre);
-        const float distance = std::sqrt(squared);
-        const float radiusOverDistance = radius / distance;
-        if (radiusOverDistance >= 1 || centre.z >= 0)
+        const shading::Circle circle = lanes::circleOf(centre, radius);
+        if (circle.steepness >= 1 || centre.z >= 0)
         {
             return false; // the eye is in the sphere or past it
         }
@@ -112,10 +111,10 @@ bool SphereRaster::setUp(const SphereInstance& sphere, bool lit, Axes& axes, Set
         const float ahead = squared - radius * radius;
         setup.leastAlong = ahead / shown_[1];
         setup.mostAlong = ahead / shown_[0];
-        axis = centre / distance;
-        right = glm::normalize(glm::vec3(-centre.z, 0, centre.x));
-        above = glm::cross(centre, right) / -distance;
-        shrink = std::sqrt(1 - radiusOverDistance * radiusOverDistance);
+        axis = centre / std::sqrt(squared);
+        right = circle.right;
+        above = circle.above;
+        shrink = std::sqrt(circle.shrink);
         const float scale = squared * shrink / radius; // K
         setup.x = (centre.x / -centre.z - grid_.left) / grid_.perColumn;
         setup.y = (centre.y / -centre.z - grid_.bottom) / grid_.perRow;
@@ -125,7 +124,7 @@ bool SphereRaster::setUp(const SphereInstance& sphere, bool lit, Axes& axes, Set
         setup.along = squared / -centre.z;
         setup.alongX = grid_.perColumn * centre.x;
         setup.alongY = grid_.perRow * centre.y;
-        setup.radiusOverDistance = radiusOverDistance;
+        setup.radiusOverDistance = circle.steepness;
         setup.nearScale = 1 / (squared - radius * radius);
         setup.rise = 0;
     }
