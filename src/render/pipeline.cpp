@@ -38,7 +38,7 @@ Pipeline::Pipeline(const TriangleMesh& mesh, const RenderSettings& wanted)
 {
     if (wanted.staticLayer)
     {
-        layer_.emplace(gl_, wanted.size, wanted.samples);
+        layer_.emplace(gl_, wanted.size, wanted.samples, painter_.paintsOccluders());
     }
 }
 

@@ -85,7 +85,7 @@ ScenePainter::ScenePainter(const GlFunctions& gl, const TriangleMesh& mesh,
     {
         occluderShrink_ = std::max(occluderShrink_, glm::length(sample) + kOccluderSlack);
     }
-    if (samplePositions.size() > 1)
+    if (samplePositions.size() > 1 && paintsOccluders())
     {
         plainSpherePass_.emplace(gl_, shapesOnly(variant_), std::span<const glm::vec2>(),
                                  settings_.style, strokesFor(settings).lineWidth);
@@ -236,10 +236,6 @@ void ScenePainter::paintOccluders(std::span<const SphereInstance> spheres,
                                   const SphereProjector& projector)
 {
     shrunk_.clear();
-    if (!variant_.orthographic || variant_.cutaway)
-    {
-        return; // what a cut leaves of a small sphere may be nearer than what it leaves of the full
-    }
     for (SphereInstance sphere : spheres)
     {
         const float ahead = framing_.orthographic ? 1 : projector.project(sphere).ahead;

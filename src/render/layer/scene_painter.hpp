@@ -61,7 +61,10 @@ public:
     void paintSpheres(std::span<const SphereInstance> spheres);
     /// Depth only, and only where a sphere covers a whole pixel and all around it; for a
     /// framebuffer without multisampling. What is behind these depths is hidden at every sample.
+    /// Only for paintsOccluders().
     void paintOccluders(std::span<const SphereInstance> spheres, const SphereProjector& projector);
+    /// What a cut leaves of a small sphere may be nearer than what it leaves of the full one.
+    [[nodiscard]] bool paintsOccluders() const { return !variant_.cutaway; }
     void paintShell();
     void paintShell(std::span<const TriangleTiles::Part> parts);
     void paintLegend();

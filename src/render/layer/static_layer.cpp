@@ -19,10 +19,11 @@ constexpr std::size_t kFewArrivals = 200;
 
 } // namespace
 
-StaticLayer::StaticLayer(const GlFunctions& gl, const PictureSize& size, int samples)
+StaticLayer::StaticLayer(const GlFunctions& gl, const PictureSize& size, int samples,
+                         bool paintsOccluders)
     : framebuffer_(gl, size.width, size.height, samples), occlusion_(size.width, size.height)
 {
-    if (framebuffer_.samples() > 1)
+    if (framebuffer_.samples() > 1 && paintsOccluders)
     {
         occluders_.emplace(gl, size.width, size.height, 1);
     }
@@ -49,9 +50,13 @@ void StaticLayer::projectSpheres(const SphereProjector& projector,
 
 void StaticLayer::findHidden(ScenePainter& painter, const SphereProjector& projector)
 {
-    if (!occluders_)
+    if (framebuffer_.samples() == 1)
     {
         framebuffer_.readDepth(drawn_, depths_);
+    }
+    else if (!occluders_)
+    {
+        return; // depths of samples tell nothing of whole pixels
     }
     else
     {

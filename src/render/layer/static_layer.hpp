@@ -22,7 +22,8 @@ namespace frostfill
 class StaticLayer
 {
 public:
-    StaticLayer(const GlFunctions& gl, const PictureSize& size, int samples);
+    /// `paintsOccluders` as the painter says. With several samples nothing is found hidden without.
+    StaticLayer(const GlFunctions& gl, const PictureSize& size, int samples, bool paintsOccluders);
 
     /// Draws it anew. `resting` is in the order in which depths that are equal are decided; the
     /// nearer the first of them are, the more is found to be hidden and left out.
