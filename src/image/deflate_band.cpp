@@ -4,10 +4,10 @@
 #include <frostfill/error.hpp>
 
 #include <isa-l/igzip_lib.h>
+#include <sys/mman.h>
 
-#include <algorithm>
-#include <array>
-#include <bit>
+#include <atomic>
+#include <cstddef>
 #include <memory>
 
 namespace frostfill
@@ -19,13 +19,6 @@ namespace
 /// more bytes.
 constexpr std::uint32_t kLevel = 1;
 
-/// Bits of the largest hash of that level.
-constexpr int kHashBits = 13;
-
-/// Streams at different addresses, see streamFor. The hash of one address must differ from three
-/// others. Short data has short hashes, which addresses may share, so four streams are too few.
-using Streams = std::array<isal_zstream, 16>;
-
 /// The hash of ISA-L, of four bytes: the instruction crc32 (CRC-32C, reflected).
 std::uint32_t hashOf(std::uint32_t bytes)
 {
@@ -36,52 +29,80 @@ std::uint32_t hashOf(std::uint32_t bytes)
     return bytes;
 }
 
-std::uint32_t fourBytes(const std::uint8_t* from)
+/// The memory of one stream. ISA-L 2.30 has a fault: it enters the third place of the data into its
+/// table under a wrong hash, that of bits 16 to 47 of the stream's address, because a register is
+/// not loaded (igzip_icf_body_h1_gr_bt.asm). Where any place of the data has the same hash the
+/// output may be another. So all streams lie at addresses that have one and the same hash.
+class StreamMemory
 {
-    return std::uint32_t{from[0]} | std::uint32_t{from[1]} << 8 | std::uint32_t{from[2]} << 16 |
-           std::uint32_t{from[3]} << 24;
-}
+public:
+    StreamMemory()
+    {
+        for (int tries = 0; tries < kTries && place_ == MAP_FAILED; ++tries)
+        {
+            place_ = ::mmap(nextAddress(), kSize, PROT_READ | PROT_WRITE,
+                            MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED_NOREPLACE, -1, 0);
+        }
+        if (place_ == MAP_FAILED)
+        {
+            // Somewhere: in one of some thousand cases bytes differ, pixels never.
+            elsewhere_ = std::make_unique_for_overwrite<isal_zstream>();
+        }
+    }
+    ~StreamMemory()
+    {
+        if (place_ != MAP_FAILED)
+        {
+            ::munmap(place_, kSize);
+        }
+    }
+    StreamMemory(const StreamMemory&) = delete;
+    StreamMemory& operator=(const StreamMemory&) = delete;
 
-/// ISA-L 2.30 has a fault: it enters the third place of the data into its table under a wrong hash,
-/// that of bits 16 to 47 of the stream's address, because a register is not loaded
-/// (igzip_icf_body_h1_gr_bt.asm). The output changes only where this hash equals that of one of the
-/// first three places. So this chooses a stream whose address has another hash.
-isal_zstream& streamFor(const std::vector<std::uint8_t>& data, Streams& streams)
-{
-    constexpr std::size_t kPlaces = 3;
-    if (data.size() < kPlaces + 3)
+    isal_zstream& stream()
     {
-        return streams[0];
+        return elsewhere_ ? *elsewhere_ : *static_cast<isal_zstream*>(place_);
     }
-    const int bits = std::min(static_cast<int>(std::bit_width(data.size())) - 1, kHashBits);
-    const std::uint32_t mask = (1U << bits) - 1;
-    std::array<std::uint32_t, kPlaces> hashes{};
-    for (std::size_t i = 0; i < kPlaces; ++i)
+
+private:
+    static constexpr int kTries = 64;
+    static constexpr std::size_t kSize = (sizeof(isal_zstream) + 4095) / 4096 * 4096;
+    static constexpr std::uint32_t kHashMask = (1U << 13) - 1; ///< of the largest table
+    static constexpr std::uint32_t kHash = 5461;               ///< of all; any number
+    /// Where programs have nothing, in 64 kB.
+    static constexpr std::uint32_t kFirst = 0x10000000;
+    static constexpr std::uint32_t kEnd = 0x50000000;
+
+    static void* nextAddress()
     {
-        hashes[i] = hashOf(fourBytes(data.data() + i)) & mask;
+        static std::atomic<std::uint32_t> next = kFirst;
+        std::uint32_t upper = next;
+        do
+        {
+            upper = next.fetch_add(1);
+            if (upper >= kEnd)
+            {
+                next = kFirst;
+            }
+        } while ((hashOf(upper) & kHashMask) != kHash);
+        return reinterpret_cast<void*>(std::uintptr_t{upper}
+                                       << 16); // NOLINT(performance-no-int-to-ptr)
     }
-    const auto found =
-        std::find_if(streams.begin(), streams.end(),
-                     [&](const isal_zstream& stream)
-                     {
-                         const auto address = reinterpret_cast<std::uintptr_t>(&stream);
-                         const std::uint32_t wrong =
-                             hashOf(static_cast<std::uint32_t>(address >> 16)) & mask;
-                         return std::find(hashes.begin(), hashes.end(), wrong) == hashes.end();
-                     });
-    return found != streams.end() ? *found : streams[0];
-}
+
+    void* place_ = MAP_FAILED;
+    std::unique_ptr<isal_zstream> elsewhere_;
+};
 
 } // namespace
 
 void deflateBand(const std::vector<std::uint8_t>& data, std::vector<std::uint8_t>& out)
 {
-    thread_local const auto streams = std::make_unique_for_overwrite<Streams>(); // few are touched
+    thread_local StreamMemory memory;
     thread_local std::vector<std::uint8_t> work(ISAL_DEF_LVL1_DEFAULT);
     const std::size_t start = out.size();
     // Incompressible data is stored, with five extra bytes for each block of 64 kB.
     out.resize(start + data.size() + data.size() / 1000 + 1024);
-    isal_zstream& stream = streamFor(data, *streams);
+    isal_zstream& stream = memory.stream();
     isal_deflate_stateless_init(&stream);
     stream.hist_bits = 0; // the longest distances; not among what is set to begin with
     stream.level = kLevel;

@@ -26,9 +26,29 @@ Bytes shortData(int seed)
     return data;
 }
 
+/// As of a band of a picture of which most is one colour.
+Bytes sparseData(std::uint32_t seed)
+{
+    Bytes data(12000);
+    data[0] = 2;
+    for (std::size_t i = 9000; i + 200 < data.size(); i += 211)
+    {
+        for (std::size_t k = 0; k < 3; ++k)
+        {
+            seed = seed * 1664525 + 1013904223;
+            data[i + k] = static_cast<std::uint8_t>(seed >> 24);
+        }
+    }
+    return data;
+}
+
 Bytes deflatedAll()
 {
     Bytes all;
+    for (std::uint32_t seed = 0; seed < 800; ++seed)
+    {
+        deflateBand(sparseData(seed), all);
+    }
     for (int seed = 0; seed < 100; ++seed)
     {
         deflateBand(shortData(seed), all);
