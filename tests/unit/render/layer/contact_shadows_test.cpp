@@ -136,6 +136,9 @@ TEST_F(ContactShadowsTest, DoNotDependOnTheOrderOfArrivals)
         EXPECT_FALSE(bit->arrived().empty());
     }
     EXPECT_EQ(shadowsOf(*bit), atOnce);
+    bit->lookFrom(framing, settings.size, uniformsOf(framing, settings));
+    EXPECT_TRUE(bit->follow(many, many.size()));
+    EXPECT_EQ(shadowsOf(*bit), atOnce) << "from another camera";
     std::reverse(many.begin(), many.end());
     EXPECT_FALSE(contacts->follow(many, 0)) << "the same spheres in another order";
     many.pop_back();

@@ -85,6 +85,28 @@ TEST(RandomCameras, EqualsFullDrawingInTheStudioToo)
     expectEqualForCameras(0, 40, Look::studio);
 }
 
+// Nothing else has parts of the picture drawn anew than the shadows of what comes to rest.
+TEST(RandomCameras, EqualsFullDrawingWhereSpheresOnlyComeToRestInTheStudio)
+{
+    const TriangleMesh mesh = torusMesh(1, 0.4, 24, 8);
+    MadeUpRun run(mesh, 0.19);
+    run.release(12);
+    RenderSettings settings;
+    settings.backend = test::drawnWith();
+    settings.size = {320, 180};
+    settings.style.look = Look::studio;
+    settings.style.palette = paletteOf(Look::studio);
+    settings.camera.elevation = 60;
+    Renderer on(mesh, settings);
+    settings.staticLayer = false;
+    Renderer off(mesh, settings);
+    for (int frame = 0; frame < 6; ++frame)
+    {
+        EXPECT_EQ(compareImages(on.draw(run.snapshot), off.draw(run.snapshot)).largest, 0) << frame;
+        run.advance(0.3, 0, 0);
+    }
+}
+
 // With the label `long`.
 TEST(RandomCameras, EqualsFullDrawingForManyMoreCameras)
 {
