@@ -12,6 +12,9 @@ namespace frostfill
 namespace
 {
 
+/// So that no rounding matters.
+constexpr double kOfPart = 1 - 1e-6;
+
 bool has(VoxelBits& set, VoxelWord cube)
 {
     return (std::atomic_ref(set[cube.word]).load(std::memory_order_relaxed) & cube.bits) != 0;
@@ -57,11 +60,13 @@ void HeldCubes::sortEmpty()
 
 void HeldCubes::forgetNear(const BallSlabs& balls, double distance, Threads& threads)
 {
+    // What lies in a ball as a whole comes nearer to its centre than its surface by its own edge.
+    const double reach = distance - kOfPart * search_.edgeOfPart(layout_.frame.cell);
     balls.forEach(
         threads,
         [&](const Ball& ball, std::size_t)
         {
-            const BallRows rows(layout_.frame, ball.position(), ball.radius + distance, kMeetsBall);
+            const BallRows rows(layout_.frame, ball.position(), ball.radius + reach, kMeetsBall);
             rows.forEachWord(layout_, held_, [&](VoxelWord w) { held_[w.word] &= ~w.bits; });
         });
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/reach/clear_search.hpp"
 
+#include "simulation/reach/cube_parts.hpp"
 #include "simulation/reach/tolerances.hpp"
 
 #include <algorithm>
@@ -9,28 +10,66 @@
 namespace frostfill
 {
 
+// Of the parts of a cube that is halved twice, each is looked at by itself: what lies in one
+// exclusion as a whole has no part that does not.
 bool ClearSearch::mayBeClear(const Eigen::Vector3d& middle, double edge) const
 {
     thread_local Nearby nearby; // keeps its memory
-    gather(middle, edge, nearby);
+    CubeParts parts(middle, edge);
+    Eigen::Vector3d escape = gatherBalls(middle, CubeParts::kReach * edge, nearby);
+    for (const Exclusion& ball : nearby.balls)
+    {
+        parts.takeInBall(ball.centre, ball.square);
+    }
+    if (!parts.any())
+    {
+        return false;
+    }
+    escape += gatherWalls(middle, CubeParts::kReach * edge, nearby);
+    nearby.points.clear();
+    const double whole = exclusionOfPart(edge / 4);
+    if (!parts.anyClear(escape,
+                        [&](const Eigen::Vector3d& p) { return !walled(p, whole, nearby); }))
+    {
+        return false;
+    }
+    if (halvings_ <= CubeParts::kTimes)
+    {
+        return true;
+    }
+    gatherBalls(middle, kHalfDiagonal * edge, nearby);
+    gatherWalls(middle, kHalfDiagonal * edge, nearby);
     return search(middle, edge, halvings_, {0, nearby.balls.size()}, nearby);
 }
 
-void ClearSearch::gather(const Eigen::Vector3d& middle, double edge, Nearby& nearby) const
+// The way out of all that is gathered, roughly.
+Eigen::Vector3d ClearSearch::gatherWalls(const Eigen::Vector3d& middle, double reach,
+                                         Nearby& nearby) const
 {
+    Eigen::Vector3d escape = Eigen::Vector3d::Zero();
     nearby.walls.clear();
     const std::span<const std::uint32_t> triangles = triangles_.near(middle);
     nearby.many = triangles.size() > TriangleGrid::kShortList;
-    const double distance = probe_ + kHalfDiagonal * edge;
+    const double distance = probe_ + reach;
     for (const std::uint32_t id : nearby.many ? std::span<const std::uint32_t>{} : triangles)
     {
-        if (surface_.bound(id).mayBeWithin(distance, middle))
+        const TriangleBound& bound = surface_.bound(id);
+        // Most are out by the ball around them.
+        if (bound.ballIsWithin(distance, bound.toCentreSquared(middle)) &&
+            bound.mayBeWithin(distance, middle))
         {
             nearby.walls.push_back(id);
+            escape += bound.normal;
         }
     }
+    return escape;
+}
+
+Eigen::Vector3d ClearSearch::gatherBalls(const Eigen::Vector3d& middle, double reach,
+                                         Nearby& nearby) const
+{
+    Eigen::Vector3d escape = Eigen::Vector3d::Zero();
     nearby.balls.clear();
-    const double reach = kHalfDiagonal * edge;
     resting_.forEachNear(middle, 1 + probe_ + reach,
                          [&](std::uint32_t row)
                          {
@@ -41,8 +80,54 @@ void ClearSearch::gather(const Eigen::Vector3d& middle, double edge, Nearby& nea
                                                         (radius + reach) * (radius + reach))
                              {
                                  nearby.balls.push_back({centre, radius * radius, radius});
+                                 escape += middle - centre;
                              }
                          });
+    return escape;
+}
+
+double ClearSearch::exclusionOfPart(double edge) const
+{
+    return std::max(0.0, probe_ - overlap_ - kReachRounding - kHalfDiagonal * edge);
+}
+
+// Parts beside one another are mostly excluded by the same place of a wall.
+bool ClearSearch::walled(const Eigen::Vector3d& part, double distance, Nearby& nearby) const
+{
+    const double square = distance * distance;
+    const auto isNear = [&](const Eigen::Vector3d& p) { return (part - p).squaredNorm() < square; };
+    if (std::any_of(nearby.points.begin(), nearby.points.end(), isNear))
+    {
+        return true;
+    }
+    if (nearby.many)
+    {
+        const WallPoint nearest = nearestWall(surface_, part, distance, distance);
+        if (nearest.square < square)
+        {
+            nearby.points.push_back(nearest.point);
+        }
+        return nearest.square < square;
+    }
+    for (const std::uint32_t id : nearby.walls)
+    {
+        if (!surface_.bound(id).mayBeWithin(distance, part))
+        {
+            continue;
+        }
+        const auto& [a, b, c] = surface_[id].corner;
+        Eigen::Vector3d point = surface_.bound(id).centre; // one of its points
+        if (!isNear(point))
+        {
+            point = closestPointOnTriangle(part, a, b, c).point;
+        }
+        if (isNear(point))
+        {
+            nearby.points.push_back(point);
+            return true;
+        }
+    }
+    return false;
 }
 
 bool ClearSearch::search(const Eigen::Vector3d& middle, double edge, int halvings,
@@ -100,7 +185,7 @@ bool ClearSearch::walled(const Eigen::Vector3d& middle, double edge, const Nearb
                          Middle& state) const
 {
     const double exclusion = probe_ - overlap_ - kReachRounding;
-    const double whole = std::max(0.0, exclusion - kHalfDiagonal * edge);
+    const double whole = exclusionOfPart(edge);
     if (nearby.many)
     {
         const double limit = state.clear ? exclusion : whole;

@@ -2,9 +2,11 @@
 #pragma once
 
 #include "mesh/interior/triangle_grid.hpp"
+#include "simulation/reach/cube_parts.hpp"
 #include "simulation/reach/tolerances.hpp"
 #include "simulation/world/sphere_grid.hpp"
 
+#include <cmath>
 #include <vector>
 
 namespace frostfill
@@ -32,6 +34,8 @@ public:
 
     /// How often a cube is halved; see kHalvings, which it is at first.
     void halve(int times) { halvings_ = times; }
+    /// Edge of the smallest parts of a cube: what takes none of them changes no answer.
+    [[nodiscard]] double edgeOfPart(double edge) const { return std::ldexp(edge, -halvings_); }
 
     /// False only when no point of the cube is clear. On any thread.
     [[nodiscard]] bool mayBeClear(const Eigen::Vector3d& middle, double edge) const;
@@ -61,11 +65,18 @@ private:
     struct Nearby
     {
         std::vector<Exclusion> balls; ///< of the cube, then of the part of it in hand, and so on
-        std::vector<std::uint32_t> walls; ///< triangles, unless they are many
+        std::vector<std::uint32_t> walls;    ///< triangles, unless they are many
+        std::vector<Eigen::Vector3d> points; ///< of walls that have excluded parts
         bool many = false; ///< so that the nearest one is found by the surface's tree
     };
 
-    void gather(const Eigen::Vector3d& middle, double edge, Nearby& nearby) const;
+    /// What comes within `reach` of a cube's middle. Both return about the way out of it.
+    Eigen::Vector3d gatherWalls(const Eigen::Vector3d& middle, double reach, Nearby& nearby) const;
+    Eigen::Vector3d gatherBalls(const Eigen::Vector3d& middle, double reach, Nearby& nearby) const;
+    /// How near a wall has to be to the middle of a part of this edge to exclude all of it.
+    [[nodiscard]] double exclusionOfPart(double edge) const;
+    /// Whether one is nearer than this.
+    bool walled(const Eigen::Vector3d& part, double distance, Nearby& nearby) const;
     /// What of `from` is near the part goes to the end of the balls. True when one excludes it all.
     static bool select(const Eigen::Vector3d& middle, double half, const Obstacles& from,
                        Nearby& nearby, Middle& state);

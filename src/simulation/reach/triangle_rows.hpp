@@ -69,7 +69,8 @@ class TriangleRows
 public:
     TriangleRows(const GridFrame& frame, const Surface& surface, std::uint32_t id, double reach)
         : frame_(frame), triangle_(surface[id]), plane_(surface.bound(id)), reach_(reach),
-          box_(boxOf(surface[id])), widest_(range(0, box_.min().x(), box_.max().x())),
+          surelyIn_(std::max(0.0, (1 - kDistanceRounding) * reach)), box_(boxOf(surface[id])),
+          widest_(range(0, box_.min().x(), box_.max().x())),
           window_(range(1, box_.min().y(), box_.max().y()),
                   range(2, box_.min().z(), box_.max().z())),
           isLarge_(window_.count() * (1 + static_cast<unsigned>(widest_[1] - widest_[0]) / 64) >
@@ -133,6 +134,14 @@ public:
     [[nodiscard]] bool near(int x, int y, int z) const
     {
         const Eigen::Vector3d p = frame_.centre(x, y, z);
+        if (plane_.toCentreSquared(p) <= surelyIn_ * surelyIn_)
+        {
+            return true;
+        }
+        if (!plane_.mayBeWithin(reach_, p))
+        {
+            return false;
+        }
         const auto& [a, b, c] = triangle_.corner;
         return (closestPointOnTriangle(p, a, b, c).point - p).squaredNorm() <= reach_ * reach_;
     }
@@ -194,6 +203,7 @@ private:
     const SurfaceTriangle& triangle_;
     const TriangleBound& plane_;
     double reach_;
+    double surelyIn_; ///< from its centre, which is one of its points
     Eigen::AlignedBox3d box_;
     std::array<int, 2> widest_;
     RowWindow window_;

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "geometry/grid_frame.hpp"
+#include "simulation/reach/tolerances.hpp"
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace frostfill
+{
+
+/// The 64 parts of a cube that is halved twice, and which of them no exclusion takes by itself.
+class CubeParts
+{
+public:
+    /// How often the cube is halved.
+    static constexpr int kTimes = 2;
+    /// How much farther from the cube's middle than an exclusion reaches its centre may be, where
+    /// it takes a part. [edge]
+    static constexpr double kReach = kHalfDiagonal / 2;
+
+    CubeParts(const Eigen::Vector3d& middle, double edge) : half_(edge / 8)
+    {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+            for (std::size_t k = 0; k < kSide; ++k)
+            {
+                // As one halving after the other would.
+                const double half = edge / 4 * (k / 2 == 0 ? -1 : 1);
+                const double quarter = edge / 8 * (k % 2 == 0 ? -1 : 1);
+                along_[axis][k] = middle[static_cast<int>(axis)] + half + quarter;
+            }
+        }
+    }
+
+    /// Whether some are left.
+    [[nodiscard]] bool any() const { return left_ != 0; }
+
+    /// Takes those that lie in a ball altogether.
+    void takeInBall(const Eigen::Vector3d& centre, double squaredRadius)
+    {
+        Places farthest; // squares of the distances of their far sides
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+            for (std::size_t k = 0; k < kSide; ++k)
+            {
+                const double apart = centre[static_cast<int>(axis)] - along_[axis][k];
+                const double far = std::abs(apart) + half_;
+                farthest[axis][k] = far * far;
+            }
+        }
+        left_ &= ~below(farthest, squaredRadius);
+    }
+
+    /// Whether isClear(middle) holds for one of them; those that lie far out along `way` first.
+    template <class IsClear>
+    [[nodiscard]] bool anyClear(const Eigen::Vector3d& way, IsClear&& isClear) const
+    {
+        constexpr int kAlong = (1 << kTimes) - 1;
+        const int x = way.x() < 0 ? 0 : kAlong;
+        const int y = way.y() < 0 ? 0 : kAlong;
+        const int z = way.z() < 0 ? 0 : kAlong;
+        const int first = (z << kTimes | y) << kTimes | x;
+        for (int k = 0; k <= kLast; ++k)
+        {
+            const int part = first ^ k;
+            if ((left_ >> part & 1) != 0 && isClear(middleOf(part)))
+            {
+                return true;
+            }
+        }
+        return false;
+    }
+
+private:
+    using Parts = std::uint64_t; ///< a bit for each, x fastest
+    static constexpr std::size_t kSide = std::size_t{1} << kTimes;
+    using Places = std::array<std::array<double, kSide>, 3>; ///< by axis
+
+    [[nodiscard]] Eigen::Vector3d middleOf(int part) const
+    {
+        const auto at = static_cast<std::size_t>(part);
+        return {along_[0][at % kSide], along_[1][at / kSide % kSide],
+                along_[2][at / (kSide * kSide)]};
+    }
+
+    /// Those of which the sum of what is given along each axis is below a limit.
+    [[nodiscard]] static Parts below(const Places& given, double limit)
+    {
+        const auto [least, most] = std::minmax_element(given[0].begin(), given[0].end());
+        Parts parts = 0;
+        for (std::size_t row = 0; row < kSide * kSide; ++row)
+        {
+            const double ofRow = given[1][row % kSide] + given[2][row / kSide];
+            if (*least + ofRow >= limit)
+            {
+                continue;
+            }
+            Parts run = kRow;
+            if (*most + ofRow >= limit)
+            {
+                run = 0;
+                for (std::size_t k = 0; k < kSide; ++k)
+                {
+                    run |= Parts{given[0][k] + ofRow < limit} << k;
+                }
+            }
+            parts |= run << (kSide * row);
+        }
+        return parts;
+    }
+
+    static constexpr int kLast = (1 << 3 * kTimes) - 1;
+    static constexpr Parts kRow = (Parts{1} << kSide) - 1;
+    double half_;  ///< of a part's edge
+    Places along_; ///< of their middles
+    Parts left_ = ~Parts{0};
+};
+
+} // namespace frostfill
