@@ -5,70 +5,23 @@
 #include "simulation/reach/tolerances.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
+#include <utility>
 
 namespace frostfill
 {
 
-// Of the parts of a cube that is halved twice, each is looked at by itself: what lies in one
-// exclusion as a whole has no part that does not.
 bool ClearSearch::mayBeClear(const Eigen::Vector3d& middle, double edge) const
 {
     thread_local Nearby nearby; // keeps its memory
-    CubeParts parts(middle, edge);
-    Eigen::Vector3d escape = gatherBalls(middle, CubeParts::kReach * edge, nearby);
-    for (const Exclusion& ball : nearby.balls)
-    {
-        parts.takeInBall(ball.centre, ball.square);
-    }
-    if (!parts.any())
-    {
-        return false;
-    }
-    escape += gatherWalls(middle, CubeParts::kReach * edge, nearby);
-    nearby.points.clear();
-    const double whole = exclusionOfPart(edge / 4);
-    if (!parts.anyClear(escape,
-                        [&](const Eigen::Vector3d& p) { return !walled(p, whole, nearby); }))
-    {
-        return false;
-    }
-    if (halvings_ <= CubeParts::kTimes)
-    {
-        return true;
-    }
-    gatherBalls(middle, kHalfDiagonal * edge, nearby);
-    gatherWalls(middle, kHalfDiagonal * edge, nearby);
-    return search(middle, edge, halvings_, {0, nearby.balls.size()}, nearby);
+    const double reach = (halvings_ > CubeParts::kTimes ? kHalfDiagonal : CubeParts::kReach) * edge;
+    gatherBalls(middle, reach, nearby);
+    gatherWalls(middle, reach, nearby);
+    return anyClear(middle, edge, halvings_, nearby.all(), nearby);
 }
 
-// The way out of all that is gathered, roughly.
-Eigen::Vector3d ClearSearch::gatherWalls(const Eigen::Vector3d& middle, double reach,
-                                         Nearby& nearby) const
+void ClearSearch::gatherBalls(const Eigen::Vector3d& middle, double reach, Nearby& nearby) const
 {
-    Eigen::Vector3d escape = Eigen::Vector3d::Zero();
-    nearby.walls.clear();
-    const std::span<const std::uint32_t> triangles = triangles_.near(middle);
-    nearby.many = triangles.size() > TriangleGrid::kShortList;
-    const double distance = probe_ + reach;
-    for (const std::uint32_t id : nearby.many ? std::span<const std::uint32_t>{} : triangles)
-    {
-        const TriangleBound& bound = surface_.bound(id);
-        // Most are out by the ball around them.
-        if (bound.ballIsWithin(distance, bound.toCentreSquared(middle)) &&
-            bound.mayBeWithin(distance, middle))
-        {
-            nearby.walls.push_back(id);
-            escape += bound.normal;
-        }
-    }
-    return escape;
-}
-
-Eigen::Vector3d ClearSearch::gatherBalls(const Eigen::Vector3d& middle, double reach,
-                                         Nearby& nearby) const
-{
-    Eigen::Vector3d escape = Eigen::Vector3d::Zero();
     nearby.balls.clear();
     resting_.forEachNear(middle, 1 + probe_ + reach,
                          [&](std::uint32_t row)
@@ -80,140 +33,144 @@ Eigen::Vector3d ClearSearch::gatherBalls(const Eigen::Vector3d& middle, double r
                                                         (radius + reach) * (radius + reach))
                              {
                                  nearby.balls.push_back({centre, radius * radius, radius});
-                                 escape += middle - centre;
                              }
                          });
-    return escape;
 }
 
-double ClearSearch::exclusionOfPart(double edge) const
+void ClearSearch::gatherWalls(const Eigen::Vector3d& middle, double reach, Nearby& nearby) const
 {
-    return std::max(0.0, probe_ - overlap_ - kReachRounding - kHalfDiagonal * edge);
+    nearby.walls.clear();
+    nearby.places.fill(Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity()));
+    nearby.awayFromWalls.setZero();
+    const std::span<const std::uint32_t> triangles = triangles_.near(middle);
+    nearby.many = triangles.size() > TriangleGrid::kShortList;
+    const double distance = probe_ + reach;
+    for (const std::uint32_t id : nearby.many ? std::span<const std::uint32_t>{} : triangles)
+    {
+        const TriangleBound& bound = surface_.bound(id);
+        // Most are out by the ball around them.
+        if (bound.ballIsWithin(distance, bound.toCentreSquared(middle)) &&
+            bound.mayBeWithin(distance, middle))
+        {
+            nearby.walls.push_back(id);
+            nearby.awayFromWalls += bound.normal;
+        }
+    }
+}
+
+// Cubes that lie in one exclusion as a whole have no part that does not: so it is enough to look at
+// parts of parts, down to the smallest.
+bool ClearSearch::anyClear(const Eigen::Vector3d& middle, double edge, int halvings,
+                           const Obstacles& from, Nearby& nearby) const
+{
+    CubeParts parts(middle, edge);
+    const double ofPart = edge / CubeParts::kSide;
+    const double exclusion =
+        std::max(0.0, probe_ - overlap_ - kReachRounding - kHalfDiagonal * ofPart);
+    nearby.away = nearby.awayFromWalls;
+    takeInBalls(middle, edge, from, nearby, parts);
+    if (halvings <= CubeParts::kTimes)
+    {
+        return parts.anyClear(nearby.away, [&](const Eigen::Vector3d& p)
+                              { return !isWalled(p, exclusion, from, nearby); });
+    }
+    const Obstacles here = select(middle, kHalfDiagonal * edge, from, nearby);
+    const auto mayBeClear = [&](const Eigen::Vector3d& p)
+    {
+        return !isWalled(p, exclusion, here, nearby) &&
+               anyClear(p, ofPart, halvings - CubeParts::kTimes, here, nearby);
+    };
+    const bool found = parts.anyClear(nearby.away, mayBeClear);
+    nearby.balls.resize(here.firstBall);
+    nearby.walls.resize(here.firstWall);
+    return found;
+}
+
+void ClearSearch::takeInBalls(const Eigen::Vector3d& middle, double edge, const Obstacles& from,
+                              Nearby& nearby, CubeParts& parts)
+{
+    const double reach = CubeParts::kReach * edge;
+    for (std::size_t k = from.firstBall; k < from.endOfBalls && parts.any(); ++k)
+    {
+        const Exclusion& ball = nearby.balls[k];
+        const Eigen::Vector3d way = middle - ball.centre;
+        if (way.squaredNorm() < (ball.radius + reach) * (ball.radius + reach))
+        {
+            parts.takeInBall(ball.centre, ball.square);
+            nearby.away += way;
+        }
+    }
+}
+
+// Those that come within `reach` of the middle of a part go to the end of the lists.
+ClearSearch::Obstacles ClearSearch::select(const Eigen::Vector3d& middle, double reach,
+                                           const Obstacles& from, Nearby& nearby) const
+{
+    Obstacles here{nearby.balls.size(), 0, nearby.walls.size(), 0};
+    for (std::size_t k = from.firstBall; k < from.endOfBalls; ++k)
+    {
+        const Exclusion ball = nearby.balls[k];
+        if ((middle - ball.centre).squaredNorm() < (ball.radius + reach) * (ball.radius + reach))
+        {
+            nearby.balls.push_back(ball);
+        }
+    }
+    for (std::size_t k = from.firstWall; k < from.endOfWalls; ++k)
+    {
+        const std::uint32_t id = nearby.walls[k];
+        if (surface_.bound(id).mayBeWithin(probe_ + reach, middle))
+        {
+            nearby.walls.push_back(id);
+        }
+    }
+    here.endOfBalls = nearby.balls.size();
+    here.endOfWalls = nearby.walls.size();
+    return here;
 }
 
 // Parts beside one another are mostly excluded by the same place of a wall.
-bool ClearSearch::walled(const Eigen::Vector3d& part, double distance, Nearby& nearby) const
+bool ClearSearch::isWalled(const Eigen::Vector3d& part, double distance, const Obstacles& among,
+                           Nearby& nearby) const
 {
+    if (among.firstWall == among.endOfWalls && !nearby.many)
+    {
+        return false;
+    }
     const double square = distance * distance;
     const auto isNear = [&](const Eigen::Vector3d& p) { return (part - p).squaredNorm() < square; };
-    if (std::any_of(nearby.points.begin(), nearby.points.end(), isNear))
+    if (std::any_of(nearby.places.begin(), nearby.places.end(), isNear))
     {
         return true;
     }
+    const auto remember = [&](const Eigen::Vector3d& p)
+    { nearby.places[nearby.next++ % nearby.places.size()] = p; };
     if (nearby.many)
     {
         const WallPoint nearest = nearestWall(surface_, part, distance, distance);
         if (nearest.square < square)
         {
-            nearby.points.push_back(nearest.point);
+            remember(nearest.point);
         }
         return nearest.square < square;
     }
-    for (const std::uint32_t id : nearby.walls)
+    const std::span<std::uint32_t> walls = nearby.wallsOf(among);
+    for (std::uint32_t& id : walls)
     {
         if (!surface_.bound(id).mayBeWithin(distance, part))
         {
             continue;
         }
         const auto& [a, b, c] = surface_[id].corner;
-        Eigen::Vector3d point = surface_.bound(id).centre; // one of its points
-        if (!isNear(point))
+        Eigen::Vector3d place = surface_.bound(id).centre; // one of its points
+        if (!isNear(place))
         {
-            point = closestPointOnTriangle(part, a, b, c).point;
+            place = closestPointOnTriangle(part, a, b, c).point;
         }
-        if (isNear(point))
+        if (isNear(place))
         {
-            nearby.points.push_back(point);
+            remember(place);
+            std::swap(id, walls.front()); // asked first from now on
             return true;
-        }
-    }
-    return false;
-}
-
-bool ClearSearch::search(const Eigen::Vector3d& middle, double edge, int halvings,
-                         const Obstacles& from, Nearby& nearby) const
-{
-    Obstacles here{nearby.balls.size(), 0};
-    Middle state;
-    bool found = false;
-    if (!select(middle, edge / 2, from, nearby, state) && !walled(middle, edge, nearby, state))
-    {
-        here.end = nearby.balls.size();
-        found = halvings == 0 || state.clear;
-        // The part first that lies the way out, the opposite one last.
-        const int first = (state.escape.x() < 0 ? 1 : 0) | (state.escape.y() < 0 ? 2 : 0) |
-                          (state.escape.z() < 0 ? 4 : 0);
-        for (int k = 0; k < 8 && !found; ++k)
-        {
-            const int part = first ^ k;
-            const Eigen::Vector3d shift(0.5 - (part & 1), 0.5 - (part >> 1 & 1),
-                                        0.5 - (part >> 2 & 1));
-            found = search(middle + edge / 2 * shift, edge / 2, halvings - 1, here, nearby);
-        }
-    }
-    nearby.balls.resize(here.begin);
-    return found;
-}
-
-bool ClearSearch::select(const Eigen::Vector3d& middle, double half, const Obstacles& from,
-                         Nearby& nearby, Middle& state)
-{
-    const double reach = 2 * kHalfDiagonal * half;
-    for (std::size_t k = from.begin; k < from.end; ++k)
-    {
-        const Exclusion ball = nearby.balls[k];
-        const Eigen::Array3d apart = (ball.centre - middle).array().abs();
-        if ((apart + half).square().sum() < ball.square)
-        {
-            return true;
-        }
-        const double square = apart.square().sum();
-        if (square < ball.square)
-        {
-            state.clear = false;
-            state.escape += middle - ball.centre;
-        }
-        if (square < (ball.radius + reach) * (ball.radius + reach))
-        {
-            nearby.balls.push_back(ball);
-        }
-    }
-    return false;
-}
-
-bool ClearSearch::walled(const Eigen::Vector3d& middle, double edge, const Nearby& nearby,
-                         Middle& state) const
-{
-    const double exclusion = probe_ - overlap_ - kReachRounding;
-    const double whole = exclusionOfPart(edge);
-    if (nearby.many)
-    {
-        const double limit = state.clear ? exclusion : whole;
-        const WallPoint nearest = nearestWall(surface_, middle, limit, whole);
-        if (nearest.square < exclusion * exclusion)
-        {
-            state.clear = false;
-            state.escape += middle - nearest.point;
-        }
-        return nearest.square < whole * whole;
-    }
-    for (const std::uint32_t id : nearby.walls)
-    {
-        if (!surface_.bound(id).mayBeWithin(state.clear ? exclusion : whole, middle))
-        {
-            continue;
-        }
-        const auto& [a, b, c] = surface_[id].corner;
-        const Eigen::Vector3d apart = middle - closestPointOnTriangle(middle, a, b, c).point;
-        const double square = apart.squaredNorm();
-        if (square < whole * whole)
-        {
-            return true;
-        }
-        if (square < exclusion * exclusion)
-        {
-            state.clear = false;
-            state.escape += apart;
         }
     }
     return false;

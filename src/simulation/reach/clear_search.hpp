@@ -6,7 +6,11 @@
 #include "simulation/reach/tolerances.hpp"
 #include "simulation/world/sphere_grid.hpp"
 
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 namespace frostfill
@@ -32,8 +36,8 @@ public:
     /// Looks as if the sphere in this row were not at rest.
     void ignore(std::uint32_t row) { ignored_ = row; }
 
-    /// How often a cube is halved; see kHalvings, which it is at first.
-    void halve(int times) { halvings_ = times; }
+    /// How often a cube is halved; see kHalvings, which it is at first. Always twice at a time.
+    void halve(int times) { halvings_ = times + times % CubeParts::kTimes; }
     /// Edge of the smallest parts of a cube: what takes none of them changes no answer.
     [[nodiscard]] double edgeOfPart(double edge) const { return std::ldexp(edge, -halvings_); }
 
@@ -47,45 +51,46 @@ private:
         double square; ///< of the radius
         double radius;
     };
-    /// What may exclude a part besides the walls: balls[begin, end).
+    /// What may exclude a part, of the lists of what is near.
     struct Obstacles
     {
-        std::size_t begin;
-        std::size_t end;
-    };
-
-    /// What is found out about the middle of a part.
-    struct Middle
-    {
-        bool clear = true;
-        Eigen::Vector3d escape = Eigen::Vector3d::Zero(); ///< of all that excludes it
+        std::size_t firstBall;
+        std::size_t endOfBalls;
+        std::size_t firstWall;
+        std::size_t endOfWalls;
     };
 
     /// What is near the cube in hand.
     struct Nearby
     {
         std::vector<Exclusion> balls; ///< of the cube, then of the part of it in hand, and so on
-        std::vector<std::uint32_t> walls;    ///< triangles, unless they are many
-        std::vector<Eigen::Vector3d> points; ///< of walls that have excluded parts
+        std::vector<std::uint32_t> walls; ///< triangles, unless they are many; likewise
         bool many = false; ///< so that the nearest one is found by the surface's tree
+        std::array<Eigen::Vector3d, 4> places; ///< of walls that have excluded parts, the newest
+        std::size_t next = 0;                  ///< among those
+        Eigen::Vector3d awayFromWalls;
+        Eigen::Vector3d away; ///< from all that is near the part in hand: roughly the way out
+
+        [[nodiscard]] Obstacles all() const { return {0, balls.size(), 0, walls.size()}; }
+        [[nodiscard]] std::span<std::uint32_t> wallsOf(const Obstacles& some)
+        {
+            return std::span(walls).subspan(some.firstWall, some.endOfWalls - some.firstWall);
+        }
     };
 
-    /// What comes within `reach` of a cube's middle. Both return about the way out of it.
-    Eigen::Vector3d gatherWalls(const Eigen::Vector3d& middle, double reach, Nearby& nearby) const;
-    Eigen::Vector3d gatherBalls(const Eigen::Vector3d& middle, double reach, Nearby& nearby) const;
-    /// How near a wall has to be to the middle of a part of this edge to exclude all of it.
-    [[nodiscard]] double exclusionOfPart(double edge) const;
-    /// Whether one is nearer than this.
-    bool walled(const Eigen::Vector3d& part, double distance, Nearby& nearby) const;
-    /// What of `from` is near the part goes to the end of the balls. True when one excludes it all.
-    static bool select(const Eigen::Vector3d& middle, double half, const Obstacles& from,
-                       Nearby& nearby, Middle& state);
+    // What comes within `reach` of a cube's middle.
+    void gatherBalls(const Eigen::Vector3d& middle, double reach, Nearby& nearby) const;
+    void gatherWalls(const Eigen::Vector3d& middle, double reach, Nearby& nearby) const;
 
-    bool search(const Eigen::Vector3d& middle, double edge, int halvings, const Obstacles& from,
-                Nearby& nearby) const;
-    /// The same for walls.
-    bool walled(const Eigen::Vector3d& middle, double edge, const Nearby& nearby,
-                Middle& state) const;
+    bool anyClear(const Eigen::Vector3d& middle, double edge, int halvings, const Obstacles& from,
+                  Nearby& nearby) const;
+    static void takeInBalls(const Eigen::Vector3d& middle, double edge, const Obstacles& from,
+                            Nearby& nearby, CubeParts& parts);
+    Obstacles select(const Eigen::Vector3d& middle, double reach, const Obstacles& from,
+                     Nearby& nearby) const;
+    /// Whether a wall is nearer to the middle of a part than this.
+    bool isWalled(const Eigen::Vector3d& part, double distance, const Obstacles& among,
+                  Nearby& nearby) const;
 
     const SphereGrid& resting_;
     const Surface& surface_;

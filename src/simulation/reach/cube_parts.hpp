@@ -22,6 +22,7 @@ class CubeParts
 public:
     /// How often the cube is halved.
     static constexpr int kTimes = 2;
+    static constexpr int kSide = 1 << kTimes; ///< parts side by side
     /// How much farther from the cube's middle than an exclusion reaches its centre may be, where
     /// it takes a part. [edge]
     static constexpr double kReach = kHalfDiagonal / 2;
@@ -63,7 +64,7 @@ public:
     template <class IsClear>
     [[nodiscard]] bool anyClear(const Eigen::Vector3d& way, IsClear&& isClear) const
     {
-        constexpr int kAlong = (1 << kTimes) - 1;
+        constexpr int kAlong = kSide - 1;
         const int x = way.x() < 0 ? 0 : kAlong;
         const int y = way.y() < 0 ? 0 : kAlong;
         const int z = way.z() < 0 ? 0 : kAlong;
@@ -80,8 +81,7 @@ public:
     }
 
 private:
-    using Parts = std::uint64_t; ///< a bit for each, x fastest
-    static constexpr std::size_t kSide = std::size_t{1} << kTimes;
+    using Parts = std::uint64_t;                             ///< a bit for each, x fastest
     using Places = std::array<std::array<double, kSide>, 3>; ///< by axis
 
     [[nodiscard]] Eigen::Vector3d middleOf(int part) const
