@@ -159,14 +159,21 @@ struct Restitution
     return radius * radius * radius;
 }
 
-/// Kinetic and potential energy of all that run, for gravity downwards along y.
+/// Kinetic and potential energy of a running sphere, for gravity downwards along y.
+[[nodiscard]] inline double energyOf(const RunningSpheres& running, std::uint32_t row,
+                                     double gravity)
+{
+    return massOf(running.radius[row]) *
+           (running.velocity[row].squaredNorm() / 2 + gravity * running.position[row].y());
+}
+
+/// The same of all that run.
 [[nodiscard]] inline double energyOf(const RunningSpheres& running, double gravity)
 {
     double energy = 0;
     for (std::uint32_t row = 0; row < running.size(); ++row)
     {
-        energy += massOf(running.radius[row]) *
-                  (running.velocity[row].squaredNorm() / 2 + gravity * running.position[row].y());
+        energy += energyOf(running, row, gravity);
     }
     return energy;
 }

@@ -213,13 +213,30 @@ void FastEngine::advance()
                      });
 }
 
-// Then those that met are taken apart.
+// Then those that met are taken apart. Meanwhile other threads look at those that met nobody.
 void FastEngine::solve()
 {
+    observed_.resize(running_.size());
     {
-        const StageTimer timer(world_.counts.times, Stage::sphereSphere);
-        solver_.resolve(world_.clock.dt);
-        sets_.observeSolver(1e3 * timer.seconds());
+        double& freezing = world_.counts.times[Stage::freezing];
+        const StageTimer timer(world_.counts.times, Stage::freezing);
+        const double seconds = looksAhead() ? solver_.resolve(world_.clock.dt,
+                                                              [this](std::uint32_t row)
+                                                              {
+                                                                  observe(row);
+                                                                  freezer_.look(row);
+                                                              })
+                                            : solver_.resolve(world_.clock.dt);
+        world_.counts.times[Stage::sphereSphere] += seconds;
+        freezing -= seconds;
+        sets_.observeSolver(1e3 * seconds);
+    }
+    for (std::uint32_t row = 0; row < running_.size(); ++row)
+    {
+        if (!freezer_.hasLookedAt(row))
+        {
+            observe(row);
+        }
     }
     countTests();
     observeEnergy();
@@ -229,6 +246,14 @@ void FastEngine::solve()
     {
         world_.pull = world_.motion.pullAt(world_.clock.time - world_.motionStart);
     }
+}
+
+// Whether the window ends with this step, and nothing but those that push each other may keep a
+// runner from being frozen.
+bool FastEngine::looksAhead()
+{
+    return threads_.concurrency() > 1 && stepsInWindow_ + 1 >= windowSteps_ && !waker_.isMoving() &&
+           sets_.keepsAllSleepy() && freezer_.startLooking();
 }
 
 void FastEngine::freezeAndWake()
@@ -282,13 +307,19 @@ void FastEngine::finish()
     sets_.closeRecord();
 }
 
+void FastEngine::observe(std::uint32_t row)
+{
+    observed_[row] = {flight_.around(row).spheres().size(), flight_.around(row).trianglesTested(),
+                      energyOf(running_, row, world_.frame.gravity)};
+}
+
 void FastEngine::countTests()
 {
     std::uint64_t pairs = 0;
     for (std::uint32_t row = 0; row < running_.size(); ++row)
     {
-        world_.counts.operations.runningFrozenTests += flight_.around(row).spheres().size();
-        world_.counts.operations.spherePolygonTests += flight_.around(row).trianglesTested();
+        world_.counts.operations.runningFrozenTests += observed_[row].spheres;
+        world_.counts.operations.spherePolygonTests += observed_[row].triangles;
         pairs += solver_.pairs().nearby(row).size();
     }
     world_.counts.operations.runningRunningTests += pairs / 2;
@@ -302,11 +333,12 @@ void FastEngine::observeEnergy()
         return;
     }
     double mass = 0;
-    for (const double radius : running_.radius.all())
+    double after = 0;
+    for (std::uint32_t row = 0; row < running_.size(); ++row)
     {
-        mass += massOf(radius);
+        mass += massOf(running_.radius[row]);
+        after += observed_[row].energy;
     }
-    const double after = energyOf(running_, world_.frame.gravity);
     world_.counts.energy.enter(*energy_, after, mass * world_.height);
     energy_ = after;
 }

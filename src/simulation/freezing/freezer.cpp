@@ -42,8 +42,40 @@ void Freezer::startWindow()
     }
 }
 
+bool Freezer::startLooking()
+{
+    looks_ = !isPile();
+    if (looks_)
+    {
+        forgetLooks();
+    }
+    return looks_;
+}
+
+void Freezer::forgetLooks()
+{
+    carriedAt_.assign(running_.size(), std::nullopt);
+    stale_.assign(running_.size(), 0);
+    looked_.assign(running_.size(), 0);
+}
+
+void Freezer::look(std::uint32_t row)
+{
+    watchRow(row);
+    if (isSleepy(row) && !isOverdue(row))
+    {
+        findPlace(row);
+    }
+    looked_[row] = 1;
+}
+
 void Freezer::freeze(SetSchedule& sets)
 {
+    if (!looks_)
+    {
+        forgetLooks();
+    }
+    looks_ = false;
     findSleepy();
     sets.endWindow(watch_.all(), sleepy_);
     if (sleepy_.empty())
@@ -51,8 +83,6 @@ void Freezer::freeze(SetSchedule& sets)
         return;
     }
     frozen_.clear();
-    carriedAt_.assign(running_.size(), std::nullopt);
-    stale_.assign(running_.size(), 0);
     grid_.rebuild(running_);
     if (isPile())
     {
@@ -67,27 +97,37 @@ void Freezer::freeze(SetSchedule& sets)
     }
 }
 
+// Whether it was calm in the window that ends, and begins the next one.
+void Freezer::watchRow(std::uint32_t row)
+{
+    RestWatch& watch = watch_[row];
+    const double still = kStill * running_.radius[row];
+    const bool calm = (running_.position[row] - watch.start).squaredNorm() < still * still;
+    watch.stillWindows = calm ? watch.stillWindows + 1 : 0;
+    watch.start = running_.position[row];
+}
+
 void Freezer::findSleepy()
 {
     sleepy_.clear();
     for (std::uint32_t row = 0; row < running_.size(); ++row)
     {
-        RestWatch& watch = watch_[row];
-        const double still = kStill * running_.radius[row];
-        const bool calm = (running_.position[row] - watch.start).squaredNorm() < still * still;
-        watch.stillWindows = calm ? watch.stillWindows + 1 : 0;
-        if (watch.stillWindows > 0 || isOverdue(row))
+        if (looked_[row] == 0)
+        {
+            watchRow(row);
+        }
+        if (isSleepy(row))
         {
             sleepy_.push_back(row);
         }
     }
-    startWindow();
     const Eigen::Vector3d down = world_.pull.direction(Eigen::Vector3d::Zero());
     std::sort(sleepy_.begin(), sleepy_.end(),
               [&](std::uint32_t a, std::uint32_t b)
               {
-                  const double ya = -running_.position[a].dot(down);
-                  const double yb = -running_.position[b].dot(down);
+                  // Who has been looked at may have been moved since.
+                  const double ya = -watch_[a].start.dot(down);
+                  const double yb = -watch_[b].start.dot(down);
                   return ya < yb || (ya == yb && a < b);
               });
 }
@@ -124,18 +164,17 @@ void Freezer::freezeTogether(std::uint32_t stillWindows)
 // next window.
 void Freezer::freezeOneByOne()
 {
-    threads_.forEachLarge(sleepy_.size(),
-                          [&](std::size_t i)
-                          {
-                              const std::uint32_t row = sleepy_[i];
-                              // One that is overdue may go far, where it would not be told of
-                              // others.
-                              stale_[row] = isOverdue(row) ? 1 : 0;
-                              if (stale_[row] == 0 && !running_.isGone(row))
-                              {
-                                  findPlace(row);
-                              }
-                          });
+    unseen_.clear();
+    for (const std::uint32_t row : sleepy_)
+    {
+        // One that is overdue may go far, where it would not be told of others.
+        stale_[row] = isOverdue(row) ? 1 : 0;
+        if (stale_[row] == 0 && looked_[row] == 0 && !running_.isGone(row))
+        {
+            unseen_.push_back(row);
+        }
+    }
+    threads_.forEachLarge(unseen_.size(), [&](std::size_t i) { findPlace(unseen_[i]); });
     for (const std::uint32_t row : sleepy_)
     {
         if (running_.isGone(row))

@@ -32,6 +32,12 @@ public:
     void age(std::uint32_t row, double dt);
     /// Windows begin where the runners are now.
     void startWindow();
+    /// At the end of a window some runners may be looked at before freeze(), while others still
+    /// move, unless piles freeze together. To be called first.
+    [[nodiscard]] bool startLooking();
+    /// Looks at a runner that nobody will move any more in this window. On any thread.
+    void look(std::uint32_t row);
+    [[nodiscard]] bool hasLookedAt(std::uint32_t row) const { return looks_ && looked_[row] != 0; }
     /// To be called at the end of each window.
     void freeze(SetSchedule& sets);
 
@@ -45,6 +51,12 @@ private:
         bool together;
     };
 
+    void forgetLooks();
+    void watchRow(std::uint32_t row);
+    [[nodiscard]] bool isSleepy(std::uint32_t row) const
+    {
+        return watch_[row].stillWindows > 0 || isOverdue(row);
+    }
     void findSleepy();
     void freezeTogether(std::uint32_t stillWindows);
     void freezeOneByOne();
@@ -73,8 +85,11 @@ private:
     RunningColumn<RestWatch> watch_;
     // By row, at the end of a window.
     std::vector<std::optional<Eigen::Vector3d>> carriedAt_; ///< where what is at rest carries it
-    std::vector<char> stale_; ///< something has come to rest, or has moved, since that was found
+    std::vector<char> stale_;  ///< something has come to rest, or has moved, since that was found
+    std::vector<char> looked_; ///< it has been looked at before its turn
+    bool looks_ = false;       ///< that is known of this window
     std::vector<std::uint32_t> sleepy_;   ///< runners to be frozen, the lowest first
+    std::vector<std::uint32_t> unseen_;   ///< of these, those for which a place is to be looked for
     std::vector<std::uint32_t> together_; ///< those of an island, the lowest first
     std::vector<Frozen> frozen_;
 };

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cmath>
 
 namespace frostfill
@@ -27,10 +28,40 @@ std::atomic_ref<char> flag(char& value)
 
 } // namespace
 
-void PositionSolver::resolve(double dt)
+// A crowd that is not cut takes one thread; the others then look after those that are alone.
+double PositionSolver::resolve(double dt, const Beside& beside)
 {
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point start = Clock::now();
+    Clock::time_point end;
     down_ = flight_.down();
     gatherAll();
+    const auto solve = [&]
+    {
+        resolveCrowd(dt);
+        end = Clock::now();
+    };
+    alone_.clear();
+    for (std::uint32_t row = 0; beside && row < running_.size(); ++row)
+    {
+        if (pairs_.nearby(row).empty())
+        {
+            alone_.push_back(row);
+        }
+    }
+    const bool isCut = crowd_.size() > 0 && crowd_.strips().size() > 1;
+    if (isCut)
+    {
+        solve();
+    }
+    const std::size_t first = isCut ? 0 : 1;
+    crowd_.threads().forEachLarge(first + alone_.size(), [&](std::size_t i)
+                                  { i < first ? solve() : beside(alone_[i - first]); });
+    return std::chrono::duration<double>(end - start).count();
+}
+
+void PositionSolver::resolveCrowd(double dt)
+{
     if (crowd_.size() == 0)
     {
         return;

@@ -32,8 +32,13 @@ public:
         }
     }
 
-    /// Separates the runners and makes their velocities agree with it.
-    void resolve(double dt);
+    /// What may be done of a runner that is in no pair while others are separated, by its row. It
+    /// changes nothing but what belongs to that runner.
+    using Beside = std::function<void(std::uint32_t row)>;
+
+    /// Separates the runners and makes their velocities agree with it. Calls `beside`, if given,
+    /// for each that is in no pair, on any thread. Returns how long it took without that [s].
+    double resolve(double dt, const Beside& beside = {});
 
     /// Takes runners that overlap apart, without giving them any speed.
     void separate();
@@ -54,6 +59,7 @@ private:
         std::function<bool(int sweep)> isMutual;
     };
     void gatherAll();
+    void resolveCrowd(double dt);
     void start();
     void sweep(std::size_t strip, const Sweeps& sweeps);
     double sweepOnce(std::size_t strip, std::uint32_t number, double yieldShare, double liftDepth);
@@ -70,6 +76,7 @@ private:
     Turns turns_;
     VelocitySolver velocitySolver_;
     Eigen::Vector3d down_ = {0, -1, 0}; ///< the pull's direction in this step
+    std::vector<std::uint32_t> alone_;  ///< rows of runners that are in no pair
     // By slot, in the step in hand.
     struct Flown
     {
