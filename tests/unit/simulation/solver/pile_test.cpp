@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace frostfill
@@ -240,6 +241,56 @@ TEST(Pile, OfAThousandSpheresFreezesWithoutOverlapsOrGaps)
         EXPECT_LE(quality.energyExcess, 1e-9);
         hash = hash.empty() ? hashState(world.spheres) : hash;
         EXPECT_EQ(hashState(world.spheres), hash);
+    }
+}
+
+// Those in pairs move as ever, whoever looks after the others meanwhile.
+TEST(PositionSolver, HandsOverThoseInNoPairWhileOthersPushEachOther)
+{
+    std::vector<Eigen::Vector3d> places; // every third one is alone
+    for (int k = 0; k < 30; ++k)
+    {
+        const Eigen::Vector3d at(2.5 * (k % 6) - 6, 2.5 * (k / 6) - 6, 0);
+        places.push_back(k % 3 == 0 ? Eigen::Vector3d(at + Eigen::Vector3d(0, 0, 5)) : at);
+        if (k % 3 == 1)
+        {
+            places.back().x() += 0.9;
+        }
+    }
+    const std::vector<double> radii(places.size(), 1);
+    for (const std::size_t strips : {1, 2, 5})
+    {
+        SCOPED_TRACE(strips);
+        Pile with(places, radii, strips);
+        Pile without(places, radii, 1);
+        int both = 0;
+        for (int step = 0; step < 20; ++step)
+        {
+            for (Pile* pile : {&with, &without})
+            {
+                for (std::uint32_t row = 0; row < pile->running.size(); ++row)
+                {
+                    pile->flight.advance(row, kDt);
+                }
+            }
+            std::vector<int> calls(places.size(), 0);
+            EXPECT_GE(with.positionSolver.resolve(kDt, [&](std::uint32_t row) { ++calls[row]; }),
+                      0);
+            without.positionSolver.resolve(kDt);
+            std::vector<int> alone;
+            for (std::uint32_t row = 0; row < with.running.size(); ++row)
+            {
+                alone.push_back(with.positionSolver.pairs().nearby(row).empty() ? 1 : 0);
+                ASSERT_EQ(with.running.position[row], without.running.position[row]);
+                ASSERT_EQ(with.running.velocity[row], without.running.velocity[row]);
+            }
+            EXPECT_EQ(calls, alone) << "each of them once";
+            both += std::count(alone.begin(), alone.end(), 1) > 0 &&
+                            std::count(alone.begin(), alone.end(), 0) > 0
+                        ? 1
+                        : 0;
+        }
+        EXPECT_GT(both, 5);
     }
 }
 
