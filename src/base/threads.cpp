@@ -109,9 +109,7 @@ void Threads::share(std::size_t count, Run run, const void* body)
     const std::uint64_t loop = (state_.load(std::memory_order_relaxed) >> (3 * kPartBits)) + 1;
     state_.store(loop << (3 * kPartBits) | wanted << (2 * kPartBits), std::memory_order_release);
     state_.notify_all();
-    while (takePart(true))
-    {
-    }
+    takeParts(true);
     for (int spin = 0; partsDone_.load(std::memory_order_acquire) != wanted; ++spin)
     {
         pauseAfter(spin % kSpins);
@@ -129,7 +127,7 @@ void Threads::help()
     std::uint64_t seen = state_.load(std::memory_order_acquire);
     while (!over_)
     {
-        if (takePart(false))
+        if (takeParts(false))
         {
             continue;
         }
@@ -149,21 +147,28 @@ void Threads::help()
 }
 
 // The leading thread begins at the front and the helpers at the back, so that from loop to loop an
-// index mostly stays with the core that has its data. Returns false when no part is left.
-bool Threads::takePart(bool front)
+// index mostly stays with the core that has its data. Returns false when no part was left. The loop
+// is not over before its parts have been told.
+bool Threads::takeParts(bool front)
 {
+    const std::uint64_t one = front ? 1 : std::uint64_t{1} << kPartBits;
+    std::size_t done = 0;
     std::uint64_t state = state_.load(std::memory_order_acquire);
     while (!allTaken(state))
     {
-        const std::uint64_t one = front ? 1 : std::uint64_t{1} << kPartBits;
         if (state_.compare_exchange_weak(state, state + one, std::memory_order_acq_rel,
                                          std::memory_order_acquire))
         {
             runPart(front ? atFront(state) : parts(state) - 1 - atBack(state), parts(state));
-            return true;
+            ++done;
+            state = state_.load(std::memory_order_acquire);
         }
     }
-    return false;
+    if (done > 0)
+    {
+        partsDone_.fetch_add(done, std::memory_order_release);
+    }
+    return done > 0;
 }
 
 void Threads::runPart(std::size_t part, std::size_t all)
@@ -184,7 +189,6 @@ void Threads::runPart(std::size_t part, std::size_t all)
         failure_ = failure_ ? failure_ : std::current_exception();
         failed_ = true;
     }
-    partsDone_.fetch_add(1, std::memory_order_release);
 }
 
 } // namespace frostfill

@@ -95,7 +95,7 @@ private:
     void start();
     void share(std::size_t count, Run run, const void* body);
     void help();
-    bool takePart(bool front);
+    bool takeParts(bool front);
     void runPart(std::size_t part, std::size_t all);
     static void pauseAfter(int spin);
 
@@ -110,8 +110,9 @@ private:
     /// Loops so far, parts of this loop, and how many of them are taken: see the source. A part is
     /// taken by adding one, so no part is ever taken of a loop that is over.
     std::atomic<std::uint64_t> state_ = 0;
-    std::atomic<std::size_t> partsDone_ = 0;
-    std::atomic<std::size_t> awake_ = 0; ///< helpers that look for work, or do some
+    /// Told by each thread once it finds no more, on a line of memory that the others do not read.
+    alignas(64) std::atomic<std::size_t> partsDone_ = 0;
+    alignas(64) std::atomic<std::size_t> awake_ = 0; ///< helpers that look for work, or do some
     std::atomic<bool> over_ = false;
     // Of this loop; read only by those who hold one of its parts, and while there are some.
     std::atomic<Run> run_ = nullptr;

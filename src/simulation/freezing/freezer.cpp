@@ -174,7 +174,8 @@ void Freezer::freezeOneByOne()
             unseen_.push_back(row);
         }
     }
-    threads_.forEachLarge(unseen_.size(), [&](std::size_t i) { findPlace(unseen_[i]); });
+    threads_.forEach(
+        unseen_.size(), [&](std::size_t i) { findPlace(unseen_[i]); }, kWorthSharing);
     for (const std::uint32_t row : sleepy_)
     {
         if (running_.isGone(row))

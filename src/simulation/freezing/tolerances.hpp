@@ -28,6 +28,10 @@ inline constexpr double kMostlyUncarried = 0.5;
 /// A sphere that is frozen comes down by less than this [r]. Larger: it visibly jumps as it
 /// freezes. Smaller: it waits for its neighbours to settle first, and stirs them.
 inline constexpr double kLongestSettling = 0.15;
+/// Places to look for that are worth sharing among threads: each takes about a microsecond. The
+/// answer is the same for any. Larger: threads have nothing to do. Smaller: they wait for one
+/// another.
+inline constexpr std::size_t kWorthSharing = 8;
 
 // How a sphere ages, until it is overdue.
 
