@@ -19,7 +19,7 @@ namespace frostfill
 /// Tells whether a cube holds a place for the centre of a sphere, one that is clear of the walls
 /// and of all spheres at rest together: ReachMap alone blocks a cube only when a single obstacle
 /// excludes all of it. The cube is halved again and again until each part lies in one exclusion, or
-/// a clear point is found, or the parts are so small that they count as clear.
+/// is so small that it counts as clear.
 class ClearSearch
 {
 public:

@@ -29,8 +29,8 @@ inline constexpr std::size_t kWholeGrid = std::size_t{32} << 20;
 inline constexpr double kGrowth = 1.02;
 /// And by this one where even the largest cubes allowed are reached at once, so that it ends.
 inline constexpr double kMinGrowth = 1.0001;
-/// How often ClearSearch halves a cube: parts that small count as clear. Larger: eight times the
-/// time for each, for hardly a cube more. Smaller: more is kept.
+/// How often ClearSearch halves a cube, an even number: parts that small count as clear. Larger:
+/// eight times the time for each, for hardly a cube more. Smaller: more is kept.
 inline constexpr int kHalvings = 2;
 
 // Triangles, row by row. These two only widen a filter before the exact test.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/discard/held_cubes.hpp"
 
+#include "base/random.hpp"
 #include "support/shapes.hpp"
 #include "support/small_world.hpp"
 
@@ -113,6 +114,15 @@ TEST_F(HeldCubesTest, LookAgainWhereSomethingHasComeToRest)
             changed += holds ? 0 : 1;
         });
     EXPECT_GT(changed, 0);
+    // One after another, at random: each is told by itself.
+    for (std::uint64_t k = 0; k < 30; ++k)
+    {
+        const auto at = [&](std::uint64_t axis) { return 6 * uniformRandom(1, k, axis) - 3; };
+        const std::vector<Ball> one = {rest({at(0), at(1), at(2)})};
+        cubes.forgetNear(BallSlabs(layout.frame, one, 2), 1, threads);
+        forEachCube([&](int x, int y, int z)
+                    { EXPECT_EQ(cubes.mayHold(x, y, z), searched(x, y, z)) << "ball " << k; });
+    }
     search.halve(7);
     cubes.forgetAll();
     forEachCube([&](int x, int y, int z) { EXPECT_EQ(cubes.mayHold(x, y, z), searched(x, y, z)); });
