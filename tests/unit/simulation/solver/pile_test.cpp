@@ -247,17 +247,13 @@ TEST(Pile, OfAThousandSpheresFreezesWithoutOverlapsOrGaps)
 // Those in pairs move as ever, whoever looks after the others meanwhile.
 TEST(PositionSolver, HandsOverThoseInNoPairWhileOthersPushEachOther)
 {
-    std::vector<Eigen::Vector3d> places; // every third one is alone
-    for (int k = 0; k < 30; ++k)
+    std::vector<Eigen::Vector3d> places; // every third one is alone, the others are in pairs
+    for (int k = 0; k < 128; ++k)
     {
-        const Eigen::Vector3d at(2.5 * (k % 6) - 6, 2.5 * (k / 6) - 6, 0);
-        places.push_back(k % 3 == 0 ? Eigen::Vector3d(at + Eigen::Vector3d(0, 0, 5)) : at);
-        if (k % 3 == 1)
-        {
-            places.back().x() += 0.9;
-        }
+        const double shift = k % 3 == 1 ? 0.9 : 0;
+        places.emplace_back(2 * (k % 8) - 7 + shift, 2 * (k / 8 % 8) - 7, 5 * (k / 64) - 2);
     }
-    const std::vector<double> radii(places.size(), 1);
+    const std::vector<double> radii(places.size(), 0.6);
     for (const std::size_t strips : {1, 2, 5})
     {
         SCOPED_TRACE(strips);
