@@ -41,6 +41,7 @@ void ClearSearch::gatherWalls(const Eigen::Vector3d& middle, double reach, Nearb
 {
     nearby.walls.clear();
     nearby.places.fill(Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity()));
+    nearby.next = 0;
     nearby.awayFromWalls.setZero();
     const std::span<const std::uint32_t> triangles = triangles_.near(middle);
     nearby.many = triangles.size() > TriangleGrid::kShortList;
@@ -69,6 +70,10 @@ bool ClearSearch::anyClear(const Eigen::Vector3d& middle, double edge, int halvi
         std::max(0.0, probe_ - overlap_ - kReachRounding - kHalfDiagonal * ofPart);
     nearby.away = nearby.awayFromWalls;
     takeInBalls(middle, edge, from, nearby, parts);
+    for (std::size_t k = 0; k < std::min(nearby.next, nearby.places.size()) && parts.any(); ++k)
+    {
+        parts.takeMiddleInBall(nearby.places[k], exclusion * exclusion);
+    }
     if (halvings <= CubeParts::kTimes)
     {
         return parts.anyClear(nearby.away, [&](const Eigen::Vector3d& p)

@@ -47,17 +47,12 @@ public:
     /// Takes those that lie in a ball altogether.
     void takeInBall(const Eigen::Vector3d& centre, double squaredRadius)
     {
-        Places farthest; // squares of the distances of their far sides
-        for (std::size_t axis = 0; axis < 3; ++axis)
-        {
-            for (std::size_t k = 0; k < kSide; ++k)
-            {
-                const double apart = centre[static_cast<int>(axis)] - along_[axis][k];
-                const double far = std::abs(apart) + half_;
-                farthest[axis][k] = far * far;
-            }
-        }
-        left_ &= ~below(farthest, squaredRadius);
+        take(centre, squaredRadius, half_);
+    }
+    /// Takes those whose middle does.
+    void takeMiddleInBall(const Eigen::Vector3d& centre, double squaredRadius)
+    {
+        take(centre, squaredRadius, 0);
     }
 
     /// Whether isClear(middle) holds for one of them; those that lie far out along `way` first.
@@ -89,6 +84,22 @@ private:
         const auto at = static_cast<std::size_t>(part);
         return {along_[0][at % kSide], along_[1][at / kSide % kSide],
                 along_[2][at / (kSide * kSide)]};
+    }
+
+    /// Those of which all that is as far as this from the middle along the axes lies in the ball.
+    void take(const Eigen::Vector3d& centre, double squaredRadius, double beyond)
+    {
+        Places farthest; // squares of the distances of their far sides
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+            for (std::size_t k = 0; k < kSide; ++k)
+            {
+                const double apart = centre[static_cast<int>(axis)] - along_[axis][k];
+                const double far = std::abs(apart) + beyond;
+                farthest[axis][k] = far * far;
+            }
+        }
+        left_ &= ~below(farthest, squaredRadius);
     }
 
     /// Those of which the sum of what is given along each axis is below a limit.

@@ -102,6 +102,29 @@ TEST(CubeParts, AreTakenByNothingFartherThanTheirReach)
     EXPECT_TRUE(anyTaken(Eigen::Vector3d(1, -1, 1).normalized() * (farthest - 1e-9)));
 }
 
+TEST(CubeParts, AreTakenByBallsThatTakeTheirMiddleAsOneByOne)
+{
+    Random random(4);
+    int ends = 0;
+    for (int trial = 0; trial < 300; ++trial)
+    {
+        const Eigen::Vector3d middle = random.point(-3, 3);
+        CubeParts parts(middle, kEdgeOfCube);
+        PartByPart oracle(middle);
+        for (int k = 0; k < 40 && oracle.any(); ++k)
+        {
+            const double radius = random.uniform(0.2, 1);
+            const Eigen::Vector3d centre =
+                middle + random.direction(random.uniform(0, radius + 0.3));
+            parts.takeMiddleInBall(centre, radius * radius);
+            oracle.take([&](const Eigen::Vector3d& p) { return (p - centre).norm() < radius; });
+            ASSERT_EQ(parts.any(), oracle.any()) << "trial " << trial << " ball " << k;
+        }
+        ends += oracle.any() ? 0 : 1;
+    }
+    EXPECT_GT(ends, 100);
+}
+
 // Each part that is left is asked for once, with its middle.
 TEST(CubeParts, AreAskedForUntilOneIsClear)
 {
