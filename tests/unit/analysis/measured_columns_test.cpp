@@ -65,10 +65,10 @@ TEST(MeasuredColumns, AreWhatAnAnalysisOfTheSpheresAtRestFinds)
         ASSERT_EQ(snapshot.columns.size(), 3U);
         for (std::size_t k = 1; k < packing.radii.size(); ++k)
         {
-            EXPECT_FLOAT_EQ(snapshot.columns[0].at(k),
+            EXPECT_FLOAT_EQ(static_cast<float>(snapshot.columns[0].at(k)),
                             static_cast<float>(analysis.order->q6[k - 1]));
             EXPECT_EQ(snapshot.columns[1].at(k), analysis.contacts->spheres[k - 1]);
-            EXPECT_FLOAT_EQ(snapshot.columns[2].at(k),
+            EXPECT_FLOAT_EQ(static_cast<float>(snapshot.columns[2].at(k)),
                             static_cast<float>(analysis.wallDistances[k - 1]));
         }
         EXPECT_TRUE(std::isnan(snapshot.columns[0].at(0))); // it runs
