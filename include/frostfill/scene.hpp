@@ -232,12 +232,12 @@ struct JudgeSettings
 
     std::optional<double> friction; ///< [1] of all contacts; if given, whether all that is at rest
                                     ///< stays so together is judged, too
-    /// [1] Moment that resists rolling in all contacts, over normal force and reduced radius; if
-    /// not given, that of RestSettings.
-    std::optional<double> rollingFriction = {};
     double unbalance = 0.1; ///< [own weight] that forces may miss on a sphere that is balanced
     /// [1] under which spheres settled that a program judges. A scene has RestSettings for that.
     double settledWith = 0;
+    /// [1] Moment that resists rolling in all contacts, over normal force and reduced radius; if
+    /// not given, that of RestSettings.
+    std::optional<double> rollingFriction = {};
 };
 
 struct SearchSettings
