@@ -3,6 +3,7 @@
 
 #include "oracle/rest.hpp"
 #include "simulation/quality/contact_network.hpp"
+#include "simulation/quality/least_friction.hpp"
 
 #include <cmath>
 #include <vector>
@@ -122,5 +123,13 @@ private:
     std::vector<Eigen::Vector3d> places_;
     ContactNetwork network_;
 };
+
+inline constexpr double kFine = 1e-4; // [own weight] that may be missing where statics is exact
+
+inline double leastFrictionOf(const ContactNetwork& network, std::size_t except = 0)
+{
+    Threads threads(1);
+    return leastFriction(network, kFine, except, threads);
+}
 
 } // namespace frostfill

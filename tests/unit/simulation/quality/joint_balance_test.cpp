@@ -4,7 +4,6 @@
 
 #include "base/random.hpp"
 #include "oracle/rest.hpp"
-#include "simulation/quality/least_friction.hpp"
 #include "unit/simulation/quality/hand_network.hpp"
 
 #include <Eigen/Dense>
@@ -21,20 +20,12 @@ namespace
 
 using Eigen::Vector3d;
 
-constexpr double kFine = 1e-4; // [own weight] that may be missing where statics is exact
-
 double unbalanceOf(const ContactNetwork& network, std::uint32_t body, double friction)
 {
     Threads threads(1);
     JointBalance forces(network, threads);
     (void)forces.solve(friction, {.unbalance = kFine});
     return forces.unbalance(body);
-}
-
-double leastFrictionOf(const ContactNetwork& network, std::size_t except = 0)
-{
-    Threads threads(1);
-    return leastFriction(network, kFine, except, threads);
 }
 
 /// Three spheres between walls, the middle one higher: see oracle::frictionOfArch.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Forces and moments that balance spheres with rolling friction, against statics by hand.
 #include "simulation/quality/joint_balance.hpp"
-#include "simulation/quality/least_friction.hpp"
 #include "unit/simulation/quality/hand_network.hpp"
 
 #include <gtest/gtest.h>
@@ -15,14 +14,6 @@ namespace
 {
 
 using Eigen::Vector3d;
-
-constexpr double kFine = 1e-4; // [own weight] that may be missing
-
-double leastFrictionOf(const ContactNetwork& network)
-{
-    Threads threads(1);
-    return leastFriction(network, kFine, 0, threads);
-}
 
 TEST(RollingBalance, LetsASphereStandOnASlopeThatRollingFrictionIsEnoughFor)
 {
