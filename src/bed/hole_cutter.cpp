@@ -17,7 +17,7 @@ namespace
 constexpr double kFacing = 0.4;
 /// [radius of the bridge] that points keep from one another. Larger: fewer bridges. Smaller:
 /// triangles so thin that rounding to single precision turns them over.
-constexpr double kApart = 0.01;
+constexpr double kApart = 0.015;
 /// [height of the cap that a bridge takes from its sphere] that walls stay away. Likewise.
 constexpr double kAway = 0.1;
 /// Edges that one side of a bridge may cross, and pieces on the way to a corner.
