@@ -85,8 +85,8 @@ private:
                 next = kFirst;
             }
         } while ((hashOf(upper) & kHashMask) != kHash);
-        return reinterpret_cast<void*>(std::uintptr_t{upper}
-                                       << 16); // NOLINT(performance-no-int-to-ptr)
+        const std::uintptr_t address = std::uintptr_t{upper} << 16;
+        return reinterpret_cast<void*>(address); // NOLINT(performance-no-int-to-ptr)
     }
 
     void* place_ = MAP_FAILED;

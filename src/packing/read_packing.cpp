@@ -185,7 +185,7 @@ Packing readContent(const std::filesystem::path& file, const PackingFileOptions&
             Timestep last;
             for (Timestep timestep; format.next(lines, options.radius, timestep);)
             {
-                last = std::move(timestep);
+                last = std::exchange(timestep, {});
             }
             return packingOf(std::move(last), format.name);
         }

@@ -82,8 +82,7 @@ private:
     [[nodiscard]] Eigen::Vector3d middleOf(int part) const
     {
         const auto at = static_cast<std::size_t>(part);
-        return {along_[0][at % kSide], along_[1][at / kSide % kSide],
-                along_[2][at / (kSide * kSide)]};
+        return {along_[0][at % kSide], along_[1][at / kSide % kSide], along_[2][at / kRows]};
     }
 
     /// Those of which all that is as far as this from the middle along the axes lies in the ball.
@@ -107,7 +106,7 @@ private:
     {
         const auto [least, most] = std::minmax_element(given[0].begin(), given[0].end());
         Parts parts = 0;
-        for (std::size_t row = 0; row < kSide * kSide; ++row)
+        for (std::size_t row = 0; row < kRows; ++row)
         {
             const double ofRow = given[1][row % kSide] + given[2][row / kSide];
             if (*least + ofRow >= limit)
@@ -130,6 +129,7 @@ private:
 
     static constexpr int kLast = (1 << 3 * kTimes) - 1;
     static constexpr Parts kRow = (Parts{1} << kSide) - 1;
+    static constexpr std::size_t kRows = std::size_t{kSide} * kSide;
     double half_;  ///< of a part's edge
     Places along_; ///< of their middles
     Parts left_ = ~Parts{0};
