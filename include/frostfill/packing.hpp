@@ -27,7 +27,7 @@ struct Packing
     /// The mesh and the axis up, if the file is a run of our own.
     std::optional<TriangleMesh> mesh;
     std::optional<Axis> up;
-    double settledWith = 0; ///< [1] friction under which a run's spheres settled together
+    double settledWith = 0;     ///< [1] friction under which a run's spheres settled together
     double rollingFriction = 0; ///< [1] and the rolling friction
 };
 
