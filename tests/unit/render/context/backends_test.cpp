@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <utility>
 #include <vector>
 
@@ -295,7 +296,9 @@ TEST_F(Backends, ProbingTriesEveryOneAndSaysWhatIsMissing)
     EXPECT_EQ(attempts[1].name, "egl-hardware");
     EXPECT_EQ(attempts[2].name, "egl-software");
     EXPECT_EQ(attempts[3].name, "egl-surfaceless");
-    EXPECT_EQ(attempts[0].works, test::hasBackend("osmesa")) << attempts[0].description;
+    // Wherever no test has hidden it: otherwise all that compares with it would be skipped.
+    EXPECT_EQ(attempts[0].works, std::getenv("FAULT_LIBRARY") == nullptr)
+        << attempts[0].description;
     for (const BackendAttempt& attempt : attempts)
     {
         EXPECT_EQ(attempt.works, attempt.remedy.empty());

@@ -54,9 +54,12 @@ private:
     std::vector<Eigen::Vector3d> left_;
 };
 
-TEST(CubeParts, AreTakenByBallsAsOneByOne)
+/// Takes parts of many cubes by balls, `take(parts, ball)`, and by the oracle, which asks
+/// `isTaken(part, ball)` of each of them, until none is left.
+template <class Take, class IsTaken>
+void expectTakenAsOneByOne(Random random, double smallest, double largest, Take&& take,
+                           IsTaken&& isTaken)
 {
-    Random random(1);
     int ends = 0;
     for (int trial = 0; trial < 300; ++trial)
     {
@@ -65,15 +68,24 @@ TEST(CubeParts, AreTakenByBallsAsOneByOne)
         PartByPart oracle(middle);
         for (int k = 0; k < 40 && oracle.any(); ++k)
         {
-            const double radius = random.uniform(0.4, 2);
+            const double radius = random.uniform(smallest, largest);
             const Ball ball = {middle + random.direction(random.uniform(0, radius + 0.3)), radius};
-            parts.takeInBall(ball.centre, radius * radius);
-            oracle.take([&](const Eigen::Vector3d& p) { return PartByPart::isInBall(p, ball); });
+            take(parts, ball);
+            oracle.take([&](const Eigen::Vector3d& p) { return isTaken(p, ball); });
             ASSERT_EQ(parts.any(), oracle.any()) << "trial " << trial << " ball " << k;
         }
         ends += oracle.any() ? 0 : 1;
     }
     EXPECT_GT(ends, 100);
+}
+
+TEST(CubeParts, AreTakenByBallsAsOneByOne)
+{
+    expectTakenAsOneByOne(
+        Random(1), 0.4, 2,
+        [](CubeParts& parts, const Ball& ball)
+        { parts.takeInBall(ball.centre, ball.radius * ball.radius); },
+        PartByPart::isInBall);
 }
 
 // A ball beyond takes no part: who looks for balls looks no farther.
@@ -104,25 +116,12 @@ TEST(CubeParts, AreTakenByNothingFartherThanTheirReach)
 
 TEST(CubeParts, AreTakenByBallsThatTakeTheirMiddleAsOneByOne)
 {
-    Random random(4);
-    int ends = 0;
-    for (int trial = 0; trial < 300; ++trial)
-    {
-        const Eigen::Vector3d middle = random.point(-3, 3);
-        CubeParts parts(middle, kEdgeOfCube);
-        PartByPart oracle(middle);
-        for (int k = 0; k < 40 && oracle.any(); ++k)
-        {
-            const double radius = random.uniform(0.2, 1);
-            const Eigen::Vector3d centre =
-                middle + random.direction(random.uniform(0, radius + 0.3));
-            parts.takeMiddleInBall(centre, radius * radius);
-            oracle.take([&](const Eigen::Vector3d& p) { return (p - centre).norm() < radius; });
-            ASSERT_EQ(parts.any(), oracle.any()) << "trial " << trial << " ball " << k;
-        }
-        ends += oracle.any() ? 0 : 1;
-    }
-    EXPECT_GT(ends, 100);
+    expectTakenAsOneByOne(
+        Random(4), 0.2, 1,
+        [](CubeParts& parts, const Ball& ball)
+        { parts.takeMiddleInBall(ball.centre, ball.radius * ball.radius); },
+        [](const Eigen::Vector3d& p, const Ball& ball)
+        { return (p - ball.centre).norm() < ball.radius; });
 }
 
 // Each part that is left is asked for once, with its middle.
