@@ -117,16 +117,17 @@ void TileLayer::paintBackground(std::size_t tile)
     tiles_[tile].setGround(std::move(pixels));
 }
 
+void TileLayer::addToRepainted(std::size_t tile, const PixelRectangle& pixels)
+{
+    PixelRectangle& part = repainted_[tile];
+    part = around(part, grid_.part(tile).within(pixels));
+}
+
 void TileLayer::addContacts(std::span<PixelRectangle> dirty)
 {
     for (const PixelRectangle& pixels : contacts_->arrived())
     {
-        grid_.each(pixels,
-                   [&](std::size_t tile)
-                   {
-                       PixelRectangle& part = repainted_[tile];
-                       part = around(part, grid_.part(tile).within(pixels));
-                   });
+        grid_.each(pixels, [&](std::size_t tile) { addToRepainted(tile, pixels); });
     }
     for (std::size_t tile = 0; tile < tiles_.size(); ++tile)
     {
@@ -263,12 +264,11 @@ void TileLayer::repaint(std::span<const std::size_t> recoloured, std::span<Pixel
                    {
                        if (isSeen(sphere, tile))
                        {
-                           PixelRectangle& part = repainted_[tile];
-                           if (part.empty())
+                           if (repainted_[tile].empty())
                            {
                                stale.push_back(tile);
                            }
-                           part = around(part, grid_.part(tile).within(pixels));
+                           addToRepainted(tile, pixels);
                        }
                    });
     };

@@ -67,6 +67,7 @@ private:
     /// Draws what is seen where nothing lies: ground and contact shadows.
     void paintBackground(std::size_t tile);
     /// Draws where contact shadows have come.
+    void addToRepainted(std::size_t tile, const PixelRectangle& pixels);
     void addContacts(std::span<PixelRectangle> dirty);
     void repaintTiles(const RestingSpheres& resting, bool cull);
     void updateVisibleLight();
