@@ -21,9 +21,8 @@ public:
     {
         for (int k = 0; k < 64; ++k)
         {
-            left_.emplace_back(middle.array() + kOfPart * Eigen::Array3d(k % 4 - 1.5,
-                                                                         k / 4 % 4 - 1.5,
-                                                                         k / 16 - 1.5));
+            const Eigen::Array3i place(k % 4, k / 4 % 4, k / 16);
+            left_.emplace_back(middle.array() + kOfPart * (place.cast<double>() - 1.5));
         }
     }
     template <class IsTaken>
