@@ -32,9 +32,9 @@ struct OtherCode
 };
 
 // A name for lists of tests, in place of its bytes.
-void PrintTo(const OtherCode& code, std::ostream* out)
+std::ostream& operator<<(std::ostream& out, const OtherCode& code)
 {
-    *out << code.name;
+    return out << code.name;
 }
 
 bool succeeds(const std::string& command)

@@ -66,10 +66,11 @@ Drawn drawWithOpenGl(const TriangleMesh& mesh, const RenderSettings& settings,
     for (std::size_t i = 0; i < depth.size(); ++i)
     {
         const auto width = static_cast<std::size_t>(settings.size.width);
-        drawn.points.push_back(depth[i] < 1 ? std::optional(caster.unproject(
-                                                  static_cast<double>(i % width) + 0.5,
-                                                  static_cast<double>(i / width) + 0.5, depth[i]))
-                                            : std::nullopt);
+        const std::size_t row = i / width;
+        drawn.points.push_back(
+            depth[i] < 1 ? std::optional(caster.unproject(static_cast<double>(i % width) + 0.5,
+                                                          static_cast<double>(row) + 0.5, depth[i]))
+                         : std::nullopt);
     }
     return drawn;
 }
