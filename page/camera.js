@@ -199,9 +199,26 @@ function pullBack(matrix, point) {
   return [0, 1, 2].map((column) => dot(matrix.slice(4 * column, 4 * column + 3), p));
 }
 
+/** A direction of the space before a view, in the space after it. */
+const turned = (view, [x, y, z]) =>
+  [0, 1, 2].map((row) => view[row] * x + view[4 + row] * y + view[8 + row] * z);
+
 /** A plane (normal, constant) of the space before a view, in the space after it. */
 function movedPlane(view, plane) {
-  const normal = [0, 1, 2].map((row) =>
-    view[row] * plane[0] + view[4 + row] * plane[1] + view[8 + row] * plane[2]);
+  const normal = turned(view, plane);
   return [...normal, plane[3] - dot(normal, view.slice(12, 15))];
 }
+
+/** How deep a point of unit space lies in what is taken away. */
+function depthInCut(view, planes, point) {
+  const seen = sum(turned(view, point), view.slice(12, 15));
+  return Math.min(...[0, 4].map((k) => dot(planes.slice(k, k + 3), seen) + planes[k + 3]));
+}
+
+/** Which spheres a cut takes away in whole or more than half. */
+const isTaken = (spheres, view, planes) => (at) =>
+  planes !== null && depthInCut(view, planes, spheres.subarray(4 * at, 4 * at + 3)) > 0;
+
+/** Of which spheres a cut leaves all. */
+const isKept = (view, planes) => (centre, radius) =>
+  planes === null || depthInCut(view, planes, centre) < -radius;

@@ -214,3 +214,11 @@ class Film {
     return this.poses[this.at];
   }
 }
+
+/** Centre and radius of a sphere of the film. */
+function sphereInUnitSpace({ places, values }, id) {
+  const { step, radius_step: radiusStep } = facts.film;
+  const scale = facts.scale_of_unit;
+  return [0, 1, 2].map((axis) => scale * (facts.origin[axis] - facts.centre[axis] + step * places[3 * id + axis]))
+    .concat(scale * radiusStep * values.radius[id]);
+}

@@ -14,7 +14,6 @@ class Page {
     this.timeline = new Timeline(this.film, () => this.redraw());
     this.gestures = new Gestures(part("picture"), this.camera, () => this.redraw());
     this.fillControls();
-    this.takeShell();
     this.takeLook();
     this.readAddress();
     // At once: what is drawn a frame later is seen stretched until then.
@@ -43,6 +42,7 @@ class Page {
     }
     part("cut-depth").addEventListener("input", () => this.takeCut());
     part("shell").addEventListener("input", () => {
+      this.shellIsChosen = true;
       view.shell = Number(part("shell").value) ** 2; // film is seen where it is hardly there
       this.redraw();
     });
@@ -53,6 +53,9 @@ class Page {
 
   takeLook() {
     dressPage(this.view.look);
+    if (!this.shellIsChosen) {
+      this.takeShell();
+    }
     this.redraw();
   }
 
@@ -123,6 +126,7 @@ class Page {
       part("look").dispatchEvent(new Event("change"));
     }
     if (words.has("shell")) {
+      this.shellIsChosen = true;
       [this.view.shell] = numbers("shell");
     }
     this.redraw();

@@ -16,6 +16,10 @@ class Picture {
     this.gl = gl;
     this.programs = new Programs(gl);
     this.shell = new Shell(gl, sections);
+    this.shadows = new StudioShadows(gl, sections);
+    this.lights = new LightTexture(gl);
+    // Twelve neighbours and all else that sphere.vert tells; drivers need not have room for so much.
+    this.canLight = gl.getParameter(gl.MAX_VARYING_VECTORS) >= 20;
     this.makeSpheres();
     this.drawnSize = [0, 0];
     this.shown = {}; // of which frame, colours and eye the buffers are
@@ -37,7 +41,9 @@ class Picture {
     this.instances = new Float32Array(0);
     this.states = new Uint8Array(0);
     this.colours = new Uint32Array(0);
+    this.ids = new Uint32Array(0); // ascending
     this.hidden = new Hidden();
+    this.occlusion = new SphereOcclusion();
     // A corner for each vertex: a software renderer takes 30 us for each instance of four vertices.
     this.corners = { places: new Float32Array(0), states: new Uint8Array(0), colours: new Uint32Array(0) };
     this.indices = gl.createBuffer();
@@ -50,16 +56,12 @@ class Picture {
     const { film, gl } = this;
     this.instances = grown(this.instances, 4 * film.spheres);
     this.states = grown(this.states, film.spheres);
-    const { step, radius_step: radiusStep } = facts.film;
-    const scale = facts.scale_of_unit;
-    const shift = scaled(difference(facts.origin, facts.centre), scale);
+    this.ids = grown(this.ids, film.spheres);
     let at = 0;
     for (let id = 0; id < film.spheres; ++id) {
       if (film.states[id] !== kWaits) {
-        for (let axis = 0; axis < 3; ++axis) {
-          this.instances[4 * at + axis] = shift[axis] + scale * step * film.places[3 * id + axis];
-        }
-        this.instances[4 * at + 3] = scale * radiusStep * film.values.radius[id];
+        this.instances.set(sphereInUnitSpace(film, id), 4 * at);
+        this.ids[at] = id;
         this.states[at++] = film.states[id];
       }
     }
@@ -86,6 +88,13 @@ class Picture {
       : this.hidden.seenOf(instances, count, looked, this.drawnSize, planes);
     this.drawn = seen?.length ?? count;
     this.leftOut = count - this.drawn;
+    if (this.isStudio) {
+      this.occlusion.follow(this.ids, instances, states, count, isTaken(instances, looked.view, planes));
+      this.lights.fill(this.drawn, (k) => {
+        const i = seen ? seen[k] : k;
+        return this.occlusion.lightOf(this.ids[i], instances.subarray(4 * i, 4 * i + 4));
+      });
+    }
     corners.places = grown(corners.places, 16 * this.drawn);
     corners.states = grown(corners.states, 4 * this.drawn);
     corners.colours = grown(corners.colours, 4 * this.drawn);
@@ -120,6 +129,10 @@ class Picture {
     gl.bindVertexArray(this.array);
     gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.indices);
     gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, this.squares, gl.STATIC_DRAW);
+  }
+
+  get isStudio() {
+    return this.canLight && this.view.look.studio;
   }
 
   fill(buffer, numbers) {
@@ -165,7 +178,8 @@ class Picture {
     const looked = camera.look(film.pose());
     const planes = cutPlanes(view.cut, looked.view);
     const from = this.count > kManySpheres
-      ? [looked.view, looked.projection, this.drawnSize, planes].join() : "anywhere";
+      ? [looked.view, looked.projection, this.drawnSize, planes].join()
+      : this.isStudio && planes ? [JSON.stringify(view.cut), film.pose()].join() : "anywhere";
     if (isColoured || shown.from !== from) {
       this.takeSeen(looked, planes);
       shown.from = from;
@@ -175,6 +189,9 @@ class Picture {
     const ground = bytesToUnit(opaque(view.look.background));
     gl.clearColor(...ground);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    if (this.isStudio) {
+      this.shadows.draw(this.programs, looked, film, isKept(looked.view, planes), view.shell > 0);
+    }
     this.drawSpheres(looked, ground, planes);
     if (view.shell > 0) {
       this.drawShell(looked, planes);
@@ -185,7 +202,11 @@ class Picture {
   drawSpheres(looked, ground, planes) {
     const { gl, view: { look } } = this;
     const strokes = this.strokes();
-    this.programs.get("sphere", { ...look, fading_lines: false }, planes !== null).use({
+    const { lamp, up } = facts.studio;
+    this.lights.bind();
+    this.programs.get("sphere", { ...look, fading_lines: false, studio: this.isStudio }, planes !== null).use({
+      lamp: turned(looked.view, lamp),
+      above: turned(looked.view, up),
       view: looked.view,
       projection: looked.projection,
       depthAtInfinity: looked.depthAtInfinity,
@@ -215,7 +236,7 @@ class Picture {
     const discarded = bytesToUnit(look.discarded_polygon);
     discarded[3] = Math.min(1, discarded[3] * shell / Math.max(active[3], 1 / 255));
     active[3] = shell;
-    this.programs.get("mesh", look, planes !== null).use({
+    this.programs.get("mesh", { ...look, studio: false }, planes !== null).use({
       view: looked.view,
       projection: looked.projection,
       activeColour: active,

@@ -44,8 +44,7 @@ Json inkJson(const Colour& surface, const Colour& background)
     return {ink.x, ink.y, ink.z};
 }
 
-/// Colours and lines of a look, as pictures have them. Lamps and shadows of the studio are left to
-/// pictures.
+/// Colours and lines of a look, as pictures have them.
 Json lookJson(const char* name, const Palette& palette, const PageView& view,
               const TriangleMesh& mesh, Look look)
 {
@@ -64,7 +63,8 @@ Json lookJson(const char* name, const Palette& palette, const PageView& view,
             {"discarded_ink", inkJson(palette.discardedPolygon, palette.background)},
             {"haze", uniformsOf(view.framing, settings).haze},
             {"outlines", variant.outlines},
-            {"fading_lines", variant.fadingLines}};
+            {"fading_lines", variant.fadingLines},
+            {"studio", variant.studio}};
 }
 
 bool sameColours(const Palette& a, const Palette& b)

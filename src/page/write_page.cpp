@@ -3,6 +3,7 @@
 #include "page/assemble.hpp"
 #include "page/facts.hpp"
 #include "page/shape_sections.hpp"
+#include "page/studio_sections.hpp"
 #include "run_file/file_of_run.hpp"
 #include "run_file/frame_codec.hpp"
 #include "run_file/kept_frames.hpp"
@@ -168,7 +169,13 @@ private:
             facts["film"]["carried"][column.name] = {{"stream", streamOf(column)},
                                                      {"whole", column.isWhole()}};
         }
+        const PageStudio studio =
+            pageStudio(reader_.mesh(), shell_.mesh, view_,
+                       {film.snapshot(), film.centres(), film.radii(),
+                        boundingBox(reader_.mesh()).center(), rounding_.grid});
+        facts["studio"] = studio.facts;
         Sections sections = shape_;
+        sections.insert(sections.end(), studio.sections.begin(), studio.sections.end());
         for (const auto& [name, stream] : film.take())
         {
             sections.emplace_back(name, stream.bytes());

@@ -20,20 +20,12 @@ namespace frostfill
 namespace
 {
 
-/// Of a sphere's centre from a wall. [its radius]
-constexpr float kTouches = 1.02F; ///< up to this the shadow is as strong as it can be
-constexpr float kFarthest = 1.25F;
-constexpr float kGoneThrough = 0.5F; ///< what is nearer has gone through the wall
+/// What is nearer has gone through the wall. [the sphere's radius]
+constexpr float kGoneThrough = 0.5F;
 
 /// Of the cosine of the angle between two walls' normals: what is more alike is one wall.
 constexpr float kOneWall = 0.5F;
 constexpr std::size_t kMostWalls = 3; ///< as in a corner
-
-/// Shadows fade away as walls turn edge-on: at this cosine they are gone, and so much above they
-/// are as strong as they can be. Where the wall bends a disc would stand out beyond the outline.
-constexpr float kEdgeOn = 0.1F;
-constexpr float kEdgeOnOfBend = 1.5F; ///< more of the former for each bend
-constexpr float kFade = 0.3F;
 
 /// Smallest spheres that throw any, in a picture that the object fills. [pixel]
 constexpr float kSmallest = 3;
@@ -149,7 +141,11 @@ std::vector<ContactShadow> ContactShadows::findOfAll(std::span<const SphereInsta
 {
     tbb::enumerable_thread_specific<std::vector<ContactShadow>> parts;
     forAll(spheres.size(), kSearchesATask,
-           [&](std::size_t i) { findOf(spheres[i], parts.local()); });
+           [&](std::size_t i)
+           {
+               const std::vector<ContactShadow> own = of(spheres[i]);
+               parts.local().insert(parts.local().end(), own.begin(), own.end());
+           });
     std::vector<ContactShadow> found;
     for (const std::vector<ContactShadow>& part : parts)
     {
@@ -159,11 +155,12 @@ std::vector<ContactShadow> ContactShadows::findOfAll(std::span<const SphereInsta
     return found;
 }
 
-void ContactShadows::findOf(const SphereInstance& sphere, std::vector<ContactShadow>& found) const
+std::vector<ContactShadow> ContactShadows::of(const SphereInstance& sphere) const
 {
+    std::vector<ContactShadow> found;
     if (sphere.radius < smallest_)
     {
-        return;
+        return found;
     }
     const glm::vec3 centre(sphere.x, sphere.y, sphere.z);
     const Eigen::Vector3d p = toEigen(centre);
@@ -194,16 +191,13 @@ void ContactShadows::findOf(const SphereInstance& sphere, std::vector<ContactSha
     { return std::tuple(n.squared, n.point.x, n.point.y, n.point.z); };
     std::sort(near.begin(), near.end(),
               [&](const Near& a, const Near& b) { return order(a) < order(b); });
-    const std::size_t first = found.size();
     for (const Near& one : near)
     {
         const ContactShadow shadow = shadowOn(one.point, sphere);
         const auto isOfWall = [&](const ContactShadow& wall)
         { return glm::dot(wall.inwards, shadow.inwards) > kOneWall; };
-        const auto begin = found.begin() + static_cast<std::ptrdiff_t>(first);
-        auto wall = std::find_if(begin, found.end(), isOfWall);
-        if (wall == found.end() && found.size() - first < kMostWalls &&
-            shadow.height > kGoneThrough)
+        auto wall = std::find_if(found.begin(), found.end(), isOfWall);
+        if (wall == found.end() && found.size() < kMostWalls && shadow.height > kGoneThrough)
         {
             wall = found.insert(wall, shadow);
         }
@@ -213,6 +207,7 @@ void ContactShadows::findOf(const SphereInstance& sphere, std::vector<ContactSha
             wall->bend = std::max(wall->bend, std::sqrt(std::max(1 - along * along, 0.0F)));
         }
     }
+    return found;
 }
 
 glm::vec3 ContactShadows::normalOf(std::uint32_t triangle) const

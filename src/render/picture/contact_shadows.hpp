@@ -40,10 +40,24 @@ struct ContactShadow
 class ContactShadows
 {
 public:
+    /// Of a sphere's centre from a wall: up to this the shadow is as strong as it can be. [its
+    /// radius]
+    static constexpr float kTouches = 1.02F;
+    static constexpr float kFarthest = 1.25F; ///< here it is gone [its radius]
+    /// Shadows fade away as walls turn edge-on: at this cosine they are gone, and so much above
+    /// they are as strong as they can be. Where the wall bends a disc would stand out beyond the
+    /// outline.
+    static constexpr float kEdgeOn = 0.1F;
+    static constexpr float kEdgeOnOfBend = 1.5F; ///< more of the former for each bend
+    static constexpr float kFade = 0.3F;
+
     /// `positions` are the mesh's vertices. Spheres of a radius below `smallest` throw none, which
     /// nobody would see. [unit space]
     ContactShadows(const TriangleMesh& mesh, std::span<const glm::vec3> positions,
                    const glm::vec3& towardsLamp, float smallest, bool isCut);
+
+    /// Of one sphere, that on the nearest wall first; it need not be seen.
+    [[nodiscard]] std::vector<ContactShadow> of(const SphereInstance& sphere) const;
 
     /// From the next call of follow on.
     void lookFrom(const Framing& framing, const PictureSize& size, const SphereUniforms& uniforms);
@@ -62,7 +76,6 @@ public:
     [[nodiscard]] std::span<const PixelRectangle> arrived() const { return arrived_; }
 
 private:
-    void findOf(const SphereInstance& sphere, std::vector<ContactShadow>& found) const;
     [[nodiscard]] ContactShadow shadowOn(const glm::vec3& foot, const SphereInstance& sphere) const;
     [[nodiscard]] glm::vec3 normalOf(std::uint32_t triangle) const;
     /// Sorted.

@@ -18,17 +18,12 @@ namespace frostfill
 namespace
 {
 
-/// Lengths are in the radius of the sphere that is lit.
-/// Neighbours whose surface is further than this from it take no part of the sky from it.
-constexpr float kReach = 1.6F;
-/// Nor of the lamp, when they are further than this in its direction.
-constexpr float kLampReach = 7;
-
 /// See forAll.
 constexpr std::size_t kSurroundedATask = 64;
 
-/// Of the lamp that a neighbour hides, seen from the sphere as a whole. `ahead`: towards the lamp;
-/// `beside`: from the ray through the sphere's centre.
+/// Of the lamp that a neighbour hides, seen from the sphere as a whole. Lengths are in the radius
+/// of the sphere that is lit. `ahead`: towards the lamp; `beside`: from the ray through the
+/// sphere's centre.
 float lampHidden(float ahead, float beside, float radius)
 {
     const float spread = 1 + shading::kLampSoftness * ahead;

@@ -22,6 +22,12 @@ namespace frostfill
 class SphereOcclusion
 {
 public:
+    /// Neighbours whose surface is further than this from a sphere take no part of the sky from it.
+    /// [radius of the sphere that is lit]
+    static constexpr float kReach = 1.6F;
+    /// Nor of the lamp, when they are further than this in its direction.
+    static constexpr float kLampReach = 7;
+
     /// `towardsLamp` is a unit vector. What a cut takes away keeps no light off.
     SphereOcclusion(const glm::vec3& towardsLamp, const std::optional<CutPlanes>& cut);
 

@@ -94,22 +94,29 @@ INSTANTIATE_TEST_SUITE_P(Runs, InNode, ::testing::Values("Still", "Moved", "Even
                          [](const auto& run) { return std::string(run.param); });
 
 /// Our own pictures of three frames, drawn as pages draw: twice as wide and high, then averaged.
-void drawFrames(const std::filesystem::path& folder, const std::vector<std::size_t>& frames)
+/// Lamps stand where the run's camera does, so that the studio is drawn with that.
+void drawFrames(const std::filesystem::path& folder, const std::vector<std::size_t>& frames,
+                Look look)
 {
     RenderRequest request;
     request.run = folder;
-    request.directory = folder / "pictures";
+    request.directory = folder / (look == Look::studio ? "studio" : "clean");
     request.change = [&](Scene& scene)
     {
+        scene.style.look = look;
+        scene.style.palette = paletteOf(look);
         scene.frames.selection = fmt::format("{}", fmt::join(frames, ","));
         scene.size = {320, 240};
         scene.samples = 1;
         scene.supersample = 2;
         scene.style.legend = false;
-        scene.camera.azimuth = 50;
-        scene.camera.elevation = 35;
-        scene.camera.target = Eigen::Vector3d(0.1, 0.2, -0.1);
-        scene.camera.distance = 5;
+        if (look != Look::studio)
+        {
+            scene.camera.azimuth = 50;
+            scene.camera.elevation = 35;
+            scene.camera.target = Eigen::Vector3d(0.1, 0.2, -0.1);
+            scene.camera.distance = 5;
+        }
     };
     ASSERT_EQ(renderRun(request).frames, frames.size());
 }
@@ -135,10 +142,14 @@ TEST_P(InChromium, PagesLookLikeOurPicturesAndAnswerToHands)
     const std::size_t last = recorded.numbers.size() - 1;
     const std::vector<std::size_t> frames = {recorded.numbers[last / 4], recorded.numbers[last / 2],
                                              recorded.numbers[last - 1]};
-    drawFrames(folder.path(), frames);
-    nlohmann::json facts = {{"frames", frames},
-                            {"size", "320x240"},
-                            {"camera", "azimuth=50&elevation=35&target=0.1,0.2,-0.1&distance=5"}};
+    drawFrames(folder.path(), frames, Look::clean);
+    drawFrames(folder.path(), frames, Look::studio);
+    const nlohmann::json facts = {
+        {"frames", frames},
+        {"size", "320x240"},
+        {"looks",
+         {{"clean", "look=Clean&azimuth=50&elevation=35&target=0.1,0.2,-0.1&distance=5"},
+          {"studio", "look=Studio"}}}};
     writeFile(folder / "pictures.json", facts.dump());
     PageRequest request;
     request.run = folder.path();

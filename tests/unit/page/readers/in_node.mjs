@@ -14,11 +14,12 @@ for (const [, id, text] of page.matchAll(/<script id="(\w+)"[^>]*>(.*?)<\/script
 }
 globalThis.document = { getElementById: (id) => elements[id] };
 
-// The script is made of files that begin alike; the first five ask the browser for nothing else.
+// The script is made of files that begin alike; the first six ask the browser for nothing else.
 const script = page.match(/<script type="module">(.*?)<\/script>/s)[1];
-const files = script.split("// SPDX-License-Identifier: MIT\n").slice(1, 6);
-const { facts, unpackSections, Film, Camera, Hidden, poseMatrix, colourSpheres } = new Function(
-  `${files.join("")}; return { facts, unpackSections, Film, Camera, Hidden, poseMatrix, colourSpheres };`)();
+const files = script.split("// SPDX-License-Identifier: MIT\n").slice(1, 7);
+const { facts, unpackSections, Film, Camera, Hidden, SphereOcclusion, SphereGrid, poseMatrix, colourSpheres } =
+  new Function(`${files.join("")}; return { facts, unpackSections, Film, Camera, Hidden, SphereOcclusion,
+    SphereGrid, poseMatrix, colourSpheres };`)();
 
 const film = new Film(await unpackSections());
 const near = (a, b, error, what) => assert.ok(Math.abs(a - b) <= error, `${what}: ${a}, not ${b}`);
@@ -165,3 +166,47 @@ function checkHidden(cut) {
 }
 checkHidden(false);
 checkHidden(true);
+
+// What keeps light off is found as if all spheres were looked at, and what is remembered is as if it were found
+// anew, whatever has come, gone or moved since, and in whichever part of the frames it was asked for.
+class LooksAtAll extends SphereGrid {
+  eachAround(sphere, close, ray, farthest, wide, visit) {
+    this.inCells.forEach((at) => visit(at));
+  }
+}
+
+function checkOcclusion(cut) {
+  let seed = 7;
+  const random = () => (seed = (seed * 48271) % 2147483647) / 2147483647;
+  const count = 400;
+  const ids = Uint32Array.from({ length: count }, (_, i) => 2 * i + 1);
+  const spheres = new Float32Array(4 * count).map((_, k) =>
+    k % 4 === 3 ? 0.03 + 0.05 * random() : 1.2 * random() - 0.6);
+  const states = new Uint8Array(count).map(() => 3 * random());
+  const remembers = new SphereOcclusion();
+  let kept = 0;
+  let dark = 0;
+  for (let frame = 0; frame < 12; ++frame) {
+    for (let change = 0; change < 3 && frame > 0; ++change) {
+      const i = Math.floor(count * random());
+      states[i] = (states[i] + 1) % 3; // comes to rest, is discarded or runs
+      spheres[4 * i + change] += states[i] === 0 ? 0.1 : 0;
+    }
+    const isCut = (at) => cut && spheres[4 * at] > 0.3 + 0.02 * frame;
+    remembers.follow(ids, spheres, states, count, isCut);
+    kept += remembers.known.reduce((sum, one) => sum + one, 0);
+    const anew = new SphereOcclusion();
+    anew.follow(ids, spheres, states, count, isCut);
+    Object.setPrototypeOf(anew.grid, LooksAtAll.prototype);
+    for (let i = frame % 2; i < count; i += 2) {
+      const sphere = spheres.subarray(4 * i, 4 * i + 4);
+      const light = Array.from(remembers.lightOf(ids[i], sphere));
+      assert.deepEqual(light, Array.from(anew.lightOf(ids[i], sphere)), `sphere ${i} in frame ${frame}`);
+      dark += light[3] > 0 ? 1 : 0;
+    }
+  }
+  assert.ok(dark > 1000, `only ${dark} have neighbours`);
+  assert.ok(cut || kept > 500, `only ${kept} lights are remembered`);
+}
+checkOcclusion(false);
+checkOcclusion(true);
