@@ -4,74 +4,112 @@
 #include <glm/common.hpp>
 
 #include <algorithm>
-#include <bit>
+#include <cmath>
+#include <iterator>
+#include <limits>
 
 namespace frostfill
 {
+namespace
+{
+
+/// So many, and so large a part of all, are looked at one by one before cells are built anew.
+constexpr std::size_t kMostInList = 16;
+constexpr std::size_t kPartInList = 128;
+
+constexpr float kMostAlong = 1000; ///< cells along an axis
+
+glm::vec4 ballOf(const SphereInstance& sphere)
+{
+    return {sphere.x, sphere.y, sphere.z, sphere.radius};
+}
+
+} // namespace
+
+void OccluderGrid::start(std::span<const SphereInstance> spheres)
+{
+    spheres_.clear();
+    spheres_.reserve(spheres.size());
+    std::transform(spheres.begin(), spheres.end(), std::back_inserter(spheres_), ballOf);
+    build();
+}
 
 void OccluderGrid::add(const SphereInstance& sphere)
 {
-    spheres_.push_back(sphere);
-    if (sphere.radius > largest_ || spheres_.size() > heads_.size())
+    spheres_.push_back(ballOf(sphere));
+    largest_ = std::max(largest_, sphere.radius);
+    const std::size_t inList = spheres_.size() - inCells_.size();
+    if (inList > kMostInList + inCells_.size() / kPartInList)
     {
-        largest_ = std::max(largest_, 1.2F * sphere.radius);
-        rebuild();
-        return;
+        build();
     }
-    enter(static_cast<std::uint32_t>(spheres_.size() - 1));
-}
-
-void OccluderGrid::enter(std::uint32_t sphere)
-{
-    const SphereInstance& own = spheres_[sphere];
-    cells_.push_back(placeOf({own.x, own.y, own.z}));
-    std::uint32_t& head = heads_[cellOf(cells_.back())];
-    nexts_.push_back(head);
-    head = sphere + 1;
 }
 
 glm::ivec3 OccluderGrid::placeOf(const glm::vec3& point) const
 {
-    return glm::ivec3(glm::floor(glm::clamp(point / cell_, glm::vec3(-1e6F), glm::vec3(1e6F))));
+    const glm::vec3 place = glm::floor((point - corner_) / cell_);
+    return glm::ivec3(glm::clamp(place, glm::vec3(0), glm::vec3(cells_ - 1)));
 }
 
-std::uint32_t OccluderGrid::cellOf(const glm::ivec3& place) const
+std::size_t OccluderGrid::rowOf(int y, int z) const
 {
-    const std::uint32_t hash = static_cast<std::uint32_t>(place.x) * 73856093U ^
-                               static_cast<std::uint32_t>(place.y) * 19349663U ^
-                               static_cast<std::uint32_t>(place.z) * 83492791U;
-    return hash & static_cast<std::uint32_t>(heads_.size() - 1);
+    return (static_cast<std::size_t>(z) * static_cast<std::size_t>(cells_.y) +
+            static_cast<std::size_t>(y)) *
+           static_cast<std::size_t>(cells_.x);
 }
 
-void OccluderGrid::rebuild()
+std::size_t OccluderGrid::cellOf(std::size_t sphere) const
 {
-    cell_ = std::max(2 * largest_, 1e-6F);
-    heads_.assign(std::bit_ceil(std::max<std::size_t>(2 * spheres_.size(), 1024)), 0);
-    nexts_.clear();
-    cells_.clear();
+    const glm::ivec3 place = placeOf(glm::vec3(spheres_[sphere]));
+    return rowOf(place.y, place.z) + static_cast<std::size_t>(place.x);
+}
+
+void OccluderGrid::build()
+{
+    glm::vec3 low(std::numeric_limits<float>::infinity());
+    glm::vec3 high = -low;
+    largest_ = 0;
+    for (const glm::vec4& sphere : spheres_)
+    {
+        low = glm::min(low, glm::vec3(sphere));
+        high = glm::max(high, glm::vec3(sphere));
+        largest_ = std::max(largest_, sphere.w);
+    }
+    inCells_.resize(spheres_.size());
+    if (spheres_.empty())
+    {
+        return;
+    }
+    // Not many more cells than spheres.
+    const glm::vec3 edges = high - low;
+    const auto count = static_cast<float>(spheres_.size());
+    corner_ = low;
+    cell_ = std::max({2 * largest_, std::cbrt(edges.x * edges.y * edges.z / count),
+                      std::max({edges.x, edges.y, edges.z}) / kMostAlong, 1e-6F});
+    cells_ = glm::ivec3(glm::floor(edges / cell_)) + 1;
+    begins_.assign(rowOf(0, cells_.z) + 2, 0);
+    for (std::size_t i = 0; i < spheres_.size(); ++i)
+    {
+        ++begins_[cellOf(i) + 2];
+    }
+    for (std::size_t cell = 2; cell < begins_.size(); ++cell)
+    {
+        begins_[cell] += begins_[cell - 1];
+    }
+    // What is counted one further on moves to the end of each cell, which is where the next begins.
     for (std::uint32_t i = 0; i < spheres_.size(); ++i)
     {
-        enter(i);
+        inCells_[begins_[cellOf(i) + 1]++] = i;
     }
 }
 
 std::size_t OccluderGrid::indexOf(const SphereInstance& sphere) const
 {
     std::size_t found = spheres_.size();
-    const glm::vec3 centre(sphere.x, sphere.y, sphere.z);
-    const auto test = [&](std::uint32_t i)
-    {
-        const SphereInstance& other = spheres_[i];
-        if (other.x == sphere.x && other.y == sphere.y && other.z == sphere.z &&
-            other.radius == sphere.radius)
-        {
-            found = i;
-        }
-    };
-    if (!spheres_.empty())
-    {
-        visitCell(placeOf(centre), test);
-    }
+    const glm::vec4 ball = ballOf(sphere);
+    eachIn(
+        glm::vec3(ball), glm::vec3(ball), [](const glm::vec3&, float) { return true; },
+        [&](std::uint32_t i) { found = spheres_[i] == ball ? i : found; });
     return found;
 }
 

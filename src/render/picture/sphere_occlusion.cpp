@@ -79,7 +79,7 @@ std::vector<std::size_t>
 SphereOcclusion::placesBefore(std::span<const SphereInstance> resting) const
 {
     std::vector<std::size_t> places;
-    const std::size_t count = grid_.spheres().size();
+    const std::size_t count = grid_.size();
     std::vector<bool> isThere(count);
     places.reserve(resting.size());
     for (const SphereInstance& sphere : resting)
@@ -97,36 +97,42 @@ SphereOcclusion::placesBefore(std::span<const SphereInstance> resting) const
 void SphereOcclusion::start(std::span<const SphereInstance> resting)
 {
     const std::vector<std::size_t> before = placesBefore(resting);
-    const std::vector<SphereLight> lights = std::exchange(lights_, {});
-    const std::vector<std::uint8_t> known = std::exchange(known_, {});
-    grid_ = {};
+    const std::vector<std::uint32_t> slots = std::exchange(slots_, {});
+    grid_.start(resting);
     reached_.clear();
     cutAway_.clear();
+    slots_.reserve(resting.size());
+    bool anyKept = false;
     for (std::size_t i = 0; i < resting.size(); ++i)
     {
-        push(resting[i]);
-        if (before[i] < lights.size())
-        {
-            lights_[i] = lights[before[i]];
-            known_[i] = known[before[i]];
-        }
+        cutAway_.push_back(isCutAway(grid_[i]));
+        slots_.push_back(before[i] < slots.size() ? slots[before[i]] : LightsOfSpheres::kNone);
+        anyKept = anyKept || slots_.back() != LightsOfSpheres::kNone;
     }
-    const bool anyKept = std::find(known_.begin(), known_.end(), 1) != known_.end();
-    for (std::size_t i = 0; anyKept && i < resting.size(); ++i)
+    if (!anyKept)
     {
-        if (before[i] == lights.size() && !cutAway_[i])
+        lights_.clear();
+        known_.clear();
+        return;
+    }
+    for (std::size_t i = 0; i < resting.size(); ++i)
+    {
+        if (before[i] == slots.size() && !cutAway_[i])
         {
-            forgetLightAround(resting[i]);
+            forgetLightAround(grid_[i]);
         }
     }
 }
 
 void SphereOcclusion::add(const SphereInstance& sphere)
 {
-    push(sphere);
+    grid_.add(sphere);
+    slots_.push_back(LightsOfSpheres::kNone);
+    const glm::vec4& ball = grid_[grid_.size() - 1];
+    cutAway_.push_back(isCutAway(ball));
     if (!cutAway_.back())
     {
-        forgetLightAround(sphere);
+        forgetLightAround(ball);
     }
 }
 
@@ -143,43 +149,73 @@ void SphereOcclusion::follow(std::span<const SphereInstance> resting, std::size_
     }
 }
 
-void SphereOcclusion::push(const SphereInstance& sphere)
+bool SphereOcclusion::isCutAway(const glm::vec4& ball) const
 {
-    const glm::dvec4 centre(sphere.x, sphere.y, sphere.z, 1);
-    cutAway_.push_back(cut_ && glm::dot((*cut_)[0], centre) > 0 &&
-                       glm::dot((*cut_)[1], centre) > 0);
-    lights_.emplace_back();
-    known_.push_back(0);
-    grid_.add(sphere);
+    const glm::dvec4 centre(ball.x, ball.y, ball.z, 1);
+    return cut_ && glm::dot((*cut_)[0], centre) > 0 && glm::dot((*cut_)[1], centre) > 0;
 }
 
-void SphereOcclusion::forgetLightAround(const SphereInstance& arrival)
+bool SphereOcclusion::isKnown(std::size_t index) const
+{
+    return slots_[index] != LightsOfSpheres::kNone && known_[slots_[index]] != 0;
+}
+
+std::uint32_t SphereOcclusion::slotOf(std::size_t index)
+{
+    if (slots_[index] == LightsOfSpheres::kNone)
+    {
+        slots_[index] = static_cast<std::uint32_t>(lights_.size());
+        lights_.emplace_back();
+        known_.push_back(0);
+    }
+    return slots_[index];
+}
+
+void SphereOcclusion::forgetLightAround(const glm::vec4& arrival)
 {
     // The other way round than in neighboursOf: who would find this one there.
-    const glm::vec3 centre(arrival.x, arrival.y, arrival.z);
+    const glm::vec3 centre(arrival);
     const float largest = grid_.largest();
-    const Zone zone{centre, (1 + kReach) * largest + arrival.radius, -lamp_, kLampReach * largest,
-                    largest + arrival.radius};
+    const Zone zone{centre, (1 + kReach) * largest + arrival.w, -lamp_, kLampReach * largest,
+                    largest + arrival.w};
     zone.each(grid_,
               [&](std::uint32_t i)
               {
-                  if (known_[i] != 0 && reaches(arrival, grid_.spheres()[i]))
+                  if (isKnown(i) && mayReach(arrival, grid_[i]))
                   {
-                      known_[i] = 0;
+                      known_[slots_[i]] = 0;
                       reached_.push_back(i);
                   }
               });
 }
 
-std::vector<SphereOcclusion::Neighbour>
-SphereOcclusion::neighboursOf(const SphereInstance& sphere) const
+bool SphereOcclusion::mayReach(const glm::vec4& from, const glm::vec4& to) const
+{
+    const glm::vec3 way(from - to);
+    const float squared = glm::dot(way, way);
+    const float near = (1 + kReach) * to.w + from.w;
+    if (squared < near * near * 1.0001F)
+    {
+        return true;
+    }
+    const float ahead = glm::dot(way, lamp_);
+    const float wide = to.w + from.w + shading::kLampSoftness * ahead;
+    return ahead > 0 && ahead < kLampReach * to.w * 1.0001F &&
+           squared - ahead * ahead < wide * wide * 1.0001F;
+}
+
+std::vector<SphereOcclusion::Neighbour> SphereOcclusion::neighboursOf(const glm::vec4& ball) const
 {
     std::vector<Neighbour> near;
-    const glm::vec3 centre(sphere.x, sphere.y, sphere.z);
-    const auto meet = [&](const SphereInstance& other)
+    const glm::vec3 centre(ball);
+    const auto meet = [&](const glm::vec4& other)
     {
-        const glm::vec3 way = (glm::vec3(other.x, other.y, other.z) - centre) / sphere.radius;
-        const float radius = other.radius / sphere.radius;
+        if (!mayReach(other, ball))
+        {
+            return;
+        }
+        const glm::vec3 way = (glm::vec3(other) - centre) / ball.w;
+        const float radius = other.w / ball.w;
         const float squared = glm::dot(way, way);
         if (!(squared > 1e-6F))
         {
@@ -200,14 +236,14 @@ SphereOcclusion::neighboursOf(const SphereInstance& sphere) const
             near.push_back({weight, way, radius});
         }
     };
-    const Zone zone{centre, (1 + kReach) * sphere.radius + grid_.largest(), lamp_,
-                    kLampReach * sphere.radius, sphere.radius + grid_.largest()};
+    const Zone zone{centre, (1 + kReach) * ball.w + grid_.largest(), lamp_, kLampReach * ball.w,
+                    ball.w + grid_.largest()};
     zone.each(grid_,
               [&](std::uint32_t i)
               {
                   if (!cutAway_[i])
                   {
-                      meet(grid_.spheres()[i]);
+                      meet(grid_[i]);
                   }
               });
     std::sort(near.begin(), near.end(),
@@ -219,14 +255,10 @@ SphereOcclusion::neighboursOf(const SphereInstance& sphere) const
     return near;
 }
 
-SphereLight SphereOcclusion::lightOn(const SphereInstance& sphere) const
+SphereLight SphereOcclusion::lightOn(const glm::vec4& ball) const
 {
     SphereLight light;
-    if (grid_.spheres().empty())
-    {
-        return light;
-    }
-    const std::vector<Neighbour> neighbours = neighboursOf(sphere);
+    const std::vector<Neighbour> neighbours = neighboursOf(ball);
     const std::size_t listed = std::min(neighbours.size(), light.occluders.size());
     for (std::size_t i = 0; i < listed; ++i)
     {
@@ -259,21 +291,27 @@ SphereLight SphereOcclusion::lightOn(const SphereInstance& sphere) const
 SphereLight SphereOcclusion::of(const SphereInstance& sphere)
 {
     const std::size_t own = grid_.indexOf(sphere);
-    return own == grid_.spheres().size() ? lightOn(sphere) : ofResting(own);
+    return own == grid_.size() ? lightOn({sphere.x, sphere.y, sphere.z, sphere.radius})
+                               : ofResting(own);
 }
 
 const SphereLight& SphereOcclusion::ofResting(std::size_t index)
 {
-    if (known_[index] == 0)
+    const std::uint32_t slot = slotOf(index);
+    if (known_[slot] == 0)
     {
-        lights_[index] = lightOn(grid_.spheres()[index]);
-        known_[index] = 1;
+        lights_[slot] = lightOn(grid_[index]);
+        known_[slot] = 1;
     }
-    return lights_[index];
+    return lights_[slot];
 }
 
 void SphereOcclusion::ask(std::span<const std::uint32_t> indices)
 {
+    for (const std::uint32_t index : indices)
+    {
+        slotOf(index);
+    }
     forAll(indices.size(), kSurroundedATask, [&](std::size_t i) { ofResting(indices[i]); });
 }
 
@@ -285,7 +323,7 @@ SphereOcclusion::refresh(const std::function<bool(std::uint32_t)>& isSeen)
     {
         if (isSeen(index))
         {
-            const SphereLight before = lights_[index];
+            const SphereLight before = lights_[slots_[index]];
             if (ofResting(index) != before)
             {
                 changed_.push_back(index);
@@ -298,17 +336,8 @@ SphereOcclusion::refresh(const std::function<bool(std::uint32_t)>& isSeen)
 
 bool SphereOcclusion::reaches(const SphereInstance& from, const SphereInstance& to) const
 {
-    const glm::vec3 way(from.x - to.x, from.y - to.y, from.z - to.z);
-    const float squared = glm::dot(way, way);
-    const float near = (1 + kReach) * to.radius + from.radius;
-    if (squared < near * near * 1.0001F)
-    {
-        return true;
-    }
-    const float ahead = glm::dot(way, lamp_);
-    const float wide = to.radius + from.radius + shading::kLampSoftness * ahead;
-    return ahead > 0 && ahead < kLampReach * to.radius * 1.0001F &&
-           squared - ahead * ahead < wide * wide * 1.0001F;
+    return mayReach(glm::vec4(from.x, from.y, from.z, from.radius),
+                    glm::vec4(to.x, to.y, to.z, to.radius));
 }
 
 } // namespace frostfill

@@ -17,6 +17,21 @@
 namespace frostfill
 {
 
+/// What was asked for last of many spheres, of which most are hidden and never asked for.
+struct LightsOfSpheres
+{
+    static constexpr std::uint32_t kNone = 0xffffffffU;
+    std::span<const std::uint32_t> slots; ///< [spheres] index of its light, or kNone
+    std::span<const SphereLight> lights;
+
+    /// Null outside the studio. What was never asked for has the light that nothing keeps off.
+    [[nodiscard]] const SphereLight* of(std::size_t sphere) const
+    {
+        static const SphereLight kOpen;
+        return slots.empty() ? nullptr : slots[sphere] == kNone ? &kOpen : &lights[slots[sphere]];
+    }
+};
+
 /// What keeps light from spheres: all that are at rest, in a grid. The answer for a sphere depends
 /// on which others are there and not on the order in which they came. [unit space]
 class SphereOcclusion
@@ -44,8 +59,7 @@ public:
     const SphereLight& ofResting(std::size_t index);
     /// Asks for that of many at rest; cores share the work.
     void ask(std::span<const std::uint32_t> indices);
-    /// What was asked for last [spheres].
-    [[nodiscard]] std::span<const SphereLight> lights() const { return lights_; }
+    [[nodiscard]] LightsOfSpheres lights() const { return {slots_, lights_}; }
     /// Asks again for those that spheres that were added have reached since, as far as they are
     /// seen. Returns those that have changed, until the next call.
     std::span<const std::uint32_t> refresh(const std::function<bool(std::uint32_t)>& isSeen);
@@ -61,21 +75,28 @@ private:
         float radius;  ///< in the sphere's
     };
 
-    void push(const SphereInstance& sphere);
+    [[nodiscard]] bool isCutAway(const glm::vec4& ball) const;
+    /// Whether the light of one at rest was asked for, and nothing has come since that reaches it.
+    [[nodiscard]] bool isKnown(std::size_t index) const;
+    /// Where the light of one at rest is kept from now on.
+    std::uint32_t slotOf(std::size_t index);
     /// Indices until now; the number of spheres until now for all that were not there, and for all
     /// if one that was there has gone.
     [[nodiscard]] std::vector<std::size_t>
     placesBefore(std::span<const SphereInstance> resting) const;
-    void forgetLightAround(const SphereInstance& arrival);
+    void forgetLightAround(const glm::vec4& arrival);
+    /// True also for some that just do not. Centres and radii.
+    [[nodiscard]] bool mayReach(const glm::vec4& from, const glm::vec4& to) const;
     /// What hides anything from a sphere, that which hides most first.
-    [[nodiscard]] std::vector<Neighbour> neighboursOf(const SphereInstance& sphere) const;
-    [[nodiscard]] SphereLight lightOn(const SphereInstance& sphere) const;
+    [[nodiscard]] std::vector<Neighbour> neighboursOf(const glm::vec4& ball) const;
+    [[nodiscard]] SphereLight lightOn(const glm::vec4& ball) const;
 
     glm::vec3 lamp_;
     std::optional<CutPlanes> cut_;
     OccluderGrid grid_;
-    std::vector<SphereLight> lights_;    ///< [spheres] when last asked for
-    std::vector<std::uint8_t> known_;    ///< [spheres] 1: none has come since that reaches it
+    std::vector<std::uint32_t> slots_;   ///< [spheres] see LightsOfSpheres
+    std::vector<SphereLight> lights_;    ///< [slots] when last asked for
+    std::vector<std::uint8_t> known_;    ///< [slots] 1: none has come since that reaches it
     std::vector<std::uint32_t> reached_; ///< that were known until others came
     std::vector<std::uint32_t> changed_; ///< what refresh has returned
     std::vector<bool> cutAway_;          ///< [spheres] and so keep no light off

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "render/picture/sphere_cells.hpp"
+#include "render/picture/sphere_occlusion.hpp"
 #include "render/raster/ground_raster.hpp"
 #include "render/raster/sample_tile.hpp"
 #include "render/raster/sphere_raster.hpp"
@@ -22,7 +23,7 @@ struct RestingSpheres
 {
     std::span<const SphereInstance> spheres;
     std::span<const SphereBounds> placed; ///< [spheres that are in no cell]
-    std::span<const SphereLight> lights;  ///< [spheres] if they are lit as in the studio
+    LightsOfSpheres lights;               ///< if they are lit as in the studio
     std::span<const SphereCell> cells = {};
     std::span<const SphereBounds> placedCells = {}; ///< [cells]
     const TileView* view = nullptr;                 ///< with cells
@@ -37,8 +38,7 @@ struct RestingSpheres
     void draw(std::size_t sphere, const SphereBounds& bounds, const SphereRaster& raster,
               const TilePart& part, SampleTile& tile) const
     {
-        raster.draw(spheres[sphere], bounds.pixels, part, tile,
-                    lights.empty() ? nullptr : &lights[sphere]);
+        raster.draw(spheres[sphere], bounds.pixels, part, tile, lights.of(sphere));
     }
 };
 

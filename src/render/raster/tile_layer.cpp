@@ -149,7 +149,7 @@ RestingSpheres TileLayer::restingSpheres() const
 {
     return {resting_,
             placed_,
-            sphereOcclusion_ ? sphereOcclusion_->lights() : std::span<const SphereLight>(),
+            sphereOcclusion_ ? sphereOcclusion_->lights() : LightsOfSpheres(),
             cells_,
             placedCells_,
             view_};

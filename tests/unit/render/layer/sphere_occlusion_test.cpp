@@ -139,8 +139,11 @@ TEST(SphereOcclusion, KeepTheLightOfThoseThatAnArrivalDoesNotChange)
         std::vector<std::uint32_t> all(1000);
         std::iota(all.begin(), all.end(), 0U);
         sphereOcclusion.ask(all);
-        std::vector<SphereLight> before(sphereOcclusion.lights().begin(),
-                                        sphereOcclusion.lights().end());
+        std::vector<SphereLight> before;
+        for (const std::uint32_t sphere : all)
+        {
+            before.push_back(*sphereOcclusion.lights().of(sphere));
+        }
         std::size_t changed = 0;
         for (std::size_t end = 1010; end <= spheres.size(); end += 10)
         {
