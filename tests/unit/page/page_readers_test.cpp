@@ -3,6 +3,7 @@
 // is installed, which runs what needs no browser; and by Chromium, where it is installed, which
 // shows the page and is compared with our own pictures.
 #include "unit/page/paged_run.hpp"
+#include "unit/page/studio_oracle.hpp"
 
 #include <frostfill/render_run.hpp>
 
@@ -87,6 +88,12 @@ TEST_P(InNode, PagesDecodeEveryFrameAndPlaceTheCamera)
     PageRequest request;
     request.run = folder.path();
     writePage(request);
+    nlohmann::json studio = {{"light", test::lightOracle()}};
+    if (kind == "Still")
+    {
+        studio["contacts"] = test::contactOracle(folder.path());
+    }
+    writeFile(folder / "studio.json", studio.dump());
     read("in_node.mjs", folder, "node");
 }
 
