@@ -90,6 +90,26 @@ Snapshot allStates(const TriangleMesh& mesh)
     return snapshot;
 }
 
+/// Pairs of spheres that touch the tube of a ring from within, and each other nearly.
+Snapshot alongTheWall(const Snapshot& all)
+{
+    Snapshot snapshot;
+    snapshot.polygons = all.polygons;
+    snapshot.discardedPolygons = all.discardedPolygons;
+    for (int i = 0; i < 32; ++i)
+    {
+        const double around = 2 * M_PI / 16 * (i / 2);
+        const double ring = 1.13;
+        const Eigen::Vector3d centre(ring * std::cos(around), ring * std::sin(around),
+                                     i % 2 == 0 ? 0.19 : -0.19);
+        addSphere(snapshot, centre, 0.16,
+                  centre.y() > 0.6    ? SphereState::running
+                  : centre.y() > -0.6 ? SphereState::frozen
+                                      : SphereState::discarded);
+    }
+    return snapshot;
+}
+
 /// Where spheres overlap, a cut through both shows either: smaller, they do not.
 Snapshot apart(Snapshot snapshot)
 {
@@ -149,6 +169,15 @@ TEST_F(GoldenPictures, HeightsInTheDark)
     settings.style.colourBy = "height";
     settings.size = {480, 270}; // room for the scale
     expectLikeGolden(draw(), "heights_dark");
+}
+
+TEST_F(GoldenPictures, InTheStudio)
+{
+    settings.style.look = Look::studio;
+    settings.style.palette = paletteOf(Look::studio);
+    settings.size = {480, 270};
+    snapshot = alongTheWall(snapshot);
+    expectLikeGolden(draw(), "studio");
 }
 
 TEST_F(GoldenPictures, NothingBehind)
