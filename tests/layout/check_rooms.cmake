@@ -59,9 +59,14 @@ room(render/overlay ${seen} render/framing render/context)
 room(render/picture ${seen} geometry mesh/interior render/framing render/overlay) # what draws has it; it knows no OpenGL
 room(render/passes ${seen} render/framing render/context render/picture)
 room(render/layer ${seen} render/framing render/context render/passes render/overlay render/picture)
-room(render/raster ${seen} render/framing render/overlay render/picture)
+room(render/raster/lanes ${seen} render/framing render/picture)
+room(render/raster/spheres ${seen} render/framing render/picture render/raster/lanes)
+room(render/raster/shell ${seen} render/framing render/picture render/raster/lanes
+     render/raster/spheres)
+room(render/raster ${seen} render/framing render/overlay render/picture render/raster/lanes
+     render/raster/spheres render/raster/shell)
 room(render ${seen} render/framing render/context render/passes render/overlay render/picture
-     render/layer render/raster)
+     render/layer render/raster/lanes render/raster/spheres render/raster)
 
 room(run_file base ${mesh} snapshot)
 room(packing ${mesh} scene scene/options snapshot simulation simulation/quality run_file)

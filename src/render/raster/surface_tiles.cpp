@@ -3,8 +3,8 @@
 
 #include "render/picture/for_all.hpp"
 #include "render/picture/sphere_draw_list.hpp"
-#include "render/raster/resting_tile.hpp"
-#include "render/raster/tile_grid.hpp"
+#include "render/raster/lanes/tile_grid.hpp"
+#include "render/raster/spheres/resting_tile.hpp"
 
 #include <tbb/parallel_for.h>
 

@@ -3,7 +3,7 @@
 
 #include "render/framing/framing.hpp"
 #include "render/picture/surfaces.hpp"
-#include "render/raster/tile_view.hpp"
+#include "render/raster/spheres/tile_view.hpp"
 
 #include <span>
 

@@ -3,9 +3,9 @@
 
 #include "render/overlay/viewpoint.hpp"
 #include "render/picture/swatch_mesh.hpp"
-#include "render/raster/resting_tile.hpp"
-#include "render/raster/shell_raster.hpp"
-#include "render/raster/sphere_raster.hpp"
+#include "render/raster/shell/shell_raster.hpp"
+#include "render/raster/spheres/resting_tile.hpp"
+#include "render/raster/spheres/sphere_raster.hpp"
 
 #include <memory>
 #include <vector>

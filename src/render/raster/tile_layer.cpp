@@ -147,12 +147,9 @@ void TileLayer::addContacts(std::span<PixelRectangle> dirty)
 
 RestingSpheres TileLayer::restingSpheres() const
 {
-    return {resting_,
-            placed_,
-            sphereOcclusion_ ? sphereOcclusion_->lights() : LightsOfSpheres(),
-            cells_,
-            placedCells_,
-            view_};
+    return {
+        resting_, placed_,      sphereOcclusion_ ? sphereOcclusion_->lights() : LightsOfSpheres(),
+        cells_,   placedCells_, view_};
 }
 
 void TileLayer::listCells()

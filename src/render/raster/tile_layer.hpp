@@ -6,11 +6,11 @@
 #include "render/picture/sphere_occlusion.hpp"
 #include "render/picture/studio.hpp"
 #include "render/picture/tile_lists.hpp"
-#include "render/raster/contact_raster.hpp"
-#include "render/raster/ground_raster.hpp"
-#include "render/raster/resting_tile.hpp"
-#include "render/raster/tile_grid.hpp"
-#include "render/raster/tile_view.hpp"
+#include "render/raster/lanes/tile_grid.hpp"
+#include "render/raster/spheres/contact_raster.hpp"
+#include "render/raster/spheres/ground_raster.hpp"
+#include "render/raster/spheres/resting_tile.hpp"
+#include "render/raster/spheres/tile_view.hpp"
 
 #include <memory>
 #include <optional>

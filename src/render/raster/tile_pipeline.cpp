@@ -2,7 +2,7 @@
 #include "render/raster/tile_pipeline.hpp"
 
 #include "render/picture/painter_settings.hpp"
-#include "render/raster/resolve.hpp"
+#include "render/raster/lanes/resolve.hpp"
 #include "render/raster/surface_tiles.hpp"
 
 #include <frostfill/error.hpp>

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
+// Room: pictures drawn by the processor without OpenGL, tile by tile, of what the rooms within
+// draw.
 #pragma once
 
 #include "render/picture/picture_backend.hpp"
 #include "render/picture/sphere_draw_list.hpp"
 #include "render/picture/tile_lists.hpp"
-#include "render/raster/has_avx2.hpp"
-#include "render/raster/kept_shell.hpp"
+#include "render/raster/lanes/has_avx2.hpp"
+#include "render/raster/lanes/tile_grid.hpp"
+#include "render/raster/shell/kept_shell.hpp"
 #include "render/raster/swatch_raster.hpp"
-#include "render/raster/tile_grid.hpp"
 #include "render/raster/tile_layer.hpp"
 
 #include <tbb/enumerable_thread_specific.h>

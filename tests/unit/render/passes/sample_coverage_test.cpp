@@ -3,7 +3,7 @@
 #include "render/overlay/viewpoint.hpp"
 #include "render/picture/painter_settings.hpp"
 #include "render/picture/surfaces.hpp"
-#include "render/raster/sample_tile.hpp"
+#include "render/raster/lanes/sample_tile.hpp"
 #include "support/drawn_with.hpp"
 #include "support/pictures.hpp"
 #include "unit/render/passes/ray_caster.hpp"

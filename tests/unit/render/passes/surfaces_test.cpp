@@ -3,8 +3,8 @@
 // draw them, against a ray caster.
 #include "render/picture/painter_settings.hpp"
 #include "render/pipeline.hpp"
-#include "render/raster/ambient_occlusion.hpp"
-#include "render/raster/has_avx2.hpp"
+#include "render/raster/lanes/has_avx2.hpp"
+#include "render/raster/spheres/ambient_occlusion.hpp"
 #include "render/raster/tile_pipeline.hpp"
 #include "support/drawn_with.hpp"
 #include "support/pictures.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "render/raster/ambient_occlusion.hpp"
+#include "render/raster/spheres/ambient_occlusion.hpp"
 
-#include "render/raster/has_avx2.hpp"
+#include "render/raster/lanes/has_avx2.hpp"
 #include "support/pictures.hpp"
 
 #include <gtest/gtest.h>

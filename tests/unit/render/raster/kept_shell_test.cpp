@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "render/raster/kept_shell.hpp"
+#include "render/raster/shell/kept_shell.hpp"
 
 #include "render/picture/painter_settings.hpp"
-#include "render/raster/has_avx2.hpp"
-#include "render/raster/tile_grid.hpp"
+#include "render/raster/lanes/has_avx2.hpp"
+#include "render/raster/lanes/tile_grid.hpp"
 #include "support/pictures.hpp"
 
 #include <glm/geometric.hpp>

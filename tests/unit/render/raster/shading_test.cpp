@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The text of the shaders as C++, against other ways to say the same in double precision.
-#include "render/raster/shading.hpp"
+#include "render/raster/lanes/shading.hpp"
 
 #include "support/pictures.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/picture/painter_settings.hpp"
-#include "render/raster/has_avx2.hpp"
-#include "render/raster/shell_raster.hpp"
+#include "render/raster/lanes/has_avx2.hpp"
+#include "render/raster/shell/shell_raster.hpp"
 #include "support/pictures.hpp"
 
 #include <glm/vec2.hpp>

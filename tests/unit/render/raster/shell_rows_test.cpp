@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "render/raster/shell_rows.hpp"
+#include "render/raster/shell/shell_rows.hpp"
 
-#include "render/raster/has_avx2.hpp"
+#include "render/raster/lanes/has_avx2.hpp"
 #include "support/pictures.hpp"
 
 #include <glm/geometric.hpp>

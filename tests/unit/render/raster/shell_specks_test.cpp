@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "render/raster/shell_specks.hpp"
+#include "render/raster/shell/shell_specks.hpp"
 
 #include "render/picture/painter_settings.hpp"
-#include "render/raster/has_avx2.hpp"
-#include "render/raster/shell_raster.hpp"
-#include "render/raster/tile_grid.hpp"
+#include "render/raster/lanes/has_avx2.hpp"
+#include "render/raster/lanes/tile_grid.hpp"
+#include "render/raster/shell/shell_raster.hpp"
 #include "support/pictures.hpp"
 
 #include <glm/vec2.hpp>

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// Room: what all that is drawn without OpenGL is drawn with: several pixels at once, the shaders'
+// text for them, and tiles of samples that stay in the processor's cache.
+#pragma once
+
+#include "render/framing/pixel_rectangle.hpp"
+#include "render/picture/tile_lists.hpp"
+
+#include <frostfill/view.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+namespace frostfill
+{
+
+/// Edge of a tile [pixel].
+inline constexpr int kTileEdge = TilePlaces::kTile;
+inline constexpr int kTilePixels = kTileEdge * kTileEdge;
+
+/// Pixels of a row that are worked out at once: as many floats as a register of AVX2 has. Parts of
+/// tiles begin and end at multiples of it.
+inline constexpr int kLanes = 8;
+
+inline constexpr int kMaxTileSamples = 4;
+
+/// How near a surface is: 1 over the distance ahead of the eye, or without perspective its height
+/// above the eye's plane; it is linear over the picture. Larger hides smaller, nothing hides least.
+inline constexpr float kNothing = std::numeric_limits<float>::lowest();
+
+/// In the order of SampleTile's bytes.
+[[nodiscard]] inline std::uint32_t premultiplied(const Colour& colour)
+{
+    std::uint32_t word = std::uint32_t{colour[3]} << 24;
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+        word |= ((std::uint32_t{colour[c]} * colour[3] + 127) / 255) << (8 * c);
+    }
+    return word;
+}
+
+/// The samples of a tile, a plane for each sample of a pixel; rows upwards. Colours are
+/// premultiplied RGBA with red in the lowest byte.
+struct SampleTile
+{
+    alignas(64) std::array<std::array<float, kTilePixels>, kMaxTileSamples> inverseDepth;
+    alignas(64) std::array<std::array<std::uint32_t, kTilePixels>, kMaxTileSamples> colour;
+};
+
+/// A sample's place from the middle of its pixel [pixel], y upwards.
+struct SampleOffset
+{
+    float x = 0;
+    float y = 0;
+};
+
+/// Those of Mesa.
+inline constexpr std::array<SampleOffset, kMaxTileSamples> kFourSamples = {
+    {{-0.125F, -0.375F}, {0.375F, -0.125F}, {-0.375F, 0.125F}, {0.125F, 0.375F}}};
+
+/// Widened so that left and right are multiples of kLanes.
+[[nodiscard]] inline PixelRectangle inWholeLanes(const PixelRectangle& pixels)
+{
+    return pixels.empty() ? PixelRectangle{}
+                          : PixelRectangle{pixels.left & ~(kLanes - 1), pixels.bottom,
+                                           (pixels.right + kLanes - 1) & ~(kLanes - 1), pixels.top};
+}
+
+/// Where in the picture a tile lies, and the part of it that is drawn to.
+struct TilePart
+{
+    int left = 0;          ///< of the tile [pixel]
+    int bottom = 0;        ///< of the tile [pixel]
+    PixelRectangle pixels; ///< in the tile; left and right are multiples of kLanes
+
+    /// A rectangle of the picture in this part.
+    [[nodiscard]] PixelRectangle inside(const PixelRectangle& picture) const
+    {
+        return common(inTile(picture), pixels);
+    }
+    /// The same, from the tile's corner.
+    [[nodiscard]] PixelRectangle inTile(const PixelRectangle& picture) const
+    {
+        return {picture.left - left, picture.bottom - bottom, picture.right - left,
+                picture.top - bottom};
+    }
+    /// The same, widened to whole lanes.
+    [[nodiscard]] PixelRectangle within(const PixelRectangle& picture) const
+    {
+        return inWholeLanes(inside(picture));
+    }
+};
+
+} // namespace frostfill

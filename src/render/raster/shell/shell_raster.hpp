@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: MIT
+// Room: the shell in tiles: its triangles by rows or as specks, its lines, and what of it is kept
+// from picture to picture.
+#pragma once
+
+#include "render/picture/mesh_shading.hpp"
+#include "render/picture/painter_settings.hpp"
+#include "render/raster/lanes/sample_tile.hpp"
+#include "render/raster/shell/shell_layers.hpp"
+#include "render/raster/shell/shell_specks.hpp"
+#include "render/raster/shell/shell_vertices.hpp"
+#include "render/raster/spheres/resting_tile.hpp"
+#include "render/raster/spheres/sphere_raster.hpp"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace frostfill
+{
+
+namespace lanes
+{
+struct Slopes;
+}
+
+/// The planes of a cutaway before the camera. Where the ray through (x, y) meets the plane at
+/// distance 1, or the place itself without perspective, is (left + perColumn * x, bottom + perRow *
+/// y).
+struct ShellCut
+{
+    bool orthographic = false;
+    float left = 0, bottom = 0, perColumn = 0, perRow = 0;
+    /// Of the distance from the cut, at distance 1: triangles that are seen edge-on end sharply at
+    /// the cut. They would leave specks beyond it. [1 / pixel]
+    float steepest = 0;
+    float steepestBefore = 0;                     ///< the same before the cut, where its line is
+    std::array<std::array<float, 4>, 2> planes{}; ///< as CutPlanes, in eye space
+};
+
+/// What drawing a triangle needs beside it. The ray through (x, y) is (left + perColumn * x, bottom
+/// + perRow * y, -1).
+struct ShellRows
+{
+    float left = 0, bottom = 0, perColumn = 0, perRow = 0;
+    float lineWidth = 1;
+    float hatchPeriod = 1; ///< [pixel]
+    float hatchShift = 0;  ///< whole periods, with which no place has a phase below 0
+    bool print = false;    ///< lines lie in the film and not over it
+    ShellCut cut{};
+};
+
+/// Draws the shell as mesh.vert and mesh.frag do, a sample at a time. A length in the picture that
+/// is the same over most of a triangle is worked out once for it.
+class ShellRaster
+{
+public:
+    /// `mesh` must stay. `avx2` as lanes::hasAvx2().
+    ShellRaster(const ShadedMesh& mesh, const ShaderVariant& variant, const Palette& palette,
+                const MeshStrokes& strokes, int samples, bool avx2);
+
+    /// `edgeStrengths` must stay. `front` is added to what is near without perspective.
+    void lookFrom(const SphereUniforms& uniforms, bool orthographic, const PictureSize& size,
+                  std::span<const std::array<std::uint8_t, 3>> edgeStrengths, float front = 0);
+    /// Takes the states of the triangles; those beyond the span's end are active. Returns which
+    /// triangles have changed, until the next call.
+    std::span<const std::uint32_t> setStates(std::span<const PolygonState> states);
+
+    /// Around the samples that a triangle may cover; empty if it covers none.
+    [[nodiscard]] PixelRectangle bounds(std::uint32_t triangle) const
+    {
+        return places_[triangle].pixels();
+    }
+    /// Those that may cover a sample, whatever their state: first those that turn their backs to
+    /// the viewer, then those that face the viewer.
+    template <class Visit>
+    void eachInDrawingOrder(Visit visit) const
+    {
+        for (const bool front : {false, true})
+        {
+            for (std::uint32_t t = 0; t < places_.size(); ++t)
+            {
+                if (const Place& place = places_[t]; place.front == front && !place.empty())
+                {
+                    visit(t);
+                }
+            }
+        }
+    }
+    [[nodiscard]] std::vector<std::uint32_t> inDrawingOrder() const;
+    /// Blends one after another. What spheres at rest hide may be left out. Several threads may
+    /// draw, each into a tile of its own.
+    void draw(std::span<const std::uint32_t> triangles, const TilePart& part, SampleTile& tile,
+              const RestingTile* resting = nullptr) const;
+    /// Takes down what draw() would blend over a tile in which nothing lies.
+    void record(std::span<const std::uint32_t> triangles, const TilePart& part,
+                ShellRecord& record) const;
+
+    /// How one triangle looks. What is worked out in lanes comes first: it is written as it lies
+    /// here.
+    struct Setup
+    {
+        /// Distance from each edge: across * x + upwards * y + from, inside positive [pixel].
+        std::array<float, 3> across, upwards, from;
+        std::array<float, 3> least; ///< the distance has to be more; of two triangles at an edge
+                                    ///< one has what lies exactly on it
+        std::array<float, 3> share; ///< barycentric coordinate = share * distance / sum of all
+        std::array<float, 3> near;  ///< inverse depth = sum of near * distance
+        std::array<glm::vec3, 3> normals; ///< towards the viewer [eye space]
+        std::array<float, 3> light;       ///< on the corners
+        std::array<float, 3> facing;      ///< cosine of the angle to the viewer at the corners
+        std::array<float, 3> strength;    ///< of the lines along the edges
+        float contour = 0;                ///< strength of the outline of the smooth surface
+        float pixelsOfFacing = 0;         ///< the length over which facing changes by 1 [pixel]
+        float crease = 0;                 ///< strength of others' creases
+        float pixelsOfCrease = 0;
+        std::array<float, 3> creaseDistance;
+        glm::vec3 base; ///< colour [0..255]
+        float density = 0, rimDensity = 0;
+        glm::vec3 ink;      ///< [0..255]
+        bool seen = false;  ///< is not clear
+        bool lines = false; ///< has any, of which kind ever
+        bool edges = false; ///< has lines along edges
+        bool flat = false;  ///< light and angle are those of the corners, mixed
+        bool cut = false;   ///< the cutaway may take a part of it
+        float hatch = 0;    ///< 0, or which way the hatch of print goes: 1 or -1
+    };
+
+private:
+    /// What most triangles are passed over for, apart from what it takes to draw one.
+    struct Place
+    {
+        std::array<std::int16_t, 4> edges{}; ///< as a PixelRectangle; empty if it shows no sample
+        float nearest = 0;                   ///< no point of it is nearer; see kNothing
+        bool front = false;                  ///< faces the viewer
+        bool small = false;                  ///< in the picture
+        bool speck = false;                  ///< drawn as a ShellSpeck
+        bool cut = false;                    ///< the cutaway may take a part of it
+        std::uint8_t which = 0;              ///< of the specks of its kLanes triangles
+
+        [[nodiscard]] PixelRectangle pixels() const
+        {
+            return {edges[0], edges[1], edges[2], edges[3]};
+        }
+        [[nodiscard]] bool empty() const { return edges[0] == edges[2]; }
+    };
+    [[nodiscard]] const ShellSpeck& speckOf(std::uint32_t triangle) const
+    {
+        return specks_[triangle - triangle % kLanes + places_[triangle].which];
+    }
+
+    /// Where a vertex is in the picture; what most triangles need.
+    struct PlacedVertex
+    {
+        glm::dvec2 pixel;
+        float nearest;              ///< inverse depth; largest where it is not ahead of the eye
+        float facing;               ///< cosine of the angle between the normal and the viewer
+        std::array<float, 2> light; ///< on the side that turns its back, and on the other
+    };
+
+    /// A vertex before the camera; what else the others need.
+    struct Vertex
+    {
+        /// (x, y, 1) in the picture times what they are divided by: the sides of a triangle are
+        /// then planes through the origin, also where the eye's plane cuts it [Olano & Greer 1997].
+        glm::dvec3 corner;
+        double height;    ///< inverse depth times corner.z
+        glm::vec3 normal; ///< [eye space]
+    };
+
+    /// Triangles whose looks are worked out at once; the last one again, where it is fewer.
+    using Triangles = std::array<std::uint32_t, kLanes>;
+    class PaintLanes;
+
+    /// Of a state, and one side.
+    struct Paint
+    {
+        glm::vec3 base, ink; ///< [0..255]
+        shading::ShellPaint own;
+        float hatch = 0; ///< as Setup has it
+    };
+
+    [[nodiscard]] const Paint& paintOf(PolygonState state, bool front) const
+    {
+        return paints_[static_cast<std::size_t>(state)][front ? 1 : 0];
+    }
+    /// Where so many vertices are, or fewer at the end, and how much light they have.
+    void placeVertices(std::uint32_t first);
+    void placeVerticesAvx2(std::uint32_t first);
+    void placeVerticesPlain(std::uint32_t first);
+    void placeVerticesAny(std::uint32_t first);
+
+    /// Where so many triangles are in the picture, or fewer at the end.
+    void place(std::uint32_t first);
+    void placeAvx2(std::uint32_t first);
+    void placePlain(std::uint32_t first);
+    void placeAny(std::uint32_t first);
+    template <class Ends>
+    void placeHalf(std::uint32_t first, const Ends& ends);
+    struct SpeckSpots;
+    struct SpeckColours;
+    [[nodiscard]] SpeckSpots spotsOf(std::uint32_t first) const;
+    template <class Ends>
+    void placeSpecks(const SpeckSpots& spots, const Ends& lower, const Ends& upper);
+    template <class Ends, class Edges>
+    [[nodiscard]] SpeckColours coloursOf(const SpeckSpots& spots, const Ends& lower,
+                                         const Ends& upper, const Edges& edges,
+                                         const lanes::Slopes& slopes) const;
+    [[nodiscard]] bool facesViewer(std::uint32_t triangle) const;
+    /// Finds out what the cutaway may take of some.
+    void cutPlaces(std::uint32_t first);
+    /// How some look.
+    void setUpAvx2(const Triangles& triangles, std::array<Setup, kLanes>& setups) const;
+    void setUpPlain(const Triangles& triangles, std::array<Setup, kLanes>& setups) const;
+    void setUpAny(const Triangles& triangles, std::array<Setup, kLanes>& setups) const;
+    template <class Ends, class Columns>
+    void setLight(const Triangles& triangles, const Ends& lower, const Ends& upper,
+                  const lanes::Slopes& slopes, Columns& columns) const;
+    template <class Columns>
+    void setSurfaces(const Triangles& triangles, const lanes::Slopes& slopes,
+                     Columns& columns) const;
+    template <class Columns>
+    void setStrokes(const Triangles& triangles, const PaintLanes& paints,
+                    const lanes::Slopes& slopes, Columns& columns) const;
+    template <class Target>
+    void drawTo(Target& target, std::span<const std::uint32_t> triangles, const TilePart& part,
+                const RestingTile* resting) const;
+
+    const ShadedMesh& mesh_;
+    ShaderVariant variant_;
+    MeshStrokes strokes_;
+    int samples_;
+    bool avx2_;
+    std::array<std::array<Paint, 2>, 2> paints_; ///< [PolygonState][front]
+    glm::mat4 view_{1};
+    PixelGrid grid_;
+    ShellRows rows_{};
+    PictureSize size_;
+    float front_ = 0;
+    ShellVertices shape_;
+    std::vector<Vertex> vertices_;                       ///< [shape_] for this camera
+    std::vector<PlacedVertex> placed_;                   ///< [shape_] for this camera
+    std::span<const std::array<std::uint8_t, 3>> edges_; ///< [#T]
+    std::vector<PolygonState> states_;                   ///< [#T]
+    std::vector<Place> places_;                          ///< [#T] for this camera
+    std::vector<ShellSpeck> specks_; ///< [#T] those of kLanes triangles together
+    std::vector<std::uint32_t> changed_;
+};
+
+} // namespace frostfill
