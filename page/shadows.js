@@ -7,7 +7,7 @@ class StudioShadows {
   constructor(gl, sections) {
     this.gl = gl;
     this.ground = facts.studio.ground ? this.groundOf(facts.studio.ground, sections.ground) : null;
-    this.contacts = this.readContacts(new Cursor(sections.contacts));
+    this.contacts = this.readContacts(new Cursor(sections.walls));
     this.buffer = gl.createBuffer();
     this.array = this.arrayOf(this.buffer, [3, 2, 4]);
   }

@@ -113,7 +113,7 @@ PageStudio pageStudio(const TriangleMesh& mesh, const TriangleMesh& simplified,
     }
     const auto shadows =
         contactShadowsOf(mesh, inUnitSpace(mesh, view.framing), settings, studio.lamp);
-    page.sections.emplace_back("contacts", contactsOf(*shadows, view, last));
+    page.sections.emplace_back("walls", contactsOf(*shadows, view, last));
     return page;
 }
 

@@ -244,7 +244,7 @@ checkLights(studio.light);
 // Walls are dark where they are in pictures, also in a frame in which spheres that rest in the end still fall.
 function checkContacts({ eye, frames: some }) {
   const shadows = Object.create(StudioShadows.prototype);
-  shadows.contacts = shadows.readContacts(new Cursor(sections.contacts));
+  shadows.contacts = shadows.readContacts(new Cursor(sections.walls));
   for (const { index, shadows: wanted } of some) {
     film.seek(index);
     const corners = shadows.cornersOfContacts({ eyeOfObject: eye }, film, () => true);
