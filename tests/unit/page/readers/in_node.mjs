@@ -170,7 +170,7 @@ for (const size of [[320, 240], [128, 96]]) {
 }
 
 // One that begins behind another, and bulges out of it before its middle, is seen beside it.
-const bulge = new Hidden().seenOf(Float32Array.of(0, 0, 0, 1, 0.55, 0, 0.39, 0.4), 2,
+const bulge = new Hidden().seenOf(Float32Array.of(0, 0, 0, 1, 0.34, 0, 0.485, 0.5), 2,
   { view: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -40, 1],
     projection: [21, 0, 0, 0, 0, 28, 0, 0, 0, 0, -1, -1, 0, 0, -2, 0] }, [320, 240], null);
 assert.equal(bulge.length, 2);
