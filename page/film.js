@@ -215,6 +215,17 @@ class Film {
   }
 }
 
+/** A sphere's state, and above it an axis that turns with it, as src/render/picture/sphere_draw_list.cpp has it. */
+function stateWord({ states, values: { qx, qy, qz, qw } }, id) {
+  if (!(qx && qy && qz && qw)) {
+    return states[id];
+  }
+  const around = [qx[id], qy[id], qz[id]];
+  const twice = scaled(cross(around, facts.stripe_axis), 2);
+  const axis = normalized(sum(facts.stripe_axis, sum(scaled(twice, qw[id]), cross(around, twice))));
+  return axis.reduce((word, x, i) => word | (Math.round(127 * x) & 255) << 8 * (i + 1), states[id]) >>> 0;
+}
+
 /** Centre and radius of a sphere of the film. */
 function sphereInUnitSpace({ places, values }, id) {
   const { step, radius_step: radiusStep } = facts.film;

@@ -19,7 +19,7 @@ class Picture {
     this.shadows = new StudioShadows(gl, sections);
     this.lights = new LightTexture(gl);
     // Twelve neighbours and all else that sphere.vert tells; drivers need not have room for so much.
-    this.canLight = gl.getParameter(gl.MAX_VARYING_VECTORS) >= 20;
+    this.canLight = gl.getParameter(gl.MAX_VARYING_VECTORS) >= 21;
     this.makeSpheres();
     this.drawnSize = [0, 0];
     this.shown = {}; // of which frame, colours and eye the buffers are
@@ -31,7 +31,7 @@ class Picture {
     this.buffers = [0, 1, 2].map(() => gl.createBuffer());
     gl.bindVertexArray(this.array);
     const kinds = [() => gl.vertexAttribPointer(0, 4, gl.FLOAT, false, 16, 0),
-      () => gl.vertexAttribIPointer(1, 1, gl.UNSIGNED_BYTE, 1, 0),
+      () => gl.vertexAttribIPointer(1, 1, gl.UNSIGNED_INT, 4, 0),
       () => gl.vertexAttribPointer(2, 4, gl.UNSIGNED_BYTE, true, 4, 0)];
     kinds.forEach((describe, attribute) => {
       gl.bindBuffer(gl.ARRAY_BUFFER, this.buffers[attribute]);
@@ -40,12 +40,13 @@ class Picture {
     });
     this.instances = new Float32Array(0);
     this.states = new Uint8Array(0);
+    this.words = new Uint32Array(0); // the states, and how the spheres have turned
     this.colours = new Uint32Array(0);
     this.ids = new Uint32Array(0); // ascending
     this.hidden = new Hidden();
     this.occlusion = new SphereOcclusion();
     // A corner for each vertex: a software renderer takes 30 us for each instance of four vertices.
-    this.corners = { places: new Float32Array(0), states: new Uint8Array(0), colours: new Uint32Array(0) };
+    this.corners = { places: new Float32Array(0), words: new Uint32Array(0), colours: new Uint32Array(0) };
     this.indices = gl.createBuffer();
     this.squares = new Uint32Array(0);
     this.leftOut = 0; // spheres of this frame that are not drawn
@@ -56,12 +57,14 @@ class Picture {
     const { film, gl } = this;
     this.instances = grown(this.instances, 4 * film.spheres);
     this.states = grown(this.states, film.spheres);
+    this.words = grown(this.words, film.spheres);
     this.ids = grown(this.ids, film.spheres);
     let at = 0;
     for (let id = 0; id < film.spheres; ++id) {
       if (film.states[id] !== kWaits) {
         this.instances.set(sphereInUnitSpace(film, id), 4 * at);
         this.ids[at] = id;
+        this.words[at] = stateWord(film, id);
         this.states[at++] = film.states[id];
       }
     }
@@ -83,7 +86,7 @@ class Picture {
 
   /** Gives the driver the corners of what is drawn: of all, or of very many those that may be seen. */
   takeSeen(looked, planes) {
-    const { corners, instances, states, colours, count } = this;
+    const { corners, instances, states, words, colours, count } = this;
     const seen = count <= kManySpheres ? null
       : this.hidden.seenOf(instances, count, looked, this.drawnSize, planes);
     this.drawn = seen?.length ?? count;
@@ -96,7 +99,7 @@ class Picture {
       });
     }
     corners.places = grown(corners.places, 16 * this.drawn);
-    corners.states = grown(corners.states, 4 * this.drawn);
+    corners.words = grown(corners.words, 4 * this.drawn);
     corners.colours = grown(corners.colours, 4 * this.drawn);
     for (let k = 0; k < this.drawn; ++k) {
       const i = seen ? seen[k] : k;
@@ -105,12 +108,12 @@ class Picture {
         corners.places[4 * at + 1] = instances[4 * i + 1];
         corners.places[4 * at + 2] = instances[4 * i + 2];
         corners.places[4 * at + 3] = instances[4 * i + 3];
-        corners.states[at] = states[i];
+        corners.words[at] = words[i];
         corners.colours[at] = colours[i];
       }
     }
     this.fill(0, corners.places.subarray(0, 16 * this.drawn));
-    this.fill(1, corners.states.subarray(0, 4 * this.drawn));
+    this.fill(1, corners.words.subarray(0, 4 * this.drawn));
     this.fill(2, corners.colours.subarray(0, 4 * this.drawn));
     this.makeSquares();
   }

@@ -3,6 +3,27 @@
 // rim, w = sqrt(1 - rhoSquared); `diagonal` is the sum of the two coordinates on the disc.
 
 const float kHatchShare = 0.34F; // that is dark
+const float kStripe = 0.45F; // how dark it is
+const float kStripeHalf = 0.14F; // of its width, in the radius
+
+// A sphere's word has its state, and above it, where it is known how the sphere has turned, an axis of
+// it: a byte for each coordinate, 127 for 1.
+INLINE uint stateOf(uint word)
+{
+    return word & 255u;
+}
+
+INLINE vec3 axisOf(uint word)
+{
+    return vec3(float(int(word << 16u) >> 24), float(int(word << 8u) >> 24), float(int(word) >> 24))
+           * (1.0F / 127.0F);
+}
+
+// A sphere that has turned has a stripe around it, square to its axis: it shows how it rolls.
+INLINE float stripeAround(vec3 axis)
+{
+    return dot(axis, axis) > 0.0F ? kStripe : 0.0F;
+}
 
 // It is one where e < 1 and the sphere's centre is ahead.
 INLINE Circle circleOf(vec3 centre, float radius)
@@ -72,7 +93,14 @@ INLINE real hatchOf(SphereLook look, real diagonal)
     return look.hatch * stripes(diagonal * 1.3F + 0.25F, kHatchShare, look.pixel * 1.84F);
 }
 
-// What the marks leave of the light.
+// `cosine` of the angle between the normal and the axis.
+INLINE real unstriped(SphereLook look, real cosine)
+{
+    real inside = (kStripeHalf - abs(cosine)) * (1.0F / (look.pixel + 0.02F)) + 0.5F;
+    return 1.0F - look.stripe * clamp(inside, 0.0F, 1.0F);
+}
+
+// What the other marks leave of the light.
 INLINE real unmarked(SphereLook look, real rhoSquared, real diagonal)
 {
     real ring =

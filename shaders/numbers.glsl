@@ -55,6 +55,7 @@ struct SphereLook
     vec3 haze; // what is added to it
     float pixel; // the length of one, in the sphere's radius
     float gloss, ring, hatch; // how strong the marks are
+    float stripe; // likewise; 0 where nobody knows how it has turned
 };
 
 // What is the same on one side of all triangles of a state.

@@ -20,7 +20,8 @@ in vec3 onPlane;
 flat in vec4 centreAndCurvature;
 flat in vec4 tintAndSteepness;
 flat in vec4 hazeAndPixel;
-flat in vec3 marks;
+flat in vec4 marks;
+flat in vec3 stripeAxis;
 
 uniform float depthAtInfinity; // A0; perspective
 uniform float depthSlope; // window depth over distance; orthographic
@@ -86,6 +87,7 @@ SphereLook look()
     own.gloss = marks.x;
     own.ring = marks.y;
     own.hatch = marks.z;
+    own.stripe = marks.w;
     return own;
 }
 
@@ -99,7 +101,7 @@ vec3 shaded(vec3 normal, vec2 at, float rhoSquared, float w)
 #else
     vec3 lit = own.tint * (lightOn(normal) * lightNearRim(w));
 #endif
-    float left = unmarked(own, rhoSquared, at.x + at.y);
+    float left = unmarked(own, rhoSquared, at.x + at.y) * unstriped(own, dot(normal, stripeAxis));
 #ifdef OUTLINES
     left *= unlined(own, rhoSquared, outlineWidth);
 #endif

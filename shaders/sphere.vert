@@ -49,7 +49,8 @@ out vec3 onPlane; // Q, the point of the square [eye space]
 flat out vec4 centreAndCurvature; // C [eye space], 1 / r
 flat out vec4 tintAndSteepness; // the sphere's own colour, e (r without perspective)
 flat out vec4 hazeAndPixel; // what is added to the colour, a pixel's length in the sphere's radius
-flat out vec3 marks; // strength of gloss, of the ring and of the hatch
+flat out vec4 marks; // strength of gloss, of the ring, of the hatch and of the stripe
+flat out vec3 stripeAxis; // what the stripe is square to [eye space]
 flat out uint identity; // index of the sphere
 
 #ifdef STUDIO
@@ -63,12 +64,14 @@ const bool kStudio = false;
 void setColours(vec3 centre, float pixel)
 {
     float far = haze * clamp(dot(distancePlane, vec4(centre, 1.0)), 0.0, 1.0);
-    SphereLook look = lookOf(sphereColour.rgb, marksOf(sphereState),
+    SphereLook look = lookOf(sphereColour.rgb, marksOf(stateOf(sphereState)),
                              dot(heightPlane, vec4(centre, 1.0)), far,
                              background, pixel, supersample, kStudio, kPrint);
     tintAndSteepness.rgb = look.tint;
     hazeAndPixel = vec4(look.haze, pixel);
-    marks = vec3(look.gloss, look.ring, look.hatch);
+    vec3 axis = axisOf(sphereState);
+    marks = vec4(look.gloss, look.ring, look.hatch, stripeAround(axis));
+    stripeAxis = mat3(view) * axis;
 }
 
 void main()

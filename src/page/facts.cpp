@@ -7,6 +7,7 @@
 #include "render/overlay/colour_scale.hpp"
 #include "render/picture/mesh_shading.hpp"
 #include "render/picture/painter_settings.hpp"
+#include "render/picture/sphere_draw_list.hpp"
 #include "run/frame_painter.hpp"
 
 #include <fmt/format.h>
@@ -252,6 +253,7 @@ Json pageFacts(const RunFileReader& run, const RunHead& head, const PageView& vi
     {
         foot = std::min(foot, view.settings.up.dot(vertex));
     }
+    facts["stripe_axis"] = vectorJson(stripeAxis());
     facts["foot"] = foot; // the lowest point, along up
     facts["groups_per_set"] = view.settings.groupsPerSet;
     facts["triangles"] = shell.facts.triangles;

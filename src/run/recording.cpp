@@ -42,9 +42,15 @@ std::vector<ColumnValues> columnsToCarry(const Scene& scene)
     {
         return carriedColumns(askedColumns(scene));
     }
-    const Column& shown = *findColumn(scene.style.colourBy);
-    return shown.isCarried() && !shown.measured ? std::vector{ColumnValues(shown)}
-                                                : std::vector<ColumnValues>();
+    // What pictures show: colours, and how spheres have turned.
+    std::vector<ColumnValues> carried = carriedColumns(askedColumns(scene));
+    std::erase_if(carried,
+                  [&](const ColumnValues& values)
+                  {
+                      const Column& column = values.column();
+                      return column.name != scene.style.colourBy && column.partOf != kOrientation;
+                  });
+    return carried;
 }
 
 // Nothing has to be known of a run of which only the end is looked at.

@@ -3,11 +3,17 @@
 
 #include "support/shapes.hpp"
 
+#include <frostfill/columns.hpp>
 #include <frostfill/mesh.hpp>
 #include <frostfill/snapshot.hpp>
 
+#include <Eigen/Geometry>
+
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace frostfill::testing_support
 {
@@ -47,6 +53,27 @@ inline void addSphere(Snapshot& snapshot, const Eigen::Vector3d& centre, double 
                                     : snapshot.discarded) += 1;
 }
 
+/// Tells how a sphere has turned.
+inline void turnSphere(Snapshot& snapshot, std::size_t sphere, const Eigen::Quaterniond& turned)
+{
+    if (snapshot.columns.empty())
+    {
+        snapshot.columns = carriedColumns(std::vector<std::string>{kOrientation});
+    }
+    for (const auto& [name, value] : {std::pair("qx", turned.x()), std::pair("qy", turned.y()),
+                                      std::pair("qz", turned.z()), std::pair("qw", turned.w())})
+    {
+        for (ColumnValues& values : snapshot.columns)
+        {
+            values.bits.resize(snapshot.centres.size());
+            if (values.column().name == name)
+            {
+                values.set(sphere, value);
+            }
+        }
+    }
+}
+
 /// Numbers in 0..1 that are the same on every machine.
 class Numbers
 {
@@ -60,5 +87,12 @@ public:
 private:
     std::uint64_t state_ = 1;
 };
+
+/// Any way of turning.
+inline Eigen::Quaterniond anyTurn(Numbers& numbers)
+{
+    const auto next = [&] { return 2 * numbers.next() - 1; };
+    return Eigen::Quaterniond(next(), next(), next(), next()).normalized();
+}
 
 } // namespace frostfill::testing_support

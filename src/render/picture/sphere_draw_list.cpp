@@ -3,9 +3,14 @@
 
 #include "render/picture/for_all.hpp"
 
+#include <frostfill/columns.hpp>
+
+#include <Eigen/Geometry>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -50,12 +55,46 @@ void sortByKey(std::vector<Keyed>& keyed)
     }
 }
 
+std::array<const ColumnValues*, 4> turnedIn(const Snapshot& snapshot)
+{
+    std::array<const ColumnValues*, 4> turned{};
+    const std::array names = {"qx", "qy", "qz", "qw"};
+    for (std::size_t i = 0; i < names.size(); ++i)
+    {
+        turned[i] = findValues(snapshot.columns, *findColumn(names[i]));
+    }
+    const bool all = std::find(turned.begin(), turned.end(), nullptr) == turned.end();
+    return all ? turned : std::array<const ColumnValues*, 4>{};
+}
+
 } // namespace
+
+Eigen::Vector3d stripeAxis()
+{
+    return {0.8, 0.36, 0.48};
+}
 
 bool SphereDrawList::knowsWhatChanged(const Snapshot& snapshot) const
 {
     return snapshot.source != 0 && snapshot.source == source_ &&
            snapshot.changedSince <= revision_ && snapshot.centres.size() >= places_.size();
+}
+
+std::uint32_t SphereDrawList::stateWord(const Snapshot& snapshot, std::uint32_t id) const
+{
+    auto word = static_cast<std::uint32_t>(snapshot.states[id]);
+    if (turned_[0] != nullptr)
+    {
+        const auto part = [&](std::size_t i) { return turned_[i]->at(id); };
+        const Eigen::Quaterniond turned(part(3), part(0), part(1), part(2));
+        const Eigen::Vector3d axis = turned.normalized() * stripeAxis();
+        for (int k = 0; k < 3; ++k)
+        {
+            const auto byte = static_cast<std::uint8_t>(std::lround(127 * axis[k]));
+            word |= std::uint32_t{byte} << (8 * (k + 1));
+        }
+    }
+    return word;
 }
 
 SphereInstance SphereDrawList::instance(const Snapshot& snapshot, std::uint32_t id) const
@@ -65,7 +104,7 @@ SphereInstance SphereDrawList::instance(const Snapshot& snapshot, std::uint32_t 
             centre.y(),
             centre.z(),
             snapshot.radii[id] * scale_,
-            static_cast<std::uint32_t>(snapshot.states[id]),
+            stateWord(snapshot, id),
             colours_->of(snapshot, id)};
 }
 
@@ -130,6 +169,7 @@ const SphereDrawList::Changes& SphereDrawList::update(const Snapshot& snapshot,
 {
     colours.requireIn(snapshot);
     colours_ = &colours;
+    turned_ = turnedIn(snapshot);
     const Eigen::Vector3f offset =
         ((snapshot.origin - framing.centre) * framing.scale).cast<float>();
     const auto scale = static_cast<float>(framing.scale);

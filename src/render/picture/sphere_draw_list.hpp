@@ -8,6 +8,7 @@
 
 #include <frostfill/snapshot.hpp>
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -17,6 +18,10 @@ namespace frostfill
 
 /// Nearest first pays from so many spheres at rest: only then are many of them found hidden.
 inline constexpr std::size_t kSortFrom = 2000;
+
+/// What the stripes of spheres are square to before they have turned: oblique, so that rolling
+/// about any axis of the mesh moves them. A unit vector.
+[[nodiscard]] Eigen::Vector3d stripeAxis();
 
 /// The places of spheres in the order of their distance from the viewer.
 [[nodiscard]] std::vector<std::uint32_t> nearestFirst(std::span<const SphereInstance> spheres,
@@ -58,11 +63,15 @@ private:
     static constexpr std::uint32_t kRuns = 0xffffffffU;
 
     [[nodiscard]] bool knowsWhatChanged(const Snapshot& snapshot) const;
+    /// The state, and above it an axis that turns with the sphere.
+    [[nodiscard]] std::uint32_t stateWord(const Snapshot& snapshot, std::uint32_t id) const;
     [[nodiscard]] SphereInstance instance(const Snapshot& snapshot, std::uint32_t id) const;
     void lookAt(const Snapshot& snapshot, std::uint32_t id);
     void startAgain(const Snapshot& snapshot);
 
     const SphereColours* colours_ = nullptr; ///< during update()
+    /// During update(): x, y, z, w of the quaternions by which spheres have turned, if it is known.
+    std::array<const ColumnValues*, 4> turned_{};
     Eigen::Vector3f offset_ = Eigen::Vector3f::Zero();
     float scale_ = 1;
     std::uint64_t source_ = 0; ///< of the last snapshot

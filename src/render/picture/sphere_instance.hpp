@@ -17,7 +17,7 @@ namespace frostfill
 struct SphereInstance
 {
     float x, y, z, radius;
-    std::uint32_t state;
+    std::uint32_t state; ///< with an axis, see stateOf and axisOf in shaders/looks.glsl
     Colour colour{};
     friend bool operator==(const SphereInstance&, const SphereInstance&) = default;
 };

@@ -37,7 +37,8 @@ void addRest(TableBuilder& table)
         .of(Preset::fast);
     table
         .add("rest.orientation", "--orientation",
-             "Keep how spheres have turned since they appeared, as quaternions in tables and runs",
+             "Keep how spheres have turned since they appeared: quaternions in tables and runs, a "
+             "stripe in pictures",
              FROSTFILL_FIELD(rest.orientation))
         .of(Preset::fast);
     table

@@ -54,6 +54,28 @@ std::string runFileOf(const FillRequest& request, const std::filesystem::path& f
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
+TEST(ColumnsToCarry, AreThoseThatPicturesShowWhereNoRunIsKept)
+{
+    Scene scene = presetScene(Preset::fast, "torus");
+    const auto namesOf = [&]
+    {
+        std::string names;
+        for (const ColumnValues& values : columnsToCarry(scene))
+        {
+            names += values.column().name + " ";
+        }
+        return names;
+    };
+    scene.frames.keepRun = false;
+    EXPECT_EQ(namesOf(), "");
+    scene.style.colourBy = "contacts";
+    EXPECT_EQ(namesOf(), "contacts ");
+    scene.rest.orientation = true;
+    EXPECT_EQ(namesOf(), "contacts qx qy qz qw ") << "stripes";
+    scene.style.colourBy = "unbalance";
+    EXPECT_NE(namesOf().find("unbalance "), std::string::npos);
+}
+
 TEST(TapedRun, KeepsTheSameRunFileAsOneThatIsRehearsed)
 {
     const TemporaryFolder folder;

@@ -43,13 +43,17 @@ struct Places
 
 /// What the marks leave of light.
 template <Marks marks>
-FROSTFILL_INLINE Floats leftOfLight(const SphereSetup& s, const Places& at)
+FROSTFILL_INLINE Floats leftOfLight(const SphereSetup& s, const Normals& normals, const Places& at)
 {
     if constexpr (marks == Marks::none)
     {
         return all(1);
     }
-    const Floats left = unmarked(s.look, at.rhoSquared, at.across + at.above);
+    Floats left = unmarked(s.look, at.rhoSquared, at.across + at.above);
+    if (s.look.stripe > 0)
+    {
+        left *= unstriped(s.look, dot(normals, s.stripe));
+    }
     return marks == Marks::print ? left * unlined(s.look, at.rhoSquared, s.outline) : left;
 }
 
@@ -79,7 +83,8 @@ struct InClean
         const Floats light = lightFrom(dot(normals, s.up), dot(normals, s.key),
                                        dot(normals, s.fill), dot(normals, s.back));
         return finished<marks>(
-            s, normals, s.look.tint * (light * lightNearRim(at.w) * leftOfLight<marks>(s, at)));
+            s, normals,
+            s.look.tint * (light * lightNearRim(at.w) * leftOfLight<marks>(s, normals, at)));
     }
 };
 
@@ -114,7 +119,7 @@ struct InStudio
         takeLight(normals, facing, sky, lamp);
         const Vectors lit =
             inStudio(s.look.tint, dot(normals, l.up), facing, dot(normals, l.gloss), sky, lamp);
-        return finished<marks>(s, normals, lit * leftOfLight<marks>(s, at));
+        return finished<marks>(s, normals, lit * leftOfLight<marks>(s, normals, at));
     }
 };
 
@@ -151,7 +156,7 @@ FROSTFILL_INLINE void withLook(const SphereRaster::Drawn& drawn, Visit visit)
     using State = std::integral_constant<Marks, Marks::state>;
     using Print = std::integral_constant<Marks, Marks::print>;
     const SphereSetup s = drawn.setup; // so that the tile cannot be part of it
-    const bool marked = s.look.gloss + s.look.ring + s.look.hatch > 0;
+    const bool marked = s.look.gloss + s.look.ring + s.look.hatch + s.look.stripe > 0;
     if (drawn.surface != nullptr)
     {
         visit(s, InSurfaces{*drawn.surface}, None{});

@@ -78,8 +78,9 @@ public:
             float axis, right, above;
         };
         Slope up, key, fill, back, highlight;
-        shading::SphereLook look;                                      ///< [0..255]
-        float outline;                                                 ///< its width, for print
+        Slope stripe;             ///< to what the stripe is square to
+        shading::SphereLook look; ///< [0..255]
+        float outline;            ///< its width, for print
         std::array<float, kMaxTileSamples> acrossAt, aboveAt, alongAt; ///< from a pixel's middle
     };
 
@@ -151,7 +152,7 @@ private:
     /// False when it cannot be seen.
     bool setUp(const SphereInstance& sphere, bool lit, Axes& axes, Setup& setup) const;
     void setColours(const SphereInstance& sphere, const glm::vec3& centre, bool lit,
-                    Setup& setup) const;
+                    const Axes& axes, Setup& setup) const;
     void setLighting(const SphereLight& light, const Axes& axes, Lighting& lighting) const;
     void setCut(const SphereInstance& sphere, const Axes& axes, Cut& cut) const;
     [[nodiscard]] Surface surfaceOf(const SphereInstance& sphere, const Axes& axes) const;

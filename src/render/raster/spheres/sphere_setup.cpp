@@ -65,7 +65,7 @@ glm::vec3 SphereRaster::centreOf(const SphereInstance& sphere) const
 }
 
 void SphereRaster::setColours(const SphereInstance& sphere, const glm::vec3& centre, bool lit,
-                              Setup& setup) const
+                              const Axes& axes, Setup& setup) const
 {
     const glm::vec4 point(centre, 1);
     const float far =
@@ -73,9 +73,12 @@ void SphereRaster::setColours(const SphereInstance& sphere, const glm::vec3& cen
     const float distance = grid_.orthographic ? 1 : -centre.z;
     const glm::vec3 colour(sphere.colour[0], sphere.colour[1], sphere.colour[2]);
     setup.look = lanes::lookOf(
-        colour, lanes::marksOf(sphere.state), glm::dot(uniforms_.heightPlane, point), far,
-        lanes::kWhite * background_, distance / (uniforms_.pixelScale * sphere.radius),
-        uniforms_.supersample, lit, print_);
+        colour, lanes::marksOf(lanes::stateOf(sphere.state)),
+        glm::dot(uniforms_.heightPlane, point), far, lanes::kWhite * background_,
+        distance / (uniforms_.pixelScale * sphere.radius), uniforms_.supersample, lit, print_);
+    const glm::vec3 axis = lanes::axisOf(sphere.state);
+    setup.look.stripe = lanes::stripeAround(axis);
+    setup.stripe = axes.slope(glm::mat3(uniforms_.view) * axis);
     setup.outline = outline_;
 }
 
@@ -144,7 +147,7 @@ bool SphereRaster::setUp(const SphereInstance& sphere, bool lit, Axes& axes, Set
         setup.aboveAt[k] = setup.aboveX * at.x + setup.aboveY * at.y;
         setup.alongAt[k] = setup.alongX * at.x + setup.alongY * at.y;
     }
-    setColours(sphere, centre, lit, setup);
+    setColours(sphere, centre, lit, axes, setup);
     return true;
 }
 

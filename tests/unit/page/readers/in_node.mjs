@@ -18,8 +18,8 @@ globalThis.document = { getElementById: (id) => elements[id] };
 const script = page.match(/<script type="module">(.*?)<\/script>/s)[1];
 const files = script.split("// SPDX-License-Identifier: MIT\n").slice(1, 8);
 const { facts, unpackSections, Cursor, Film, Camera, Hidden, SphereOcclusion, SphereGrid, StudioShadows, poseMatrix,
-  colourSpheres } = new Function(`${files.join("")}; return { facts, unpackSections, Cursor, Film, Camera, Hidden,
-    SphereOcclusion, SphereGrid, StudioShadows, poseMatrix, colourSpheres };`)();
+  colourSpheres, stateWord } = new Function(`${files.join("")}; return { facts, unpackSections, Cursor, Film, Camera, Hidden,
+    SphereOcclusion, SphereGrid, StudioShadows, poseMatrix, colourSpheres, stateWord };`)();
 
 const sections = await unpackSections();
 const film = new Film(sections);
@@ -268,3 +268,11 @@ function checkContacts({ eye, frames: some }) {
 if (studio.contacts) {
   checkContacts(studio.contacts);
 }
+
+// A quarter about z turns the axis of stripes from x to y: 127 times it are bytes above the state.
+const half = Math.SQRT1_2;
+const quarter = { states: [1, 2], values: { qx: [0, 0], qy: [0, 0], qz: [0, half], qw: [1, half] } };
+const bytesOf = (word) => [word & 255, word << 16 >> 24, word << 8 >> 24, word >> 24];
+assert.deepEqual(bytesOf(stateWord(quarter, 0)), [1, 102, 46, 61]);
+assert.deepEqual(bytesOf(stateWord(quarter, 1)), [2, -46, 102, 61]);
+assert.equal(stateWord({ states: [2], values: {} }, 0), 2);

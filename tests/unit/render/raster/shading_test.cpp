@@ -160,7 +160,7 @@ TEST(Shading, ACutEndsInItsMiddleAndItsLineBesideIt)
 
 TEST(Shading, ACutOfASphereIsPaleWithADarkRim)
 {
-    shading::SphereLook look{{200, 100, 40}, {}, 0.02F, 0, 0, 0};
+    shading::SphereLook look{{200, 100, 40}, {}, 0.02F, 0, 0, 0, 0};
     const auto at = [&](float fromMiddle)
     {
         const float height = 0.6F; // of the centre above the cut, whose disc has a radius of 0.8
