@@ -96,9 +96,11 @@ private:
 /// bits. The file is renamed when complete. Throws Error cannotCreate or
 /// writeFailed.
 void writeSpheresCsv(std::span<const SphereRecord> spheres, const std::filesystem::path& file);
-/// The same with `sphere(id)` for each id below `count`; this needs no copy of all spheres.
+/// The same with `sphere(id)` for each id below `count`, asked for in order; this needs no copy of
+/// all spheres. `threads`: that share the work; 0: one for each core.
 void writeSpheresCsv(std::size_t count, const std::function<SphereRecord(std::size_t)>& sphere,
-                     const std::filesystem::path& file, std::span<const ColumnValues> carried = {});
+                     const std::filesystem::path& file, std::span<const ColumnValues> carried = {},
+                     int threads = 1);
 
 /// Writes `id,state`, one row for each polygon. The id is the index. Otherwise like
 /// writeSpheresCsv.

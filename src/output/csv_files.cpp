@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "base/threads.hpp"
 #include "output/atomic_file.hpp"
 #include "output/column_text.hpp"
 
@@ -6,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -47,6 +49,32 @@ std::vector<const Column*> columnsOf(std::span<const ColumnValues> carried)
     return all;
 }
 
+void putRow(fmt::memory_buffer& text, std::span<const Column* const> columns, std::size_t id,
+            const SphereRecord& sphere, std::span<const ColumnValues> carried)
+{
+    const SphereRow values{.id = static_cast<std::uint32_t>(id),
+                           .centre = sphere.centre,
+                           .radius = sphere.radius,
+                           .state = sphere.state,
+                           .group = sphere.group,
+                           .carried = carried};
+    const char* separator = "";
+    for (const Column* column : columns)
+    {
+        text.append(std::string_view(separator));
+        separator = ",";
+        if (column->name == "state")
+        {
+            text.append(std::string_view(sphere.stray ? "stray" : stateName(sphere.state)));
+        }
+        else
+        {
+            putText(text, *column, values.value(*column));
+        }
+    }
+    text.push_back('\n');
+}
+
 } // namespace
 
 void writeSpheresCsv(std::span<const SphereRecord> spheres, const std::filesystem::path& file)
@@ -55,45 +83,44 @@ void writeSpheresCsv(std::span<const SphereRecord> spheres, const std::filesyste
         spheres.size(), [&](std::size_t id) { return spheres[id]; }, file);
 }
 
+// Spheres are asked for in their order, and a part of their rows becomes text on each thread.
 void writeSpheresCsv(std::size_t count, const std::function<SphereRecord(std::size_t)>& sphereOf,
-                     const std::filesystem::path& file, std::span<const ColumnValues> carried)
+                     const std::filesystem::path& file, std::span<const ColumnValues> carried,
+                     int threads)
 {
+    constexpr std::size_t kRowsInPart = 1024;
+    constexpr std::size_t kPartsAtOnce = 16;
     const std::vector<const Column*> columns = columnsOf(carried);
-    fmt::memory_buffer row;
+    std::string header;
     for (const Column* column : columns)
     {
-        row.append((row.size() > 0 ? "," : "") + column->name);
+        header += (header.empty() ? "" : ",") + column->name;
     }
-    row.push_back('\n');
     AtomicFile out(file);
-    out.write({row.data(), row.size()});
-    for (std::size_t id = 0; id < count; ++id)
+    out.write(header + "\n");
+    Threads workers(threads);
+    std::vector<SphereRecord> spheres;
+    std::vector<fmt::memory_buffer> texts(kPartsAtOnce);
+    for (std::size_t begin = 0; begin < count; begin += spheres.size())
     {
-        const SphereRecord sphere = sphereOf(id);
-        const SphereRow values{.id = static_cast<std::uint32_t>(id),
-                               .centre = sphere.centre,
-                               .radius = sphere.radius,
-                               .state = sphere.state,
-                               .group = sphere.group,
-                               .carried = carried};
-        row.clear();
-        for (const Column* column : columns)
+        spheres.clear();
+        while (spheres.size() < std::min(kPartsAtOnce * kRowsInPart, count - begin))
         {
-            if (row.size() > 0)
-            {
-                row.push_back(',');
-            }
-            if (column->name == "state")
-            {
-                row.append(std::string_view(sphere.stray ? "stray" : stateName(sphere.state)));
-            }
-            else
-            {
-                putText(row, *column, values.value(*column));
-            }
+            spheres.push_back(sphereOf(begin + spheres.size()));
         }
-        row.push_back('\n');
-        out.write({row.data(), row.size()});
+        forEachPart(workers, spheres.size(), kRowsInPart,
+                    [&](std::size_t first, std::size_t last, std::size_t part)
+                    {
+                        for (std::size_t k = first; k < last; ++k)
+                        {
+                            putRow(texts[part], columns, begin + k, spheres[k], carried);
+                        }
+                    });
+        for (fmt::memory_buffer& text : texts)
+        {
+            out.write({text.data(), text.size()});
+            text.clear();
+        }
     }
     out.commit();
 }

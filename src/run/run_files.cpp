@@ -277,7 +277,7 @@ void writeRunFiles(const RunRecord& run)
     savePly(run.mesh.mesh, directory / "mesh.ply");
     writeSpheresCsv(
         run.simulation.sphereCount(), [&](std::size_t id) { return run.simulation.sphere(id); },
-        directory / "spheres.csv", run.simulation.columns());
+        directory / "spheres.csv", run.simulation.columns(), run.request.scene.threads);
     writePolygonsCsv(run.simulation.polygonStates(), directory / "polygons.csv");
     writeSetsCsv(run.result.sets, run.result.setFrames, directory / "sets.csv");
     // A summary that survives a power failure says that all before it has. Pictures are not waited

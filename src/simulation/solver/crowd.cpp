@@ -90,7 +90,7 @@ void Crowd::giveSlots()
     nearby_.resize(first);
 }
 
-// Where strips end, some of the members tell: it changes nothing but who waits for whom.
+// Who is in which strip changes nothing but who waits for whom.
 void Crowd::cutIntoStrips(const Eigen::Vector3d& down)
 {
     const std::size_t size = order_.size();
@@ -103,12 +103,27 @@ void Crowd::cutIntoStrips(const Eigen::Vector3d& down)
         return;
     }
     stripsTouch_ = size > kMostInClusters || !findClusters(size / count);
-    const int axis = axisOfStrips(down);
-    const auto at = [&](std::size_t rank)
+    strips_.assign(count, {0, 0});
+    stripsTouch_ ? cutByPlace(down) : dealClusters();
+    for (const Height& one : order_)
     {
-        const std::size_t lead = stripsTouch_ ? rank : lead_[rank];
-        return running_.position[order_[lead].row][axis];
-    };
+        ++strips_[one.strip].end;
+    }
+    std::uint32_t begin = 0;
+    for (Strip& strip : strips_)
+    {
+        strip.begin = begin;
+        strip.end = begin += strip.end;
+    }
+}
+
+// Where strips end, some of the members tell.
+void Crowd::cutByPlace(const Eigen::Vector3d& down)
+{
+    const int axis = axisOfStrips(down);
+    const auto at = [&](std::size_t rank) { return running_.position[order_[rank].row][axis]; };
+    const std::size_t size = order_.size();
+    const std::size_t count = strips_.size();
     const std::size_t samples = std::min(size, kSamplesOfStrip * count);
     sample_.resize(samples);
     for (std::size_t k = 0; k < samples; ++k)
@@ -121,18 +136,40 @@ void Crowd::cutIntoStrips(const Eigen::Vector3d& down)
     {
         borders_.push_back(sample_[k * samples / count]);
     }
-    strips_.assign(count, {0, 0});
     for (std::size_t rank = 0; rank < size; ++rank)
     {
         const auto border = std::upper_bound(borders_.begin(), borders_.end(), at(rank));
         order_[rank].strip = static_cast<std::uint32_t>(border - borders_.begin());
-        ++strips_[order_[rank].strip].end;
     }
-    std::uint32_t begin = 0;
-    for (Strip& strip : strips_)
+}
+
+// The cluster with the most pairs first, each to the strip that has the least to do.
+void Crowd::dealClusters()
+{
+    load_.assign(order_.size(), 0);
+    clusters_.clear();
+    for (std::uint32_t rank = 0; rank < order_.size(); ++rank)
     {
-        strip.begin = begin;
-        strip.end = begin += strip.end;
+        if (lead_[rank] == rank)
+        {
+            clusters_.push_back(rank);
+        }
+        load_[lead_[rank]] +=
+            1 + static_cast<std::uint32_t>(pairs_.nearby(order_[rank].row).size());
+    }
+    std::sort(clusters_.begin(), clusters_.end(),
+              [this](std::uint32_t a, std::uint32_t b)
+              { return load_[a] > load_[b] || (load_[a] == load_[b] && a < b); });
+    next_.assign(strips_.size(), 0);
+    for (const std::uint32_t lead : clusters_)
+    {
+        const auto least = std::min_element(next_.begin(), next_.end());
+        *least += load_[lead];
+        order_[lead].strip = static_cast<std::uint32_t>(least - next_.begin());
+    }
+    for (std::uint32_t rank = 0; rank < order_.size(); ++rank)
+    {
+        order_[rank].strip = order_[lead_[rank]].strip;
     }
 }
 

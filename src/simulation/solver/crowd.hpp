@@ -17,8 +17,8 @@ namespace frostfill
 ///
 /// With several threads the crowd is cut into strips of equal numbers, side by side. Each strip is
 /// taken by one thread in the same order, at the same time as the others; see Turns. A small crowd
-/// mostly falls into clusters that do not touch one another. Then no cluster is cut, and no member
-/// waits for one of another strip.
+/// mostly falls into clusters that do not touch one another. Then no cluster is cut, each strip
+/// gets as much to do as the others, and no member waits for one of another strip.
 class Crowd
 {
 public:
@@ -99,6 +99,8 @@ private:
     void enter(std::uint32_t row, const Eigen::Vector3d& down);
     void arrange(const Eigen::Vector3d& down);
     void cutIntoStrips(const Eigen::Vector3d& down);
+    void cutByPlace(const Eigen::Vector3d& down);
+    void dealClusters();
     [[nodiscard]] bool findClusters(std::size_t largest);
     [[nodiscard]] std::uint32_t leadOf(std::uint32_t rank);
     void giveSlots();
@@ -115,10 +117,12 @@ private:
     std::vector<Height> order_;       ///< the lowest first
     std::vector<std::uint32_t> lead_; ///< by rank: another one of its cluster, at last the lowest
     std::vector<std::uint32_t> inCluster_; ///< by rank of its lowest: how many they are
+    std::vector<std::uint32_t> load_;      ///< by rank of its lowest: pairs and members
+    std::vector<std::uint32_t> clusters_;  ///< ranks of their lowest
     bool stripsTouch_ = false;
     std::vector<double> borders_;     ///< between strips
     std::vector<double> sample_;      ///< of places along the axis of strips
-    std::vector<std::uint32_t> next_; ///< by strip: the slot to be given next
+    std::vector<std::uint32_t> next_; ///< by strip: the slot to be given next; or its load
     std::vector<Strip> strips_;
     std::vector<Ball> balls_;
     std::vector<std::uint32_t> rows_;

@@ -8,6 +8,7 @@
 #include <sys/resource.h>
 
 #include <csignal>
+#include <string>
 #include <vector>
 
 namespace frostfill
@@ -32,6 +33,35 @@ TEST(SpheresCsv, HasARowASphereWithAsManyDigitsAsBringItBack)
                                                 "0,0,0.1,-2,1e-07,0.25,discarded\n"
                                                 "1,3,0.3333333333333333,0,5,0.25,frozen\n"
                                                 "2,4,1,2,3,0.25,running\n");
+}
+
+TEST(SpheresCsv, IsTheSameWithAnyNumberOfThreads)
+{
+    const TemporaryFolder folder;
+    // More than are made into text at once, the last part of them not full.
+    constexpr std::size_t kCount = 2 * 16 * 1024 + 1500;
+    std::string expected = "id,group,x,y,z,radius,state\n";
+    for (std::size_t id = 0; id < kCount; ++id)
+    {
+        expected += std::to_string(id) + "," + std::to_string(id / 7) + "," + std::to_string(id) +
+                    ",0.5,-3,0.25,frozen\n";
+    }
+    for (const int threads : {1, 2, 3, 8, 16})
+    {
+        std::size_t asked = 0;
+        writeSpheresCsv(
+            kCount,
+            [&](std::size_t id)
+            {
+                EXPECT_EQ(id, asked++); // as rows that are read back from a file need it
+                return SphereRecord{{static_cast<double>(id), 0.5, -3},
+                                    0.25,
+                                    static_cast<std::uint32_t>(id / 7),
+                                    SphereState::frozen};
+            },
+            folder / "spheres.csv", {}, threads);
+        EXPECT_EQ(readFile(folder / "spheres.csv"), expected) << threads;
+    }
 }
 
 TEST(PolygonsCsv, HasARowAPolygon)

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace frostfill
 {
@@ -37,6 +38,38 @@ TEST_P(ClusteredCrowdTest, CutsNoClusterOfAFew)
         }
     }
     EXPECT_EQ(pairs, 128U);
+}
+
+// A cluster with many pairs for its members, beside 63 of two.
+TEST_P(ClusteredCrowdTest, GivesEachStripAsManyPairsAsTheLargestClusterAllows)
+{
+    CrowdOfPile all(strips(), clusters(1, 12), 0.6);
+    all.crowd.forEachStrip([&](std::size_t strip) { all.crowd.enlist(strip); });
+    ASSERT_FALSE(all.crowd.stripsTouch());
+    std::vector<std::size_t> loads;
+    std::size_t largest = 0; // at least: of what is near one member of it, and that member
+    for (const Crowd::Strip& strip : all.crowd.strips())
+    {
+        loads.push_back(strip.end - strip.begin);
+        for (std::uint32_t slot = strip.begin; slot < strip.end; ++slot)
+        {
+            const std::size_t near = all.crowd.near(slot).size();
+            loads.back() += near;
+            largest = std::max(largest, (near + 1) * (near + 1));
+        }
+    }
+    EXPECT_GE(largest, 12U * 12U) << "all of it are near one another";
+    const std::size_t sum = std::accumulate(loads.begin(), loads.end(), std::size_t{0});
+    EXPECT_EQ(sum, 63U * 4 + 12 * 12);
+    // The largest is dealt first, and the others, which have 4 each, fill up the rest.
+    std::sort(loads.begin(), loads.end());
+    const bool alone = largest > sum / loads.size();
+    if (alone)
+    {
+        EXPECT_EQ(loads.back(), largest);
+        loads.pop_back();
+    }
+    EXPECT_LE(loads.back() - loads.front(), 4U);
 }
 
 TEST_P(ClusteredCrowdTest, CutsWhatHangsTogetherAndIsMoreThanItsShare)
