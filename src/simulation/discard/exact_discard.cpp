@@ -200,8 +200,9 @@ void ExactDiscard::dropSpheres(std::size_t count)
 void ExactDiscard::dropPolygons()
 {
     const auto mayHold = [this](int x, int y, int z) { return held_->mayHold(x, y, z); };
+    const auto isHeld = [this](CubeNumber cube) { return held_->isHeld(cube); };
     const std::vector<std::uint32_t> untouchable =
-        polygons_->takeUntouchable(*map_, threads_, mayHold);
+        polygons_->takeUntouchable(*map_, threads_, mayHold, isHeld);
     closeEmptyCubes();
     for (const std::uint32_t polygon : untouchable)
     {
@@ -212,7 +213,8 @@ void ExactDiscard::dropPolygons()
 bool ExactDiscard::sphereDroppable(Kept& kept)
 {
     const auto mayHold = [this](int x, int y, int z) { return held_->mayHold(x, y, z); };
-    return !map_->isReached(kept.witness, mayHold) &&
+    const auto isHeld = [this](CubeNumber cube) { return held_->isHeld(cube); };
+    return !map_->isReached(kept.witness, mayHold, isHeld) &&
            map_->sphereDroppable(
                world_.spheres.position(kept.id), world_.spheres.radius(kept.id), kept.cursor,
                [&](int x, int y, int z) { return holdsPlace(x, y, z, kept.witness); });

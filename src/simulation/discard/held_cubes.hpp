@@ -6,7 +6,9 @@
 #include "simulation/reach/clear_search.hpp"
 #include "simulation/reach/voxel_layout.hpp"
 
+#include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <mutex>
 #include <vector>
 
@@ -27,6 +29,12 @@ public:
 
     /// Whether a cube may hold a place.
     [[nodiscard]] bool mayHold(int x, int y, int z);
+    /// Whether it is known to, without a search.
+    [[nodiscard]] bool isHeld(CubeNumber cube) const
+    {
+        const VoxelWord its = cubeOf(cube);
+        return (load(held_[its.word]) & its.bits) != 0;
+    }
     /// Calls visit(VoxelWord), ascending, for the cubes that were found since to hold none.
     template <class Visit>
     void drainEmpty(Visit&& visit)
@@ -48,6 +56,10 @@ public:
 
 private:
     void sortEmpty();
+    [[nodiscard]] static std::uint64_t load(const std::uint64_t& word)
+    {
+        return std::atomic_ref(const_cast<std::uint64_t&>(word)).load(std::memory_order_relaxed);
+    }
 
     const VoxelLayout& layout_;
     const ClearSearch& search_;

@@ -49,10 +49,11 @@ PolygonWitnesses::PolygonWitnesses(const Surface& surface)
 // Those that follow each other in the tree mostly lie beside each other, and look for a witness
 // together.
 std::vector<std::uint32_t> PolygonWitnesses::takeUntouchable(const ReachMap& map, Threads& threads,
-                                                             const MayHold& mayHold)
+                                                             const MayHold& mayHold,
+                                                             const IsHeld& isHeld)
 {
     std::vector<WatchLists::Watcher> fallen = lists_.takeFallen(
-        threads, [&](CubeNumber witness) { return map.isReached(witness, mayHold); });
+        threads, [&](CubeNumber witness) { return map.isReached(witness, mayHold, isHeld); });
     forEachPart(threads, fallen.size(), kPolygonsTogether,
                 [&](std::size_t first, std::size_t last, std::size_t)
                 { findWitnesses(map, mayHold, Watchers(fallen).subspan(first, last - first)); });

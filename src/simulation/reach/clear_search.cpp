@@ -14,10 +14,25 @@ namespace frostfill
 bool ClearSearch::mayBeClear(const Eigen::Vector3d& middle, double edge) const
 {
     thread_local Nearby nearby; // keeps its memory
-    const double reach = (halvings_ > CubeParts::kTimes ? kHalfDiagonal : CubeParts::kReach) * edge;
-    gatherBalls(middle, reach, nearby);
-    gatherWalls(middle, reach, nearby);
-    return anyClear(middle, edge, halvings_, nearby.all(), nearby);
+    if (halvings_ > CubeParts::kTimes)
+    {
+        const double reach = kHalfDiagonal * edge;
+        gatherBalls(middle, reach, nearby);
+        gatherWalls(middle, probe_ + reach, nearby);
+        return anyClear(middle, edge, halvings_, nearby.all(), nearby);
+    }
+    gatherBalls(middle, CubeParts::kReach * edge, nearby);
+    nearby.away.setZero();
+    CubeParts parts(middle, edge);
+    takeInBalls(middle, edge, nearby.all(), nearby, parts);
+    if (!parts.any())
+    {
+        return false;
+    }
+    const double ofPart = edge / CubeParts::kSide;
+    gatherWalls(middle, exclusionOfPart(ofPart) + CubeParts::kFarthestMiddle * edge, nearby);
+    nearby.away += nearby.awayFromWalls;
+    return anyUnwalled(parts, ofPart, nearby.all(), nearby);
 }
 
 void ClearSearch::gatherBalls(const Eigen::Vector3d& middle, double reach, Nearby& nearby) const
@@ -37,7 +52,7 @@ void ClearSearch::gatherBalls(const Eigen::Vector3d& middle, double reach, Nearb
                          });
 }
 
-void ClearSearch::gatherWalls(const Eigen::Vector3d& middle, double reach, Nearby& nearby) const
+void ClearSearch::gatherWalls(const Eigen::Vector3d& middle, double distance, Nearby& nearby) const
 {
     nearby.walls.clear();
     nearby.places.fill(Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity()));
@@ -45,7 +60,6 @@ void ClearSearch::gatherWalls(const Eigen::Vector3d& middle, double reach, Nearb
     nearby.awayFromWalls.setZero();
     const std::span<const std::uint32_t> triangles = triangles_.near(middle);
     nearby.many = triangles.size() > TriangleGrid::kShortList;
-    const double distance = probe_ + reach;
     for (const std::uint32_t id : nearby.many ? std::span<const std::uint32_t>{} : triangles)
     {
         const TriangleBound& bound = surface_.bound(id);
@@ -66,8 +80,7 @@ bool ClearSearch::anyClear(const Eigen::Vector3d& middle, double edge, int halvi
 {
     CubeParts parts(middle, edge);
     const double ofPart = edge / CubeParts::kSide;
-    const double exclusion =
-        std::max(0.0, probe_ - overlap_ - kReachRounding - kHalfDiagonal * ofPart);
+    const double exclusion = exclusionOfPart(ofPart);
     nearby.away = nearby.awayFromWalls;
     takeInBalls(middle, edge, from, nearby, parts);
     for (std::size_t k = 0; k < std::min(nearby.next, nearby.places.size()) && parts.any(); ++k)
@@ -76,8 +89,7 @@ bool ClearSearch::anyClear(const Eigen::Vector3d& middle, double edge, int halvi
     }
     if (halvings <= CubeParts::kTimes)
     {
-        return parts.anyClear(nearby.away, [&](const Eigen::Vector3d& p)
-                              { return !isWalled(p, exclusion, from, nearby); });
+        return anyUnwalled(parts, ofPart, from, nearby);
     }
     const Obstacles here = select(middle, kHalfDiagonal * edge, from, nearby);
     const auto mayBeClear = [&](const Eigen::Vector3d& p)
@@ -89,6 +101,14 @@ bool ClearSearch::anyClear(const Eigen::Vector3d& middle, double edge, int halvi
     nearby.balls.resize(here.firstBall);
     nearby.walls.resize(here.firstWall);
     return found;
+}
+
+bool ClearSearch::anyUnwalled(const CubeParts& parts, double edge, const Obstacles& from,
+                              Nearby& nearby) const
+{
+    const double exclusion = exclusionOfPart(edge);
+    return parts.anyClear(nearby.away, [&](const Eigen::Vector3d& p)
+                          { return !isWalled(p, exclusion, from, nearby); });
 }
 
 void ClearSearch::takeInBalls(const Eigen::Vector3d& middle, double edge, const Obstacles& from,

@@ -78,12 +78,19 @@ private:
         }
     };
 
-    // What comes within `reach` of a cube's middle.
+    // What comes within `reach` of a cube's middle; of walls, `distance`.
     void gatherBalls(const Eigen::Vector3d& middle, double reach, Nearby& nearby) const;
-    void gatherWalls(const Eigen::Vector3d& middle, double reach, Nearby& nearby) const;
+    void gatherWalls(const Eigen::Vector3d& middle, double distance, Nearby& nearby) const;
+    /// How near a wall is to the middle of a part that lies in its exclusion altogether.
+    [[nodiscard]] double exclusionOfPart(double edge) const
+    {
+        return std::max(0.0, probe_ - overlap_ - kReachRounding - kHalfDiagonal * edge);
+    }
 
     bool anyClear(const Eigen::Vector3d& middle, double edge, int halvings, const Obstacles& from,
                   Nearby& nearby) const;
+    bool anyUnwalled(const CubeParts& parts, double edge, const Obstacles& from,
+                     Nearby& nearby) const;
     static void takeInBalls(const Eigen::Vector3d& middle, double edge, const Obstacles& from,
                             Nearby& nearby, CubeParts& parts);
     Obstacles select(const Eigen::Vector3d& middle, double reach, const Obstacles& from,

@@ -26,6 +26,8 @@ public:
     /// How much farther from the cube's middle than an exclusion reaches its centre may be, where
     /// it takes a part. [edge]
     static constexpr double kReach = kHalfDiagonal / 2;
+    /// How far from the cube's middle those of the parts are, rounded up. [edge]
+    static constexpr double kFarthestMiddle = 0.75 * kHalfDiagonal * (1 + 1e-9);
 
     CubeParts(const Eigen::Vector3d& middle, double edge) : half_(edge / 8)
     {

@@ -132,10 +132,21 @@ public:
     template <class Confirm>
     [[nodiscard]] bool isReached(CubeNumber number, Confirm&& confirm) const
     {
+        return isReached(number, confirm, [](CubeNumber) { return false; });
+    }
+    /// The same, where confirm(x, y, z) is known to hold if isConfirmed(number) does.
+    template <class Confirm, class IsConfirmed>
+    [[nodiscard]] bool isReached(CubeNumber number, Confirm&& confirm,
+                                 IsConfirmed&& isConfirmed) const
+    {
         const VoxelWord cube = cubeOf(number);
         if (number == kNoCube || (open_[cube.word] & cube.bits) == 0)
         {
             return false;
+        }
+        if (isConfirmed(number))
+        {
+            return true;
         }
         const auto c = layout_.coordinates(cube.word);
         return confirm(c[0] + std::countr_zero(cube.bits), c[1], c[2]);

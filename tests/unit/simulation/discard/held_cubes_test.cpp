@@ -78,6 +78,34 @@ TEST_F(HeldCubesTest, AnswerAsTheSearchOnAnyThread)
     }
 }
 
+TEST_F(HeldCubesTest, AreKnownToHoldOnceFoundSoUntilSomethingComesToRest)
+{
+    HeldCubes cubes(layout, search);
+    const auto known = [&](int x, int y, int z)
+    { return cubes.isHeld(numberOf(layout.at(x, y, z))); };
+    int held = 0;
+    forEachCube(
+        [&](int x, int y, int z)
+        {
+            EXPECT_FALSE(known(x, y, z)) << "before it is asked for";
+            const bool holds = cubes.mayHold(x, y, z);
+            EXPECT_EQ(known(x, y, z), holds);
+            held += known(x, y, z) ? 1 : 0;
+        });
+    EXPECT_GT(held, 100);
+    Threads threads(2);
+    const std::vector<Ball> came = {rest({2, 0, 0})};
+    cubes.forgetNear(BallSlabs(layout.frame, came, 2), 1, threads);
+    forEachCube(
+        [&](int x, int y, int z)
+        {
+            // So a place that is known is there still.
+            EXPECT_LE(known(x, y, z), searched(x, y, z)) << x << " " << y << " " << z;
+            held -= known(x, y, z) ? 1 : 0;
+        });
+    EXPECT_GT(held, 0) << "forgotten beside the sphere";
+}
+
 TEST_F(HeldCubesTest, HandOverWhatWasFoundEmptyOnce)
 {
     HeldCubes cubes(layout, search);
