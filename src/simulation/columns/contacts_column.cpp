@@ -27,6 +27,7 @@ void ContactsColumn::update()
     keeps_ = true;
     again_.clear();
     const std::size_t count = world_.spheres.size();
+    isAgain_.assign(count, false);
     for (std::size_t id = count; id < places_.size(); ++id)
     {
         addBeside(places_[id]); // its number has gone to another sphere, or is free
@@ -39,7 +40,6 @@ void ContactsColumn::update()
         look(id); // it may have the number of one that rested
     }
     std::sort(again_.begin(), again_.end());
-    again_.erase(std::unique(again_.begin(), again_.end()), again_.end());
     for (const std::uint32_t id : again_)
     {
         const std::uint32_t now = restingContacts(world_, id);
@@ -65,7 +65,17 @@ void ContactsColumn::look(std::uint32_t id)
     }
     addBeside(before);
     addBeside(now);
-    again_.push_back(id);
+    addAgain(id);
+}
+
+// Each has a dozen neighbours that may ask for it: a list of all would be longer than all else.
+void ContactsColumn::addAgain(std::uint32_t id)
+{
+    if (!isAgain_[id])
+    {
+        isAgain_[id] = true;
+        again_.push_back(id);
+    }
 }
 
 void ContactsColumn::addBeside(const Eigen::Vector3d& place)
@@ -82,7 +92,7 @@ void ContactsColumn::addBeside(const Eigen::Vector3d& place)
                             const Eigen::Vector3d apart = resting[row].position() - place;
                             if (apart.squaredNorm() <= kReach * kReach)
                             {
-                                again_.push_back(resting.id(row));
+                                addAgain(resting.id(row));
                             }
                         });
 }

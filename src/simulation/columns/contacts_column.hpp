@@ -23,13 +23,15 @@ public:
 private:
     void look(std::uint32_t id);
     void addBeside(const Eigen::Vector3d& place);
+    void addAgain(std::uint32_t id);
 
     const World& world_;
     bool keeps_ = false;
     std::size_t seen_ = 0;                ///< of Spheres::changes
     std::vector<Eigen::Vector3d> places_; ///< [#S] where a sphere rests; not finite: nowhere
     std::vector<std::uint32_t> counts_;   ///< [#S]
-    std::vector<std::uint32_t> again_;    ///< whose contacts are to be counted
+    std::vector<std::uint32_t> again_;    ///< whose contacts are to be counted, each once
+    std::vector<bool> isAgain_;           ///< [#S] those
     std::vector<std::uint32_t> changes_;
 };
 
