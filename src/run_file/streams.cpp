@@ -7,19 +7,23 @@
 namespace frostfill
 {
 
-std::string joined(const Streams& streams)
+std::string joined(Streams streams)
 {
     ByteWriter all;
+    std::size_t size = 0;
     all.count(streams.size());
     for (const auto& [name, stream] : streams)
     {
         all.count(name.size());
         all.bytes() += name;
         all.count(stream.bytes().size());
+        size += stream.bytes().size();
     }
-    for (const auto& [name, stream] : streams)
+    all.bytes().reserve(all.bytes().size() + size);
+    for (auto& [name, stream] : streams)
     {
         all.bytes() += stream.bytes();
+        stream.bytes() = {}; // memory of large runs is at its largest here
     }
     return std::move(all.bytes());
 }
