@@ -2,7 +2,7 @@
 # defaults.
 name = "error"
 width = 1300
-height = 1450
+height = 1920
 load "style.gp"
 floor = 1e-9
 clip(x) = x > floor ? x : floor
@@ -17,7 +17,7 @@ set logscale xy
 set format x "%g"
 set format y "10^{%T}"
 set xlabel "processor time [s]"
-set multiplot layout 3,2 margins 0.075,0.985,0.05,0.965 spacing 0.095,0.085
+set multiplot layout 4,2 margins 0.075,0.985,0.038,0.974 spacing 0.095,0.064
 set title "Steps and sweeps: overlap in motion + unsupported" font ",16"
 set ylabel "mean largest overlap [r] + unsupported share"
 curves = "'fast' 'fast skip' 'paper' 'paper semi-implicit'"
@@ -117,4 +117,40 @@ plot data using (on("exact spheres","seconds")):(on("exact spheres","error")) wi
         linewidth 2 linecolor rgb black title "Pareto front", \
     data using (ours("seconds")):(ours("error")) with points pointtype 4 pointsize 3 \
         linewidth 2 linecolor rgb purple title "our default"
+
+held(curve, friction, x) = column("friction") == friction ? on(curve, x) : NaN
+ways = "each joint LIGGGHTS"
+names = "'each by itself' 'joint' 'LIGGGHTS'"
+tints = "#0072b2 #009e73 #d55e00"
+marks = "5 9 7"
+data = "error-rest.csv"
+set title "Rest of all together: what nothing holds when all are let go"
+set xlabel "processor time [s]"
+set ylabel "share of spheres [%]; none is 0.01"
+set yrange [0.007:200]
+set format y "%g"
+set key inside top right
+share(x) = 100 * (x > 1e-4 ? x : 1e-4)
+plot for [i=1:3] data using (held(word(ways,i),0,"seconds")):(share(column("error"))) with points \
+        pointtype int(word(marks,i)) pointsize 1.4 linecolor rgb word(tints,i) \
+        title word(names,i).", friction 0", \
+    for [i=1:3] data using (held(word(ways,i),0.3,"seconds")):(share(column("error"))) with points \
+        pointtype int(word(marks,i))-1 pointsize 1.4 linewidth 2 linecolor rgb word(tints,i) \
+        title word(names,i).", friction 0.3", \
+    data using (front("seconds")):(share(column("error"))) with points pointtype 6 pointsize 2.4 \
+        linewidth 2 linecolor rgb black title "front, of one friction", \
+    data using (ours("seconds")):(share(column("error"))) with points pointtype 4 pointsize 3 \
+        linewidth 2 linecolor rgb purple title "our defaults"
+set title "Rest of all together: overlap that is left"
+set ylabel "largest overlap [r]; none is 10^{-14}"
+set yrange [1e-15:10]
+set format y "10^{%T}"
+set key inside top left
+left(x) = x > 1e-14 ? x : 1e-14
+plot for [i=1:3] data using (held(word(ways,i),0,"seconds")):(left(column("max_overlap"))) \
+        with points pointtype int(word(marks,i)) pointsize 1.4 linecolor rgb word(tints,i) \
+        title word(names,i).", friction 0", \
+    for [i=1:3] data using (held(word(ways,i),0.3,"seconds")):(left(column("max_overlap"))) \
+        with points pointtype int(word(marks,i))-1 pointsize 1.4 linewidth 2 \
+        linecolor rgb word(tints,i) title word(names,i).", friction 0.3"
 unset multiplot

@@ -39,6 +39,7 @@ constexpr std::uint64_t kQuickGroups = 20;
 constexpr double kMinPeerRatio = 50; // claimed: time of the fastest other engine over ours
 constexpr double kMaxPower = 1.15;   // claimed: no cost grows by more than this power of triangles
 constexpr double kMaxOverlap = 1e-7; // claimed: of our spheres at rest [r]
+constexpr double kMaxUnbalanced = 0.005; // claimed: of those that have settled together
 
 struct BenchArguments
 {
@@ -186,6 +187,12 @@ std::vector<std::string> brokenClaims(const std::vector<ClosedFormPoint>& closed
         if (point.study == "discards" && point.curve == "exact" && point.error != 0)
         {
             broken.push_back(fmt::format("{}: exact discards change the result", point.setting));
+        }
+        if (point.study == "rest" && point.curve == "joint" && point.error > kMaxUnbalanced)
+        {
+            broken.push_back(fmt::format("{}, {}: {:.1f} % of what has settled together do not "
+                                         "stay where they are",
+                                         point.setting, point.rivals, 100 * point.error));
         }
     }
     return broken;

@@ -9,10 +9,12 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <limits>
 #include <regex>
 #include <sstream>
 #include <string>
+#include <utility>
 
 namespace frostfill
 {
@@ -107,6 +109,41 @@ TEST(DocumentedFigures, AHeapLiesAsSteepAsItsTableSays)
               0);
     const auto summary = nlohmann::json::parse(readFile(folder.path() / "heap/summary.json"));
     EXPECT_NEAR(summary["error"]["heaps"][0]["slope_degree"].get<double>(), std::stod(row[1]), 0.5);
+}
+
+/// Least and most processor time of a way to rest under a friction, in the record of `bench error`.
+std::pair<double, double> secondsOfRest(const std::string& curve, const std::string& friction)
+{
+    std::istringstream table(readFile(kRepository / "docs/figures/error-rest.csv"));
+    const std::regex row("^" + curve + R"(,("[^"]*"|[^,]*),friction )" + friction +
+                         R"(,([0-9.]+),.*)");
+    std::pair<double, double> seconds = {std::numeric_limits<double>::infinity(), 0};
+    for (std::string line; std::getline(table, line);)
+    {
+        std::smatch cells;
+        if (std::regex_match(line, cells, row))
+        {
+            const double one = std::stod(cells[2]);
+            seconds = {std::min(seconds.first, one), std::max(seconds.second, one)};
+        }
+    }
+    return seconds;
+}
+
+TEST(DocumentedFigures, ItsTimesOfRestAreThoseOfTheRecord)
+{
+    const std::string page =
+        std::regex_replace(readFile(kRepository / "docs/accuracy.md"), std::regex("\n *"), " ");
+    const auto [loose, longest] = secondsOfRest("joint", "0");
+    const auto [rough, roughest] = secondsOfRest("joint", "0\\.3");
+    const auto [theirs, theirLongest] = secondsOfRest("LIGGGHTS", "0");
+    for (const std::string& sentence :
+         {fmt::format("{:.0f} to {:.0f} s with `--rest joint`", loose, longest),
+          fmt::format("`--rest joint` leaves none in {:.1f} to {:.1f} s", rough, roughest),
+          fmt::format("LIGGGHTS leaves one or none in {:.1f} to {:.1f} s", theirs, theirLongest)})
+    {
+        EXPECT_NE(page.find(sentence), std::string::npos) << "the page lacks: " << sentence;
+    }
 }
 
 // By the recorded run of `bench error --peers`, of engines that came to rest.

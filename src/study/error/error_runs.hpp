@@ -20,6 +20,9 @@ void addDiscardRuns(std::vector<ErrorTask>& tasks, bool quick);
 void addVolumeRuns(std::vector<ErrorTask>& tasks, const std::vector<std::string>& more, bool quick);
 /// Layers of spheres in a set against the packing fraction far from walls.
 void addLayerRuns(std::vector<ErrorTask>& tasks, bool quick);
+/// Spheres that rest each by itself, that have settled together, and those of LIGGGHTS where it is
+/// installed: the share that nothing holds when all are let go.
+void addRestRuns(std::vector<ErrorTask>& tasks, bool quick);
 /// Samples a pixel against a picture of many more, for exact and tessellated spheres.
 void addRenderRuns(std::vector<ErrorTask>& tasks, bool quick);
 /// The same for the shell, with few and with very many triangles.

@@ -26,6 +26,9 @@ const std::vector<ErrorStudyInfo>& errorStudies()
          "random close packing less packing fraction",
          {"layers", "fraction", "contacts", "spheres_counted", "max_overlap", "overdue",
           "unsupported_share"}},
+        {"rest",
+         "share of spheres unbalanced by more than a tenth of their weight",
+         {"friction", "least_friction", "largest_unbalance", "max_overlap", "spheres", "rests"}},
         {"rendering",
          "difference from a picture of 256 samples a pixel [of 255, root mean square]",
          {"samples", "supersample", "triangles", "largest", "pixels_apart"}},
@@ -64,6 +67,7 @@ std::vector<ErrorPoint> measureErrors(bool quick, const std::vector<std::string>
     addDiscardRuns(tasks, quick);
     addVolumeRuns(tasks, objects, quick);
     addLayerRuns(tasks, quick);
+    addRestRuns(tasks, quick);
     addRenderRuns(tasks, quick);
     addShellRuns(tasks, quick);
     std::vector<ErrorPoint> points;

@@ -15,8 +15,9 @@ namespace frostfill
 /// One run: what it cost and how wrong it was.
 struct ErrorPoint
 {
-    std::string study; ///< the curve's figure: "steps", "discards", "volume", "layers", "rendering"
-    std::string curve; ///< the method
+    std::string study;   ///< the curve's figure: "steps", "discards", "volume", "layers", "rest",
+                         ///< "rendering"
+    std::string curve;   ///< the method
     std::string setting; ///< what is varied, and its value
     bool isDefault = false;
     double seconds = 0; ///< of processor time, one thread

@@ -75,7 +75,7 @@ std::string stlOf(const TriangleMesh& mesh)
 }
 
 /// In units of r, sqrt(r/g) and the spheres' density.
-std::string scriptOf(const PeerTask& task, double stiffness)
+std::string scriptOf(const PeerTask& task, double stiffness, double still)
 {
     const double shear = stiffness / (2 * (1 + kPoisson));
     const double rayleigh = std::numbers::pi * std::sqrt(1 / shear) / (0.1631 * kPoisson + 0.8766);
@@ -98,13 +98,13 @@ neigh_modify delay 0
 fix m1 all property/global youngsModulus peratomtype {stiffness}
 fix m2 all property/global poissonsRatio peratomtype {poisson}
 fix m3 all property/global coefficientRestitution peratomtypepair 1 {restitution}
-fix m4 all property/global coefficientFriction peratomtypepair 1 0
-pair_style gran model hertz tangential off
+fix m4 all property/global coefficientFriction peratomtypepair 1 {friction}
+pair_style gran model hertz tangential {tangential}
 pair_coeff * *
 timestep {step}
 fix pull all gravity 1 vector 0 -1 0
 fix object all mesh/surface file object.stl type 1
-fix walls all wall/gran model hertz tangential off mesh n_meshes 1 meshes object
+fix walls all wall/gran model hertz tangential {tangential} mesh n_meshes 1 meshes object
 region band block {bx0} {bx1} {band} {top} {bz0} {bz1} units box
 fix kind all particletemplate/sphere 15485863 atom_type 1 density constant 1 radius constant 1
 fix kinds all particledistribution/discrete 15485867 1 kind 1.0
@@ -122,6 +122,7 @@ run {pour}
 if "${{present}} >= {count}" then "jump script.in poured"
 next pouring
 jump script.in pour
+variable pouring index {pours}
 label poured
 unfix pour
 group surplus id > {count}
@@ -152,7 +153,9 @@ run 0
         fmt::arg("pours", static_cast<long>(task.timeLimit / kPeerPourEvery)),
         fmt::arg("stiffness", stiffness), fmt::arg("poisson", kPoisson),
         fmt::arg("restitution", task.restitution), fmt::arg("step", step), fmt::arg("steps", steps),
-        fmt::arg("speed", kPeerStill / kPeerWindow), fmt::arg("share", kPeerStillShare),
+        fmt::arg("friction", task.friction),
+        fmt::arg("tangential", task.friction > 0 ? "history" : "off"),
+        fmt::arg("speed", still / kPeerWindow), fmt::arg("share", kPeerStillShare),
         fmt::arg("windows", static_cast<long>(task.timeLimit / kPeerWindow)));
 }
 
@@ -190,11 +193,11 @@ bool hasLiggghts()
     return runProgram(workplace.folder(), {"liggghts", "-in", "empty.in"}).error == 0;
 }
 
-PeerResult runLiggghts(const PeerTask& task, double stiffness)
+PeerResult runLiggghts(const PeerTask& task, double stiffness, double still)
 {
     const TemporaryFolder workplace;
     workplace.write("object.stl", stlOf(task.mesh));
-    workplace.write("script.in", scriptOf(task, stiffness));
+    workplace.write("script.in", scriptOf(task, stiffness, still));
     const double before = secondsOfChildren();
     const auto limit = fmt::format("{:.0f}", task.secondsLimit);
     const ProgramRun run =

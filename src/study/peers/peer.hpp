@@ -19,7 +19,10 @@ struct PeerTask
     double restitution = 0;
     double timeLimit = 400;   ///< simulated time after which it ends, at rest or not
     double secondsLimit = 60; ///< processor time after which it ends
+    double friction = 0;      ///< [1] of LIGGGHTS alone; the others have none
 };
+
+inline constexpr double kPeerRestitution = 0.2;
 
 // How spheres appear, in all: at rest, at clear places in the object's box no farther than this
 // below its top. The others may pour as soon as there is room, ours waits for most of a set.
@@ -50,7 +53,8 @@ struct PeerResult
 
 /// LIGGGHTS, soft spheres by Hertz's law, as a program of that name.
 [[nodiscard]] bool hasLiggghts();
-/// `stiffness`: Young's modulus in units of density g r.
-[[nodiscard]] PeerResult runLiggghts(const PeerTask& task, double stiffness);
+/// `stiffness`: Young's modulus in units of density g r. `still`: see kPeerStill.
+[[nodiscard]] PeerResult runLiggghts(const PeerTask& task, double stiffness,
+                                     double still = kPeerStill);
 
 } // namespace frostfill

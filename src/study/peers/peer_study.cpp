@@ -5,6 +5,7 @@
 #include "simulation/engine/make_engine.hpp"
 #include "simulation/quality/quality.hpp"
 #include "study/peers/peer.hpp"
+#include "study/peers/pouring.hpp"
 
 #include <frostfill/error.hpp>
 
@@ -22,8 +23,6 @@ namespace frostfill
 namespace
 {
 
-constexpr double kRestitution = 0.2;
-
 /// In units of r.
 Scene cubeScene(std::uint64_t count, Motion motion)
 {
@@ -32,22 +31,9 @@ Scene cubeScene(std::uint64_t count, Motion motion)
     scene.spheres.count = count;
     scene.motion.mode = motion;
     scene.motion.gravity = 1;
-    scene.motion.restitution = kRestitution;
+    scene.motion.restitution = kPeerRestitution;
     scene.threads = 1;
     return scene;
-}
-
-/// The built-in cube in units of the radius at which the spheres take half of it.
-TriangleMesh cubeOf(std::uint64_t count)
-{
-    TriangleMesh mesh = builtInMesh("cube");
-    const double radius =
-        std::cbrt(0.5 * 8 * 3 / (4 * std::numbers::pi * static_cast<double>(count)));
-    for (Eigen::Vector3d& v : mesh.vertices)
-    {
-        v /= radius;
-    }
-    return mesh;
 }
 
 /// The common checker: overlaps and centres outside, for every engine alike.
@@ -181,9 +167,9 @@ std::vector<PeerPoint> measurePeers(bool quick, const StudyProgress& progress)
 {
     const std::uint64_t count = quick ? 1000 : 10000;
     PeerTask task;
-    task.mesh = cubeOf(count);
+    task.mesh = cubeFilledTo(0.5, count);
     task.count = count;
-    task.restitution = kRestitution;
+    task.restitution = kPeerRestitution;
     task.secondsLimit = quick ? 15 : 60;
     std::vector<PeerRun> runs;
     for (const Motion motion : {Motion::fall, Motion::skip, Motion::descend})

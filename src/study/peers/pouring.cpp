@@ -4,6 +4,8 @@
 #include "base/random.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace frostfill
 {
@@ -24,6 +26,18 @@ Eigen::AlignedBox3d boxOf(const TriangleMesh& mesh)
         box.extend(v);
     }
     return box;
+}
+
+TriangleMesh cubeFilledTo(double share, std::uint64_t count)
+{
+    TriangleMesh mesh = builtInMesh("cube");
+    const double radius =
+        std::cbrt(share * 8 * 3 / (4 * std::numbers::pi * static_cast<double>(count)));
+    for (Eigen::Vector3d& v : mesh.vertices)
+    {
+        v /= radius;
+    }
+    return mesh;
 }
 
 Pouring::Pouring(const PeerTask& task) : count_(task.count)

@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include <cstdint>
 #include <vector>
 
 namespace frostfill
@@ -26,6 +27,9 @@ private:
     double band_; ///< height above which a sphere can be in the way
     std::uint64_t times_ = 0;
 };
+
+/// The built-in cube in units of the radius at which so many spheres take that share of it.
+[[nodiscard]] TriangleMesh cubeFilledTo(double share, std::uint64_t count);
 
 /// Of all vertices.
 [[nodiscard]] Eigen::AlignedBox3d boxOf(const TriangleMesh& mesh);
