@@ -66,8 +66,7 @@ ContactNetwork networkAtRest(const World& world, Threads& threads)
     const SphereGrid& resting = world.spheres.resting();
     const std::size_t count = resting.size();
     ContactNetwork network;
-    network.rollingFriction =
-        world.scene.judge.rollingFriction.value_or(world.scene.rest.rollingFriction);
+    network.rollingFriction = rollingFrictionOf(world.scene);
     network.bodies.resize(count);
     std::vector<NetworkPart> parts(count / kLookedAtTogether + 1);
     forEachPart(threads, count, kLookedAtTogether,

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -32,19 +33,28 @@ struct ContactNetwork
 
     std::vector<Body> bodies;
     std::vector<Contact> contacts;
+    /// Of spheres that stand as walls, by contact; those without are flat [r].
+    std::vector<double> wallRadii;
     double rollingFriction = 0; ///< moment that resists rolling, over normal force and arm()
 
     /// The reduced radius of a contact [r].
-    [[nodiscard]] double arm(const Contact& contact) const
+    [[nodiscard]] double arm(std::size_t k) const
     {
-        const double radius = bodies[contact.upon].radius;
-        if (contact.from == kWall)
+        const double radius = bodies[contacts[k].upon].radius;
+        if (contacts[k].from == kWall)
         {
-            return radius;
+            return k < wallRadii.size() ? radius / (1 + radius / wallRadii[k]) : radius;
         }
-        return radius * bodies[contact.from].radius / (radius + bodies[contact.from].radius);
+        return radius * bodies[contacts[k].from].radius /
+               (radius + bodies[contacts[k].from].radius);
     }
 };
+
+/// The one by which the scene is judged.
+[[nodiscard]] inline double rollingFrictionOf(const Scene& scene)
+{
+    return scene.judge.rollingFriction.value_or(scene.rest.rollingFriction);
+}
 
 /// Of all spheres at rest, by their rows. Two are in contact when the gap between them is below
 /// kContactGap of the smaller radius; see forEachTriangleBeside for walls.

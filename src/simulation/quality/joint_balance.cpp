@@ -116,7 +116,7 @@ Eigen::Vector3d JointBalance::approach(std::size_t contact) const
 // How long the lever of a moment is on a body, over its radius.
 double JointBalance::armOver(std::size_t body, std::size_t contact) const
 {
-    return network_.arm(network_.contacts[contact]) / network_.bodies[body].radius;
+    return network_.arm(contact) / network_.bodies[body].radius;
 }
 
 // The acceleration of one body's spin against the other's, times the arm.

@@ -66,7 +66,7 @@ public:
     /// other one. For networks with rolling friction.
     [[nodiscard]] Eigen::Vector3d moment(std::size_t contact) const
     {
-        return network_.arm(network_.contacts[contact]) * roll_[contact];
+        return network_.arm(contact) * roll_[contact];
     }
 
 private:

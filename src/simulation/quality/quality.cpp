@@ -106,20 +106,22 @@ private:
 
         const bool resting = !world_.spheres.isRunning(id);
         normals_.clear();
+        below_.clear();
         meetSpheres(id, p, resting);
         meetWalls(p, world_.spheres.radius(id));
-        if (resting && !isCarried(world_.pull.direction(p)))
+        if (resting && !isCarried(world_.pull.direction(p), world_.spheres.radius(id)))
         {
             ++report_.unsupported;
         }
         sumOfCubes_ += std::pow(world_.spheres.radius(id), 3);
     }
 
-    [[nodiscard]] bool isCarried(const Eigen::Vector3d& pull) const
+    [[nodiscard]] bool isCarried(const Eigen::Vector3d& pull, double radius) const
     {
         const double friction = frictionOf(world_.scene);
+        const RollingSupport rolling{rollingFrictionOf(world_.scene), radius, below_};
         return contactsCanCarry(pull, normals_, kUnsupported) ||
-               (friction > 0 && frictionCanCarry(pull, normals_, friction, kUnsupported));
+               (friction > 0 && frictionCanCarry(pull, normals_, friction, kUnsupported, rolling));
     }
 
     void meetSpheres(std::uint32_t id, const Eigen::Vector3d& p, bool resting)
@@ -137,6 +139,7 @@ private:
                                 if (distance > 0 && resting && !world_.spheres.isRunning(other))
                                 {
                                     normals_.push_back(apart / distance);
+                                    below_.push_back(all_[row].radius);
                                 }
                             });
     }
@@ -185,8 +188,9 @@ private:
     const SphereGrid& all_;
     const WindingColumns& winding_;
     QualityReport report_;
-    std::vector<Eigen::Vector3d> normals_;
-    std::vector<std::uint32_t> nearby_; ///< triangles
+    std::vector<Eigen::Vector3d> normals_; ///< of spheres, then of walls
+    std::vector<double> below_;            ///< radii of these spheres
+    std::vector<std::uint32_t> nearby_;    ///< triangles
     double overlapSum_ = 0;
     std::size_t pairs_ = 0;
     double sumOfCubes_ = 0;

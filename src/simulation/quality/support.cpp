@@ -81,14 +81,16 @@ bool contactsCanCarry(const Eigen::Vector3d& pull, std::span<const Eigen::Vector
 
 // As a network of one sphere between walls.
 bool frictionCanCarry(const Eigen::Vector3d& pull, std::span<const Eigen::Vector3d> normals,
-                      double friction, double allowed)
+                      double friction, double allowed, const RollingSupport& rolling)
 {
     ContactNetwork network;
-    network.bodies.push_back({pull, 1});
+    network.rollingFriction = rolling.friction;
+    network.bodies.push_back({pull, rolling.radius});
     for (const Eigen::Vector3d& normal : normals)
     {
         network.contacts.push_back({normal, 0, ContactNetwork::kWall});
     }
+    network.wallRadii.assign(rolling.below.begin(), rolling.below.end());
     Threads alone(1);
     const BalanceGoal goal{.unbalance = allowed, .except = 0, .ends = true};
     return JointBalance(network, alone).solve(friction, goal).unbalanced == 0;

@@ -133,6 +133,22 @@ TEST(Examine, CountsOnTheFrictionUnderWhichSpheresSettled)
     EXPECT_EQ(wedged.in(gap, Axis::y, asked).unsupported, 0U);
 }
 
+// The upper of two leans: its moment is the weight times the radius times the sine, and the reduced
+// radius is half of the radius.
+TEST(Examine, CountsOnTheRollingFrictionUnderWhichSpheresSettled)
+{
+    const double lean = 0.6;
+    HandPacking pair;
+    pair.add({0, -9, 0}).add({2 * std::sin(lean), -9 + 2 * std::cos(lean), 0});
+    JudgeSettings settled;
+    settled.settledWith = 1;
+    EXPECT_EQ(pair.in(room(), Axis::y, settled).unsupported, 1U) << "it rolls";
+    settled.rollingFriction = 1.1 * std::tan(lean);
+    EXPECT_EQ(pair.in(room(), Axis::y, settled).unsupported, 1U) << "enough on a plane";
+    settled.rollingFriction = 2 * std::tan(lean);
+    EXPECT_EQ(pair.in(room(), Axis::y, settled).unsupported, 0U);
+}
+
 TEST(Examine, AddsUpVolumes)
 {
     const QualityReport report =

@@ -6,7 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <span>
 #include <vector>
 
 namespace frostfill
@@ -122,6 +124,25 @@ TEST(Support, FrictionCarriesBetweenTwoFacesThatDivergeUpToItsAngle)
         EXPECT_FALSE(frictionCanCarry(down, faces, 0.9 * std::tan(opening), 0.01)) << opening;
     }
     EXPECT_FALSE(frictionCanCarry(down, Normals{{0.6, 0.8, 0}}, 5, 0.1)) << "it rolls";
+}
+
+// On a slope; and on a sphere, whose reduced radius with it is less than its own.
+TEST(Support, RollingFrictionCarriesOnASlopeUpToItsTangentAndLessOnASphere)
+{
+    const Eigen::Vector3d down(0, -1, 0);
+    const double slope = 0.3;
+    const double radius = 0.4;
+    const double other = 1.2;
+    const Normals face = {{std::sin(slope), std::cos(slope), 0}};
+    const auto carries = [&](double rolling, double allowed, std::span<const double> below) {
+        return frictionCanCarry(down, face, 1, allowed, {rolling, radius, below});
+    };
+    EXPECT_TRUE(carries(1.03 * std::tan(slope), 0.01, {}));
+    EXPECT_FALSE(carries(0.97 * std::tan(slope), 0.001, {}));
+    const double share = other / (radius + other);
+    const std::array below = {other};
+    EXPECT_TRUE(carries(1.03 * std::tan(slope) / share, 0.01, below));
+    EXPECT_FALSE(carries(0.97 * std::tan(slope) / share, 0.001, below));
 }
 
 } // namespace
