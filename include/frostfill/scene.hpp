@@ -198,7 +198,7 @@ struct FreezingSettings
 };
 
 /// What rest is, in the end. Friction acts while all settle together; the motions that fill the
-/// object have none.
+/// object have none, but with a rolling friction spheres roll over what is at rest.
 struct RestSettings
 {
     Rest mode = Rest::each;

@@ -42,9 +42,11 @@ void addRest(TableBuilder& table)
              FROSTFILL_FIELD(rest.orientation))
         .of(Preset::fast);
     table
-        .add("rest.rolling_friction", "--rolling-friction",
-             "Moment that resists rolling while all settle together, over normal force and radius",
-             FROSTFILL_FIELD(rest.rollingFriction))
+        .add(
+            "rest.rolling_friction", "--rolling-friction",
+            "Moment that resists rolling, over normal force and radius: while all settle together, "
+            "and with --motion fall or skip where spheres roll over what is at rest",
+            FROSTFILL_FIELD(rest.rollingFriction))
         .range(0, 1)
         .of(Preset::fast);
 }

@@ -61,8 +61,9 @@ int sweeps(const World& world)
 FastEngine::FastEngine(World& world)
     : world_(world), running_(world.spheres.running()), threads_(world.scene.threads),
       grid_(world.spheres.resting().frame()), observers_(world, releaseBand(world), threads_),
-      flight_(world, {{world.scene.motion.restitution}}), dropAndRoll_(world, observers_.falls),
-      sets_(world, ageLimit(world)),
+      flight_(world, {.restitution = {world.scene.motion.restitution},
+                      .rolling = RollingLaw::of(world.scene)}),
+      dropAndRoll_(world, observers_.falls), sets_(world, ageLimit(world)),
       solver_(running_, flight_, threads_,
               {.restitution = {world.scene.motion.restitution},
                .sweeps = sweeps(world),

@@ -210,6 +210,11 @@ void Freezer::findPlace(std::uint32_t row)
     }
     stale_[row] = 0;
     carriedAt_[row].reset();
+    if (flight_.isHeld(row))
+    {
+        carriedAt_[row] = running_.position[row];
+        return;
+    }
     flight_.findContacts(row, kSleepyGap * radius);
     Eigen::Vector3d place = running_.position[row];
     if (!tooOld && !isCarried(world_.pull.direction(place), flight_.normals(row), kMostlyUncarried))

@@ -2,6 +2,7 @@
 #include "simulation/freezing/support_at_rest.hpp"
 
 #include "simulation/contact/contact.hpp"
+#include "simulation/motion/rolling.hpp"
 
 #include <algorithm>
 
@@ -30,6 +31,7 @@ bool SupportAtRest::carries(std::uint32_t id)
     const Eigen::Vector3d place = world_.spheres.position(id);
     const double radius = world_.spheres.radius(id);
     const double gap = kCarryingGap * radius;
+    double lever = 1;
     normals_.clear();
     const SphereGrid& resting = world_.spheres.resting();
     resting.forEachNear(place, radius + 1 + gap,
@@ -41,6 +43,7 @@ bool SupportAtRest::carries(std::uint32_t id)
                             if (row != world_.spheres.row(id) && contact)
                             {
                                 normals_.push_back(contact->normal);
+                                lever = std::min(lever, near.radius / (radius + near.radius));
                             }
                         });
     for (const std::uint32_t t : world_.triangles.near(place, radius + gap, nearby_))
@@ -50,7 +53,9 @@ bool SupportAtRest::carries(std::uint32_t id)
             addNormal(normals_, contact->normal);
         }
     }
-    return isCarried(world_.pull.direction(place), normals_, kCarried);
+    const Eigen::Vector3d down = world_.pull.direction(place);
+    return isCarried(down, normals_, kCarried) ||
+           holdsStanding(RollingLaw::of(world_.scene), down, normals_, lever);
 }
 
 void SupportAtRest::sortOut(std::vector<std::uint32_t>& ids)

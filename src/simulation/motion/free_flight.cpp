@@ -55,17 +55,31 @@ void FreeFlight::advance(std::uint32_t row, double dt)
         // contact ends it early, the speed is that of an earlier point of the parabola: energy is
         // lost there, never gained.
         double time = left;
-        Eigen::Vector3d way = freeWay(velocity, time, gravity, normals);
+        Eigen::Vector3d pull = gravity;
+        const bool rolls = settings_.rolling.any() && !normals.empty();
+        if (rolls)
+        {
+            const Rolling rolling =
+                rollAlong(settings_.rolling, velocity, gravity, normals, leverOf(row));
+            if (rolling.stands)
+            {
+                velocity.setZero();
+                break;
+            }
+            pull = rolling.pull;
+            time = std::min(time, rolling.time);
+        }
+        Eigen::Vector3d way = freeWay(velocity, time, pull, normals);
         const double room = around.room(position);
         while (way.norm() > room)
         {
             time *= std::clamp(kIntoTheList * room / way.norm(), kShortestTry, kIntoTheList);
-            way = freeWay(velocity, time, gravity, normals);
+            way = freeWay(velocity, time, pull, normals);
         }
         const double length = way.norm();
         if (length < kMinDisplacement)
         {
-            velocity = projectToFree(velocity + time * gravity, normals);
+            velocity = projectToFree(velocity + time * pull, normals);
             left -= time;
             continue;
         }
@@ -73,8 +87,8 @@ void FreeFlight::advance(std::uint32_t row, double dt)
         const double path = sphereCast(world_.surface, around, position, radius, direction, length);
         const double share = path / length;
         position += path * direction;
-        velocity = projectToFree(velocity + share * time * gravity, normals);
-        if (!normals.empty())
+        velocity = projectToFree(velocity + share * time * pull, normals);
+        if (!normals.empty() && !rolls)
         {
             velocity *= 1 - std::min(1.0, settings_.damping * share * time);
         }
@@ -82,6 +96,34 @@ void FreeFlight::advance(std::uint32_t row, double dt)
     }
     findContacts(row, kTouch);
     collide(velocity, normals);
+}
+
+// On a sphere the reduced radius is less than its own; of several the least counts.
+double FreeFlight::leverOf(std::uint32_t row)
+{
+    const Eigen::Vector3d& p = running_.position[row];
+    double lever = 1;
+    for (const Ball& other : around_[row].spheres())
+    {
+        if (sphereContact(p - other.position(), other.radius, kTouch))
+        {
+            lever = std::min(lever, 1 - running_.radius[row] / other.radius); // a sum of radii
+        }
+    }
+    return lever;
+}
+
+bool FreeFlight::isHeld(std::uint32_t row)
+{
+    if (!settings_.rolling.any())
+    {
+        return false;
+    }
+    findContacts(row, kTouch);
+    const Eigen::Vector3d& velocity = running_.velocity[row];
+    return velocity.norm() < kStandsStill &&
+           holdsStanding(settings_.rolling, pullAt(running_.position[row], velocity), normals_[row],
+                         leverOf(row));
 }
 
 void FreeFlight::findContacts(std::uint32_t row, double gap)

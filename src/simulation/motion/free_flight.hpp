@@ -5,6 +5,7 @@
 
 #include "simulation/contact/contact.hpp"
 #include "simulation/contact/neighbour_list.hpp"
+#include "simulation/motion/rolling.hpp"
 #include "simulation/world/world.hpp"
 
 #include <vector>
@@ -20,7 +21,9 @@ public:
     struct Settings
     {
         Restitution restitution;
-        double damping = 0.3; ///< of the speed while in contact [1 / sqrt(r/g)]
+        /// Of the speed while in contact [1 / sqrt(r/g)], where no rolling friction is given.
+        double damping = 0.3;
+        RollingLaw rolling = {};
     };
 
     FreeFlight(World& world, const Settings& settings);
@@ -48,6 +51,9 @@ public:
     /// Finds the normals of what is at rest and touches the runner: gaps of at most `gap` [r].
     void findContacts(std::uint32_t row, double gap);
 
+    /// Whether rolling friction holds the runner where it is.
+    [[nodiscard]] bool isHeld(std::uint32_t row);
+
     /// Moves by a displacement as far as what is at rest lets it, sliding along where it is
     /// stopped.
     void shift(std::uint32_t row, const Eigen::Vector3d& displacement);
@@ -68,6 +74,7 @@ public:
     void forgetNeighbours();
 
 private:
+    [[nodiscard]] double leverOf(std::uint32_t row);
     void collide(Eigen::Vector3d& velocity, std::span<const Eigen::Vector3d> normals) const;
 
     const World& world_;

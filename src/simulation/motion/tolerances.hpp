@@ -32,6 +32,10 @@ inline constexpr double kIntoTheList = 0.95;
 /// tries where spheres are fast.
 inline constexpr double kShortestTry = 0.1;
 
+/// What is slower stands still, as rounding leaves a sphere that rolling friction has stopped.
+/// [sqrt(g r)] Larger: what begins to roll is stopped. Smaller: it goes to and fro.
+inline constexpr double kStandsStill = 1e-9;
+
 // Drop and roll.
 
 /// Straight part of a path that follows a curve. [own radius] Larger: the path leaves the curve,
