@@ -54,21 +54,14 @@ void FreeFlight::advance(std::uint32_t row, double dt)
         // The chord of the parabola over as much of the time as the neighbourhood reaches. Where a
         // contact ends it early, the speed is that of an earlier point of the parabola: energy is
         // lost there, never gained.
-        double time = left;
-        Eigen::Vector3d pull = gravity;
-        const bool rolls = settings_.rolling.any() && !normals.empty();
-        if (rolls)
+        const Rolling rolling = roll(row, gravity);
+        if (rolling.stands)
         {
-            const Rolling rolling =
-                rollAlong(settings_.rolling, velocity, gravity, normals, leverOf(row));
-            if (rolling.stands)
-            {
-                velocity.setZero();
-                break;
-            }
-            pull = rolling.pull;
-            time = std::min(time, rolling.time);
+            velocity.setZero();
+            break;
         }
+        const Eigen::Vector3d& pull = rolling.pull;
+        double time = std::min(left, rolling.time);
         Eigen::Vector3d way = freeWay(velocity, time, pull, normals);
         const double room = around.room(position);
         while (way.norm() > room)
@@ -88,7 +81,7 @@ void FreeFlight::advance(std::uint32_t row, double dt)
         const double share = path / length;
         position += path * direction;
         velocity = projectToFree(velocity + share * time * pull, normals);
-        if (!normals.empty() && !rolls)
+        if (!normals.empty() && !settings_.rolling.any())
         {
             velocity *= 1 - std::min(1.0, settings_.damping * share * time);
         }
@@ -96,6 +89,17 @@ void FreeFlight::advance(std::uint32_t row, double dt)
     }
     findContacts(row, kTouch);
     collide(velocity, normals);
+}
+
+// In the air, and where nothing resists rolling, it goes on as it is pulled.
+Rolling FreeFlight::roll(std::uint32_t row, const Eigen::Vector3d& gravity)
+{
+    if (!settings_.rolling.any() || normals_[row].empty())
+    {
+        return {.pull = gravity};
+    }
+    return rollAlong(settings_.rolling, running_.velocity[row], gravity, normals_[row],
+                     leverOf(row));
 }
 
 // On a sphere the reduced radius is less than its own; of several the least counts.

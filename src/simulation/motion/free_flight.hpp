@@ -74,6 +74,7 @@ public:
     void forgetNeighbours();
 
 private:
+    [[nodiscard]] Rolling roll(std::uint32_t row, const Eigen::Vector3d& gravity);
     [[nodiscard]] double leverOf(std::uint32_t row);
     void collide(Eigen::Vector3d& velocity, std::span<const Eigen::Vector3d> normals) const;
 
