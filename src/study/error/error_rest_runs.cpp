@@ -13,7 +13,7 @@ namespace frostfill
 namespace
 {
 
-constexpr double kShare = 0.4;         // of the cube: above a pile, others need room to pour
+constexpr double kShareOfCube = 0.4;   // of the cube: above a pile, others need room to pour
 constexpr double kLiggghtsLimit = 300; // of processor time [s]
 
 struct RestMethod
@@ -93,7 +93,7 @@ void addRestRuns(std::vector<ErrorTask>& tasks, bool quick)
 {
     PeerTask task;
     task.count = quick ? 300 : 1000;
-    task.mesh = cubeFilledTo(kShare, task.count);
+    task.mesh = cubeFilledTo(kShareOfCube, task.count);
     task.restitution = kPeerRestitution;
     task.secondsLimit = kLiggghtsLimit;
     const bool comparesLiggghts = hasLiggghts();

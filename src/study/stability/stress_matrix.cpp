@@ -26,6 +26,9 @@ Scene sceneFor(const StressMethod& method)
     scene.name = "stress";
     scene.motion.integrator = method.integrator;
     scene.motion.mode = method.motion;
+    scene.rest.mode = method.rest;
+    scene.rest.friction = method.friction;
+    scene.rest.rollingFriction = method.rollingFriction;
     scene.spheres.radius = kRadius;
     scene.spheres.count = kSpheres;
     scene.spheres.groupSize = 10;
@@ -150,6 +153,7 @@ void addCrowds(Matrix& matrix, bool quick)
                        run.secondsLimit = 400;
                    });
         matrix.last().atOnce = count;
+        matrix.last().entangled = count == 10; // its spheres are wider than its grid
     }
     for (const std::uint32_t size : {1u, 5u, 20u, 40u})
     {
@@ -264,11 +268,15 @@ void addReleases(Matrix& matrix)
         matrix.last().atOnce = spheres.size();
     };
     const double r = kRadius;
-    release("overlap 40", Expectation::passes, crowd(40, r, 0.3));
-    release("overlap 300", Expectation::passes, crowd(300, 0.136, 0.86));
-    release("same place 2", Expectation::passes, {{{0, 0.1, 0}, r}, {{0, 0.1, 0}, r}});
-    release("same place 7", Expectation::passes,
-            std::vector<PlacedSphere>(7, {{0.03, 0.1, 0.02}, r}));
+    const auto entangle = [&](const char* label, const std::vector<PlacedSphere>& spheres)
+    {
+        release(label, Expectation::passes, spheres);
+        matrix.last().entangled = true;
+    };
+    entangle("overlap 40", crowd(40, r, 0.3));
+    entangle("overlap 300", crowd(300, 0.136, 0.86));
+    entangle("same place 2", {{{0, 0.1, 0}, r}, {{0, 0.1, 0}, r}});
+    entangle("same place 7", std::vector<PlacedSphere>(7, {{0.03, 0.1, 0.02}, r}));
     release("over edge", Expectation::passes, {{{0.1, 0.4, 0}, r}, {{0.5, -0.6, 0.3}, r}});
     release("over vertex", Expectation::passes, {{{0.25, 0.4, 0.5}, r}, {{0, -0.6, 0}, r}});
     release("on sphere", Expectation::passes,
@@ -310,6 +318,9 @@ const std::vector<StressMethod>& stressMethods()
     static const std::vector<StressMethod> kMethods = {
         {"fast", Preset::fast, Integrator::explicitEuler, Motion::fall},
         {"fast skip", Preset::fast, Integrator::explicitEuler, Motion::skip},
+        {"joint", Preset::fast, Integrator::explicitEuler, Motion::skip, Rest::joint, 0.3},
+        {"grains", Preset::fast, Integrator::explicitEuler, Motion::granular, Rest::joint, 0.6,
+         0.1},
         {"paper", Preset::paper, Integrator::explicitEuler, Motion::fall},
         {"paper semi-implicit", Preset::paper, Integrator::semiImplicitEuler, Motion::fall},
     };

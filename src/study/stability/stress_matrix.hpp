@@ -17,6 +17,9 @@ struct StressMethod
     Preset preset;
     Integrator integrator;
     Motion motion;
+    Rest rest = Rest::each;
+    double friction = 0;
+    double rollingFriction = 0;
 };
 [[nodiscard]] const std::vector<StressMethod>& stressMethods();
 
@@ -25,7 +28,7 @@ enum class Expectation : std::uint8_t
 {
     passes,
     refuses, ///< there is nothing that it could do
-    either,  ///< passes, or says why not
+    either,  ///< passes, or says why not: before anything moves, or when it has not settled
 };
 
 /// One cell of the matrix, for every method.
@@ -38,6 +41,12 @@ struct StressCell
     std::function<StressRun(const StressMethod&)> make;
     /// Spheres that run at once and that the paper's method tests all against all.
     std::size_t atOnce = 40;
+    bool entangled = false; ///< its spheres are released in one another; grains cannot be
+
+    [[nodiscard]] Expectation expectedOf(const StressMethod& method) const
+    {
+        return entangled && method.motion == Motion::granular ? Expectation::refuses : expected;
+    }
 };
 
 /// The matrix. `quick`: without what takes long.

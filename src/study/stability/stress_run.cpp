@@ -109,6 +109,7 @@ void runWorld(const StressRun& run, StressOutcome& outcome)
         outcome.maxOverlap = quality.maxOverlap;
         outcome.maxWallOverlap = quality.maxWallOverlap;
         outcome.unsupported = quality.unsupported;
+        outcome.unsettled = quality.settling && !quality.settling->settled;
         outcome.energyGain = quality.energyGain;
         outcome.energyExcess = quality.energyExcess;
     }
@@ -145,7 +146,7 @@ Verdict judge(const StressRun& run, const StressOutcome& outcome, bool finished,
     {
         return Verdict::overlaps;
     }
-    if (run.mustRest && outcome.overdue > 0)
+    if (run.mustRest && (outcome.overdue > 0 || outcome.unsettled))
     {
         return Verdict::restless;
     }

@@ -56,6 +56,7 @@ struct StressOutcome
     double maxWallOverlap = 0;   ///< [r] at the end
     std::size_t unsupported = 0; ///< at the end
     std::string hash;
+    bool unsettled = false; ///< spheres that were to settle together had not when they were frozen
 };
 
 /// Growth of the energy that rounding may cause, relative to that of a fall through the object.

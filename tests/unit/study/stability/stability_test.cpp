@@ -11,11 +11,25 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <stdexcept>
+#include <string>
 
 namespace frostfill
 {
 namespace
 {
+
+const StressMethod& methodNamed(const std::string& name)
+{
+    for (const StressMethod& method : stressMethods())
+    {
+        if (method.name == name)
+        {
+            return method;
+        }
+    }
+    throw std::invalid_argument(name);
+}
 
 TEST(StressMeshes, EncloseTheVolumeTheyShould)
 {
@@ -54,7 +68,7 @@ TEST(StressMatrix, OurMethodDoesWithHardMeshesAndUnitsWhatASoundOneDoes)
 
 TEST(StressRun, TellsALeakAndAGainOfEnergy)
 {
-    const StressMethod& paper = stressMethods()[2];
+    const StressMethod& paper = methodNamed("paper");
     for (const StressCell& cell : stressMatrix(true))
     {
         if (cell.axis == "step [s] at e = 1" && cell.label == "0.1")
@@ -108,6 +122,34 @@ TEST(StressVerdict, SpheresInTheAirAreAFaultBeyondHalfAPerCent)
               Verdict::passes);
 }
 
+TEST(StressVerdict, SpheresThatHaveNotSettledTogetherAreRestless)
+{
+    EXPECT_EQ(verdictOf([](auto&, auto& out) { out.unsettled = true; }), Verdict::restless);
+    EXPECT_EQ(verdictOf(
+                  [](auto& run, auto& out)
+                  {
+                      run.mustRest = false;
+                      out.unsettled = true;
+                  }),
+              Verdict::passes);
+    StabilityResult result;
+    result.outcome.unsettled = true;
+    for (const Verdict verdict : {Verdict::restless, Verdict::overlaps})
+    {
+        result.outcome.verdict = verdict;
+        result.expected = Expectation::either;
+        EXPECT_TRUE(result.sound()) << "it says so";
+        result.expected = Expectation::passes;
+        EXPECT_FALSE(result.sound());
+    }
+    result.expected = Expectation::either;
+    result.outcome.verdict = Verdict::leaks;
+    EXPECT_FALSE(result.sound());
+    result.outcome.verdict = Verdict::overlaps;
+    result.outcome.unsettled = false;
+    EXPECT_FALSE(result.sound());
+}
+
 TEST(StressVerdict, IsTheWorstThatHappened)
 {
     EXPECT_EQ(verdictOf([](auto&, auto& out) { out.energyExcess = 2e-9; }), Verdict::gainsEnergy);
@@ -148,6 +190,36 @@ TEST(StressMatrix, AsksTheFastPresetForCleanPackingsInEveryCell)
             EXPECT_EQ(cell.make(method).mustBeClean, method.preset == Preset::fast) << cell.label;
         }
     }
+}
+
+// The same spheres by both ways to settle: with friction alone, and as grains that roll hard.
+TEST(StressMatrix, ComesToRestTogetherUnderFrictionWhereASoundMethodDoes)
+{
+    std::size_t tried = 0;
+    std::size_t refused = 0;
+    for (const char* name : {"joint", "grains"})
+    {
+        const StressMethod& method = methodNamed(name);
+        for (const StressCell& cell : stressMatrix(true))
+        {
+            if (cell.axis != "released" && cell.axis != "radius" && cell.label != "1:10")
+            {
+                continue;
+            }
+            const StressRun run = cell.make(method);
+            EXPECT_EQ(run.scene.rest.mode, Rest::joint);
+            EXPECT_GE(run.scene.rest.friction, 0.3);
+            const StabilityResult result{
+                method.name, method.preset,           cell.axis,
+                cell.label,  cell.expectedOf(method), runUnderStressTwice(run)};
+            EXPECT_TRUE(result.sound()) << name << ", " << cell.axis << " " << cell.label << ": "
+                                        << verdictName(result.outcome.verdict);
+            ++tried;
+            refused += result.outcome.verdict == Verdict::refused ? 1 : 0;
+        }
+    }
+    EXPECT_EQ(tried, 38u);
+    EXPECT_LT(refused, 19u);
 }
 
 TEST(StressMatrix, LetsAFifthOfTheCubeRunAtOnce)
