@@ -18,6 +18,12 @@ constexpr double kShareThatRolls = 5.0 / 7; // of a force, moves a full sphere a
 RollingLaw RollingLaw::of(const Scene& scene)
 {
     const RestSettings& rest = scene.rest;
+    const bool sizes =
+        scene.spheres.sizes.curve || (scene.spheres.radius && !scene.spheres.radius->equal());
+    if (sizes)
+    {
+        return {};
+    }
     return {std::min(rest.friction, rest.wallFriction.value_or(rest.friction)),
             rest.rollingFriction};
 }

@@ -18,8 +18,8 @@ struct RollingLaw
     double friction = 0;   ///< Coulomb's
     double resistance = 0; ///< moment over normal force and reduced radius
 
-    /// Of the scene: the smaller friction of spheres and walls, because contacts are not told
-    /// apart.
+    /// Of the scene: none where sizes differ; the smaller friction of spheres and walls, because
+    /// contacts are not told apart.
     [[nodiscard]] static RollingLaw of(const Scene& scene);
     [[nodiscard]] bool any() const { return resistance > 0; }
 };

@@ -265,6 +265,8 @@ TEST(RollingLaw, GoesByTheSmallerFriction)
     scene.rest.wallFriction = 0.2;
     EXPECT_EQ(RollingLaw::of(scene).friction, 0.2);
     EXPECT_EQ(RollingLaw::of(scene).resistance, 0.1);
+    scene.spheres.radius = Radii(0.1, 0.2);
+    EXPECT_FALSE(RollingLaw::of(scene).any()) << "sizes differ";
 }
 
 } // namespace
