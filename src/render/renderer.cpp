@@ -3,8 +3,8 @@
 #include "render/picture/pass_pictures.hpp"
 #include "render/picture/shrink.hpp"
 #include "render/pipeline.hpp"
-#include "render/raster/spheres/ambient_occlusion.hpp"
 #include "render/raster/lanes/has_avx2.hpp"
+#include "render/raster/spheres/ambient_occlusion.hpp"
 #include "render/raster/tile_pipeline.hpp"
 
 #include <frostfill/error.hpp>
