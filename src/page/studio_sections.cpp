@@ -22,21 +22,22 @@ Json vectorJson(const glm::vec3& v)
 }
 
 /// Of the grid its corner and edges of a cell, and of each corner how dark it is, 255 for 1.
-void addGround(const GroundShadow& ground, PageStudio& studio)
+Json addGround(const GroundShadow& ground, Sections& sections)
 {
     const glm::vec3 corner(ground.places.front());
     const auto row = static_cast<std::size_t>(ground.cells) + 1;
-    studio.facts["ground"] = {{"cells", ground.cells},
-                              {"level", ground.level},
-                              {"corner", vectorJson(corner)},
-                              {"across", vectorJson(glm::vec3(ground.places[1]) - corner)},
-                              {"along", vectorJson(glm::vec3(ground.places[row]) - corner)}};
+    Json facts = {{"cells", ground.cells},
+                  {"level", ground.level},
+                  {"corner", vectorJson(corner)},
+                  {"across", vectorJson(glm::vec3(ground.places[1]) - corner)},
+                  {"along", vectorJson(glm::vec3(ground.places[row]) - corner)}};
     ByteWriter dark;
     for (const glm::vec4& place : ground.places)
     {
         dark.raw(static_cast<std::uint8_t>(std::lround(255 * place.w)));
     }
-    studio.sections.emplace_back("ground", std::move(dark.bytes()));
+    sections.emplace_back("ground", std::move(dark.bytes()));
+    return facts;
 }
 
 void addWall(const ContactShadow& wall, ByteWriter& bytes)
@@ -91,16 +92,15 @@ std::string contactsOf(const ContactShadows& shadows, const PageView& view, cons
 
 } // namespace
 
-PageStudio pageStudio(const TriangleMesh& mesh, const TriangleMesh& simplified,
-                      const PageView& view, const LastFrame& last)
+Json addStudio(const TriangleMesh& mesh, const TriangleMesh& simplified, const PageView& view,
+               const LastFrame& last, Sections& sections)
 {
     RenderSettings settings = view.settings;
     settings.style.look = Look::studio;
     settings.style.shell = true;
     const Studio studio =
         *studioOf(simplified, inUnitSpace(simplified, view.framing), settings, view.framing);
-    PageStudio page;
-    page.facts = {
+    Json facts = {
         {"lamp", vectorJson(studio.lamp)},         {"up", vectorJson(studio.up)},
         {"reach", SphereOcclusion::kReach},        {"lamp_reach", SphereOcclusion::kLampReach},
         {"lamp_softness", shading::kLampSoftness}, {"occluder_range", shading::kOccluderRange},
@@ -109,12 +109,12 @@ PageStudio pageStudio(const TriangleMesh& mesh, const TriangleMesh& simplified,
         {"fade", ContactShadows::kFade},           {"ground", nullptr}};
     if (studio.ground)
     {
-        addGround(*studio.ground, page);
+        facts["ground"] = addGround(*studio.ground, sections);
     }
     const auto shadows =
         contactShadowsOf(mesh, inUnitSpace(mesh, view.framing), settings, studio.lamp);
-    page.sections.emplace_back("walls", contactsOf(*shadows, view, last));
-    return page;
+    sections.emplace_back("walls", contactsOf(*shadows, view, last));
+    return facts;
 }
 
 } // namespace frostfill

@@ -7,15 +7,6 @@
 namespace frostfill
 {
 
-/// What a page needs for the style studio beside spheres and shell: the lamp, the shadow on the
-/// ground, and for spheres at rest the walls that they touch. Which spheres keep light from each
-/// other the page finds itself.
-struct PageStudio
-{
-    nlohmann::ordered_json facts;
-    Sections sections;
-};
-
 /// Spheres as they are in the last frame, and where a page rounds their centres to.
 struct LastFrame
 {
@@ -26,8 +17,12 @@ struct LastFrame
     double step = 1;                          ///< between them [mesh unit]
 };
 
-/// `simplified`: a mesh for the shadow on the ground, which sees no details.
-[[nodiscard]] PageStudio pageStudio(const TriangleMesh& mesh, const TriangleMesh& simplified,
-                                    const PageView& view, const LastFrame& last);
+/// What a page needs for the style studio beside spheres and shell: facts of the lamp, and in
+/// sections the shadow on the ground and, for spheres at rest, the walls that they touch. Which
+/// spheres keep light from each other the page finds itself. `simplified`: a mesh for the shadow on
+/// the ground, which sees no details.
+[[nodiscard]] nlohmann::ordered_json addStudio(const TriangleMesh& mesh,
+                                               const TriangleMesh& simplified, const PageView& view,
+                                               const LastFrame& last, Sections& sections);
 
 } // namespace frostfill

@@ -169,13 +169,11 @@ private:
             facts["film"]["carried"][column.name] = {{"stream", streamOf(column)},
                                                      {"whole", column.isWhole()}};
         }
-        const PageStudio studio =
-            pageStudio(reader_.mesh(), shell_.mesh, view_,
-                       {film.snapshot(), film.centres(), film.radii(),
-                        boundingBox(reader_.mesh()).center(), rounding_.grid});
-        facts["studio"] = studio.facts;
         Sections sections = shape_;
-        sections.insert(sections.end(), studio.sections.begin(), studio.sections.end());
+        facts["studio"] = addStudio(reader_.mesh(), shell_.mesh, view_,
+                                    {film.snapshot(), film.centres(), film.radii(),
+                                     boundingBox(reader_.mesh()).center(), rounding_.grid},
+                                    sections);
         for (const auto& [name, stream] : film.take())
         {
             sections.emplace_back(name, stream.bytes());

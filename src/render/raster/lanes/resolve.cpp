@@ -20,7 +20,8 @@ void meanOfFour(const SampleTile& tile, int first, int count, Row& mean)
         std::uint32_t greenAlpha = 0x00020002U;
         for (const auto& plane : tile.colour)
         {
-            const std::uint32_t colour = plane[static_cast<std::size_t>(first + x)];
+            const std::uint32_t colour =
+                plane[static_cast<std::size_t>(first) + static_cast<std::size_t>(x)];
             redBlue += colour & 0x00ff00ffU;
             greenAlpha += (colour >> 8) & 0x00ff00ffU;
         }
