@@ -7,7 +7,7 @@
 namespace frostfill
 {
 
-std::string joined(Streams streams)
+std::string joined(Streams&& streams)
 {
     ByteWriter all;
     std::size_t size = 0;

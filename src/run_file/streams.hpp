@@ -18,7 +18,7 @@ using Streams = Named<ByteWriter>;
 using StreamReaders = Named<ByteReader>;
 
 /// All streams in a row: their names and lengths first.
-[[nodiscard]] std::string joined(Streams streams);
+[[nodiscard]] std::string joined(Streams&& streams);
 /// The streams that were joined, as long as the bytes are there. Throws DamagedBytes.
 [[nodiscard]] StreamReaders split(std::string_view bytes);
 

@@ -98,7 +98,8 @@ Snapshot alongTheWall(const Snapshot& all)
     snapshot.discardedPolygons = all.discardedPolygons;
     for (int i = 0; i < 32; ++i)
     {
-        const double around = 2 * M_PI / 16 * (i / 2);
+        const int pair = i / 2;
+        const double around = 2 * M_PI / 16 * pair;
         const double ring = 1.13;
         const Eigen::Vector3d centre(ring * std::cos(around), ring * std::sin(around),
                                      i % 2 == 0 ? 0.19 : -0.19);

@@ -5,6 +5,7 @@
 #include "mesh/interior/winding_columns.hpp"
 #include "scene/packing_estimate.hpp"
 #include "simulation/quality/beside.hpp"
+#include "simulation/quality/contact_network.hpp"
 #include "simulation/quality/equilibrium.hpp"
 #include "simulation/quality/heap_slope.hpp"
 #include "simulation/quality/support.hpp"

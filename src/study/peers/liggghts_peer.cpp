@@ -74,17 +74,7 @@ std::string stlOf(const TriangleMesh& mesh)
     return text + "endsolid object\n";
 }
 
-/// In units of r, sqrt(r/g) and the spheres' density.
-std::string scriptOf(const PeerTask& task, double stiffness, double still)
-{
-    const double shear = stiffness / (2 * (1 + kPoisson));
-    const double rayleigh = std::numbers::pi * std::sqrt(1 / shear) / (0.1631 * kPoisson + 0.8766);
-    const double step = kShareOfRayleigh * rayleigh;
-    const auto steps = static_cast<long>(std::ceil(kPeerWindow / step));
-    const auto pour = static_cast<long>(std::ceil(kPeerPourEvery / step));
-    const Eigen::AlignedBox3d box = boxOf(task.mesh);
-    return fmt::format(
-        R"(atom_style granular
+constexpr const char* kScript = R"(atom_style granular
 atom_modify map array
 boundary f f f
 newton off
@@ -142,8 +132,19 @@ label over
 dump last all custom 1 places.txt id x y z
 dump_modify last sort id format "%d %.17g %.17g %.17g"
 run 0
-)",
-        fmt::arg("x0", box.min().x() - 2), fmt::arg("x1", box.max().x() + 2),
+)";
+
+/// In units of r, sqrt(r/g) and the spheres' density.
+std::string scriptOf(const PeerTask& task, double stiffness, double still)
+{
+    const double shear = stiffness / (2 * (1 + kPoisson));
+    const double rayleigh = std::numbers::pi * std::sqrt(1 / shear) / (0.1631 * kPoisson + 0.8766);
+    const double step = kShareOfRayleigh * rayleigh;
+    const auto steps = static_cast<long>(std::ceil(kPeerWindow / step));
+    const auto pour = static_cast<long>(std::ceil(kPeerPourEvery / step));
+    const Eigen::AlignedBox3d box = boxOf(task.mesh);
+    return fmt::format(
+        kScript, fmt::arg("x0", box.min().x() - 2), fmt::arg("x1", box.max().x() + 2),
         fmt::arg("y0", box.min().y() - 2), fmt::arg("y1", box.max().y() + 2),
         fmt::arg("z0", box.min().z() - 2), fmt::arg("z1", box.max().z() + 2),
         fmt::arg("bx0", box.min().x()), fmt::arg("bx1", box.max().x()),
