@@ -203,6 +203,39 @@ TEST(SphereOcclusion, KeepWhatIsKnownWhenTheyAreStartedInAnotherOrderAndWithArri
     }
 }
 
+/// The same with other axes.
+glm::vec3 onward(const glm::vec3& v)
+{
+    return {v.z, v.x, v.y};
+}
+
+TEST(SphereOcclusion, AreTheSameAlongAnyAxisOfALongHeap)
+{
+    std::vector<SphereInstance> along = cloud(1000);
+    std::vector<SphereInstance> across;
+    for (SphereInstance& sphere : along)
+    {
+        sphere.x *= 4;
+        sphere.z *= 0.5F;
+        across.push_back(sphereAt(onward({sphere.x, sphere.y, sphere.z}), sphere.radius));
+    }
+    SphereOcclusion first(kLamp, {});
+    first.start(along);
+    SphereOcclusion second(onward(kLamp), {});
+    second.start(across);
+    std::size_t differ = 0;
+    for (std::size_t i = 0; i < along.size(); ++i)
+    {
+        SphereLight light = first.ofResting(i);
+        for (auto& occluder : light.occluders)
+        {
+            occluder = {occluder[2], occluder[0], occluder[1], occluder[3]};
+        }
+        differ += same(light, second.ofResting(i)) ? 0 : 1;
+    }
+    EXPECT_LE(differ, 20U) << "sums are rounded in another order";
+}
+
 TEST(SphereOcclusion, ForgetWhatACutTakesAway)
 {
     // Everything to the right.
