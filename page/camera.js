@@ -215,7 +215,7 @@ function depthInCut(view, planes, point) {
   return Math.min(...[0, 4].map((k) => dot(planes.slice(k, k + 3), seen) + planes[k + 3]));
 }
 
-/** Which spheres a cut takes away in whole or more than half. */
+/** Of which spheres a cut takes the centre away. */
 const isTaken = (spheres, view, planes) => (at) =>
   planes !== null && depthInCut(view, planes, spheres.subarray(4 * at, 4 * at + 3)) > 0;
 

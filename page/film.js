@@ -226,10 +226,11 @@ function stateWord({ states, values: { qx, qy, qz, qw } }, id) {
   return axis.reduce((word, x, i) => word | (Math.round(127 * x) & 255) << 8 * (i + 1), states[id]) >>> 0;
 }
 
-/** Centre and radius of a sphere of the film. */
-function sphereInUnitSpace({ places, values }, id) {
-  const { step, radius_step: radiusStep } = facts.film;
-  const scale = facts.scale_of_unit;
-  return [0, 1, 2].map((axis) => scale * (facts.origin[axis] - facts.centre[axis] + step * places[3 * id + axis]))
-    .concat(scale * radiusStep * values.radius[id]);
+/** Puts centre and radius of a sphere of the film into an array, from a place on. */
+function putInUnitSpace({ places, values }, id, spheres, at) {
+  const { film: { step, radius_step: radiusStep }, scale_of_unit: scale, origin, centre } = facts;
+  for (let axis = 0; axis < 3; ++axis) {
+    spheres[at + axis] = scale * (origin[axis] - centre[axis] + step * places[3 * id + axis]);
+  }
+  spheres[at + 3] = scale * radiusStep * values.radius[id];
 }

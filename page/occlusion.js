@@ -24,7 +24,9 @@ class SphereOcclusion {
     this.length = length;
     for (let at = 0; at < count; ++at) {
       if (states[at] !== kRunning && !isCut(at)) {
-        this.keepers.set(spheres.subarray(4 * at, 4 * at + 4), 4 * ids[at]);
+        for (let k = 0; k < 4; ++k) {
+          this.keepers[4 * ids[at] + k] = spheres[4 * at + k];
+        }
       } else {
         this.known[ids[at]] = 0; // forget finds only what keeps light off itself
       }
@@ -37,7 +39,8 @@ class SphereOcclusion {
     const { before, keepers } = this;
     const changed = [];
     for (let at = 0; at < 4 * this.length; at += 4) {
-      if ([0, 1, 2, 3].some((k) => before[at + k] !== keepers[at + k])) {
+      if (before[at] !== keepers[at] || before[at + 1] !== keepers[at + 1] ||
+        before[at + 2] !== keepers[at + 2] || before[at + 3] !== keepers[at + 3]) {
         changed.push(...[before, keepers].map((array) => array.subarray(at, at + 4)).filter((s) => s[3] > 0));
         this.known[at / 4] = 0;
       }

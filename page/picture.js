@@ -62,7 +62,7 @@ class Picture {
     let at = 0;
     for (let id = 0; id < film.spheres; ++id) {
       if (film.states[id] !== kWaits) {
-        this.instances.set(sphereInUnitSpace(film, id), 4 * at);
+        putInUnitSpace(film, id, this.instances, 4 * at);
         this.ids[at] = id;
         this.words[at] = stateWord(film, id);
         this.states[at++] = film.states[id];

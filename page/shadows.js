@@ -101,12 +101,14 @@ class StudioShadows {
       return t * t * (3 - 2 * t);
     };
     const corners = [];
+    const sphere = [0, 0, 0, 0];
     for (const { id, place, walls } of this.contacts) {
       const rests = id < film.spheres && (film.states[id] === kFrozen || film.states[id] === kDiscarded);
       if (!rests || place.some((at, axis) => Math.abs(at - film.places[3 * id + axis]) > 1)) {
         continue; // it touches nothing yet, or something else
       }
-      const [x, y, z, radius] = sphereInUnitSpace(film, id);
+      putInUnitSpace(film, id, sphere, 0);
+      const [x, y, z, radius] = sphere;
       for (const { inwards, height, bend } of walls) {
         const foot = difference([x, y, z], scaled(inwards, height * radius));
         const facing = dot(normalized(difference(eyeOfObject, foot)), inwards);
