@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -140,6 +140,21 @@ TEST(Stripes, AreThereBeforeASphereHasTurned)
     EXPECT_GT(expectStripe(OneSphere(Look::clean, false), Eigen::Quaterniond::Identity(),
                            SphereState::frozen),
               200);
+}
+
+// Run files have columns in the order of their names.
+TEST(Stripes, LieTheSameWhicheverWayColumnsStand)
+{
+    const OneSphere sphere(Look::clean, false);
+    Numbers numbers;
+    Snapshot snapshot;
+    addSphere(snapshot, {0, 0, 0}, kRadius, SphereState::frozen);
+    turnSphere(snapshot, 0, anyTurn(numbers));
+    const TriangleMesh box = boxMesh({1, 1, 1});
+    const Image forwards = test::draw(box, sphere.settings, snapshot);
+    std::reverse(snapshot.columns.begin(), snapshot.columns.end());
+    const Image backwards = test::draw(box, sphere.settings, snapshot);
+    EXPECT_EQ(compareImages(forwards, backwards).largest, 0);
 }
 
 TEST(Stripes, MoveOnASphereAtRestThatTurns)
