@@ -54,7 +54,8 @@ struct Spring
     }
 };
 
-/// What a contact knows from one step to the next.
+/// What a contact knows from one step to the next. Without springs, the stretches are the forces
+/// along the contact [m g].
 struct ContactMemory
 {
     Eigen::Vector3d slide = Eigen::Vector3d::Zero(); ///< [r] stretch of the spring along it
@@ -66,6 +67,19 @@ struct ContactMemory
     {
         slide /= factor;
         roll /= factor;
+    }
+    /// Springs of this stiffness, squeezed by `depth`, become forces; and the other way round.
+    void takeForces(double stiffness, double depth)
+    {
+        held = std::max(0.0, held + stiffness * depth);
+        slide *= -kTangentialStiffness * stiffness;
+        roll *= -kTangentialStiffness * stiffness;
+    }
+    void takeSprings(double stiffness, double depth)
+    {
+        held = std::max(0.0, held - stiffness * depth);
+        slide /= -kTangentialStiffness * stiffness;
+        roll /= -kTangentialStiffness * stiffness;
     }
 };
 

@@ -13,7 +13,7 @@ GranularMotion::GranularMotion(World& world, const ContactLaw& law, Threads& thr
       softest_(law.stiffness),
       spin_(running_, [](std::uint32_t, Eigen::Vector3d& spin) { spin.setZero(); }),
       listedAt_(running_), reach_(running_), pairs_(running_, spin_, law_, threads),
-      walls_(world, spin_, law_, threads)
+      walls_(world, spin_, law_, threads), sweeps_(running_, spin_, law_, pairs_, walls_, threads)
 {
     listAnew();
 }
@@ -42,25 +42,47 @@ void GranularMotion::forget()
 {
     pairs_.forget();
     walls_.forget();
+    knowsImpulses_ = false;
     listAnew();
 }
 
 // Mass over stiffness is least for the smallest sphere, as the square of its radius.
 void GranularMotion::advance(double time, const Course& course)
 {
+    takeSprings(true);
     const double longest = kStepOfSettling * world_.radii.smallest() / std::sqrt(law_.stiffness);
     const auto steps = static_cast<std::size_t>(std::ceil(time / longest));
     dt_ = time / static_cast<double>(steps);
+    wake();
+    for (std::size_t k = 0; k < steps && !world_.stop.isAsked(); ++k)
+    {
+        step({dt_, course.hardening, slipsFrom()}, course);
+    }
+    knowsImpulses_ = true;
+    look(course.hardening > 0);
+}
+
+void GranularMotion::advanceByImpulses(double time, const Course& course, bool givesWay)
+{
+    takeSprings(false);
+    const double longest = kStepOfImpulses * std::sqrt(world_.radii.smallest());
+    const auto steps = static_cast<std::size_t>(std::ceil(time / longest));
+    dt_ = time / static_cast<double>(steps);
+    wake();
+    for (std::size_t k = 0; k < steps && !world_.stop.isAsked(); ++k)
+    {
+        stepByImpulses(course, givesWay ? kStiffnessOfImpulses * softest_ : 0);
+    }
+    look(!givesWay);
+}
+
+void GranularMotion::wake()
+{
     if (isListed_)
     {
         spread();
         choose();
     }
-    for (std::size_t k = 0; k < steps && !world_.stop.isAsked(); ++k)
-    {
-        step({dt_, course.hardening, slipsFrom()}, course);
-    }
-    look(course.hardening > 0);
 }
 
 void GranularMotion::relieve()
@@ -93,8 +115,31 @@ void GranularMotion::pushAll()
 {
     active_.assign(running_.size(), 1);
     list();
-    pairs_.push({});
-    walls_.push({});
+    if (hasSprings_)
+    {
+        pairs_.push({});
+        walls_.push({});
+        return;
+    }
+    plan();
+    sweeps_.hold();
+}
+
+void GranularMotion::takeSprings(bool takes)
+{
+    hasSprings_ = takes;
+    pairs_.takeSprings(takes);
+    walls_.takeSprings(takes);
+}
+
+void GranularMotion::plan()
+{
+    if (!isPlanned_)
+    {
+        const auto reaches = reach_.all();
+        sweeps_.plan(active_, 2 * *std::max_element(reaches.begin(), reaches.end()));
+        isPlanned_ = true;
+    }
 }
 
 // What is fast has a wider margin, so that lists are good for some steps.
@@ -154,6 +199,7 @@ void GranularMotion::choose()
     isFar_.resize((rows_.size() + kSpheresTogether - 1) / kSpheresTogether);
     pairs_.choose(active_);
     walls_.choose(active_);
+    isPlanned_ = false;
 }
 
 void GranularMotion::step(const ContactStep& step, const Course& course)
@@ -164,13 +210,40 @@ void GranularMotion::step(const ContactStep& step, const Course& course)
     }
     pairs_.push(step);
     walls_.push(step);
+    moveAll([&](std::uint32_t row) { accelerate(row, course); });
+}
+
+void GranularMotion::stepByImpulses(const Course& course, double stiffness)
+{
+    if (!isListed_)
+    {
+        list();
+    }
+    plan();
+    threads_.forEach(
+        rows_.size(),
+        [&](std::size_t k)
+        {
+            const std::uint32_t row = rows_[k];
+            running_.velocity[row] += dt_ * world_.pull.at(running_.position[row], {0, 0, 0});
+        });
+    sweeps_.solve({dt_, knowsImpulses_ ? kSweepsOfImpulses : kSweepsAtFirst, stiffness,
+                   kSlipsFrom * softest_});
+    knowsImpulses_ = true;
+    moveAll([&](std::uint32_t row) { slow(row, course); });
+}
+
+// After `accelerate(row)` for each of them.
+void GranularMotion::moveAll(const auto& accelerate)
+{
     forEachPart(threads_, rows_.size(), kSpheresTogether,
                 [&](std::size_t first, std::size_t last, std::size_t part)
                 {
                     char isFar = 0;
                     for (std::size_t k = first; k < last; ++k)
                     {
-                        isFar |= static_cast<char>(move(rows_[k], course));
+                        accelerate(rows_[k]);
+                        isFar |= static_cast<char>(move(rows_[k]));
                     }
                     isFar_[part] = isFar;
                 });
@@ -193,28 +266,37 @@ Eigen::Vector3d GranularMotion::accelerationOf(std::uint32_t row, const SurfaceF
            world_.pull.at(running_.position[row], {0, 0, 0});
 }
 
-// Returns whether it has left its margin but for the quarter that is for what is held.
-bool GranularMotion::move(std::uint32_t row, const Course& course)
+void GranularMotion::accelerate(std::uint32_t row, const Course& course)
 {
-    const double dt = dt_;
     const SurfaceForce sum = forceOn(row);
     const double radius = running_.radius[row];
-    const double keeps = 1 - dt * course.drag;
-    Eigen::Vector3d& position = running_.position[row];
+    running_.velocity[row] += dt_ * accelerationOf(row, sum);
+    spin_[row] += dt_ / inertiaOverRadius(radius) * (sum.torque + sum.moment / radius);
+    slow(row, course);
+}
+
+void GranularMotion::slow(std::uint32_t row, const Course& course)
+{
+    const double keeps = 1 - dt_ * course.drag;
     Eigen::Vector3d& velocity = running_.velocity[row];
-    velocity = keeps * (velocity + dt * accelerationOf(row, sum));
+    velocity *= keeps;
+    spin_[row] *= keeps;
     if (velocity.squaredNorm() > course.fastest * course.fastest)
     {
         velocity *= course.fastest / velocity.norm();
     }
-    position += dt * velocity;
-    spin_[row] =
-        keeps * (spin_[row] + dt / inertiaOverRadius(radius) * (sum.torque + sum.moment / radius));
+}
+
+// Returns whether it has left its margin but for the quarter that is for what is held.
+bool GranularMotion::move(std::uint32_t row)
+{
+    Eigen::Vector3d& position = running_.position[row];
+    position += dt_ * running_.velocity[row];
     if (!world_.orientations.empty())
     {
-        turn(row, dt);
+        turn(row, dt_);
     }
-    const double margin = reach_[row] - radius - kListMargin / 4;
+    const double margin = reach_[row] - running_.radius[row] - kListMargin / 4;
     return (position - listedAt_[row]).squaredNorm() >= margin * margin;
 }
 

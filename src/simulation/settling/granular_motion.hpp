@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "simulation/settling/impulse_sweeps.hpp"
 #include "simulation/settling/pair_contacts.hpp"
 #include "simulation/settling/wall_contacts.hpp"
 
@@ -44,6 +45,9 @@ public:
     /// For a time [sqrt(r/g)], in steps that the stiffness allows. Who is to be moved is looked at
     /// before.
     void advance(double time, const Course& course);
+    /// The same by impulses, in longer steps: see ImpulseSweeps. Contacts give way as long as
+    /// `givesWay`, by little.
+    void advanceByImpulses(double time, const Course& course, bool givesWay);
     /// All contacts become stiffer by a factor; friction holds what it held.
     void stiffen(double factor);
     /// All contacts begin anew, as in a program that knows only where spheres lie. All are moved.
@@ -78,9 +82,16 @@ private:
     void spread();
     void pushAll();
     void step(const ContactStep& step, const Course& course);
+    void stepByImpulses(const Course& course, double stiffness);
+    void wake();
+    void takeSprings(bool takes);
+    void plan();
     [[nodiscard]] SurfaceForce forceOn(std::uint32_t row) const;
     [[nodiscard]] Eigen::Vector3d accelerationOf(std::uint32_t row, const SurfaceForce& sum) const;
-    [[nodiscard]] bool move(std::uint32_t row, const Course& course);
+    void moveAll(const auto& accelerate);
+    void accelerate(std::uint32_t row, const Course& course);
+    void slow(std::uint32_t row, const Course& course);
+    [[nodiscard]] bool move(std::uint32_t row);
     void turn(std::uint32_t row, double dt);
     void look(bool hardens);
 
@@ -95,7 +106,11 @@ private:
     PairContacts pairs_;
     WallContacts walls_;
     OverlapRelief relief_;
+    ImpulseSweeps sweeps_;
+    bool knowsImpulses_ = false; ///< or the next step without springs has to find them all
     bool isListed_ = false;
+    bool hasSprings_ = true;
+    bool isPlanned_ = false;          ///< the order of sweeps
     std::vector<char> active_;        ///< by row: it is not at rest, or near one that is not
     std::vector<std::uint32_t> rows_; ///< the active ones, ascending
     std::vector<char> isFar_;         ///< by part of rows_: one has left its margin

@@ -81,6 +81,23 @@ void PairContacts::stiffen(double factor)
     }
 }
 
+void PairContacts::takeSprings(bool takes)
+{
+    if (takes == hasSprings_)
+    {
+        return;
+    }
+    hasSprings_ = takes;
+    for (std::size_t k = 0; k < pairs_.size(); ++k)
+    {
+        const auto& [a, b, spring] = pairs_[k];
+        const double apart = (running_.position[b] - running_.position[a]).norm();
+        const double depth = running_.radius[a] + running_.radius[b] - apart;
+        takes ? memory_[k].takeSprings(spring.stiffness, depth)
+              : memory_[k].takeForces(spring.stiffness, depth);
+    }
+}
+
 void PairContacts::forget()
 {
     std::fill(memory_.begin(), memory_.end(), ContactMemory{});
@@ -136,17 +153,26 @@ void PairContacts::pushApart(std::size_t k, const ContactStep& step)
     forces_[k] = forceOf(spring, law_.friction, law_.rollingFriction, arm, touch, step, memory);
 }
 
+std::optional<LoadedContact> PairContacts::contact(std::uint32_t k, double gap)
+{
+    const auto& [a, b, spring] = pairs_[k];
+    const auto contact = sphereContact(running_.position[b] - running_.position[a],
+                                       running_.radius[a] + running_.radius[b], gap);
+    if (!contact)
+    {
+        return std::nullopt;
+    }
+    const double stiffness = hasSprings_ ? spring.stiffness : 0;
+    return LoadedContact{b, a, contact->normal, contact->depth, stiffness, &memory_[k]};
+}
+
 void PairContacts::addTo(OverlapRelief& relief)
 {
-    for (std::size_t k = 0; k < pairs_.size(); ++k)
+    for (std::uint32_t k = 0; k < pairs_.size(); ++k)
     {
-        const auto& [a, b, spring] = pairs_[k];
-        const auto contact =
-            sphereContact(running_.position[b] - running_.position[a],
-                          running_.radius[a] + running_.radius[b], kListMargin / 2);
-        if (contact)
+        if (const auto contact = this->contact(k, kListMargin / 2))
         {
-            relief.add({b, a, contact->normal, contact->depth, spring.stiffness, &memory_[k]});
+            relief.add(*contact);
         }
     }
 }

@@ -8,7 +8,9 @@
 #include "simulation/world/running_spheres.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace frostfill
@@ -31,12 +33,31 @@ public:
     void list(std::span<const double> reaches);
     /// The law has become stiffer by a factor.
     void stiffen(double factor);
+    /// Whether springs push, and contacts know how far they are stretched. Otherwise contacts know
+    /// their forces, and push() is not to be called.
+    void takeSprings(bool takes);
     /// Contacts begin anew: nothing is held but by overlaps.
     void forget();
     /// From now on push() looks only at pairs of which one at least is active, by row; the others
     /// go on pushing as they did.
     void choose(const std::vector<char>& active);
     void push(const ContactStep& step);
+    /// Those that push() looks at, by number.
+    [[nodiscard]] std::span<const std::uint32_t> chosen() const { return chosen_; }
+    [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> rowsOf(std::uint32_t k) const
+    {
+        return {pairs_[k].a, pairs_[k].b};
+    }
+    /// None where the gap is not below `gap` [r].
+    [[nodiscard]] std::optional<LoadedContact> contact(std::uint32_t k, double gap);
+    /// What a pair does from now on, in place of push(). The second: it does nothing, and knows
+    /// nothing.
+    void store(std::uint32_t k, const SurfaceForce& onB) { forces_[k] = onB; }
+    void part(std::uint32_t k)
+    {
+        forces_[k] = {};
+        memory_[k] = {};
+    }
     /// All pairs that push, or are near enough to be pushed together by others.
     void addTo(OverlapRelief& relief);
     /// Of all pairs on one sphere, since the last push().
@@ -82,6 +103,7 @@ private:
     const ContactLaw& law_;
     Threads& threads_;
     BroadPhase broadPhase_;
+    bool hasSprings_ = true;
     // By pair, ascending in a, then in b.
     std::vector<Pair> pairs_;
     std::vector<ContactMemory> memory_;

@@ -102,6 +102,8 @@ bool Settling::step()
     case Phase::compacts:
         compact();
         return false;
+    case Phase::stacks:
+        return stack();
     case Phase::flows:
         flow();
         return false;
@@ -119,9 +121,10 @@ void Settling::startFlow()
     stiffened_ = 1;
     const std::optional<double> fraction = bulk_ ? bulk_->measure() : std::nullopt;
     const bool compacts = fraction && *fraction < compactTo_;
-    phase_ = compacts ? Phase::compacts : Phase::flows;
+    startRest();
     if (compacts)
     {
+        phase_ = Phase::compacts;
         ++compactions_;
         motion_.setFriction(0, 0);
     }
@@ -135,9 +138,46 @@ void Settling::compact()
     {
         const ContactLaw law = lawOf(world_);
         motion_.setFriction(law.friction, law.wallFriction);
+        startRest();
+    }
+}
+
+void Settling::startRest()
+{
+    const ContactLaw law = lawOf(world_);
+    const bool isHeld = std::min(law.friction, law.wallFriction) >= kLeastFrictionOfImpulses;
+    phase_ = isHeld ? Phase::stacks : Phase::flows;
+    inPhase_ = 0;
+}
+
+// Once few move, overlaps are taken away. From then on contacts do not give way, so only what still
+// moves is moved.
+bool Settling::stack()
+{
+    advanceByImpulses(kTimeOfLook);
+    const double overlap = motion_.unrest().overlap;
+    if (isStacked() && overlap > kOverlapAtRest && overlap < kOverlapOfImpulses)
+    {
+        motion_.relieve();
+        givesWay_ = false;
+    }
+    if (isStacked() && rests())
+    {
+        return endAtRest(0);
+    }
+    if (inPhase_ >= kLongestImpulses)
+    {
         phase_ = Phase::flows;
         inPhase_ = 0;
     }
+    return false;
+}
+
+bool Settling::isStacked() const
+{
+    const auto count = static_cast<double>(running_.size());
+    return static_cast<double>(motion_.unrest().moving) <= kMovingOfImpulses * count &&
+           motion_.unrest().missing <= kMissingAtRest;
 }
 
 void Settling::flow()
@@ -152,6 +192,7 @@ void Settling::flow()
 
 void Settling::flowFor(double time, double drag)
 {
+    givesWay_ = true;
     const double before = motion_.energy();
     advance(time, {0, drag});
     world_.counts.energy.enter(before, motion_.energy(), mass_ * world_.height);
@@ -160,6 +201,17 @@ void Settling::flowFor(double time, double drag)
 void Settling::advance(double time, const GranularMotion::Course& course)
 {
     motion_.advance(time, course);
+    countStep(time);
+}
+
+void Settling::advanceByImpulses(double time)
+{
+    motion_.advanceByImpulses(time, {0, kDrag, kFastestHardening}, givesWay_);
+    countStep(time);
+}
+
+void Settling::countStep(double time)
+{
     ++world_.clock.steps;
     world_.clock.time += time;
     inPhase_ += time;
@@ -178,7 +230,13 @@ bool Settling::harden()
     {
         motion_.relieve();
     }
-    if (!rests() && inPhase_ < kLongestHardening)
+    return endAtRest(kLongestHardening);
+}
+
+// Or after the longest time.
+bool Settling::endAtRest(double longest)
+{
+    if (!rests() && inPhase_ < longest)
     {
         return false;
     }

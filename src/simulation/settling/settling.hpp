@@ -56,12 +56,19 @@ private:
     enum class Phase
     {
         compacts,
+        stacks,
         flows,
         hardens,
     };
     void wakeInOrder(std::size_t first);
     void advance(double time, const GranularMotion::Course& course);
+    void advanceByImpulses(double time);
+    void countStep(double time);
     void compact();
+    void startRest();
+    [[nodiscard]] bool stack();
+    [[nodiscard]] bool isStacked() const;
+    [[nodiscard]] bool endAtRest(double longest);
     void startFlow();
     void flow();
     bool harden();
@@ -79,6 +86,7 @@ private:
     GranularMotion motion_;
     std::vector<std::uint32_t> order_; ///< ids, by the row in which each of them runs
     Phase phase_ = Phase::flows;
+    bool givesWay_ = true;                  ///< contacts, while impulses settle the pile
     double inPhase_ = 0;                    ///< time since it began
     double stiffened_ = 1;                  ///< by this factor
     double mass_ = 0;                       ///< of all

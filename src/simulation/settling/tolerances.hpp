@@ -130,6 +130,36 @@ inline constexpr int kMostReloads = 6;
 /// After this time all is frozen as it is [sqrt(r/g)], and the report says so.
 inline constexpr double kLongestHardening = 150;
 
+// Impulses in place of springs.
+
+/// Friction from which a pile settles so. With less, it flows for long, and forces change with each
+/// step: impulses do not find their balance.
+inline constexpr double kLeastFrictionOfImpulses = 0.2;
+/// Time step [sqrt(r/g)]. Larger: impulses are farther from balance after it. Smaller: time.
+inline constexpr double kStepOfImpulses = 0.05;
+/// Sweeps in a step. Larger: time. Smaller: high piles sink into themselves meanwhile.
+inline constexpr int kSweepsOfImpulses = 6;
+/// Sweeps in the first step, in which no contact knows its impulse.
+inline constexpr int kSweepsAtFirst = 200;
+/// Contacts are so many times as stiff as springs are in the beginning, until few move; then they
+/// do not give way at all. Larger: more of what only its neighbours pinch is held, as with sizes.
+/// Smaller: piles sink, and rise when overlaps are taken away.
+inline constexpr double kStiffnessOfImpulses = 30;
+/// Overlap from which it is not taken away [r]. Larger: normals turn by more meanwhile. Smaller:
+/// what has given way is not relieved.
+inline constexpr double kOverlapOfImpulses = 5e-3;
+/// Share of an overlap that a step opens where contacts do not give way, and the fastest that it
+/// does so [sqrt(g r)]. Larger: spheres are thrown apart. Smaller: they sink into one another.
+inline constexpr double kOpens = 0.5;
+inline constexpr double kFastestOpening = 0.5;
+/// Share of the spheres that may still move in the end. Time is short, so fewer than with springs:
+/// of 2,000 with friction 0.3, each that may moves on in another program.
+inline constexpr double kMovingOfImpulses = 1e-3;
+/// After this time contacts become springs, if the pile does not rest [sqrt(r/g)].
+inline constexpr double kLongestImpulses = 100;
+/// Spheres from which slabs are swept on several threads. Fewer are not worth it.
+inline constexpr std::size_t kSpheresWorthSharing = 500;
+
 // A packing fraction that is asked for.
 
 /// Places at which it is counted whether a sphere is there, about, in the box of the bulk. Larger:

@@ -51,6 +51,24 @@ void WallContacts::stiffen(double factor)
     }
 }
 
+void WallContacts::takeSprings(bool takes)
+{
+    if (takes == hasSprings_)
+    {
+        return;
+    }
+    hasSprings_ = takes;
+    for (Beside& one : beside_)
+    {
+        touch(one, kListMargin / 2);
+        for (Wall& wall : one.walls)
+        {
+            takes ? wall.memory.takeSprings(wall.spring.stiffness, wall.depth)
+                  : wall.memory.takeForces(wall.spring.stiffness, wall.depth);
+        }
+    }
+}
+
 void WallContacts::forget()
 {
     for (Beside& one : beside_)
@@ -88,7 +106,7 @@ void WallContacts::push(const ContactStep& step)
 
 void WallContacts::pushOff(Beside& one, const ContactStep& step)
 {
-    touch(one);
+    touch(one, reachOf(one));
     one.force = {};
     const double radius = running_.radius[one.row];
     const Eigen::Vector3d spin = radius * spin_[one.row];
@@ -115,9 +133,9 @@ void WallContacts::addTo(OverlapRelief& relief)
                 return &other != &wall && other.normal.dot(wall.normal) > kSharesPush &&
                        other.depth > wall.depth;
             };
-            relief.add({one.row, LoadedContact::kWall, wall.normal, wall.depth,
-                        wall.spring.stiffness, &wall.memory,
-                        std::none_of(one.walls.begin(), one.walls.end(), leads)});
+            LoadedContact contact = contactOf(one, wall);
+            contact.closes = std::none_of(one.walls.begin(), one.walls.end(), leads);
+            relief.add(contact);
         }
     }
 }
@@ -133,11 +151,10 @@ double WallContacts::reachOf(const Beside& one) const
     return std::min(gap, kListMargin / 2); // as far as walls are listed
 }
 
-void WallContacts::touch(Beside& one)
+void WallContacts::touch(Beside& one, double gap)
 {
     thread_local std::vector<Wall> now; // keeps its memory
     now.clear();
-    const double gap = reachOf(one);
     findWalls(one.row, gap, now);
     passOn(one.walls, now);
     shareSprings(running_.radius[one.row], gap, now);

@@ -31,11 +31,29 @@ public:
     void list(std::span<const double> reaches);
     /// The law has become stiffer by a factor.
     void stiffen(double factor);
+    /// See PairContacts::takeSprings.
+    void takeSprings(bool takes);
     /// Contacts begin anew: nothing is held but by overlaps.
     void forget();
     /// From now on push() looks only at active spheres, by row; the others are pushed as they were.
     void choose(const std::vector<char>& active);
     void push(const ContactStep& step);
+    /// Spheres beside walls that push() looks at, by number.
+    [[nodiscard]] std::span<const std::uint32_t> chosen() const { return chosen_; }
+    [[nodiscard]] std::uint32_t rowOf(std::uint32_t k) const { return beside_[k].row; }
+    /// Calls visit(contact) for each wall of one of them with a gap below `gap` [r]. Contacts know
+    /// what they knew.
+    template <class Visit>
+    void findNear(std::uint32_t k, double gap, Visit&& visit)
+    {
+        touch(beside_[k], gap);
+        for (Wall& wall : beside_[k].walls)
+        {
+            visit(contactOf(beside_[k], wall));
+        }
+    }
+    /// What all walls do to one of them from now on, in place of push().
+    void store(std::uint32_t k, const SurfaceForce& sum) { beside_[k].force = sum; }
     /// All walls that were near a sphere at the last push().
     void addTo(OverlapRelief& relief);
     /// Of all walls on one sphere, since the last push().
@@ -80,7 +98,12 @@ private:
     };
 
     void pushOff(Beside& one, const ContactStep& step);
-    void touch(Beside& one);
+    void touch(Beside& one, double gap);
+    [[nodiscard]] LoadedContact contactOf(const Beside& one, Wall& wall) const
+    {
+        const double stiffness = hasSprings_ ? wall.spring.stiffness : 0;
+        return {one.row, LoadedContact::kWall, wall.normal, wall.depth, stiffness, &wall.memory};
+    }
     [[nodiscard]] double reachOf(const Beside& one) const;
     void findWalls(std::uint32_t row, double gap, std::vector<Wall>& walls);
     static void passOn(const std::vector<Wall>& before, std::vector<Wall>& now);
@@ -92,6 +115,7 @@ private:
     const ContactLaw& law_;
     Threads& threads_;
     RunningColumn<NeighbourList> around_;
+    bool hasSprings_ = true;
     std::vector<Beside> beside_;         ///< ascending in row
     std::vector<std::uint32_t> chosen_;  ///< in beside_
     std::vector<std::uint32_t> placeOf_; ///< by row: in beside_, or kNowhere
