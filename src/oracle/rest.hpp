@@ -65,11 +65,4 @@ namespace frostfill::oracle
     return 1.0 / 7;
 }
 
-/// How fast a sphere begins to roll down a plane that falls by this angle [rad], if it does not
-/// slip. [g]
-[[nodiscard]] inline double rollingDown(double angle)
-{
-    return std::sin(angle) * 5 / 7;
-}
-
 } // namespace frostfill::oracle

@@ -68,6 +68,7 @@ void GranularMotion::advanceByImpulses(double time, const Course& course, bool g
     const double longest = kStepOfImpulses * std::sqrt(world_.radii.smallest());
     const auto steps = static_cast<std::size_t>(std::ceil(time / longest));
     dt_ = time / static_cast<double>(steps);
+    active_.assign(running_.size(), 1);
     wake();
     for (std::size_t k = 0; k < steps && !world_.stop.isAsked(); ++k)
     {

@@ -45,8 +45,9 @@ public:
     /// For a time [sqrt(r/g)], in steps that the stiffness allows. Who is to be moved is looked at
     /// before.
     void advance(double time, const Course& course);
-    /// The same by impulses, in longer steps: see ImpulseSweeps. Contacts give way as long as
-    /// `givesWay`, by little.
+    /// The same by impulses, in longer steps, and for all: see ImpulseSweeps. Forces get through a
+    /// pile at once, so what is held still would be out of balance at its edge. Contacts give way
+    /// as long as `givesWay`, by little.
     void advanceByImpulses(double time, const Course& course, bool givesWay);
     /// All contacts become stiffer by a factor; friction holds what it held.
     void stiffen(double factor);

@@ -20,6 +20,12 @@ Eigen::Vector3d within(double most, const Eigen::Vector3d& impulse)
     return squared > most * most ? Eigen::Vector3d(most / std::sqrt(squared) * impulse) : impulse;
 }
 
+// What closes a gap, or opens a part of an overlap.
+double leastSpeed(double gap, double dt)
+{
+    return gap > 0 ? -gap / dt : std::min(kFastestOpening, -kOpens * gap / dt);
+}
+
 } // namespace
 
 // A loop over few contacts is over before another thread has begun to help.
@@ -175,32 +181,33 @@ void ImpulseSweeps::add(Slab& slab, const LoadedContact& contact, const ImpulseS
 {
     const bool isWall = contact.other == LoadedContact::kWall;
     const double ra = running_.radius[contact.row];
+    const double rb = isWall ? ra : running_.radius[contact.other];
     const double inverse =
         bodies_[contact.row].inverseMass + (isWall ? 0 : bodies_[contact.other].inverseMass);
-    const double gap = -contact.depth - kGapAtRest / 2;
-    const double opens = step.stiffness > 0 ? 1 : kOpens;
-    const double leaves =
-        gap > 0 ? -gap / step.dt : std::min(kFastestOpening, -opens * gap / step.dt);
-    const double gives = step.stiffness > 0 ? 1 / (step.dt * step.dt * step.stiffness * ra) : 0;
     const Eigen::Vector3d& n = contact.normal;
     const auto inPlane = [&](const Eigen::Vector3d& force)
     { return Eigen::Vector3d(step.dt * (force - force.dot(n) * n)); };
-    const double friction = isWall ? law_.wallFriction : law_.friction;
-    Entry entry{contact.row, contact.other,       n,
-                leaves,      1 / inverse,         gives,
-                friction,    step.dt * step.most, step.dt * contact.push(),
-                {0, 0, 0}};
-    if (friction > 0)
+    Entry entry;
+    entry.body = contact.row;
+    entry.other = contact.other;
+    entry.normal = n;
+    entry.leaves = leastSpeed(-contact.depth - kGapAtRest / 2, step.dt);
+    if (step.stiffness > 0)
     {
-        entry.along = inPlane(contact.memory->slide);
+        const double radius = 2 * ra * rb / (ra + rb);
+        entry.gives = kOpens / (radius * step.stiffness * step.dt * step.dt);
     }
+    entry.yields = 1 / (inverse + entry.gives);
+    entry.slides = 1 / ((1 + kTurnsMore) * inverse);
+    entry.friction = isWall ? law_.wallFriction : law_.friction;
+    entry.most = step.dt * step.most;
+    entry.push = step.dt * contact.push();
+    entry.along = inPlane(entry.friction > 0 ? contact.memory->slide : Eigen::Vector3d::Zero());
     slab.entries.push_back(entry);
     slab.memories.push_back(contact.memory);
     if (law_.rollingFriction > 0)
     {
-        const double arm =
-            isWall ? ra
-                   : ra * running_.radius[contact.other] / (ra + running_.radius[contact.other]);
+        const double arm = isWall ? ra : ra * rb / (ra + rb);
         const auto turns = [&](std::uint32_t row)
         {
             const double share = arm * bodies_[row].inverseRadius;
@@ -209,6 +216,18 @@ void ImpulseSweeps::add(Slab& slab, const LoadedContact& contact, const ImpulseS
         const double all = turns(contact.row) + (isWall ? 0 : turns(contact.other));
         slab.rollings.push_back({arm, 1 / all, inPlane(contact.memory->roll)});
     }
+}
+
+inline void ImpulseSweeps::apply(const Entry& entry, const Eigen::Vector3d& impulse,
+                                 const Eigen::Vector3d& along)
+{
+    Body& a = bodies_[entry.body];
+    Body& b = bodies_[entry.other];
+    a.velocity += a.inverseMass * impulse;
+    b.velocity -= b.inverseMass * impulse;
+    const Eigen::Vector3d turns = kTurnsMore * along.cross(entry.normal);
+    a.surface += a.inverseMass * turns;
+    b.surface += b.inverseMass * turns;
 }
 
 // With the impulses of the step before.
@@ -224,18 +243,6 @@ void ImpulseSweeps::start(Slab& slab, std::uint32_t walls)
             turn(entry, slab.rollings[k], slab.rollings[k].along);
         }
     }
-}
-
-void ImpulseSweeps::apply(const Entry& entry, const Eigen::Vector3d& impulse,
-                          const Eigen::Vector3d& along)
-{
-    Body& a = bodies_[entry.body];
-    Body& b = bodies_[entry.other];
-    a.velocity += a.inverseMass * impulse;
-    b.velocity -= b.inverseMass * impulse;
-    const Eigen::Vector3d turns = kTurnsMore * along.cross(entry.normal);
-    a.surface += a.inverseMass * turns;
-    b.surface += b.inverseMass * turns;
 }
 
 void ImpulseSweeps::turn(const Entry& entry, const Rolling& rolling, const Eigen::Vector3d& along)
@@ -268,9 +275,8 @@ void ImpulseSweeps::push(Entry& entry)
     const Body& b = bodies_[entry.other];
     const Eigen::Vector3d velocity = a.velocity - b.velocity;
     const double apart = velocity.dot(entry.normal);
-    const double push = std::clamp(entry.push + (entry.leaves - apart - entry.gives * entry.push) /
-                                                    (1 / entry.mass + entry.gives),
-                                   0.0, entry.most);
+    const double lacks = entry.leaves - apart - entry.gives * entry.push;
+    const double push = std::clamp(entry.push + entry.yields * lacks, 0.0, entry.most);
     if (push == 0 && entry.push == 0)
     {
         return;
@@ -283,8 +289,7 @@ void ImpulseSweeps::push(Entry& entry)
         const Eigen::Vector3d slip =
             velocity - apart * entry.normal - (a.surface + b.surface).cross(entry.normal);
         const double most = push < entry.most ? entry.friction * push : 0;
-        const Eigen::Vector3d along =
-            within(most, entry.along - entry.mass / (1 + kTurnsMore) * slip);
+        const Eigen::Vector3d along = within(most, entry.along - entry.slides * slip);
         change = along - entry.along;
         entry.along = along;
     }

@@ -60,14 +60,16 @@ private:
     };
     struct Entry
     {
-        std::uint32_t body, other;
+        std::uint32_t body = 0;
+        std::uint32_t other = 0;
         Eigen::Vector3d normal; ///< towards `body`
-        double leaves;          ///< the least speed apart afterwards
-        double mass;            ///< that is moved along the normal
-        double gives;           ///< speed for each impulse [1/m]
-        double friction;
-        double most;           ///< of `push`
-        double push;           ///< impulse
+        double leaves = 0;      ///< the least speed apart afterwards
+        double gives = 0;       ///< speed together for each impulse [1/m]
+        double yields = 0;      ///< impulse for each speed that is lacking [m]
+        double slides = 0;      ///< the same along the contact, turning included
+        double friction = 0;
+        double most = 0;       ///< of `push`
+        double push = 0;       ///< impulse
         Eigen::Vector3d along; ///< impulse of friction
     };
     struct Rolling

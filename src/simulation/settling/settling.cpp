@@ -175,9 +175,16 @@ bool Settling::stack()
 
 bool Settling::isStacked() const
 {
+    return fewMove(kMovingOfImpulses) && motion_.unrest().missing <= kMissingAtRest;
+}
+
+// And next to nobody creeps.
+bool Settling::fewMove(double share) const
+{
+    const Unrest& unrest = motion_.unrest();
     const auto count = static_cast<double>(running_.size());
-    return static_cast<double>(motion_.unrest().moving) <= kMovingOfImpulses * count &&
-           motion_.unrest().missing <= kMissingAtRest;
+    return static_cast<double>(unrest.moving) <= share * count &&
+           static_cast<double>(unrest.creeping) <= kFewMove * count;
 }
 
 void Settling::flow()
@@ -206,7 +213,8 @@ void Settling::advance(double time, const GranularMotion::Course& course)
 
 void Settling::advanceByImpulses(double time)
 {
-    motion_.advanceByImpulses(time, {0, kDrag, kFastestHardening}, givesWay_);
+    const double drag = inPhase_ > 0 && fewMove(kFewOfImpulses) ? kDragOfFew : kDrag;
+    motion_.advanceByImpulses(time, {0, drag, kFastestHardening}, givesWay_);
     countStep(time);
 }
 

@@ -68,6 +68,7 @@ private:
     void startRest();
     [[nodiscard]] bool stack();
     [[nodiscard]] bool isStacked() const;
+    [[nodiscard]] bool fewMove(double share) const;
     [[nodiscard]] bool endAtRest(double longest);
     void startFlow();
     void flow();

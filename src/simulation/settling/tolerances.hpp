@@ -152,9 +152,13 @@ inline constexpr double kOverlapOfImpulses = 5e-3;
 /// does so [sqrt(g r)]. Larger: spheres are thrown apart. Smaller: they sink into one another.
 inline constexpr double kOpens = 0.5;
 inline constexpr double kFastestOpening = 0.5;
-/// Share of the spheres that may still move in the end. Time is short, so fewer than with springs:
-/// of 2,000 with friction 0.3, each that may moves on in another program.
+/// Share of the spheres that may still move in the end. Larger: each that does may go far in
+/// another program, as nothing but drag slows it.
 inline constexpr double kMovingOfImpulses = 1e-3;
+/// Share from which drag no longer slows them so much, and the drag [1/sqrt(r/g)]. Larger, or
+/// smaller: piles begin to flow again. Otherwise: single spheres roll for long.
+inline constexpr double kFewOfImpulses = 2e-3;
+inline constexpr double kDragOfFew = 0.5;
 /// After this time contacts become springs, if the pile does not rest [sqrt(r/g)].
 inline constexpr double kLongestImpulses = 100;
 /// Spheres from which slabs are swept on several threads. Fewer are not worth it.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "oracle/rest.hpp"
+#include "oracle/rolling.hpp"
 #include "simulation/quality/quality.hpp"
 #include "study/error/closed_form_parts.hpp"
 #include "study/stability/stress_meshes.hpp"

@@ -4,6 +4,7 @@
 
 #include "base/random.hpp"
 #include "oracle/rest.hpp"
+#include "oracle/rolling.hpp"
 #include "unit/simulation/quality/hand_network.hpp"
 
 #include <Eigen/Dense>

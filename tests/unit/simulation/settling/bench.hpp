@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/random.hpp"
 #include "simulation/settling/granular_motion.hpp"
 #include "support/small_world.hpp"
 #include "unit/simulation/quality/packing.hpp"
 
 #include <cmath>
 #include <memory>
+#include <numbers>
 
 /// Spheres of radius 1 that run in a room twenty across, the floor at y = -10, for closed forms.
 namespace frostfill
 {
+
+inline constexpr double kDegree = std::numbers::pi / 180;
 
 class Bench
 {
@@ -62,5 +66,20 @@ private:
     double slope_;
     std::unique_ptr<GranularMotion> motion_;
 };
+
+/// Spheres on a lattice with gaps, each a little away from its site, and of several sizes.
+inline void addCrowd(Bench& bench, int across)
+{
+    std::uint64_t n = 0;
+    const auto random = [&] { return uniformRandom(7, 0, n++) - 0.5; };
+    for (int k = 0; k < across * across * across; ++k)
+    {
+        const Eigen::Vector3d site =
+            Eigen::Vector3i(k % across, k / across % across, k / across / across).cast<double>();
+        const Eigen::Vector3d place = Eigen::Vector3d(-8, -8.5, -8) + 2.3 * site;
+        const double radius = 0.9 + 0.2 * random();
+        bench.add(place + 0.2 * Eigen::Vector3d(random(), random(), random()), radius);
+    }
+}
 
 } // namespace frostfill

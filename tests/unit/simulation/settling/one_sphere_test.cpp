@@ -11,8 +11,6 @@ namespace
 
 using Eigen::Vector3d;
 
-constexpr double kDegree = std::numbers::pi / 180;
-
 TEST(OneSphere, RollsDownAPlaneByFiveSeventhsOfGravity)
 {
     const double slope = 20 * kDegree;

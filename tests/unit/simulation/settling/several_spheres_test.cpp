@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "base/random.hpp"
 #include "oracle/rest.hpp"
 #include "oracle/rolling.hpp"
 #include "simulation/contact/contact.hpp"
@@ -13,21 +12,6 @@ namespace
 {
 
 using Eigen::Vector3d;
-
-/// Spheres on a lattice with gaps, each a little away from its site, and of several sizes.
-void addCrowd(Bench& bench, int across)
-{
-    std::uint64_t n = 0;
-    const auto random = [&] { return uniformRandom(7, 0, n++) - 0.5; };
-    for (int k = 0; k < across * across * across; ++k)
-    {
-        const Vector3d site =
-            Eigen::Vector3i(k % across, k / across % across, k / across / across).cast<double>();
-        const Vector3d place = Vector3d(-8, -8.5, -8) + 2.3 * site;
-        const double radius = 0.9 + 0.2 * random();
-        bench.add(place + 0.2 * Vector3d(random(), random(), random()), radius);
-    }
-}
 
 TEST(SeveralSpheres, KeepMomentumAndAngularMomentumWhenTheyCollide)
 {
