@@ -102,7 +102,13 @@ void Freezer::watchRow(std::uint32_t row)
 {
     RestWatch& watch = watch_[row];
     const double still = kStill * running_.radius[row];
-    const bool calm = (running_.position[row] - watch.start).squaredNorm() < still * still;
+    const double way = (running_.position[row] - watch.start).squaredNorm();
+    const double farAgain = kYieldsAgain * running_.radius[row];
+    if (flight_.rolls() && way > farAgain * farAgain)
+    {
+        solver_.velocities().yieldAgain(row);
+    }
+    const bool calm = way < still * still;
     watch.stillWindows = calm ? watch.stillWindows + 1 : 0;
     watch.start = running_.position[row];
 }

@@ -54,6 +54,10 @@ inline constexpr std::uint32_t kStillInPile = 4;
 inline constexpr std::uint32_t kPatience = 8;
 /// The same where many carry one another: one that does not give way stirs the whole pile.
 inline constexpr std::uint32_t kPatienceInPile = 64;
+/// Where spheres roll, one that goes farther in a window gives way again, or one that has stood for
+/// long and then falls would strike others as if nothing could stop it [r]. Larger: it does. Much
+/// smaller: spheres that creep give way to one another for ever.
+inline constexpr double kYieldsAgain = 1;
 /// After which runners are moved far out of a sphere's place (kFarRoom). Larger: freezing takes
 /// longer. Smaller: runners jump where a little patience would do.
 inline constexpr std::uint32_t kBlocked = 24;

@@ -51,6 +51,8 @@ public:
     /// Finds the normals of what is at rest and touches the runner: gaps of at most `gap` [r].
     void findContacts(std::uint32_t row, double gap);
 
+    /// Whether what touches something at rest rolls.
+    [[nodiscard]] bool rolls() const { return settings_.rolling.any(); }
     /// Whether rolling friction holds the runner where it is.
     [[nodiscard]] bool isHeld(std::uint32_t row);
 

@@ -51,6 +51,7 @@ public:
     /// giving way, so that it comes down to something that does.
     [[nodiscard]] bool yields(std::uint32_t row) const { return yields_[row] != 0; }
     void stopYielding(std::uint32_t row) { yields_[row] = 0; }
+    void yieldAgain(std::uint32_t row) { yields_[row] = 1; }
     void letAllYield() { std::fill(yields_.all().begin(), yields_.all().end(), char{1}); }
     /// How much of what parts two of the crowd, given by slot, is a's to do. Of two that do not
     /// give way, the lower does it.
