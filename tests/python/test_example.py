@@ -34,6 +34,17 @@ class ExampleOf(FolderCase):
         return runpy.run_path(str(SOURCE / "examples" / f"{name}.py"))
 
 
+class LiggghtsHeap(ExampleOf):
+    def test_lies_as_steep_as_ours_by_the_rule_of_the_summary(self):
+        if not shutil.which("liggghts"):
+            self.skipTest("apt-get install liggghts")
+        found = self.run_example("liggghts_heap")
+        self.assertAlmostEqual(found["ours"][0], found["known"][0], delta=1e-3)
+        # Three heaps of one cell differ by up to 3 degrees.
+        self.assertAlmostEqual(found["theirs"][0], found["ours"][0], delta=4)
+        self.assertGreater(found["theirs"][0], 25)
+
+
 class FixedBed(ExampleOf):
     def test_is_meshed_and_flows_in_openfoam(self):
         if not shutil.which("snappyHexMesh"):
