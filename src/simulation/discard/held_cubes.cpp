@@ -20,10 +20,9 @@ bool has(VoxelBits& set, VoxelWord cube)
     return (std::atomic_ref(set[cube.word]).load(std::memory_order_relaxed) & cube.bits) != 0;
 }
 
-// Returns whether the word had none before.
-bool add(VoxelBits& set, VoxelWord cube)
+void add(VoxelBits& set, VoxelWord cube)
 {
-    return std::atomic_ref(set[cube.word]).fetch_or(cube.bits, std::memory_order_relaxed) == 0;
+    std::atomic_ref(set[cube.word]).fetch_or(cube.bits, std::memory_order_relaxed);
 }
 
 } // namespace
@@ -35,7 +34,7 @@ bool HeldCubes::mayHold(int x, int y, int z)
     {
         return true;
     }
-    if (has(empty_, cube))
+    if ((empty_[cube.word] & cube.bits) != 0)
     {
         return false;
     }
@@ -45,7 +44,7 @@ bool HeldCubes::mayHold(int x, int y, int z)
         add(held_, cube);
         return true;
     }
-    if (add(empty_, cube))
+    if (empty_.addShared(cube) == 0)
     {
         const std::lock_guard guard(lock_);
         emptyWords_.push_back(cube.word);

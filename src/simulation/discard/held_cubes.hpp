@@ -4,6 +4,7 @@
 #include "base/threads.hpp"
 #include "simulation/reach/ball_slabs.hpp"
 #include "simulation/reach/clear_search.hpp"
+#include "simulation/reach/sparse_voxel_bits.hpp"
 #include "simulation/reach/voxel_layout.hpp"
 
 #include <atomic>
@@ -23,7 +24,7 @@ class HeldCubes
 public:
     /// Both outlive this.
     HeldCubes(const VoxelLayout& layout, const ClearSearch& search)
-        : layout_(layout), search_(search), held_(layout.words, 0), empty_(layout.words, 0)
+        : layout_(layout), search_(search), held_(layout.words, 0), empty_(layout.words)
     {
     }
 
@@ -39,12 +40,16 @@ public:
     template <class Visit>
     void drainEmpty(Visit&& visit)
     {
+        if (emptyWords_.empty())
+        {
+            return;
+        }
         sortEmpty();
         for (const std::size_t word : emptyWords_)
         {
             visit(VoxelWord{word, empty_[word]});
-            empty_[word] = 0;
         }
+        empty_.clear();
         emptyWords_.clear();
     }
 
@@ -63,9 +68,9 @@ private:
 
     const VoxelLayout& layout_;
     const ClearSearch& search_;
-    VoxelBits held_;  ///< cubes that may hold a place: nothing has come to rest there since
-    VoxelBits empty_; ///< cubes that hold none, since the last drain
-    std::mutex lock_; ///< of the words
+    VoxelBits held_;        ///< cubes that may hold a place: nothing has come to rest there since
+    SparseVoxelBits empty_; ///< cubes that hold none, since the last drain
+    std::mutex lock_;       ///< of the words
     std::vector<std::size_t> emptyWords_;
 };
 

@@ -83,7 +83,7 @@ ReachMap::ReachMap(const Surface& surface, const InsideTest& inside, const Radii
     {
         unblocked->all = open_;
     }
-    marks_.assign(layout_.words, 0);
+    marks_ = SparseVoxelBits(layout_.words);
     keepInside(inside);
     reachedCount_ = countCubes(open_);
     search_.releaseMemory();

@@ -7,6 +7,7 @@
 #include "mesh/interior/inside_test.hpp"
 #include "simulation/reach/ball_slabs.hpp"
 #include "simulation/reach/group_rows.hpp"
+#include "simulation/reach/sparse_voxel_bits.hpp"
 #include "simulation/reach/tolerances.hpp"
 #include "simulation/reach/triangle_rows.hpp"
 #include "simulation/reach/voxel_flood.hpp"
@@ -236,7 +237,7 @@ private:
     VoxelBits open_; ///< not blocked and inside; once flooded, the reached cubes
     /// Between updates the cubes that were reached until spheres came to rest there; during an
     /// update those that are known to be connected with a running sphere.
-    VoxelBits marks_;
+    SparseVoxelBits marks_;
     std::vector<std::size_t> markedWords_; ///< words of marks_ that are not empty
     VoxelFlood search_;
     std::vector<VoxelWord> unseeded_;     ///< no seeds any more

@@ -93,9 +93,9 @@ void ReachMap::settleBeside(std::span<const VoxelWord> left)
 
 void ReachMap::forgetMarks()
 {
-    for (const std::size_t word : markedWords_)
+    if (!markedWords_.empty())
     {
-        marks_[word] = 0;
+        marks_.clear();
     }
     markedWords_.clear();
 }
@@ -112,11 +112,10 @@ void ReachMap::takeBlocked()
 
 void ReachMap::mark(VoxelWord cubes, std::vector<std::size_t>& marked)
 {
-    if (marks_[cubes.word] == 0)
+    if (marks_.add(cubes) == 0)
     {
         marked.push_back(cubes.word);
     }
-    marks_[cubes.word] |= cubes.bits;
 }
 
 bool ReachMap::anchorRunning(std::span<const Eigen::Vector3d> running)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "mesh/interior/surface.hpp"
+#include "mesh/interior/triangle_groups.hpp"
 #include "simulation/reach/voxel_rows.hpp"
 
 namespace frostfill
