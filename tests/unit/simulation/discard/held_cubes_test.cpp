@@ -125,6 +125,26 @@ TEST_F(HeldCubesTest, HandOverWhatWasFoundEmptyOnce)
     cubes.drainEmpty([](VoxelWord) { FAIL() << "twice"; });
 }
 
+// One after another, so that words of which some cubes were handed over get further ones.
+TEST_F(HeldCubesTest, HandOverEachOfAWordThatIsFoundEmptyAfterAnother)
+{
+    HeldCubes cubes(layout, search);
+    forEachCube(
+        [&](int x, int y, int z)
+        {
+            const bool empty = !cubes.mayHold(x, y, z);
+            std::size_t drained = 0;
+            cubes.drainEmpty(
+                [&](VoxelWord words)
+                {
+                    ++drained;
+                    EXPECT_EQ(words.word, layout.at(x, y, z).word);
+                    EXPECT_EQ(words.bits, layout.at(x, y, z).bits);
+                });
+            EXPECT_EQ(drained, empty ? 1u : 0u);
+        });
+}
+
 TEST_F(HeldCubesTest, LookAgainWhereSomethingHasComeToRest)
 {
     HeldCubes cubes(layout, search);
