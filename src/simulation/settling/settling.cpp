@@ -132,7 +132,8 @@ void Settling::startFlow()
 
 void Settling::compact()
 {
-    flowFor(kTimeOfLook);
+    motion_.advanceByImpulses(kTimeOfCompaction, {0, kDragOfCompaction, kFastestHardening}, true);
+    countStep(kTimeOfCompaction);
     isDensest_ = isCalm() || inPhase_ >= kLongestFlow;
     if (isDensest_ || bulk_->measure().value_or(1) >= compactTo_)
     {
@@ -156,6 +157,11 @@ bool Settling::stack()
 {
     advanceByImpulses(kTimeOfLook);
     const double overlap = motion_.unrest().overlap;
+    if (givesWay_ && isCalm() && !hasCompacted())
+    {
+        startFlow();
+        return false;
+    }
     if (isStacked() && overlap > kOverlapAtRest && overlap < kOverlapOfImpulses)
     {
         motion_.relieve();

@@ -164,6 +164,12 @@ inline constexpr double kLongestImpulses = 100;
 /// Spheres from which slabs are swept on several threads. Fewer are not worth it.
 inline constexpr std::size_t kSpheresWorthSharing = 500;
 
+/// Drag while a pile grows denser without friction [1/sqrt(r/g)].
+inline constexpr double kDragOfCompaction = 1;
+/// The fraction is measured after this time meanwhile [sqrt(r/g)]: it grows by some 0.002. Larger:
+/// too dense a pile. Smaller: time.
+inline constexpr double kTimeOfCompaction = 0.1;
+
 // A packing fraction that is asked for.
 
 /// Places at which it is counted whether a sphere is there, about, in the box of the bulk. Larger:
