@@ -160,7 +160,7 @@ inline constexpr double kMovingOfImpulses = 1e-3;
 inline constexpr double kFewOfImpulses = 2e-3;
 inline constexpr double kDragOfFew = 0.5;
 /// After this time contacts become springs, if the pile does not rest [sqrt(r/g)].
-inline constexpr double kLongestImpulses = 100;
+inline constexpr double kLongestImpulses = 200;
 /// Spheres from which slabs are swept on several threads. Fewer are not worth it.
 inline constexpr std::size_t kSpheresWorthSharing = 500;
 
