@@ -68,7 +68,8 @@ void ImpulseSweeps::plan(const std::vector<char>& active, double width)
         });
 }
 
-// Along the longer side of the pile: more slabs, more threads.
+// Along the longer side of the pile: more slabs, more threads. Otherwise along z, by which rows
+// ascend, so that a slab's spheres lie side by side in memory.
 void ImpulseSweeps::layOut(double width)
 {
     const auto& places = running_.position;
@@ -79,7 +80,8 @@ void ImpulseSweeps::layOut(double width)
         low = low.cwiseMin(p);
         high = high.cwiseMax(p);
     }
-    const int axis = high.x() - low.x() >= high.z() - low.z() ? 0 : 2;
+    const Eigen::Vector3d size = high - low;
+    const int axis = size.x() > kLongerSide * size.z() ? 0 : 2;
     const auto slabOf = [&](std::uint32_t row)
     { return static_cast<std::size_t>((places[row][axis] - low[axis]) / width); };
     slabs_.resize(static_cast<std::size_t>((high[axis] - low[axis]) / width) + 1);

@@ -161,6 +161,8 @@ inline constexpr double kFewOfImpulses = 2e-3;
 inline constexpr double kDragOfFew = 0.5;
 /// After this time contacts become springs, if the pile does not rest [sqrt(r/g)].
 inline constexpr double kLongestImpulses = 200;
+/// How much longer in x than in z a pile is whose slabs lie side by side in x.
+inline constexpr double kLongerSide = 1.5;
 /// Spheres from which slabs are swept on several threads. Fewer are not worth it.
 inline constexpr std::size_t kSpheresWorthSharing = 500;
 
