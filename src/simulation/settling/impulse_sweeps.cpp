@@ -197,14 +197,17 @@ void ImpulseSweeps::add(Slab& slab, const LoadedContact& contact, const ImpulseS
     if (step.stiffness > 0)
     {
         const double radius = 2 * ra * rb / (ra + rb);
-        entry.gives = kOpens / (radius * step.stiffness * step.dt * step.dt);
+        const double gives = 1 / (radius * step.stiffness * step.dt * step.dt);
+        entry.gives = kOpens * gives;
+        entry.bends = gives / kTangentialStiffness;
     }
     entry.yields = 1 / (inverse + entry.gives);
-    entry.slides = 1 / ((1 + kTurnsMore) * inverse);
+    entry.slides = 1 / ((1 + kTurnsMore) * inverse + entry.bends);
     entry.friction = isWall ? law_.wallFriction : law_.friction;
     entry.most = step.dt * step.most;
     entry.push = step.dt * contact.push();
     entry.along = inPlane(entry.friction > 0 ? contact.memory->slide : Eigen::Vector3d::Zero());
+    entry.before = entry.along;
     slab.entries.push_back(entry);
     slab.memories.push_back(contact.memory);
     if (law_.rollingFriction > 0)
@@ -291,7 +294,8 @@ void ImpulseSweeps::push(Entry& entry)
         const Eigen::Vector3d slip =
             velocity - apart * entry.normal - (a.surface + b.surface).cross(entry.normal);
         const double most = push < entry.most ? entry.friction * push : 0;
-        const Eigen::Vector3d along = within(most, entry.along - entry.slides * slip);
+        const Eigen::Vector3d along = within(
+            most, entry.along - entry.slides * (slip + entry.bends * (entry.along - entry.before)));
         change = along - entry.along;
         entry.along = along;
     }

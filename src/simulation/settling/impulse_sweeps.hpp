@@ -66,11 +66,13 @@ private:
         double leaves = 0;      ///< the least speed apart afterwards
         double gives = 0;       ///< speed together for each impulse [1/m]
         double yields = 0;      ///< impulse for each speed that is lacking [m]
+        double bends = 0;       ///< speed along it for each impulse more than before [1/m]
         double slides = 0;      ///< the same along the contact, turning included
         double friction = 0;
-        double most = 0;       ///< of `push`
-        double push = 0;       ///< impulse
-        Eigen::Vector3d along; ///< impulse of friction
+        double most = 0;        ///< of `push`
+        double push = 0;        ///< impulse
+        Eigen::Vector3d along;  ///< impulse of friction
+        Eigen::Vector3d before; ///< the same in the step before
     };
     struct Rolling
     {

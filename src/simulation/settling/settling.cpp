@@ -151,48 +151,6 @@ void Settling::startRest()
     inPhase_ = 0;
 }
 
-// Once few move, overlaps are taken away. From then on contacts do not give way, so only what still
-// moves is moved.
-bool Settling::stack()
-{
-    advanceByImpulses(kTimeOfLook);
-    const double overlap = motion_.unrest().overlap;
-    if (givesWay_ && isCalm() && !hasCompacted())
-    {
-        startFlow();
-        return false;
-    }
-    if (isStacked() && overlap > kOverlapAtRest && overlap < kOverlapOfImpulses)
-    {
-        motion_.relieve();
-        givesWay_ = false;
-    }
-    if (isStacked() && rests())
-    {
-        return endAtRest(0);
-    }
-    if (inPhase_ >= kLongestImpulses)
-    {
-        phase_ = Phase::flows;
-        inPhase_ = 0;
-    }
-    return false;
-}
-
-bool Settling::isStacked() const
-{
-    return fewMove(kMovingOfImpulses) && motion_.unrest().missing <= kMissingAtRest;
-}
-
-// And next to nobody creeps.
-bool Settling::fewMove(double share) const
-{
-    const Unrest& unrest = motion_.unrest();
-    const auto count = static_cast<double>(running_.size());
-    return static_cast<double>(unrest.moving) <= share * count &&
-           static_cast<double>(unrest.creeping) <= kFewMove * count;
-}
-
 void Settling::flow()
 {
     flowFor(kTimeOfLook);
@@ -217,13 +175,6 @@ void Settling::advance(double time, const GranularMotion::Course& course)
     countStep(time);
 }
 
-void Settling::advanceByImpulses(double time)
-{
-    const double drag = inPhase_ > 0 && fewMove(kFewOfImpulses) ? kDragOfFew : kDrag;
-    motion_.advanceByImpulses(time, {0, drag, kFastestHardening}, givesWay_);
-    countStep(time);
-}
-
 void Settling::countStep(double time)
 {
     ++world_.clock.steps;
@@ -244,20 +195,19 @@ bool Settling::harden()
     {
         motion_.relieve();
     }
-    return endAtRest(kLongestHardening);
+    if (!rests() && inPhase_ < kLongestHardening)
+    {
+        return false;
+    }
+    if (rests() && isPinched() && !standsAnew(kMostReloads))
+    {
+        return false;
+    }
+    return end();
 }
 
-// Or after the longest time.
-bool Settling::endAtRest(double longest)
+bool Settling::end()
 {
-    if (!rests() && inPhase_ < longest)
-    {
-        return false;
-    }
-    if (rests() && !standsAnew())
-    {
-        return false;
-    }
     report();
     if (!hasCompacted())
     {
@@ -299,12 +249,9 @@ bool Settling::canBeRelieved() const
 // contacts have kept hold it between two others that nothing else presses together. A program that
 // knows only places would let it fall. So all forces are forgotten until the pile stays where it
 // is.
-bool Settling::standsAnew()
+bool Settling::standsAnew(int most)
 {
-    const RestSettings& rest = world_.scene.rest;
-    const bool isPinched = rest.rollingFriction > 0 ||
-                           (rest.friction > 0 && world_.radii.smallest() < world_.radii.largest());
-    if (!isPinched || reloads_ == kMostReloads || (reloads_ > 0 && hasStayed()))
+    if (reloads_ == most || (reloads_ > 0 && hasStayed()))
     {
         return true;
     }
@@ -314,6 +261,13 @@ bool Settling::standsAnew()
     restedAt_.assign(places.begin(), places.end());
     motion_.forget();
     return false;
+}
+
+bool Settling::isPinched() const
+{
+    const RestSettings& rest = world_.scene.rest;
+    return rest.rollingFriction > 0 ||
+           (rest.friction > 0 && world_.radii.smallest() < world_.radii.largest());
 }
 
 bool Settling::hasStayed() const

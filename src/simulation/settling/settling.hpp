@@ -18,15 +18,18 @@ namespace frostfill
 /// Lets all spheres at rest run again at once, under the friction of the scene, until they rest
 /// together; then they freeze again.
 ///
-/// First they move as soft spheres do that have weight and spin. When few still move, drag calms
-/// them, and every contact hardens: its overlap goes into a force that needs none. Once forces
-/// balance, what is left of overlaps is taken away. What does not balance for long, as a pile
-/// without friction, grows stiffer besides. In the end spheres that carry each other are at most
-/// kGapAtRest apart.
+/// With friction, they settle by impulses: see ImpulseSweeps. Contacts give way by little until
+/// next to nobody moves. Then overlaps are taken away.
+///
+/// With little friction, or where that does not come to rest, they move as soft spheres do that
+/// have weight and spin. When few still move, drag calms them, and every contact hardens: its
+/// overlap goes into a force that needs none. Once forces balance, what is left of overlaps is
+/// taken away. What does not balance for long, as a pile without friction, grows stiffer besides.
+/// In the end spheres that carry each other are at most kGapAtRest apart.
 ///
 /// Where the scene asks for a packing fraction of the bulk, all first flow without friction, and so
-/// grow denser, until the fraction is there; friction then stops them. What is lost of it as
-/// contacts harden is made good in another round.
+/// grow denser, until the fraction is there; friction then stops them. What is missing of it by
+/// then is made good in another round.
 ///
 /// Contacts keep their forces when all freezes. If the object is filled up in between and all runs
 /// again, only what is new disturbs the rest.
@@ -62,21 +65,23 @@ private:
     };
     void wakeInOrder(std::size_t first);
     void advance(double time, const GranularMotion::Course& course);
-    void advanceByImpulses(double time);
     void countStep(double time);
     void compact();
     void startRest();
+    // By impulses: settling_by_impulses.cpp.
+    void advanceByImpulses(double time);
     [[nodiscard]] bool stack();
     [[nodiscard]] bool isStacked() const;
     [[nodiscard]] bool fewMove(double share) const;
-    [[nodiscard]] bool endAtRest(double longest);
+    [[nodiscard]] bool end();
     void startFlow();
     void flow();
     bool harden();
     [[nodiscard]] bool balances() const;
     [[nodiscard]] bool rests() const;
     [[nodiscard]] bool canBeRelieved() const;
-    [[nodiscard]] bool standsAnew();
+    [[nodiscard]] bool isPinched() const;
+    [[nodiscard]] bool standsAnew(int most);
     [[nodiscard]] bool hasStayed() const;
     void freeze();
     [[nodiscard]] bool hasCompacted();

@@ -152,6 +152,8 @@ inline constexpr double kOverlapOfImpulses = 5e-3;
 /// does so [sqrt(g r)]. Larger: spheres are thrown apart. Smaller: they sink into one another.
 inline constexpr double kOpens = 0.5;
 inline constexpr double kFastestOpening = 0.5;
+/// A pile stands anew so many times at most: see kStays.
+inline constexpr int kMostReloadsOfImpulses = 2;
 /// Share of the spheres that may still move in the end. Larger: each that does may go far in
 /// another program, as nothing but drag slows it.
 inline constexpr double kMovingOfImpulses = 1e-3;
