@@ -62,21 +62,6 @@ void GranularMotion::advance(double time, const Course& course)
     look(course.hardening > 0);
 }
 
-void GranularMotion::advanceByImpulses(double time, const Course& course, bool givesWay)
-{
-    takeSprings(false);
-    const double longest = kStepOfImpulses * std::sqrt(world_.radii.smallest());
-    const auto steps = static_cast<std::size_t>(std::ceil(time / longest));
-    dt_ = time / static_cast<double>(steps);
-    active_.assign(running_.size(), 1);
-    wake();
-    for (std::size_t k = 0; k < steps && !world_.stop.isAsked(); ++k)
-    {
-        stepByImpulses(course, givesWay ? kStiffnessOfImpulses * softest_ : 0);
-    }
-    look(!givesWay);
-}
-
 void GranularMotion::wake()
 {
     if (isListed_)
@@ -124,23 +109,6 @@ void GranularMotion::pushAll()
     }
     plan();
     sweeps_.hold();
-}
-
-void GranularMotion::takeSprings(bool takes)
-{
-    hasSprings_ = takes;
-    pairs_.takeSprings(takes);
-    walls_.takeSprings(takes);
-}
-
-void GranularMotion::plan()
-{
-    if (!isPlanned_)
-    {
-        const auto reaches = reach_.all();
-        sweeps_.plan(active_, 2 * *std::max_element(reaches.begin(), reaches.end()));
-        isPlanned_ = true;
-    }
 }
 
 // What is fast has a wider margin, so that lists are good for some steps.
@@ -211,31 +179,11 @@ void GranularMotion::step(const ContactStep& step, const Course& course)
     }
     pairs_.push(step);
     walls_.push(step);
-    moveAll([&](std::uint32_t row) { accelerate(row, course); });
+    moveAll(course, true);
 }
 
-void GranularMotion::stepByImpulses(const Course& course, double stiffness)
-{
-    if (!isListed_)
-    {
-        list();
-    }
-    plan();
-    threads_.forEach(
-        rows_.size(),
-        [&](std::size_t k)
-        {
-            const std::uint32_t row = rows_[k];
-            running_.velocity[row] += dt_ * world_.pull.at(running_.position[row], {0, 0, 0});
-        });
-    sweeps_.solve({dt_, knowsImpulses_ ? kSweepsOfImpulses : kSweepsAtFirst, stiffness,
-                   kSlipsFrom * softest_});
-    knowsImpulses_ = true;
-    moveAll([&](std::uint32_t row) { slow(row, course); });
-}
-
-// After `accelerate(row)` for each of them.
-void GranularMotion::moveAll(const auto& accelerate)
+// Springs accelerate them before; impulses have done so.
+void GranularMotion::moveAll(const Course& course, bool bySprings)
 {
     forEachPart(threads_, rows_.size(), kSpheresTogether,
                 [&](std::size_t first, std::size_t last, std::size_t part)
@@ -243,7 +191,7 @@ void GranularMotion::moveAll(const auto& accelerate)
                     char isFar = 0;
                     for (std::size_t k = first; k < last; ++k)
                     {
-                        accelerate(rows_[k]);
+                        bySprings ? accelerate(rows_[k], course) : slow(rows_[k], course);
                         isFar |= static_cast<char>(move(rows_[k]));
                     }
                     isFar_[part] = isFar;

@@ -83,13 +83,14 @@ private:
     void spread();
     void pushAll();
     void step(const ContactStep& step, const Course& course);
+    // By impulses: granular_impulses.cpp.
     void stepByImpulses(const Course& course, double stiffness);
     void wake();
     void takeSprings(bool takes);
     void plan();
     [[nodiscard]] SurfaceForce forceOn(std::uint32_t row) const;
     [[nodiscard]] Eigen::Vector3d accelerationOf(std::uint32_t row, const SurfaceForce& sum) const;
-    void moveAll(const auto& accelerate);
+    void moveAll(const Course& course, bool bySprings);
     void accelerate(std::uint32_t row, const Course& course);
     void slow(std::uint32_t row, const Course& course);
     [[nodiscard]] bool move(std::uint32_t row);

@@ -147,7 +147,8 @@ void Settling::startRest()
 {
     const ContactLaw law = lawOf(world_);
     const bool isHeld = std::min(law.friction, law.wallFriction) >= kLeastFrictionOfImpulses;
-    phase_ = isHeld ? Phase::stacks : Phase::flows;
+    const bool isOfOneSize = world_.radii.smallest() == world_.radii.largest();
+    phase_ = isHeld && isOfOneSize ? Phase::stacks : Phase::flows;
     inPhase_ = 0;
 }
 

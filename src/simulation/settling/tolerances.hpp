@@ -132,8 +132,9 @@ inline constexpr double kLongestHardening = 150;
 
 // Impulses in place of springs.
 
-/// Friction from which a pile settles so. With less, it flows for long, and forces change with each
-/// step: impulses do not find their balance.
+/// Friction from which a pile of one size settles so: of several sizes, 98.6 % stay within 0.02 r
+/// in another program, and 100 % after springs. With less, it flows for long, and forces change
+/// with each step: impulses do not find their balance.
 inline constexpr double kLeastFrictionOfImpulses = 0.2;
 /// Time step [sqrt(r/g)]. Larger: impulses are farther from balance after it. Smaller: time.
 inline constexpr double kStepOfImpulses = 0.05;
