@@ -18,14 +18,14 @@ namespace frostfill
 /// Lets all spheres at rest run again at once, under the friction of the scene, until they rest
 /// together; then they freeze again.
 ///
-/// With friction, they settle by impulses: see ImpulseSweeps. Contacts give way by little until
-/// next to nobody moves. Then overlaps are taken away.
+/// With friction, those of one size settle by impulses: see ImpulseSweeps. Contacts give way by
+/// little until next to nobody moves. Then overlaps are taken away.
 ///
-/// With little friction, or where that does not come to rest, they move as soft spheres do that
-/// have weight and spin. When few still move, drag calms them, and every contact hardens: its
-/// overlap goes into a force that needs none. Once forces balance, what is left of overlaps is
-/// taken away. What does not balance for long, as a pile without friction, grows stiffer besides.
-/// In the end spheres that carry each other are at most kGapAtRest apart.
+/// With little friction or several sizes, or where that does not come to rest, they move as soft
+/// spheres do that have weight and spin. When few still move, drag calms them, and every contact
+/// hardens: its overlap goes into a force that needs none. Once forces balance, what is left of
+/// overlaps is taken away. What does not balance for long, as a pile without friction, grows
+/// stiffer besides. In the end spheres that carry each other are at most kGapAtRest apart.
 ///
 /// Where the scene asks for a packing fraction of the bulk, all first flow without friction, and so
 /// grow denser, until the fraction is there; friction then stops them. What is missing of it by
