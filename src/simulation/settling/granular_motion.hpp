@@ -49,6 +49,9 @@ public:
     /// pile at once, so what is held still would be out of balance at its edge. Contacts give way
     /// as long as `givesWay`, by little.
     void advanceByImpulses(double time, const Course& course, bool givesWay);
+    /// Whether contacts are springs from now on, which is what energy() counts; or know forces
+    /// alone.
+    void takeSprings(bool takes);
     /// All contacts become stiffer by a factor; friction holds what it held.
     void stiffen(double factor);
     /// All contacts begin anew, as in a program that knows only where spheres lie. All are moved.
@@ -86,7 +89,6 @@ private:
     // By impulses: granular_impulses.cpp.
     void stepByImpulses(const Course& course, double stiffness);
     void wake();
-    void takeSprings(bool takes);
     void plan();
     [[nodiscard]] SurfaceForce forceOn(std::uint32_t row) const;
     [[nodiscard]] Eigen::Vector3d accelerationOf(std::uint32_t row, const SurfaceForce& sum) const;

@@ -165,6 +165,7 @@ void Settling::flow()
 void Settling::flowFor(double time, double drag)
 {
     givesWay_ = true;
+    motion_.takeSprings(true);
     const double before = motion_.energy();
     advance(time, {0, drag});
     world_.counts.energy.enter(before, motion_.energy(), mass_ * world_.height);
