@@ -10,9 +10,8 @@ namespace frostfill
 void GranularMotion::advanceByImpulses(double time, const Course& course, bool givesWay)
 {
     takeSprings(false);
-    const double longest = kStepOfImpulses * std::sqrt(world_.radii.smallest());
-    const auto steps = static_cast<std::size_t>(std::ceil(time / longest));
-    dt_ = time / static_cast<double>(steps);
+    const double step = knowsImpulses_ && fewMove_ ? kStepOfFew : kStepOfImpulses;
+    const std::size_t steps = divide(time, step * std::sqrt(world_.radii.smallest()));
     active_.assign(running_.size(), 1);
     wake();
     for (std::size_t k = 0; k < steps && !world_.stop.isAsked(); ++k)

@@ -22,12 +22,14 @@ void GranularMotion::listAnew()
 {
     isListed_ = false;
     active_.assign(running_.size(), 1);
+    isLoose_.assign(running_.size(), 0);
 }
 
 // Lists them at once, or nothing would be woken around those that move.
 void GranularMotion::admit()
 {
     active_.resize(running_.size(), 1);
+    isLoose_.resize(running_.size(), 0);
     list();
 }
 
@@ -43,6 +45,7 @@ void GranularMotion::forget()
     pairs_.forget();
     walls_.forget();
     knowsImpulses_ = false;
+    fewMove_ = false;
     listAnew();
 }
 
@@ -50,9 +53,8 @@ void GranularMotion::forget()
 void GranularMotion::advance(double time, const Course& course)
 {
     takeSprings(true);
-    const double longest = kStepOfSettling * world_.radii.smallest() / std::sqrt(law_.stiffness);
-    const auto steps = static_cast<std::size_t>(std::ceil(time / longest));
-    dt_ = time / static_cast<double>(steps);
+    const std::size_t steps =
+        divide(time, kStepOfSettling * world_.radii.smallest() / std::sqrt(law_.stiffness));
     wake();
     for (std::size_t k = 0; k < steps && !world_.stop.isAsked(); ++k)
     {
@@ -60,6 +62,14 @@ void GranularMotion::advance(double time, const Course& course)
     }
     knowsImpulses_ = true;
     look(course.hardening > 0);
+}
+
+// Into equal steps. Returns how many.
+std::size_t GranularMotion::divide(double time, double longest)
+{
+    const auto steps = static_cast<std::size_t>(std::ceil(time / longest));
+    dt_ = time / static_cast<double>(steps);
+    return steps;
 }
 
 void GranularMotion::wake()
@@ -191,8 +201,11 @@ void GranularMotion::moveAll(const Course& course, bool bySprings)
                     char isFar = 0;
                     for (std::size_t k = first; k < last; ++k)
                     {
-                        bySprings ? accelerate(rows_[k], course) : slow(rows_[k], course);
-                        isFar |= static_cast<char>(move(rows_[k]));
+                        const std::uint32_t row = rows_[k];
+                        bySprings ? accelerate(row, course)
+                                  : slow(row, isLoose_[row] != 0 ? kDragOfLoose : course.drag,
+                                         course.fastest);
+                        isFar |= static_cast<char>(move(row));
                     }
                     isFar_[part] = isFar;
                 });
@@ -221,18 +234,18 @@ void GranularMotion::accelerate(std::uint32_t row, const Course& course)
     const double radius = running_.radius[row];
     running_.velocity[row] += dt_ * accelerationOf(row, sum);
     spin_[row] += dt_ / inertiaOverRadius(radius) * (sum.torque + sum.moment / radius);
-    slow(row, course);
+    slow(row, course.drag, course.fastest);
 }
 
-void GranularMotion::slow(std::uint32_t row, const Course& course)
+void GranularMotion::slow(std::uint32_t row, double drag, double fastest)
 {
-    const double keeps = 1 - dt_ * course.drag;
+    const double keeps = 1 - dt_ * drag;
     Eigen::Vector3d& velocity = running_.velocity[row];
     velocity *= keeps;
     spin_[row] *= keeps;
-    if (velocity.squaredNorm() > course.fastest * course.fastest)
+    if (velocity.squaredNorm() > fastest * fastest)
     {
-        velocity *= course.fastest / velocity.norm();
+        velocity *= fastest / velocity.norm();
     }
 }
 
@@ -276,8 +289,14 @@ void GranularMotion::look(bool hardens)
         unrest_.kinetic += (massOf(radius) * squared +
                             inertiaOverRadius(radius) * radius * spin_[row].squaredNorm()) /
                            2;
+        if (!hasSprings_)
+        {
+            lookAtHold(row, missing);
+        }
         active_[row] = missing > kQuiet || squared > kQuiet * kQuiet ? 1 : 0;
     }
+    fewMove_ =
+        static_cast<double>(unrest_.moving) <= kFewMove * static_cast<double>(active_.size());
     const auto enter = [&](std::uint32_t row, double overlap)
     {
         unrest_.overlap = std::max(unrest_.overlap, overlap);
@@ -288,6 +307,21 @@ void GranularMotion::look(bool hardens)
     };
     pairs_.forEachOverlap(enter);
     walls_.forEachOverlap(enter);
+}
+
+// One that two others carry, or a plane, is held against rolling by nothing but balance. What
+// bounces between two is not loose: drag alone calms it.
+void GranularMotion::lookAtHold(std::uint32_t row, double missing)
+{
+    const double radius = running_.radius[row];
+    const double least = kMissingOnCreeping * massOf(radius);
+    const int contacts = pairs_.countOn(row, least) + walls_.countOn(row, least);
+    const double speed = running_.velocity[row].norm();
+    const bool isHeld = contacts >= kContactsThatHold;
+    const bool rolls = contacts == 0 || radius * spin_[row].norm() > speed / 2;
+    const bool isSlow = speed <= kSpeedOfMoving && missing <= kMissingOnCreeping;
+    unrest_.loose += rolls && !isHeld && !isSlow ? 1 : 0;
+    isLoose_[row] = rolls && (!isHeld || (fewMove_ && missing > kMissingOnMoving)) ? 1 : 0;
 }
 
 double GranularMotion::energy() const

@@ -17,6 +17,7 @@ struct Unrest
     double missing = 0;       ///< [own weight] on a sphere, at most
     std::size_t moving = 0;   ///< spheres on which kMissingOnMoving is missing
     std::size_t creeping = 0; ///< spheres on which kMissingOnCreeping is missing
+    std::size_t loose = 0;    ///< spheres that begin to roll off what they stand on
     double speed = 0;         ///< [sqrt(g r)] of the fastest
     double overlap = 0;       ///< [r] the deepest
     double kinetic = 0;       ///< energy, with that of spin
@@ -47,7 +48,8 @@ public:
     void advance(double time, const Course& course);
     /// The same by impulses, in longer steps, and for all: see ImpulseSweeps. Forces get through a
     /// pile at once, so what is held still would be out of balance at its edge. Contacts give way
-    /// as long as `givesWay`, by little.
+    /// as long as `givesWay`, by little. Next to no drag slows what is loose: spheres on fewer than
+    /// three contacts, and those that move where few do.
     void advanceByImpulses(double time, const Course& course, bool givesWay);
     /// Whether contacts are springs from now on, which is what energy() counts; or know forces
     /// alone.
@@ -87,6 +89,7 @@ private:
     void pushAll();
     void step(const ContactStep& step, const Course& course);
     // By impulses: granular_impulses.cpp.
+    [[nodiscard]] std::size_t divide(double time, double longest);
     void stepByImpulses(const Course& course, double stiffness);
     void wake();
     void plan();
@@ -94,10 +97,11 @@ private:
     [[nodiscard]] Eigen::Vector3d accelerationOf(std::uint32_t row, const SurfaceForce& sum) const;
     void moveAll(const Course& course, bool bySprings);
     void accelerate(std::uint32_t row, const Course& course);
-    void slow(std::uint32_t row, const Course& course);
+    void slow(std::uint32_t row, double drag, double fastest);
     [[nodiscard]] bool move(std::uint32_t row);
     void turn(std::uint32_t row, double dt);
     void look(bool hardens);
+    void lookAtHold(std::uint32_t row, double missing);
 
     World& world_;
     RunningSpheres& running_;
@@ -117,7 +121,9 @@ private:
     bool isPlanned_ = false;          ///< the order of sweeps
     std::vector<char> active_;        ///< by row: it is not at rest, or near one that is not
     std::vector<std::uint32_t> rows_; ///< the active ones, ascending
+    std::vector<char> isLoose_;       ///< by row: impulses move it next to without drag
     std::vector<char> isFar_;         ///< by part of rows_: one has left its margin
+    bool fewMove_ = false;            ///< as of the last look
     double dt_ = 0;                   ///< of the steps
     Unrest unrest_;
 };

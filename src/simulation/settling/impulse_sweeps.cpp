@@ -139,7 +139,7 @@ void ImpulseSweeps::add(Slab& slab, const LoadedContact& contact, const ImpulseS
     entry.most = step.dt * step.most;
     entry.push = step.dt * contact.push();
     entry.along = inPlane(entry.friction > 0 ? contact.memory->slide : Eigen::Vector3d::Zero());
-    entry.before = entry.along;
+    entry.before = (1 - kSlideForgotten * step.dt) * entry.along;
     slab.entries.push_back(entry);
     slab.memories.push_back(contact.memory);
     if (law_.rollingFriction > 0)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/settling/pair_contacts.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace frostfill
@@ -189,6 +190,15 @@ SurfaceForce PairContacts::on(std::uint32_t row) const
         sum.torque += one.torque;
     }
     return sum;
+}
+
+int PairContacts::countOn(std::uint32_t row, double least) const
+{
+    const auto pushes = [&](std::uint32_t end)
+    { return forces_[end / 2].force.squaredNorm() > least * least; };
+    const auto first = ends_.begin();
+    return static_cast<int>(
+        std::count_if(first + firstEnd_[row], first + firstEnd_[row + 1], pushes));
 }
 
 double PairContacts::energy() const

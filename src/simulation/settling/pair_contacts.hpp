@@ -62,6 +62,8 @@ public:
     void addTo(OverlapRelief& relief);
     /// Of all pairs on one sphere, since the last push().
     [[nodiscard]] SurfaceForce on(std::uint32_t row) const;
+    /// Of how many pairs that is more than `least` [m g].
+    [[nodiscard]] int countOn(std::uint32_t row, double least) const;
 
     /// Calls visit(a, b) for the rows of each pair.
     template <class Visit>

@@ -132,8 +132,8 @@ void Settling::startFlow()
 
 void Settling::compact()
 {
-    motion_.advanceByImpulses(kTimeOfCompaction, {0, kDragOfCompaction, kFastestHardening}, true);
-    countStep(kTimeOfCompaction);
+    givesWay_ = true;
+    advanceByImpulses(kTimeOfCompaction, kDragOfCompaction);
     isDensest_ = isCalm() || inPhase_ >= kLongestFlow;
     if (isDensest_ || bulk_->measure().value_or(1) >= compactTo_)
     {
@@ -147,8 +147,7 @@ void Settling::startRest()
 {
     const ContactLaw law = lawOf(world_);
     const bool isHeld = std::min(law.friction, law.wallFriction) >= kLeastFrictionOfImpulses;
-    const bool isOfOneSize = world_.radii.smallest() == world_.radii.largest();
-    phase_ = isHeld && isOfOneSize ? Phase::stacks : Phase::flows;
+    phase_ = isHeld && isOfOneSize() ? Phase::stacks : Phase::flows;
     inPhase_ = 0;
 }
 
@@ -201,7 +200,7 @@ bool Settling::harden()
     {
         return false;
     }
-    if (rests() && isPinched() && !standsAnew(kMostReloads))
+    if (rests() && isPinched() && !standsAnew())
     {
         return false;
     }
@@ -251,9 +250,9 @@ bool Settling::canBeRelieved() const
 // contacts have kept hold it between two others that nothing else presses together. A program that
 // knows only places would let it fall. So all forces are forgotten until the pile stays where it
 // is.
-bool Settling::standsAnew(int most)
+bool Settling::standsAnew()
 {
-    if (reloads_ == most || (reloads_ > 0 && hasStayed()))
+    if (reloads_ == kMostReloads || (reloads_ > 0 && hasStayed()))
     {
         return true;
     }
@@ -268,8 +267,12 @@ bool Settling::standsAnew(int most)
 bool Settling::isPinched() const
 {
     const RestSettings& rest = world_.scene.rest;
-    return rest.rollingFriction > 0 ||
-           (rest.friction > 0 && world_.radii.smallest() < world_.radii.largest());
+    return rest.rollingFriction > 0 || (rest.friction > 0 && !isOfOneSize());
+}
+
+bool Settling::isOfOneSize() const
+{
+    return world_.radii.smallest() == world_.radii.largest();
 }
 
 bool Settling::hasStayed() const

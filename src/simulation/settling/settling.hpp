@@ -69,10 +69,9 @@ private:
     void compact();
     void startRest();
     // By impulses: settling_by_impulses.cpp.
-    void advanceByImpulses(double time);
+    void advanceByImpulses(double time, double drag);
     [[nodiscard]] bool stack();
     [[nodiscard]] bool isStacked() const;
-    [[nodiscard]] bool fewMove(double share) const;
     [[nodiscard]] bool end();
     void startFlow();
     void flow();
@@ -81,7 +80,8 @@ private:
     [[nodiscard]] bool rests() const;
     [[nodiscard]] bool canBeRelieved() const;
     [[nodiscard]] bool isPinched() const;
-    [[nodiscard]] bool standsAnew(int most);
+    [[nodiscard]] bool isOfOneSize() const;
+    [[nodiscard]] bool standsAnew();
     [[nodiscard]] bool hasStayed() const;
     void freeze();
     [[nodiscard]] bool hasCompacted();

@@ -51,8 +51,8 @@ inline constexpr double kGoesOn = 0.8;
 
 /// The schedule looks at all after this time [sqrt(r/g)], and a picture may show it.
 inline constexpr double kTimeOfLook = 0.5;
-/// A sphere moves if more than this is missing on it [own weight], or if it is faster than this
-/// [sqrt(g r)]. Larger: what creeps is taken to rest.
+/// A sphere moves if more than this is missing on it [own weight], and a loose one if it is faster
+/// than this [sqrt(g r)]. Larger: what creeps is taken to rest.
 inline constexpr double kMissingOnMoving = 0.02;
 inline constexpr double kSpeedOfMoving = 2e-3;
 /// Force that may be missing [own weight], and speed [sqrt(g r)], of a sphere that is not moved.
@@ -136,8 +136,10 @@ inline constexpr double kLongestHardening = 150;
 /// in another program, and 100 % after springs. With less, it flows for long, and forces change
 /// with each step: impulses do not find their balance.
 inline constexpr double kLeastFrictionOfImpulses = 0.2;
-/// Time step [sqrt(r/g)]. Larger: impulses are farther from balance after it. Smaller: time.
+/// Time step [sqrt(r/g)], and where no more than kFewMove move. Larger: impulses are farther from
+/// balance after it. Smaller: time.
 inline constexpr double kStepOfImpulses = 0.05;
+inline constexpr double kStepOfFew = 0.1;
 /// Sweeps in a step. Larger: time. Smaller: high piles sink into themselves meanwhile.
 inline constexpr int kSweepsOfImpulses = 6;
 /// Sweeps in the first step, in which no contact knows its impulse.
@@ -153,15 +155,19 @@ inline constexpr double kOverlapOfImpulses = 5e-3;
 /// does so [sqrt(g r)]. Larger: spheres are thrown apart. Smaller: they sink into one another.
 inline constexpr double kOpens = 0.5;
 inline constexpr double kFastestOpening = 0.5;
-/// A pile stands anew so many times at most: see kStays.
-inline constexpr int kMostReloadsOfImpulses = 2;
+/// Share of the force along it that a contact forgets in a time [1/sqrt(r/g)], as one that creeps.
+/// Larger: creeping keeps high piles from rest. Smaller: spheres hang that only kept forces pinch,
+/// and move in another program.
+inline constexpr double kSlideForgotten = 0.3;
+/// Contacts from which a sphere is held in any direction. On fewer it stands as a pencil does on
+/// its tip, unless something resists rolling.
+inline constexpr int kContactsThatHold = 3;
+/// Drag of those, and of what moves where few do [1/sqrt(r/g)]. Larger: single spheres roll for
+/// long. Smaller: they swing for long where a wall is round.
+inline constexpr double kDragOfLoose = 0.2;
 /// Share of the spheres that may still move in the end. Larger: each that does may go far in
 /// another program, as nothing but drag slows it.
 inline constexpr double kMovingOfImpulses = 1e-3;
-/// Share from which drag no longer slows them so much, and the drag [1/sqrt(r/g)]. Larger, or
-/// smaller: piles begin to flow again. Otherwise: single spheres roll for long.
-inline constexpr double kFewOfImpulses = 2e-3;
-inline constexpr double kDragOfFew = 0.5;
 /// After this time contacts become springs, if the pile does not rest [sqrt(r/g)].
 inline constexpr double kLongestImpulses = 200;
 /// How much longer in x than in z a pile is whose slabs lie side by side in x.

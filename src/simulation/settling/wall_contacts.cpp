@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/settling/wall_contacts.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace frostfill
@@ -216,6 +217,17 @@ void WallContacts::shareSprings(double radius, double gap, std::vector<Wall>& wa
         const double own = wall.depth + gap;
         wall.spring = whole.part(own < all ? std::max(own / all, kLeastShare) : 1);
     }
+}
+
+int WallContacts::countOn(std::uint32_t row, double least) const
+{
+    if (placeOf_[row] == kNowhere)
+    {
+        return 0;
+    }
+    const std::vector<Wall>& walls = beside_[placeOf_[row]].walls;
+    return static_cast<int>(std::count_if(
+        walls.begin(), walls.end(), [&](const Wall& wall) { return wall.memory.held > least; }));
 }
 
 double WallContacts::energy() const

@@ -62,6 +62,8 @@ public:
         static const SurfaceForce kNone;
         return placeOf_[row] == kNowhere ? kNone : beside_[placeOf_[row]].force;
     }
+    /// How many walls push one sphere by more than `least` [m g]; of contacts that know forces.
+    [[nodiscard]] int countOn(std::uint32_t row, double least) const;
 
     /// Calls visit(row, overlap) for each sphere in a wall, as of the last push() [r].
     template <class Visit>
