@@ -187,19 +187,20 @@ public:
         {
             return;
         }
-        window_.forEach(
+        std::uint64_t row = 0;
+        window_.find(
+            row,
             [&](int y, int z)
             {
-                if (!layout.any(set, y, z, most.first, most.last))
-                {
-                    return;
-                }
                 const VoxelRun its = run(y, z);
                 if (its.first <= its.last)
                 {
                     layout.forEachWord(y, z, its.first, its.last, visit);
                 }
-            });
+                return false;
+            },
+            [&](int y, int z, int last)
+            { return layout.firstRow(set, y, z, last, most.first, most.last); });
     }
 
 private:
