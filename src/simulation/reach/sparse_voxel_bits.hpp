@@ -60,16 +60,6 @@ public:
             delete blocks_[k].exchange(nullptr, std::memory_order_relaxed);
         }
     }
-    /// That is in memory.
-    [[nodiscard]] std::size_t bytes() const
-    {
-        std::size_t bytes = count_ * sizeof(blocks_[0]);
-        for (std::size_t k = 0; k < count_; ++k)
-        {
-            bytes += blocks_[k].load(std::memory_order_relaxed) == nullptr ? 0 : sizeof(Block);
-        }
-        return bytes;
-    }
 
 private:
     /// Larger: memory for cubes that are not in the set. Smaller: for pointers.

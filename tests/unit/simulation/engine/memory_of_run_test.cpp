@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "base/sanitized.hpp"
+#include "support/heap_in_use.hpp"
 
 #include <frostfill/mesh.hpp>
 #include <frostfill/scene.hpp>
 #include <frostfill/simulation.hpp>
 
 #include <gtest/gtest.h>
-#include <malloc.h>
 
 #include <algorithm>
 
@@ -15,12 +15,7 @@ namespace frostfill
 namespace
 {
 
-/// Bytes that the process has asked for.
-std::size_t inUse()
-{
-    const struct mallinfo2 heap = mallinfo2();
-    return heap.uordblks + heap.hblkhd;
-}
+using testing_support::heapInUse;
 
 // Beside the object, which takes what its surface takes. Of runs that are large enough for the
 // front to be thin.
@@ -35,12 +30,12 @@ TEST(MemoryOfARun, IsLessThanEightyBytesForASphere)
     scene.spillFrom = 0;
     scene.threads = 1;
     const Simulation object(scene, builtInMesh("cube"));
-    const std::size_t before = inUse();
+    const std::size_t before = heapInUse();
     Simulation run(scene, object);
-    std::size_t most = inUse();
+    std::size_t most = heapInUse();
     while (run.step())
     {
-        most = std::max(most, inUse());
+        most = std::max(most, heapInUse());
     }
     const auto spheres = static_cast<double>(run.sphereCount());
     const double each = static_cast<double>(most - before) / spheres;
