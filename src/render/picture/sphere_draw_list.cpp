@@ -116,6 +116,12 @@ void SphereDrawList::lookAt(const Snapshot& snapshot, std::uint32_t id)
     {
         places_.push_back(kRuns);
     }
+    if (!isNew && isForgotten(id)) // and hidden, unless it has moved
+    {
+        changes_.everything =
+            changes_.everything || runs || places_[id] != placeOfForgotten(instance(snapshot, id));
+        return;
+    }
     if (!isNew && places_[id] != kRuns)
     {
         SphereInstance& held = resting_[places_[id]];
@@ -143,6 +149,10 @@ void SphereDrawList::lookAt(const Snapshot& snapshot, std::uint32_t id)
     places_[id] = static_cast<std::uint32_t>(resting_.size());
     restingIds_.push_back(id);
     resting_.push_back(instance(snapshot, id));
+    if (!order_.empty())
+    {
+        order_.push_back(id);
+    }
 }
 
 void SphereDrawList::startAgain(const Snapshot& snapshot)
@@ -150,6 +160,7 @@ void SphereDrawList::startAgain(const Snapshot& snapshot)
     places_.clear();
     restingIds_.clear();
     resting_.clear();
+    order_ = {};
     cells_.clear();
     runningIds_.clear();
     changes_ = {};
@@ -165,7 +176,7 @@ void SphereDrawList::startAgain(const Snapshot& snapshot)
 
 const SphereDrawList::Changes& SphereDrawList::update(const Snapshot& snapshot,
                                                       const Framing& framing,
-                                                      const SphereColours& colours)
+                                                      const SphereColours& colours, bool anew)
 {
     colours.requireIn(snapshot);
     colours_ = &colours;
@@ -203,6 +214,10 @@ const SphereDrawList::Changes& SphereDrawList::update(const Snapshot& snapshot,
     if (changes_.everything || places_.size() != snapshot.centres.size())
     {
         startAgain(snapshot);
+    }
+    else if (anew && !order_.empty())
+    {
+        bringBack(snapshot);
     }
     source_ = snapshot.source;
     revision_ = snapshot.revision;

@@ -219,36 +219,6 @@ void TileLayer::repaintTiles(const RestingSpheres& resting, bool cull)
                       { tiles_[tile].repaint(view_->raster, resting, grid_.part(tile), cull); });
 }
 
-void TileLayer::updateVisibleLight()
-{
-    std::vector<bool> seen(resting_.size());
-    for (const RestingTile& tile : tiles_)
-    {
-        tile.each([&](std::uint32_t sphere) { seen[sphere] = true; });
-    }
-    std::vector<std::uint32_t> spheres;
-    for (std::uint32_t i = 0; i < seen.size(); ++i)
-    {
-        if (seen[i])
-        {
-            spheres.push_back(i);
-        }
-    }
-    sphereOcclusion_->ask(spheres);
-}
-
-bool TileLayer::isSeen(std::uint32_t resting, std::size_t tile) const
-{
-    return tiles_[tile].lists(resting) && !hides(boundsOf(resting), tile);
-}
-
-bool TileLayer::isHidden(const SphereBounds& sphere) const
-{
-    bool hidden = true;
-    grid_.each(sphere.pixels, [&](std::size_t tile) { hidden = hidden && hides(sphere, tile); });
-    return hidden;
-}
-
 void TileLayer::repaint(std::span<const std::size_t> recoloured, std::span<PixelRectangle> dirty)
 {
     // Many change at once where groups are discarded, and a tile takes as long for all as for one.

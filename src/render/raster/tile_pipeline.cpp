@@ -121,7 +121,7 @@ const std::vector<PixelRectangle>& TilePipeline::draw(const Snapshot& snapshot, 
 {
     follow(snapshot);
     const SphereDrawList::Changes& changes =
-        drawList_.update(snapshot, viewpoint().framing(), viewpoint().colours());
+        drawList_.update(snapshot, viewpoint().framing(), viewpoint().colours(), stale_);
     const bool startAgain = stale_ || changes.everything;
     std::size_t first = changes.firstArrival; // of what stands where it did not
     if (startAgain)
@@ -178,7 +178,22 @@ const std::vector<PixelRectangle>& TilePipeline::draw(const Snapshot& snapshot, 
     image.pixels.resize(static_cast<std::size_t>(image.width * image.height) *
                         static_cast<std::size_t>(image.channels));
     composeDirty(startAgain, image);
+    if (!startAgain && viewpoint().settings().staticLayer)
+    {
+        forgetHidden();
+    }
     return parts_;
+}
+
+// What is discarded and hidden draws nothing more, unless the camera moves. That is taken not to
+// happen once it has been still for a picture.
+void TilePipeline::forgetHidden()
+{
+    if (layer_->needsOnlySeen() && drawList_.mayForget())
+    {
+        const std::vector<std::uint32_t> now = drawList_.forget(layer_->findSeen());
+        layer_->renumber(now, drawList_.resting());
+    }
 }
 
 void TilePipeline::placeRunning()
