@@ -60,6 +60,20 @@ TEST(Settling, LetsAPyramidStandOrFallAtTheFrictionOfStatics)
     }
 }
 
+// What is missing on it is less than on many that are at rest.
+TEST(Settling, IsNotOverBeforeASphereHasRolledOffTwoOthers)
+{
+    const auto world = worldWithFriction(0.5, 0.5);
+    addResting(*world, {0, -9, 1});
+    addResting(*world, {0, -9, -1});
+    addResting(*world, {0.005, -9 + std::sqrt(3.0), 0});
+    Threads alone(1);
+    Settling settling(*world, alone);
+    settle(settling);
+    EXPECT_NEAR(world->spheres.position(2).y(), -9, 1e-4);
+    EXPECT_TRUE(world->clock.settling.settled);
+}
+
 TEST(Settling, WithoutFrictionLetsAPyramidLieDown)
 {
     const auto world = pyramid(0);
