@@ -64,8 +64,9 @@ public:
         const double step = 2.0 / along_;
         for (std::uint32_t k = 0; k < inLayer(); ++k)
         {
-            const Eigen::Vector3d place(k % along_, static_cast<double>(first / inLayer()),
-                                        static_cast<double>(k / along_));
+            const std::uint32_t layer = first / inLayer();
+            const std::uint32_t row = k / along_;
+            const Eigen::Vector3d place(k % along_, layer, row);
             addSphere(snapshot_, step * (place.array() + 0.5) - 1, 0.55 * step,
                       SphereState::frozen);
             snapshot_.changed.push_back(first + k);

@@ -18,6 +18,8 @@ namespace
 
 using testing_support::heapInUse;
 
+constexpr std::size_t kWordsOfCube = 64;
+
 TEST(SparseVoxelBits, HasWhatAPlainSetHas)
 {
     std::mt19937 random(7);
@@ -47,19 +49,20 @@ TEST(SparseVoxelBits, TakeMemoryOnlyWhereTheyAre)
 #ifdef FROSTFILL_SANITIZED
     GTEST_SKIP() << "the heap is the sanitizer's";
 #endif
-    constexpr std::size_t kPlain = 64 * 100000 * sizeof(std::uint64_t); // what a plain set takes
+    constexpr std::size_t kPlain =
+        kWordsOfCube * 100000 * sizeof(std::uint64_t); // what a plain set takes
     const std::size_t before = heapInUse();
-    SparseVoxelBits bits(64 * 100000);
+    SparseVoxelBits bits(kWordsOfCube * 100000);
     const std::size_t none = heapInUse();
     EXPECT_LE(none - before, kPlain / 60);
-    for (std::size_t word = 0; word < 64 * 100; ++word)
+    for (std::size_t word = 0; word < kWordsOfCube * 100; ++word)
     {
         bits.add({word, 1});
     }
     EXPECT_GE(heapInUse() - none, kPlain / 1000 * 9 / 10);
     EXPECT_LE(heapInUse() - none, kPlain / 1000 * 11 / 10);
     SparseVoxelBits moved = std::move(bits);
-    EXPECT_EQ(moved[64 * 99], 1u);
+    EXPECT_EQ(moved[kWordsOfCube * 99], 1u);
     moved.clear();
     EXPECT_LE(heapInUse(), none + kPlain / 10000); // malloc keeps some
 }
@@ -70,7 +73,7 @@ TEST(SparseVoxelBits, HaveWhatSeveralThreadsAddToTheSameWords)
     for (int repeat = 0; repeat < 50; ++repeat)
     {
         SparseVoxelBits bits(256);
-        std::vector<char> isFirst(64 * 256, 0);
+        std::vector<char> isFirst(kWordsOfCube * 256, 0);
         threads.forEach(isFirst.size(),
                         [&](std::size_t i)
                         {

@@ -94,6 +94,21 @@ TEST(LooseSpheres, AreNotWhatThreeCarryNorWhatStandsStill)
     EXPECT_LT(motion.unrest().speed, 1e-6);
 }
 
+TEST(LooseSpheres, AreAtRestOnceTheyAreSlow)
+{
+    for (const double factor : {0.5, 2.0})
+    {
+        Bench bench;
+        const auto ball = bench.add({0, -9 + kGapAtRest / 2, 0});
+        GranularMotion& motion = bench.start(0.5);
+        const double speed = factor * kSpeedOfMoving;
+        bench.velocity(ball) = {speed, 0, 0};
+        motion.setSpin(ball, {0, 0, -speed});
+        motion.advanceByImpulses(2 * kStepOfImpulses, {0, 0}, false);
+        EXPECT_EQ(motion.unrest().loose, factor > 1 ? 1U : 0U);
+    }
+}
+
 TEST(LooseSpheres, AreNotHeldByThoseThatTouchAndDoNotPush)
 {
     Bench bench(5 * kDegree);

@@ -60,17 +60,26 @@ TEST(Settling, LetsAPyramidStandOrFallAtTheFrictionOfStatics)
     }
 }
 
-// What is missing on it is less than on many that are at rest.
+// What is missing on it is less than on many that are at rest, and it is one of a hundred.
 TEST(Settling, IsNotOverBeforeASphereHasRolledOffTwoOthers)
 {
     const auto world = worldWithFriction(0.5, 0.5);
-    addResting(*world, {0, -9, 1});
-    addResting(*world, {0, -9, -1});
-    addResting(*world, {0.005, -9 + std::sqrt(3.0), 0});
+    const auto addLayer = [&](int columns, int rows, const Vector3d& corner)
+    {
+        for (int k = 0; k < columns * rows; ++k)
+        {
+            addResting(*world, corner + 2 * Vector3d(k / rows, 0, k % rows));
+        }
+    };
+    addLayer(7, 8, {-9, -9, -9});
+    addLayer(6, 7, {-8, -9 + std::sqrt(2.0), -8});
+    addResting(*world, {8, -9, 1});
+    addResting(*world, {8, -9, -1});
+    const auto top = addResting(*world, {8 - 0.005, -9 + std::sqrt(3.0), 0});
     Threads alone(1);
     Settling settling(*world, alone);
     settle(settling);
-    EXPECT_NEAR(world->spheres.position(2).y(), -9, 1e-4);
+    EXPECT_NEAR(world->spheres.position(top).y(), -9, 1e-4);
     EXPECT_TRUE(world->clock.settling.settled);
 }
 
