@@ -119,7 +119,7 @@ TEST(Impulses, PressAColumnTogetherAsItsStiffnessSays)
     GranularMotion& motion = bench.start(0.5);
     motion.advanceByImpulses(10, {0, kDrag}, true);
     const double stiff = kStiffnessOfImpulses * Bench::kStiff;
-    const double sunk = (kHigh * (kHigh + 1) / 2) / stiff - kHigh * kGapAtRest / 2;
+    const double sunk = kHigh * (kHigh + 1) / (2 * stiff) - kHigh * kGapAtRest / 2;
     EXPECT_NEAR(bench.place(top).y(), -9 + 2.0 * (kHigh - 1) - sunk, 1e-3 * kHigh / stiff);
     EXPECT_LT(motion.unrest().missing, 1e-3);
 }

@@ -68,7 +68,7 @@ TEST(Settling, IsNotOverBeforeASphereHasRolledOffTwoOthers)
     {
         for (int k = 0; k < columns * rows; ++k)
         {
-            addResting(*world, corner + 2 * Vector3d(k / rows, 0, k % rows));
+            addResting(*world, corner + 2 * Eigen::Vector3i(k / rows, 0, k % rows).cast<double>());
         }
     };
     addLayer(7, 8, {-9, -9, -9});
