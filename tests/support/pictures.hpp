@@ -5,6 +5,7 @@
 
 #include <frostfill/columns.hpp>
 #include <frostfill/mesh.hpp>
+#include <frostfill/renderer.hpp>
 #include <frostfill/snapshot.hpp>
 
 #include <Eigen/Geometry>
@@ -93,6 +94,17 @@ inline Eigen::Quaterniond anyTurn(Numbers& numbers)
 {
     const auto next = [&] { return 2 * numbers.next() - 1; };
     return Eigen::Quaterniond(next(), next(), next(), next()).normalized();
+}
+
+/// Without a legend.
+inline RenderSettings smallPicture(Look look)
+{
+    RenderSettings settings;
+    settings.size = {320, 240};
+    settings.style.look = look;
+    settings.style.palette = paletteOf(look);
+    settings.style.legend = false;
+    return settings;
 }
 
 } // namespace frostfill::testing_support

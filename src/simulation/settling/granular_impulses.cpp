@@ -10,7 +10,7 @@ namespace frostfill
 void GranularMotion::advanceByImpulses(double time, const Course& course, bool givesWay)
 {
     takeSprings(false);
-    const double step = knowsImpulses_ && fewMove_ ? kStepOfFew : kStepOfImpulses;
+    const double step = didFewMove_ ? kStepOfFew : kStepOfImpulses;
     const std::size_t steps = divide(time, step * std::sqrt(world_.radii.smallest()));
     active_.assign(running_.size(), 1);
     wake();

@@ -45,7 +45,7 @@ void GranularMotion::forget()
     pairs_.forget();
     walls_.forget();
     knowsImpulses_ = false;
-    fewMove_ = false;
+    didFewMove_ = false;
     listAnew();
 }
 
@@ -295,8 +295,7 @@ void GranularMotion::look(bool hardens)
         }
         active_[row] = missing > kQuiet || squared > kQuiet * kQuiet ? 1 : 0;
     }
-    fewMove_ =
-        static_cast<double>(unrest_.moving) <= kFewMove * static_cast<double>(active_.size());
+    didFewMove_ = fewMove();
     const auto enter = [&](std::uint32_t row, double overlap)
     {
         unrest_.overlap = std::max(unrest_.overlap, overlap);
@@ -321,7 +320,7 @@ void GranularMotion::lookAtHold(std::uint32_t row, double missing)
     const bool rolls = contacts == 0 || radius * spin_[row].norm() > speed / 2;
     const bool isSlow = speed <= kSpeedOfMoving && missing <= kMissingOnCreeping;
     unrest_.loose += rolls && !isHeld && !isSlow ? 1 : 0;
-    isLoose_[row] = rolls && (!isHeld || (fewMove_ && missing > kMissingOnMoving)) ? 1 : 0;
+    isLoose_[row] = rolls && (!isHeld || (didFewMove_ && missing > kMissingOnMoving)) ? 1 : 0;
 }
 
 double GranularMotion::energy() const

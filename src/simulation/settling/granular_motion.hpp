@@ -74,6 +74,12 @@ public:
 
     /// As all lie at the end of the last advance().
     [[nodiscard]] const Unrest& unrest() const { return unrest_; }
+    /// Whether no more than kFewMove of all spheres move.
+    [[nodiscard]] bool fewMove() const
+    {
+        return static_cast<double>(unrest_.moving) <=
+               kFewMove * static_cast<double>(running_.size());
+    }
     /// Spheres that the last advance() has moved.
     [[nodiscard]] std::size_t moved() const { return rows_.size(); }
     /// Of motion, spin, height and springs.
@@ -88,8 +94,8 @@ private:
     void spread();
     void pushAll();
     void step(const ContactStep& step, const Course& course);
-    // By impulses: granular_impulses.cpp.
     [[nodiscard]] std::size_t divide(double time, double longest);
+    // By impulses: granular_impulses.cpp.
     void stepByImpulses(const Course& course, double stiffness);
     void wake();
     void plan();
@@ -123,7 +129,7 @@ private:
     std::vector<std::uint32_t> rows_; ///< the active ones, ascending
     std::vector<char> isLoose_;       ///< by row: impulses move it next to without drag
     std::vector<char> isFar_;         ///< by part of rows_: one has left its margin
-    bool fewMove_ = false;            ///< as of the last look
+    bool didFewMove_ = false;         ///< at the last look; not since contacts begin anew
     double dt_ = 0;                   ///< of the steps
     Unrest unrest_;
 };

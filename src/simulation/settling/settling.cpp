@@ -221,8 +221,7 @@ bool Settling::end()
 
 bool Settling::isCalm() const
 {
-    return static_cast<double>(motion_.unrest().moving) <=
-           kFewMove * static_cast<double>(running_.size());
+    return motion_.fewMove();
 }
 
 bool Settling::balances() const

@@ -16,18 +16,9 @@ namespace
 using testing_support::addSphere;
 using testing_support::boxMesh;
 using testing_support::heapInUse;
+using testing_support::smallPicture;
 
 constexpr std::uint32_t kAlong = 36; ///< spheres side by side
-
-RenderSettings keptIn(Look look)
-{
-    RenderSettings settings;
-    settings.size = {320, 240};
-    settings.style.look = look;
-    settings.style.palette = paletteOf(look);
-    settings.style.legend = false;
-    return settings;
-}
 
 /// A cube of 2 that fills layer by layer. What is three layers below the highest is discarded.
 class FillingCube
@@ -98,13 +89,13 @@ protected:
     }
     static RenderSettings drawingAll()
     {
-        RenderSettings settings = keptIn(GetParam());
+        RenderSettings settings = smallPicture(GetParam());
         settings.staticLayer = false;
         return settings;
     }
 
     TriangleMesh mesh_ = boxMesh({2, 2, 2});
-    Renderer kept_{mesh_, keptIn(GetParam())};
+    Renderer kept_{mesh_, smallPicture(GetParam())};
     Renderer all_{mesh_, drawingAll()};
     FillingCube filling_{kAlong};
 };
@@ -124,7 +115,7 @@ TEST_P(ForgottenSpheres, AreMissingInNoPicture)
 TEST_P(ForgottenSpheres, AreThereWhenTheCameraMoves)
 {
     fill(18);
-    RenderSettings settings = keptIn(GetParam());
+    RenderSettings settings = smallPicture(GetParam());
     for (const double azimuth : {200.0, 201.0})
     {
         settings.camera.azimuth = azimuth;
@@ -166,7 +157,7 @@ TEST(ForgottenSpheresOfManyLayers, TakeFewBytesInTheRenderer)
     GTEST_SKIP() << "the heap is the sanitizer's";
 #endif
     const TriangleMesh mesh = boxMesh({2, 2, 2});
-    Renderer renderer(mesh, keptIn(Look::clean));
+    Renderer renderer(mesh, smallPicture(Look::clean));
     constexpr std::uint32_t kManyAlong = 72;
     FillingCube filling(kManyAlong);
     std::size_t bytes = 0;

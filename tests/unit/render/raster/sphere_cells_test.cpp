@@ -20,6 +20,7 @@ namespace
 using testing_support::addSphere;
 using testing_support::boxMesh;
 using testing_support::Numbers;
+using testing_support::smallPicture;
 
 /// In a cube of 2, in no order, of all states but running.
 Snapshot heap(std::size_t count)
@@ -35,16 +36,6 @@ Snapshot heap(std::size_t count)
                   i % 3 == 0 ? SphereState::discarded : SphereState::frozen);
     }
     return snapshot;
-}
-
-RenderSettings settingsOf(Look look)
-{
-    RenderSettings settings;
-    settings.size = {320, 240};
-    settings.style.look = look;
-    settings.style.palette = paletteOf(look);
-    settings.style.legend = false;
-    return settings;
 }
 
 TEST(SphereCells, HoldEverySphereOnceAndWhole)
@@ -94,7 +85,7 @@ TEST(SphereCells, GiveThePictureThatOsmesaDraws)
     {
         for (const bool isCut : {false, true})
         {
-            RenderSettings settings = settingsOf(look);
+            RenderSettings settings = smallPicture(look);
             if (isCut)
             {
                 settings.style.cutaway = {Cutaway::Kind::plane, {0.3, 0.1, 1}, 0.1, 0, 90};
@@ -114,7 +105,7 @@ TEST(SphereCells, ShowNothingElseThanEachSphereForItselfWhateverComes)
     const TriangleMesh mesh = boxMesh({2, 2, 2});
     for (const Look look : {Look::clean, Look::studio})
     {
-        RenderSettings settings = settingsOf(look);
+        RenderSettings settings = smallPicture(look);
         Renderer kept(mesh, settings);
         settings.staticLayer = false; // draws all of every cell
         Renderer all(mesh, settings);

@@ -23,11 +23,11 @@ double slowed(double speed, double acceleration, double drag, double time)
     return speed;
 }
 
-void advanceLooks(GranularMotion& motion, int looks)
+void advanceLooks(GranularMotion& motion, int looks, bool givesWay = false)
 {
     for (int look = 0; look < looks; ++look)
     {
-        motion.advanceByImpulses(kTimeOfLook, {0, kDrag}, false);
+        motion.advanceByImpulses(kTimeOfLook, {0, kDrag}, givesWay);
     }
 }
 
@@ -73,10 +73,7 @@ TEST(LooseSpheres, RollOffTwoOthersAndAreKnownBefore)
     EXPECT_GT(bench.place(top).y(), -9 + 1.7);
     EXPECT_LT(motion.unrest().missing, kMissingOnMoving) << "it hardly moves yet";
     EXPECT_GT(motion.unrest().loose, 0U);
-    for (int look = 0; look < 60; ++look)
-    {
-        motion.advanceByImpulses(kTimeOfLook, {0, kDrag}, true);
-    }
+    advanceLooks(motion, 60, true);
     EXPECT_NEAR(bench.place(top).y(), -9, 1e-3);
 }
 
