@@ -66,6 +66,7 @@ void countStrips(World& world, int strips, Count& count)
     pairs.findPairs();
     Crowd crowd(world.spheres.running(), pairs, threads);
     crowd.gather({0, -1, 0});
+    crowd.arrange();
     crowd.forEachStrip([&](std::size_t k) { crowd.enlist(k); });
     if (crowd.size() == 0)
     {

@@ -31,11 +31,15 @@ public:
             head_[node.cell] = kEnd;
         }
         nodes_.clear();
+        ++buildCount_;
         for (std::uint32_t row = 0; row < runners.size(); ++row)
         {
             add(runners.position[row], runners.radius[row]);
         }
     }
+
+    /// How often it has been built.
+    [[nodiscard]] std::uint64_t buildCount() const { return buildCount_; }
 
     /// Takes in one more runner, with the next row.
     void add(const Eigen::Vector3d& p, double radius)
@@ -116,6 +120,7 @@ private:
     BrickedCells<> cells_;
     std::vector<std::uint32_t> head_; ///< [#cells_]
     std::vector<Node> nodes_;         ///< [#runners]
+    std::uint64_t buildCount_ = 0;
 };
 
 } // namespace frostfill

@@ -32,17 +32,22 @@ double castAtSpheres(const NeighbourList& around, const Eigen::Vector3d& p,
     return limit;
 }
 
-// Whether a sphere may reach a triangle on the way: by the ball around its middle, which is smaller
-// than the one around its start. A way shorter than what counts as reached ends where it began.
+} // namespace
+
 bool mayTouch(const TriangleBound& bound, const Eigen::Vector3d& p, double radius,
               const Eigen::Vector3d& direction, double path)
 {
-    return path > kReached
-               ? bound.mayBeWithin(radius + kReached + path / 2, p + path / 2 * direction)
-               : bound.mayBeWithin(radius + path, p);
+    if (path <= kReached)
+    {
+        return bound.mayBeWithin(radius + path, p);
+    }
+    const double height = bound.normal.dot(p) - bound.offset;
+    const double rise = path * bound.normal.dot(direction);
+    const double nearest =
+        height > 0 ? std::min(height, height + rise) : -std::max(height, height + rise);
+    return nearest < radius + kClearOfPlane &&
+           bound.mayBeWithin(radius + kReached + path / 2, p + path / 2 * direction);
 }
-
-} // namespace
 
 // The distance to a triangle is a convex function of the way gone, so it never falls below its
 // tangent: Newton's steps approach the contact from in front and never pass it. No use for the

@@ -22,6 +22,13 @@ namespace frostfill
                                     const Eigen::Vector3d& p, double radius,
                                     const Eigen::Vector3d& direction, double limit);
 
+/// Whether a sphere may reach a triangle on a straight way of length `path`: false only if its
+/// plane or the disc around the triangle is too far, so that castAtTriangle would return its limit.
+/// The ball around the middle of the way is smaller than the one around its start. A way shorter
+/// than what counts as reached ends where it began.
+[[nodiscard]] bool mayTouch(const TriangleBound& bound, const Eigen::Vector3d& p, double radius,
+                            const Eigen::Vector3d& direction, double path);
+
 /// Unit vectors to p from everything that a sphere there touches: gaps of at most `gap`. Returns
 /// the way out of the wall into which the sphere has crept farthest (kCrept), or zero.
 Eigen::Vector3d contactNormals(const Surface& surface, NeighbourList& around,

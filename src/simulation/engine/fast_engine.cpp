@@ -117,10 +117,6 @@ void FastEngine::releaseWhenDue()
 std::size_t FastEngine::release(std::size_t wanted)
 {
     ReleaseQuery query;
-    query.ahead = kDrawsAhead;
-    query.givesUp = true; // when those that run have come to rest, every free place suits
-    query.suits = [this](const Eigen::Vector3d& place, double radius)
-    { return grid_.isClear(place, radius); };
     // Free flight is analytic: with Motion::skip a sphere appears where it would touch first.
     if (world_.scene.motion.mode == Motion::skip)
     {
@@ -130,21 +126,13 @@ std::size_t FastEngine::release(std::size_t wanted)
             return true;
         };
     }
-    grid_.rebuild(running_);
     std::size_t found = 0;
-    while (found < wanted && !world_.stop.isAsked())
+    const auto appear = [&](const PlacedSphere& sphere)
     {
-        const auto next = observers_.release->next(query);
-        if (!next)
-        {
-            break;
-        }
-        world_.spheres.add(next->place, next->radius, sets_.groupOf(found));
-        grid_.add(next->place, next->radius);
+        world_.spheres.add(sphere.place, sphere.radius, sets_.groupOf(found++));
         energy_.reset();
-        ++found;
-    }
-    return found;
+    };
+    return releaseAmong(running_, grid_, wanted, *observers_.release, query, world_.stop, appear);
 }
 
 // Those that overlap are taken apart first, so that they do not start by flying apart.

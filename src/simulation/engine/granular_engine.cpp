@@ -114,28 +114,14 @@ void GranularEngine::settle()
 std::vector<PlacedSphere> GranularEngine::search()
 {
     const StageTimer timer(world_.counts.times, Stage::releasing);
-    ReleaseQuery query;
-    query.ahead = kDrawsAhead;
-    query.givesUp = true;
-    query.suits = [this](const Eigen::Vector3d& place, double radius)
-    { return grid_.isClear(place, radius); };
     std::size_t wanted = groupSize_ * world_.scene.spheres.groupsPerSet;
     if (world_.targetCount > 0)
     {
         wanted = std::min(wanted, world_.targetCount - world_.spheres.size());
     }
     std::vector<PlacedSphere> found;
-    grid_.rebuild(world_.spheres.running());
-    while (found.size() < wanted && !world_.stop.isAsked())
-    {
-        const auto next = release_->next(query);
-        if (!next)
-        {
-            break;
-        }
-        grid_.add(next->place, next->radius);
-        found.push_back(*next);
-    }
+    releaseAmong(world_.spheres.running(), grid_, wanted, *release_, {}, world_.stop,
+                 [&](const PlacedSphere& sphere) { found.push_back(sphere); });
     return found;
 }
 

@@ -76,11 +76,6 @@ inline constexpr double kTopBand = 4;
 /// where they were put. Smaller: places are refused that a small correction would mend.
 inline constexpr double kFarRelease = 4;
 
-/// Places in a row that are looked for ahead of their time, on all threads. The answer is the same
-/// for any. Larger: more of them are void when something comes to rest. Smaller: threads wait for
-/// each other.
-inline constexpr std::size_t kDrawsAhead = 128;
-
 // Without dynamics (Motion::descend).
 
 /// Spheres for each thread that come down ahead of their time, and so many in all at least. The

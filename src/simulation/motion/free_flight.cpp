@@ -156,9 +156,9 @@ void FreeFlight::collide(Eigen::Vector3d& velocity, std::span<const Eigen::Vecto
 
 void FreeFlight::forgetNeighbours()
 {
-    for (NeighbourList& around : around_.all())
+    for (std::uint32_t row = 0; row < running_.size(); ++row)
     {
-        around.invalidate();
+        around_[row].invalidate();
     }
 }
 

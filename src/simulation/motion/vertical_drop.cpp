@@ -102,15 +102,16 @@ double sphereBelow(const World& world, const FallIndex& falls, const std::array<
 double fallInCell(const World& world, const std::array<int, 3>& cell, const Eigen::Vector3d& here,
                   double radius, double end)
 {
+    const Eigen::Vector3d down(0, -1, 0);
     double path = here.y() - end;
     const auto castAt = [&](std::span<const std::uint32_t> triangles)
     {
         for (const std::uint32_t id : triangles)
         {
             if (world.polygons[id] == PolygonState::active &&
-                world.surface.bound(id).mayBeWithin(radius + path, here))
+                mayTouch(world.surface.bound(id), here, radius, down, path))
             {
-                path = castAtTriangle(world.surface, id, here, radius, {0, -1, 0}, path);
+                path = castAtTriangle(world.surface, id, here, radius, down, path);
             }
         }
         return radius;

@@ -24,7 +24,7 @@ void Lookahead::voidNear(const Eigen::Vector3d& centre, double radius, std::uint
     while (++number <= last_)
     {
         Draw& draw = draws_[number % kMostAhead];
-        if (draw.seen.meets(centre, radius))
+        if (draw.isLookedAt && draw.seen.meets(centre, radius))
         {
             draw.forget();
         }

@@ -14,8 +14,9 @@
 namespace frostfill
 {
 
-/// What a draw of a ceiling leads to.
-struct Draw
+/// What a draw of a ceiling leads to. Whoever takes draws reads one line of memory of each; the
+/// footprint is for whoever finds them out, mostly another thread.
+struct alignas(64) Draw
 {
     /// Which one, for a sphere of which radius.
     struct Key
@@ -28,18 +29,19 @@ struct Draw
     };
     Key key;
     std::optional<Eigen::Vector3d> place; ///< clear, then prepared; empty where there is none
-    bool isPlaced = false;                ///< it is known whether there is one
+    bool isLookedAt = false;              ///< its site is: either open or, by isKnown, taken
     bool isKnown = false;                 ///< all is
     bool stays = false;                   ///< what is prepared there can stay
+    std::uint64_t blockedIn = 0;          ///< the search in which it does not suit, if not 0
     Footprint seen;                       ///< where they were looked for
 
     /// From its ceiling nothing more can be released.
     [[nodiscard]] bool endsCeiling() const { return isKnown && !(place && stays); }
+    /// Until it is looked for again, its footprint is of no meaning.
     void forget()
     {
-        isPlaced = false;
+        isLookedAt = false;
         isKnown = false;
-        seen.clear();
     }
 };
 

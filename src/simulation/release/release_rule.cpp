@@ -4,6 +4,9 @@
 #include "simulation/release/gap_releases.hpp"
 #include "simulation/release/inlets.hpp"
 #include "simulation/release/releases.hpp"
+#include "simulation/release/tolerances.hpp"
+
+#include <algorithm>
 
 namespace frostfill
 {
@@ -28,6 +31,31 @@ std::unique_ptr<ReleasePart> makeRelease(const World& world, double band, Thread
         return std::make_unique<GapReleases>(world, band, threads);
     }
     return releaseRules()[world.scene.spheres.release](world, band, threads);
+}
+
+std::size_t releaseAmong(const RunningSpheres& runners, RunnerGrid& grid, std::size_t wanted,
+                         ReleasePart& release, ReleaseQuery query, const StopRequest& stop,
+                         const std::function<void(const PlacedSphere&)>& appear)
+{
+    query.givesUp = true; // when those that run have come to rest, every free place suits
+    query.suits = [&grid](const Eigen::Vector3d& place, double radius)
+    { return grid.isClear(place, radius); };
+    grid.rebuild(runners);
+    query.search = grid.buildCount(); // there will only be more of them
+    std::size_t found = 0;
+    while (found < wanted && !stop.isAsked())
+    {
+        query.ahead = std::clamp(wanted - found, kFewestDrawsAhead, kDrawsAhead);
+        const auto next = release.next(query);
+        if (!next)
+        {
+            break;
+        }
+        grid.add(next->place, next->radius);
+        appear(*next);
+        ++found;
+    }
+    return found;
 }
 
 void endForWantOfPlaces(World& world, const ReleasePart& release)

@@ -3,9 +3,11 @@
 
 #include "base/threads.hpp"
 #include "simulation/contact/footprint.hpp"
+#include "simulation/contact/runner_grid.hpp"
 #include "simulation/world/part_table.hpp"
 #include "simulation/world/world.hpp"
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -23,8 +25,11 @@ struct ReleaseQuery
     /// Whether the sphere can appear at the place so prepared now. Later it may.
     std::function<bool(const Eigen::Vector3d& place, double radius)> suits = {};
     /// How many places in a row may be prepared ahead of their time, on several threads at once;
-    /// `prepare` then changes nothing else. [1]
+    /// `prepare` and `suits` then change nothing else. [1]
     std::size_t ahead = 0;
+    /// A number for all questions between which a place that does not suit will not begin to; 0
+    /// where that cannot be said.
+    std::uint64_t search = 0;
     /// Whether to give up for now after many places in a row that do not suit. Otherwise a place is
     /// found if there is one.
     bool givesUp = false;
@@ -65,6 +70,13 @@ using MakeRelease =
 /// The one that the world's scene asks for: its inlets, if there are some.
 [[nodiscard]] std::unique_ptr<ReleasePart> makeRelease(const World& world, double band,
                                                        Threads& threads);
+
+/// Looks for places for up to `wanted` spheres among the runners, and calls appear(sphere) for
+/// each; it may add to the runners. `query` says how places are prepared. Returns how many have
+/// appeared, maybe few for now.
+std::size_t releaseAmong(const RunningSpheres& runners, RunnerGrid& grid, std::size_t wanted,
+                         ReleasePart& release, ReleaseQuery query, const StopRequest& stop,
+                         const std::function<void(const PlacedSphere&)>& appear);
 
 /// Nothing can appear any more: says why the run is over, unless its count is reached.
 void endForWantOfPlaces(World& world, const ReleasePart& release);

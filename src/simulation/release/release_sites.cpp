@@ -134,18 +134,19 @@ std::size_t ReleaseSites::ceilingOfDraw(std::uint64_t number) const
 }
 
 // A draw that is known to end its ceiling decides which ceilings are drawn after it. Where ceilings
-// are forgotten all the time, places are looked for here and now.
+// are forgotten all the time, most are so because they are taken: that is found out here and now.
 Draw* ReleaseSites::expectPlace(double radius)
 {
     const bool forgetting = draws_ < lastForgotten_ + kForgets;
-    while (!ceilings_.empty() && expected_ + 1 < kMostAhead)
+    const std::size_t most = forgetting ? kAheadWhileForgetting : kMostAhead;
+    while (!ceilings_.empty() && expected_ + 1 < most)
     {
         const std::uint64_t number = draws_ + ++expected_;
         const std::size_t index = ceilingOfDraw(number);
         Draw& draw = ahead_.expect(key(number, radius));
-        if (!draw.isPlaced && forgetting)
+        if (!draw.isLookedAt && forgetting)
         {
-            findPlace(draw);
+            lookAtSite(draw);
         }
         if (!draw.endsCeiling())
         {
@@ -175,18 +176,20 @@ Start ReleaseSites::startWithin(double way) const
     return way < radius_ - sites_.halfDiagonal() ? Start::inside : Start::anywhere;
 }
 
+// Nothing is ever released from a site that is taken.
+void ReleaseSites::lookAtSite(Draw& draw) const
+{
+    draw.isLookedAt = true;
+    draw.place.reset();
+    draw.seen.clear();
+    draw.seen.addBall(sites_.centre(draw.key.site), radius_);
+    draw.isKnown = isTaken(draw.key.site);
+}
+
 // A clear place at a random point of the ceiling, or at its middle.
 void ReleaseSites::findPlace(Draw& draw) const
 {
-    draw.isPlaced = true;
-    draw.place.reset();
-    if (isTaken(draw.key.site))
-    {
-        draw.isKnown = true;
-        return; // for ever
-    }
     const Eigen::Vector3d middle = sites_.centre(draw.key.site);
-    draw.seen.addBall(middle, radius_); // isTaken has looked there
     const auto findNear = [&](Eigen::Vector3d p, double within, Start start)
     {
         draw.seen.addBall(p, radius_ + within);
@@ -205,18 +208,28 @@ void ReleaseSites::findPlace(Draw& draw) const
     {
         findNear(middle, farthest(), startWithin(0));
     }
-    draw.isKnown = !draw.place;
 }
 
 void ReleaseSites::findOut(Draw& draw, const ReleaseQuery& query) const
 {
-    if (!draw.isPlaced)
+    if (!draw.isLookedAt)
+    {
+        lookAtSite(draw);
+    }
+    if (!draw.isKnown)
     {
         findPlace(draw);
+        draw.stays = draw.place &&
+                     (!query.prepare || query.prepare(*draw.place, draw.key.radius, draw.seen));
+        draw.isKnown = true;
     }
-    draw.stays =
-        draw.place && (!query.prepare || query.prepare(*draw.place, draw.key.radius, draw.seen));
-    draw.isKnown = true;
+}
+
+void ReleaseSites::lookAhead(Draw& draw, const ReleaseQuery& query) const
+{
+    findOut(draw, query);
+    const bool isBlocked = draw.place && draw.stays && !query.suits(*draw.place, draw.key.radius);
+    draw.blockedIn = isBlocked ? query.search : 0;
 }
 
 const Draw& ReleaseSites::nextDraw(double radius, const ReleaseQuery& query,
@@ -261,7 +274,8 @@ std::optional<ReleaseSites::Found> ReleaseSites::find(double radius, const Relea
         for (int misses = 0; misses < kMaxMisses && !ceilings_.empty();)
         {
             const Draw& draw = take(nextDraw(radius, query, lookAhead));
-            if (draw.place && (!draw.stays || query.suits(*draw.place, radius)))
+            const bool isBlocked = query.search != 0 && draw.blockedIn == query.search;
+            if (draw.place && (!draw.stays || (!isBlocked && query.suits(*draw.place, radius))))
             {
                 return Found{*draw.place, draw.stays};
             }

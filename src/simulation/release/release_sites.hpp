@@ -48,8 +48,8 @@ public:
     /// many draws are expected. rewind() is to be called before the next search.
     [[nodiscard]] Draw* expectPlace(double radius);
     void rewind();
-    /// Finds out what a draw leads to. On any thread.
-    void findOut(Draw& draw, const ReleaseQuery& query) const;
+    /// Finds out what a draw leads to, and whether it suits. On any thread.
+    void lookAhead(Draw& draw, const ReleaseQuery& query) const;
 
     /// Whether a single place is free now.
     [[nodiscard]] bool any();
@@ -87,6 +87,8 @@ private:
     {
         return {number, ceilings_[ceilingOfDraw(number)], radius};
     }
+    void findOut(Draw& draw, const ReleaseQuery& query) const;
+    void lookAtSite(Draw& draw) const;
     void findPlace(Draw& draw) const;
     const Draw& nextDraw(double radius, const ReleaseQuery& query,
                          const std::function<void()>& lookAhead);

@@ -202,7 +202,7 @@ void Releases::lookAhead(double radius, const ReleaseQuery& query)
         one.sites->rewind();
     }
     threads_.forEachLarge(unknown_.size(), [&](std::size_t i)
-                          { unknown_[i].sites->findOut(*unknown_[i].draw, query); });
+                          { unknown_[i].sites->lookAhead(*unknown_[i].draw, query); });
 }
 
 void Releases::close(const Eigen::Vector3d& centre, double radius)

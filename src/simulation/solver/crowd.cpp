@@ -22,38 +22,51 @@ int axisOfStrips(const Eigen::Vector3d& down)
 
 void Crowd::gather(const Eigen::Vector3d& down)
 {
-    order_.clear();
+    startGathering(down);
     for (std::uint32_t row = 0; row < running_.size(); ++row)
     {
         if (!pairs_.nearby(row).empty())
         {
-            enter(row, down);
+            enter(row);
         }
     }
-    arrange(down);
+    endGathering();
 }
 
 void Crowd::gather(std::span<const std::uint32_t> rows, const Eigen::Vector3d& down)
 {
-    order_.clear();
+    startGathering(down);
     for (const std::uint32_t row : rows)
     {
-        enter(row, down);
+        enter(row);
     }
-    arrange(down);
+    endGathering();
 }
 
-void Crowd::enter(std::uint32_t row, const Eigen::Vector3d& down)
+void Crowd::startGathering(const Eigen::Vector3d& down)
 {
-    order_.push_back({-running_.position[row].dot(down), row, 0});
+    down_ = down;
+    order_.clear();
 }
 
-void Crowd::arrange(const Eigen::Vector3d& down)
+void Crowd::enter(std::uint32_t row)
+{
+    order_.push_back({-running_.position[row].dot(down_), row, 0});
+}
+
+void Crowd::endGathering()
+{
+    const std::size_t size = order_.size();
+    const std::size_t most = size / kFewestInStrip;
+    wantedStrips_ = most <= 1 ? 1 : std::min(most, threads_.gather(size >= kWorthWaking));
+}
+
+void Crowd::arrange()
 {
     std::sort(order_.begin(), order_.end(),
               [](const Height& a, const Height& b)
               { return a.height < b.height || (a.height == b.height && a.row < b.row); });
-    cutIntoStrips(down);
+    cutIntoStrips();
     giveSlots();
 }
 
@@ -91,20 +104,18 @@ void Crowd::giveSlots()
 }
 
 // Who is in which strip changes nothing but who waits for whom.
-void Crowd::cutIntoStrips(const Eigen::Vector3d& down)
+void Crowd::cutIntoStrips()
 {
     const std::size_t size = order_.size();
-    const std::size_t most = size / kFewestInStrip;
-    const std::size_t count = most <= 1 ? 1 : std::min(most, threads_.gather(size >= kWorthWaking));
     stripsTouch_ = false;
-    if (count == 1)
+    if (!isCut())
     {
         strips_.assign(1, {0, static_cast<std::uint32_t>(size)});
         return;
     }
-    stripsTouch_ = size > kMostInClusters || !findClusters(size / count);
-    strips_.assign(count, {0, 0});
-    stripsTouch_ ? cutByPlace(down) : dealClusters();
+    stripsTouch_ = size > kMostInClusters || !findClusters(size / wantedStrips_);
+    strips_.assign(wantedStrips_, {0, 0});
+    stripsTouch_ ? cutByPlace() : dealClusters();
     for (const Height& one : order_)
     {
         ++strips_[one.strip].end;
@@ -118,9 +129,9 @@ void Crowd::cutIntoStrips(const Eigen::Vector3d& down)
 }
 
 // Where strips end, some of the members tell.
-void Crowd::cutByPlace(const Eigen::Vector3d& down)
+void Crowd::cutByPlace()
 {
-    const int axis = axisOfStrips(down);
+    const int axis = axisOfStrips(down_);
     const auto at = [&](std::size_t rank) { return running_.position[order_[rank].row][axis]; };
     const std::size_t size = order_.size();
     const std::size_t count = strips_.size();

@@ -41,11 +41,16 @@ public:
     {
     }
 
-    /// All runners that are in a pair. `down`: direction of the pull. Members are known once each
-    /// strip has been enlisted.
+    /// All runners that are in a pair. `down`: direction of the pull. Members are known once the
+    /// crowd is arranged and each strip has been enlisted.
     void gather(const Eigen::Vector3d& down);
     /// These only, by row, as if the others were not there.
     void gather(std::span<const std::uint32_t> rows, const Eigen::Vector3d& down);
+    /// Whether it will be cut into strips.
+    [[nodiscard]] bool isCut() const { return wantedStrips_ > 1; }
+    /// Orders what is gathered, and cuts it into strips. On one thread, while others may do what
+    /// does not concern the crowd.
+    void arrange();
     /// Finds out where members of a strip are, and whom each may touch.
     void enlist(std::size_t strip);
 
@@ -96,10 +101,11 @@ private:
     static constexpr std::uint32_t kNone = 0xffffffff;
     static constexpr std::uint32_t kLargestSlot = 0x3fffffff;
 
-    void enter(std::uint32_t row, const Eigen::Vector3d& down);
-    void arrange(const Eigen::Vector3d& down);
-    void cutIntoStrips(const Eigen::Vector3d& down);
-    void cutByPlace(const Eigen::Vector3d& down);
+    void startGathering(const Eigen::Vector3d& down);
+    void enter(std::uint32_t row);
+    void endGathering();
+    void cutIntoStrips();
+    void cutByPlace();
     void dealClusters();
     [[nodiscard]] bool findClusters(std::size_t largest);
     [[nodiscard]] std::uint32_t leadOf(std::uint32_t rank);
@@ -114,6 +120,8 @@ private:
         std::uint32_t row;
         std::uint32_t strip;
     };
+    Eigen::Vector3d down_ = {0, -1, 0};
+    std::size_t wantedStrips_ = 1;
     std::vector<Height> order_;       ///< the lowest first
     std::vector<std::uint32_t> lead_; ///< by rank: another one of its cluster, at last the lowest
     std::vector<std::uint32_t> inCluster_; ///< by rank of its lowest: how many they are

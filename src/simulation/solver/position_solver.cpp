@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/solver/position_solver.hpp"
 
+#include "base/stage_timer.hpp"
 #include "simulation/contact/contact.hpp"
 #include "simulation/solver/tolerances.hpp"
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <cmath>
 
 namespace frostfill
@@ -28,18 +28,26 @@ std::atomic_ref<char> flag(char& value)
 
 } // namespace
 
-// A crowd that is not cut takes one thread; the others then look after those that are alone.
+// To arrange the crowd takes one thread, and so does a crowd that is not cut; the others then look
+// after those that are alone.
 double PositionSolver::resolve(double dt, const Beside& beside)
 {
-    using Clock = std::chrono::steady_clock;
-    const Clock::time_point start = Clock::now();
-    Clock::time_point end;
+    StageTimes times;
     down_ = flight_.down();
-    gatherAll();
-    const auto solve = [&]
     {
-        resolveCrowd(dt);
-        end = Clock::now();
+        const StageTimer timer(times, Stage::sphereSphere);
+        pairs_.findPairs();
+        crowd_.gather(down_);
+    }
+    const auto arrange = [&]
+    {
+        const StageTimer timer(times, Stage::sphereSphere);
+        crowd_.arrange();
+        start();
+        if (!crowd_.isCut())
+        {
+            resolveCrowd(dt);
+        }
     };
     alone_.clear();
     for (std::uint32_t row = 0; beside && row < running_.size(); ++row)
@@ -49,15 +57,14 @@ double PositionSolver::resolve(double dt, const Beside& beside)
             alone_.push_back(row);
         }
     }
-    const bool isCut = crowd_.size() > 0 && crowd_.strips().size() > 1;
-    if (isCut)
+    crowd_.threads().forEachLarge(1 + alone_.size(), [&](std::size_t i)
+                                  { i == 0 ? arrange() : beside(alone_[i - 1]); });
+    if (crowd_.isCut())
     {
-        solve();
+        const StageTimer timer(times, Stage::sphereSphere);
+        resolveCrowd(dt);
     }
-    const std::size_t first = isCut ? 0 : 1;
-    crowd_.threads().forEachLarge(first + alone_.size(), [&](std::size_t i)
-                                  { i < first ? solve() : beside(alone_[i - first]); });
-    return std::chrono::duration<double>(end - start).count();
+    return times[Stage::sphereSphere];
 }
 
 void PositionSolver::resolveCrowd(double dt)
@@ -113,6 +120,7 @@ void PositionSolver::separate()
 void PositionSolver::separate(std::span<const std::uint32_t> some)
 {
     crowd_.gather(some, down_);
+    crowd_.arrange();
     start();
     crowd_.forEachStrip(
         [&](std::size_t strip)
@@ -128,6 +136,7 @@ void PositionSolver::gatherAll()
 {
     pairs_.findPairs();
     crowd_.gather(down_);
+    crowd_.arrange();
     start();
 }
 

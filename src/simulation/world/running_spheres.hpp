@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -46,7 +48,7 @@ protected:
 
 /// A value for each running sphere, kept by whoever declares it. To declare it is all: it follows
 /// the rows from then on. Rows that are gone keep their value, and so its memory, for those to
-/// come.
+/// come. Large values stay where they are in memory while their rows change places.
 template <class T>
 class RunningColumn final : private RowFollower
 {
@@ -68,27 +70,51 @@ public:
     RunningColumn(const RunningColumn&) = delete;
     RunningColumn& operator=(const RunningColumn&) = delete;
 
-    [[nodiscard]] T& operator[](std::uint32_t row) { return values_[row]; }
-    [[nodiscard]] const T& operator[](std::uint32_t row) const { return values_[row]; }
+    [[nodiscard]] T& operator[](std::uint32_t row) { return valueOf(values_[row]); }
+    [[nodiscard]] const T& operator[](std::uint32_t row) const { return valueOf(values_[row]); }
+    // Of values that are not large.
     [[nodiscard]] std::span<T> all() { return {values_.data(), rows_.size()}; }
     [[nodiscard]] std::span<const T> all() const { return {values_.data(), rows_.size()}; }
 
 private:
+    static constexpr bool kIsLarge = sizeof(T) > 64;
+    using Kept = std::conditional_t<kIsLarge, std::unique_ptr<T>, T>;
+
+    template <class K>
+    [[nodiscard]] static auto& valueOf(K& kept)
+    {
+        if constexpr (kIsLarge)
+        {
+            return *kept;
+        }
+        else
+        {
+            return kept;
+        }
+    }
     void fit(std::uint32_t rows) override
     {
-        values_.resize(std::max<std::size_t>(values_.size(), rows));
+        std::size_t had = values_.size();
+        values_.resize(std::max<std::size_t>(had, rows));
+        if constexpr (kIsLarge)
+        {
+            for (; had < values_.size(); ++had)
+            {
+                values_[had] = std::make_unique<T>();
+            }
+        }
     }
     void start(std::uint32_t row) override
     {
         if (start_)
         {
-            start_(row, values_[row]);
+            start_(row, (*this)[row]);
         }
     }
     void swap(std::uint32_t a, std::uint32_t b) override { std::swap(values_[a], values_[b]); }
 
     RunningRows& rows_;
-    std::vector<T> values_;
+    std::vector<Kept> values_;
     Start start_;
 };
 

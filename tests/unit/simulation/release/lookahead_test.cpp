@@ -20,7 +20,7 @@ namespace
 Draw& findOut(Draw& draw, const Eigen::Vector3d& at)
 {
     draw.place = at;
-    draw.isPlaced = true;
+    draw.isLookedAt = true;
     draw.isKnown = true;
     draw.stays = true;
     draw.seen.addBall(at, 1);
@@ -56,7 +56,7 @@ TEST(LookaheadTest, ForgetsDrawsToComeThatASphereAtRestMayChange)
     EXPECT_TRUE(ahead.find({4, 0, 1}));
     ahead.voidNear({20, 1.5, 0}, 1, 2);
     EXPECT_TRUE(ahead.find({2, 0, 1})) << "it has been taken";
-    EXPECT_TRUE(ahead.expect({3, 0, 1}).seen.meets({30, 0, 0}, 1) == false);
+    EXPECT_FALSE(ahead.expect({3, 0, 1}).isLookedAt) << "it is looked at anew";
 }
 
 struct Rain
