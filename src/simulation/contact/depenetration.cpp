@@ -108,7 +108,7 @@ bool depenetrateFrom(const World& world, const Obstacles& obstacles, Eigen::Vect
     const bool sidesAreKnown = !world.surface.anyTwoSided();
     const Eigen::Vector3d start = p;
     Eigen::Vector3d remembered = p;
-    int nextToRemember = 1;
+    long long nextToRemember = 1;
     for (int move = 0; move < moves; ++move)
     {
         if (move > 0 && p == remembered)

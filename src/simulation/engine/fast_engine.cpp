@@ -209,23 +209,20 @@ void FastEngine::solve()
     {
         double& freezing = world_.counts.times[Stage::freezing];
         const StageTimer timer(world_.counts.times, Stage::freezing);
-        const double seconds = looksAhead() ? solver_.resolve(world_.clock.dt,
-                                                              [this](std::uint32_t row)
-                                                              {
-                                                                  observe(row);
-                                                                  freezer_.look(row);
-                                                              })
-                                            : solver_.resolve(world_.clock.dt);
+        const bool looks = looksAhead();
+        const auto observeOne = [this](std::uint32_t row) { observe(row); };
+        const auto beside = [this, looks](std::uint32_t row)
+        {
+            observe(row);
+            if (looks)
+            {
+                freezer_.look(row);
+            }
+        };
+        const double seconds = solver_.resolve(world_.clock.dt, beside, observeOne);
         world_.counts.times[Stage::sphereSphere] += seconds;
         freezing -= seconds;
         sets_.observeSolver(1e3 * seconds);
-    }
-    for (std::uint32_t row = 0; row < running_.size(); ++row)
-    {
-        if (!freezer_.hasLookedAt(row))
-        {
-            observe(row);
-        }
     }
     countTests();
     observeEnergy();

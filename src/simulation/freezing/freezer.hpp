@@ -37,7 +37,6 @@ public:
     [[nodiscard]] bool startLooking();
     /// Looks at a runner that nobody will move any more in this window. On any thread.
     void look(std::uint32_t row);
-    [[nodiscard]] bool hasLookedAt(std::uint32_t row) const { return looks_ && looked_[row] != 0; }
     /// To be called at the end of each window.
     void freeze(SetSchedule& sets);
 

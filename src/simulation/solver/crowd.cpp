@@ -47,11 +47,13 @@ void Crowd::startGathering(const Eigen::Vector3d& down)
 {
     down_ = down;
     order_.clear();
+    members_.clear();
 }
 
 void Crowd::enter(std::uint32_t row)
 {
     order_.push_back({-running_.position[row].dot(down_), row, 0});
+    members_.push_back(row);
 }
 
 void Crowd::endGathering()
@@ -63,9 +65,29 @@ void Crowd::endGathering()
 
 void Crowd::arrange()
 {
+    order();
+    if (isCut())
+    {
+        cluster();
+    }
+    cut();
+}
+
+void Crowd::cluster()
+{
+    const std::size_t size = members_.size();
+    stripsTouch_ = size > kMostInClusters || !findClusters(size / wantedStrips_);
+}
+
+void Crowd::order()
+{
     std::sort(order_.begin(), order_.end(),
               [](const Height& a, const Height& b)
               { return a.height < b.height || (a.height == b.height && a.row < b.row); });
+}
+
+void Crowd::cut()
+{
     cutIntoStrips();
     giveSlots();
 }
@@ -106,14 +128,12 @@ void Crowd::giveSlots()
 // Who is in which strip changes nothing but who waits for whom.
 void Crowd::cutIntoStrips()
 {
-    const std::size_t size = order_.size();
-    stripsTouch_ = false;
     if (!isCut())
     {
-        strips_.assign(1, {0, static_cast<std::uint32_t>(size)});
+        stripsTouch_ = false;
+        strips_.assign(1, {0, static_cast<std::uint32_t>(order_.size())});
         return;
     }
-    stripsTouch_ = size > kMostInClusters || !findClusters(size / wantedStrips_);
     strips_.assign(wantedStrips_, {0, 0});
     stripsTouch_ ? cutByPlace() : dealClusters();
     for (const Height& one : order_)
@@ -157,16 +177,18 @@ void Crowd::cutByPlace()
 // The cluster with the most pairs first, each to the strip that has the least to do.
 void Crowd::dealClusters()
 {
-    load_.assign(order_.size(), 0);
     clusters_.clear();
-    for (std::uint32_t rank = 0; rank < order_.size(); ++rank)
+    for (const std::uint32_t row : members_)
     {
-        if (lead_[rank] == rank)
+        if (lead_[row] == row)
         {
-            clusters_.push_back(rank);
+            clusters_.push_back(row);
+            load_[row] = 0;
         }
-        load_[lead_[rank]] +=
-            1 + static_cast<std::uint32_t>(pairs_.nearby(order_[rank].row).size());
+    }
+    for (const std::uint32_t row : members_)
+    {
+        load_[lead_[row]] += 1 + static_cast<std::uint32_t>(pairs_.nearby(row).size());
     }
     std::sort(clusters_.begin(), clusters_.end(),
               [this](std::uint32_t a, std::uint32_t b)
@@ -176,63 +198,64 @@ void Crowd::dealClusters()
     {
         const auto least = std::min_element(next_.begin(), next_.end());
         *least += load_[lead];
-        order_[lead].strip = static_cast<std::uint32_t>(least - next_.begin());
+        load_[lead] = static_cast<std::uint32_t>(least - next_.begin());
     }
-    for (std::uint32_t rank = 0; rank < order_.size(); ++rank)
+    for (Height& one : order_)
     {
-        order_[rank].strip = order_[lead_[rank]].strip;
+        one.strip = load_[lead_[one.row]];
     }
 }
 
 // All members of a cluster get the same lead. Returns false if one has more than `largest`.
 bool Crowd::findClusters(std::size_t largest)
 {
-    const auto size = static_cast<std::uint32_t>(order_.size());
-    std::vector<std::uint32_t>& rankOf = slot_;
-    rankOf.assign(running_.size(), kNone);
-    lead_.resize(size);
-    inCluster_.assign(size, 1);
-    for (std::uint32_t rank = 0; rank < size; ++rank)
+    lead_.assign(running_.size(), kNone);
+    inCluster_.assign(running_.size(), 1);
+    load_.resize(running_.size());
+    for (const std::uint32_t row : members_)
     {
-        rankOf[order_[rank].row] = rank;
-        lead_[rank] = rank;
+        lead_[row] = row;
     }
-    for (std::uint32_t rank = 0; rank < size; ++rank)
+    for (const std::uint32_t row : members_)
     {
-        for (const std::uint32_t row : pairs_.nearby(order_[rank].row))
+        for (const std::uint32_t other : pairs_.nearby(row))
         {
-            if (rankOf[row] >= rank)
+            if (other < row && lead_[other] != kNone)
             {
-                continue; // each pair once; or no member
-            }
-            const std::uint32_t a = leadOf(rank);
-            const std::uint32_t b = leadOf(rankOf[row]);
-            if (a != b)
-            {
-                lead_[std::max(a, b)] = std::min(a, b);
-                inCluster_[std::min(a, b)] += inCluster_[std::max(a, b)];
-                if (inCluster_[std::min(a, b)] > largest)
-                {
-                    return false;
-                }
+                join(row, other);
             }
         }
+        if (inCluster_[leadOf(row)] > largest)
+        {
+            return false;
+        }
     }
-    for (std::uint32_t rank = 0; rank < size; ++rank)
+    for (const std::uint32_t row : members_)
     {
-        lead_[rank] = lead_[lead_[rank]]; // of those below, all know the lowest already
+        lead_[row] = leadOf(row);
     }
     return true;
 }
 
-// On the way others learn of a lower one.
-std::uint32_t Crowd::leadOf(std::uint32_t rank)
+void Crowd::join(std::uint32_t a, std::uint32_t b)
 {
-    while (lead_[rank] != rank)
+    a = leadOf(a);
+    b = leadOf(b);
+    if (a != b)
     {
-        rank = lead_[rank] = lead_[lead_[rank]];
+        lead_[std::max(a, b)] = std::min(a, b);
+        inCluster_[std::min(a, b)] += inCluster_[std::max(a, b)];
     }
-    return rank;
+}
+
+// On the way others learn of an earlier one.
+std::uint32_t Crowd::leadOf(std::uint32_t row)
+{
+    while (lead_[row] != row)
+    {
+        row = lead_[row] = lead_[lead_[row]];
+    }
+    return row;
 }
 
 void Crowd::enlist(std::size_t k)

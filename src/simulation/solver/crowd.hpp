@@ -48,8 +48,13 @@ public:
     void gather(std::span<const std::uint32_t> rows, const Eigen::Vector3d& down);
     /// Whether it will be cut into strips.
     [[nodiscard]] bool isCut() const { return wantedStrips_ > 1; }
-    /// Orders what is gathered, and cuts it into strips. On one thread, while others may do what
-    /// does not concern the crowd.
+    // Then what is gathered is arranged: it is put in order, and its clusters are found if it will
+    // be cut, maybe by another thread at the same time. Once both are done, it is cut. Each step
+    // takes one thread, while others may do what does not concern the crowd.
+    void order();
+    void cluster();
+    void cut();
+    /// All of that.
     void arrange();
     /// Finds out where members of a strip are, and whom each may touch.
     void enlist(std::size_t strip);
@@ -108,7 +113,8 @@ private:
     void cutByPlace();
     void dealClusters();
     [[nodiscard]] bool findClusters(std::size_t largest);
-    [[nodiscard]] std::uint32_t leadOf(std::uint32_t rank);
+    void join(std::uint32_t a, std::uint32_t b);
+    [[nodiscard]] std::uint32_t leadOf(std::uint32_t row);
     void giveSlots();
 
     RunningSpheres& running_;
@@ -122,11 +128,12 @@ private:
     };
     Eigen::Vector3d down_ = {0, -1, 0};
     std::size_t wantedStrips_ = 1;
-    std::vector<Height> order_;       ///< the lowest first
-    std::vector<std::uint32_t> lead_; ///< by rank: another one of its cluster, at last the lowest
-    std::vector<std::uint32_t> inCluster_; ///< by rank of its lowest: how many they are
-    std::vector<std::uint32_t> load_;      ///< by rank of its lowest: pairs and members
-    std::vector<std::uint32_t> clusters_;  ///< ranks of their lowest
+    std::vector<Height> order_;          ///< the lowest first
+    std::vector<std::uint32_t> members_; ///< rows, as they were gathered
+    std::vector<std::uint32_t> lead_;    ///< by row: another one of its cluster, at last the first
+    std::vector<std::uint32_t> inCluster_; ///< by row of its first: how many they are
+    std::vector<std::uint32_t> load_; ///< by row of its first: pairs and members; then its strip
+    std::vector<std::uint32_t> clusters_; ///< rows of their first
     bool stripsTouch_ = false;
     std::vector<double> borders_;     ///< between strips
     std::vector<double> sample_;      ///< of places along the axis of strips

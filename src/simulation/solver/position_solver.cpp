@@ -30,7 +30,7 @@ std::atomic_ref<char> flag(char& value)
 
 // To arrange the crowd takes one thread, and so does a crowd that is not cut; the others then look
 // after those that are alone.
-double PositionSolver::resolve(double dt, const Beside& beside)
+double PositionSolver::resolve(double dt, const Beside& beside, const Beside& after)
 {
     StageTimes times;
     down_ = flight_.down();
@@ -42,32 +42,40 @@ double PositionSolver::resolve(double dt, const Beside& beside)
     const auto arrange = [&]
     {
         const StageTimer timer(times, Stage::sphereSphere);
-        crowd_.arrange();
-        start();
+        crowd_.order();
         if (!crowd_.isCut())
         {
-            resolveCrowd(dt);
+            crowd_.cut();
+            start();
+            resolveCrowd(dt, after);
         }
     };
     alone_.clear();
-    for (std::uint32_t row = 0; beside && row < running_.size(); ++row)
+    for (std::uint32_t row = 0; row < running_.size(); ++row)
     {
         if (pairs_.nearby(row).empty())
         {
             alone_.push_back(row);
         }
     }
-    crowd_.threads().forEachLarge(1 + alone_.size(), [&](std::size_t i)
-                                  { i == 0 ? arrange() : beside(alone_[i - 1]); });
+    const std::size_t last = 1 + alone_.size();
+    crowd_.threads().forEach(
+        last + (crowd_.isCut() ? 1 : 0),
+        [&](std::size_t i) {
+            i == 0 ? arrange() : i == last ? crowd_.cluster() : beside(alone_[i - 1]);
+        },
+        crowd_.isCut() ? 2 : kWorthLookingBeside);
     if (crowd_.isCut())
     {
         const StageTimer timer(times, Stage::sphereSphere);
-        resolveCrowd(dt);
+        crowd_.cut();
+        start();
+        resolveCrowd(dt, after);
     }
     return times[Stage::sphereSphere];
 }
 
-void PositionSolver::resolveCrowd(double dt)
+void PositionSolver::resolveCrowd(double dt, const Beside& after)
 {
     if (crowd_.size() == 0)
     {
@@ -93,7 +101,12 @@ void PositionSolver::resolveCrowd(double dt)
             turns_.meet();
             velocitySolver_.resolve(strip);
             sweep(strip, sweeps);
-            crowd_.forEachMember(strip, [this](std::uint32_t slot) { removeLiftEnergy(slot); });
+            crowd_.forEachMember(strip,
+                                 [&](std::uint32_t slot)
+                                 {
+                                     removeLiftEnergy(slot);
+                                     after(crowd_.row(slot));
+                                 });
         });
 }
 

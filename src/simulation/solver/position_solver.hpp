@@ -32,13 +32,14 @@ public:
         }
     }
 
-    /// What may be done of a runner that is in no pair while others are separated, by its row. It
-    /// changes nothing but what belongs to that runner.
+    /// What may be done of a runner while others are separated, by its row. It changes nothing but
+    /// what belongs to that runner.
     using Beside = std::function<void(std::uint32_t row)>;
 
-    /// Separates the runners and makes their velocities agree with it. Calls `beside`, if given,
-    /// for each that is in no pair, on any thread. Returns how long it took without that [s].
-    double resolve(double dt, const Beside& beside = {});
+    /// Separates the runners and makes their velocities agree with it. Calls, on any thread,
+    /// `beside` for each that is in no pair, and `after` for each that is, once it is where it
+    /// stays. Returns how long it took, without `beside` [s].
+    double resolve(double dt, const Beside& beside = doNothing, const Beside& after = doNothing);
 
     /// Takes runners that overlap apart, without giving them any speed.
     void separate();
@@ -49,6 +50,7 @@ public:
     [[nodiscard]] VelocitySolver& velocities() { return velocitySolver_; }
 
 private:
+    static void doNothing(std::uint32_t) {}
     /// How members are taken apart.
     struct Sweeps
     {
@@ -59,7 +61,7 @@ private:
         std::function<bool(int sweep)> isMutual;
     };
     void gatherAll();
-    void resolveCrowd(double dt);
+    void resolveCrowd(double dt, const Beside& after);
     void start();
     void sweep(std::size_t strip, const Sweeps& sweeps);
     double sweepOnce(std::size_t strip, std::uint32_t number, double yieldShare, double liftDepth);

@@ -72,6 +72,41 @@ TEST(SphereCast, TellsTheWayOutOfAWallIntoWhichASphereHasCrept)
     EXPECT_EQ(normals.size(), 1u);
 }
 
+// Brute force: what is passed over would have ended no cast. Beside a plane it is passed over on
+// any way that does not lead to it.
+TEST(SphereCast, MayTouchWhateverEndsIt)
+{
+    const auto world = smallWorld(shapes::torus(10, 4, 24, 10));
+    const auto random = [](std::uint64_t k, std::uint64_t draw)
+    { return 2 * uniformRandom(5, k, draw) - 1; };
+    int ended = 0;
+    int passedOver = 0;
+    for (std::uint64_t k = 0; k < 20000; ++k)
+    {
+        const auto id = static_cast<std::uint32_t>(k % world->surface.size());
+        const Eigen::Vector3d middle = world->surface.bound(id).centre;
+        const Eigen::Vector3d p =
+            middle + 3 * Eigen::Vector3d(random(k, 0), random(k, 1), random(k, 2));
+        const Eigen::Vector3d direction =
+            Eigen::Vector3d(random(k, 3), random(k, 4), random(k, 5)).normalized();
+        const double limit = 4 * uniformRandom(5, k, 6);
+        const bool ends = castAtTriangle(world->surface, id, p, 1, direction, limit) < limit;
+        const bool may = mayTouch(world->surface.bound(id), p, 1, direction, limit);
+        ASSERT_TRUE(may || !ends) << k;
+        ended += ends ? 1 : 0;
+        passedOver += may ? 0 : 1;
+    }
+    EXPECT_GT(ended, 1000);
+    EXPECT_GT(passedOver, 5000);
+
+    const auto box = smallWorld(shapes::box({-5, -5, -5}, {5, 5, 5}));
+    for (std::uint32_t id = 0; id < box->surface.size(); ++id)
+    {
+        const bool isFloor = box->surface.bound(id).normal.y() > 0.5;
+        EXPECT_EQ(mayTouch(box->surface.bound(id), {3.9, 3, 3.9}, 1, {0, -1, 0}, 7.5), isFloor);
+    }
+}
+
 // Brute force: along the path no gap is negative, and where it ends early something is touched.
 TEST(SphereCast, NeitherEntersAnythingNorStopsTooEarly)
 {

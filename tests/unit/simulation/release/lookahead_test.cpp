@@ -157,6 +157,38 @@ TEST_F(ReleasesAhead, FindLittleOutTwice)
     EXPECT_LT(prepared, 2 * found);
 }
 
+// What does not suit in a search is not asked for again in it, and may suit in the next.
+TEST_F(ReleasesAhead, AskOnceInASearchWhetherAPlaceSuits)
+{
+    World world(scene, mesh);
+    Threads threads(3);
+    Releases releases(world, world.height, threads);
+    std::atomic<int> asked = 0;
+    std::atomic<bool> suits = false;
+    ReleaseQuery query;
+    query.ahead = 64;
+    query.givesUp = true;
+    query.suits = [&](const Eigen::Vector3d&, double)
+    {
+        ++asked;
+        return suits.load();
+    };
+    const auto count = [&](std::uint64_t search)
+    {
+        asked = 0;
+        query.search = search;
+        EXPECT_EQ(releases.next(query).has_value(), suits.load());
+        return asked.load();
+    };
+    const int once = count(1);
+    EXPECT_GE(once, 2 * kMaxMisses) << "high places, then others";
+    EXPECT_LE(once, 2 * kMaxMisses + 2 * 64);
+    EXPECT_GT(count(0), once + kMaxMisses) << "where nothing is said of searches";
+    EXPECT_GT(count(2), 0);
+    suits = true;
+    EXPECT_GT(count(3), 0);
+}
+
 TEST_F(ReleasesAhead, GiveUpAPlaceWhereNothingStays)
 {
     World world(scene, mesh);

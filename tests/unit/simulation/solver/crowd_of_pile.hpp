@@ -50,6 +50,7 @@ struct CrowdOfPile
     {
         pairs.findPairs();
         crowd.gather({0, -1, 0});
+        crowd.arrange();
         turns.start();
     }
 

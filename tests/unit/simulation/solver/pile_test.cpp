@@ -270,7 +270,15 @@ TEST(PositionSolver, HandsOverThoseInNoPairWhileOthersPushEachOther)
                 }
             }
             std::vector<int> calls(places.size(), 0);
-            EXPECT_GE(with.positionSolver.resolve(kDt, [&](std::uint32_t row) { ++calls[row]; }),
+            std::vector<int> after(places.size(), 0);
+            std::vector<Eigen::Vector3d> seen(places.size());
+            EXPECT_GE(with.positionSolver.resolve(
+                          kDt, [&](std::uint32_t row) { ++calls[row]; },
+                          [&](std::uint32_t row)
+                          {
+                              ++after[row];
+                              seen[row] = with.running.velocity[row];
+                          }),
                       0);
             without.positionSolver.resolve(kDt);
             std::vector<int> alone;
@@ -279,6 +287,9 @@ TEST(PositionSolver, HandsOverThoseInNoPairWhileOthersPushEachOther)
                 alone.push_back(with.positionSolver.pairs().nearby(row).empty() ? 1 : 0);
                 ASSERT_EQ(with.running.position[row], without.running.position[row]);
                 ASSERT_EQ(with.running.velocity[row], without.running.velocity[row]);
+                ASSERT_EQ(calls[row] + after[row], 1);
+                ASSERT_TRUE(after[row] == 0 || seen[row] == with.running.velocity[row])
+                    << "it stays as it is seen";
             }
             EXPECT_EQ(calls, alone) << "each of them once";
             both += std::count(alone.begin(), alone.end(), 1) > 0 &&
