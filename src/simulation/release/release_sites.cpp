@@ -180,7 +180,7 @@ std::optional<ReleaseSites::Found> ReleaseSites::sweep(double radius, const Rele
     if (scattered_ && first > sweep_)
     {
         scattered_ = false; // whatever is before that place
-        const std::optional<Found> found = sweep(radius, query);
+        std::optional<Found> found = sweep(radius, query);
         scattered_ = true;
         return found;
     }
