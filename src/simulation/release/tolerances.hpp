@@ -48,7 +48,7 @@ inline constexpr std::uint64_t kForgets = 64;
 /// same for any. Larger: more is void. Smaller: threads wait.
 inline constexpr std::size_t kAheadWhileForgetting = 16;
 /// Layers of cells in a slab that is worth a thread's while. The answer is the same for any.
-inline constexpr int kSlabThickness = 4;
+inline constexpr int kSlabThickness = 8;
 /// Sites that a sweep passes before they leave memory, if they are in a file. Larger: memory.
 /// Smaller: what is used still is read again more often.
 inline constexpr std::size_t kSitesUntilLeaving = std::size_t{1} << 26;

@@ -129,7 +129,7 @@ private:
     Eigen::Vector3d down_ = {0, -1, 0};
     std::size_t wantedStrips_ = 1;
     std::vector<Height> order_;          ///< the lowest first
-    std::vector<std::uint32_t> members_; ///< rows, as they were gathered
+    std::vector<std::uint32_t> members_; ///< rows as gathered; order_ may be sorted meanwhile
     std::vector<std::uint32_t> lead_;    ///< by row: another one of its cluster, at last the first
     std::vector<std::uint32_t> inCluster_; ///< by row of its first: how many they are
     std::vector<std::uint32_t> load_; ///< by row of its first: pairs and members; then its strip

@@ -39,15 +39,19 @@ double PositionSolver::resolve(double dt, const Beside& beside, const Beside& af
         pairs_.findPairs();
         crowd_.gather(down_);
     }
-    const auto arrange = [&]
+    const auto solve = [&]
+    {
+        crowd_.cut();
+        start();
+        resolveCrowd(dt, after);
+    };
+    const auto order = [&]
     {
         const StageTimer timer(times, Stage::sphereSphere);
         crowd_.order();
         if (!crowd_.isCut())
         {
-            crowd_.cut();
-            start();
-            resolveCrowd(dt, after);
+            solve();
         }
     };
     alone_.clear();
@@ -62,15 +66,13 @@ double PositionSolver::resolve(double dt, const Beside& beside, const Beside& af
     crowd_.threads().forEach(
         last + (crowd_.isCut() ? 1 : 0),
         [&](std::size_t i) {
-            i == 0 ? arrange() : i == last ? crowd_.cluster() : beside(alone_[i - 1]);
+            i == 0 ? order() : i == last ? crowd_.cluster() : beside(alone_[i - 1]);
         },
         crowd_.isCut() ? 2 : kWorthLookingBeside);
     if (crowd_.isCut())
     {
         const StageTimer timer(times, Stage::sphereSphere);
-        crowd_.cut();
-        start();
-        resolveCrowd(dt, after);
+        solve();
     }
     return times[Stage::sphereSphere];
 }

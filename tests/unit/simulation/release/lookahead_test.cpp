@@ -125,6 +125,13 @@ protected:
         scene.spheres.count.reset();
         scene.spheres.radius = 0.1;
     }
+    static ReleaseQuery queryAhead(std::size_t ahead, bool suits)
+    {
+        ReleaseQuery query;
+        query.ahead = ahead;
+        query.suits = [suits](const Eigen::Vector3d&, double) { return suits; };
+        return query;
+    }
     Scene scene = presetScene(Preset::fast, "cube");
     TriangleMesh mesh = builtInMesh("cube");
 };
@@ -136,9 +143,7 @@ TEST_F(ReleasesAhead, FindLittleOutTwice)
     Threads threads(3);
     Releases releases(world, world.height, threads);
     std::atomic<int> prepared = 0;
-    ReleaseQuery query;
-    query.ahead = 16;
-    query.suits = [](const Eigen::Vector3d&, double) { return true; };
+    ReleaseQuery query = queryAhead(16, true);
     // Straight down to the floor, so that ever more places are in the way of each other.
     query.prepare = [&](Eigen::Vector3d& place, double radius, Footprint& seen)
     {
@@ -164,8 +169,7 @@ TEST_F(ReleasesAhead, AskOnceInASearchWhetherAPlaceSuits)
     Threads threads(3);
     Releases releases(world, world.height, threads);
     std::atomic<int> asked = 0;
-    ReleaseQuery query;
-    query.ahead = 64;
+    ReleaseQuery query = queryAhead(64, false);
     query.givesUp = true;
     query.suits = [&](const Eigen::Vector3d&, double)
     {
@@ -194,14 +198,13 @@ TEST_F(ReleasesAhead, FindAPlaceInTheNextSearchThatDidNotSuitInTheLast)
     {
         Threads threads(count);
         Releases releases(world, world.height, threads);
-        ReleaseQuery query;
-        query.ahead = 64;
+        ReleaseQuery query = queryAhead(64, false);
         query.givesUp = true;
         query.search = 1;
-        query.suits = [](const Eigen::Vector3d&, double) { return false; };
         EXPECT_FALSE(releases.next(query));
+        query = queryAhead(64, true);
+        query.givesUp = true;
         query.search = 2;
-        query.suits = [](const Eigen::Vector3d&, double) { return true; };
         const auto next = releases.next(query);
         ASSERT_TRUE(next);
         found.push_back(next->place);
@@ -216,9 +219,7 @@ TEST_F(ReleasesAhead, GiveUpAPlaceWhereNothingStays)
     {
         Threads threads(count);
         Releases releases(world, world.height, threads);
-        ReleaseQuery query;
-        query.ahead = 16;
-        query.suits = [](const Eigen::Vector3d&, double) { return true; };
+        ReleaseQuery query = queryAhead(16, true);
         query.prepare = [](Eigen::Vector3d& place, double, Footprint&) { return place.x() > 8; };
         const auto next = releases.next(query);
         ASSERT_TRUE(next);
