@@ -67,9 +67,9 @@ struct Rain
     double smallest;
 };
 
-void PrintTo(const Rain& rain, std::ostream* out)
+std::ostream& operator<<(std::ostream& out, const Rain& rain)
 {
-    *out << rain.name;
+    return out << rain.name;
 }
 
 class LookingAhead : public ::testing::TestWithParam<Rain>
