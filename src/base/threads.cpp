@@ -12,29 +12,30 @@ namespace frostfill
 namespace
 {
 
-// Threads::state_, from its lowest bit: parts taken from the front, parts taken from the back,
-// parts of the loop, loops so far.
-constexpr int kPartBits = 12;
+// Threads::Share::parts, from its lowest bit: the end of the parts that are left, the first of
+// them, loops so far. A part is taken only by changing that word, so none is ever taken twice, or
+// of a loop that is over.
+constexpr int kPartBits = 16;
 constexpr std::uint64_t kPartMask = (std::uint64_t{1} << kPartBits) - 1;
+
+struct Parts
+{
+    std::uint64_t loop;
+    std::uint64_t first;
+    std::uint64_t end;
+
+    static Parts of(std::uint64_t word)
+    {
+        return {word >> (2 * kPartBits), word >> kPartBits & kPartMask, word & kPartMask};
+    }
+    [[nodiscard]] std::uint64_t word() const
+    {
+        return loop << (2 * kPartBits) | first << kPartBits | end;
+    }
+};
+
 constexpr std::size_t kPartsPerThread = 8; // so that one that is slow does not hold up the loop
 constexpr int kSpinsBeforeYield = 100;     // before others may have the core
-
-std::uint64_t atFront(std::uint64_t state)
-{
-    return state & kPartMask;
-}
-std::uint64_t atBack(std::uint64_t state)
-{
-    return state >> kPartBits & kPartMask;
-}
-std::uint64_t parts(std::uint64_t state)
-{
-    return state >> (2 * kPartBits) & kPartMask;
-}
-bool allTaken(std::uint64_t state)
-{
-    return atFront(state) + atBack(state) == parts(state);
-}
 
 } // namespace
 
@@ -60,8 +61,10 @@ void Threads::pauseAfter(int spin)
 Threads::~Threads()
 {
     over_ = true;
-    state_.fetch_add(std::uint64_t{1} << (3 * kPartBits));
-    state_.notify_all();
+    if (!helpers_.empty())
+    {
+        handOut(0, 0, nullptr, nullptr);
+    }
     for (std::thread& helper : helpers_)
     {
         helper.join();
@@ -74,21 +77,22 @@ std::size_t Threads::gather(bool takeLong)
     const std::size_t awake = awake_.load(std::memory_order_acquire);
     if (awake < helpers_.size())
     {
-        // A loop without parts: whoever looks for one goes on looking.
-        const std::uint64_t loop = (state_.load(std::memory_order_relaxed) >> (3 * kPartBits)) + 1;
-        state_.store(loop << (3 * kPartBits), std::memory_order_release);
-        state_.notify_all();
+        handOut(0, 0, nullptr, nullptr); // whoever looks for a loop goes on looking
     }
     return atOnce_ > 0 ? atOnce_ : std::min(1 + (takeLong ? helpers_.size() : awake), cores_);
 }
 
 void Threads::start()
 {
+    if (!shares_)
+    {
+        shares_ = std::make_unique<Share[]>(concurrency_);
+    }
     try
     {
         while (helpers_.size() + 1 < concurrency_)
         {
-            helpers_.emplace_back([this] { help(); });
+            helpers_.emplace_back([this, self = helpers_.size() + 1] { help(self); });
         }
     }
     catch (const std::system_error&)
@@ -100,17 +104,12 @@ void Threads::start()
 void Threads::share(std::size_t count, Run run, const void* body)
 {
     start();
-    run_.store(run, std::memory_order_relaxed);
-    body_.store(body, std::memory_order_relaxed);
-    count_.store(count, std::memory_order_relaxed);
-    partsDone_.store(0, std::memory_order_relaxed);
-    const std::uint64_t wanted =
+    const std::uint64_t partCount =
         std::min<std::uint64_t>({count, kPartsPerThread * concurrency_, kPartMask});
-    const std::uint64_t loop = (state_.load(std::memory_order_relaxed) >> (3 * kPartBits)) + 1;
-    state_.store(loop << (3 * kPartBits) | wanted << (2 * kPartBits), std::memory_order_release);
-    state_.notify_all();
-    takeParts(true);
-    for (int spin = 0; partsDone_.load(std::memory_order_acquire) != wanted; ++spin)
+    handedOut_ += partCount;
+    handOut(partCount, count, run, body);
+    takeParts(0);
+    for (int spin = 0; !isOver(); ++spin)
     {
         pauseAfter(spin % kSpins);
     }
@@ -121,63 +120,128 @@ void Threads::share(std::size_t count, Run run, const void* body)
     }
 }
 
-void Threads::help()
+// To each thread parts side by side, the same share of each loop: from loop to loop an index mostly
+// stays with the core that has its data.
+void Threads::handOut(std::uint64_t partCount, std::size_t count, Run run, const void* body)
 {
-    ++awake_;
-    std::uint64_t seen = state_.load(std::memory_order_acquire);
-    while (!over_)
+    ++loops_;
+    const std::uint64_t takers = std::min<std::uint64_t>(partCount, helpers_.size() + 1);
+    for (std::size_t k = 0; k <= helpers_.size(); ++k)
     {
-        if (takeParts(false))
+        Share& share = shares_[k];
+        share.run.store(run, std::memory_order_relaxed);
+        share.body.store(body, std::memory_order_relaxed);
+        share.count.store(count, std::memory_order_relaxed);
+        share.partCount.store(partCount, std::memory_order_relaxed);
+        Parts parts = {loops_, 0, 0};
+        if (k < takers)
         {
-            continue;
+            parts.first = partCount * k / takers;
+            parts.end = partCount * (k + 1) / takers;
         }
-        seen = state_.load(std::memory_order_acquire);
-        for (int spin = 0; spin < kSpins && allTaken(seen) && !over_; ++spin)
+        share.parts.store(parts.word(), std::memory_order_release);
+    }
+    // Who goes to sleep says so, and then looks once more: either it is seen here, or it sees this.
+    if (awake_.fetch_add(0, std::memory_order_acq_rel) < helpers_.size())
+    {
+        for (std::size_t k = 1; k <= helpers_.size(); ++k)
         {
-            pauseAfter(spin);
-            seen = state_.load(std::memory_order_acquire);
-        }
-        if (allTaken(seen) && !over_)
-        {
-            --awake_;
-            state_.wait(seen, std::memory_order_acquire);
-            ++awake_;
+            shares_[k].parts.notify_all();
         }
     }
 }
 
-// The leading thread begins at the front and the helpers at the back, so that from loop to loop an
-// index mostly stays with the core that has its data. Returns false when no part was left. The loop
-// is not over before its parts have been told.
-bool Threads::takeParts(bool front)
+bool Threads::isOver() const
 {
-    const std::uint64_t one = front ? 1 : std::uint64_t{1} << kPartBits;
     std::size_t done = 0;
-    std::uint64_t state = state_.load(std::memory_order_acquire);
-    while (!allTaken(state))
+    for (std::size_t k = 0; k <= helpers_.size(); ++k)
     {
-        if (state_.compare_exchange_weak(state, state + one, std::memory_order_acq_rel,
-                                         std::memory_order_acquire))
+        done += shares_[k].done.load(std::memory_order_acquire);
+    }
+    return done == handedOut_;
+}
+
+void Threads::help(std::size_t self)
+{
+    const std::atomic<std::uint64_t>& parts = shares_[self].parts;
+    std::uint64_t seen = 0; // loops
+    const auto isNew = [&]
+    { return Parts::of(parts.load(std::memory_order_acquire)).loop != seen; };
+    ++awake_;
+    while (!over_)
+    {
+        for (int spin = 0; spin < kSpins && !isNew(); ++spin)
         {
-            runPart(front ? atFront(state) : parts(state) - 1 - atBack(state), parts(state));
-            ++done;
-            state = state_.load(std::memory_order_acquire);
+            pauseAfter(spin);
         }
+        if (isNew())
+        {
+            seen = Parts::of(parts.load(std::memory_order_acquire)).loop;
+            takeParts(self);
+            continue;
+        }
+        awake_.fetch_sub(1, std::memory_order_acq_rel);
+        for (std::uint64_t old = parts.load(std::memory_order_acquire);
+             Parts::of(old).loop == seen && !over_; old = parts.load(std::memory_order_acquire))
+        {
+            parts.wait(old, std::memory_order_acquire);
+        }
+        ++awake_;
+    }
+}
+
+// First one's own, then what others have left. The loop is not over before its parts are told.
+void Threads::takeParts(std::size_t self)
+{
+    const std::size_t all = concurrency_;
+    std::size_t done = 0;
+    for (std::size_t k = 0; k < all; ++k)
+    {
+        done += takeFrom((self + k) % all, self);
     }
     if (done > 0)
     {
-        partsDone_.fetch_add(done, std::memory_order_release);
+        std::atomic<std::size_t>& told = shares_[self].done;
+        told.store(told.load(std::memory_order_relaxed) + done, std::memory_order_release);
     }
-    return done > 0;
 }
 
-void Threads::runPart(std::size_t part, std::size_t all)
+// The leading thread takes its own parts from the front and helpers theirs from the back, where
+// loops may have what takes long. Others take half of what is left, from the other end.
+std::size_t Threads::takeFrom(std::size_t owner, std::size_t self)
 {
-    const std::size_t count = count_.load(std::memory_order_relaxed);
+    Share& loop = shares_[owner];
+    std::size_t done = 0;
+    std::uint64_t word = loop.parts.load(std::memory_order_acquire);
+    for (Parts left = Parts::of(word); left.first < left.end; left = Parts::of(word))
+    {
+        const std::uint64_t some = owner == self ? 1 : (left.end - left.first + 1) / 2;
+        const bool fromFront = (owner == 0) == (owner == self);
+        const std::uint64_t first = fromFront ? left.first : left.end - some;
+        (fromFront ? left.first : left.end) = fromFront ? first + some : first;
+        if (!loop.parts.compare_exchange_weak(word, left.word(), std::memory_order_acq_rel,
+                                              std::memory_order_acquire))
+        {
+            continue;
+        }
+        for (std::uint64_t part = first; part < first + some; ++part)
+        {
+            runPart(loop, part);
+        }
+        done += some;
+        word = loop.parts.load(std::memory_order_acquire);
+    }
+    return done;
+}
+
+void Threads::runPart(const Share& loop, std::size_t part)
+{
+    const std::size_t count = loop.count.load(std::memory_order_relaxed);
+    const std::size_t all = loop.partCount.load(std::memory_order_relaxed);
     try
     {
-        const Run run = run_.load(std::memory_order_relaxed);
-        const void* body = body_.load(std::memory_order_relaxed);
+        const Run run = loop.run.load(std::memory_order_relaxed);
+        const void* body = loop.body.load(std::memory_order_relaxed);
         for (std::size_t i = count * part / all; i < count * (part + 1) / all; ++i)
         {
             run(body, i);

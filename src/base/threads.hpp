@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
+#include <memory>
 #include <mutex>
 #include <stdexcept>
 #include <thread>
@@ -92,11 +93,30 @@ public:
 private:
     using Run = void (*)(const void* body, std::size_t i);
 
+    /// What a thread is to do of a loop, on lines of memory that others only touch to hand it over,
+    /// or to take some of it once they have nothing left to do.
+    struct alignas(64) Share
+    {
+        /// The parts that nobody has taken yet, and of which loop they are: see the source. Who
+        /// has taken one reads the rest, which stays as it is until the loop is over.
+        std::atomic<std::uint64_t> parts = 0;
+        std::atomic<Run> run = nullptr;
+        std::atomic<const void*> body = nullptr;
+        std::atomic<std::size_t> count = 0;     ///< bodies of the whole loop
+        std::atomic<std::size_t> partCount = 0; ///< parts of the whole loop
+        /// Parts that this thread has done so far, of all loops: told once it finds no more, and
+        /// read only by who waits for the end.
+        alignas(64) std::atomic<std::size_t> done = 0;
+    };
+
     void start();
     void share(std::size_t count, Run run, const void* body);
-    void help();
-    bool takeParts(bool front);
-    void runPart(std::size_t part, std::size_t all);
+    void handOut(std::uint64_t partCount, std::size_t count, Run run, const void* body);
+    [[nodiscard]] bool isOver() const;
+    void help(std::size_t self);
+    void takeParts(std::size_t self);
+    std::size_t takeFrom(std::size_t owner, std::size_t self);
+    void runPart(const Share& loop, std::size_t part);
     static void pauseAfter(int spin);
 
     static constexpr std::size_t kWorthSharing = 32;
@@ -106,18 +126,12 @@ private:
     std::size_t cores_;
     std::size_t atOnce_ = 0;           ///< 0: as many as are awake and have a core
     std::vector<std::thread> helpers_; ///< begin with the first loop that is shared
+    std::unique_ptr<Share[]> shares_;  ///< that of the leading thread, then the helpers'
+    std::uint64_t loops_ = 0;          ///< so far
+    std::size_t handedOut_ = 0;        ///< parts of all loops so far
 
-    /// Loops so far, parts of this loop, and how many of them are taken: see the source. A part is
-    /// taken by adding one, so no part is ever taken of a loop that is over.
-    std::atomic<std::uint64_t> state_ = 0;
-    /// Told by each thread once it finds no more, on a line of memory that the others do not read.
-    alignas(64) std::atomic<std::size_t> partsDone_ = 0;
     alignas(64) std::atomic<std::size_t> awake_ = 0; ///< helpers that look for work, or do some
     std::atomic<bool> over_ = false;
-    // Of this loop; read only by those who hold one of its parts, and while there are some.
-    std::atomic<Run> run_ = nullptr;
-    std::atomic<const void*> body_ = nullptr;
-    std::atomic<std::size_t> count_ = 0;
     std::atomic<bool> failed_ = false; ///< a body of this loop
     std::mutex failureLock_;
     std::exception_ptr failure_; ///< the first that a body has thrown

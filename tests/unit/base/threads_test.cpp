@@ -77,6 +77,32 @@ TEST_P(ThreadsTest, ThrowWhatABodyThrowsAndGoOn)
     }
 }
 
+// One thread is held up by the first body or the last, until all others but a few beside it are
+// done: for some seconds at most.
+TEST_P(ThreadsTest, DoWhatOneThatIsHeldUpCannotDo)
+{
+    constexpr std::size_t kCount = 1000;
+    for (const std::size_t slow : {std::size_t{0}, kCount - 1})
+    {
+        std::atomic<std::size_t> done = 0;
+        bool alone = false;
+        threads.forEach(kCount,
+                        [&](std::size_t i)
+                        {
+                            for (int look = 0; i == slow && threads.concurrency() > 1 &&
+                                               done < kCount - kCount / 8 && look < 10'000'000;
+                                 ++look)
+                            {
+                                std::this_thread::yield();
+                            }
+                            alone = i == slow ? done < kCount - kCount / 8 : alone;
+                            ++done;
+                        });
+        EXPECT_EQ(done, kCount);
+        EXPECT_EQ(alone, threads.concurrency() == 1 && slow == 0);
+    }
+}
+
 // So that no slab is visited beside one that still is.
 TEST_P(ThreadsTest, VisitEveryOtherSlabBeforeThoseBetween)
 {
