@@ -210,16 +210,15 @@ void FastEngine::solve()
         double& freezing = world_.counts.times[Stage::freezing];
         const StageTimer timer(world_.counts.times, Stage::freezing);
         const bool looks = looksAhead();
-        const auto observeOne = [this](std::uint32_t row) { observe(row); };
-        const auto beside = [this, looks](std::uint32_t row)
+        const auto alone = [this, looks](std::uint32_t row)
         {
             observe(row);
-            if (looks)
-            {
-                freezer_.look(row);
-            }
+            return looks && freezer_.watchAhead(row);
         };
-        const double seconds = solver_.resolve(world_.clock.dt, beside, observeOne);
+        const double seconds = solver_.resolve(
+            world_.clock.dt, {.alone = alone,
+                              .more = [this](std::uint32_t row) { freezer_.look(row); },
+                              .after = [this](std::uint32_t row) { observe(row); }});
         world_.counts.times[Stage::sphereSphere] += seconds;
         freezing -= seconds;
         sets_.observeSolver(1e3 * seconds);
@@ -306,7 +305,7 @@ void FastEngine::countTests()
     {
         world_.counts.operations.runningFrozenTests += observed_[row].spheres;
         world_.counts.operations.spherePolygonTests += observed_[row].triangles;
-        pairs += solver_.pairs().nearby(row).size();
+        pairs += solver_.pairs().nearbyCount(row);
     }
     world_.counts.operations.runningRunningTests += pairs / 2;
 }

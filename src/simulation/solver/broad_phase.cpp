@@ -18,17 +18,22 @@ bool BroadPhase::mayTouch(const Eigen::Vector3d& a, double radiusOfA, const Eige
     return isWithin(a, b, radiusOfA + radiusOfB + margin_);
 }
 
-void BroadPhase::findPairs()
+void BroadPhase::findPairs(const Found& found)
 {
-    findPairs(running_.radius.all());
+    findPairs(running_.radius.all(), found);
 }
 
-void BroadPhase::findPairs(std::span<const double> radii)
+// Few are looked at in the order of their rows, as they are elsewhere in a step: so each mostly
+// stays with the core that has it. Many, in the order of cells, as neighbours then lie in memory
+// together.
+void BroadPhase::findPairs(std::span<const double> radii, const Found& found)
 {
     radii_ = radii;
     if (running_.size() <= kFewRunners)
     {
         findAmongAll();
+        threads_.forEach(running_.size(),
+                         [&](std::size_t row) { found(static_cast<std::uint32_t>(row)); });
         return;
     }
     layOutCells();
@@ -36,10 +41,19 @@ void BroadPhase::findPairs(std::span<const double> radii)
     if (usual_ < 1)
     {
         threads_.forEach(nodes_.size(), [&](std::size_t i) { findSmaller(nodes_[i]); });
-        tellSmaller();
+        tellSmaller(found);
         return;
     }
-    threads_.forEach(nodes_.size(), [&](std::size_t i) { findNear(nodes_[i]); });
+    const bool byRow = running_.size() <= kFewInOrder;
+    threads_.forEach(
+        nodes_.size(),
+        [&](std::size_t i)
+        {
+            const auto row = static_cast<std::uint32_t>(i);
+            const Node node = byRow ? Node{running_.position[row], radii_[row], row} : nodes_[i];
+            findNear(node);
+            found(node.row);
+        });
 }
 
 void BroadPhase::findAmongAll()
@@ -57,6 +71,10 @@ void BroadPhase::findAmongAll()
                 nearby_[k].push_back(i);
             }
         }
+    }
+    for (std::uint32_t row = 0; row < running_.size(); ++row)
+    {
+        nearbyCount_[row] = static_cast<std::uint32_t>(nearby_[row].size());
     }
 }
 
@@ -154,6 +172,7 @@ void BroadPhase::findNear(const Node& node)
         }
     }
     std::sort(nearby.begin(), nearby.end());
+    nearbyCount_[node.row] = static_cast<std::uint32_t>(nearby.size());
 }
 
 // A search that each pair is found by once, from the larger of the two: small ones, which are many,
@@ -182,7 +201,7 @@ void BroadPhase::findSmaller(const Node& node)
     }
 }
 
-void BroadPhase::tellSmaller()
+void BroadPhase::tellSmaller(const Found& found)
 {
     const std::uint32_t size = running_.size();
     found_.resize(size);
@@ -200,8 +219,10 @@ void BroadPhase::tellSmaller()
     threads_.forEach(size,
                      [&](std::size_t k)
                      {
-                         auto& nearby = nearby_[static_cast<std::uint32_t>(k)];
-                         std::sort(nearby.begin(), nearby.end());
+                         const auto row = static_cast<std::uint32_t>(k);
+                         std::sort(nearby_[row].begin(), nearby_[row].end());
+                         nearbyCount_[row] = static_cast<std::uint32_t>(nearby_[row].size());
+                         found(row);
                      });
 }
 

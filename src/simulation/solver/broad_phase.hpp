@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -21,7 +22,8 @@ class BroadPhase
 public:
     /// `margin`: gap up to which two are a pair. [r]
     BroadPhase(RunningSpheres& running, Threads& threads, double margin = kPairMargin)
-        : running_(running), threads_(threads), margin_(margin), nearby_(running)
+        : running_(running), threads_(threads), margin_(margin), nearby_(running),
+          nearbyCount_(running)
     {
     }
     /// For runners of different sizes: cells are as for those of this radius, and the margin is for
@@ -32,17 +34,24 @@ public:
         margin_ = kPairMargin * std::min(1.0, dt / kLongestOfMargin);
     }
 
-    void findPairs();
+    /// What is done with a runner, by its row, on any thread, once all near it are known.
+    using Found = std::function<void(std::uint32_t row)>;
+
+    void findPairs(const Found& found = doNothing);
     /// The same as if each runner had this radius, by row [r].
-    void findPairs(std::span<const double> radii);
+    void findPairs(std::span<const double> radii, const Found& found = doNothing);
     /// Runners that the last search has found near this one, by row, ascending. One that has begun
     /// to run since has those of whoever had its row before.
     [[nodiscard]] const std::vector<std::uint32_t>& nearby(std::uint32_t row) const
     {
         return nearby_[row];
     }
+    /// How many those are: for who asks for all rows, and the lists of few.
+    [[nodiscard]] std::uint32_t nearbyCount(std::uint32_t row) const { return nearbyCount_[row]; }
+    [[nodiscard]] bool isPaired(std::uint32_t row) const { return nearbyCount_[row] != 0; }
 
 private:
+    static void doNothing(std::uint32_t) {}
     /// A runner, with all that a search needs in one place of memory.
     struct Node
     {
@@ -64,7 +73,7 @@ private:
     [[nodiscard]] std::uint32_t cellOf(const Eigen::Vector3d& p) const;
     void findNear(const Node& node);
     void findSmaller(const Node& node);
-    void tellSmaller();
+    void tellSmaller(const Found& found);
 
     RunningSpheres& running_;
     Threads& threads_;
@@ -72,6 +81,7 @@ private:
     double usual_ = 1;              ///< radius that cells are for; below 1 sizes differ
     std::span<const double> radii_; ///< by row, while pairs are searched
     RunningColumn<std::vector<std::uint32_t>> nearby_;
+    RunningColumn<std::uint32_t> nearbyCount_;
     Eigen::Vector3d low_ = Eigen::Vector3d::Zero(); ///< corner of the first cell
     double edge_ = 1;                               ///< of a cell [r]
     std::array<int, 3> count_ = {1, 1, 1};          ///< of cells

@@ -25,7 +25,7 @@ void Crowd::gather(const Eigen::Vector3d& down)
     startGathering(down);
     for (std::uint32_t row = 0; row < running_.size(); ++row)
     {
-        if (!pairs_.nearby(row).empty())
+        if (pairs_.isPaired(row))
         {
             enter(row);
         }
@@ -119,7 +119,7 @@ void Crowd::giveSlots()
     for (std::uint32_t slot = 0; slot < size; ++slot)
     {
         firstNear_[slot] = first;
-        first += pairs_.nearby(rows_[slot]).size();
+        first += pairs_.nearbyCount(rows_[slot]);
     }
     firstNear_[size] = first;
     nearby_.resize(first);
@@ -188,7 +188,7 @@ void Crowd::dealClusters()
     }
     for (const std::uint32_t row : members_)
     {
-        load_[lead_[row]] += 1 + static_cast<std::uint32_t>(pairs_.nearby(row).size());
+        load_[lead_[row]] += 1 + pairs_.nearbyCount(row);
     }
     std::sort(clusters_.begin(), clusters_.end(),
               [this](std::uint32_t a, std::uint32_t b)

@@ -30,20 +30,23 @@ std::atomic_ref<char> flag(char& value)
 
 // To arrange the crowd takes one thread, and so does a crowd that is not cut; the others then look
 // after those that are alone.
-double PositionSolver::resolve(double dt, const Beside& beside, const Beside& after)
+double PositionSolver::resolve(double dt, const Besides& besides)
 {
     StageTimes times;
     down_ = flight_.down();
+    wantsMore_.resize(running_.size());
     {
         const StageTimer timer(times, Stage::sphereSphere);
-        pairs_.findPairs();
+        pairs_.findPairs(
+            [&](std::uint32_t row)
+            { wantsMore_[row] = !pairs_.isPaired(row) && besides.alone(row) ? 1 : 0; });
         crowd_.gather(down_);
     }
     const auto solve = [&]
     {
         crowd_.cut();
         start();
-        resolveCrowd(dt, after);
+        resolveCrowd(dt, besides.after);
     };
     const auto order = [&]
     {
@@ -54,19 +57,19 @@ double PositionSolver::resolve(double dt, const Beside& beside, const Beside& af
             solve();
         }
     };
-    alone_.clear();
+    more_.clear();
     for (std::uint32_t row = 0; row < running_.size(); ++row)
     {
-        if (pairs_.nearby(row).empty())
+        if (wantsMore_[row] != 0)
         {
-            alone_.push_back(row);
+            more_.push_back(row);
         }
     }
-    const std::size_t last = 1 + alone_.size();
+    const std::size_t last = 1 + more_.size();
     crowd_.threads().forEach(
         last + (crowd_.isCut() ? 1 : 0),
         [&](std::size_t i) {
-            i == 0 ? order() : i == last ? crowd_.cluster() : beside(alone_[i - 1]);
+            i == 0 ? order() : i == last ? crowd_.cluster() : besides.more(more_[i - 1]);
         },
         crowd_.isCut() ? 2 : kWorthLookingBeside);
     if (crowd_.isCut())

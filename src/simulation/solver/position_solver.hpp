@@ -32,14 +32,22 @@ public:
         }
     }
 
-    /// What may be done of a runner while others are separated, by its row. It changes nothing but
-    /// what belongs to that runner.
+    /// What may be done of a runner, by its row, while others are separated. On any thread; it
+    /// changes nothing but what belongs to that runner.
     using Beside = std::function<void(std::uint32_t row)>;
+    struct Besides
+    {
+        /// Of each that is in no pair, at once. Returns whether there is more to be done of it.
+        std::function<bool(std::uint32_t row)> alone = [](std::uint32_t) { return false; };
+        Beside more = [](std::uint32_t) {};
+        /// Of each that is in a pair, once it is where it stays.
+        Beside after = [](std::uint32_t) {};
+    };
 
-    /// Separates the runners and makes their velocities agree with it. Calls, on any thread,
-    /// `beside` for each that is in no pair, and `after` for each that is, once it is where it
-    /// stays. Returns how long it took, without `beside` [s].
-    double resolve(double dt, const Beside& beside = doNothing, const Beside& after = doNothing);
+    /// Separates the runners and makes their velocities agree with it. Returns how long it took,
+    /// without `more` [s].
+    double resolve(double dt, const Besides& besides);
+    double resolve(double dt) { return resolve(dt, Besides()); }
 
     /// Takes runners that overlap apart, without giving them any speed.
     void separate();
@@ -50,7 +58,6 @@ public:
     [[nodiscard]] VelocitySolver& velocities() { return velocitySolver_; }
 
 private:
-    static void doNothing(std::uint32_t) {}
     /// How members are taken apart.
     struct Sweeps
     {
@@ -78,7 +85,8 @@ private:
     Turns turns_;
     VelocitySolver velocitySolver_;
     Eigen::Vector3d down_ = {0, -1, 0}; ///< the pull's direction in this step
-    std::vector<std::uint32_t> alone_;  ///< rows of runners that are in no pair
+    std::vector<char> wantsMore_;       ///< by row: in no pair, and there is more to be done
+    std::vector<std::uint32_t> more_;   ///< the rows of those
     // By slot, in the step in hand.
     struct Flown
     {

@@ -39,14 +39,21 @@ struct Runners
         }
         return near;
     }
+    /// As they are told of, each once.
     [[nodiscard]] std::vector<std::vector<std::uint32_t>> found()
     {
-        pairs.findPairs();
-        std::vector<std::vector<std::uint32_t>> near;
-        for (std::uint32_t row = 0; row < spheres.running().size(); ++row)
-        {
-            near.push_back(pairs.nearby(row));
-        }
+        const std::size_t size = spheres.running().size();
+        std::vector<std::vector<std::uint32_t>> near(size);
+        std::vector<int> calls(size, 0);
+        pairs.findPairs(
+            [&](std::uint32_t row)
+            {
+                ++calls[row];
+                near[row] = pairs.nearby(row);
+                EXPECT_EQ(pairs.nearbyCount(row), near[row].size());
+                EXPECT_EQ(pairs.isPaired(row), !near[row].empty());
+            });
+        EXPECT_EQ(calls, std::vector<int>(size, 1));
         return near;
     }
 
@@ -64,6 +71,16 @@ void scatter(Runners& runners, std::size_t count, const Eigen::Vector3d& size, d
         const auto at = [&](std::uint64_t axis) { return uniformRandom(seed, k, axis) - 0.5; };
         runners.add(size.cwiseProduct(Eigen::Vector3d(at(0), at(1), at(2))),
                     smallest + (1 - smallest) * uniformRandom(seed, k, 3));
+    }
+}
+
+TEST(BroadPhase, FindsThemInTheOrderOfRowsAndOfCells)
+{
+    for (const std::size_t count : {kFewInOrder, kFewInOrder + 1})
+    {
+        Runners runners;
+        scatter(runners, count, {40, 40, 40}, 0.5, count);
+        ASSERT_EQ(runners.found(), runners.expected());
     }
 }
 

@@ -272,14 +272,22 @@ TEST(PositionSolver, HandsOverThoseInNoPairWhileOthersPushEachOther)
             std::vector<int> calls(places.size(), 0);
             std::vector<int> after(places.size(), 0);
             std::vector<Eigen::Vector3d> seen(places.size());
-            EXPECT_GE(with.positionSolver.resolve(
-                          kDt, [&](std::uint32_t row) { ++calls[row]; },
-                          [&](std::uint32_t row)
-                          {
-                              ++after[row];
-                              seen[row] = with.running.velocity[row];
-                          }),
-                      0);
+            std::vector<int> more(places.size(), 0);
+            const auto seesFew = [&](std::uint32_t row)
+            {
+                ++calls[row];
+                return row % 3 == 0;
+            };
+            const auto seesEnd = [&](std::uint32_t row)
+            {
+                ++after[row];
+                seen[row] = with.running.velocity[row];
+            };
+            EXPECT_GE(
+                with.positionSolver.resolve(kDt, {.alone = seesFew,
+                                                  .more = [&](std::uint32_t row) { ++more[row]; },
+                                                  .after = seesEnd}),
+                0);
             without.positionSolver.resolve(kDt);
             std::vector<int> alone;
             for (std::uint32_t row = 0; row < with.running.size(); ++row)
@@ -288,6 +296,7 @@ TEST(PositionSolver, HandsOverThoseInNoPairWhileOthersPushEachOther)
                 ASSERT_EQ(with.running.position[row], without.running.position[row]);
                 ASSERT_EQ(with.running.velocity[row], without.running.velocity[row]);
                 ASSERT_EQ(calls[row] + after[row], 1);
+                ASSERT_EQ(more[row], row % 3 == 0 ? calls[row] : 0) << "of whom it is wanted";
                 ASSERT_TRUE(after[row] == 0 || seen[row] == with.running.velocity[row])
                     << "it stays as it is seen";
             }
