@@ -31,7 +31,7 @@ void Freezer::age(std::uint32_t row, double dt)
     const bool heldUp =
         std::any_of(normals.begin(), normals.end(),
                     [&](const Eigen::Vector3d& normal) { return normal.dot(down) < -kHoldsUp; });
-    watch_[row].age += heldUp || solver_.pairs().nearby(row).empty() ? dt : kWaiting * dt;
+    watch_[row].age += heldUp || !solver_.pairs().isPaired(row) ? dt : kWaiting * dt;
 }
 
 void Freezer::startWindow()
@@ -44,38 +44,36 @@ void Freezer::startWindow()
 
 bool Freezer::startLooking()
 {
-    looks_ = !isPile();
-    if (looks_)
+    looksAhead_ = !isPile();
+    if (looksAhead_)
     {
         forgetLooks();
     }
-    return looks_;
+    return looksAhead_;
 }
 
 void Freezer::forgetLooks()
 {
-    carriedAt_.assign(running_.size(), std::nullopt);
-    stale_.assign(running_.size(), 0);
-    looked_.assign(running_.size(), 0);
+    carriedAt_.resize(running_.size());
+    stale_.resize(running_.size());
+    looks_.assign(running_.size(), Look::none);
 }
 
-void Freezer::look(std::uint32_t row)
+bool Freezer::watchAhead(std::uint32_t row)
 {
     watchRow(row);
-    if (isSleepy(row) && !isOverdue(row))
-    {
-        findPlace(row);
-    }
-    looked_[row] = 1;
+    const bool sleepy = isSleepy(row);
+    looks_[row] = sleepy ? Look::sleepy : Look::awake;
+    return sleepy && !isOverdue(row);
 }
 
 void Freezer::freeze(SetSchedule& sets)
 {
-    if (!looks_)
+    if (!looksAhead_)
     {
         forgetLooks();
     }
-    looks_ = false;
+    looksAhead_ = false;
     findSleepy();
     sets.endWindow(watch_.all(), sleepy_);
     if (sleepy_.empty())
@@ -118,11 +116,12 @@ void Freezer::findSleepy()
     sleepy_.clear();
     for (std::uint32_t row = 0; row < running_.size(); ++row)
     {
-        if (looked_[row] == 0)
+        if (looks_[row] == Look::none)
         {
             watchRow(row);
+            looks_[row] = isSleepy(row) ? Look::missed : Look::awake;
         }
-        if (isSleepy(row))
+        if (looks_[row] != Look::awake)
         {
             sleepy_.push_back(row);
         }
@@ -170,18 +169,7 @@ void Freezer::freezeTogether(std::uint32_t stillWindows)
 // next window.
 void Freezer::freezeOneByOne()
 {
-    unseen_.clear();
-    for (const std::uint32_t row : sleepy_)
-    {
-        // One that is overdue may go far, where it would not be told of others.
-        stale_[row] = isOverdue(row) ? 1 : 0;
-        if (stale_[row] == 0 && looked_[row] == 0 && !running_.isGone(row))
-        {
-            unseen_.push_back(row);
-        }
-    }
-    threads_.forEach(
-        unseen_.size(), [&](std::size_t i) { findPlace(unseen_[i]); }, kWorthSharing);
+    lookAtSleepy();
     for (const std::uint32_t row : sleepy_)
     {
         if (running_.isGone(row))
@@ -201,6 +189,47 @@ void Freezer::freezeOneByOne()
             tryFreeze(row);
         }
     }
+}
+
+void Freezer::lookAtSleepy()
+{
+    unseen_.clear();
+    for (const std::uint32_t row : sleepy_)
+    {
+        // One that is overdue may go far, where it would not be told of others.
+        stale_[row] = isOverdue(row) ? 1 : 0;
+        if (stale_[row] == 0 && looks_[row] == Look::missed && !running_.isGone(row))
+        {
+            unseen_.push_back(row);
+        }
+    }
+    threads_.forEach(
+        unseen_.size(), [&](std::size_t i) { findPlace(unseen_[i]); }, kWorthSharing);
+    if (threads_.concurrency() > 1)
+    {
+        lookForRoom();
+    }
+}
+
+// The first look costs little, and most overlap nobody. To get out of a wedge takes long.
+void Freezer::lookForRoom()
+{
+    resolver_.makeReady(running_.size());
+    blocked_.clear();
+    for (const std::uint32_t row : sleepy_)
+    {
+        if (stale_[row] == 0 && carriedAt_[row] && !running_.isGone(row) &&
+            resolver_.lookForOverlapped(row, restingAt(row)))
+        {
+            blocked_.push_back(row);
+        }
+    }
+    threads_.forEachLarge(blocked_.size(),
+                          [&](std::size_t i)
+                          {
+                              const std::uint32_t row = blocked_[i];
+                              resolver_.lookForRoom(row, restingAt(row), farthestRoom(row));
+                          });
 }
 
 // Where the runner would be frozen. One that is overdue is frozen wherever it gets.
@@ -238,12 +267,11 @@ void Freezer::findPlace(std::uint32_t row)
 // Leaves the runner running when others are in the way.
 void Freezer::tryFreeze(std::uint32_t row, bool insist)
 {
-    const PlacedSphere resting = {*carriedAt_[row], running_.radius[row]};
+    const PlacedSphere resting = restingAt(row);
     const bool tooOld = isOverdue(row);
-    const std::uint32_t stillWindows = watch_[row].stillWindows;
-    const bool blocked = insist || tooOld || stillWindows > kBlocked;
-    const bool room = resolver_.moveAside(row, resting, blocked ? kFarRoom : kNearRoom);
-    if (!room && !insist && !tooOld && stillWindows <= kBlockedForGood)
+    const double farthest = insist ? kFarRoom : farthestRoom(row);
+    const bool room = resolver_.moveAside(row, resting, farthest);
+    if (!room && !insist && !tooOld && watch_[row].stillWindows <= kBlockedForGood)
     {
         return;
     }

@@ -28,7 +28,7 @@ bool yieldsAfter(double way, double rollingFriction)
     freezer.startWindow();
     running.position[0] += Eigen::Vector3d(0, -way, 0);
     EXPECT_TRUE(freezer.startLooking());
-    freezer.look(0);
+    EXPECT_FALSE(freezer.watchAhead(0)) << "it has moved";
     return solver.velocities().yields(0);
 }
 
