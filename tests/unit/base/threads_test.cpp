@@ -86,16 +86,19 @@ TEST_P(ThreadsTest, DoWhatOneThatIsHeldUpCannotDo)
     {
         std::atomic<std::size_t> done = 0;
         bool alone = false;
+        const auto isDone = [&] { return done >= kCount - kCount / 8; };
         threads.forEach(kCount,
                         [&](std::size_t i)
                         {
-                            for (int look = 0; i == slow && threads.concurrency() > 1 &&
-                                               done < kCount - kCount / 8 && look < 10'000'000;
-                                 ++look)
+                            if (i == slow)
                             {
-                                std::this_thread::yield();
+                                const int looks = threads.concurrency() > 1 ? 10'000'000 : 0;
+                                for (int look = 0; look < looks && !isDone(); ++look)
+                                {
+                                    std::this_thread::yield();
+                                }
+                                alone = !isDone();
                             }
-                            alone = i == slow ? done < kCount - kCount / 8 : alone;
                             ++done;
                         });
         EXPECT_EQ(done, kCount);
