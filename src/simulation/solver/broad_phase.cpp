@@ -29,31 +29,37 @@ void BroadPhase::findPairs(const Found& found)
 void BroadPhase::findPairs(std::span<const double> radii, const Found& found)
 {
     radii_ = radii;
-    if (running_.size() <= kFewRunners)
+    const std::uint32_t size = running_.size();
+    if (size <= kFewRunners)
     {
         findAmongAll();
-        threads_.forEach(running_.size(),
-                         [&](std::size_t row) { found(static_cast<std::uint32_t>(row)); });
-        return;
     }
-    layOutCells();
-    sortIntoCells();
-    if (usual_ < 1)
+    else
     {
-        threads_.forEach(nodes_.size(), [&](std::size_t i) { findSmaller(nodes_[i]); });
-        tellSmaller(found);
+        layOutCells();
+        sortIntoCells();
+    }
+    if (size > kFewRunners && size <= kFewInOrder && usual_ == 1)
+    {
+        threads_.forEach(size,
+                         [&](std::size_t i)
+                         {
+                             const auto row = static_cast<std::uint32_t>(i);
+                             findNear({running_.position[row], radii_[row], row});
+                             found(row);
+                         });
         return;
     }
-    const bool byRow = running_.size() <= kFewInOrder;
-    threads_.forEach(
-        nodes_.size(),
-        [&](std::size_t i)
-        {
-            const auto row = static_cast<std::uint32_t>(i);
-            const Node node = byRow ? Node{running_.position[row], radii_[row], row} : nodes_[i];
-            findNear(node);
-            found(node.row);
-        });
+    if (size > kFewRunners && usual_ == 1)
+    {
+        threads_.forEach(size, [&](std::size_t i) { findNear(nodes_[i]); });
+    }
+    else if (size > kFewRunners)
+    {
+        threads_.forEach(size, [&](std::size_t i) { findSmaller(nodes_[i]); });
+        tellSmaller();
+    }
+    threads_.forEach(size, [&](std::size_t row) { found(static_cast<std::uint32_t>(row)); });
 }
 
 void BroadPhase::findAmongAll()
@@ -201,7 +207,7 @@ void BroadPhase::findSmaller(const Node& node)
     }
 }
 
-void BroadPhase::tellSmaller(const Found& found)
+void BroadPhase::tellSmaller()
 {
     const std::uint32_t size = running_.size();
     found_.resize(size);
@@ -222,7 +228,6 @@ void BroadPhase::tellSmaller(const Found& found)
                          const auto row = static_cast<std::uint32_t>(k);
                          std::sort(nearby_[row].begin(), nearby_[row].end());
                          nearbyCount_[row] = static_cast<std::uint32_t>(nearby_[row].size());
-                         found(row);
                      });
 }
 

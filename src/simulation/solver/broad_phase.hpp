@@ -73,7 +73,7 @@ private:
     [[nodiscard]] std::uint32_t cellOf(const Eigen::Vector3d& p) const;
     void findNear(const Node& node);
     void findSmaller(const Node& node);
-    void tellSmaller(const Found& found);
+    void tellSmaller();
 
     RunningSpheres& running_;
     Threads& threads_;
