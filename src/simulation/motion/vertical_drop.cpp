@@ -60,10 +60,12 @@ double sphereOfLevelBelow(const World& world, const FallIndex& falls, const Fall
     const SphereGrid& resting = world.spheres.resting();
     const GridFrame& frame = resting.frame(column.level);
     const double reach = radius + resting.largest(column.level);
-    const auto& [x, y, z] = column.cell;
     const auto next = [&](int from)
-    { return falls.highestSphere(x, z, from, column.level, column.beside); };
-    for (int layer = next(y); layer >= 0;)
+    {
+        const auto& [x, y, z] = column.cell;
+        return falls.highestSphere(x, z, from, column.level, column.beside);
+    };
+    for (int layer = next(column.cell[1]); layer >= 0;)
     {
         // Whatever lies in this layer is touched lower than at its top and the reach.
         if (column.level > 0 && highest >= frame.origin.y() + frame.cell * (layer + 1) + reach)
