@@ -30,16 +30,27 @@ void BroadPhase::findPairs(std::span<const double> radii, const Found& found)
 {
     radii_ = radii;
     const std::uint32_t size = running_.size();
+    const auto tell = [&](std::size_t row) { found(static_cast<std::uint32_t>(row)); };
     if (size <= kFewRunners)
     {
         findAmongAll();
+        threads_.forEach(size, tell);
+        return;
+    }
+    layOutCells();
+    sortIntoCells();
+    if (usual_ < 1)
+    {
+        threads_.forEach(size, [&](std::size_t i) { findSmaller(nodes_[i]); });
+        tellSmaller();
+        threads_.forEach(size, tell);
+    }
+    else if (size > kFewInOrder)
+    {
+        threads_.forEach(size, [&](std::size_t i) { findNear(nodes_[i]); });
+        threads_.forEach(size, tell);
     }
     else
-    {
-        layOutCells();
-        sortIntoCells();
-    }
-    if (size > kFewRunners && size <= kFewInOrder && usual_ == 1)
     {
         threads_.forEach(size,
                          [&](std::size_t i)
@@ -48,18 +59,7 @@ void BroadPhase::findPairs(std::span<const double> radii, const Found& found)
                              findNear({running_.position[row], radii_[row], row});
                              found(row);
                          });
-        return;
     }
-    if (size > kFewRunners && usual_ == 1)
-    {
-        threads_.forEach(size, [&](std::size_t i) { findNear(nodes_[i]); });
-    }
-    else if (size > kFewRunners)
-    {
-        threads_.forEach(size, [&](std::size_t i) { findSmaller(nodes_[i]); });
-        tellSmaller();
-    }
-    threads_.forEach(size, [&](std::size_t row) { found(static_cast<std::uint32_t>(row)); });
 }
 
 void BroadPhase::findAmongAll()
