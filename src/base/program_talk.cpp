@@ -28,6 +28,7 @@ constexpr std::size_t kSendAt = std::size_t(1) << 16;   // [byte]
 constexpr std::size_t kMostSaid = std::size_t(1) << 16; // that is no line, or not asked for [byte]
 constexpr std::size_t kMostErrors = 400;                // kept of standard error [byte]
 constexpr auto kTimeToEnd = 1s;
+constexpr auto kTimeToComplain = 100ms; // of one that says what is wrong, and may go on
 
 /// A file by its path; what is no file is looked for in PATH.
 std::string findProgram(const std::string& program)
@@ -129,7 +130,7 @@ void ProgramTalk::end()
 {
     sendAll();
     input_.closeWriting();
-    static_cast<void>(endsSoon());
+    static_cast<void>(endsWithin(kTimeToEnd));
     reap();
 }
 
@@ -146,7 +147,7 @@ double ProgramTalk::seconds() const
 
 std::string ProgramTalk::ending()
 {
-    const bool ended = endsSoon();
+    const bool ended = endsWithin(output_.reading() < 0 ? kTimeToEnd : kTimeToComplain);
     reap();
     while (errors_.reading() >= 0 && read(errors_, lastErrors_))
     {
@@ -242,9 +243,9 @@ bool ProgramTalk::read(Pipe& pipe, std::string& text)
     return size > 0;
 }
 
-bool ProgramTalk::endsSoon() const
+bool ProgramTalk::endsWithin(Clock::duration time) const
 {
-    const auto last = Clock::now() + kTimeToEnd;
+    const auto last = Clock::now() + time;
     for (;;)
     {
         siginfo_t info{};

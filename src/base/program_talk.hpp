@@ -49,7 +49,7 @@ private:
     void write();
     bool read(Pipe& pipe, std::string& text);
     [[nodiscard]] bool canHear() const;
-    [[nodiscard]] bool endsSoon() const;
+    [[nodiscard]] bool endsWithin(Clock::duration time) const;
     void reap();
 
     Pipe input_;
