@@ -31,6 +31,7 @@ constexpr const char* kBenchExamples = R"(Examples:
   frostfill bench growth                    cost against the number of triangles
   frostfill bench error                     run time against error
   frostfill bench error --peers             other engines on the same spheres
+  frostfill bench error --peer Jolt=./jolt.mjs
   frostfill bench stability                 extreme scenes, both methods
 )";
 
@@ -45,7 +46,8 @@ struct BenchArguments
 {
     bool quick = false;
     bool peers = false;
-    std::vector<std::string> objects; ///< mesh files, beside the four that are built in
+    std::vector<std::string> programs; ///< engines that are not built in, each NAME=PROGRAM
+    std::vector<std::string> objects;  ///< mesh files, beside the four that are built in
     std::string directory = "output/bench";
     int (*run)(const BenchArguments&) = nullptr;
 };
@@ -199,12 +201,14 @@ std::vector<std::string> brokenClaims(const std::vector<ClosedFormPoint>& closed
 }
 
 /// Other engines beside ours: what is claimed and does not hold.
-void comparePeers(const BenchArguments& arguments, std::vector<std::string>& broken)
+void comparePeers(const BenchArguments& arguments, const std::vector<ProgramPeer>& programs,
+                  std::vector<std::string>& broken)
 {
     TaskBar bar;
-    const std::vector<PeerPoint> points = measurePeers(
-        arguments.quick, [&](std::size_t done, std::size_t all, const std::string& what)
-        { bar.update(done, all, what); });
+    const std::vector<PeerPoint> points =
+        measurePeers(arguments.quick, programs,
+                     [&](std::size_t done, std::size_t all, const std::string& what)
+                     { bar.update(done, all, what); });
     bar.close();
     writeTable(arguments, "peers.csv", peersCsv(points));
     fmt::print("{}\n", formatText(peersTable(points)));
@@ -235,9 +239,11 @@ void comparePeers(const BenchArguments& arguments, std::vector<std::string>& bro
 
 int benchError(const BenchArguments& arguments)
 {
-    if (arguments.peers)
+    const std::vector<ProgramPeer> programs = readProgramPeers(arguments.programs);
+    const bool comparesPeers = arguments.peers || !programs.empty();
+    if (comparesPeers)
     {
-        requirePeers();
+        requirePeers(programs);
     }
     TaskBar bar;
     const std::vector<ClosedFormPoint> closed = measureClosedForms(arguments.quick);
@@ -257,9 +263,9 @@ int benchError(const BenchArguments& arguments)
     draw(arguments, closedFormsFigure());
     draw(arguments, errorFigure());
     std::vector<std::string> broken = brokenClaims(closed, points);
-    if (arguments.peers)
+    if (comparesPeers)
     {
-        comparePeers(arguments, broken);
+        comparePeers(arguments, programs, broken);
     }
     for (const std::string& claim : broken)
     {
@@ -306,6 +312,9 @@ Command addBenchCommand(CLI::App& program)
         {
             one->add_flag("--peers", arguments->peers,
                           "Also run other engines on the same spheres (Bullet, ODE, LIGGGHTS)");
+            one->add_option("--peer", arguments->programs,
+                            "Also run this program, an engine by its path; may be repeated")
+                ->type_name("NAME=PROGRAM");
             one->add_option("--object", arguments->objects,
                             "Also estimate the volume of this mesh; may be repeated")
                 ->type_name("FILE");

@@ -144,7 +144,7 @@ void expectShownCommandsWork(bool studies)
             }
             const Answer answer = test::runProgram(arguments, folder.path());
             // Without other engines to compare with, the program for skins or ffmpeg, nothing runs.
-            const bool lacksEngines = arguments.find("--peers") != std::string::npos;
+            const bool lacksEngines = arguments.find("--peer") != std::string::npos;
             const bool lacksWrap = !kHasWrap && (arguments.find("--wrap") != std::string::npos ||
                                                  arguments.find("--unite") != std::string::npos);
             const bool lacksFfmpeg = arguments.find("--video") != std::string::npos &&

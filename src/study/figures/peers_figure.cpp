@@ -17,7 +17,7 @@ void makePeersData(const FigureFolder& folder)
     requirePeers();
     const auto progress = [&](std::size_t done, std::size_t all, const std::string& what)
     { folder.progress(done, all, what); };
-    folder.write("peers.csv", peersCsv(measurePeers(folder.quick(), progress)));
+    folder.write("peers.csv", peersCsv(measurePeers(folder.quick(), {}, progress)));
 }
 
 } // namespace

@@ -17,11 +17,15 @@
 #include <iterator>
 #include <limits>
 #include <numbers>
+#include <set>
 
 namespace frostfill
 {
 namespace
 {
+
+constexpr const char* kOurName = "Frostfill";
+constexpr const char* kLiggghtsName = "LIGGGHTS";
 
 /// In units of r.
 Scene cubeScene(std::uint64_t count, Motion motion)
@@ -61,7 +65,7 @@ PeerPoint ours(const PeerTask& task, Motion motion)
     }
     PeerPoint point;
     point.ours = true;
-    point.engine = "Frostfill";
+    point.engine = kOurName;
     point.setting = motion == Motion::fall ? "fall" : motion == Motion::skip ? "skip" : "descend";
     point.seconds = clock.seconds();
     point.simulated = world.clock.time;
@@ -76,7 +80,7 @@ PeerPoint ours(const PeerTask& task, Motion motion)
     return point;
 }
 
-PeerPoint theirs(const PeerTask& task, const char* engine, const std::string& setting,
+PeerPoint theirs(const PeerTask& task, const std::string& engine, const std::string& setting,
                  const PeerResult& result)
 {
     PeerPoint point;
@@ -118,22 +122,32 @@ constexpr RigidBodyPeer kRigidBodyPeers[] = {
     {"ODE", hasOde, runOde},
 };
 
-void addOthers(std::vector<PeerRun>& runs, const PeerTask& task)
+void addSteps(std::vector<PeerRun>& runs, const PeerTask& task, const std::string& name,
+              const std::function<PeerResult(const PeerTask&, double step)>& run)
+{
+    for (const double step : {0.12, 0.06})
+    {
+        runs.emplace_back(
+            [&task, name, run, step]
+            { return theirs(task, name, fmt::format("step {:g}", step), run(task, step)); });
+    }
+}
+
+void addOthers(std::vector<PeerRun>& runs, const PeerTask& task,
+               const std::vector<ProgramPeer>& programs)
 {
     for (const RigidBodyPeer& peer : kRigidBodyPeers)
     {
-        if (!peer.has())
+        if (peer.has())
         {
-            continue;
+            addSteps(runs, task, peer.name, peer.run);
         }
-        for (const double step : {0.12, 0.06})
-        {
-            runs.emplace_back(
-                [&task, &peer, step] {
-                    return theirs(task, peer.name, fmt::format("step {:g}", step),
-                                  peer.run(task, step));
-                });
-        }
+    }
+    for (const ProgramPeer& peer : programs)
+    {
+        addSteps(runs, task, peer.name,
+                 [peer](const PeerTask& all, double step)
+                 { return runProgramPeer(peer, all, step); });
     }
     if (hasLiggghts())
     {
@@ -142,7 +156,7 @@ void addOthers(std::vector<PeerRun>& runs, const PeerTask& task)
             runs.emplace_back(
                 [&task, stiffness]
                 {
-                    return theirs(task, "LIGGGHTS", fmt::format("stiffness {:g}", stiffness),
+                    return theirs(task, kLiggghtsName, fmt::format("stiffness {:g}", stiffness),
                                   runLiggghts(task, stiffness));
                 });
         }
@@ -151,19 +165,43 @@ void addOthers(std::vector<PeerRun>& runs, const PeerTask& task)
 
 } // namespace
 
-void requirePeers()
+std::vector<ProgramPeer> readProgramPeers(const std::vector<std::string>& texts)
 {
+    std::set<std::string> names = {kOurName, kLiggghtsName};
+    for (const RigidBodyPeer& peer : kRigidBodyPeers)
+    {
+        names.insert(peer.name);
+    }
+    std::vector<ProgramPeer> programs;
+    for (const std::string& text : texts)
+    {
+        programs.push_back(readProgramPeer(text));
+        if (!names.insert(programs.back().name).second)
+        {
+            throw Error(ErrorCode::usage,
+                        fmt::format("two engines have the name {}: give '{}' another one",
+                                    programs.back().name, programs.back().program));
+        }
+    }
+    return programs;
+}
+
+void requirePeers(const std::vector<ProgramPeer>& programs)
+{
+    std::for_each(programs.begin(), programs.end(), tryProgramPeer);
     const bool builtIn = std::any_of(std::begin(kRigidBodyPeers), std::end(kRigidBodyPeers),
                                      [](const RigidBodyPeer& peer) { return peer.has(); });
-    if (!builtIn && !hasLiggghts())
+    if (programs.empty() && !builtIn && !hasLiggghts())
     {
         throw Error(ErrorCode::missingProgram,
-                    "no other engine to compare with: apt-get install libbullet-dev or libode-dev "
-                    "and configure with -DFROSTFILL_PEERS=ON, or apt-get install liggghts");
+                    "no other engine to compare with: name one by --peer, apt-get install "
+                    "libbullet-dev or libode-dev and configure with -DFROSTFILL_PEERS=ON, or "
+                    "apt-get install liggghts");
     }
 }
 
-std::vector<PeerPoint> measurePeers(bool quick, const StudyProgress& progress)
+std::vector<PeerPoint> measurePeers(bool quick, const std::vector<ProgramPeer>& programs,
+                                    const StudyProgress& progress)
 {
     const std::uint64_t count = quick ? 1000 : 10000;
     PeerTask task;
@@ -176,7 +214,7 @@ std::vector<PeerPoint> measurePeers(bool quick, const StudyProgress& progress)
     {
         runs.emplace_back([&task, motion] { return ours(task, motion); });
     }
-    addOthers(runs, task);
+    addOthers(runs, task, programs);
     std::vector<PeerPoint> points;
     for (const PeerRun& run : runs)
     {

@@ -3,6 +3,7 @@
 // installed are left out.
 #pragma once
 
+#include "study/peers/program_peer.hpp"
 #include "study/stability/stability_study.hpp"
 #include "study/table.hpp"
 
@@ -31,11 +32,16 @@ struct PeerPoint
     [[nodiscard]] double worst() const { return std::max(maxOverlap, wallOverlap); }
 };
 
-/// Throws Error missingProgram when there is no other engine to compare with.
-void requirePeers();
+/// The engines of `NAME=PROGRAM`. Throws Error usage, also when two have one name.
+[[nodiscard]] std::vector<ProgramPeer> readProgramPeers(const std::vector<std::string>& texts);
+
+/// Throws Error missingProgram when there is no other engine to compare with, or when one of
+/// `programs` does not run.
+void requirePeers(const std::vector<ProgramPeer>& programs = {});
 
 /// The cube of 768 triangles half full of spheres: 10,000, or 1,000 when quick.
-[[nodiscard]] std::vector<PeerPoint> measurePeers(bool quick, const StudyProgress& progress);
+[[nodiscard]] std::vector<PeerPoint>
+measurePeers(bool quick, const std::vector<ProgramPeer>& programs, const StudyProgress& progress);
 
 /// How many times as long as ours with that motion the fastest other engine takes.
 [[nodiscard]] double peerRatio(const std::vector<PeerPoint>& points, const std::string& motion);
