@@ -78,6 +78,7 @@ StartedProgram startProgram(const std::filesystem::path& folder, std::vector<std
                             const ProgramStreams& streams, bool leads)
 {
     std::vector<char*> raw;
+    raw.reserve(arguments.size() + 1);
     for (std::string& argument : arguments)
     {
         raw.push_back(argument.data());

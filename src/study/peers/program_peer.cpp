@@ -99,7 +99,8 @@ class ProgramBodies
 {
 public:
     ProgramBodies(const PeerTask& task, const ProgramPeer& peer, double step)
-        : name_(peer.name), talk_(peer.program, kPatience * task.secondsLimit)
+        : name_(peer.name), talk_(peer.program, kPatience * task.secondsLimit),
+          secondsLimit_(task.secondsLimit)
     {
         if (talk_.error() != 0)
         {
@@ -116,7 +117,17 @@ public:
         talk_.say(fmt::format("add {:.17g} {:.17g} {:.17g}\n", place.x(), place.y(), place.z()));
         ++size_;
     }
-    void step(double /*dt*/) { talk_.say("step\n"); }
+    /// Close to the limit of time each step is waited for, so that the program does not pass it by
+    /// all those that it has been told.
+    void step(double /*dt*/)
+    {
+        talk_.say("step\n");
+        ++stepsTold_;
+        if (secondsThen_ + stepsTold_ * secondsOfStep_ > secondsLimit_)
+        {
+            static_cast<void>(places());
+        }
+    }
     [[nodiscard]] std::size_t size() const { return size_; }
     [[nodiscard]] std::vector<Eigen::Vector3d> places()
     {
@@ -134,6 +145,10 @@ public:
             }
             places.push_back(*place);
         }
+        const double now = seconds();
+        secondsOfStep_ = stepsTold_ > 0 ? (now - secondsThen_) / stepsTold_ : secondsOfStep_;
+        secondsThen_ = now;
+        stepsTold_ = 0;
         return places;
     }
     [[nodiscard]] double seconds() const { return talk_.seconds(); }
@@ -173,6 +188,10 @@ private:
     std::string name_;
     ProgramTalk talk_;
     std::size_t size_ = 0;
+    double secondsLimit_;
+    double secondsThen_ = 0;   ///< when it told its places last
+    double secondsOfStep_ = 0; ///< of each until then
+    int stepsTold_ = 0;        ///< since then
 };
 
 } // namespace
