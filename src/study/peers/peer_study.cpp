@@ -266,9 +266,15 @@ Table peersTable(const std::vector<PeerPoint>& points)
     Table table;
     table.title = "Other engines on the same cube, one thread each (* on the Pareto front)";
     table.words = 2;
-    table.headings = {"engine",           "setting",         "seconds",
-                      "at rest",          "lost or outside", "largest overlap [r]",
-                      "mean overlap [r]", "in walls [r]",    "front"};
+    table.headings = {"engine",
+                      "setting",
+                      "seconds",
+                      "at rest",
+                      "missing or outside",
+                      "largest overlap [r]",
+                      "mean overlap [r]",
+                      "in walls [r]",
+                      "front"};
     for (const PeerPoint& p : points)
     {
         table.rows.push_back({p.engine, p.setting, fmt::format("{:.2f}", p.seconds),

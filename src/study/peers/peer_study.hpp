@@ -22,7 +22,7 @@ struct PeerPoint
     double seconds = 0;   ///< of processor time, one thread
     double simulated = 0; ///< [sqrt(r/g)]
     bool atRest = false;
-    std::size_t missing = 0; ///< spheres that the engine has lost
+    std::size_t missing = 0; ///< spheres that the engine has lost, or not poured before its limit
     std::size_t outside = 0; ///< centres
     double maxOverlap = 0;   ///< [r] between two spheres
     double meanOverlap = 0;  ///< [r] over pairs that touch or overlap
