@@ -14,6 +14,20 @@ namespace frostfill
 /// From the middle of a unit cube to a corner.
 inline constexpr double kHalfDiagonal = 0.8660254037844387;
 
+/// Whole numbers low..high that lie in [from, to] and are the number of a cell, of so many, without
+/// calls.
+inline std::array<int, 2> wholeNumbers(double from, double to, int count)
+{
+    from = std::max(from, 0.0);
+    to = std::min(to, count - 1.0);
+    if (!(from <= to))
+    {
+        return {0, -1};
+    }
+    const int low = static_cast<int>(from);
+    return {low < from ? low + 1 : low, static_cast<int>(to)};
+}
+
 /// A box divided into equal cubes. Cells are numbered with x fastest. A point outside the box
 /// belongs to the nearest border cell, so a lookup never leaves the array.
 struct GridFrame

@@ -232,17 +232,23 @@ Eigen::AlignedBox3d InsideTest::boxInReach(std::size_t brick) const
     return box;
 }
 
-double InsideTest::farOutsideUntil(const Eigen::Vector3d& p, double end) const
+double InsideTest::farUntil(const Eigen::Vector3d& p, double end) const
 {
     constexpr int kSide = TriangleGrid::Cells::kSide;
     const GridFrame& frame = grid_->frame();
     auto [x, y, z] = frame.coordinates(p);
     const int first = x;
     const int last = frame.coordinate(end, 0);
-    while (x <= last && grid_->cells().find(x, y, z) == TriangleGrid::Cells::kNone &&
-           !isCellInside({x, y, z}))
+    const bool isInside = isCellInside({x, y, z});
+    while (x <= last && isCellInside({x, y, z}) == isInside)
     {
-        x += kSide - x % kSide;
+        const std::size_t number = grid_->cells().find(x, y, z);
+        const bool isBrick = number == TriangleGrid::Cells::kNone;
+        if (!isBrick && !grid_->ofCell(number).empty())
+        {
+            break;
+        }
+        x += isBrick ? kSide - x % kSide : 1;
     }
     return x == first ? p.x() : frame.origin.x() + frame.cell * (x - kBorder);
 }

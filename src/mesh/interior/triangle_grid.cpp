@@ -61,9 +61,14 @@ private:
             Eigen::Array3i::Map(range.high.data()) - Eigen::Array3i::Map(range.low.data()) + 1;
         int axis = 0;
         const int longest = cells.maxCoeff(&axis);
-        if (group.triangles.size() > 1 || longest <= kFewCells)
+        if (group.triangles.size() > 1)
         {
             enterInFew(group, range);
+            return;
+        }
+        if (longest <= kFewCells)
+        {
+            enterInFew(group.triangles[0], range);
             return;
         }
         Range lower = range;
@@ -78,7 +83,7 @@ private:
                 grid_.frame_.origin.array() + grid_.frame_.cell * (from + to) / 2;
             // Every middle of a cell in the half is nearer to its middle than this.
             const double reach = grid_.frame_.cell * (to - from).matrix().norm() / 2 + radius_;
-            if (isWithin(surface_, group.triangles[0], middle, reach))
+            if (NearTriangle(surface_, group.triangles[0], reach).contains(middle))
             {
                 enterIn(group, half);
             }
@@ -91,7 +96,8 @@ private:
         forEachCell(group.box, range,
                     [&](int x, int y, int z, double farthestSquare)
                     {
-                        if (isLong(x, y, z))
+                        std::size_t cell = grid_.cells_.find(x, y, z);
+                        if (cell != Cells::kNone && isLong(cell))
                         {
                             return;
                         }
@@ -99,12 +105,44 @@ private:
                         const Eigen::Vector3d centre = grid_.frame_.centre(x, y, z);
                         for (const std::uint32_t t : group.triangles)
                         {
-                            if (all || isWithin(surface_, t, centre, radius_))
+                            if (all || NearTriangle(surface_, t, radius_).contains(centre))
                             {
-                                enter(x, y, z, t);
+                                cell = cell == Cells::kNone ? obtain(x, y, z) : cell;
+                                enter(cell, t);
                             }
                         }
                     });
+    }
+
+    void enterInFew(std::uint32_t triangle, const Range& range)
+    {
+        const NearTriangle near(surface_, triangle, radius_);
+        const GridFrame& frame = grid_.frame_;
+        const double first = frame.centre(0, 0, 0).x();
+        const auto cellsIn = [&](const NearTriangle::Chord& chord)
+        {
+            return wholeNumbers((chord.from - first) / frame.cell, (chord.to - first) / frame.cell,
+                                frame.count[0]);
+        };
+        const auto& [low, high] = range;
+        for (int z = low[2]; z <= high[2]; ++z)
+        {
+            for (int y = low[1]; y <= high[1]; ++y)
+            {
+                const Eigen::Vector3d start = frame.centre(0, y, z);
+                const auto some = cellsIn(near.nearPlane(start.y(), start.z()));
+                const auto surely = cellsIn(near.surelyNear(start.y(), start.z()));
+                for (int x = std::max(low[0], some[0]); x <= std::min(high[0], some[1]); ++x)
+                {
+                    const bool isSure = x >= surely[0] && x <= surely[1];
+                    if (isSure || near.contains(frame.centre(x, y, z)))
+                    {
+                        const std::size_t cell = obtain(x, y, z);
+                        isLong(cell) ? void() : enter(cell, triangle);
+                    }
+                }
+            }
+        }
     }
 
     [[nodiscard]] SquaresToBox layer(const Eigen::AlignedBox3d& box, int axis, int index) const
@@ -143,19 +181,20 @@ private:
         }
     }
 
-    [[nodiscard]] bool isLong(int x, int y, int z) const
-    {
-        const std::size_t cell = grid_.cells_.find(x, y, z);
-        return cell != Cells::kNone && grid_.starts_[cell] > kShortList;
-    }
+    [[nodiscard]] bool isLong(std::size_t cell) const { return grid_.starts_[cell] > kShortList; }
 
-    void enter(int x, int y, int z, std::uint32_t triangle)
+    std::size_t obtain(int x, int y, int z)
     {
         const std::size_t cell = grid_.cells_.obtain(x, y, z);
         if (cell >= grid_.starts_.size())
         {
             grid_.starts_.resize(grid_.cells_.size(), 0);
         }
+        return cell;
+    }
+
+    void enter(std::size_t cell, std::uint32_t triangle)
+    {
         ++grid_.starts_[cell];
         entries_.push_back({static_cast<std::uint32_t>(cell), triangle});
     }

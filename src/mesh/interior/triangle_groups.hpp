@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "mesh/interior/surface.hpp"
+#include "mesh/interior/near_triangle.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -9,9 +9,6 @@
 
 namespace frostfill
 {
-
-/// By which a distance may be wrong, a thousandfold. [1]
-inline constexpr double kDistanceRounding = 1e-9;
 
 /// Triangles that lie side by side, or one.
 struct TriangleGroup
@@ -72,26 +69,5 @@ struct SquaresToBox
         farthest = across * across;
     }
 };
-
-/// Whether a point of the triangle is within `reach` of p. It is asked for the nearest one only
-/// where the ball around it does not decide.
-[[nodiscard]] inline bool isWithin(const Surface& surface, std::uint32_t triangle,
-                                   const Eigen::Vector3d& p, double reach)
-{
-    const TriangleBound& bound = surface.bound(triangle);
-    const double surelyOut = (1 + kDistanceRounding) * reach;
-    if (bound.toPlane(p) > surelyOut)
-    {
-        return false;
-    }
-    const double square = bound.toCentreSquared(p);
-    const double surelyIn = (1 - kDistanceRounding) * reach; // the centre is of the triangle
-    if (square <= surelyIn * surelyIn || !bound.ballIsWithin(surelyOut, square))
-    {
-        return square <= surelyIn * surelyIn;
-    }
-    const auto& [a, b, c] = surface[triangle].corner;
-    return (closestPointOnTriangle(p, a, b, c).point - p).squaredNorm() <= reach * reach;
-}
 
 } // namespace frostfill

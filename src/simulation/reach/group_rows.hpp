@@ -59,7 +59,8 @@ public:
         const Eigen::Vector3d middle = frame_.centre(x, y, z);
         return isNearAll(x, y, z) ||
                std::any_of(group_.triangles.begin(), group_.triangles.end(),
-                           [&](std::uint32_t t) { return isWithin(surface_, t, middle, reach_); });
+                           [&](std::uint32_t t)
+                           { return NearTriangle(surface_, t, reach_).contains(middle); });
     }
     /// Which of some triangles, a bit for each by its number in the group, it is near.
     [[nodiscard]] std::uint64_t nearAmong(std::uint64_t some, int x, int y, int z) const
@@ -73,7 +74,7 @@ public:
         for (; some != 0; some &= some - 1)
         {
             const auto k = static_cast<std::size_t>(std::countr_zero(some));
-            const bool its = isWithin(surface_, group_.triangles[k], middle, reach_);
+            const bool its = NearTriangle(surface_, group_.triangles[k], reach_).contains(middle);
             near |= std::uint64_t{its ? 1U : 0U} << k;
         }
         return near;

@@ -33,12 +33,10 @@ inline constexpr double kMinGrowth = 1.0001;
 /// eight times the time for each, for hardly a cube more. Smaller: more is kept.
 inline constexpr int kHalvings = 2;
 
-// Triangles, row by row. These two only widen a filter before the exact test.
+// Triangles, row by row.
 
-/// Widens what a row is asked for. [cubes]
+/// Widens a filter before the exact test: what a row is asked for. [cubes]
 inline constexpr double kFilterRounding = 1e-6;
-/// A plane that a row meets at a smaller sine is not used to shorten it.
-inline constexpr double kSteep = 1e-6;
 /// Words in the box of a triangle from which on it is cut into rows. Larger: rows of a long
 /// triangle's box that it is nowhere near. Smaller: cuts that find hardly less. [words]
 inline constexpr std::uint64_t kLargeWindow = 4096;

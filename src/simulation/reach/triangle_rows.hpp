@@ -70,7 +70,7 @@ class TriangleRows
 public:
     TriangleRows(const GridFrame& frame, const Surface& surface, std::uint32_t id, double reach)
         : frame_(frame), triangle_(surface[id]), plane_(surface.bound(id)), reach_(reach),
-          surelyIn_(std::max(0.0, (1 - kDistanceRounding) * reach)), box_(boxOf(surface[id])),
+          near_(surface, id, reach), box_(boxOf(surface[id])),
           widest_(range(0, box_.min().x(), box_.max().x())),
           window_(range(1, box_.min().y(), box_.max().y()),
                   range(2, box_.min().z(), box_.max().z())),
@@ -116,35 +116,17 @@ public:
     /// Those of a row's cubes that may be near: their middle is near the triangle's plane and box.
     [[nodiscard]] VoxelRun run(int y, int z, VoxelRun most) const
     {
-        double low = box_.min().x();
-        double high = box_.max().x();
         const Eigen::Vector3d start = frame_.centre(0, y, z);
-        const double slope = plane_.normal.x();
-        if (std::abs(slope) > kSteep)
-        {
-            // |n.p - offset| <= reach on the line p = start + t e_x; x shifted by -reach below.
-            const double middle = start.x() - (plane_.normal.dot(start) - plane_.offset) / slope;
-            const double width = (reach_ + kFilterRounding) / std::abs(slope);
-            low = std::max(low, middle - width + reach_);
-            high = std::min(high, middle + width - reach_);
-        }
-        const auto x = range(0, low, high);
-        return {std::max(x[0], most.first), std::min(x[1], most.last)};
+        const NearTriangle::Chord chord = near_.nearPlane(start.y(), start.z());
+        const auto [first, last] =
+            wholeNumbers((chord.from - start.x()) / frame_.cell,
+                         (chord.to - start.x()) / frame_.cell, frame_.count[0]);
+        return {std::max({first, widest_[0], most.first}), std::min({last, widest_[1], most.last})};
     }
 
     [[nodiscard]] bool near(int x, int y, int z) const
     {
-        const Eigen::Vector3d p = frame_.centre(x, y, z);
-        if (plane_.toCentreSquared(p) <= surelyIn_ * surelyIn_)
-        {
-            return true;
-        }
-        if (!plane_.mayBeWithin(reach_, p))
-        {
-            return false;
-        }
-        const auto& [a, b, c] = triangle_.corner;
-        return (closestPointOnTriangle(p, a, b, c).point - p).squaredNorm() <= reach_ * reach_;
+        return near_.contains(frame_.centre(x, y, z));
     }
 
 private:
@@ -204,7 +186,7 @@ private:
     const SurfaceTriangle& triangle_;
     const TriangleBound& plane_;
     double reach_;
-    double surelyIn_; ///< from its centre, which is one of its points
+    NearTriangle near_;
     Eigen::AlignedBox3d box_;
     std::array<int, 2> widest_;
     RowWindow window_;

@@ -34,19 +34,6 @@ struct VoxelRow
     }
 };
 
-/// Whole numbers low..high that lie in [from, to] and are the number of a cube, without calls.
-inline std::array<int, 2> wholeNumbers(double from, double to, int count)
-{
-    from = std::max(from, 0.0);
-    to = std::min(to, count - 1.0);
-    if (!(from <= to))
-    {
-        return {0, -1};
-    }
-    const int low = static_cast<int>(from);
-    return {low < from ? low + 1 : low, static_cast<int>(to)};
-}
-
 /// Of rows that a search may leave out: none.
 struct EveryRow
 {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/interior/triangle_groups.hpp"
 
-#include "base/random.hpp"
 #include "support/shapes.hpp"
 
 #include <gtest/gtest.h>
@@ -40,29 +39,6 @@ TEST(TriangleGroups, HaveEachTriangleOnceAndAreAsLongAsAllowed)
         EXPECT_EQ(groups == all.size(), longest < 0.2) << longest;
         EXPECT_TRUE(longest < 9 || groups == all.size() / 16);
     }
-}
-
-TEST(TriangleGroups, AreWithinReachAsTheNearestPointIs)
-{
-    const Surface surface(shapes::box({-1, -1, -1}, {1, 1, 1}, 2));
-    std::uint64_t draws = 0;
-    const auto draw = [&] { return 6 * uniformRandom(5, 0, draws++) - 3; };
-    std::size_t within = 0;
-    for (int k = 0; k < 200; ++k)
-    {
-        const Eigen::Vector3d p(draw(), draw(), draw());
-        for (std::uint32_t t = 0; t < surface.size(); ++t)
-        {
-            const auto& [a, b, c] = surface[t].corner;
-            const double distance = (closestPointOnTriangle(p, a, b, c).point - p).norm();
-            for (const double reach : {0.3, 1.5, distance * (1 - 1e-12), distance * (1 + 1e-12)})
-            {
-                ASSERT_EQ(isWithin(surface, t, p, reach), distance <= reach) << k << ' ' << t;
-                within += distance <= reach ? 1 : 0;
-            }
-        }
-    }
-    EXPECT_GT(within, 1000u);
 }
 
 } // namespace
