@@ -103,6 +103,7 @@ private:
         Bounds distance;
         for (int x = begin; x < end; ++x)
         {
+            int last = x; // of those that are decided with it
             Bounds& beside = beside_[static_cast<std::size_t>(x)];
             distance.low = std::max(distance.low, beside.low) - known;
             distance.high = std::min(distance.high, beside.high) + known;
@@ -114,20 +115,18 @@ private:
                 const bool far = std::abs(its) >= inside_.reach();
                 distance.low = far && its < 0 ? -kInfinity : its;
                 distance.high = far && its > 0 ? kInfinity : its;
-                if (far && its < 0)
-                {
-                    const int last =
-                        lastBefore(inside_.farOutsideUntil(place, endOfRow), x, end - 1);
-                    std::fill(&beside, &beside + (last - x), distance);
-                    x = last;
-                }
+                last = far ? lastBefore(inside_.farUntil(place, endOfRow), x, end - 1) : x;
             }
-            beside_[static_cast<std::size_t>(x)] = distance;
+            std::fill(&beside, &beside + (last - x + 1), distance);
             if (distance.low >= least)
             {
-                sites_.bits_[first + static_cast<std::size_t>(x - begin) / 64] |= std::uint64_t{1}
-                                                                                  << (x % 64);
+                forEachWord(x, last,
+                            [&](int word, std::uint64_t open) {
+                                sites_.bits_[first + static_cast<std::size_t>(word - start[0])] |=
+                                    open;
+                            });
             }
+            x = last;
         }
     }
 
@@ -252,25 +251,21 @@ void SiteLattice::close(const Eigen::Vector3d& centre, double radius)
     }
     const auto low = lattice_.coordinates(centre.array() - limit);
     const auto high = lattice_.coordinates(centre.array() + limit);
+    const Eigen::Vector3d first = lattice_.centre(0, 0, 0);
+    const double middle = (centre.x() - first.x()) / lattice_.cell;
     for (int z = low[2]; z <= high[2]; ++z)
     {
-        const double dz = lattice_.centre(0, 0, z).z() - centre.z();
+        const double dz = first.z() + lattice_.cell * z - centre.z();
         for (int y = low[1]; y <= high[1]; ++y)
         {
-            const double dy = lattice_.centre(0, y, 0).y() - centre.y();
+            const double dy = first.y() + lattice_.cell * y - centre.y();
             const double left = limit * limit - dz * dz - dy * dy;
-            if (left <= 0)
+            if (left > 0)
             {
-                continue;
-            }
-            // Cells of the row whose centre is within the half chord.
-            const double half = std::sqrt(left);
-            const double first = (centre.x() - half - lattice_.origin.x()) / lattice_.cell - 0.5;
-            const double last = (centre.x() + half - lattice_.origin.x()) / lattice_.cell - 0.5;
-            const int begin = std::max(0, static_cast<int>(std::ceil(first)));
-            const int end = std::min(lattice_.count[0] - 1, static_cast<int>(std::floor(last)));
-            if (begin <= end)
-            {
+                // Cells of the row whose centre is within the half chord.
+                const double half = std::sqrt(left) / lattice_.cell;
+                const auto [begin, end] =
+                    wholeNumbers(middle - half, middle + half, lattice_.count[0]);
                 closeRun(y, z, begin, end);
             }
         }
@@ -279,17 +274,19 @@ void SiteLattice::close(const Eigen::Vector3d& centre, double radius)
 
 void SiteLattice::closeRun(int y, int z, int first, int last)
 {
-    for (int x = first / 64; x <= last / 64; ++x)
+    if (first > last)
     {
-        std::uint64_t run = ~std::uint64_t{0};
-        run &= x == first / 64 ? ~std::uint64_t{0} << first % 64 : run;
-        run &= x == last / 64 ? ~std::uint64_t{0} >> (63 - last % 64) : run;
-        const std::size_t word = find({x, y, z});
-        if (word != kNone)
-        {
-            bits_[word] &= ~run;
-        }
+        return;
     }
+    forEachWord(first, last,
+                [&](int x, std::uint64_t run)
+                {
+                    const std::size_t word = find({x, y, z});
+                    if (word != kNone)
+                    {
+                        bits_[word] &= ~run;
+                    }
+                });
 }
 
 std::vector<std::uint32_t> SiteLattice::highest() const

@@ -70,6 +70,18 @@ private:
     void listWords(const Eigen::AlignedBox3d& box, const InsideTest& inside);
     void dropClosedWords();
     void closeRun(int y, int z, int first, int last);
+    /// Calls visit(word, bits) for the words of a row that have cells from `first` to `last`.
+    template <class Visit>
+    static void forEachWord(int first, int last, Visit&& visit)
+    {
+        for (int word = first / 64; word <= last / 64; ++word)
+        {
+            std::uint64_t bits = ~std::uint64_t{0};
+            bits &= word == first / 64 ? ~std::uint64_t{0} << first % 64 : bits;
+            bits &= word == last / 64 ? ~std::uint64_t{0} >> (63 - last % 64) : bits;
+            visit(word, bits);
+        }
+    }
     [[nodiscard]] WordPlace place(std::size_t word) const
     {
         if (list_.size() > 0)
