@@ -65,12 +65,19 @@ public:
     [[nodiscard]] bool isClear(const Eigen::Vector3d& place, double radius) const
     {
         bool clear = true;
-        forEachNear(place, radius + 1 + kClearance,
-                    [&](std::uint32_t, const Eigen::Vector3d& p, double radiusThere)
-                    {
-                        const double contact = radiusThere + radius + kClearance;
-                        clear = clear && (p - place).squaredNorm() >= contact * contact;
-                    });
+        const double reach = radius + 1 + kClearance;
+        cells_.forEachIn(frame_.coordinates(place.array() - reach),
+                         frame_.coordinates(place.array() + reach),
+                         [&](std::size_t cell)
+                         {
+                             for (std::uint32_t row = head_[cell]; clear && row != kEnd;)
+                             {
+                                 const Node& node = nodes_[row];
+                                 const double contact = node.radius + radius + kClearance;
+                                 clear = (node.position - place).squaredNorm() >= contact * contact;
+                                 row = node.next;
+                             }
+                         });
         return clear;
     }
 

@@ -213,15 +213,24 @@ private:
         const GridFrame& frame = level.frame;
         const auto low = frame.coordinates(p.array() - reach);
         const auto high = frame.coordinates(p.array() + reach);
+        const auto squareTo = [&](int axis, int layer)
+        {
+            const double distance = distanceToLayer(frame, p, axis, layer);
+            return distance * distance;
+        };
+        const double toFirst = squareTo(0, low[0]);
+        const double toLast = squareTo(0, high[0]);
         for (int z = low[2]; z <= high[2]; ++z)
         {
-            const double dz = distanceToLayer(frame, p, 2, z);
+            const double leftOfZ = reach * reach - squareTo(2, z);
             for (int y = low[1]; y <= high[1]; ++y)
             {
-                const double dy = distanceToLayer(frame, p, 1, y);
-                if (dz * dz + dy * dy <= reach * reach)
+                const double left = leftOfZ - squareTo(1, y);
+                if (left >= 0)
                 {
-                    level.cells.forEachInRow(low[0], high[0], y, z, listOf(level, visit));
+                    level.cells.forEachInRow(low[0] + (toFirst > left ? 1 : 0),
+                                             high[0] - (toLast > left ? 1 : 0), y, z,
+                                             listOf(level, visit));
                 }
             }
         }
