@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <iterator>
 #include <memory>
 #include <tuple>
 #include <utility>
@@ -142,6 +143,53 @@ int reportParseError(const CLI::App& program, const CLI::ParseError& error,
     return report(kUsageError, fmt::format("{}; see frostfill --help", error.what()));
 }
 
+struct NamedCommand
+{
+    const char* name;
+    Command (*add)(CLI::App& program);
+    bool needsOthers = false; ///< it tells of them
+};
+constexpr NamedCommand kCommands[] = {
+    {"fill", addFillCommand},
+    {"render", addRenderCommand},
+    {"view", addViewCommand},
+    {"sweep", addSweepCommand},
+    {"plan", addPlanCommand},
+    {"fps", addFpsCommand},
+    {"bench", addBenchCommand},
+    {"check", addCheckCommand},
+    {"analyse", addAnalyseCommand},
+    {"figures", addFiguresCommand},
+    {"export", addExportCommand},
+    {"import", addImportCommand},
+    {"mesh", addMeshCommand},
+    {"doctor", addDoctorCommand},
+    {"options", addOptionsCommand, true},
+    {"help", addHelpCommand, true},
+    {"version", addVersionCommand},
+    {"completion", addCompletionCommand, true},
+    {"man", addManCommand, true},
+};
+
+/// Adds the command that the first word names, or all: to describe the options of all of them takes
+/// longer than to start the program.
+std::vector<std::pair<std::string, Command>> addCommands(CLI::App& program,
+                                                         const std::string& first)
+{
+    const auto named = std::find_if(std::begin(kCommands), std::end(kCommands),
+                                    [&](const NamedCommand& each) { return each.name == first; });
+    const bool isEnough = named != std::end(kCommands) && !named->needsOthers;
+    std::vector<std::pair<std::string, Command>> added;
+    for (const NamedCommand& each : kCommands)
+    {
+        if (!isEnough || each.name == first)
+        {
+            added.emplace_back(each.name, each.add(program));
+        }
+    }
+    return added;
+}
+
 int run(int argumentCount, char** arguments)
 {
     CLI::App program("Fills a closed mesh with falling spheres and renders it without a screen.",
@@ -151,27 +199,8 @@ int run(int argumentCount, char** arguments)
     program.formatter(std::make_shared<HelpFormatter>());
     program.require_subcommand(1);
 
-    std::vector<std::pair<std::string, Command>> commands;
-    commands.emplace_back("fill", addFillCommand(program));
-    commands.emplace_back("render", addRenderCommand(program));
-    commands.emplace_back("view", addViewCommand(program));
-    commands.emplace_back("sweep", addSweepCommand(program));
-    commands.emplace_back("plan", addPlanCommand(program));
-    commands.emplace_back("fps", addFpsCommand(program));
-    commands.emplace_back("bench", addBenchCommand(program));
-    commands.emplace_back("check", addCheckCommand(program));
-    commands.emplace_back("analyse", addAnalyseCommand(program));
-    commands.emplace_back("figures", addFiguresCommand(program));
-    commands.emplace_back("export", addExportCommand(program));
-    commands.emplace_back("import", addImportCommand(program));
-    commands.emplace_back("mesh", addMeshCommand(program));
-    commands.emplace_back("doctor", addDoctorCommand(program));
-    commands.emplace_back("options", addOptionsCommand(program));
-    commands.emplace_back("help", addHelpCommand(program));
-    commands.emplace_back("version", addVersionCommand(program));
-    commands.emplace_back("completion", addCompletionCommand(program));
-    commands.emplace_back("man", addManCommand(program));
     const std::vector<std::string> words = withImpliedValues(argumentCount, arguments);
+    const auto commands = addCommands(program, words.empty() ? "" : words.front());
     try
     {
         program.parse(
