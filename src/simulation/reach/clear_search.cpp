@@ -103,12 +103,28 @@ bool ClearSearch::anyClear(const Eigen::Vector3d& middle, double edge, int halvi
     return found;
 }
 
-bool ClearSearch::anyUnwalled(const CubeParts& parts, double edge, const Obstacles& from,
+// An eighth that lies in the exclusion of a wall has no part that does not. Most cubes that have a
+// clear part at all show it first.
+bool ClearSearch::anyUnwalled(CubeParts& parts, double edge, const Obstacles& from,
                               Nearby& nearby) const
 {
     const double exclusion = exclusionOfPart(edge);
-    return parts.anyClear(nearby.away, [&](const Eigen::Vector3d& p)
-                          { return !isWalled(p, exclusion, from, nearby); });
+    bool isFirst = true;
+    const auto isClear = [&](const Eigen::Vector3d& p)
+    {
+        if (!isWalled(p, exclusion, from, nearby))
+        {
+            return true;
+        }
+        if (std::exchange(isFirst, false))
+        {
+            parts.takeEighths(
+                [&](const Eigen::Vector3d& middle)
+                { return isWalled(middle, exclusionOfPart(2 * edge), from, nearby); });
+        }
+        return false;
+    };
+    return parts.anyClear(nearby.away, isClear);
 }
 
 void ClearSearch::takeInBalls(const Eigen::Vector3d& middle, double edge, const Obstacles& from,

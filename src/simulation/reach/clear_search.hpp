@@ -89,8 +89,7 @@ private:
 
     bool anyClear(const Eigen::Vector3d& middle, double edge, int halvings, const Obstacles& from,
                   Nearby& nearby) const;
-    bool anyUnwalled(const CubeParts& parts, double edge, const Obstacles& from,
-                     Nearby& nearby) const;
+    bool anyUnwalled(CubeParts& parts, double edge, const Obstacles& from, Nearby& nearby) const;
     static void takeInBalls(const Eigen::Vector3d& middle, double edge, const Obstacles& from,
                             Nearby& nearby, CubeParts& parts);
     Obstacles select(const Eigen::Vector3d& middle, double reach, const Obstacles& from,

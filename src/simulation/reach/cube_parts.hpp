@@ -57,7 +57,28 @@ public:
         take(centre, squaredRadius, 0);
     }
 
-    /// Whether isClear(middle) holds for one of them; those that lie far out along `way` first.
+    /// Takes all parts of each eighth of the cube for whose middle isTaken(middle) holds.
+    template <class IsTaken>
+    void takeEighths(IsTaken&& isTaken)
+    {
+        for (std::size_t eighth = 0; eighth < 8; ++eighth)
+        {
+            const std::array<std::size_t, 3> at = {eighth % 2, eighth / 2 % 2, eighth / 4};
+            const Parts its = kEighth << (2 * (at[0] + kSide * at[1] + kRows * at[2]));
+            Eigen::Vector3d middle;
+            for (std::size_t axis = 0; axis < 3; ++axis)
+            {
+                middle[static_cast<int>(axis)] = along_[axis][2 * at[axis]] + half_;
+            }
+            if ((left_ & its) != 0 && isTaken(middle))
+            {
+                left_ &= ~its;
+            }
+        }
+    }
+
+    /// Whether isClear(middle) holds for one of them; those that lie far out along `way` first. It
+    /// may take others, which are then not asked for.
     template <class IsClear>
     [[nodiscard]] bool anyClear(const Eigen::Vector3d& way, IsClear&& isClear) const
     {
@@ -132,6 +153,8 @@ private:
     static constexpr int kLast = (1 << 3 * kTimes) - 1;
     static constexpr Parts kRow = (Parts{1} << kSide) - 1;
     static constexpr std::size_t kRows = std::size_t{kSide} * kSide;
+    /// Two by two by two parts, from the first on.
+    static constexpr Parts kEighth = Parts{0x33} | Parts{0x33} << kRows;
     double half_;  ///< of a part's edge
     Places along_; ///< of their middles
     Parts left_ = ~Parts{0};
