@@ -127,31 +127,24 @@ private:
     /// Those of which the sum of what is given along each axis is below a limit.
     [[nodiscard]] static Parts below(const Places& given, double limit)
     {
-        const auto [least, most] = std::minmax_element(given[0].begin(), given[0].end());
-        Parts parts = 0;
+        using Two = double __attribute__((vector_size(2 * sizeof(double))));
+        using TwoParts = Parts __attribute__((vector_size(2 * sizeof(Parts))));
+        const Two first = {given[0][0], given[0][1]};
+        const Two second = {given[0][2], given[0][3]};
+        TwoParts found = {0, 0};
+        TwoParts ofFirst = {1, 2};
+        TwoParts ofSecond = {4, 8};
         for (std::size_t row = 0; row < kRows; ++row)
         {
-            const double ofRow = given[1][row % kSide] + given[2][row / kSide];
-            if (*least + ofRow >= limit)
-            {
-                continue;
-            }
-            Parts run = kRow;
-            if (*most + ofRow >= limit)
-            {
-                run = 0;
-                for (std::size_t k = 0; k < kSide; ++k)
-                {
-                    run |= Parts{given[0][k] + ofRow < limit} << k;
-                }
-            }
-            parts |= run << (kSide * row);
+            const double rest = given[1][row % kSide] + given[2][row / kSide];
+            found |= ((first + rest < limit) & ofFirst) | ((second + rest < limit) & ofSecond);
+            ofFirst <<= kSide;
+            ofSecond <<= kSide;
         }
-        return parts;
+        return found[0] | found[1];
     }
 
     static constexpr int kLast = (1 << 3 * kTimes) - 1;
-    static constexpr Parts kRow = (Parts{1} << kSide) - 1;
     static constexpr std::size_t kRows = std::size_t{kSide} * kSide;
     /// Two by two by two parts, from the first on.
     static constexpr Parts kEighth = Parts{0x33} | Parts{0x33} << kRows;
