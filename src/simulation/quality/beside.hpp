@@ -19,12 +19,19 @@ template <class Visit>
 void forEachSphereBeside(const SphereGrid& spheres, std::uint32_t id, const Eigen::Vector3d& p,
                          double radius, Visit&& visit)
 {
+    constexpr double kBeyond = 1 + 1e-9; // rounding
     const double gap = kContactGap * radius;
     spheres.forEachNear(p, radius + 1 + gap,
                         [&](std::uint32_t row)
                         {
                             const Eigen::Vector3d apart = p - spheres[row].position();
-                            const double depth = radius + spheres[row].radius - apart.norm();
+                            const double contact = radius + spheres[row].radius;
+                            const double far = (contact + gap) * kBeyond;
+                            if (apart.squaredNorm() > far * far)
+                            {
+                                return; // as most, without a root
+                            }
+                            const double depth = contact - apart.norm();
                             if (depth > -gap && spheres.id(row) != id)
                             {
                                 visit(row, apart, depth);
