@@ -320,36 +320,5 @@ TEST(SpheresInFiles, TakeNoMemoryOnceTheyHaveLeft)
     EXPECT_EQ(many.group(12345), 1234u);
 }
 
-TEST(SphereGrid, FindsAllInABallAndFewOthers)
-{
-    SphereGrid grid({{-8, -8, -8}, 2, {8, 8, 8}});
-    std::vector<Eigen::Vector3d> centres;
-    for (std::uint64_t k = 0; k < 2000; ++k)
-    {
-        const auto along = [&](std::uint64_t axis) { return 17 * uniformRandom(8, k, axis) - 8.5; };
-        centres.emplace_back(along(0), along(1), along(2)); // some beyond the grid
-        grid.insert(static_cast<std::uint32_t>(k), centres.back(), 1);
-    }
-    std::size_t within = 0;
-    std::size_t met = 0;
-    for (std::uint64_t k = 0; k < 500; ++k)
-    {
-        const auto along = [&](std::uint64_t axis) { return 18 * uniformRandom(9, k, axis) - 9; };
-        const Eigen::Vector3d p(along(0), along(1), along(2));
-        const double reach = k % 2 == 0 ? 2 : 2.5;
-        std::vector<int> visits(centres.size(), 0);
-        grid.forEachNear(p, reach, [&](std::uint32_t row) { ++visits[row]; });
-        for (std::size_t row = 0; row < centres.size(); ++row)
-        {
-            const bool isWithin = (centres[row] - p).norm() <= reach;
-            ASSERT_TRUE(visits[row] == 1 || (visits[row] == 0 && !isWithin)) << k << ' ' << row;
-            within += isWithin ? 1 : 0;
-            met += static_cast<std::size_t>(visits[row]);
-        }
-    }
-    EXPECT_GT(within, 3000u);
-    EXPECT_LT(met, 5 * within); // the cells of a cube would have 6 times as many
-}
-
 } // namespace
 } // namespace frostfill
