@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "base/program_talk.hpp"
 
+#include "base/processor_time.hpp"
+
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -59,11 +60,6 @@ ssize_t writeWithoutSignal(int pipe, const std::string& bytes)
     pthread_sigmask(SIG_SETMASK, &before, nullptr);
     errno = error;
     return size;
-}
-
-double secondsOf(const timeval& time)
-{
-    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
 } // namespace
@@ -273,7 +269,7 @@ void ProgramTalk::reap()
     while (wait4(id_, &status_, 0, &usage) < 0 && errno == EINTR)
     {
     }
-    usedSeconds_ = secondsOf(usage.ru_utime) + secondsOf(usage.ru_stime);
+    usedSeconds_ = processorSeconds(usage);
     id_ = -1;
 }
 

@@ -16,7 +16,7 @@ namespace frostfill
 namespace
 {
 
-bool hasStream(int stream, int given, int nothing)
+bool giveStream(int stream, int given, int nothing)
 {
     return dup2(given >= 0 ? given : nothing, stream) >= 0;
 }
@@ -33,9 +33,9 @@ bool hasStream(int stream, int given, int nothing)
     }
     const int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
     if (nothing >= 0 && (!leads || setpgid(0, 0) == 0) &&
-        hasStream(STDIN_FILENO, streams.input, nothing) &&
-        hasStream(STDOUT_FILENO, streams.output, nothing) &&
-        hasStream(STDERR_FILENO, streams.errors, nothing) && chdir(folder.c_str()) == 0)
+        giveStream(STDIN_FILENO, streams.input, nothing) &&
+        giveStream(STDOUT_FILENO, streams.output, nothing) &&
+        giveStream(STDERR_FILENO, streams.errors, nothing) && chdir(folder.c_str()) == 0)
     {
         execvp(arguments[0], arguments);
     }

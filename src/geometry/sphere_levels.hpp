@@ -47,10 +47,10 @@ public:
             const auto high = frame.coordinates(p.array() + far);
             for (int z = low[2]; z <= high[2]; ++z)
             {
-                const double away = far * far - squareToRow(p, z, 2);
+                const double away = far * far - frame.squareToLayer(p, 2, z);
                 for (int y = low[1]; y <= high[1]; ++y)
                 {
-                    const double square = away - squareToRow(p, y, 1);
+                    const double square = away - frame.squareToLayer(p, 1, y);
                     if (square >= 0)
                     {
                         const double along = std::sqrt(square);
@@ -60,19 +60,6 @@ public:
                     }
                 }
             }
-        }
-
-    private:
-        /// Square of the distance along an axis to the cells of that coordinate. Points beyond the
-        /// grid belong to its border, so border cells have no outer side.
-        [[nodiscard]] double squareToRow(const Eigen::Vector3d& p, int cell, int axis) const
-        {
-            const double low = frame.origin[axis] + frame.cell * cell;
-            const bool isLast = cell + 1 == frame.count[static_cast<std::size_t>(axis)];
-            const double below = cell > 0 ? low - p[axis] : 0;
-            const double above = isLast ? 0 : p[axis] - low - frame.cell;
-            const double gap = std::max({0.0, below, above});
-            return gap * gap;
         }
     };
 

@@ -118,12 +118,8 @@ private:
     {
         const NearTriangle near(surface_, triangle, radius_);
         const GridFrame& frame = grid_.frame_;
-        const double first = frame.centre(0, 0, 0).x();
         const auto cellsIn = [&](const NearTriangle::Chord& chord)
-        {
-            return wholeNumbers((chord.from - first) / frame.cell, (chord.to - first) / frame.cell,
-                                frame.count[0]);
-        };
+        { return frame.centresWithin(0, chord.from, chord.to); };
         const auto& [low, high] = range;
         for (int z = low[2]; z <= high[2]; ++z)
         {
@@ -138,7 +134,10 @@ private:
                     if (isSure || near.contains(frame.centre(x, y, z)))
                     {
                         const std::size_t cell = obtain(x, y, z);
-                        isLong(cell) ? void() : enter(cell, triangle);
+                        if (!isLong(cell))
+                        {
+                            enter(cell, triangle);
+                        }
                     }
                 }
             }

@@ -118,9 +118,7 @@ public:
     {
         const Eigen::Vector3d start = frame_.centre(0, y, z);
         const NearTriangle::Chord chord = near_.nearPlane(start.y(), start.z());
-        const auto [first, last] =
-            wholeNumbers((chord.from - start.x()) / frame_.cell,
-                         (chord.to - start.x()) / frame_.cell, frame_.count[0]);
+        const auto [first, last] = frame_.centresWithin(0, chord.from, chord.to);
         return {std::max({first, widest_[0], most.first}), std::min({last, widest_[1], most.last})};
     }
 

@@ -213,19 +213,14 @@ private:
         const GridFrame& frame = level.frame;
         const auto low = frame.coordinates(p.array() - reach);
         const auto high = frame.coordinates(p.array() + reach);
-        const auto squareTo = [&](int axis, int layer)
-        {
-            const double distance = distanceToLayer(frame, p, axis, layer);
-            return distance * distance;
-        };
-        const double toFirst = squareTo(0, low[0]);
-        const double toLast = squareTo(0, high[0]);
+        const double toFirst = frame.squareToLayer(p, 0, low[0]);
+        const double toLast = frame.squareToLayer(p, 0, high[0]);
         for (int z = low[2]; z <= high[2]; ++z)
         {
-            const double leftOfZ = reach * reach - squareTo(2, z);
+            const double leftOfZ = reach * reach - frame.squareToLayer(p, 2, z);
             for (int y = low[1]; y <= high[1]; ++y)
             {
-                const double left = leftOfZ - squareTo(1, y);
+                const double left = leftOfZ - frame.squareToLayer(p, 1, y);
                 if (left >= 0)
                 {
                     level.cells.forEachInRow(low[0] + (toFirst > left ? 1 : 0),
@@ -246,15 +241,6 @@ private:
                 visit(row);
             }
         };
-    }
-    /// From p to the nearest point of a layer of cells. Layers at the border reach to infinity.
-    [[nodiscard]] static double distanceToLayer(const GridFrame& frame, const Eigen::Vector3d& p,
-                                                int axis, int layer)
-    {
-        const double low = frame.origin[axis] + frame.cell * layer;
-        const double below = layer > 0 ? low - p[axis] : 0;
-        const double above = layer + 1 < frame.count[axis] ? p[axis] - (low + frame.cell) : 0;
-        return std::max({0.0, below, above});
     }
 
     void link(std::uint32_t row)

@@ -8,7 +8,6 @@
 #include <frostfill/simulation.hpp>
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -35,11 +34,7 @@ constexpr std::size_t kManyTriangles = 10000;
 /// mesh is read in a child.
 double secondsOfAll()
 {
-    rusage children{};
-    getrusage(RUSAGE_CHILDREN, &children);
-    const auto seconds = [](const timeval& time)
-    { return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec); };
-    return ProcessorClock::now() + seconds(children.ru_utime) + seconds(children.ru_stime);
+    return ProcessorClock::now() + processorSecondsOfChildren();
 }
 
 template <class Work>

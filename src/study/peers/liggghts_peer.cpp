@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "base/processor_time.hpp"
 #include "base/run_program.hpp"
 #include "output/atomic_file.hpp"
 #include "study/peers/peer.hpp"
@@ -7,7 +8,6 @@
 #include <frostfill/error.hpp>
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <cmath>
@@ -177,14 +177,6 @@ std::vector<Eigen::Vector3d> readPlaces(const fs::path& file)
     return places;
 }
 
-double secondsOfChildren()
-{
-    rusage usage{};
-    getrusage(RUSAGE_CHILDREN, &usage);
-    return static_cast<double>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) +
-           1e-6 * static_cast<double>(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
-}
-
 } // namespace
 
 bool hasLiggghts()
@@ -199,12 +191,12 @@ PeerResult runLiggghts(const PeerTask& task, double stiffness, double still)
     const TemporaryFolder workplace;
     workplace.write("object.stl", stlOf(task.mesh));
     workplace.write("script.in", scriptOf(task, stiffness, still));
-    const double before = secondsOfChildren();
+    const double before = processorSecondsOfChildren();
     const auto limit = fmt::format("{:.0f}", task.secondsLimit);
     const ProgramRun run =
         runProgram(workplace.folder(), {"timeout", limit, "liggghts", "-in", "script.in"});
     PeerResult result;
-    result.seconds = secondsOfChildren() - before;
+    result.seconds = processorSecondsOfChildren() - before;
     std::ifstream log(workplace.folder() / "log.liggghts");
     const std::string said{std::istreambuf_iterator<char>(log), {}};
     // The commands stand in the log too, with the variable's name where its value is later.
