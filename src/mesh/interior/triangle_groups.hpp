@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/threads.hpp"
 #include "mesh/interior/near_triangle.hpp"
 
 #include <algorithm>
@@ -40,16 +41,31 @@ void forEachGroup(const Surface& surface, std::span<const std::uint32_t> triangl
     forEachGroup(surface, triangles.first(triangles.size() / 2), longest, visit);
     forEachGroup(surface, triangles.subspan(triangles.size() / 2), longest, visit);
 }
+/// Triangles up to which a group may be looked for.
+inline constexpr std::size_t kTogether = 16;
 template <class Visit>
 void forEachGroup(const Surface& surface, double longest, Visit&& visit)
 {
-    constexpr std::size_t kTogether = 16;
     for (auto left = surface.tree().order(); !left.empty();)
     {
         const std::size_t count = std::min(kTogether, left.size());
         forEachGroup(surface, left.first(count), longest, visit);
         left = left.subspan(count);
     }
+}
+/// The same groups, on several threads.
+template <class Visit>
+void forEachGroup(const Surface& surface, double longest, Threads& threads, Visit&& visit)
+{
+    const auto order = surface.tree().order();
+    threads.forEach(
+        (order.size() + kTogether - 1) / kTogether,
+        [&](std::size_t k)
+        {
+            const std::size_t first = k * kTogether;
+            forEachGroup(surface, order.subspan(first, std::min(kTogether, order.size() - first)),
+                         longest, visit);
+        });
 }
 
 /// The squared distances of a coordinate to the nearest and the farthest of a box, along one axis:

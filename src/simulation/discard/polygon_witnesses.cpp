@@ -12,7 +12,7 @@ namespace
 {
 
 // Of the row of a witness; above all when there is none yet.
-VoxelRow rowOf(const VoxelLayout& layout, CubeNumber witness)
+CellRow rowOf(const VoxelLayout& layout, CubeNumber witness)
 {
     if (witness == kNoCube)
     {
@@ -22,12 +22,12 @@ VoxelRow rowOf(const VoxelLayout& layout, CubeNumber witness)
     return {c[1], c[2]};
 }
 
-VoxelRow firstRow(const VoxelLayout& layout, std::span<const WatchLists::Watcher> polygons)
+CellRow firstRow(const VoxelLayout& layout, std::span<const WatchLists::Watcher> polygons)
 {
-    VoxelRow first = rowOf(layout, polygons[0].witness);
+    CellRow first = rowOf(layout, polygons[0].witness);
     for (const WatchLists::Watcher& one : polygons)
     {
-        const VoxelRow its = rowOf(layout, one.witness);
+        const CellRow its = rowOf(layout, one.witness);
         first = its.isBefore(first) ? its : first;
     }
     return first;
@@ -82,7 +82,7 @@ void PolygonWitnesses::findWitnesses(const ReachMap& map, const MayHold& mayHold
     {
         const auto before = static_cast<std::size_t>(group.triangles.data() - triangles.data());
         const Watchers its = polygons.subspan(before, group.triangles.size());
-        const VoxelRow from = firstRow(map.layout(), its);
+        const CellRow from = firstRow(map.layout(), its);
         std::for_each(its.begin(), its.end(),
                       [](WatchLists::Watcher& one) { one.witness = kNoCube; });
         map.findNear(group, from, mayHold,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "simulation/reach/group_rows.hpp"
+#include "mesh/interior/near_surface.hpp"
 #include "simulation/reach/reach_leak.hpp"
 #include "simulation/reach/reach_map.hpp"
 #include "simulation/reach/tolerances.hpp"
@@ -111,7 +111,7 @@ VoxelBits ReachMap::unblockedCubes() const
 VoxelBits ReachMap::cubesFartherThan(double distance, VoxelBits among) const
 {
     // Where triangles are small, most rows have been closed by their neighbours.
-    const auto closeIn = [&](int y, int z, VoxelRun run, auto&& isNear)
+    const auto closeIn = [&](int y, int z, CellRun run, auto&& isNear)
     {
         layout_.findInRow(among, y, z, run.first, run.last,
                           [&](int x, VoxelWord cube)
@@ -123,27 +123,13 @@ VoxelBits ReachMap::cubesFartherThan(double distance, VoxelBits among) const
                               return false;
                           });
     };
-    const auto closeNear = [&](std::uint32_t triangle)
-    {
-        const TriangleRows rows(layout_.frame, surface_, triangle, distance);
-        rows.forEach(
-            [&](int y, int z, VoxelRun most)
-            { closeIn(y, z, rows.run(y, z, most), [&](int x) { return rows.near(x, y, z); }); },
-            [&](int y, int z, int last, VoxelRun most)
-            { return layout_.firstRow(among, y, z, last, most.first, most.last); });
-    };
     forEachGroup(surface_, layout_.frame.cell,
                  [&](const TriangleGroup& group)
                  {
-                     if (group.triangles.size() == 1)
-                     {
-                         closeNear(group.triangles[0]);
-                         return;
-                     }
-                     const GroupRows rows(layout_.frame, surface_, group, distance);
-                     rows.forEach(
-                         [&](int y, int z, VoxelRun run)
-                         { closeIn(y, z, run, [&](int x) { return rows.near(x, y, z); }); });
+                     forEachRunNear(
+                         layout_.frame, surface_, group, distance, closeIn,
+                         [&](int y, int z, int last, CellRun most)
+                         { return layout_.firstRow(among, y, z, last, most.first, most.last); });
                  });
     return among;
 }

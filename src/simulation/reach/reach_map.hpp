@@ -4,12 +4,12 @@
 #pragma once
 
 #include "base/threads.hpp"
+#include "mesh/interior/group_rows.hpp"
 #include "mesh/interior/inside_test.hpp"
+#include "mesh/interior/triangle_rows.hpp"
 #include "simulation/reach/ball_slabs.hpp"
-#include "simulation/reach/group_rows.hpp"
 #include "simulation/reach/sparse_voxel_bits.hpp"
 #include "simulation/reach/tolerances.hpp"
-#include "simulation/reach/triangle_rows.hpp"
 #include "simulation/reach/voxel_flood.hpp"
 #include "simulation/reach/voxel_rows.hpp"
 #include "simulation/world/tolerances.hpp"
@@ -174,8 +174,7 @@ public:
     /// calls found(k, cube) with its number in the group and the first cube that is confirmed.
     /// Those that lie side by side ask together, and each finds what it would find by itself.
     template <class Confirm, class Found>
-    void findNear(const TriangleGroup& group, VoxelRow from, Confirm&& confirm,
-                  Found&& found) const;
+    void findNear(const TriangleGroup& group, CellRow from, Confirm&& confirm, Found&& found) const;
     /// Finds none for a triangle, whatever it may hold.
     [[nodiscard]] bool polygonDroppable(std::uint32_t triangle) const;
     /// R': how near a centre may come to an obstacle with a contact distance; 0 when the margins
@@ -217,12 +216,12 @@ private:
     void forgetMarks();
     void mark(VoxelWord cubes, std::vector<std::size_t>& marked);
     template <class Confirm>
-    bool findInRow(int y, int z, VoxelRun run, Confirm&& confirm) const;
+    bool findInRow(int y, int z, CellRun run, Confirm&& confirm) const;
     template <class Confirm>
     bool findNearSphere(const Eigen::Vector3d& p, double distance, Cursor& cursor,
                         Confirm&& confirm) const;
     template <class Confirm, class Found>
-    void findNearTriangle(std::uint32_t triangle, VoxelRow from, Confirm&& confirm,
+    void findNearTriangle(std::uint32_t triangle, CellRow from, Confirm&& confirm,
                           Found&& found) const;
 
     const Surface& surface_;
@@ -246,7 +245,7 @@ private:
 };
 
 template <class Confirm>
-bool ReachMap::findInRow(int y, int z, VoxelRun run, Confirm&& confirm) const
+bool ReachMap::findInRow(int y, int z, CellRun run, Confirm&& confirm) const
 {
     return layout_.findInRow(open_, y, z, run.first, run.last,
                              [&](int x, VoxelWord) { return confirm(x, y, z); });
@@ -258,7 +257,7 @@ bool ReachMap::findNearSphere(const Eigen::Vector3d& p, double distance, Cursor&
                               Confirm&& confirm) const
 {
     const BallRows rows(layout_.frame, p, distance, kMeetsBall);
-    const VoxelRun widest = rows.widest();
+    const CellRun widest = rows.widest();
     if (widest.first > widest.last)
     {
         return false;
@@ -273,7 +272,7 @@ bool ReachMap::findNearSphere(const Eigen::Vector3d& p, double distance, Cursor&
 }
 
 template <class Confirm, class Found>
-void ReachMap::findNear(const TriangleGroup& group, VoxelRow from, Confirm&& confirm,
+void ReachMap::findNear(const TriangleGroup& group, CellRow from, Confirm&& confirm,
                         Found&& found) const
 {
     if (group.triangles.size() == 1)
@@ -297,7 +296,7 @@ void ReachMap::findNear(const TriangleGroup& group, VoxelRow from, Confirm&& con
         return left == 0;
     };
     rows.find(from,
-              [&](int y, int z, VoxelRun run)
+              [&](int y, int z, CellRun run)
               {
                   return layout_.findInRow(open_, y, z, run.first, run.last,
                                            [&](int x, VoxelWord cube)
@@ -306,7 +305,7 @@ void ReachMap::findNear(const TriangleGroup& group, VoxelRow from, Confirm&& con
 }
 
 template <class Confirm, class Found>
-void ReachMap::findNearTriangle(std::uint32_t triangle, VoxelRow from, Confirm&& confirm,
+void ReachMap::findNearTriangle(std::uint32_t triangle, CellRow from, Confirm&& confirm,
                                 Found&& found) const
 {
     const TriangleRows rows(layout_.frame, surface_, triangle, polygonDistance());
@@ -322,13 +321,13 @@ void ReachMap::findNearTriangle(std::uint32_t triangle, VoxelRow from, Confirm&&
     std::uint64_t row = rows.numberFrom(from);
     rows.find(
         row,
-        [&](int y, int z, VoxelRun most)
+        [&](int y, int z, CellRun most)
         {
-            const VoxelRun run = rows.run(y, z, most);
+            const CellRun run = rows.run(y, z, most);
             return layout_.findInRow(open_, y, z, run.first, run.last,
                                      [&](int x, VoxelWord cube) { return take(x, y, z, cube); });
         },
-        [&](int y, int z, int last, VoxelRun most)
+        [&](int y, int z, int last, CellRun most)
         { return layout_.firstRow(open_, y, z, last, most.first, most.last); });
 }
 

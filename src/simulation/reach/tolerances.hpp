@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 
 namespace frostfill
 {
@@ -32,14 +31,6 @@ inline constexpr double kMinGrowth = 1.0001;
 /// How often ClearSearch halves a cube, an even number: parts that small count as clear. Larger:
 /// eight times the time for each, for hardly a cube more. Smaller: more is kept.
 inline constexpr int kHalvings = 2;
-
-// Triangles, row by row.
-
-/// Widens a filter before the exact test: what a row is asked for. [cubes]
-inline constexpr double kFilterRounding = 1e-6;
-/// Words in the box of a triangle from which on it is cut into rows. Larger: rows of a long
-/// triangle's box that it is nowhere near. Smaller: cuts that find hardly less. [words]
-inline constexpr std::uint64_t kLargeWindow = 4096;
 
 // What `frostfill mesh --radius` reports.
 

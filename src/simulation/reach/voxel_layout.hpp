@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "geometry/cell_rows.hpp"
 #include "geometry/grid_frame.hpp"
 #include "simulation/reach/voxel_bricks.hpp"
 
@@ -127,19 +128,10 @@ struct VoxelLayout
     template <class Visit>
     void forEachWord(int y, int z, int first, int last, Visit&& visit) const
     {
-        for (int w = first / 64; w <= last / 64; ++w)
-        {
-            std::uint64_t bits = ~std::uint64_t{0};
-            if (w == first / 64)
-            {
-                bits &= ~std::uint64_t{0} << (first % 64);
-            }
-            if (w == last / 64)
-            {
-                bits &= ~std::uint64_t{0} >> (63 - last % 64);
-            }
-            visit(VoxelWord{word(w, y, z), bits});
-        }
+        forEachWordOf({first, last},
+                      [&](int w, std::uint64_t bits) {
+                          visit(VoxelWord{word(w, y, z), bits});
+                      });
     }
     /// Looks among the cubes of a set that are in first..last of row (y, z), ascending, for one for
     /// which test(x, VoxelWord) holds; it may take it out of the set.

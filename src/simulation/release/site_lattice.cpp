@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
 
 namespace frostfill
 {
@@ -31,125 +30,6 @@ double cellFor(const Eigen::Vector3d& size, double radius)
 
 } // namespace
 
-/// Opens the sites of one layer after another. Most are decided by those beside them.
-class SiteLattice::Opening
-{
-public:
-    Opening(SiteLattice& sites, const InsideTest& inside)
-        : sites_(sites), lattice_(sites.lattice_), inside_(inside),
-          beside_(static_cast<std::size_t>(lattice_.count[0])), knownIn_(sites.wordsPerRow_, kNoRow)
-    {
-    }
-
-    /// From layer z on, up to layer `end`.
-    void open(int z, int end)
-    {
-        const std::size_t last = sites_.firstFrom({0, 0, end});
-        for (std::size_t first = sites_.firstFrom({0, 0, z}); first < last;)
-        {
-            const WordPlace start = sites_.place(first);
-            std::size_t next = first + 1;
-            for (WordPlace word = start; next < last; ++next) // words without a gap
-            {
-                const WordPlace other = sites_.place(next);
-                if (other != WordPlace{word[0] + 1, word[1], word[2]})
-                {
-                    break;
-                }
-                word = other;
-            }
-            openWords(first, next - first, start);
-            first = next;
-        }
-    }
-
-private:
-    static constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    static constexpr std::int64_t kNoRow = -1;
-    struct Bounds
-    {
-        double low = -kInfinity;
-        double high = kInfinity;
-    };
-
-    // What is not known of the row before, because it has no such word, counts as anything.
-    void takeOver(std::size_t words, const WordPlace& start)
-    {
-        const std::int64_t row = std::int64_t{start[2]} * lattice_.count[1] + start[1];
-        for (std::size_t k = 0; k < words; ++k)
-        {
-            const std::size_t word = static_cast<std::size_t>(start[0]) + k;
-            if (knownIn_[word] != row - 1 || start[1] == 0)
-            {
-                const std::size_t end = std::min(64 * (word + 1), beside_.size());
-                std::fill(beside_.begin() + static_cast<std::ptrdiff_t>(64 * word),
-                          beside_.begin() + static_cast<std::ptrdiff_t>(end), Bounds{});
-            }
-            knownIn_[word] = row;
-        }
-    }
-
-    void openWords(std::size_t first, std::size_t words, const WordPlace& start)
-    {
-        takeOver(words, start);
-        const int begin = 64 * start[0];
-        const int end = std::min(begin + 64 * static_cast<int>(words), lattice_.count[0]);
-        const int y = start[1];
-        const int z = start[2];
-        const double least = sites_.radius_ - sites_.halfDiagonal();
-        // From one site to the next a distance changes less.
-        const double known = lattice_.cell + kDistanceSlack;
-        const double endOfRow = lattice_.centre(end - 1, y, z).x();
-        Bounds distance;
-        for (int x = begin; x < end; ++x)
-        {
-            int last = x; // of those that are decided with it
-            Bounds& beside = beside_[static_cast<std::size_t>(x)];
-            distance.low = std::max(distance.low, beside.low) - known;
-            distance.high = std::min(distance.high, beside.high) + known;
-            if (distance.low < least && distance.high >= least)
-            {
-                const Eigen::Vector3d place = lattice_.centre(x, y, z);
-                const double its = inside_.distance(place, std::max(-distance.low, distance.high));
-                // What is beyond the reach of the test is only known to be beyond it.
-                const bool far = std::abs(its) >= inside_.reach();
-                distance.low = far && its < 0 ? -kInfinity : its;
-                distance.high = far && its > 0 ? kInfinity : its;
-                last = far ? lastBefore(inside_.farUntil(place, endOfRow), x, end - 1) : x;
-            }
-            std::fill(&beside, &beside + (last - x + 1), distance);
-            if (distance.low >= least)
-            {
-                forEachWord(x, last,
-                            [&](int word, std::uint64_t open) {
-                                sites_.bits_[first + static_cast<std::size_t>(word - start[0])] |=
-                                    open;
-                            });
-            }
-            x = last;
-        }
-    }
-
-    /// The last site of a row, from site x to `last`, that lies before a coordinate; x if none
-    /// does.
-    [[nodiscard]] int lastBefore(double end, int x, int last) const
-    {
-        const double site = std::ceil((end - lattice_.origin.x()) / lattice_.cell - 0.5) - 1;
-        int result = static_cast<int>(std::clamp<double>(site, x, last));
-        while (result > x && lattice_.centre(result, 0, 0).x() >= end) // rounding
-        {
-            --result;
-        }
-        return result;
-    }
-
-    SiteLattice& sites_;
-    const GridFrame& lattice_;
-    const InsideTest& inside_;
-    std::vector<Bounds> beside_;        ///< of the row before
-    std::vector<std::int64_t> knownIn_; ///< [#words of a row] the row whose bounds are in beside_
-};
-
 SiteLattice::SiteLattice(const Surface& surface, const InsideTest& inside, double radius,
                          Threads& threads, double smallLattice, double coarsest,
                          std::size_t inMemory)
@@ -164,14 +44,11 @@ SiteLattice::SiteLattice(const Surface& surface, const InsideTest& inside, doubl
     {
         listWords(surface.box(), inside);
     }
-    bits_.resize(isSmall ? static_cast<std::size_t>(words) : list_.size(), 0);
-    const int layers = lattice_.count[2];
-    forEachSlab(threads, (layers + kSlabThickness - 1) / kSlabThickness,
-                [&](int slab)
-                {
-                    Opening(*this, inside)
-                        .open(slab * kSlabThickness, std::min(layers, (slab + 1) * kSlabThickness));
-                });
+    bits_.resize(isSmall ? static_cast<std::size_t>(words) : list_.size(), ~std::uint64_t{0});
+    // A cell is open where its centre is so deep inside, or less than that outside.
+    const double depth = radius_ - halfDiagonal();
+    closeNear(surface, std::abs(depth), threads);
+    closeOutside(inside, std::abs(depth), depth < 0, threads);
     if (!isSmall)
     {
         dropClosedWords();
@@ -274,19 +151,15 @@ void SiteLattice::close(const Eigen::Vector3d& centre, double radius)
 
 void SiteLattice::closeRun(int y, int z, int first, int last)
 {
-    if (first > last)
-    {
-        return;
-    }
-    forEachWord(first, last,
-                [&](int x, std::uint64_t run)
-                {
-                    const std::size_t word = find({x, y, z});
-                    if (word != kNone)
-                    {
-                        bits_[word] &= ~run;
-                    }
-                });
+    forEachWordOf({first, last},
+                  [&](int x, std::uint64_t run)
+                  {
+                      const std::size_t word = find({x, y, z});
+                      if (word != kNone)
+                      {
+                          bits_[word] &= ~run;
+                      }
+                  });
 }
 
 std::vector<std::uint32_t> SiteLattice::highest() const

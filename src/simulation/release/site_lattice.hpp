@@ -64,24 +64,17 @@ public:
     [[nodiscard]] double halfDiagonal() const { return 0.8660254037844387 * lattice_.cell; }
 
 private:
-    class Opening;
+    class Sides;
     static constexpr std::size_t kNone = WordSpans::kNone;
 
     void listWords(const Eigen::AlignedBox3d& box, const InsideTest& inside);
     void dropClosedWords();
+    /// Closes all within a distance of the surface.
+    void closeNear(const Surface& surface, double distance, Threads& threads);
+    /// Then all that are outside, but for those near the surface, which may be opened.
+    void closeOutside(const InsideTest& inside, double distance, bool nearAreOpen,
+                      Threads& threads);
     void closeRun(int y, int z, int first, int last);
-    /// Calls visit(word, bits) for the words of a row that have cells from `first` to `last`.
-    template <class Visit>
-    static void forEachWord(int first, int last, Visit&& visit)
-    {
-        for (int word = first / 64; word <= last / 64; ++word)
-        {
-            std::uint64_t bits = ~std::uint64_t{0};
-            bits &= word == first / 64 ? ~std::uint64_t{0} << first % 64 : bits;
-            bits &= word == last / 64 ? ~std::uint64_t{0} >> (63 - last % 64) : bits;
-            visit(word, bits);
-        }
-    }
     [[nodiscard]] WordPlace place(std::size_t word) const
     {
         if (list_.size() > 0)

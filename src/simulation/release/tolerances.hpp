@@ -24,8 +24,8 @@ inline constexpr double kMaxSites = 4e9;
 inline constexpr double kSmallLattice = 4e6;
 /// Factor by which cells grow until there are few enough. Larger: coarser than need be.
 inline constexpr double kCellGrowth = 1.02;
-/// What rounding may add to the change of a distance from one site to the next [r]. Smaller: a site
-/// near a wall may be taken for a clear one. Larger: the distance is computed more often.
+/// What rounding may add to a distance [r]. Smaller: a site may be taken for one on the other side
+/// of a wall. Larger: more sites are asked for their side.
 inline constexpr double kDistanceSlack = 1e-9;
 
 /// Places in a row that others run through, after which a search gives up for now [1]: most do.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/interior/near_triangle.hpp"
 
-#include "base/random.hpp"
+#include "support/random_points.hpp"
 #include "support/shapes.hpp"
 
 #include <gtest/gtest.h>
@@ -28,25 +28,16 @@ double distanceTo(const Surface& surface, std::uint32_t triangle, const Eigen::V
     return (closestPointOnTriangle(p, a, b, c).point - p).norm();
 }
 
-/// Numbers from -3 to 3.
-class Draws
-{
-public:
-    double next() { return 6 * uniformRandom(5, 0, number_++) - 3; }
-
-private:
-    std::uint64_t number_ = 0;
-};
-
 TEST(NearTriangle, HasWhatIsAsNearAsTheNearestPointIs)
 {
-    Draws draws;
+    RandomPoints random(5);
     std::size_t within = 0;
     for (const Surface& surface : surfaces())
     {
         for (int k = 0; k < 100; ++k)
         {
-            const Eigen::Vector3d p(draws.next(), draws.next(), draws.next());
+            const Eigen::Vector3d p(random.uniform(-3, 3), random.uniform(-3, 3),
+                                    random.uniform(-3, 3));
             for (std::uint32_t t = 0; t < surface.size(); ++t)
             {
                 const double distance = distanceTo(surface, t, p);
@@ -65,15 +56,15 @@ TEST(NearTriangle, HasWhatIsAsNearAsTheNearestPointIs)
 
 TEST(NearTriangle, LeavesNothingOutOfALineAndHasNothingTooMuch)
 {
-    Draws draws;
+    RandomPoints random(5);
     std::size_t within = 0;
     std::size_t sure = 0;
     for (const Surface& surface : surfaces())
     {
         for (int line = 0; line < 200; ++line)
         {
-            const double y = draws.next();
-            const double z = draws.next();
+            const double y = random.uniform(-3, 3);
+            const double z = random.uniform(-3, 3);
             const auto t =
                 static_cast<std::uint32_t>(line) % static_cast<std::uint32_t>(surface.size());
             const double reach = line % 2 == 0 ? 0.4 : 1.8;

@@ -37,8 +37,7 @@ double nearestCorner(const Eigen::Vector3d& middle, double edge, const Eigen::Ve
 bool isValid(const Object& object, const std::vector<Ball>& resting, double radius,
              const ReachMap::Margins& m, const Eigen::Vector3d& p)
 {
-    if (!object.inside.contains(p) ||
-        reach::distanceToSurface(object.surface, p) < radius - m.overlap)
+    if (!object.inside.contains(p) || distanceToSurface(object.surface, p) < radius - m.overlap)
     {
         return false;
     }
@@ -85,28 +84,27 @@ TEST(ReachMap, CubeIsBlockedExactlyWhenOneObstacleExcludesAllOfIt)
         }
         const double h = map.layout().frame.cell;
         std::size_t blocked = 0;
-        reach::forEachCubeOf(map,
-                             [&](int x, int y, int z, bool open)
-                             {
-                                 const Eigen::Vector3d middle = map.layout().frame.centre(x, y, z);
-                                 if (!object.inside.contains(middle))
-                                 {
-                                     EXPECT_FALSE(open);
-                                     return;
-                                 }
-                                 // How deep the cube lies in the exclusion that holds it best.
-                                 double depth = jumpRadius(radii.smallest, kWide) -
-                                                reach::distanceToSurface(object.surface, middle) -
-                                                std::sqrt(0.75) * h;
-                                 for (const Ball& ball : balls)
-                                 {
-                                     depth = std::max(
-                                         depth, jumpRadius(ball.radius + radii.smallest, kWide) -
-                                                    farthestCorner(middle, h, ball.centre));
-                                 }
-                                 EXPECT_EQ(open, depth < 0) << depth;
-                                 blocked += open ? 0 : 1;
-                             });
+        reach::forEachCubeOf(
+            map,
+            [&](int x, int y, int z, bool open)
+            {
+                const Eigen::Vector3d middle = map.layout().frame.centre(x, y, z);
+                if (!object.inside.contains(middle))
+                {
+                    EXPECT_FALSE(open);
+                    return;
+                }
+                // How deep the cube lies in the exclusion that holds it best.
+                double depth = jumpRadius(radii.smallest, kWide) -
+                               distanceToSurface(object.surface, middle) - std::sqrt(0.75) * h;
+                for (const Ball& ball : balls)
+                {
+                    depth = std::max(depth, jumpRadius(ball.radius + radii.smallest, kWide) -
+                                                farthestCorner(middle, h, ball.centre));
+                }
+                EXPECT_EQ(open, depth < 0) << depth;
+                blocked += open ? 0 : 1;
+            });
         EXPECT_GT(blocked, 1000u);
     }
 }

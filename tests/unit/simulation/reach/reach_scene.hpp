@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "base/random.hpp"
 #include "mesh/interior/inside_test.hpp"
 #include "simulation/reach/reach_map.hpp"
+#include "support/brute_distance.hpp"
+#include "support/random_points.hpp"
 #include "support/shapes.hpp"
 
 #include <array>
@@ -36,37 +37,7 @@ struct Ball
     double radius = 1;
 };
 
-class Random
-{
-public:
-    explicit Random(std::uint64_t seed) : seed_(seed) {}
-    double uniform(double low, double high)
-    {
-        return low + (high - low) * uniformRandom(seed_, 0, draws_++);
-    }
-    Eigen::Vector3d point(double low, double high)
-    {
-        const double x = uniform(low, high);
-        const double y = uniform(low, high);
-        return {x, y, uniform(low, high)};
-    }
-    /// On a sphere of the given radius.
-    Eigen::Vector3d direction(double length)
-    {
-        while (true)
-        {
-            const Eigen::Vector3d p = point(-1, 1);
-            if (p.squaredNorm() <= 1 && p.squaredNorm() > 0.01)
-            {
-                return p.normalized() * length;
-            }
-        }
-    }
-
-private:
-    std::uint64_t seed_;
-    std::uint64_t draws_ = 0;
-};
+using Random = RandomPoints;
 
 /// A cube about the origin.
 inline TriangleMesh cubeOfSide(double side, int n = 2)
@@ -184,19 +155,6 @@ inline TriangleMesh withHole(TriangleMesh mesh, const Eigen::Vector3d& where, do
                       return (middle - where).lpNorm<Eigen::Infinity>() < side / 2;
                   });
     return mesh;
-}
-
-/// Distance to the nearest triangle, by trying all.
-inline double distanceToSurface(const Surface& surface, const Eigen::Vector3d& p)
-{
-    double nearest = 1e300;
-    for (const SurfaceTriangle& t : surface.triangles())
-    {
-        nearest = std::min(
-            nearest,
-            (closestPointOnTriangle(p, t.corner[0], t.corner[1], t.corner[2]).point - p).norm());
-    }
-    return nearest;
 }
 
 /// Calls visit(x, y, z, reached) for every cube of the map.

@@ -169,7 +169,7 @@ std::vector<Eigen::Vector3d> reachedByBruteForce(const ReachMap& map, const Obje
             return corner.matrix().norm() <= map.exclusion(2);
         };
         return object.inside.contains(middle) &&
-               reach::distanceToSurface(object.surface, middle) > map.exclusion(1) - diagonal / 2 &&
+               distanceToSurface(object.surface, middle) > map.exclusion(1) - diagonal / 2 &&
                std::none_of(balls.begin(), balls.end(), excludes);
     };
     std::vector<std::array<int, 3>> waiting;

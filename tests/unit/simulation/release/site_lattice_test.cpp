@@ -23,15 +23,20 @@ TEST_P(SiteLatticeOf, OpensTheSitesThatAreFarEnoughInside)
     scene.spheres.radius = boundingBox(mesh).sizes().maxCoeff() / 40;
     const World world(scene, mesh);
     Threads two(2);
-    for (const double radius : {1.0, 0.6})
+    // The last ones have cells as coarse as for a larger one: sites side by side may lie on both
+    // sides of a wall, and some outside are open.
+    for (const auto& [radius, coarsest] :
+         {std::pair{1.0, 0.0}, {0.6, 0.0}, {0.3, 0.45}, {0.3, 0.7}, {0.3, 2.0}})
     {
-        const SiteLattice sites(world.surface, world.inside, radius, two);
+        const SiteLattice sites(world.surface, world.inside, radius, two, kSmallLattice, coarsest);
         const double least = radius - sites.halfDiagonal();
         std::size_t open = 0;
         for (std::size_t site = 0; site < sites.end(); ++site)
         {
             // A lattice is quick because most sites are decided by those beside them. Each alone:
-            const bool isFarEnough = world.inside.distance(sites.centre(site)) >= least;
+            const Eigen::Vector3d centre = sites.centre(site);
+            const bool isFarEnough = sites.lattice().contains(centre) && // not beyond a row's end
+                                     world.inside.distance(centre) >= least;
             ASSERT_EQ(sites.isOpen(site), isFarEnough) << site;
             open += isFarEnough ? 1 : 0;
         }

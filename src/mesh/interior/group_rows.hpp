@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "geometry/cell_rows.hpp"
+#include "geometry/grid_frame.hpp"
 #include "mesh/interior/triangle_groups.hpp"
-#include "simulation/reach/voxel_rows.hpp"
 
 namespace frostfill
 {
 
-/// The cubes of a grid whose middle is within `reach` of one of several triangles: the same as
+/// The cells of a grid whose middle is within `reach` of one of several triangles: the same as
 /// TriangleRows finds for each of them. The box around them decides for most cubes.
 class GroupRows
 {
@@ -22,7 +23,7 @@ public:
     /// Calls visit(y, z, run) for rows from `from` on, until it returns true, with those cubes that
     /// the box may be near. Rows from the top down, as of a RowWindow.
     template <class Visit>
-    void find(VoxelRow from, Visit&& visit) const
+    void find(CellRow from, Visit&& visit) const
     {
         const auto [lowY, highY] = range(1, surelyOut_);
         const auto [lowZ, highZ] = range(2, surelyOut_);
@@ -34,7 +35,7 @@ public:
             {
                 const double left = leftOfY - squares(2, z).nearest;
                 const auto [first, last] = range(0, std::sqrt(std::max(0.0, left)));
-                if (left >= 0 && first <= last && visit(y, z, VoxelRun{first, last}))
+                if (left >= 0 && first <= last && visit(y, z, CellRun{first, last}))
                 {
                     return;
                 }
@@ -46,7 +47,7 @@ public:
     void forEach(Visit&& visit) const
     {
         find({},
-             [&](int y, int z, VoxelRun run)
+             [&](int y, int z, CellRun run)
              {
                  visit(y, z, run);
                  return false;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "simulation/reach/triangle_rows.hpp"
+#include "mesh/interior/triangle_rows.hpp"
 
-#include "unit/simulation/reach/reach_scene.hpp"
+#include "support/brute_distance.hpp"
+#include "support/random_points.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,10 +14,9 @@ namespace frostfill
 namespace
 {
 
-using reach::Random;
 using Cubes = std::set<std::tuple<int, int, int>>; // y down, z, x: the order of a search
 
-constexpr double kReach = 1.3;
+constexpr double kReachOfRows = 1.3;
 
 /// Those near the triangle, by looking at all.
 Cubes byBruteForce(const GridFrame& frame, const Surface& surface)
@@ -28,7 +28,7 @@ Cubes byBruteForce(const GridFrame& frame, const Surface& surface)
         {
             for (int x = 0; x < frame.count[0]; ++x)
             {
-                if (reach::distanceToSurface(surface, frame.centre(x, y, z)) <= kReach)
+                if (distanceToSurface(surface, frame.centre(x, y, z)) <= kReachOfRows)
                 {
                     result.insert({-y, z, x});
                 }
@@ -42,10 +42,10 @@ Cubes byRows(const TriangleRows& rows, std::size_t& visited)
 {
     Cubes result;
     rows.forEach(
-        [&](int y, int z, VoxelRun most)
+        [&](int y, int z, CellRun most)
         {
             ++visited;
-            const VoxelRun run = rows.run(y, z, most);
+            const CellRun run = rows.run(y, z, most);
             for (int x = run.first; x <= run.last; ++x)
             {
                 if (rows.near(x, y, z))
@@ -72,7 +72,7 @@ GridFrame gridAbout(const Surface& surface)
 
 TEST(TriangleRows, HaveAllCubesNearATriangleHoweverLargeItIs)
 {
-    Random random(4);
+    RandomPoints random(4);
     std::size_t large = 0;
     for (int k = 0; k < 40; ++k)
     {
@@ -90,7 +90,7 @@ TEST(TriangleRows, HaveAllCubesNearATriangleHoweverLargeItIs)
         const Surface surface(triangle(a, b, c));
         const GridFrame frame = gridAbout(surface);
         std::size_t visited = 0;
-        EXPECT_EQ(byRows(TriangleRows(frame, surface, 0, kReach), visited),
+        EXPECT_EQ(byRows(TriangleRows(frame, surface, 0, kReachOfRows), visited),
                   byBruteForce(frame, surface))
             << k;
         large += static_cast<std::size_t>(frame.count[1]) * frame.count[2] > kLargeWindow ? 1 : 0;
@@ -103,7 +103,7 @@ TEST(TriangleRows, OfALongTriangleAreThoseBesideIt)
     const Surface surface(triangle({0, 0, 0}, {3000, 2000, 4000}, {3000, 2001, 4000}));
     const GridFrame frame = gridAbout(surface);
     std::size_t visited = 0;
-    EXPECT_GT(byRows(TriangleRows(frame, surface, 0, kReach), visited).size(), 10000u);
+    EXPECT_GT(byRows(TriangleRows(frame, surface, 0, kReachOfRows), visited).size(), 10000u);
     // The box has 1.7e7 rows. A row has the cubes on both sides, and one for each of three in z.
     EXPECT_LT(visited, 50000u);
 }
@@ -112,15 +112,15 @@ TEST(TriangleRows, ASearchGoesOnFromTheRowWhereItEnded)
 {
     const Surface surface(triangle({0, 0, 0}, {90, 60, 120}, {80, 60, 20}));
     const GridFrame frame = gridAbout(surface);
-    const TriangleRows rows(frame, surface, 0, kReach);
+    const TriangleRows rows(frame, surface, 0, kReachOfRows);
     std::vector<std::array<int, 2>> all;
-    rows.forEach([&](int y, int z, VoxelRun) { all.push_back({y, z}); });
+    rows.forEach([&](int y, int z, CellRun) { all.push_back({y, z}); });
     std::vector<std::array<int, 2>> found;
     std::uint64_t row = 0;
     bool isAgain = false;
     // Each row is found, and then passed over.
     while (rows.find(row,
-                     [&](int y, int z, VoxelRun)
+                     [&](int y, int z, CellRun)
                      {
                          isAgain = !found.empty() && found.back() == std::array<int, 2>{y, z};
                          if (!isAgain)
@@ -133,7 +133,7 @@ TEST(TriangleRows, ASearchGoesOnFromTheRowWhereItEnded)
     }
     EXPECT_GT(all.size(), kLargeWindow);
     EXPECT_EQ(found, all);
-    EXPECT_FALSE(rows.find(row, [](int, int, VoxelRun) { return true; }));
+    EXPECT_FALSE(rows.find(row, [](int, int, CellRun) { return true; }));
 }
 
 TEST(TriangleRows, ASearchAsksOnlyRowsThatAreWorthIt)
@@ -142,9 +142,9 @@ TEST(TriangleRows, ASearchAsksOnlyRowsThatAreWorthIt)
     for (const double size : {90.0, 3.0})
     {
         const Surface surface(triangle({0, 0, 0}, {size, size, size}, {size, size, size / 4}));
-        const TriangleRows rows(gridAbout(surface), surface, 0, kReach);
+        const TriangleRows rows(gridAbout(surface), surface, 0, kReachOfRows);
         const auto isWorth = [](int y, int z) { return (3 * y + z) % 7 == 0; };
-        const auto next = [&](int y, int z, int last, VoxelRun)
+        const auto next = [&](int y, int z, int last, CellRun)
         {
             while (z <= last && !isWorth(y, z))
             {
@@ -154,7 +154,7 @@ TEST(TriangleRows, ASearchAsksOnlyRowsThatAreWorthIt)
         };
         std::vector<std::array<int, 2>> expected;
         rows.forEach(
-            [&](int y, int z, VoxelRun)
+            [&](int y, int z, CellRun)
             {
                 if (isWorth(y, z))
                 {
@@ -162,7 +162,7 @@ TEST(TriangleRows, ASearchAsksOnlyRowsThatAreWorthIt)
                 }
             });
         std::vector<std::array<int, 2>> found;
-        rows.forEach([&](int y, int z, VoxelRun) { found.push_back({y, z}); }, next);
+        rows.forEach([&](int y, int z, CellRun) { found.push_back({y, z}); }, next);
         EXPECT_GT(expected.size(), 3u);
         EXPECT_EQ(found, expected);
         // A search that went on from its number would find the same row again.
@@ -171,16 +171,16 @@ TEST(TriangleRows, ASearchAsksOnlyRowsThatAreWorthIt)
             std::uint64_t row = 0;
             std::size_t seen = 0;
             ASSERT_TRUE(rows.find(
-                row, [&](int, int, VoxelRun) { return seen++ == k; }, next));
+                row, [&](int, int, CellRun) { return seen++ == k; }, next));
             ASSERT_TRUE(rows.find(
                 row,
-                [&](int y, int z, VoxelRun) {
+                [&](int y, int z, CellRun) {
                     return expected[k] == std::array<int, 2>{y, z};
                 },
-                [](int, int z, int, VoxelRun) { return z; }));
+                [](int, int z, int, CellRun) { return z; }));
             std::size_t more = 0;
             rows.find(
-                row, [&](int, int, VoxelRun) { return ++more > 1; }, next);
+                row, [&](int, int, CellRun) { return ++more > 1; }, next);
             EXPECT_EQ(more, std::min<std::size_t>(2, expected.size() - k));
         }
     }

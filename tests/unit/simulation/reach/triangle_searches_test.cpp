@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "simulation/reach/group_rows.hpp"
-
 #include "unit/simulation/reach/reach_scene.hpp"
 
 #include <gtest/gtest.h>
@@ -11,84 +9,6 @@ namespace frostfill
 {
 namespace
 {
-
-using CubeSet = std::set<std::array<int, 3>>;
-
-TEST(GroupRows, HaveTheCubesThatEachTriangleHas)
-{
-    constexpr double kReach = 1.3;
-    const Surface surface(shapes::torus(3, 1, 60, 30));
-    const GridFrame frame = GridFrame::cover(surface.box(), 0.69, 0.5); // which cuts some off
-    std::size_t large = 0;
-    forEachGroup(surface, 0.69,
-                 [&](const TriangleGroup& group)
-                 {
-                     CubeSet expected;
-                     for (const std::uint32_t t : group.triangles)
-                     {
-                         const TriangleRows rows(frame, surface, t, kReach);
-                         rows.forEach(
-                             [&](int y, int z, VoxelRun most)
-                             {
-                                 const VoxelRun run = rows.run(y, z, most);
-                                 for (int x = run.first; x <= run.last; ++x)
-                                 {
-                                     if (rows.near(x, y, z))
-                                     {
-                                         expected.insert({x, y, z});
-                                     }
-                                 }
-                             });
-                     }
-                     CubeSet found;
-                     const GroupRows rows(frame, surface, group, kReach);
-                     rows.forEach(
-                         [&](int y, int z, VoxelRun run)
-                         {
-                             for (int x = run.first; x <= run.last; ++x)
-                             {
-                                 if (rows.near(x, y, z))
-                                 {
-                                     found.insert({x, y, z});
-                                 }
-                             }
-                         });
-                     ASSERT_EQ(found, expected);
-                     large += group.triangles.size() > 1 ? 1 : 0;
-                 });
-    EXPECT_GT(large, 100u);
-}
-
-TEST(GroupRows, AreFoundFromTheTopDownAndFromAnyRowOn)
-{
-    const Surface surface(shapes::torus(3, 1, 60, 30));
-    const GridFrame frame = GridFrame::cover(surface.box(), 0.69, 0.5);
-    TriangleGroup group;
-    forEachGroup(surface, 0.69,
-                 [&](const TriangleGroup& one)
-                 { group = one.triangles.size() > group.triangles.size() ? one : group; });
-    const GroupRows rows(frame, surface, group, 1.3);
-    std::vector<VoxelRow> all;
-    rows.forEach([&](int y, int z, VoxelRun) { all.push_back({y, z}); });
-    ASSERT_GT(all.size(), 10u);
-    for (std::size_t i = 1; i < all.size(); ++i)
-    {
-        EXPECT_TRUE(all[i - 1].isBefore(all[i]));
-        EXPECT_FALSE(all[i].isBefore(all[i - 1]));
-    }
-    for (std::size_t i = 0; i < all.size(); ++i)
-    {
-        std::size_t next = i;
-        rows.find(all[i],
-                  [&](int y, int z, VoxelRun)
-                  {
-                      EXPECT_EQ(y, all[next].y);
-                      EXPECT_EQ(z, all[next].z);
-                      return ++next == i + 3;
-                  });
-        EXPECT_EQ(next, std::min(i + 3, all.size()));
-    }
-}
 
 TEST(ReachMap, TrianglesSideBySideFindWhatEachFindsByItself)
 {
@@ -115,8 +35,8 @@ TEST(ReachMap, TrianglesSideBySideFindWhatEachFindsByItself)
             forEachGroup(object.surface, map.layout().frame.cell,
                          [&](const TriangleGroup& group)
                          {
-                             const VoxelRow from = {static_cast<int>(random.uniform(2, 20)),
-                                                    static_cast<int>(random.uniform(-3, 20))};
+                             const CellRow from = {static_cast<int>(random.uniform(2, 20)),
+                                                   static_cast<int>(random.uniform(-3, 20))};
                              const std::size_t size = group.triangles.size();
                              std::vector<CubeNumber> alone(size, kNoCube);
                              std::vector<CubeNumber> found(size, kNoCube);
@@ -154,8 +74,7 @@ std::vector<double> distances(const VoxelLayout& layout, const Surface& surface)
                                [&](int x, int y, int z)
                                {
                                    result[64 * w.word + static_cast<std::size_t>(x % 64)] =
-                                       reach::distanceToSurface(surface,
-                                                                layout.frame.centre(x, y, z));
+                                       distanceToSurface(surface, layout.frame.centre(x, y, z));
                                });
         });
     return result;

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "geometry/cell_rows.hpp"
+#include "geometry/grid_frame.hpp"
 #include "mesh/interior/surface.hpp"
 #include "mesh/interior/triangle_groups.hpp"
-#include "simulation/reach/voxel_rows.hpp"
 
 namespace frostfill
 {
+
+/// Words of 64 cells in the box of a triangle from which on it is cut into rows. Larger: rows of a
+/// long triangle's box that it is nowhere near. Smaller: cuts that find hardly less.
+inline constexpr std::uint64_t kLargeWindow = 4096;
 
 /// A triangle, or what is left of it between planes that are square to the axes.
 class TrianglePart
@@ -64,7 +69,7 @@ private:
     std::array<Eigen::Vector3d, 7> corner_; ///< of three, and one for each of four planes
 };
 
-/// The cubes of a grid whose middle is within `reach` of a triangle.
+/// The cells of a grid whose middle is within `reach` of a triangle.
 class TriangleRows
 {
 public:
@@ -86,7 +91,7 @@ public:
     template <class Test, class Next = EveryRow>
     bool find(std::uint64_t& row, Test&& test, Next&& next = {}) const
     {
-        const VoxelRun widest = {widest_[0], widest_[1]};
+        const CellRun widest = {widest_[0], widest_[1]};
         if (widest.first > widest.last)
         {
             return false;
@@ -97,7 +102,7 @@ public:
                               [&](int y, int z, int last) { return next(y, z, last, widest); });
     }
     /// The number of a row, or of the next one.
-    [[nodiscard]] std::uint64_t numberFrom(VoxelRow row) const { return window_.numberFrom(row); }
+    [[nodiscard]] std::uint64_t numberFrom(CellRow row) const { return window_.numberFrom(row); }
     /// Calls visit(y, z, most) for all rows, likewise.
     template <class Visit, class Next = EveryRow>
     void forEach(Visit&& visit, Next&& next = {}) const
@@ -105,7 +110,7 @@ public:
         std::uint64_t row = 0;
         find(
             row,
-            [&](int y, int z, VoxelRun most)
+            [&](int y, int z, CellRun most)
             {
                 visit(y, z, most);
                 return false;
@@ -114,7 +119,7 @@ public:
     }
 
     /// Those of a row's cubes that may be near: their middle is near the triangle's plane and box.
-    [[nodiscard]] VoxelRun run(int y, int z, VoxelRun most) const
+    [[nodiscard]] CellRun run(int y, int z, CellRun most) const
     {
         const Eigen::Vector3d start = frame_.centre(0, y, z);
         const NearTriangle::Chord chord = near_.nearPlane(start.y(), start.z());
@@ -151,7 +156,7 @@ private:
             {
                 const auto x = range(0, nearLayer(layer, 2, z));
                 row = window_.number(y, z);
-                const VoxelRun most = {x[0], x[1]};
+                const CellRun most = {x[0], x[1]};
                 if (x[0] <= x[1] && next(y, z, z, most) == z && test(y, z, most))
                 {
                     return true;
