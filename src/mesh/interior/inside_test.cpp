@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/interior/inside_test.hpp"
 
+#include "mesh/interior/near_surface.hpp"
+
 #include <algorithm>
 #include <array>
 
@@ -186,7 +188,35 @@ InsideTest::InsideTest(const Surface& surface, const TriangleGrid& grid)
     : surface_(&surface), grid_(&grid), winding_(surface.mesh()),
       far_(grid.cells().bricks().count()), cellInside_(grid.cells().size(), false)
 {
+    if (surface.anyTwoSided())
+    {
+        markTwoSided();
+    }
     Flood(*this).run();
+}
+
+void InsideTest::markTwoSided()
+{
+    const TriangleGrid::Cells& cells = grid_->cells();
+    hasTwoSided_.assign(cells.size(), false);
+    for (std::uint32_t triangle = 0; triangle < surface_->size(); ++triangle)
+    {
+        if ((*surface_)[triangle].twoSided)
+        {
+            forEachRunNear(grid_->frame(), *surface_, {{&triangle, 1}, {}}, grid_->reachOfCentre(),
+                           [&](int y, int z, CellRun run, auto&& isNear)
+                           {
+                               for (int x = run.first; x <= run.last; ++x)
+                               {
+                                   const std::size_t cell = cells.find(x, y, z);
+                                   if (cell != TriangleGrid::Cells::kNone && isNear(x))
+                                   {
+                                       hasTwoSided_[cell] = true;
+                                   }
+                               }
+                           });
+        }
+    }
 }
 
 InsideTest::Side& InsideTest::sideOfBrick(const GridPlace& brick)
@@ -258,42 +288,48 @@ bool InsideTest::contains(const Eigen::Vector3d& p) const
     return distance(p) > 0;
 }
 
+// The nearest triangle of the list is the nearest of all if it is within the reach of the list.
+bool InsideTest::contains(const Eigen::Vector3d& p, const SignedDistance& nearest) const
+{
+    if (std::abs(nearest.value) > reach())
+    {
+        return isInsideFarFromSurface(p);
+    }
+    return isNearTwoSided(p) ? isInsideByWinding(p) : nearest.value > 0;
+}
+
 double InsideTest::distance(const Eigen::Vector3d& p, double atMost) const
 {
-    const double reach = grid_->reach();
     const std::span<const std::uint32_t> triangles = grid_->near(p);
     if (triangles.empty())
     {
-        return isCellInside(grid_->frame().coordinates(p)) ? reach : -reach;
+        return isCellInside(grid_->frame().coordinates(p)) ? reach() : -reach();
     }
-    // The nearest triangle of the list is the nearest of all if it is within the reach of the list.
-    const double nearest = grid_->nearest(p, triangles, atMost).value;
-    if (std::abs(nearest) > reach)
-    {
-        return isInsideFarFromSurface(p) ? reach : -reach;
-    }
-    if (surface_->anyTwoSided() && isNearTwoSided(p))
-    {
-        return isInsideByWinding(p) ? std::abs(nearest) : -std::abs(nearest);
-    }
-    return nearest;
+    const SignedDistance nearest = grid_->nearest(p, triangles, atMost);
+    const double distance = std::min(std::abs(nearest.value), reach());
+    return contains(p, nearest) ? distance : -distance;
 }
 
 bool InsideTest::isNearTwoSided(const Eigen::Vector3d& p) const
 {
     const auto isTwoSided = [this](std::uint32_t id) { return (*surface_)[id].twoSided; };
-    const std::span<const std::uint32_t> all = grid_->near(p);
+    const auto [x, y, z] = grid_->frame().coordinates(p);
+    const std::size_t cell = grid_->cells().find(x, y, z);
+    if (hasTwoSided_.empty() || !hasTwoSided_[cell])
+    {
+        return false;
+    }
+    const std::span<const std::uint32_t> all = grid_->ofCell(cell);
     if (all.size() <= TriangleGrid::kShortList)
     {
         return std::any_of(all.begin(), all.end(), isTwoSided);
     }
-    const double reach = grid_->reach();
     bool isNear = false;
-    surface_->tree().forEachTriangleNear(p, reach,
+    surface_->tree().forEachTriangleNear(p, reach(),
                                          [&](std::uint32_t id)
                                          {
                                              isNear = isTwoSided(id);
-                                             return isNear ? -1 : reach;
+                                             return isNear ? -1 : reach();
                                          });
     return isNear;
 }

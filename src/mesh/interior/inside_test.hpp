@@ -24,6 +24,15 @@ public:
     InsideTest(const Surface& surface, const TriangleGrid& grid);
 
     [[nodiscard]] bool contains(const Eigen::Vector3d& p) const;
+    /// The same where the nearest triangle of p's cell is known, which has some.
+    [[nodiscard]] bool contains(const Eigen::Vector3d& p, const SignedDistance& nearest) const;
+
+    /// The same by the winding number alone, of a point that is not on the surface: right even near
+    /// triangles of which some face the wrong way.
+    [[nodiscard]] bool isInsideByWinding(const Eigen::Vector3d& p) const
+    {
+        return winding_.at(p) > kInsideFrom;
+    }
 
     /// Distance to the surface, positive inside, clamped to +- the reach of the grid. Sooner where
     /// it is known to be at most so much on either side.
@@ -67,6 +76,7 @@ public:
     [[nodiscard]] double reach() const { return grid_->reach(); }
 
 private:
+    void markTwoSided();
     [[nodiscard]] bool isNearTwoSided(const Eigen::Vector3d& p) const;
     [[nodiscard]] bool isInsideFarFromSurface(const Eigen::Vector3d& p) const;
     using Cell = GridPlace;
@@ -91,10 +101,6 @@ private:
             frame.origin + edge * Eigen::Vector3d(brick[0], brick[1], brick[2]);
         return {low, low.array() + edge};
     }
-    [[nodiscard]] bool isInsideByWinding(const Eigen::Vector3d& p) const
-    {
-        return winding_.at(p) > kInsideFrom;
-    }
 
     const Surface* surface_;
     const TriangleGrid* grid_;
@@ -103,6 +109,8 @@ private:
     BrickTable far_;               ///< bricks inside, and those beside the surface
     std::vector<Side> farSide_;    ///< [#far_]
     std::vector<bool> cellInside_; ///< [#cells of the grid]
+    /// Cells that have two-sided triangles; none where no triangle is. [#cells of the grid]
+    std::vector<bool> hasTwoSided_;
 };
 
 } // namespace frostfill

@@ -15,9 +15,7 @@ class TriangleGrid::Builder
 {
 public:
     Builder(TriangleGrid& grid, const Surface& surface)
-        : grid_(grid), surface_(surface),
-          // Half the diagonal of a cell: the largest distance of its points from the centre.
-          radius_(kHalfDiagonal * grid.frame_.cell + grid.reach_)
+        : grid_(grid), surface_(surface), radius_(grid.reachOfCentre())
     {
     }
 

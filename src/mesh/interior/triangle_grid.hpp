@@ -64,6 +64,9 @@ public:
     }
     [[nodiscard]] const GridFrame& frame() const { return frame_; }
     [[nodiscard]] double reach() const { return reach_; }
+    /// A cell has the triangles that are this near to its centre: all that are within the reach of
+    /// a point of it.
+    [[nodiscard]] double reachOfCentre() const { return kHalfDiagonal * frame_.cell + reach_; }
 
     using Cells = BrickedCells<>;
     /// Bricks with triangles, never one for all: most of a grid is away from the surface.

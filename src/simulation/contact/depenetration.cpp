@@ -42,7 +42,7 @@ bool pushOffWalls(const World& world, const Eigen::Vector3d& p, double radius, b
         return isInside || world.inside.contains(p);
     }
     if (wall.value == 0 || wall.value < -radius ||
-        (world.surface.anyTwoSided() && !world.inside.contains(p)))
+        (world.surface.anyTwoSided() && !world.inside.contains(p, wall)))
     {
         return false;
     }

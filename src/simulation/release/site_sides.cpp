@@ -120,24 +120,19 @@ private:
     /// Of the first of some sites that follow each other, none of them near the surface.
     Asked sideOf(CellRun run, const WordPlace& row) const
     {
+        const Eigen::Vector3d place = lattice_.centre(run.first, row[1], row[2]);
         if (areLinked_)
         {
             const auto begin = before_.begin() + run.first;
             const auto end = before_.begin() + run.last + 1;
             const auto known =
                 std::find_if(begin, end, [](Side side) { return side != Side::unknown; });
-            if (known != end)
-            {
-                return {*known, run.last};
-            }
+            const bool isInside =
+                known == end ? inside_.isInsideByWinding(place) : *known == Side::inside;
+            return {isInside ? Side::inside : Side::outside, run.last};
         }
-        const Eigen::Vector3d place = lattice_.centre(run.first, row[1], row[2]);
         const double distance = inside_.distance(place);
         const Side side = distance > 0 ? Side::inside : Side::outside;
-        if (areLinked_)
-        {
-            return {side, run.last};
-        }
         const double far = std::abs(distance);
         const double until =
             far < inside_.reach()
