@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/interior/inside_test.hpp"
 
-#include "mesh/interior/near_surface.hpp"
-
 #include <algorithm>
 #include <array>
 
@@ -195,30 +193,6 @@ InsideTest::InsideTest(const Surface& surface, const TriangleGrid& grid)
     Flood(*this).run();
 }
 
-void InsideTest::markTwoSided()
-{
-    const TriangleGrid::Cells& cells = grid_->cells();
-    hasTwoSided_.assign(cells.size(), false);
-    for (std::uint32_t triangle = 0; triangle < surface_->size(); ++triangle)
-    {
-        if ((*surface_)[triangle].twoSided)
-        {
-            forEachRunNear(grid_->frame(), *surface_, {{&triangle, 1}, {}}, grid_->reachOfCentre(),
-                           [&](int y, int z, CellRun run, auto&& isNear)
-                           {
-                               for (int x = run.first; x <= run.last; ++x)
-                               {
-                                   const std::size_t cell = cells.find(x, y, z);
-                                   if (cell != TriangleGrid::Cells::kNone && isNear(x))
-                                   {
-                                       hasTwoSided_[cell] = true;
-                                   }
-                               }
-                           });
-        }
-    }
-}
-
 InsideTest::Side& InsideTest::sideOfBrick(const GridPlace& brick)
 {
     const std::uint32_t far = far_.obtain(brick[0], brick[1], brick[2]);
@@ -308,30 +282,6 @@ double InsideTest::distance(const Eigen::Vector3d& p, double atMost) const
     const SignedDistance nearest = grid_->nearest(p, triangles, atMost);
     const double distance = std::min(std::abs(nearest.value), reach());
     return contains(p, nearest) ? distance : -distance;
-}
-
-bool InsideTest::isNearTwoSided(const Eigen::Vector3d& p) const
-{
-    const auto isTwoSided = [this](std::uint32_t id) { return (*surface_)[id].twoSided; };
-    const auto [x, y, z] = grid_->frame().coordinates(p);
-    const std::size_t cell = grid_->cells().find(x, y, z);
-    if (hasTwoSided_.empty() || !hasTwoSided_[cell])
-    {
-        return false;
-    }
-    const std::span<const std::uint32_t> all = grid_->ofCell(cell);
-    if (all.size() <= TriangleGrid::kShortList)
-    {
-        return std::any_of(all.begin(), all.end(), isTwoSided);
-    }
-    bool isNear = false;
-    surface_->tree().forEachTriangleNear(p, reach(),
-                                         [&](std::uint32_t id)
-                                         {
-                                             isNear = isTwoSided(id);
-                                             return isNear ? -1 : reach();
-                                         });
-    return isNear;
 }
 
 // No surface is within the reach of p, so every point within that distance is on the same side as
