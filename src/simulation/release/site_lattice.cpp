@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/release/site_lattice.hpp"
 
+#include "geometry/cell_rows.hpp"
 #include "simulation/release/tolerances.hpp"
 #include "simulation/world/tolerances.hpp"
 

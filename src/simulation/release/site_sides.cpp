@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "geometry/cell_rows.hpp"
 #include "mesh/interior/near_surface.hpp"
 #include "simulation/release/site_lattice.hpp"
 #include "simulation/release/tolerances.hpp"
