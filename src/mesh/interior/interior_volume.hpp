@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/threads.hpp"
+
 #include <frostfill/mesh.hpp>
 
 namespace frostfill
@@ -11,5 +13,7 @@ namespace frostfill
 /// error is below 1e-4 for the tested shapes. A mesh without crossings has signedVolume, which is
 /// exact.
 [[nodiscard]] double interiorVolume(const TriangleMesh& mesh);
+/// The same number on several threads.
+[[nodiscard]] double interiorVolume(const TriangleMesh& mesh, Threads& threads);
 
 } // namespace frostfill

@@ -6,9 +6,10 @@
 namespace frostfill
 {
 
-/// The public inspectInterior, for who has the report of inspectMesh and the walls already.
+/// The public inspectInterior, for who has the report of inspectMesh and the walls already. The
+/// threads change no bit of it.
 [[nodiscard]] MeshReport inspectInterior(const TriangleMesh& mesh, MeshReport report,
-                                         const Walls& walls);
+                                         const Walls& walls, Threads& threads);
 /// inspectMesh, for who has the edges already.
 [[nodiscard]] MeshReport inspectMesh(const TriangleMesh& mesh, const EdgeTable& edges);
 

@@ -130,26 +130,29 @@ MeshReport inspectMesh(const TriangleMesh& mesh, const EdgeTable& edges)
     return report;
 }
 
-MeshReport inspectInterior(const TriangleMesh& mesh, MeshReport report, const Walls& walls)
+MeshReport inspectInterior(const TriangleMesh& mesh, MeshReport report, const Walls& walls,
+                           Threads& threads)
 {
     report.crossedTriangles = walls.crossed;
     report.firstCrossing = walls.firstCrossing;
     if (!walls.none())
     {
-        report.volume = interiorVolume(mesh);
+        report.volume = interiorVolume(mesh, threads);
     }
     return report;
 }
 
 MeshReport inspectInterior(const TriangleMesh& mesh, const MeshReport& report)
 {
-    return inspectInterior(mesh, report, classifyWalls(mesh));
+    const MeshIndex index(mesh);
+    return inspectInterior(mesh, report, classifyWalls(mesh, index), *index.threads);
 }
 
 MeshReport inspectInterior(const TriangleMesh& mesh)
 {
     const MeshIndex index(mesh);
-    return inspectInterior(mesh, inspectMesh(mesh, index.edges), classifyWalls(mesh, index));
+    return inspectInterior(mesh, inspectMesh(mesh, index.edges), classifyWalls(mesh, index),
+                           *index.threads);
 }
 
 } // namespace frostfill

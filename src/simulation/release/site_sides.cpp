@@ -22,7 +22,7 @@ public:
     Sides(SiteLattice& sites, const InsideTest& inside, double distance, bool nearAreOpen)
         : sites_(sites), lattice_(sites.lattice_), inside_(inside),
           areLinked_(lattice_.cell <= 2 * distance), nearAreOpen_(nearAreOpen),
-          before_(static_cast<std::size_t>(lattice_.count[0])), knownIn_(sites.wordsPerRow_, kNoRow)
+          before_(static_cast<std::size_t>(lattice_.count[0]))
     {
     }
 
@@ -49,7 +49,6 @@ public:
     }
 
 private:
-    static constexpr std::int64_t kNoRow = -1;
     enum class Side : char
     {
         unknown,
@@ -63,26 +62,8 @@ private:
         int last; ///< of the sites after it that are on its side for certain
     };
 
-    // What is not known of the row before, because it has no such word, counts as anything.
-    void takeOver(std::size_t words, const WordPlace& start)
-    {
-        const std::int64_t row = std::int64_t{start[2]} * lattice_.count[1] + start[1];
-        for (std::size_t k = 0; k < words; ++k)
-        {
-            const std::size_t word = static_cast<std::size_t>(start[0]) + k;
-            if (knownIn_[word] != row - 1 || start[1] == 0)
-            {
-                const std::size_t end = std::min(64 * (word + 1), before_.size());
-                std::fill(before_.begin() + static_cast<std::ptrdiff_t>(64 * word),
-                          before_.begin() + static_cast<std::ptrdiff_t>(end), Side::unknown);
-            }
-            knownIn_[word] = row;
-        }
-    }
-
     void closeInWords(std::size_t first, std::size_t words, const WordPlace& start)
     {
-        takeOver(words, start);
         std::uint64_t* const bits = &sites_.bits_[first];
         const int begin = 64 * start[0];
         const int end = std::min(begin + 64 * static_cast<int>(words), lattice_.count[0]);
@@ -160,8 +141,9 @@ private:
     const InsideTest& inside_;
     bool areLinked_; ///< nothing is between two sites side by side that are not near
     bool nearAreOpen_;
-    std::vector<Side> before_;          ///< of the row before; unknown near the surface
-    std::vector<std::int64_t> knownIn_; ///< [#words of a row] the row whose sides are in before_
+    /// Of the row before; unknown near the surface. Where that has no such sites, of an older one:
+    /// what it has there, if it is not near, is outside, as is all between.
+    std::vector<Side> before_;
 };
 
 // All threads close sites at once, each what it has found near its triangles.

@@ -145,8 +145,8 @@ ObjectOfRun::ObjectOfRun(const Scene& scene, const TriangleMesh& mesh, const Mes
 ObjectOfRun::ObjectOfRun(const Scene& scene, const TriangleMesh& mesh, const MeshReport* known,
                          MeshIndex index, std::optional<TriangleBvh> bvh)
     : walls(classifyWalls(mesh, index)),
-      report(
-          inspectInterior(mesh, known != nullptr ? *known : inspectMesh(mesh, index.edges), walls)),
+      report(inspectInterior(mesh, known != nullptr ? *known : inspectMesh(mesh, index.edges),
+                             walls, *index.threads)),
       radii(radiiOf(scene, report, mesh, index.tree, bvh)),
       frame(scene, mesh, report.box, radii.largest()),
       surface(surfaceInRun(mesh, frame, walls, std::move(index), std::move(bvh))),

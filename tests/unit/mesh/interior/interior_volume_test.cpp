@@ -51,6 +51,17 @@ TEST(InteriorVolume, LeavesCavitiesOut)
     EXPECT_EQ(interiorVolume(cavity), 0) << "inside out";
 }
 
+TEST(InteriorVolume, IsTheSameNumberOnAnyNumberOfThreads)
+{
+    const TriangleMesh mesh =
+        both(shapes::torus(3, 1, 60, 30), shapes::box({-4, -2, -1}, {2, 2, 3}, 9));
+    for (const int count : {2, 3, 8})
+    {
+        Threads threads(count);
+        EXPECT_EQ(interiorVolume(mesh, threads), interiorVolume(mesh));
+    }
+}
+
 TEST(InteriorVolume, OfAFlatOrEmptyMeshIsZero)
 {
     EXPECT_EQ(interiorVolume({}), 0);
