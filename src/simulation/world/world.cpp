@@ -36,10 +36,10 @@ double rowsInMemory(const Scene& scene, double spheres)
 RadiusDistribution radiiOf(const Scene& scene, const MeshReport& report, const TriangleMesh& mesh,
                            const TriangleTree& tree, std::optional<TriangleBvh>& bvh)
 {
-    const RadiusDistribution radii = scene.spheres.sizes.curve
-                                         ? RadiusDistribution(scene.spheres.sizes)
-                                         : RadiusDistribution(scene.spheres.radius.value_or(
-                                               sphereRadius(scene, report, mesh, tree, bvh)));
+    RadiusDistribution radii = scene.spheres.sizes.curve
+                                   ? RadiusDistribution(scene.spheres.sizes)
+                                   : RadiusDistribution(scene.spheres.radius.value_or(
+                                         sphereRadius(scene, report, mesh, tree, bvh)));
     const double r = radii.largest();
     const double most = kPackingFraction * report.volume /
                         (4.0 / 3.0 * std::numbers::pi * r * r * r * radii.inLargest().meanPower(3));

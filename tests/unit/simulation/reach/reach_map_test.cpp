@@ -134,6 +134,7 @@ TEST(ReachMap, JumpsThatKeepTheGuardsNeverLeaveTheReachedSet)
         const auto centres = [&]
         {
             std::vector<Eigen::Vector3d> result;
+            result.reserve(running.size());
             for (const Ball& ball : running)
             {
                 result.push_back(ball.centre);
