@@ -109,7 +109,7 @@ private:
     BrickTable far_;               ///< bricks inside, and those beside the surface
     std::vector<Side> farSide_;    ///< [#far_]
     std::vector<bool> cellInside_; ///< [#cells of the grid]
-    /// Cells that have two-sided triangles; none where no triangle is. [#cells of the grid]
+    /// Cells that have two-sided triangles. [#cells of the grid, or none where no triangle is]
     std::vector<bool> hasTwoSided_;
 };
 
