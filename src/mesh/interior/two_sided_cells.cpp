@@ -46,11 +46,11 @@ bool InsideTest::isNearTwoSided(const Eigen::Vector3d& p) const
     {
         return std::any_of(all.begin(), all.end(), isTwoSided);
     }
-    bool isNear = false;
+    bool isNear = false; // once one is, the others of its leaf come, too
     surface_->tree().forEachTriangleNear(p, reach(),
                                          [&](std::uint32_t id)
                                          {
-                                             isNear = isTwoSided(id);
+                                             isNear = isTwoSided(id) || isNear;
                                              return isNear ? -1 : reach();
                                          });
     return isNear;

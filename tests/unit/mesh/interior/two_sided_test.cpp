@@ -55,5 +55,39 @@ TEST(InsideTestWithInnerWalls, AgreesWithTheWindingNumber)
     }
 }
 
+// Those that lie in its leaf of the tree are not.
+TEST(InsideTestWithInnerWalls, AgreesWithTheWindingNumberBesideASingleTwoSidedTriangle)
+{
+    const TriangleMesh mesh = test::refined(test::box(0, 6), 5);
+    Walls walls = classifyWalls(mesh);
+    std::vector<std::uint32_t> twoSided;
+    for (std::uint32_t t = 7; t < mesh.triangles.size(); t += 1501)
+    {
+        walls.twoSided[t] = true;
+        twoSided.push_back(t);
+    }
+    walls.count = twoSided.size();
+    const Surface surface(mesh, walls);
+    ASSERT_TRUE(surface.anyTwoSided());
+    const TriangleGrid grid(surface, GridFrame::cover(surface.box(), 0.8, 2), 1.1);
+    const InsideTest inside(surface, grid);
+    RandomPoints random(3);
+    std::size_t within = 0;
+    for (const std::uint32_t t : twoSided)
+    {
+        const auto& [a, b, c] = surface[t].corner;
+        ASSERT_GT(grid.near(a).size(), TriangleGrid::kShortList);
+        for (int k = 0; k < 500; ++k)
+        {
+            const Eigen::Vector3d p = (a + b + c) / 3 + random.point(-0.2, 0.2);
+            const bool expected = inside.isInsideByWinding(p);
+            ASSERT_EQ(inside.contains(p), expected) << p.transpose();
+            within += expected ? 1 : 0;
+        }
+    }
+    EXPECT_GT(within, 200 * twoSided.size());
+    EXPECT_LT(within, 300 * twoSided.size());
+}
+
 } // namespace
 } // namespace frostfill
