@@ -9,7 +9,7 @@ namespace frostfill
 {
 
 /// The cells of a grid whose middle is within `reach` of one of several triangles: the same as
-/// TriangleRows finds for each of them. The box around them decides for most cubes.
+/// TriangleRows finds for each of them. The box around them decides for most cells.
 class GroupRows
 {
 public:
@@ -20,7 +20,7 @@ public:
     {
     }
 
-    /// Calls visit(y, z, run) for rows from `from` on, until it returns true, with those cubes that
+    /// Calls visit(y, z, run) for rows from `from` on, until it returns true, with those cells that
     /// the box may be near. Rows from the top down, as of a RowWindow.
     template <class Visit>
     void find(CellRow from, Visit&& visit) const
@@ -54,7 +54,7 @@ public:
              });
     }
 
-    /// Of a cube in such a row.
+    /// Of a cell in such a row.
     [[nodiscard]] bool near(int x, int y, int z) const
     {
         const Eigen::Vector3d middle = frame_.centre(x, y, z);

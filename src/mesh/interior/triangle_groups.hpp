@@ -41,31 +41,33 @@ void forEachGroup(const Surface& surface, std::span<const std::uint32_t> triangl
     forEachGroup(surface, triangles.first(triangles.size() / 2), longest, visit);
     forEachGroup(surface, triangles.subspan(triangles.size() / 2), longest, visit);
 }
-/// Triangles up to which a group may be looked for.
+/// Triangles that follow each other in the tree, among which groups are looked for.
 inline constexpr std::size_t kTogether = 16;
+[[nodiscard]] inline std::size_t countOfParts(const Surface& surface)
+{
+    return (surface.size() + kTogether - 1) / kTogether;
+}
+/// Calls visit(group) for the triangles of one such part.
+template <class Visit>
+void forEachGroupOfPart(const Surface& surface, std::size_t part, double longest, Visit&& visit)
+{
+    const auto left = surface.tree().order().subspan(part * kTogether);
+    forEachGroup(surface, left.first(std::min(kTogether, left.size())), longest, visit);
+}
 template <class Visit>
 void forEachGroup(const Surface& surface, double longest, Visit&& visit)
 {
-    for (auto left = surface.tree().order(); !left.empty();)
+    for (std::size_t part = 0; part < countOfParts(surface); ++part)
     {
-        const std::size_t count = std::min(kTogether, left.size());
-        forEachGroup(surface, left.first(count), longest, visit);
-        left = left.subspan(count);
+        forEachGroupOfPart(surface, part, longest, visit);
     }
 }
 /// The same groups, on several threads.
 template <class Visit>
 void forEachGroup(const Surface& surface, double longest, Threads& threads, Visit&& visit)
 {
-    const auto order = surface.tree().order();
-    threads.forEach(
-        (order.size() + kTogether - 1) / kTogether,
-        [&](std::size_t k)
-        {
-            const std::size_t first = k * kTogether;
-            forEachGroup(surface, order.subspan(first, std::min(kTogether, order.size() - first)),
-                         longest, visit);
-        });
+    threads.forEach(countOfParts(surface),
+                    [&](std::size_t part) { forEachGroupOfPart(surface, part, longest, visit); });
 }
 
 /// The squared distances of a coordinate to the nearest and the farthest of a box, along one axis:

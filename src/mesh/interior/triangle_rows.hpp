@@ -84,7 +84,7 @@ public:
     {
     }
 
-    /// Looks for a row from number `row` on for which test(y, z, most) holds; the row has no cubes
+    /// Looks for a row from number `row` on for which test(y, z, most) holds; the row has no cells
     /// but some of `most`. Leaves its number in `row`, or a greater one than any when there is
     /// none. Rows from the top down, as of a RowWindow, and of those the ones that are worth it:
     /// next(y, z, last, most). What a large window costs follows the triangle, not its box.
@@ -118,7 +118,7 @@ public:
             next);
     }
 
-    /// Those of a row's cubes that may be near: their middle is near the triangle's plane and box.
+    /// Those of a row's cells that may be near: their middle is near the triangle's plane and box.
     [[nodiscard]] CellRun run(int y, int z, CellRun most) const
     {
         const Eigen::Vector3d start = frame_.centre(0, y, z);
