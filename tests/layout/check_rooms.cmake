@@ -200,7 +200,7 @@ endfunction()
 
 # A room is a folder one can take in at a glance, a file one idea.
 set(most_sources 25)
-set(most_lines 350)
+set(most_lines 600)
 function(check_sizes file room)
     file(READ ${SOURCE_DIR}/${file} text)
     string(REGEX MATCHALL "\n" newlines "${text}")
