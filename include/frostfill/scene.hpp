@@ -281,8 +281,6 @@ struct Scene
     Preset preset = Preset::fast;
     std::uint64_t seed = 1;
     std::int32_t threads = 0; ///< of the preset fast; 0: one for each core. Changes no bit
-    /// Spheres up to which all are in memory; see Simulation. 0: all always are. Changes no bit.
-    std::size_t spillFrom = 2'000'000;
     ObjectSettings object;
     SphereSettings spheres;
     MotionSettings motion;

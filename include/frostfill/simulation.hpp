@@ -167,9 +167,6 @@ struct ReachInspection
 [[nodiscard]] std::vector<std::string> askedColumns(const Scene& scene);
 
 /// Fills one mesh as a scene describes. PAPER: Algorithm 1 and the schedule of sets around it.
-///
-/// Of more spheres than Scene::spillFrom, those at rest are in a file that is mapped: what nothing
-/// comes near any more takes no memory, and comes back by itself when it is asked for.
 class Simulation
 {
 public:

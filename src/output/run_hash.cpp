@@ -42,7 +42,6 @@ std::string runHash(const Scene& scene, const TriangleMesh& mesh)
     FnvHash hash;
     nlohmann::ordered_json json = sceneToJson(same);
     json["frames"].erase("keep_run");
-    json.erase("spill_from");
     if (!showsUnbalance(same))
     {
         json.erase("judge");

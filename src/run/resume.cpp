@@ -24,8 +24,8 @@ namespace
 {
 
 /// With these a run may be resumed differently: they change no bit.
-constexpr std::array<std::string_view, 5> kWithoutEffect = {
-    "threads", "spill_from", "picture.static_layer", "picture.backend", "frames.keep_run"};
+constexpr std::array<std::string_view, 4> kWithoutEffect = {"threads", "picture.static_layer",
+                                                            "picture.backend", "frames.keep_run"};
 
 bool hasEffect(const Option& option, const Scene& scene)
 {

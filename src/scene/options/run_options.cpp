@@ -236,13 +236,6 @@ void addDiscards(TableBuilder& table)
         .add("threads", "--threads", "Threads of the preset fast; 0: one for each core",
              FROSTFILL_FIELD(threads))
         .range(0, kMaxThreads);
-    table.heading("Memory");
-    table
-        .add("spill_from", "--spill-from",
-             "From so many spheres on, those that nothing comes near any more leave memory, for a "
-             "file without a name in $TMPDIR or /var/tmp, if that is on a disk; 0: never",
-             FROSTFILL_FIELD(spillFrom))
-        .range(0, kLargestWhole);
     table.heading("Discarding and searches");
     table.add("discard.rule", "--discard",
               "Rule for what is no longer tested; exact changes no bit, paper is heuristic",

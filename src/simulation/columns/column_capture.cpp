@@ -83,7 +83,6 @@ std::vector<ColumnValues> ColumnCapture::all()
                             values.set(id, valueOf(values.column(), source,
                                                    static_cast<std::uint32_t>(id)));
                         }
-                        world_.spheres.leaveBefore(first);
                     });
     }
     return columns;

@@ -116,7 +116,6 @@ bool Simulation::step()
     {
         implementation_->guard.check();
     }
-    implementation_->world.spheres.leaveWhenDue();
     return advanced;
 }
 void Simulation::stopWhen(std::function<bool()> requested)
@@ -192,10 +191,8 @@ const MeshReport& Simulation::object() const
     return implementation_->world.report;
 }
 
-// Whoever asks for all of them in their order, as tables do, has them streamed.
 SphereRecord Simulation::sphere(std::size_t id) const
 {
-    implementation_->world.spheres.leaveBefore(id);
     return recordOf(implementation_->world, id);
 }
 

@@ -213,13 +213,10 @@ QualityReport examine(const World& world)
         count / kInPart + 1,
         Examination(world, gathered ? *gathered : world.spheres.resting(), winding));
     Threads threads(world.scene.threads);
-    forEachPart(threads, count, kInPart,
-                [&](std::size_t first, std::size_t last, std::size_t part)
-                {
-                    parts[part].look(static_cast<std::uint32_t>(first),
-                                     static_cast<std::uint32_t>(last));
-                    world.spheres.leaveBefore(first); // neighbours came at about the same time
-                });
+    forEachPart(
+        threads, count, kInPart,
+        [&](std::size_t first, std::size_t last, std::size_t part)
+        { parts[part].look(static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(last)); });
     for (std::size_t i = 1; i < parts.size(); ++i)
     {
         parts.front().add(parts[i]);

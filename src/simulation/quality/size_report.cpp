@@ -15,7 +15,6 @@ std::optional<SizeReport> sizeReport(const World& world)
     SizeLedger ledger(*world.radii.curve());
     for (std::uint32_t id = 0; id < world.spheres.size(); ++id)
     {
-        world.spheres.leaveBefore(id);
         ledger.add(world.spheres.radius(id));
     }
     SizeReport report;

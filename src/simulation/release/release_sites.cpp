@@ -13,14 +13,12 @@ namespace frostfill
 ReleaseSites::ReleaseSites(const World& world, double radius, double band, Threads& threads,
                            double coarsest)
     : world_(world), threads_(threads), radius_(radius),
-      sites_(world.surface, world.inside, radius, threads, kSmallLattice, coarsest,
-             inMemory(world.scene))
+      sites_(world.surface, world.inside, radius, threads, kSmallLattice, coarsest)
 {
     if (band >= 0)
     {
         findCeilings(band);
     }
-    sites_.leave();
 }
 
 void ReleaseSites::findCeilings(double band)
@@ -40,20 +38,16 @@ void ReleaseSites::findCeilings(double band)
     window_ = static_cast<std::size_t>(ceilings_.end() - first);
 }
 
+// Closes cell by cell of the grid, so that what is closed one after another lies close together in
+// memory. On several threads every other slab of cells first, then those between: spheres of one
+// slab close no sites that share a word with those of the next but one.
 void ReleaseSites::startSweep()
 {
-    if (!sweeping_)
+    if (sweeping_)
     {
-        sweeping_ = true;
-        world_.spheres.resting().isInFile() ? closeByRows() : closeByCells();
+        return;
     }
-}
-
-// Cell by cell of the grid, so that what is closed one after another lies close together in memory.
-// On several threads every other slab of cells first, then those between: spheres of one slab close
-// no sites that share a word with those of the next but one.
-void ReleaseSites::closeByCells()
-{
+    sweeping_ = true;
     const SphereGrid& resting = world_.spheres.resting();
     const std::array<int, 3>& count = resting.frame().count;
     const auto closeSlab = [&](int slab)
@@ -64,35 +58,6 @@ void ReleaseSites::closeByCells()
                                 { sites_.close(resting[row].position(), resting[row].radius); });
     };
     forEachSlab(threads_, (count[2] + kSlabThickness - 1) / kSlabThickness, closeSlab);
-}
-
-// The same in parts of the rows, each of which is read from its file once.
-void ReleaseSites::closeByRows()
-{
-    const SphereGrid& resting = world_.spheres.resting();
-    const int slabs = (resting.frame().count[2] + kSlabThickness - 1) / kSlabThickness;
-    std::vector<std::vector<std::uint32_t>> rowsOf(static_cast<std::size_t>(slabs));
-    for (std::size_t first = 0; first < resting.size(); first += Spheres::kRowsUntilLeaving)
-    {
-        const std::size_t end = std::min(resting.size(), first + Spheres::kRowsUntilLeaving);
-        for (auto row = static_cast<std::uint32_t>(first); row < end; ++row)
-        {
-            const int z = resting.frame().coordinates(resting[row].position())[2];
-            rowsOf[static_cast<std::size_t>(z / kSlabThickness)].push_back(row);
-        }
-        forEachSlab(threads_, slabs,
-                    [&](int slab)
-                    {
-                        auto& rows = rowsOf[static_cast<std::size_t>(slab)];
-                        for (const std::uint32_t row : rows)
-                        {
-                            sites_.close(resting[row].position(), resting[row].radius);
-                        }
-                        rows.clear();
-                    });
-        world_.spheres.leave();
-    }
-    sites_.leave();
 }
 
 // Whether the site was closed, or a sphere at rest leaves no place in its cell, as
@@ -150,11 +115,6 @@ std::optional<ReleaseSites::Found> ReleaseSites::sweep(double radius, const Rele
 {
     startSweep();
     sweep_ = sites_.nextOpen(sweep_);
-    if (sweep_ >= leaveAt_)
-    {
-        sites_.leave();
-        leaveAt_ = sweep_ + kSitesUntilLeaving;
-    }
     int misses = 0;
     std::size_t first = sweep_;
     if (scattered_)

@@ -78,8 +78,6 @@ private:
     [[nodiscard]] Start startWithin(double way) const;
     void findCeilings(double band);
     void startSweep();
-    void closeByCells();
-    void closeByRows();
     [[nodiscard]] bool isTaken(std::size_t site) const;
     void dropCeiling(std::size_t index);
     [[nodiscard]] std::size_t ceilingOfDraw(std::uint64_t number) const;
@@ -106,7 +104,6 @@ private:
     std::size_t lastCeiling_ = 0; ///< index of the one drawn last
     bool scattered_ = false;
     bool sweeping_ = false;    ///< no ceilings are left, and taken sites are closed
-    std::size_t leaveAt_ = 0;  ///< when the sweep has come so far
     std::size_t sweep_ = 0;    ///< all sites before this one are closed
     std::size_t lastFree_ = 0; ///< the site found last in the sweep
     Eigen::Vector3d place_ = Eigen::Vector3d::Zero();

@@ -32,12 +32,11 @@ double cellFor(const Eigen::Vector3d& size, double radius)
 } // namespace
 
 SiteLattice::SiteLattice(const Surface& surface, const InsideTest& inside, double radius,
-                         Threads& threads, double smallLattice, double coarsest,
-                         std::size_t inMemory)
+                         Threads& threads, double smallLattice, double coarsest)
     : radius_(radius),
       lattice_(GridFrame::cover(surface.box(),
                                 cellFor(surface.box().sizes(), std::max(radius, coarsest)), 0)),
-      wordsPerRow_((static_cast<std::size_t>(lattice_.count[0]) + 63) / 64), bits_(inMemory)
+      wordsPerRow_((static_cast<std::size_t>(lattice_.count[0]) + 63) / 64)
 {
     const double words = static_cast<double>(wordsPerRow_) * lattice_.count[1] * lattice_.count[2];
     const bool isSmall = words <= smallLattice;
@@ -115,8 +114,8 @@ void SiteLattice::dropClosedWords()
     {
         kept.append(list_.place(0));
     }
-    bits_.resize(kept.size(), 0);
-    bits_.shrinkToFit();
+    bits_.resize(kept.size());
+    bits_.shrink_to_fit();
     list_ = std::move(kept);
 }
 

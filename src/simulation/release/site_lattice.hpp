@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "base/spilled_array.hpp"
 #include "base/threads.hpp"
 #include "geometry/bricked_cells.hpp"
 #include "mesh/interior/inside_test.hpp"
@@ -26,16 +25,12 @@ class SiteLattice
 {
 public:
     /// `radius` is at most 1. `coarsest`: cells are as large as those for this radius, if it is
-    /// larger; there may be places in them that no site leads to. `inMemory`: words up to which all
-    /// are in memory.
+    /// larger; there may be places in them that no site leads to.
     SiteLattice(const Surface& surface, const InsideTest& inside, double radius, Threads& threads,
-                double smallLattice = kSmallLattice, double coarsest = 0,
-                std::size_t inMemory = SpilledBytes::kInMemory / sizeof(std::uint64_t));
+                double smallLattice = kSmallLattice, double coarsest = 0);
 
     /// Closes all cells that a sphere at rest leaves no place in.
     void close(const Eigen::Vector3d& centre, double radius);
-    /// What is in a file leaves memory until it is asked for.
-    void leave() const { bits_.leave(); }
     void closeSite(std::size_t site) { bits_[site / 64] &= ~(std::uint64_t{1} << (site % 64)); }
 
     /// A sphere at rest of this radius closes the sites whose centre is nearer than this.
@@ -107,8 +102,8 @@ private:
     double radius_;
     GridFrame lattice_;
     std::size_t wordsPerRow_;
-    WordSpans list_;                   ///< the words of a large lattice
-    SpilledArray<std::uint64_t> bits_; ///< [#words]
+    WordSpans list_;                  ///< the words of a large lattice
+    std::vector<std::uint64_t> bits_; ///< [#words]
 };
 
 } // namespace frostfill

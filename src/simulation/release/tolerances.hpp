@@ -49,9 +49,6 @@ inline constexpr std::uint64_t kForgets = 64;
 inline constexpr std::size_t kAheadWhileForgetting = 16;
 /// Layers of cells in a slab that is worth a thread's while. The answer is the same for any.
 inline constexpr int kSlabThickness = 8;
-/// Sites that a sweep passes before they leave memory, if they are in a file. Larger: memory.
-/// Smaller: what is used still is read again more often.
-inline constexpr std::size_t kSitesUntilLeaving = std::size_t{1} << 26;
 
 /// Classes of radii at most, each of which has sites of its own. Larger: memory. Smaller: a radius
 /// is released only where a much larger one fits, and the object is not as full.

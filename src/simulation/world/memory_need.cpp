@@ -17,8 +17,6 @@ namespace
 /// For each sphere: position, velocity, states [bytes]. In a cube, runs of a million take 131 with
 /// their grids, of a hundred million 73.
 constexpr double kMemoryPerSphere = 52;
-/// For each whose rows are in files: the log of changes, and what a table has beside them [bytes].
-constexpr double kMemoryInFile = 4;
 /// For each cell of a radius: the grids and release sites [bytes].
 constexpr double kMemoryPerCell = 1.1;
 /// And the map of what is within reach, while it may have cubes that are small enough. In a cube of
@@ -42,34 +40,27 @@ double ObjectSize::cells() const
     return std::min((box.array() + 2 * kGridMargin).prod(), volume + wallCells());
 }
 
-double memoryNeed(const ObjectSize& object, double spheres, double inMemory)
+double memoryNeed(const ObjectSize& object, double spheres)
 {
     const double cells = object.cells();
     const double walls = kMemoryPerWallCell * std::min(cells, object.wallCells());
-    const double map = kMapPerCell * cells;
-    const auto mostMap = static_cast<double>(kMostMapBytes);
-    if (spheres <= inMemory)
-    {
-        return kMemoryPerSphere * spheres + kMemoryPerCell * cells + std::min(map, mostMap) + walls;
-    }
-    // The grids go to files with the rows. A map that would be larger is not there.
-    return kMemoryPerSphere * inMemory + kMemoryInFile * (spheres - inMemory) +
-           kMemoryPerCell * cells * (inMemory / spheres) + (map <= mostMap ? map : 0) + walls;
+    const double map = std::min(kMapPerCell * cells, static_cast<double>(kMostMapBytes));
+    return kMemoryPerSphere * spheres + kMemoryPerCell * cells + map + walls;
 }
 
 void requireMemory(const Scene& scene, const MeshReport& object, double radius, double spheres,
-                   double bytes, double inMemory)
+                   double bytes)
 {
     // What is too large for any memory is refused as that.
     const bool isTooLarge = ObjectSize(object, radius).cells() > kMaxCells;
     if ((isTooLarge ? kMemoryPerSphere * spheres
-                    : memoryNeed(ObjectSize(object, radius), spheres, inMemory)) <= bytes)
+                    : memoryNeed(ObjectSize(object, radius), spheres)) <= bytes)
     {
         return;
     }
     // A full object of the smallest spheres that there is memory for.
     double room = radius;
-    while (memoryNeed(ObjectSize(object, room), ObjectSize(object, room).volume, inMemory) > bytes)
+    while (memoryNeed(ObjectSize(object, room), ObjectSize(object, room).volume) > bytes)
     {
         room *= kRadiusGrowth;
     }

@@ -5,7 +5,6 @@
 #include <frostfill/scene.hpp>
 
 #include <cmath>
-#include <limits>
 
 namespace frostfill
 {
@@ -35,18 +34,13 @@ struct ObjectSize
     double area;
 };
 
-/// Of a sphere, in files: all that SpilledArray holds for it, with its share of the grids [bytes].
-inline constexpr double kFilePerSphere = 64;
-
-/// A lower bound of what so many spheres and the grids of their object take [bytes]. The rows of
-/// `inMemory` of them are not in files.
-[[nodiscard]] double memoryNeed(const ObjectSize& object, double spheres,
-                                double inMemory = std::numeric_limits<double>::infinity());
+/// A lower bound of what so many spheres and the grids of their object take [bytes].
+[[nodiscard]] double memoryNeed(const ObjectSize& object, double spheres);
 
 /// Throws Error outOfMemory, before anything is set aside, when a run surely takes more than
 /// `bytes` of memory, and names a radius that does not. `radius` is the largest of the run,
-/// `spheres` how many it aims at, `inMemory`: see memoryNeed.
+/// `spheres` how many it aims at.
 void requireMemory(const Scene& scene, const MeshReport& object, double radius, double spheres,
-                   double bytes, double inMemory = std::numeric_limits<double>::infinity());
+                   double bytes);
 
 } // namespace frostfill

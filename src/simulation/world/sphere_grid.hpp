@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "base/spilled_array.hpp"
 #include "geometry/bricked_cells.hpp"
 #include "geometry/grid_frame.hpp"
 
@@ -29,16 +28,11 @@ struct alignas(32) Ball
 ///
 /// Where sizes differ much there are grids with levels: the spheres of at most half the largest
 /// radius are in a grid of half the cell, and so on. A search asks each level for what it can hold.
-///
-/// Rows of many spheres are in files: see leave().
 class SphereGrid
 {
 public:
     /// `levels`: grids besides that of the frame, each with half the cell of the one before.
-    /// `inMemory`: rows up to which all are in memory.
-    explicit SphereGrid(const GridFrame& frame, int levels = 0,
-                        std::size_t inMemory = kRowsInMemory)
-        : coarse_(frame, 1, inMemory), balls_(inMemory), rows_(inMemory)
+    explicit SphereGrid(const GridFrame& frame, int levels = 0) : coarse_(frame, 1)
     {
         GridFrame fine = frame;
         double largest = 1;
@@ -50,44 +44,26 @@ public:
             {
                 count *= 2;
             }
-            finer_.emplace_back(fine, largest, inMemory);
+            finer_.emplace_back(fine, largest);
         }
     }
-
-    /// Rows that a grid keeps in memory at most, unless it is told otherwise.
-    static constexpr std::size_t kRowsInMemory = std::size_t{2} << 20;
 
     /// Returns the row, which is the last.
     std::uint32_t insert(std::uint32_t id, const Eigen::Vector3d& p, double radius)
     {
         const auto row = static_cast<std::uint32_t>(size());
-        balls_.pushBack({p.x(), p.y(), p.z(), radius});
-        rows_.pushBack({id & kLargestId, false, kEnd});
+        balls_.push_back({p.x(), p.y(), p.z(), radius});
+        rows_.push_back({id & kLargestId, false, kEnd});
         link(row);
         levelOf(radius).extent.extend(p);
         return row;
     }
 
-    /// Room for so many spheres without moving any in memory.
+    /// Room for so many spheres without moving any.
     void reserve(std::size_t count)
     {
         balls_.reserve(count);
         rows_.reserve(count);
-    }
-
-    /// Whether there are so many rows that they are in a file.
-    [[nodiscard]] bool isInFile() const { return balls_.isInFile(); }
-    /// What large grids have in files leaves memory until a search comes near it again: rows that
-    /// are no longer touched take none.
-    void leave() const
-    {
-        balls_.leave();
-        rows_.leave();
-        coarse_.head.leave();
-        for (const Level& level : finer_)
-        {
-            level.head.leave();
-        }
     }
 
     /// Takes out a row; the last one takes its place.
@@ -101,8 +77,8 @@ public:
             balls_[row] = balls_[last];
             rows_[row] = rows_[last];
         }
-        balls_.popBack();
-        rows_.popBack();
+        balls_.pop_back();
+        rows_.pop_back();
     }
 
     /// The sphere has got another id. It is met first in its cell from now on, as one that has just
@@ -179,17 +155,17 @@ public:
 private:
     struct Level
     {
-        Level(const GridFrame& frameOfLevel, double largestRadius, std::size_t inMemory)
-            : frame(frameOfLevel), largest(largestRadius), cells(frame.count), head(inMemory)
+        Level(const GridFrame& frameOfLevel, double largestRadius)
+            : frame(frameOfLevel), largest(largestRadius), cells(frame.count),
+              head(cells.size(), kEnd)
         {
-            head.resize(cells.size(), kEnd);
         }
 
         GridFrame frame;
         double largest;
         BrickedCells<> cells;
-        SpilledArray<std::uint32_t> head; ///< [#cells]
-        Eigen::AlignedBox3d extent;       ///< of all that were ever inserted
+        std::vector<std::uint32_t> head; ///< [#cells]
+        Eigen::AlignedBox3d extent;      ///< of all that were ever inserted
     };
 
     [[nodiscard]] const Level& levelAt(std::size_t level) const
@@ -271,14 +247,14 @@ private:
     static constexpr std::uint32_t kLargestId = 0x7fffffff;
     Level coarse_;
     std::vector<Level> finer_;
-    SpilledArray<Ball> balls_;
+    std::vector<Ball> balls_;
     struct Row
     {
         std::uint32_t id : 31;
         bool discarded : 1;
         std::uint32_t next; ///< row in the list of its cell
     };
-    SpilledArray<Row> rows_;
+    std::vector<Row> rows_;
 };
 
 } // namespace frostfill

@@ -34,8 +34,8 @@ std::uint32_t Spheres::rest(std::uint32_t id, const Eigen::Vector3d& place, doub
 
 std::uint32_t Spheres::appear(std::uint32_t group)
 {
-    where_.pushBack(0);
-    group_.pushBack(group);
+    where_.push_back(0);
+    group_.push_back(group);
     return static_cast<std::uint32_t>(size() - 1);
 }
 
@@ -79,8 +79,8 @@ std::uint32_t Spheres::withdraw(std::uint32_t id)
         where_[id] = where_[last];
         changes_.add(id, size());
     }
-    where_.popBack();
-    group_.popBack(); // a group goes with the id, not with the sphere
+    where_.pop_back();
+    group_.pop_back(); // a group goes with the id, not with the sphere
     return last;
 }
 
@@ -137,13 +137,6 @@ void Spheres::restoreDiscarded()
         }
     }
     discarded_ = 0;
-}
-
-void Spheres::leave() const
-{
-    resting_.leave();
-    where_.leave();
-    group_.leave();
 }
 
 } // namespace frostfill

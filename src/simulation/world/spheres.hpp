@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "base/spilled_array.hpp"
 #include "simulation/world/change_log.hpp"
 #include "simulation/world/running_spheres.hpp"
 #include "simulation/world/sphere_grid.hpp"
@@ -22,12 +21,8 @@ namespace frostfill
 class Spheres
 {
 public:
-    /// `frame`: of the grid of spheres at rest; `levels`, `inMemory`: see SphereGrid.
-    explicit Spheres(const GridFrame& frame = {}, int levels = 0,
-                     std::size_t inMemory = SphereGrid::kRowsInMemory)
-        : resting_(frame, levels, inMemory), where_(inMemory), group_(inMemory)
-    {
-    }
+    /// `frame`: of the grid of spheres at rest; `levels`: see SphereGrid.
+    explicit Spheres(const GridFrame& frame = {}, int levels = 0) : resting_(frame, levels) {}
 
     [[nodiscard]] RunningSpheres& running() { return running_; }
     [[nodiscard]] const RunningSpheres& running() const { return running_; }
@@ -70,7 +65,7 @@ public:
         changes_.forEachSince(seen, size(), visit);
     }
 
-    /// Room for so many, at rest in the end, without moving any in memory.
+    /// Room for so many, at rest in the end, without moving any.
     void reserve(std::size_t count);
     /// A sphere appears and runs. Returns its id.
     std::uint32_t add(const Eigen::Vector3d& place, double radius, std::uint32_t group);
@@ -91,28 +86,6 @@ public:
     /// Takes all discards back.
     void restoreDiscarded();
 
-    /// What a large table has in files leaves memory, and comes back as it is looked at: near
-    /// running spheres, or in order of the ids. To be called every kRowsUntilLeaving rows or so.
-    void leave() const;
-    static constexpr std::size_t kRowsUntilLeaving = std::size_t{1} << 18;
-    /// The same in a loop over all ids in their order that has come to this one.
-    void leaveBefore(std::size_t id) const
-    {
-        if (id % kRowsUntilLeaving == 0)
-        {
-            leave();
-        }
-    }
-    /// The same after each step of a run.
-    void leaveWhenDue()
-    {
-        if (resting_.size() >= leaveAt_)
-        {
-            leave();
-            leaveAt_ = resting_.size() + kRowsUntilLeaving;
-        }
-    }
-
 private:
     static constexpr std::uint32_t kRuns = 1;
 
@@ -122,12 +95,11 @@ private:
 
     RunningSpheres running_;
     SphereGrid resting_;
-    SpilledArray<std::uint32_t> where_; ///< by id: twice the row, and kRuns
-    SpilledArray<std::uint32_t> group_; ///< by id
+    std::vector<std::uint32_t> where_; ///< by id: twice the row, and kRuns
+    std::vector<std::uint32_t> group_; ///< by id
     ChangeLog changes_;
     std::size_t discarded_ = 0;
-    std::size_t leaveAt_ = 0; ///< when so many rest
-    bool gaps_ = false;       ///< a running row is gone
+    bool gaps_ = false; ///< a running row is gone
 };
 
 } // namespace frostfill

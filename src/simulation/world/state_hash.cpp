@@ -18,7 +18,6 @@ std::string hashState(const Spheres& spheres)
     };
     for (std::size_t i = 0; i < spheres.size(); ++i)
     {
-        spheres.leaveBefore(i);
         for (const double coordinate : spheres.position(i))
         {
             take(std::bit_cast<std::uint64_t>(coordinate));

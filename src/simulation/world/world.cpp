@@ -2,7 +2,6 @@
 #include "simulation/world/world.hpp"
 
 #include "base/memory_at_hand.hpp"
-#include "base/spilled_bytes.hpp"
 #include "mesh/repair/inspect_interior.hpp"
 #include "scene/packing_estimate.hpp"
 #include "scene/thick_parts.hpp"
@@ -24,14 +23,6 @@ namespace frostfill
 namespace
 {
 
-/// Spheres of a run whose rows stay in memory here.
-double rowsInMemory(const Scene& scene, double spheres)
-{
-    return scene.spillFrom > 0 && maySpill(kFilePerSphere * spheres)
-               ? static_cast<double>(scene.spillFrom)
-               : spheres;
-}
-
 /// Of a run that there is memory for.
 RadiusDistribution radiiOf(const Scene& scene, const MeshReport& report, const TriangleMesh& mesh,
                            const TriangleTree& tree, std::optional<TriangleBvh>& bvh)
@@ -46,7 +37,7 @@ RadiusDistribution radiiOf(const Scene& scene, const MeshReport& report, const T
     const bool counted = scene.spheres.count && !scene.spheres.untilFull;
     const double wanted =
         counted ? std::min(static_cast<double>(*scene.spheres.count), most) : most;
-    requireMemory(scene, report, r, wanted, memoryAtHand(), rowsInMemory(scene, wanted));
+    requireMemory(scene, report, r, wanted, memoryAtHand());
     return radii;
 }
 
@@ -172,7 +163,7 @@ World::World(const Scene& sceneOfRun, std::shared_ptr<const ObjectOfRun> sharedO
       triangles(object->triangles), inside(object->inside), radii(object->radii.inLargest()),
       height(surface.box().sizes().y()),
       motion(scene.move, frame, height), pull{.uniform = {0, -frame.gravity, 0}},
-      spheres(gridOver(surface, kSphereCell), finerLevels(radii), inMemory(scene)),
+      spheres(gridOver(surface, kSphereCell), finerLevels(radii)),
       polygons(surface.size(), PolygonState::active)
 {
     if (scene.spheres.count && !scene.spheres.untilFull)

@@ -93,12 +93,6 @@ struct World
     void restoreDiscarded();
 };
 
-/// What is kept for each sphere is in memory for so many, see SpilledArray.
-[[nodiscard]] inline std::size_t inMemory(const Scene& scene)
-{
-    return scene.spillFrom > 0 ? scene.spillFrom : std::numeric_limits<std::size_t>::max();
-}
-
 /// Spheres that the run aims at: the count, or the wall-corrected estimate of how many fit.
 [[nodiscard]] std::size_t expectedCount(const World& world);
 

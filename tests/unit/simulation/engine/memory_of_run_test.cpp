@@ -27,7 +27,6 @@ TEST(MemoryOfARun, IsLessThanEightyBytesForASphere)
     Scene scene = presetScene(Preset::fast, "cube");
     scene.motion.mode = Motion::descend;
     scene.spheres.count = 150000;
-    scene.spillFrom = 0;
     scene.threads = 1;
     const Simulation object(scene, builtInMesh("cube"));
     const std::size_t before = heapInUse();

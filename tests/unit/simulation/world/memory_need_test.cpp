@@ -35,29 +35,6 @@ TEST(MemoryNeed, IsAtMostWhatRunsTakeAndAtLeastHalf)
     }
 }
 
-TEST(MemoryNeed, IsAtMostWhatRunsTakeWhoseRowsAreInFilesAndAtLeastHalf)
-{
-    // The same without --until-full, and with the default --spill-from.
-    struct InFiles
-    {
-        double spheres, width, bytes;
-    };
-    constexpr double kInMemory = 2e6;
-    for (const InFiles& run : {InFiles{4e6, 317, 397e6}, InFiles{1e7, 430, 649e6}})
-    {
-        const double w = run.width;
-        const ObjectSize cube(shapes::box({0, 0, 0}, {w, w, w}));
-        const double need = memoryNeed(cube, run.spheres, kInMemory);
-        EXPECT_GT(need, 0.5 * run.bytes) << run.spheres;
-        EXPECT_LT(need, run.bytes) << run.spheres;
-        EXPECT_EQ(memoryNeed(cube, kInMemory, kInMemory), memoryNeed(cube, kInMemory));
-    }
-    // There is no map for a hundred million.
-    const ObjectSize cube(shapes::box({0, 0, 0}, {928, 928, 928}));
-    EXPECT_LT(memoryNeed(cube, 1e8, kInMemory), 1e9);
-    EXPECT_GT(memoryNeed(cube, 1e8, kInMemory), 5e8);
-}
-
 TEST(MemoryNeed, CountsTheGridsOfAFewSpheresInALargeObject)
 {
     // Measured: 334 MB above what the program takes.

@@ -2,8 +2,6 @@
 #include "simulation/world/spheres.hpp"
 
 #include "base/random.hpp"
-#include "base/sanitized.hpp"
-#include "support/memory_in_use.hpp"
 
 #include <gtest/gtest.h>
 
@@ -191,7 +189,6 @@ TEST_F(SpheresTest, IsWhatAModelIsThatKnowsNoRows)
             change(static_cast<std::uint32_t>(draw() * static_cast<double>(model.size())));
         }
         expectSame(); // with gaps in the ranks
-        spheres.leave();
         spheres.closeRanks();
         expectSame();
         EXPECT_EQ(spheres.running().size(), spheres.runningCount());
@@ -292,32 +289,6 @@ TEST_F(SpheresTest, OneThatIsRenumberedIsMetFirstInItsCell)
     EXPECT_EQ(order(), (std::vector<std::uint32_t>{below, 3, last}));
     EXPECT_EQ(spheres.withdraw(runs), 3u);
     EXPECT_EQ(order(), (std::vector<std::uint32_t>{runs, below, last}));
-}
-
-TEST(SpheresInFiles, TakeNoMemoryOnceTheyHaveLeft)
-{
-#ifdef FROSTFILL_SANITIZED
-    GTEST_SKIP() << "a sanitizer takes memory of its own";
-#endif
-    if (!spillFolder())
-    {
-        GTEST_SKIP() << "no folder here lies on a disk";
-    }
-    constexpr std::size_t kMany = 1'000'000;
-    constexpr std::size_t kBytes = 48; // of a row, its id, its group and its place in the table
-    const std::size_t before = test::memoryInUse();
-    Spheres many(GridFrame{{0, 0, 0}, 2, {100, 100, 100}}, 0, 1000);
-    for (std::size_t k = 0; k < kMany; ++k)
-    {
-        const Eigen::Vector3d place(static_cast<double>(k % 100), static_cast<double>(k / 10000),
-                                    static_cast<double>(k / 100 % 100));
-        many.addResting(2 * place, 1, static_cast<std::uint32_t>(k / 10));
-    }
-    EXPECT_GT(test::memoryInUse(), before + kMany * kBytes / 2);
-    many.leave();
-    EXPECT_LT(test::memoryInUse(), before + kMany * kBytes / 6);
-    EXPECT_EQ(many.position(12345), Eigen::Vector3d(90, 2, 46));
-    EXPECT_EQ(many.group(12345), 1234u);
 }
 
 } // namespace
