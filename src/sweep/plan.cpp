@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/processor_time.hpp"
 #include "run/run_length.hpp"
+#include "sweep/trial.hpp"
 
 #include <frostfill/plan.hpp>
 #include <frostfill/plan_fill.hpp>
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <string>
 
 namespace frostfill
@@ -24,9 +26,6 @@ namespace
 constexpr double kTried = 2000;
 /// The larger model has this many times as many spheres as the smaller one.
 constexpr double kApart = 4;
-/// Time goes with the number of spheres to a power between these.
-constexpr double kMinPower = 0.9;
-constexpr double kLargestPower = 1.7;
 /// Pictures of a trial. More: plans take longer.
 constexpr std::size_t kPictures = 24;
 constexpr std::size_t kFewPictures = 4;
@@ -78,16 +77,6 @@ double bytesIn(const std::filesystem::path& folder)
     return bytes;
 }
 
-/// A run that was done, small, and what it took.
-struct Trial
-{
-    double spheres = 0;
-    double seconds = 0;    ///< but for its pictures
-    double perPicture = 0; ///< [s]
-    double pictureBytes = 0;
-    double otherBytes = 0;
-};
-
 /// What a run with so many pictures at most takes.
 Trial tryRun(const Scene& scene, std::size_t pictures)
 {
@@ -100,7 +89,7 @@ Trial tryRun(const Scene& scene, std::size_t pictures)
     const double before = ProcessorClock::now();
     const FillResult result = fill(request);
     Trial trial;
-    trial.seconds = ProcessorClock::now() - before;
+    trial.time.before = ProcessorClock::now() - before;
     trial.spheres = static_cast<double>(std::max<std::size_t>(1, result.spheres));
     const double drawn = bytesIn(request.directory / "frames");
     trial.pictureBytes = drawn / static_cast<double>(std::max<std::size_t>(1, result.frames));
@@ -117,9 +106,7 @@ Trial tryRun(const Scene& scene)
     }
     const Trial few = tryRun(scene, kFewPictures);
     Trial trial = tryRun(scene, kPictures);
-    trial.perPicture =
-        std::max(0.0, trial.seconds - few.seconds) / static_cast<double>(kPictures - kFewPictures);
-    trial.seconds = std::max(0.0, few.seconds - kFewPictures * trial.perPicture);
+    trial.time = timesOf(few.time.before, kFewPictures, trial.time.before, kPictures);
     return trial;
 }
 
@@ -135,24 +122,41 @@ Cost costOf(const Scene& scene)
     const Simulation simulation(scene, mesh);
     const double factor = std::max(1.0, std::cbrt(spheres / kTried));
     const Trial trial = tryRun(factor > 1 ? modelOf(scene, simulation, factor) : scene);
-    double seconds = trial.seconds;
+    std::optional<Trial> smaller;
     if (factor > 1)
     {
-        const Trial less = tryRun(modelOf(scene, simulation, factor * std::cbrt(kApart)));
-        const double power = std::log(trial.seconds / less.seconds) /
-                             std::log(std::max(1.1, trial.spheres / less.spheres));
-        seconds *= std::pow(spheres / trial.spheres, std::clamp(power, kMinPower, kLargestPower));
+        smaller = tryRun(modelOf(scene, simulation, factor * std::cbrt(kApart)));
     }
-    Cost cost;
-    const auto pictures = static_cast<double>(plan.frames);
-    cost.seconds = seconds + pictures * trial.perPicture;
-    cost.bytes =
-        pictures * trial.pictureBytes + trial.otherBytes * std::max(1.0, spheres / trial.spheres);
+    Cost cost = costFrom(trial, smaller, spheres, static_cast<double>(plan.frames));
     cost.memory = peakMemory() + kBytesPerSphere * spheres;
     return cost;
 }
 
 } // namespace
+
+PictureTimes timesOf(double fewSeconds, double few, double manySeconds, double many)
+{
+    const double each = many > few ? std::max(0.0, manySeconds - fewSeconds) / (many - few)
+                                   : manySeconds / std::max(1.0, many);
+    return {std::max(0.0, fewSeconds - few * each), each};
+}
+
+Cost costFrom(const Trial& trial, const std::optional<Trial>& smaller, double spheres,
+              double pictures)
+{
+    double seconds = trial.time.before;
+    if (smaller)
+    {
+        const double power = std::log(seconds / smaller->time.before) /
+                             std::log(std::max(1.1, trial.spheres / smaller->spheres));
+        seconds *= std::pow(spheres / trial.spheres, std::clamp(power, kMinPower, kLargestPower));
+    }
+    Cost cost;
+    cost.seconds = seconds + pictures * trial.time.each;
+    cost.bytes =
+        pictures * trial.pictureBytes + trial.otherBytes * std::max(1.0, spheres / trial.spheres);
+    return cost;
+}
 
 std::vector<Cost> planSweep(const std::vector<SweepRun>& runs)
 {
@@ -209,9 +213,9 @@ RenderPlan planRender(const RenderRequest& request)
     };
     const auto [one, first] = draw(1, plan.bytesPerPicture);
     const auto [many, pictures] = draw(kPictures, plan.bytesPerPicture);
-    plan.secondsPerPicture = pictures > first ? std::max(0.0, many - one) / (pictures - first)
-                                              : many / std::max(1.0, pictures);
-    plan.secondsBefore = std::max(0.0, one - plan.secondsPerPicture * first);
+    const PictureTimes times = timesOf(one, first, many, pictures);
+    plan.secondsPerPicture = times.each;
+    plan.secondsBefore = times.before;
     plan.memory = peakMemory();
     return plan;
 }

@@ -93,8 +93,8 @@ room(study ${below})
 room(study/stability ${below} study)
 room(study/operations ${below} study)
 room(study/fps ${below} study)
-room(study/peers ${below} study study/stability)
-room(study/error ${below} study study/peers study/stability)
+room(study/peers ${below} export/inputs study study/stability)
+room(study/error ${below} bed study study/peers study/stability)
 room(study/figures ${below} study study/error study/fps study/operations study/peers
      study/stability)
 # The command line stands where any program stands: on the public headers, and on run and study.

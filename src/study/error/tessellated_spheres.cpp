@@ -1,62 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "study/error/tessellated_spheres.hpp"
 
+#include "bed/geodesic_sphere.hpp"
 #include "render/picture/shrink.hpp"
 
-#include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <array>
-#include <cmath>
 #include <vector>
 
 namespace frostfill
 {
 namespace
 {
-
-using Triangle = std::array<glm::vec3, 3>;
-
-std::vector<Triangle> icosphere(int subdivisions)
-{
-    const float g = (1 + std::sqrt(5.0F)) / 2;
-    const std::array<glm::vec3, 12> p = {{{-1, g, 0},
-                                          {1, g, 0},
-                                          {-1, -g, 0},
-                                          {1, -g, 0},
-                                          {0, -1, g},
-                                          {0, 1, g},
-                                          {0, -1, -g},
-                                          {0, 1, -g},
-                                          {g, 0, -1},
-                                          {g, 0, 1},
-                                          {-g, 0, -1},
-                                          {-g, 0, 1}}};
-    constexpr std::array<std::array<int, 3>, 20> kFaces = {
-        {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
-         {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
-         {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}}};
-    std::vector<Triangle> triangles;
-    for (const auto& [a, b, c] : kFaces)
-    {
-        triangles.push_back({glm::normalize(p[static_cast<std::size_t>(a)]),
-                             glm::normalize(p[static_cast<std::size_t>(b)]),
-                             glm::normalize(p[static_cast<std::size_t>(c)])});
-    }
-    for (int level = 0; level < subdivisions; ++level)
-    {
-        std::vector<Triangle> finer;
-        for (const auto& [a, b, c] : triangles)
-        {
-            const glm::vec3 ab = glm::normalize(a + b);
-            const glm::vec3 bc = glm::normalize(b + c);
-            const glm::vec3 ca = glm::normalize(c + a);
-            finer.insert(finer.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
-        }
-        triangles = finer;
-    }
-    return triangles;
-}
 
 constexpr const char* kVertexShader = R"(
 layout(location = 0) in vec3 position;
@@ -89,15 +45,24 @@ TessellatedSpheres::TessellatedSpheres(PictureSize size, int samples, int supers
                                1.0F, 6.0F) *
               glm::lookAt(glm::vec3(1.4F, 1.0F, 2.4F), glm::vec3(0), glm::vec3(0, 1, 0)))
 {
-    const std::vector<Triangle> triangles = icosphere(subdivisions);
-    vertices_ = static_cast<GLsizei>(triangles.size() * 3);
+    const TriangleMesh sphere = geodesicSphere(std::size_t{1} << subdivisions);
+    std::vector<Eigen::Vector3f> corners;
+    for (const std::array<std::uint32_t, 3>& triangle : sphere.triangles)
+    {
+        for (const std::uint32_t vertex : triangle)
+        {
+            corners.push_back(sphere.vertices[vertex].cast<float>());
+        }
+    }
+    vertices_ = static_cast<GLsizei>(corners.size());
     gl_.viewport(0, 0, size.width * supersample, size.height * supersample);
     gl_.genVertexArrays(1, &array_);
     gl_.genBuffers(2, buffers_.data());
     gl_.bindVertexArray(array_);
     gl_.bindBuffer(GL_ARRAY_BUFFER, buffers_[0]);
-    gl_.bufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(triangles.size() * sizeof(Triangle)),
-                   triangles.data(), GL_STATIC_DRAW);
+    gl_.bufferData(GL_ARRAY_BUFFER,
+                   static_cast<GLsizeiptr>(corners.size() * sizeof corners.front()), corners.data(),
+                   GL_STATIC_DRAW);
     gl_.vertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 12, nullptr);
     gl_.enableVertexAttribArray(0);
     gl_.bindBuffer(GL_ARRAY_BUFFER, buffers_[1]);

@@ -16,6 +16,7 @@ namespace frostfill
 [[nodiscard]] Figure timesFigure();       ///< PAPER, Figure 3
 [[nodiscard]] Figure operationsFigure();  ///< the lemmas
 [[nodiscard]] Figure discardedFigure();   ///< share of what is discarded
+[[nodiscard]] Figure closenessFigure();   ///< covered polygons: closeness against escapes
 [[nodiscard]] Figure closedFormsFigure(); ///< errors against closed forms
 [[nodiscard]] Figure errorFigure();       ///< run time against error
 [[nodiscard]] Figure peersFigure();       ///< other engines beside ours

@@ -77,13 +77,13 @@ void makeClaimData(const FigureFolder& folder)
     }
     constexpr std::size_t kCurves = 5;
     std::size_t curves = 0;
-    folder.progress(curves++, kCurves, "all pairs without freezing");
+    folder.progress()(curves++, kCurves, "all pairs without freezing");
     addPoints(points, growth, "all running", growthWithoutFreezing(grid, mesh, kPoints / 2));
     for (const auto& [method, scene] :
          {std::pair{"freezing", freezing}, std::pair{"discards", discards}, std::pair{"grid", grid},
           std::pair{"fast", fast}})
     {
-        folder.progress(curves++, kCurves, method);
+        folder.progress()(curves++, kCurves, method);
         addPoints(points, growth, method, growthOfRun(scene, mesh, kPoints));
     }
     folder.write("claim.csv", points);

@@ -60,8 +60,8 @@ void makeDensityData(const FigureFolder& folder)
     {
         for (const std::uint32_t setSize : kSetSizes)
         {
-            folder.progress(table.rows.size(), std::size(kParts) * std::size(kSetSizes),
-                            fmt::format("{}, sets of {}", part.name, setSize));
+            folder.progress()(table.rows.size(), std::size(kParts) * std::size(kSetSizes),
+                              fmt::format("{}, sets of {}", part.name, setSize));
             std::vector<double> runs;
             for (std::uint64_t seed = 1; seed <= seeds; ++seed)
             {

@@ -54,10 +54,7 @@ public:
     [[nodiscard]] bool quick() const { return request_.quick; }
     [[nodiscard]] const std::string& object() const { return request_.object; }
     void say(const std::string& what) const { request_.say(what); }
-    void progress(std::size_t done, std::size_t all, const std::string& what) const
-    {
-        request_.progress(done, all, what);
-    }
+    [[nodiscard]] const auto& progress() const { return request_.progress; }
 
 private:
     const FigureRequest& request_;

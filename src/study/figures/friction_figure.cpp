@@ -97,8 +97,8 @@ void makeFrictionData(const FigureFolder& folder)
     {
         for (std::size_t k = 0; k < frictions; ++k)
         {
-            folder.progress(table.rows.size(), std::size(kPreparations) * frictions,
-                            fmt::format("{}, friction {:g}", preparation.name, kFrictions[k]));
+            folder.progress()(table.rows.size(), std::size(kPreparations) * frictions,
+                              fmt::format("{}, friction {:g}", preparation.name, kFrictions[k]));
             table.rows.push_back(rowOf(preparation, kFrictions[k], spheres, mesh));
         }
     }

@@ -9,11 +9,11 @@ namespace frostfill
 std::span<const Figure> allFigures()
 {
     static const std::array kFigures = {
-        torusFigure(),    studioFigure(),    volumeFigure(),     interactionFigure(),
-        timesFigure(),    claimFigure(),     operationsFigure(), discardedFigure(),
-        densityFigure(),  fillingFigure(),   cutawaysFigure(),   closedFormsFigure(),
-        errorFigure(),    stabilityFigure(), trianglesFigure(),  sizesFigure(),
-        frictionFigure(),
+        torusFigure(),       studioFigure(),   volumeFigure(),     interactionFigure(),
+        timesFigure(),       claimFigure(),    operationsFigure(), discardedFigure(),
+        closenessFigure(),   densityFigure(),  fillingFigure(),    cutawaysFigure(),
+        closedFormsFigure(), errorFigure(),    stabilityFigure(),  trianglesFigure(),
+        sizesFigure(),       frictionFigure(),
     };
     return kFigures;
 }

@@ -49,7 +49,7 @@ void makeSizesData(const FigureFolder& folder)
     table.headings = {"run", "radius", "asked_percent", "achieved_percent", "spheres"};
     for (std::size_t k = 0; k < std::size(kKinds); ++k)
     {
-        folder.progress(k, std::size(kKinds), kKinds[k]);
+        folder.progress()(k, std::size(kKinds), kKinds[k]);
         Simulation simulation(sceneOf(kKinds[k], curve, folder.quick() ? 100 : 15000), mesh);
         while (simulation.step())
         {

@@ -89,8 +89,8 @@ void makeTimesData(const FigureFolder& folder)
     // The runs of an object are told of, and its pictures.
     const std::size_t all = request.scenes.size() * (request.repeats + 1);
     std::size_t begun = 0;
-    const FpsResult result =
-        measureFps(request, [&](const std::string& what) { folder.progress(begun++, all, what); });
+    const FpsResult result = measureFps(request, [&](const std::string& what)
+                                        { folder.progress()(begun++, all, what); });
     std::string markdown;
     for (const Table& table : fpsTables(result))
     {

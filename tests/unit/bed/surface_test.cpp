@@ -7,6 +7,7 @@
 
 #include <numbers>
 #include <string>
+#include <utility>
 
 namespace frostfill
 {
@@ -270,14 +271,33 @@ TEST(BedSurface, RefusesWhatNoTreatmentParts)
 TEST(BedSettings, AreRefusedWhereTheyMakeNoSense)
 {
     BedSettings settings;
-    for (const char* text :
-         {"shrinks", "shrink:", "shrink:1", "shrink:0", "shrink:-1", "shrink:nan", "shrink:0.9,1",
-          "none:1", "caps:0", "caps:0.5", "caps:x", "bridges:0", "bridges:0.6", "bridges:0.2,0.5",
-          "bridges:0.2,0.02,1", "bridges:0.2,", "", "caps:0.02 "})
+    constexpr const char* kUnknown = "there is no treatment of contacts";
+    constexpr const char* kMalformed = "write none, shrink:FACTOR, caps:GAP or bridges:RADIUS,GAP";
+    constexpr const char* kFactor = "a factor above 0 and below 1";
+    constexpr const char* kGap = "gap of caps and bridges must be from 0.0001 to 0.2 radii";
+    constexpr const char* kRadius = "radius of bridges must be from 0.01 to 0.5 radii";
+    for (const auto& [text, says] : {std::pair("shrinks", kUnknown),
+                                     {"", kUnknown},
+                                     {"shrink:", kMalformed},
+                                     {"shrink:0.9,1", kMalformed},
+                                     {"none:1", kMalformed},
+                                     {"caps:x", kMalformed},
+                                     {"caps:0.02 ", kMalformed},
+                                     {"bridges:0.2,", kMalformed},
+                                     {"bridges:0.2,0.02,1", kMalformed},
+                                     {"shrink:1", kFactor},
+                                     {"shrink:0", kFactor},
+                                     {"shrink:-1", kFactor},
+                                     {"shrink:nan", kFactor},
+                                     {"caps:0", kGap},
+                                     {"caps:0.5", kGap},
+                                     {"bridges:0.2,0.5", kGap},
+                                     {"bridges:0", kRadius},
+                                     {"bridges:0.6", kRadius}})
     {
         SCOPED_TRACE(text);
         expectError(
-            ErrorCode::usage, [&] { parseContacts(text, settings); }, "e");
+            ErrorCode::usage, [&] { parseContacts(text, settings); }, says);
     }
     const auto refused = [](const BedSettings& wrong, const char* says)
     {

@@ -137,15 +137,15 @@ TEST_F(ExportRun, OfAnInputReplacesNoneOfItsFilesUnasked)
     EXPECT_FALSE(std::filesystem::exists(folder_ / "export/liggghts.in"));
     expectError(
         ErrorCode::usage, [] { std::ignore = exportFormat("ligghts"); }, "liggghts");
-    // Before the first sphere there is nothing to go on from.
-    const ExportRequest first = request(ExportFormat::mfix, "0");
-    RunFileReader reader(folder_ / "run.frost");
-    if (reader.seek(0).states.empty())
-    {
-        expectError(
-            ErrorCode::usage, [&] { exportRun(first); }, "no sphere yet", "--frames");
-        EXPECT_FALSE(std::filesystem::exists(folder_ / "export/particle_input.dat"));
-    }
+}
+
+TEST_F(ExportRun, OfAnInputRefusesAFrameWithoutSpheres)
+{
+    ASSERT_TRUE(run_.frames.front().states.empty());
+    expectError(
+        ErrorCode::usage, [&] { exportRun(request(ExportFormat::mfix, "0")); }, "no sphere yet",
+        "--frames");
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "export/particle_input.dat"));
 }
 
 TEST_F(ExportRun, RefusesWhatIsNotThere)

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "base/processor_time.hpp"
 #include "support/temporary_folder.hpp"
+#include "sweep/trial.hpp"
 
 #include <frostfill/plan.hpp>
 #include <frostfill/plan_fill.hpp>
 #include <frostfill/sweep.hpp>
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace frostfill
 {
@@ -30,6 +32,44 @@ void expectWithin(double factor, double estimate, double actual)
     EXPECT_LT(estimate, actual * factor);
 }
 
+TEST(PlanTimes, TakeThePicturesApartFromTheRest)
+{
+    const PictureTimes times = timesOf(3, 4, 8, 24);
+    EXPECT_DOUBLE_EQ(times.each, 0.25);
+    EXPECT_DOUBLE_EQ(times.before, 2);
+    // What is too short for the clock takes no less than nothing.
+    EXPECT_EQ(timesOf(3, 4, 2, 24).each, 0);
+    EXPECT_EQ(timesOf(3, 4, 2, 24).before, 3);
+    EXPECT_EQ(timesOf(0.5, 4, 20.5, 24).before, 0);
+    // A run with as few pictures as that: all of its time is theirs.
+    EXPECT_DOUBLE_EQ(timesOf(3, 1, 3, 1).each, 3);
+    EXPECT_EQ(timesOf(3, 1, 3, 1).before, 0);
+}
+
+TEST(PlanTimes, OfARunThatWasTriedAreItsOwn)
+{
+    const Trial trial = {.spheres = 500, .time = {2, 0.25}, .pictureBytes = 10, .otherBytes = 70};
+    const Cost cost = costFrom(trial, {}, 500, 200);
+    EXPECT_DOUBLE_EQ(cost.seconds, 2 + 200 * 0.25);
+    EXPECT_DOUBLE_EQ(cost.bytes, 200 * 10 + 70);
+    EXPECT_DOUBLE_EQ(costFrom(trial, {}, 1000, 0).bytes, 2 * 70);
+}
+
+TEST(PlanTimes, OfALargeRunGrowByThePowerThatTwoModelsShow)
+{
+    const Trial trial = {.spheres = 2000, .time = {8, 0.25}, .pictureBytes = 10, .otherBytes = 70};
+    const auto secondsOf = [&](double smaller)
+    {
+        return costFrom(trial, Trial{.spheres = 500, .time = {smaller, 0.25}}, 32000, 100).seconds -
+               100 * 0.25;
+    };
+    EXPECT_DOUBLE_EQ(secondsOf(8 / 4.0), 8 * 16); // four times as many take four times as long
+    EXPECT_NEAR(secondsOf(8 / std::pow(4, 1.5)), 8 * std::pow(16, 1.5), 1e-9);
+    // What two short runs show is believed within limits.
+    EXPECT_NEAR(secondsOf(8), 8 * std::pow(16, kMinPower), 1e-9);
+    EXPECT_NEAR(secondsOf(8 / 64.0), 8 * std::pow(16, kLargestPower), 1e-9);
+}
+
 TEST(PlanSweep, IsOfTheSizeOfWhatTheRunsTake)
 {
     const test::TemporaryFolder folder;
@@ -41,20 +81,16 @@ TEST(PlanSweep, IsOfTheSizeOfWhatTheRunsTake)
     sweep.directory = folder / "out";
     const std::vector<Cost> costs = planSweep(sweep.runs);
     ASSERT_EQ(costs.size(), 4U);
-    EXPECT_EQ(costs[0].seconds, costs[1].seconds); // seeds are alike
-    EXPECT_GT(costs[0].seconds, costs[2].seconds); // ten times as many spheres and more
-    const double before = ProcessorClock::now();
+    EXPECT_EQ(costs[0].seconds, costs[1].seconds);  // seeds are alike
+    EXPECT_GT(costs[0].bytes, 10 * costs[2].bytes); // 64 times as many spheres
     (void)runSweep(sweep);
-    const double seconds = ProcessorClock::now() - before;
-    double estimate = 0;
     double bytes = 0;
     for (const Cost& cost : costs)
     {
-        estimate += cost.seconds;
+        EXPECT_GT(cost.seconds, 0);
         bytes += cost.bytes;
         EXPECT_GT(cost.memory, 1e6);
     }
-    expectWithin(3, estimate, seconds);
     expectWithin(2, bytes, bytesIn(folder / "out"));
 }
 
@@ -70,8 +106,7 @@ TEST(PlanSweep, CountsWhatPicturesTake)
     const Cost none = costOf("frames.which = \"none\"\n");
     const Cost sixty = costOf("picture.size = \"640x480\"\nframes.duration = 2\n");
     const Cost twice = costOf("picture.size = \"640x480\"\nframes.duration = 4\n");
-    EXPECT_GT(sixty.seconds, 4 * none.seconds);
-    expectWithin(1.6, twice.seconds, 2 * sixty.seconds);
+    EXPECT_GT(sixty.bytes, 4 * none.bytes);
     expectWithin(1.3, twice.bytes, 2 * sixty.bytes);
 }
 
@@ -87,13 +122,12 @@ TEST(PlanRender, IsOfTheSizeOfWhatThePicturesTake)
     RenderRequest again;
     again.run = folder / "run";
     const RenderPlan plan = planRender(again);
-    const double before = ProcessorClock::now();
     const RenderResult result = renderRun(again);
-    const double seconds = ProcessorClock::now() - before;
     EXPECT_EQ(plan.pictures, result.frames);
     EXPECT_EQ(planRender(again).pictures, plan.pictures); // also when they are there already
     const auto pictures = static_cast<double>(plan.pictures);
-    expectWithin(3, plan.secondsBefore + pictures * plan.secondsPerPicture, seconds);
+    EXPECT_GE(plan.secondsBefore, 0);
+    EXPECT_GT(plan.secondsPerPicture, 0);
     expectWithin(1.5, pictures * plan.bytesPerPicture, bytesIn(folder / "run/render"));
 }
 

@@ -3,15 +3,19 @@
 #include "study/figures/pair_table.hpp"
 #include "study/figures/panels.hpp"
 #include "study/figures/section.hpp"
+#include "study/fps/paper_numbers.hpp"
+#include "support/markdown_table.hpp"
 #include "support/paths.hpp"
 #include "support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <set>
 #include <span>
+#include <sstream>
 
 namespace frostfill
 {
@@ -106,6 +110,59 @@ TEST(Figures, MeasuredTimesMayLieWhereTheyAreWritten)
     request.directory = request.recorded = folder.path();
     EXPECT_TRUE(FigureFolder(request).reuse("times.csv"));
     EXPECT_EQ(readFile(folder / "times.csv"), "recorded\n");
+}
+
+/// A column of the rows of one object.
+std::vector<double> columnOf(const std::vector<std::vector<std::string>>& rows,
+                             const std::string& object, std::size_t column)
+{
+    std::vector<double> values;
+    for (const std::vector<std::string>& row : rows)
+    {
+        if (row.at(0) == object)
+        {
+            values.push_back(std::stod(row.at(column)));
+        }
+    }
+    return values;
+}
+
+// What it says of the torus is what the documentation rests on.
+TEST(ClosenessFigure, ShowsSpheresEscapeWhereHalfOfTheTorusIsDiscarded)
+{
+    const TemporaryFolder folder;
+    FigureRequest request;
+    request.directory = folder.path();
+    const auto figures = allFigures();
+    const auto closeness = std::find_if(figures.begin(), figures.end(),
+                                        [](const Figure& figure)
+                                        { return std::string_view(figure.name) == "closeness"; });
+    ASSERT_NE(closeness, figures.end());
+    closeness->makeData(FigureFolder(request));
+    std::istringstream text(readFile(folder / "closeness.csv"));
+    std::vector<std::vector<std::string>> rows;
+    for (std::string line; std::getline(text, line);)
+    {
+        rows.push_back(testing_support::cellsOf(line, ','));
+    }
+    ASSERT_EQ(rows.size(), 1U + 4 * 6);
+    EXPECT_EQ(rows[0][3], "polygons_percent");
+    EXPECT_EQ(rows[0][5], "outside");
+    for (const std::string& object : builtInMeshNames())
+    {
+        EXPECT_EQ(columnOf(rows, object, 1), (std::vector<double>{0.3, 0.6, 1, 1.5, 2, 3}));
+        const std::vector<double> polygons = columnOf(rows, object, 3);
+        EXPECT_TRUE(std::is_sorted(polygons.begin(), polygons.end())) << object;
+        EXPECT_LT(polygons.front(), 3) << object;
+        const std::vector<double> outside = columnOf(rows, object, 5);
+        EXPECT_EQ(outside.front(), 0) << object; // with the default
+        EXPECT_GT(columnOf(rows, object, 6).front(), 0.1) << object;
+        EXPECT_GT(columnOf(rows, object, 8).front(), 0) << object;
+    }
+    EXPECT_LT(columnOf(rows, "torus", 3)[3], paperNumbers("torus")->polygonsDiscarded);
+    EXPECT_EQ(columnOf(rows, "torus", 5)[3], 0);
+    EXPECT_GT(columnOf(rows, "torus", 3)[5], paperNumbers("torus")->polygonsDiscarded);
+    EXPECT_GT(columnOf(rows, "torus", 5)[5], 10);
 }
 
 // The pairs of groups hold the tests that Algorithm 1 counts.

@@ -13,6 +13,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace frostfill
 {
@@ -66,20 +67,26 @@ TEST(StressMatrix, OurMethodDoesWithHardMeshesAndUnitsWhatASoundOneDoes)
     EXPECT_GT(tried, 15u);
 }
 
+/// The cell of the quick matrix that is named so.
+StressCell cellNamed(const std::string& axis, const std::string& label)
+{
+    for (const StressCell& cell : stressMatrix(true))
+    {
+        if (cell.axis == axis && cell.label == label)
+        {
+            return cell;
+        }
+    }
+    throw std::invalid_argument(axis + " " + label);
+}
+
 TEST(StressRun, TellsALeakAndAGainOfEnergy)
 {
     const StressMethod& paper = methodNamed("paper");
-    for (const StressCell& cell : stressMatrix(true))
-    {
-        if (cell.axis == "step [s] at e = 1" && cell.label == "0.1")
-        {
-            EXPECT_EQ(runUnderStress(cell.make(paper)).verdict, Verdict::leaks);
-        }
-        if (cell.axis == "step [s]" && cell.label == "0.001")
-        {
-            EXPECT_EQ(runUnderStress(cell.make(paper)).verdict, Verdict::gainsEnergy);
-        }
-    }
+    EXPECT_EQ(runUnderStress(cellNamed("step [s] at e = 1", "0.1").make(paper)).verdict,
+              Verdict::leaks);
+    EXPECT_EQ(runUnderStress(cellNamed("step [s]", "0.001").make(paper)).verdict,
+              Verdict::gainsEnergy);
 }
 
 // A run that ended well but for one thing.
@@ -181,15 +188,29 @@ TEST(StressVerdict, ASecondRunThatEndsOtherwiseIsAFault)
     EXPECT_EQ(compareRuns(first, second), Verdict::leaks);
 }
 
-TEST(StressMatrix, AsksTheFastPresetForCleanPackingsInEveryCell)
+// By what becomes of one outcome: two spheres that overlap by a hundredth of a radius.
+TEST(StressMatrix, CallsAnOverlapAFaultOfEveryMethodButThePapers)
 {
-    for (const StressMethod& method : stressMethods())
+    StressOutcome overlapping;
+    overlapping.spheres = 2;
+    overlapping.maxOverlap = 0.01;
+    std::size_t cells = 0;
+    for (const auto& [name, verdict] : {std::pair("fast", Verdict::overlaps),
+                                        {"fast skip", Verdict::overlaps},
+                                        {"joint", Verdict::overlaps},
+                                        {"grains", Verdict::overlaps},
+                                        {"paper", Verdict::passes},
+                                        {"paper semi-implicit", Verdict::passes}})
     {
         for (const StressCell& cell : stressMatrix(true))
         {
-            EXPECT_EQ(cell.make(method).mustBeClean, method.preset == Preset::fast) << cell.label;
+            EXPECT_EQ(judge(cell.make(methodNamed(name)), overlapping, true, true), verdict)
+                << name << ", " << cell.axis << " " << cell.label;
+            ++cells;
         }
     }
+    EXPECT_EQ(cells, 6 * stressMatrix(true).size());
+    EXPECT_EQ(stressMethods().size(), 6U);
 }
 
 // The same spheres by both ways to settle: with friction alone, and as grains that roll hard.
@@ -244,7 +265,9 @@ TEST(StressMatrix, LetsAFifthOfTheCubeRunAtOnce)
 
 TEST(ClosedForms, AllThatIsClaimedHolds)
 {
-    for (const ClosedFormPoint& point : measureClosedForms(true))
+    const std::vector<ClosedFormPoint> points = measureClosedForms(true);
+    EXPECT_GT(points.size(), 50U);
+    for (const ClosedFormPoint& point : points)
     {
         EXPECT_TRUE(point.holds())
             << point.problem << ", " << point.method << ", " << point.parameter << " "
