@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "base/cores.hpp"
 
+#include "base/control_group.hpp"
+
 #include <sched.h>
 
 #include <algorithm>
 #include <charconv>
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
 #include <fstream>
-#include <string>
 #include <thread>
 
 namespace frostfill
@@ -47,20 +47,10 @@ int coresBoundTo()
 /// "max 100000" any number.
 int coresOfGroup()
 {
-    std::string group;
-    std::ifstream groups("/proc/self/cgroup");
-    for (std::string line; std::getline(groups, line);)
-    {
-        if (line.starts_with("0::/"))
-        {
-            group = line.substr(4);
-        }
-    }
     int fewest = 0;
-    const std::filesystem::path root = "/sys/fs/cgroup";
-    for (std::filesystem::path folder = group;; folder = folder.parent_path())
+    for (const std::filesystem::path& group : controlGroups("cpu"))
     {
-        std::ifstream file(root / folder / "cpu.max");
+        std::ifstream file(group / "cpu.max");
         double quota = 0;
         double period = 0;
         if (file >> quota >> period && quota > 0 && period > 0)
@@ -68,11 +58,8 @@ int coresOfGroup()
             const int cores = std::max(1, static_cast<int>(quota / period));
             fewest = fewest == 0 ? cores : std::min(fewest, cores);
         }
-        if (folder.empty() || folder == folder.parent_path())
-        {
-            return fewest;
-        }
     }
+    return fewest;
 }
 
 } // namespace

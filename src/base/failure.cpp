@@ -2,6 +2,7 @@
 #include <frostfill/failure.hpp>
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 
 #include <new>
 #include <system_error>
@@ -28,7 +29,14 @@ Failure currentFailure()
     {
         if (error.code() == std::errc::resource_unavailable_try_again)
         {
-            return {ErrorCode::outOfMemory, "no more threads can be started; see ulimit -u"};
+            rlimit limit = {};
+            const bool bounded =
+                getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+            return {ErrorCode::outOfMemory,
+                    bounded ? fmt::format("no more threads can be started: each needs a stack, and "
+                                          "memory is limited to {:.3g} GB; see ulimit -v",
+                                          static_cast<double>(limit.rlim_cur) / 1e9)
+                            : "no more threads can be started; see ulimit -u"};
         }
         return {ErrorCode::writeFailed, error.what()}; // a file system has changed during the run
     }

@@ -13,14 +13,15 @@ namespace
 {
 
 constexpr std::size_t kLooksAhead = 512; // [byte] for what no text holds
+constexpr std::size_t kHeadOfXml = 4096; // [byte] in which the first element is, behind comments
 
 struct ForeignFormat
 {
-    std::string_view begin; ///< of the file
+    std::string_view begin; ///< of the file, or of the first element of XML
     std::string_view name;
 };
 
-constexpr std::array<ForeignFormat, 14> kForeignFormats = {{
+constexpr std::array<ForeignFormat, 18> kForeignFormats = {{
     {"PK\x03\x04", "a ZIP archive, as 3MF files are"},
     {"\x1f\x8b", "compressed (gzip)"},
     {"Kaydara FBX Binary", "an FBX file"},
@@ -34,6 +35,10 @@ constexpr std::array<ForeignFormat, 14> kForeignFormats = {{
     {"LASF", "a point cloud (LAS)"},
     {"$MeshFormat", "a Gmsh file"},
     {"MeshVersionFormatted", "a Medit file"},
+    {"<COLLADA", "a COLLADA file (DAE)"},
+    {"<VTKFile", "a VTK file in XML, as VTP and VTU files are"},
+    {"<X3D", "an X3D file"},
+    {"<amf", "an AMF file"},
     {"<", "XML or a web page"},
 }};
 
@@ -111,9 +116,13 @@ FileKind kindOf(std::string_view bytes, std::string_view ending)
     {
         return *byContent;
     }
+    const std::string_view xml = bytes.substr(0, bytes.front() == '<' ? kHeadOfXml : 0);
     const auto* const stranger =
         std::find_if(kForeignFormats.begin(), kForeignFormats.end(),
-                     [&](const ForeignFormat& other) { return bytes.starts_with(other.begin); });
+                     [&](const ForeignFormat& other) {
+                         return bytes.starts_with(other.begin) ||
+                                xml.find(other.begin) != std::string_view::npos;
+                     });
     if (stranger != kForeignFormats.end())
     {
         throw Unreadable(fmt::format("it is {}; convert the mesh to OBJ, STL, PLY, OFF or glTF",

@@ -22,9 +22,12 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <new>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 namespace frostfill
@@ -60,6 +63,15 @@ constexpr bool kLimitsAddresses = false;
 constexpr bool kLimitsAddresses = true;
 #endif
 
+/// Whether this process has no other thread. The child of one that has may hang: a lock that
+/// another thread held at the fork stays locked there.
+bool hasOneThread()
+{
+    std::error_code ignored;
+    const std::filesystem::directory_iterator threads("/proc/self/task", ignored);
+    return std::distance(begin(threads), end(threads)) == 1;
+}
+
 /// Address space that this process has now. [byte]
 std::size_t addressSpace()
 {
@@ -68,14 +80,26 @@ std::size_t addressSpace()
     return pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
 }
 
-void limit(int what, rlim_t value)
+/// Lowers a limit. One that is stricter already stays.
+void limit(__rlimit_resource what, rlim_t soft, rlim_t hard)
 {
     rlimit now = {};
-    getrlimit(static_cast<__rlimit_resource>(what), &now);
-    // A limit that is stricter already stays.
-    now.rlim_max = now.rlim_max == RLIM_INFINITY ? value : std::min(now.rlim_max, value);
-    now.rlim_cur = now.rlim_max;
-    setrlimit(static_cast<__rlimit_resource>(what), &now);
+    getrlimit(what, &now);
+    now = {std::min(now.rlim_cur, soft), std::min(now.rlim_max, hard)};
+    setrlimit(what, &now);
+}
+
+/// With the limits of this process where these are stricter: they hold in its children too.
+SandboxLimits bounded(SandboxLimits limits)
+{
+    rlimit time = {};
+    rlimit addresses = {};
+    getrlimit(RLIMIT_CPU, &time);
+    getrlimit(RLIMIT_AS, &addresses);
+    limits.seconds = static_cast<unsigned>(std::min<rlim_t>(time.rlim_cur, limits.seconds));
+    const rlim_t left = addresses.rlim_cur - std::min<rlim_t>(addresses.rlim_cur, addressSpace());
+    limits.bytes = std::min<rlim_t>(left, limits.bytes);
+    return limits;
 }
 
 void enterSandbox(const SandboxLimits& limits)
@@ -85,13 +109,14 @@ void enterSandbox(const SandboxLimits& limits)
     {
         std::signal(signal, SIG_DFL);
     }
-    limit(RLIMIT_CORE, 0);
-    limit(RLIMIT_FSIZE, 0);
-    limit(RLIMIT_NOFILE, kMaxFiles);
-    limit(RLIMIT_CPU, limits.seconds);
+    limit(RLIMIT_CORE, 0, 0);
+    limit(RLIMIT_FSIZE, 0, 0);
+    limit(RLIMIT_NOFILE, kMaxFiles, kMaxFiles);
+    limit(RLIMIT_CPU, limits.seconds, limits.seconds + 1); // at the hard one there is no SIGXCPU
     if (kLimitsAddresses)
     {
-        limit(RLIMIT_AS, addressSpace() + limits.bytes);
+        const rlim_t addresses = addressSpace() + limits.bytes;
+        limit(RLIMIT_AS, addresses, addresses);
     }
 }
 
@@ -180,8 +205,8 @@ public:
         }
     }
 
-    /// What it reports. Without a kind if that is less than it announces, takes too long or is
-    /// more than `mostBytes`.
+    /// What it reports. Without a kind if that is less than it announces, or if it had to be
+    /// ended: see end().
     [[nodiscard]] std::pair<Head, SandboxedBytes> listen(std::chrono::seconds atMost,
                                                          std::size_t mostBytes)
     {
@@ -194,6 +219,7 @@ public:
         }
         if (head.size > mostBytes)
         {
+            end_ = End::tooLarge;
             kill(id_, SIGKILL);
             return {};
         }
@@ -204,6 +230,15 @@ public:
         }
         return {head, std::move(bytes)};
     }
+
+    /// Why it had to be ended.
+    enum class End
+    {
+        byItself,
+        tooLate,
+        tooLarge,
+    };
+    [[nodiscard]] End end() const { return end_; }
 
     /// How it ended, as waitpid tells it.
     [[nodiscard]] int wait()
@@ -226,12 +261,13 @@ private:
 
     /// False when it ends or takes too long before; then it is no more.
     [[nodiscard]] bool receive(char* to, std::size_t size,
-                               std::chrono::steady_clock::time_point end) const
+                               std::chrono::steady_clock::time_point end)
     {
         while (size > 0)
         {
             if (!hasMore(end))
             {
+                end_ = End::tooLate;
                 kill(id_, SIGKILL);
                 return false;
             }
@@ -267,29 +303,67 @@ private:
 
     int pipe_ = -1;
     pid_t id_ = -1;
+    End end_ = End::byItself;
 };
 
-std::string describeExit(int status, const SandboxLimits& limits)
+std::string describeMemory(const SandboxLimits& limits)
+{
+    return fmt::format("it needs more than {} MB of memory", limits.bytes >> 20);
+}
+
+std::string describeExit(int status, Child::End end, const SandboxLimits& limits)
 {
     const std::string anew = "export the mesh again, in another format if need be";
+    if (end == Child::End::tooLarge)
+    {
+        return describeMemory(limits);
+    }
+    if (end == Child::End::tooLate)
+    {
+        return fmt::format("it takes more than {} s; {}", kWaitFactor * limits.seconds, anew);
+    }
     if (!WIFSIGNALED(status))
     {
         return fmt::format("the reader gave up on it; {}", anew);
     }
-    const int signal = WTERMSIG(status);
-    if (signal == SIGXCPU || signal == SIGKILL)
+    switch (WTERMSIG(status))
     {
+    case SIGXCPU:
         return fmt::format("it takes more than {} s of processor time; {}", limits.seconds, anew);
+    case SIGKILL:
+        return "the reader was killed, as by a system whose memory is used up";
+    default:
+        return fmt::format("the reader crashed on it ({}); the file is damaged: {}",
+                           sigdescr_np(WTERMSIG(status)), anew);
     }
-    return fmt::format("the reader crashed on it ({}); the file is damaged: {}",
-                       sigdescr_np(signal), anew);
+}
+
+SandboxedBytes joinedParts(const SandboxReport& parts)
+{
+    SandboxedBytes all;
+    for (const std::string_view part : parts)
+    {
+        all.size += part.size();
+    }
+    all.bytes = std::make_unique_for_overwrite<char[]>(all.size);
+    char* end = all.bytes.get();
+    for (const std::string_view part : parts)
+    {
+        end = std::copy(part.begin(), part.end(), end);
+    }
+    return all;
 }
 
 } // namespace
 
-SandboxedBytes runSandboxed(const SandboxLimits& limits, const std::string& subject,
+SandboxedBytes runSandboxed(const SandboxLimits& asked, const std::string& subject,
                             const std::function<SandboxReport()>& work)
 {
+    if (!hasOneThread())
+    {
+        return joinedParts(work());
+    }
+    const SandboxLimits limits = bounded(asked);
     Child child(limits, work);
     auto [head, bytes] =
         child.listen(std::chrono::seconds(kWaitFactor * limits.seconds), limits.bytes);
@@ -297,7 +371,7 @@ SandboxedBytes runSandboxed(const SandboxLimits& limits, const std::string& subj
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || head.kind == '\0')
     {
         throw Error(ErrorCode::badData,
-                    fmt::format("{}: {}", subject, describeExit(status, limits)));
+                    fmt::format("{}: {}", subject, describeExit(status, child.end(), limits)));
     }
     if (head.kind == kRefused)
     {
@@ -305,8 +379,7 @@ SandboxedBytes runSandboxed(const SandboxLimits& limits, const std::string& subj
     }
     if (head.kind == kOutOfMemory)
     {
-        throw Error(ErrorCode::badData, fmt::format("{}: it needs more than {} MB of memory",
-                                                    subject, limits.bytes >> 20));
+        throw Error(ErrorCode::badData, fmt::format("{}: {}", subject, describeMemory(limits)));
     }
     return std::move(bytes);
 }

@@ -35,6 +35,9 @@ using SandboxReport = std::vector<std::string_view>;
 /// crash, an endless loop, memory without end, stays there. The child opens at most a few files at
 /// a time and writes to none, leaves no core, and dies with its parent.
 ///
+/// In a process with several threads, such as Python's, the child could hang: there `work` runs in
+/// this process, without limits.
+///
 /// Throws Error as `work` throws it, and badData when the child dies or exceeds a limit; `subject`
 /// begins those sentences: "'a.ply' cannot be read".
 [[nodiscard]] SandboxedBytes runSandboxed(const SandboxLimits& limits, const std::string& subject,

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/interior/separate_boxes.hpp"
 
+#include "mesh/disjoint_sets.hpp"
+
 #include <algorithm>
-#include <numeric>
 
 namespace frostfill
 {
@@ -14,28 +15,18 @@ using Box = Eigen::AlignedBox3d;
 /// A box for each connected piece.
 std::vector<Box> boxesOfPieces(const TriangleMesh& mesh)
 {
-    std::vector<std::uint32_t> parent(mesh.vertices.size());
-    std::iota(parent.begin(), parent.end(), std::uint32_t{0});
-    const auto root = [&](std::uint32_t vertex)
-    {
-        while (parent[vertex] != vertex)
-        {
-            parent[vertex] = parent[parent[vertex]];
-            vertex = parent[vertex];
-        }
-        return vertex;
-    };
+    DisjointSets pieces(mesh.vertices.size());
     for (const auto& [a, b, c] : mesh.triangles)
     {
-        parent[root(a)] = root(b);
-        parent[root(b)] = root(c);
+        pieces.join(a, b);
+        pieces.join(b, c);
     }
     std::vector<Box> boxes(mesh.vertices.size());
     for (const auto& triangle : mesh.triangles)
     {
         for (const std::uint32_t corner : triangle)
         {
-            boxes[root(corner)].extend(mesh.vertices[corner]);
+            boxes[pieces.find(corner)].extend(mesh.vertices[corner]);
         }
     }
     std::erase_if(boxes, [](const Box& box) { return box.isEmpty(); });

@@ -5,13 +5,14 @@
 #include "mesh/triangle_shape.hpp"
 
 #include <map>
+#include <optional>
 
 namespace frostfill
 {
 namespace
 {
 
-constexpr int kMaxPasses = 20;        // a chain of flat triangles takes one for each triangle
+constexpr int kMaxPasses = 20;        // in which no fewer triangles are flat
 constexpr double kTinyEdge = 1e-9;    // [1] of the longest edge: two corners are really one
 constexpr Triangle kGone = {0, 0, 0}; // repeats a corner
 
@@ -39,44 +40,76 @@ std::size_t longestSide(const TriangleMesh& mesh, const Triangle& t)
                                     squares.begin());
 }
 
-/// Splits the neighbour along the longest side at the flat triangle's third corner.
-/// Returns whether something has changed.
+/// Merges the two corners at the short end of each needle, which are really one. Returns whether
+/// something has changed.
+bool mergeNeedles(TriangleMesh& mesh)
+{
+    std::optional<DisjointSets> same;
+    for (const Triangle& t : mesh.triangles)
+    {
+        if (!isFlat(mesh, t))
+        {
+            continue;
+        }
+        const std::size_t side = longestSide(mesh, t);
+        const std::uint32_t a = t[side], b = t[(side + 1) % 3], c = t[(side + 2) % 3];
+        const double longest = (mesh.vertices[b] - mesh.vertices[a]).norm();
+        for (const std::uint32_t end : {a, b})
+        {
+            if ((mesh.vertices[end] - mesh.vertices[c]).norm() <= kTinyEdge * longest)
+            {
+                if (!same)
+                {
+                    same.emplace(mesh.vertices.size());
+                }
+                same->join(end, c);
+                break;
+            }
+        }
+    }
+    if (!same)
+    {
+        return false;
+    }
+    for (Triangle& t : mesh.triangles)
+    {
+        for (std::uint32_t& corner : t)
+        {
+            corner = static_cast<std::uint32_t>(same->find(corner));
+        }
+    }
+    return true;
+}
+
+/// Splits the neighbour along the longest side at the flat triangle's third corner. `edges` may be
+/// older than triangles that are `touched`. Returns whether something has changed.
 bool handOver(TriangleMesh& mesh, const EdgeTable& edges, std::uint32_t triangle,
               std::vector<bool>& touched)
 {
     const Triangle t = mesh.triangles[triangle];
     const std::size_t side = longestSide(mesh, t);
     const std::uint32_t a = t[side], b = t[(side + 1) % 3], c = t[(side + 2) % 3];
-
-    // A needle: the two corners at its short end are the same point.
-    const double longest = (mesh.vertices[b] - mesh.vertices[a]).norm();
-    for (const std::uint32_t end : {a, b})
-    {
-        if ((mesh.vertices[end] - mesh.vertices[c]).norm() <= kTinyEdge * longest)
-        {
-            for (Triangle& other : mesh.triangles)
-            {
-                std::replace(other.begin(), other.end(), c, end);
-            }
-            return true;
-        }
-    }
-
     const auto uses = edges.find(a, b);
     if (uses.size() == 1)
     {
         mesh.triangles[triangle] = kGone; // on a rim: the rim now runs through c
+        touched[triangle] = true;
         return true;
     }
-    if (uses.size() != 2)
+    // Of several neighbours one that is wound alike: then all windings cancel as before.
+    const auto own = std::find_if(uses.begin(), uses.end(),
+                                  [&](const EdgeUse& use) { return use.triangle == triangle; });
+    const auto other = std::find_if(uses.begin(), uses.end(),
+                                    [&](const EdgeUse& use)
+                                    {
+                                        return use.triangle != triangle && !touched[use.triangle] &&
+                                               (uses.size() == 2 || use.forward != own->forward);
+                                    });
+    if (other == uses.end())
     {
         return false;
     }
-    const std::uint32_t neighbour = uses[uses[0].triangle == triangle ? 1 : 0].triangle;
-    if (touched[neighbour])
-    {
-        return false;
-    }
+    const std::uint32_t neighbour = other->triangle;
     Triangle first = mesh.triangles[neighbour];
     Triangle second = first;
     std::replace(first.begin(), first.end(), b, c);
@@ -183,25 +216,29 @@ void cancelWalls(SingleTriangles& single)
 std::size_t dropFlatTriangles(TriangleMesh& mesh)
 {
     const std::size_t before = countFlat(mesh);
-    for (int pass = 0; pass < kMaxPasses; ++pass)
+    std::size_t least = before;
+    for (int idle = 0; before > 0 && idle < kMaxPasses; ++idle)
     {
+        bool changed = mergeNeedles(mesh);
         eraseGone(mesh);
         const EdgeTable edges(mesh);
         std::vector<bool> touched(mesh.triangles.size(), false);
-        bool changed = false;
         for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i)
         {
-            if (!touched[i] && !repeatsCorner(mesh.triangles[i]) && isFlat(mesh, mesh.triangles[i]))
+            if (!touched[i] && isFlat(mesh, mesh.triangles[i]))
             {
                 changed = handOver(mesh, edges, i, touched) || changed;
             }
         }
-        if (!changed)
+        eraseGone(mesh);
+        const std::size_t left = countFlat(mesh);
+        if (!changed || left == 0)
         {
             break;
         }
+        idle = left < least ? -1 : idle;
+        least = std::min(least, left);
     }
-    eraseGone(mesh);
     return before - countFlat(mesh);
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/repair/components.hpp"
 
-#include "mesh/triangle_shape.hpp"
-
 namespace frostfill
 {
 
@@ -37,6 +35,16 @@ std::vector<std::vector<std::uint32_t>> connectedPieces(const TriangleMesh& mesh
         pieces[pieceOf[root]].push_back(static_cast<std::uint32_t>(triangle));
     }
     return pieces;
+}
+
+void PieceSize::add(const TriangleMesh& mesh, const Triangle& t, const Eigen::Vector3d& origin)
+{
+    const Eigen::Vector3d& a = mesh.vertices[t[0]];
+    const Eigen::Vector3d& b = mesh.vertices[t[1]];
+    const Eigen::Vector3d& c = mesh.vertices[t[2]];
+    volume += (a - origin).dot((b - origin).cross(c - origin)) / 6;
+    area += areaOf(mesh, t);
+    box.extend(a).extend(b).extend(c);
 }
 
 std::size_t joinCorners(DisjointSets& corners, const TriangleMesh& mesh, const EdgeUse& a,

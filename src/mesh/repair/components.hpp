@@ -1,49 +1,27 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "mesh/disjoint_sets.hpp"
 #include "mesh/edge_table.hpp"
-
-#include <numeric>
+#include "mesh/triangle_shape.hpp"
 
 namespace frostfill
 {
-
-/// Disjoint sets of numbers. The smallest number represents its set.
-class DisjointSets
-{
-public:
-    explicit DisjointSets(std::size_t count) : parent_(count)
-    {
-        std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
-    }
-
-    std::size_t find(std::size_t i)
-    {
-        while (parent_[i] != i)
-        {
-            parent_[i] = parent_[parent_[i]];
-            i = parent_[i];
-        }
-        return i;
-    }
-
-    /// Whether the two were apart.
-    bool join(std::size_t i, std::size_t j)
-    {
-        i = find(i);
-        j = find(j);
-        parent_[i < j ? j : i] = static_cast<std::uint32_t>(i < j ? i : j);
-        return i != j;
-    }
-
-private:
-    std::vector<std::uint32_t> parent_;
-};
 
 /// The triangles of each piece. Shared edges connect the triangles of a piece. Pieces are in the
 /// order of their first triangle. Triangles that repeat a corner belong to no piece.
 [[nodiscard]] std::vector<std::vector<std::uint32_t>> connectedPieces(const TriangleMesh& mesh,
                                                                       const EdgeTable& edges);
+
+/// Of triangles that are added one after the other.
+struct PieceSize
+{
+    double volume = 0; ///< [unit^3] signed, of the cones from a point to them
+    double area = 0;   ///< [unit^2]
+    Eigen::AlignedBox3d box;
+
+    void add(const TriangleMesh& mesh, const Triangle& t, const Eigen::Vector3d& origin);
+};
 
 /// Joins the corners (3 x triangle + corner) of two triangles that meet along an edge. Returns how
 /// many of the two pairs were apart.

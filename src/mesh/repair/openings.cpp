@@ -124,26 +124,17 @@ void putLidsOn(OpenPatch& patch, TriangleMesh& mesh, const EdgeTable& edges)
 void measure(OpenPatch& patch, const TriangleMesh& mesh)
 {
     const Eigen::Vector3d origin = mesh.vertices[mesh.triangles[patch.triangles[0]][0]];
-    double surface = 0;
-    Eigen::AlignedBox3d box;
-    const auto add = [&](const Triangle& t)
-    {
-        const Eigen::Vector3d a = mesh.vertices[t[0]] - origin;
-        const Eigen::Vector3d b = mesh.vertices[t[1]] - origin;
-        const Eigen::Vector3d c = mesh.vertices[t[2]] - origin;
-        patch.volume += a.dot(b.cross(c)) / 6;
-        surface += areaOf(mesh, t);
-        for (const Eigen::Vector3d& corner : {a, b, c})
-        {
-            box.extend(corner);
-        }
-    };
+    PieceSize size;
     for (const std::uint32_t triangle : patch.triangles)
     {
-        add(mesh.triangles[triangle]);
+        size.add(mesh, mesh.triangles[triangle], origin);
     }
-    std::for_each(patch.lids.begin(), patch.lids.end(), add);
-    patch.isSheet = !patch.lids.empty() && isEnvelope(patch.volume, surface, box);
+    for (const Triangle& t : patch.lids)
+    {
+        size.add(mesh, t, origin);
+    }
+    patch.volume = size.volume;
+    patch.isSheet = !patch.lids.empty() && isEnvelope(size.volume, size.area, size.box);
 }
 
 std::vector<OpenPatch> patchesWithLids(TriangleMesh& mesh)

@@ -2,11 +2,14 @@
 #include "mesh/repair/orient_mesh.hpp"
 
 #include "mesh/interior/winding_number.hpp"
+#include "mesh/interior/winding_tree.hpp"
 #include "mesh/repair/components.hpp"
+#include "mesh/repair/separate_edges.hpp"
 #include "mesh/triangle_shape.hpp"
 
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 namespace frostfill
 {
@@ -23,8 +26,7 @@ void turn(Triangle& t)
 struct Piece
 {
     std::vector<std::uint32_t> triangles;
-    Eigen::AlignedBox3d box;
-    double volume = 0;
+    PieceSize size;
 };
 
 /// All triangles, as one piece.
@@ -46,14 +48,7 @@ std::vector<Piece> describePieces(const TriangleMesh& mesh, bool isOne)
         const Eigen::Vector3d origin = mesh.vertices[mesh.triangles[triangles[0]][0]];
         for (const std::uint32_t triangle : triangles)
         {
-            std::array<Eigen::Vector3d, 3> corners;
-            for (std::size_t i = 0; i < 3; ++i)
-            {
-                corners[i] = mesh.vertices[mesh.triangles[triangle][i]];
-                piece.box.extend(corners[i]);
-            }
-            piece.volume +=
-                (corners[0] - origin).dot((corners[1] - origin).cross(corners[2] - origin)) / 6;
+            piece.size.add(mesh, mesh.triangles[triangle], origin);
         }
         piece.triangles = std::move(triangles);
         pieces.push_back(std::move(piece));
@@ -61,53 +56,89 @@ std::vector<Piece> describePieces(const TriangleMesh& mesh, bool isOne)
     return pieces;
 }
 
-/// Whether the whole of a piece lies within another one. A piece that passes through it does not.
-bool surrounds(const TriangleMesh& mesh, const Piece& outer, const Piece& piece)
+/// The winding number of one piece.
+class PieceWinding
 {
-    if (!outer.box.contains(piece.box))
+public:
+    PieceWinding(const TriangleMesh& mesh, const Piece& piece) : mesh_(only(mesh, piece)) {}
+
+    /// Whether the whole of another piece lies within. A piece that passes through does not.
+    [[nodiscard]] bool surrounds(const TriangleMesh& mesh, const Piece& piece) const
     {
-        return false;
-    }
-    const std::size_t stride = 1 + piece.triangles.size() / kSamples;
-    for (std::size_t i = 0; i < piece.triangles.size(); i += stride)
-    {
-        const Triangle& t = mesh.triangles[piece.triangles[i]];
-        const Eigen::Vector3d middle =
-            (mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]) / 3;
-        for (const Eigen::Vector3d& point : {mesh.vertices[t[0]], middle})
+        const std::size_t stride = 1 + piece.triangles.size() / kSamples;
+        for (std::size_t i = 0; i < piece.triangles.size(); i += stride)
         {
-            if (std::abs(windingNumber(mesh, outer.triangles, point)) < kInsideFrom)
+            const auto [a, b, c] = cornersOf(mesh, piece.triangles[i]);
+            if (std::abs(winding_.at(a)) < kInsideFrom ||
+                std::abs(winding_.at((a + b + c) / 3)) < kInsideFrom)
             {
                 return false;
             }
         }
+        return true;
     }
-    return true;
+
+private:
+    /// Each triangle with corners of its own.
+    static TriangleMesh only(const TriangleMesh& mesh, const Piece& piece)
+    {
+        TriangleMesh own;
+        for (const std::uint32_t triangle : piece.triangles)
+        {
+            const auto first = static_cast<std::uint32_t>(own.vertices.size());
+            own.triangles.push_back({first, first + 1, first + 2});
+            for (const Eigen::Vector3d& corner : cornersOf(mesh, triangle))
+            {
+                own.vertices.push_back(corner);
+            }
+        }
+        return own;
+    }
+
+    TriangleMesh mesh_;
+    WindingTree winding_{mesh_};
+};
+
+/// How many other pieces surround each.
+std::vector<std::size_t> depthsOf(const TriangleMesh& mesh, const std::vector<Piece>& pieces)
+{
+    std::vector<std::size_t> depths(pieces.size(), 0);
+    for (std::size_t outer = 0; outer < pieces.size(); ++outer)
+    {
+        std::optional<PieceWinding> winding; // few pieces have another in their box
+        for (std::size_t i = 0; i < pieces.size(); ++i)
+        {
+            if (i != outer && pieces[outer].size.box.contains(pieces[i].size.box))
+            {
+                if (!winding)
+                {
+                    winding.emplace(mesh, pieces[outer]);
+                }
+                depths[i] += winding->surrounds(mesh, pieces[i]) ? 1 : 0;
+            }
+        }
+    }
+    return depths;
 }
 
-} // namespace
-
-std::size_t makeWindingConsistent(TriangleMesh& mesh)
+/// Two triangles at an edge, and whether they are to be wound alike as they are.
+struct Link
 {
-    const EdgeTable edges(mesh);
-    struct Link
-    {
-        std::uint32_t triangle;
-        bool agrees;
-    };
-    std::vector<std::vector<Link>> links(mesh.triangles.size());
-    edges.forEach(
-        [&](std::span<const EdgeUse> uses)
-        {
-            if (uses.size() != 2)
-            {
-                return;
-            }
-            const bool agrees = uses[0].forward != uses[1].forward;
-            links[uses[0].triangle].push_back({uses[1].triangle, agrees});
-            links[uses[1].triangle].push_back({uses[0].triangle, agrees});
-        });
+    std::uint32_t triangle;
+    bool agrees;
+};
+using Links = std::vector<std::vector<Link>>; // [#T]
 
+void addLink(Links& links, const EdgeUse& a, const EdgeUse& b)
+{
+    const bool agrees = a.forward != b.forward;
+    links[a.triangle].push_back({b.triangle, agrees});
+    links[b.triangle].push_back({a.triangle, agrees});
+}
+
+/// Turns triangles until those that are linked agree; of each linked part the fewer.
+std::size_t turnAlong(TriangleMesh& mesh, const Links& links)
+{
     std::size_t turned = 0;
     std::vector<bool> seen(mesh.triangles.size(), false);
     std::vector<bool> turns(mesh.triangles.size(), false);
@@ -146,26 +177,167 @@ std::size_t makeWindingConsistent(TriangleMesh& mesh)
     return turned;
 }
 
+/// Links at which no winding is inconsistent: the flattest first, and of the rest those that agree
+/// with them. A knot has sharp folds.
+Links flatLinks(const TriangleMesh& mesh)
+{
+    struct Fold
+    {
+        double flatness;
+        EdgeUse a, b;
+        bool agrees;
+    };
+    std::vector<Fold> folds;
+    EdgeTable(mesh).forEach(
+        [&](std::span<const EdgeUse> uses)
+        {
+            if (uses.size() == 2)
+            {
+                const auto normal = [&](const EdgeUse& use) -> Eigen::Vector3d
+                {
+                    const auto [a, b, c] = cornersOf(mesh, use.triangle);
+                    return (b - a).cross(c - a).stableNormalized();
+                };
+                const bool agrees = uses[0].forward != uses[1].forward;
+                const double cosine = normal(uses[0]).dot(normal(uses[1]));
+                folds.push_back({agrees ? cosine : -cosine, uses[0], uses[1], agrees});
+            }
+        });
+    std::stable_sort(folds.begin(), folds.end(),
+                     [](const Fold& a, const Fold& b) { return a.flatness > b.flatness; });
+    const std::size_t count = mesh.triangles.size();
+    DisjointSets sides(2 * count); // each triangle as it is, and turned
+    Links links(count);
+    for (const Fold& fold : folds)
+    {
+        const std::size_t a = fold.a.triangle;
+        const std::size_t like = fold.b.triangle + (fold.agrees ? 0 : count);
+        const std::size_t unlike = fold.b.triangle + (fold.agrees ? count : 0);
+        if (sides.find(a) != sides.find(unlike))
+        {
+            sides.join(a, like);
+            sides.join(a + count, unlike);
+            addLink(links, fold.a, fold.b);
+        }
+    }
+    return links;
+}
+
+} // namespace
+
+std::size_t makeWindingConsistent(TriangleMesh& mesh)
+{
+    Links links(mesh.triangles.size());
+    EdgeTable(mesh).forEach(
+        [&](std::span<const EdgeUse> uses)
+        {
+            if (uses.size() == 2)
+            {
+                addLink(links, uses[0], uses[1]);
+            }
+        });
+    return turnAlong(mesh, links);
+}
+
+std::size_t alternateWindings(TriangleMesh& mesh)
+{
+    const EdgeTable edges(mesh);
+    const auto count = [](const EdgeTable& table, auto&& isCounted)
+    {
+        std::size_t found = 0;
+        table.forEach([&](std::span<const EdgeUse> uses)
+                      { found += uses.size() > 2 && isCounted(uses) ? 1 : 0; });
+        return found;
+    };
+    const auto isEven = [](std::span<const EdgeUse> uses) { return uses.size() % 2 == 0; };
+    const auto stands = [&](std::span<const EdgeUse> uses)
+    { return isEven(uses) && !cancels(uses); };
+    if (count(edges, isEven) == 0)
+    {
+        return 0;
+    }
+    TriangleMesh turned{mesh.vertices, mesh.triangles};
+    std::size_t changes = 0;
+    if (count(edges, stands) > 0)
+    {
+        Links links(mesh.triangles.size());
+        edges.forEach(
+            [&](std::span<const EdgeUse> uses)
+            {
+                const auto around =
+                    isEven(uses) ? sortedAround(mesh, uses) : std::vector<EdgeUse>();
+                for (std::size_t i = 1; i < around.size(); ++i)
+                {
+                    addLink(links, around[i - 1], around[i]);
+                }
+            });
+        changes = turnAlong(turned, links);
+    }
+    if (count(EdgeTable(turned), stands) > 0)
+    {
+        return 0;
+    }
+    // Which side is solid decides which triangles belong together at such an edge.
+    for (const Piece& piece : describePieces(turned, false))
+    {
+        changes += piece.size.volume < 0 ? piece.triangles.size() : 0;
+        for (const std::uint32_t triangle : piece.triangles)
+        {
+            if (piece.size.volume < 0)
+            {
+                turn(turned.triangles[triangle]);
+            }
+        }
+    }
+    mesh.triangles = std::move(turned.triangles);
+    return changes;
+}
+
+std::size_t cutWhereOneSided(TriangleMesh& mesh)
+{
+    std::vector<bool> isCut(mesh.triangles.size(), false);
+    std::size_t twisted = 0;
+    bool isOpen = false;
+    const auto look = [&](const TriangleMesh& surface)
+    {
+        twisted = 0;
+        EdgeTable(surface).forEach(
+            [&](std::span<const EdgeUse> uses)
+            {
+                isOpen = isOpen || uses.size() == 1;
+                if (uses.size() == 2 && !cancels(uses))
+                {
+                    isCut[uses[0].triangle] = isCut[uses[1].triangle] = true;
+                    ++twisted;
+                }
+            });
+    };
+    look(mesh);
+    if (isOpen || twisted == 0)
+    {
+        return 0;
+    }
+    TriangleMesh turned{mesh.vertices, mesh.triangles};
+    (void)turnAlong(turned, flatLinks(mesh));
+    isCut.assign(isCut.size(), false);
+    look(turned);
+    // A cut through the whole of a surface has some sqrt(#T) edges.
+    if (16 * twisted * twisted > mesh.triangles.size())
+    {
+        return 0;
+    }
+    mesh.triangles = std::move(turned.triangles);
+    return eraseTriangles(mesh, [&](std::uint32_t i) { return isCut[i]; });
+}
+
 std::size_t turnPiecesOutward(TriangleMesh& mesh, bool isOne)
 {
     const std::vector<Piece> pieces = describePieces(mesh, isOne);
-    std::vector<bool> turns(pieces.size(), false);
-    for (std::size_t i = 0; i < pieces.size(); ++i)
-    {
-        std::size_t depth = 0;
-        for (std::size_t j = 0; j < pieces.size(); ++j)
-        {
-            if (j != i && surrounds(mesh, pieces[j], pieces[i]))
-            {
-                ++depth;
-            }
-        }
-        turns[i] = (depth % 2 == 0) != (pieces[i].volume > 0);
-    }
+    const std::vector<std::size_t> depths = depthsOf(mesh, pieces);
     std::size_t turned = 0;
     for (std::size_t i = 0; i < pieces.size(); ++i)
     {
-        if (turns[i])
+        if ((depths[i] % 2 == 0) != (pieces[i].size.volume > 0))
         {
             ++turned;
             for (const std::uint32_t triangle : pieces[i].triangles)
@@ -175,6 +347,21 @@ std::size_t turnPiecesOutward(TriangleMesh& mesh, bool isOne)
         }
     }
     return turned;
+}
+
+std::vector<std::size_t> depthsOfPieces(const TriangleMesh& mesh)
+{
+    const std::vector<Piece> pieces = describePieces(mesh, false);
+    const std::vector<std::size_t> depths = depthsOf(mesh, pieces);
+    std::vector<std::size_t> all(mesh.triangles.size(), 0);
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+    {
+        for (const std::uint32_t triangle : pieces[i].triangles)
+        {
+            all[triangle] = depths[i];
+        }
+    }
+    return all;
 }
 
 } // namespace frostfill

@@ -10,10 +10,24 @@ namespace frostfill
 /// turned triangles. A one-sided surface keeps inconsistent edges.
 std::size_t makeWindingConsistent(TriangleMesh& mesh);
 
+/// Where more than two triangles meet at an edge of an even number, and their windings do not
+/// cancel, turns triangles until they are wound in turn one way and the other around each such
+/// edge, as those of solids that touch. Changes nothing if that is not possible at all of them.
+/// Returns the number of turned triangles.
+std::size_t alternateWindings(TriangleMesh& mesh);
+
+/// Removes the triangles at edges whose two triangles makeWindingConsistent could not make agree,
+/// where these edges are few: a knot in a scan, which leaves a small hole. A surface that is
+/// one-sided as a whole, such as a Klein bottle, stays. Returns the number of removed triangles.
+std::size_t cutWhereOneSided(TriangleMesh& mesh);
+
 /// Turns whole pieces of a closed, consistent mesh: outer surfaces outwards, and cavities (surfaces
 /// wholly inside another one) inwards, by the depth of nesting. `isOne`: it is known to be one
 /// piece. Returns the number of turned
 /// pieces.
 std::size_t turnPiecesOutward(TriangleMesh& mesh, bool isOne);
+
+/// [#T] How many other pieces surround the one that a triangle is of.
+[[nodiscard]] std::vector<std::size_t> depthsOfPieces(const TriangleMesh& mesh);
 
 } // namespace frostfill

@@ -73,6 +73,7 @@ void straightenWinding(TriangleMesh& mesh, std::vector<std::string>& repairs)
 {
     std::size_t turned = makeWindingConsistent(mesh);
     if (const std::size_t count = separateTouchingEdges(mesh))
+    turned += alternateWindings(mesh);
     {
         turned += makeWindingConsistent(mesh);
         repairs.push_back("separated the surface along " + counted(count, "edge") +
@@ -84,6 +85,11 @@ void straightenWinding(TriangleMesh& mesh, std::vector<std::string>& repairs)
                           " to agree with the neighbours");
     }
 }
+    if (const std::size_t count = cutWhereOneSided(mesh))
+    {
+        repairs.push_back("removed " + counted(count, "triangle") +
+                          " where the surface passes from one side to the other");
+    }
 
 /// Returns the largest remaining hole; it has no edges if there is none.
 Hole closeAndReport(TriangleMesh& mesh, std::vector<std::string>& repairs)

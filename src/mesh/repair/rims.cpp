@@ -53,6 +53,23 @@ std::vector<Rim> closedPaths(NextVertices next)
     return rims;
 }
 
+double volumeOfLid(const TriangleMesh& mesh, const Rim& rim, const Eigen::Vector3d& origin)
+{
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    for (const std::uint32_t vertex : rim)
+    {
+        middle += (mesh.vertices[vertex] - origin) / static_cast<double>(rim.size());
+    }
+    double sum = 0;
+    for (std::size_t i = 0; i < rim.size(); ++i)
+    {
+        const Eigen::Vector3d a = mesh.vertices[rim[i]] - origin;
+        const Eigen::Vector3d b = mesh.vertices[rim[(i + 1) % rim.size()]] - origin;
+        sum += a.dot(b.cross(middle)) / 6;
+    }
+    return sum;
+}
+
 Eigen::Vector3d middleOf(const TriangleMesh& mesh, const Rim& rim)
 {
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();

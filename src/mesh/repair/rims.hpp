@@ -16,6 +16,10 @@ using Rim = std::vector<std::uint32_t>; ///< vertices around a hole
 /// close, because it ends at an edge of three triangles, is no rim.
 [[nodiscard]] std::vector<Rim> findRims(const EdgeTable& edges);
 
+/// Between a point and a cone from the rim's middle. Any lid over a flat rim adds as much.
+[[nodiscard]] double volumeOfLid(const TriangleMesh& mesh, const Rim& rim,
+                                 const Eigen::Vector3d& origin);
+
 /// Mean of the vertices.
 [[nodiscard]] Eigen::Vector3d middleOf(const TriangleMesh& mesh, const Rim& rim);
 

@@ -17,27 +17,14 @@ using Pairs = std::vector<std::array<EdgeUse, 2>>;
 /// The two sides of each solid wedge at an edge; empty if the windings do not alternate.
 std::optional<Pairs> solidWedges(const TriangleMesh& mesh, std::span<const EdgeUse> uses)
 {
-    const Eigen::Vector3d& start = mesh.vertices[uses[0].low];
-    const Eigen::Vector3d axis = (mesh.vertices[uses[0].high] - start).normalized();
-    const Eigen::Vector3d u = axis.unitOrthogonal();
-    const Eigen::Vector3d v = axis.cross(u);
-    std::vector<std::pair<double, EdgeUse>> around;
-    for (const EdgeUse& use : uses)
-    {
-        const std::uint32_t third = mesh.triangles[use.triangle][(use.corner + 2U) % 3U];
-        const Eigen::Vector3d arm = mesh.vertices[third] - start;
-        around.emplace_back(std::atan2(arm.dot(v), arm.dot(u)), use);
-    }
-    std::sort(around.begin(), around.end(),
-              [](const auto& a, const auto& b) { return a.first < b.first; });
-
     // On a turn about the edge, a backward triangle leads into the solid and a forward one out of
     // it.
+    const std::vector<EdgeUse> around = sortedAround(mesh, uses);
     Pairs pairs;
     for (std::size_t i = 0; i < around.size(); ++i)
     {
-        const EdgeUse& here = around[i].second;
-        const EdgeUse& next = around[(i + 1) % around.size()].second;
+        const EdgeUse& here = around[i];
+        const EdgeUse& next = around[(i + 1) % around.size()];
         if (here.forward == next.forward)
         {
             return std::nullopt;
@@ -51,6 +38,29 @@ std::optional<Pairs> solidWedges(const TriangleMesh& mesh, std::span<const EdgeU
 }
 
 } // namespace
+
+std::vector<EdgeUse> sortedAround(const TriangleMesh& mesh, std::span<const EdgeUse> uses)
+{
+    const Eigen::Vector3d& start = mesh.vertices[uses[0].low];
+    const Eigen::Vector3d axis = (mesh.vertices[uses[0].high] - start).normalized();
+    const Eigen::Vector3d u = axis.unitOrthogonal();
+    const Eigen::Vector3d v = axis.cross(u);
+    std::vector<std::pair<double, EdgeUse>> around;
+    for (const EdgeUse& use : uses)
+    {
+        const std::uint32_t third = mesh.triangles[use.triangle][(use.corner + 2U) % 3U];
+        const Eigen::Vector3d arm = mesh.vertices[third] - start;
+        around.emplace_back(std::atan2(arm.dot(v), arm.dot(u)), use);
+    }
+    std::sort(around.begin(), around.end(),
+              [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<EdgeUse> sorted;
+    for (const auto& [angle, use] : around)
+    {
+        sorted.push_back(use);
+    }
+    return sorted;
+}
 
 std::size_t separateTouchingEdges(TriangleMesh& mesh)
 {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/quality/wall_pieces.hpp"
 
+#include "mesh/disjoint_sets.hpp"
+
 #include <algorithm>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -25,25 +26,13 @@ using Edge = std::pair<std::uint32_t, std::uint32_t>;
 /// triangle, below `triangles`.
 std::uint32_t piecesOf(std::size_t triangles, std::vector<std::pair<Edge, std::size_t>>& edges)
 {
-    std::vector<std::size_t> piece(triangles);
-    std::iota(piece.begin(), piece.end(), std::size_t{0});
-    const auto root = [&](std::size_t t)
-    {
-        while (piece[t] != t)
-        {
-            t = piece[t];
-        }
-        return t;
-    };
+    DisjointSets sets(triangles);
     std::sort(edges.begin(), edges.end());
     auto pieces = static_cast<std::uint32_t>(triangles);
     for (std::size_t k = 1; k < edges.size(); ++k)
     {
-        const std::size_t a = root(edges[k - 1].second);
-        const std::size_t b = root(edges[k].second);
-        if (edges[k - 1].first == edges[k].first && a != b)
+        if (edges[k - 1].first == edges[k].first && sets.join(edges[k - 1].second, edges[k].second))
         {
-            piece[b] = a;
             --pieces;
         }
     }

@@ -49,25 +49,27 @@ double memoryNeed(const ObjectSize& object, double spheres)
 }
 
 void requireMemory(const Scene& scene, const MeshReport& object, double radius, double spheres,
-                   double bytes)
+                   const MemoryAtHand& memory)
 {
     // What is too large for any memory is refused as that.
     const bool isTooLarge = ObjectSize(object, radius).cells() > kMaxCells;
     if ((isTooLarge ? kMemoryPerSphere * spheres
-                    : memoryNeed(ObjectSize(object, radius), spheres)) <= bytes)
+                    : memoryNeed(ObjectSize(object, radius), spheres)) <= memory.bytes)
     {
         return;
     }
     // A full object of the smallest spheres that there is memory for.
     double room = radius;
-    while (memoryNeed(ObjectSize(object, room), ObjectSize(object, room).volume) > bytes)
+    while (room < object.box.sizes().maxCoeff() &&
+           memoryNeed(ObjectSize(object, room), ObjectSize(object, room).volume) > memory.bytes)
     {
         room *= kRadiusGrowth;
     }
-    throw Error(ErrorCode::outOfMemory,
-                fmt::format("spheres of radius {:.3g} in {} take more than the {:.3g} GB of memory "
-                            "here; take a --radius of {:.2g} or more",
-                            radius, scene.object.mesh, bytes / 1e9, room));
+    throw Error(
+        ErrorCode::outOfMemory,
+        fmt::format("spheres of radius {:.3g} in {} take more than the {:.3g} GB of memory {}; "
+                    "take a --radius of {:.2g} or more",
+                    radius, scene.object.mesh, memory.bytes / 1e9, memory.bound, room));
 }
 
 } // namespace frostfill

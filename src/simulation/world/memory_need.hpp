@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/memory_at_hand.hpp"
+
 #include <frostfill/mesh.hpp>
 #include <frostfill/scene.hpp>
 
@@ -38,9 +40,9 @@ struct ObjectSize
 [[nodiscard]] double memoryNeed(const ObjectSize& object, double spheres);
 
 /// Throws Error outOfMemory, before anything is set aside, when a run surely takes more than
-/// `bytes` of memory, and names a radius that does not. `radius` is the largest of the run,
+/// the memory at hand, and names a radius that does not. `radius` is the largest of the run,
 /// `spheres` how many it aims at.
 void requireMemory(const Scene& scene, const MeshReport& object, double radius, double spheres,
-                   double bytes);
+                   const MemoryAtHand& memory);
 
 } // namespace frostfill

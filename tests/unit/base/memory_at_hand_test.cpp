@@ -2,12 +2,15 @@
 #include "base/memory_at_hand.hpp"
 
 #include "base/sanitized.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
 #include <cstdint>
 #include <cstdlib>
+#include <filesystem>
+#include <string>
 
 namespace frostfill
 {
@@ -18,8 +21,74 @@ constexpr std::size_t kGigabyte = std::size_t{1} << 30;
 
 TEST(MemoryAtHand, IsMoreThanWhatThisTestTakesAndLessThanAnyMachineHas)
 {
-    EXPECT_GT(memoryAtHand(), 1e8);
-    EXPECT_LT(memoryAtHand(), 1e15);
+    EXPECT_GT(memoryAtHand().bytes, 1e8);
+    EXPECT_LT(memoryAtHand().bytes, 1e15);
+}
+
+/// A root folder whose process is in the groups that a text names.
+class ControlGroups : public ::testing::Test
+{
+protected:
+    void groups(const std::string& text) { write("proc/self/cgroup", text); }
+    void write(const std::string& file, const std::string& text)
+    {
+        std::filesystem::create_directories((folder_ / file).parent_path());
+        test::writeFile(folder_ / file, text);
+    }
+    [[nodiscard]] MemoryAtHand atHand() const { return memoryAtHand(folder_.path()); }
+    test::TemporaryFolder folder_;
+};
+
+TEST_F(ControlGroups, BoundMemoryByTheLimitLessTheCurrentUse)
+{
+    groups("0::/job/step\n");
+    write("sys/fs/cgroup/job/step/memory.max", "64000000\n");
+    write("sys/fs/cgroup/job/step/memory.current", "24000000\n");
+    EXPECT_EQ(atHand().bytes, 40e6);
+    EXPECT_NE(atHand().bound.find("sys/fs/cgroup/job/step is 0.064 GB"), std::string::npos)
+        << atHand().bound;
+    write("sys/fs/cgroup/job/step/memory.high", "50000000\n");
+    EXPECT_EQ(atHand().bytes, 26e6);
+    EXPECT_NE(atHand().bound.find("memory.high"), std::string::npos) << atHand().bound;
+}
+
+TEST_F(ControlGroups, BoundMemoryByTheirParentsToo)
+{
+    groups("0::/job/step\n");
+    write("sys/fs/cgroup/job/step/memory.max", "max\n");
+    write("sys/fs/cgroup/job/memory.max", "32000000\n");
+    EXPECT_EQ(atHand().bytes, 32e6);
+    write("sys/fs/cgroup/memory.max", "16000000\n");
+    EXPECT_EQ(atHand().bytes, 16e6);
+}
+
+TEST_F(ControlGroups, OfVersionOneBoundMemoryEvenWhereAContainerSeesOnlyItsOwn)
+{
+    groups("5:cpu:/other\n4:memory:/container/of/the/host\n0::/\n");
+    write("sys/fs/cgroup/memory/memory.limit_in_bytes", "48000000\n");
+    write("sys/fs/cgroup/memory/memory.usage_in_bytes", "8000000\n");
+    EXPECT_EQ(atHand().bytes, 40e6);
+    write("sys/fs/cgroup/memory/container/of/the/host/memory.limit_in_bytes", "4000000\n");
+    EXPECT_EQ(atHand().bytes, 4e6);
+}
+
+TEST_F(ControlGroups, CountFilesInTheCacheAsFree)
+{
+    groups("0::/job\n");
+    write("sys/fs/cgroup/job/memory.max", "64000000\n");
+    write("sys/fs/cgroup/job/memory.current", "60000000\n");
+    write("sys/fs/cgroup/job/memory.stat", "anon 4000000\nfile 56000000\ninactive_file 50000000\n");
+    EXPECT_EQ(atHand().bytes, 54e6);
+    write("sys/fs/cgroup/job/memory.current", "80000000\n");
+    EXPECT_EQ(atHand().bytes, 34e6);
+}
+
+TEST_F(ControlGroups, WithoutALimitLeaveWhatTheMachineHas)
+{
+    groups("4:memory:/a\n0::/\n");
+    write("sys/fs/cgroup/memory/a/memory.limit_in_bytes", "9223372036854771712\n");
+    EXPECT_GT(atHand().bytes, 1e8);
+    EXPECT_EQ(atHand().bound.find("control group"), std::string::npos);
 }
 
 TEST(MemoryAtHand, MayBeMappedAndNoMoreThanThereCanBe)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "unit/mesh/files/mesh_texts.hpp"
 
+#include <fmt/format.h>
+
 #include <limits>
 
 namespace frostfill
@@ -101,7 +103,7 @@ TEST(ReadMesh, NamesFormatsThatItDoesNotRead)
     test::expectUnreadable("PK\x03\x04 and more", "box.obj", "it is a ZIP archive, as 3MF");
     test::expectUnreadable("Kaydara FBX Binary  ", "box.fbx", "it is an FBX file");
     test::expectUnreadable("ISO-10303-21;\nHEADER;\n", "box.step", "it is a STEP file");
-    test::expectUnreadable("<?xml version=\"1.0\"?>\n<COLLADA/>\n", "box.obj", "it is XML");
+    test::expectUnreadable("<?xml version=\"1.0\"?>\n<COLLADA/>\n", "box.obj", "it is a COLLADA file");
     test::expectUnreadable("", "box.obj", "it is empty");
 }
 
@@ -227,6 +229,22 @@ TEST(ReadMesh, RefusesFormatsThatAreNotAllowed)
     const auto disguised =
         test::writtenMesh("disguised.obj", "<?xml version=\"1.0\"?>\n<COLLADA/>\n");
     test::expectRefused(ErrorCode::badData, "disguised.obj", [&] { (void)readMesh(disguised); });
+}
+
+TEST(ReadMesh, NamesAFormatInXml)
+{
+    for (const auto& [root, name] :
+         {std::pair("<COLLADA xmlns=\"x\" version=\"1.4.1\"/>", "a COLLADA file (DAE)"),
+          {"<VTKFile type=\"PolyData\"/>", "a VTK file in XML"},
+          {"<X3D/>", "an X3D file"},
+          {"<amf unit=\"mm\"/>", "an AMF file"},
+          {"<html><body>no VTKFile</body></html>", "XML or a web page"}})
+    {
+        const auto file = test::writtenMesh(
+            "mesh.xml", fmt::format("<?xml version=\"1.0\"?>\n<!-- of a tool -->\n{}\n", root));
+        test::expectRefused(ErrorCode::badData, std::string("it is ") + name,
+                            [&] { (void)readMesh(file); });
+    }
 }
 
 TEST(ReadMesh, RefusesFilesThatAreNoMesh)

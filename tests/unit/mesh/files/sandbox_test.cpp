@@ -6,11 +6,17 @@
 #include "support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
+#include <atomic>
+#include <chrono>
+#include <csignal>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <thread>
 #include <vector>
 
 namespace frostfill
@@ -153,8 +159,64 @@ TEST(Sandbox, TakesNoMoreThanTheChildMayUse)
             (void)runSandboxed(kSmall, "'x.ply' cannot be read",
                                [&] { return SandboxReport(257, part); });
         },
-        "'x.ply' cannot be read");
+        "'x.ply' cannot be read: it needs more than 256 MB of memory");
     EXPECT_EQ(runSandboxed(kSmall, "", [&] { return SandboxReport(2, part); }).size, 2U << 20);
+}
+
+TEST(Sandbox, KeepsAStricterLimitOfItsParent)
+{
+    rlimit before = {};
+    ASSERT_EQ(getrlimit(RLIMIT_NOFILE, &before), 0);
+    const rlimit strict = {7, before.rlim_max};
+    ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &strict), 0);
+    const std::string seen = run(
+        []
+        {
+            rlimit now = {};
+            getrlimit(RLIMIT_NOFILE, &now);
+            return std::to_string(now.rlim_cur);
+        });
+    ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &before), 0);
+    EXPECT_EQ(seen, "7");
+}
+
+TEST(Sandbox, TellsAKillFromALimit)
+{
+    expectError(
+        ErrorCode::badData,
+        [] { (void)run([]() -> std::string { return std::to_string(raise(SIGKILL)); }); },
+        "the reader was killed, as by a system whose memory is used up");
+    expectError(
+        ErrorCode::badData,
+        []
+        {
+            (void)runSandboxed({kSmall.bytes, 0}, "'x.ply' cannot be read",
+                               []() -> SandboxReport
+                               {
+                                   std::this_thread::sleep_for(std::chrono::minutes(2));
+                                   return {};
+                               });
+        },
+        "it takes more than 0 s");
+}
+
+TEST(Sandbox, WorksInThisProcessBesideOtherThreads)
+{
+    std::atomic<bool> over = false;
+    std::thread other([&] { over.wait(false); });
+    pid_t id = 0;
+    const std::string bytes = run(
+        [&]
+        {
+            id = getpid();
+            return std::string("work");
+        });
+    EXPECT_THROW((void)run([]() -> std::string { throw Error(ErrorCode::badData, "bad"); }), Error);
+    over = true;
+    over.notify_all();
+    other.join();
+    EXPECT_EQ(bytes, "work");
+    EXPECT_EQ(id, getpid());
 }
 
 TEST(Sandbox, LeavesNothingBehind)

@@ -67,15 +67,24 @@ TEST(MemoryNeed, NamesARadiusThatIsLargeEnough)
 {
     const MeshReport cube = inspectMesh(shapes::box({-1, -1, -1}, {1, 1, 1}));
     const Scene scene = presetScene(Preset::fast, "cube");
-    EXPECT_NO_THROW(requireMemory(scene, cube, 0.1, 1000, 1e6));
+    EXPECT_NO_THROW(requireMemory(scene, cube, 0.1, 1000, {1e6}));
     test::expectError(
-        ErrorCode::outOfMemory, [&] { requireMemory(scene, cube, 0.001, 1e9, 1e9); },
+        ErrorCode::outOfMemory, [&] { requireMemory(scene, cube, 0.001, 1e9, {1e9}); },
         "--radius of 0.0078 or more", "1 GB");
-    EXPECT_NO_THROW(requireMemory(scene, cube, 0.0078, 8 / std::pow(0.0078, 3), 1e9));
+    EXPECT_NO_THROW(requireMemory(scene, cube, 0.0078, 8 / std::pow(0.0078, 3), {1e9}));
     test::expectError(
-        ErrorCode::outOfMemory, [&] { requireMemory(scene, cube, 0.003, 20, 1e9); },
+        ErrorCode::outOfMemory, [&] { requireMemory(scene, cube, 0.003, 20, {1e9}); },
         "--radius of 0.0078 or more");
-    EXPECT_GT(memoryAtHand(), 1e8);
+    test::expectError(
+        ErrorCode::outOfMemory,
+        [&] {
+            requireMemory(scene, cube, 0.003, 20, {1e9, "that the group leaves"});
+        },
+        "more than the 1 GB of memory that the group leaves; take a --radius");
+    test::expectError(
+        ErrorCode::outOfMemory, [&] { requireMemory(scene, cube, 0.003, 20, {0}); },
+        "more than the 0 GB of memory here");
+    EXPECT_GT(memoryAtHand().bytes, 1e8);
 }
 
 } // namespace
