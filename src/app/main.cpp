@@ -168,7 +168,6 @@ constexpr NamedCommand kCommands[] = {
     {"help", addHelpCommand, true},
     {"version", addVersionCommand},
     {"completion", addCompletionCommand, true},
-    {"man", addManCommand, true},
 };
 
 /// Adds the command that the first word names, or all: to describe the options of all of them takes
