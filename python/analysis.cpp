@@ -52,7 +52,7 @@ std::size_t countOf(const py::object& value, const char* name)
 Axis axisOf(const py::object& value)
 {
     Scene scene;
-    const Option& option = *findOption("object.up");
+    const Option& option = optionOf("object.up");
     const std::optional<OptionValue> read = valueOf(option, value);
     if (!read || !setOption(option, scene, *read))
     {

@@ -50,7 +50,7 @@ int printVolume(const FillArguments& arguments)
     warnOfIgnored(arguments, scene.preset);
     // No frames are drawn, so the fastest motion is enough.
     if (scene.preset == Preset::fast && arguments.sceneFile.empty() &&
-        !arguments.given.contains("motion.mode"))
+        !arguments.given.contains(&optionOf("motion.mode")))
     {
         scene.motion.mode = Motion::descend;
     }

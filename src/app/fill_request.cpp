@@ -16,7 +16,7 @@ namespace
 Preset requestedPreset(const GivenOptions& given)
 {
     GivenOptions presetAlone;
-    if (const auto found = given.find("preset"); found != given.end())
+    if (const auto found = given.find(&optionOf("preset")); found != given.end())
     {
         presetAlone.insert(*found);
     }

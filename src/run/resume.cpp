@@ -31,8 +31,8 @@ bool hasEffect(const Option& option, const Scene& scene)
 {
     return option.key.starts_with("judge.")
                ? showsUnbalance(scene)
-               : std::find(kWithoutEffect.begin(), kWithoutEffect.end(), option.key) ==
-                     kWithoutEffect.end();
+               : std::none_of(kWithoutEffect.begin(), kWithoutEffect.end(),
+                              [&](std::string_view key) { return &optionOf(key) == &option; });
 }
 
 void refuseAnotherScene(const Scene& begun, const Scene& now,
