@@ -280,6 +280,7 @@ void addAnalysis(py::module_& module)
         "what summary.json holds: means, counts and settings");
     type.def("__repr__", [](const PackingAnalysis& a)
              { return fmt::format("<frostfill.PackingAnalysis of {} spheres>", a.ids.size()); });
+    type.def("__str__", &analysisSummary, "What summary.json holds, as text.");
     type.def("save", &save, py::arg("folder"), py::arg("overwrite") = false,
              "Writes the tables, the files for ParaView and summary.json into a folder, as the "
              "command does, and returns their names.");
