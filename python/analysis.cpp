@@ -52,7 +52,7 @@ std::size_t countOf(const py::object& value, const char* name)
 Axis axisOf(const py::object& value)
 {
     Scene scene;
-    const Option& option = *findOption("object.up");
+    const Option& option = optionOf("object.up");
     const std::optional<OptionValue> read = valueOf(option, value);
     if (!read || !setOption(option, scene, *read))
     {
@@ -280,6 +280,7 @@ void addAnalysis(py::module_& module)
         "what summary.json holds: means, counts and settings");
     type.def("__repr__", [](const PackingAnalysis& a)
              { return fmt::format("<frostfill.PackingAnalysis of {} spheres>", a.ids.size()); });
+    type.def("__str__", &analysisSummary, "What summary.json holds, as text.");
     type.def("save", &save, py::arg("folder"), py::arg("overwrite") = false,
              "Writes the tables, the files for ParaView and summary.json into a folder, as the "
              "command does, and returns their names.");

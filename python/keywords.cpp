@@ -126,13 +126,13 @@ GivenKeywords::GivenKeywords(const py::kwargs& keywords, OptionUse use, const st
         {
             throw Error(ErrorCode::usage, refusalText(**found, name, shown(value)));
         }
-        values_[(*found)->key] = {*read, shown(value)};
+        values_[*found] = {*read, shown(value)};
     }
 }
 
 void GivenKeywords::applyOne(const Option& option, Scene& scene) const
 {
-    const auto found = values_.find(option.key);
+    const auto found = values_.find(&option);
     if (found != values_.end() && !setOption(option, scene, found->second.value))
     {
         throw Error(ErrorCode::usage, refusalText(option, keywordOf(option), found->second.text));
@@ -142,16 +142,16 @@ void GivenKeywords::applyOne(const Option& option, Scene& scene) const
 void GivenKeywords::apply(Scene& scene) const
 {
     // In the table's order: a style comes before the colours that differ.
-    for (const Option& option : sceneOptions())
+    for (const auto& [option, given] : values_)
     {
-        applyOne(option, scene);
+        applyOne(*option, scene);
     }
 }
 
 Scene GivenKeywords::sceneFor(const std::string& mesh) const
 {
     Scene chosen;
-    applyOne(*findOption("preset"), chosen);
+    applyOne(optionOf("preset"), chosen);
     Scene scene = presetScene(chosen.preset, mesh);
     apply(scene);
     impliesUntilFull(values_, scene);

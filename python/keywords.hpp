@@ -7,6 +7,7 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 
 namespace frostfill::python
 {
@@ -30,7 +31,11 @@ public:
     [[nodiscard]] Scene sceneFor(const std::string& mesh) const;
     /// Warns of what the preset does not use.
     void warnOfIgnored(Preset preset) const;
-    [[nodiscard]] bool contains(const std::string& key) const { return values_.contains(key); }
+    /// Whether the call gives the option of this key.
+    [[nodiscard]] bool contains(std::string_view key) const
+    {
+        return values_.contains(&optionOf(key));
+    }
 
 private:
     void applyOne(const Option& option, Scene& scene) const;
@@ -40,7 +45,7 @@ private:
         OptionValue value;
         std::string text; ///< for messages
     };
-    std::map<std::string, Given> values_; ///< by key
+    std::map<const Option*, Given> values_; ///< in the table's order
 };
 
 /// A scene as a dictionary from keywords to values.

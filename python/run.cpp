@@ -143,7 +143,7 @@ FillRequest readFillRequest(const py::object& mesh, const py::object& vertices,
             request.scene = given.sceneFor(object.name);
         }
     }
-    if (!given.contains("frames.selection"))
+    if (!given.contains("frames.which"))
     {
         request.scene.frames.enabled = false; // pictures are drawn when they are asked for
     }

@@ -54,7 +54,10 @@ foreach(component IN LISTS frostfill_FIND_COMPONENTS)
     if(NOT component MATCHES "^(core|render|shared)$" OR
        NOT EXISTS ${CMAKE_CURRENT_LIST_DIR}/frostfill-${component}.cmake)
         set(frostfill_FOUND FALSE)
-        set(frostfill_NOT_FOUND_MESSAGE "frostfill has no component ${component}")
+        set(frostfill_NOT_FOUND_MESSAGE "this install of frostfill has no component ${component}")
+        if(component STREQUAL shared)
+            string(APPEND frostfill_NOT_FOUND_MESSAGE ": build it with -DFROSTFILL_SHARED=ON")
+        endif()
         return()
     endif()
     set(frostfill_${component}_FOUND TRUE)
@@ -119,4 +122,7 @@ frostfill_pkg_config(frostfill-render "Frostfill with pictures and files (static
 if(FROSTFILL_SHARED)
     frostfill_pkg_config(frostfill "Fills a closed mesh with falling spheres and renders it"
         frostfill "eigen3")
+else()
+    install(CODE "message(STATUS \"Not in this build: the shared library (-DFROSTFILL_SHARED=ON)\")"
+        COMPONENT library)
 endif()

@@ -52,7 +52,7 @@ struct Option
     std::string placeholder = "TEXT";      ///< of a text in the help
     std::string form = "text";             ///< description of a text: "a size such as 1280x720"
     std::vector<std::string> choices = {}; ///< of a text; empty: any text
-    /// The same where parts can be added later (see scene/part_names.hpp).
+    /// The same where parts can be added later (see scene/part_names.hpp): `choices` are built in.
     const std::vector<std::string>* parts = nullptr;
     std::vector<std::pair<std::string, double>> words = {}; ///< words for numbers
     OptionRange range = {};
@@ -69,7 +69,11 @@ struct Option
 
 /// Every setting, in the order of the files and the help.
 [[nodiscard]] std::span<const Option> sceneOptions();
+/// Null for a key that is not in the table.
 [[nodiscard]] const Option* findOption(std::string_view key);
+/// For keys that the program itself names. Throws std::logic_error for one that is not in the
+/// table.
+[[nodiscard]] const Option& optionOf(std::string_view key);
 
 /// What takes settings. Each takes a part of the table.
 enum class OptionUse : std::uint8_t
@@ -109,15 +113,15 @@ enum class OptionUse : std::uint8_t
 /// half of `name` would have to change, because that is no typing error.
 [[nodiscard]] std::string nearestName(std::string_view name, std::span<const std::string> names);
 
-/// The given options that only the other preset uses. `given`: a map from the keys that the user
-/// gave.
+/// The given options that only the other preset uses. `given`: a map from the options that the user
+/// gave, by pointer, so that no key can be asked for that does not exist.
 template <class Given>
 std::vector<const Option*> ignoredOptions(const Given& given, Preset preset)
 {
     std::vector<const Option*> ignored;
     for (const Option& option : sceneOptions())
     {
-        if (option.preset && option.preset != preset && given.contains(option.key))
+        if (option.preset && option.preset != preset && given.contains(&option))
         {
             ignored.push_back(&option);
         }
@@ -126,12 +130,13 @@ std::vector<const Option*> ignoredOptions(const Given& given, Preset preset)
 }
 
 /// Radii or sizes without a count ask to be filled until no sphere fits, whatever count the preset
-/// has. `given`: a map from the keys that the user gave.
+/// has. `given`: as for ignoredOptions.
 template <class Given>
 void impliesUntilFull(const Given& given, Scene& scene)
 {
-    if ((given.contains("spheres.radius") || given.contains("spheres.sizes")) &&
-        !given.contains("spheres.count"))
+    if ((given.contains(&optionOf("spheres.radius")) ||
+         given.contains(&optionOf("spheres.sizes"))) &&
+        !given.contains(&optionOf("spheres.count")))
     {
         scene.spheres.count.reset();
     }

@@ -30,7 +30,7 @@ struct SetRecord
     double meanSpherePolygonMs = 0; ///< per step; 0 for preset fast, where it is part of the motion
     double p95SpherePolygonMs = 0;
     StageTimes times;        ///< of the stages of the simulation, in total
-    std::size_t running = 0; ///< at the end of the set, after freezing and discarding
+    std::size_t running = 0; ///< at the end of the set, or now, after freezing and discarding
     std::size_t frozen = 0;
     std::size_t discarded = 0;
     std::size_t discardedPolygons = 0;

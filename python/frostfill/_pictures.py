@@ -16,10 +16,17 @@ class Picture(numpy.ndarray):
     A NumPy array that shows itself in a notebook.
     """
 
+    def __repr__(self) -> str:
+        if not self._is_picture():
+            return super().__repr__()
+        return f"<frostfill.Picture of {self.shape[1]} x {self.shape[0]} pixels>"
+
     def save(self, file: str | PathLike[str]) -> None:
         """Writes a PNG file; an incomplete one never appears."""
         _frostfill.save_png(self, file)
 
     def _repr_png_(self) -> bytes | None:
-        shown = self.ndim == 3 and self.size > 0 and self.shape[2] in (3, 4) and self.dtype == "u1"
-        return _frostfill.encode_png(self) if shown else None
+        return _frostfill.encode_png(self) if self._is_picture() else None
+
+    def _is_picture(self) -> bool:
+        return self.ndim == 3 and self.size > 0 and self.shape[2] in (3, 4) and self.dtype == "u1"

@@ -6,7 +6,9 @@ from __future__ import annotations
 import json
 import os
 import shutil
+import stat
 import tempfile
+import uuid
 import weakref
 from os import PathLike
 from pathlib import Path
@@ -117,10 +119,12 @@ class Run(_frostfill.KeptRun):
             )
         try:
             target.parent.mkdir(parents=True, exist_ok=True)
-            fresh = tempfile.mkdtemp(prefix=f".{target.name}-", dir=target.parent)
+            fresh = target.with_name(f".{target.name}-{uuid.uuid4().hex}")
+            fresh.mkdir()
+            mode = stat.S_IMODE(fresh.stat().st_mode)  # copytree takes that of the other folder
             try:
                 shutil.copytree(self.directory, fresh, dirs_exist_ok=True)
-                os.chmod(fresh, 0o777 & ~_umask())
+                os.chmod(fresh, mode)
                 shutil.rmtree(target, ignore_errors=True)
                 os.rename(fresh, target)
             finally:
@@ -171,12 +175,6 @@ class Run(_frostfill.KeptRun):
 
 # Formats that are several files, or one with a name of its own: they go to a folder.
 _INPUTS = ("liggghts", "lammps", "yade", "mercurydpm", "mfix", "lethe", "openmc", "gmsh")
-
-
-def _umask():
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask
 
 
 def _text(value, name):

@@ -246,12 +246,12 @@ int benchError(const BenchArguments& arguments)
         requirePeers(programs);
     }
     TaskBar bar;
-    const std::vector<ClosedFormPoint> closed = measureClosedForms(arguments.quick);
-    const std::vector<ErrorPoint> points =
+    const std::vector<ErrorPoint> points = // reads the objects first, which may be missing
         measureErrors(arguments.quick, arguments.objects,
                       [&](std::size_t done, std::size_t all, const std::string& what)
                       { bar.update(done, all, what); });
     bar.close();
+    const std::vector<ClosedFormPoint> closed = measureClosedForms(arguments.quick);
     writeTable(arguments, "closed-forms.csv", closedFormsCsv(closed));
     fmt::print("{}\n", formatText(closedFormsTable(closed)));
     for (const ErrorStudyInfo& study : errorStudies())

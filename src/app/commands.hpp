@@ -31,6 +31,5 @@ Command addOptionsCommand(CLI::App& program);
 Command addHelpCommand(CLI::App& program);
 Command addVersionCommand(CLI::App& program);
 Command addCompletionCommand(CLI::App& program);
-Command addManCommand(CLI::App& program);
 
 } // namespace frostfill

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iterator>
 #include <memory>
@@ -82,6 +83,40 @@ bool wanted(const FiguresArguments& arguments, const Figure& figure)
                                                figure.name) != arguments.only.end();
 }
 
+/// Whether times of a figure were measured before: its files begin with its name.
+bool isRecorded(const Figure& figure, const std::filesystem::path& folder)
+{
+    std::error_code none;
+    const std::filesystem::directory_iterator files(folder, none);
+    return std::any_of(begin(files), end(files),
+                       [&](const std::filesystem::directory_entry& file)
+                       {
+                           return file.path().filename().string().starts_with(figure.name) &&
+                                  file.path().extension() == ".csv";
+                       });
+}
+
+/// Names the figures that are measured because no times are recorded, and how long that takes.
+void sayWhatIsMeasured(const std::vector<Figure>& chosen, const FigureRequest& request)
+{
+    std::string names;
+    double seconds = 0;
+    for (const Figure& figure : chosen)
+    {
+        if (figure.measured && !request.measure && !isRecorded(figure, request.recorded))
+        {
+            names += (names.empty() ? "" : ", ") + std::string(figure.name);
+            seconds += figure.seconds;
+        }
+    }
+    if (!names.empty() && !request.quick)
+    {
+        say(fmt::format("{} has no recorded times: these are measured, which takes {:.0f} minutes "
+                        "or more: {}\n",
+                        request.recorded.string(), std::ceil(seconds / 60), names));
+    }
+}
+
 int figures(FiguresArguments& arguments)
 {
     if (arguments.list)
@@ -98,7 +133,15 @@ int figures(FiguresArguments& arguments)
     std::copy_if(arguments.figures().begin(), arguments.figures().end(), std::back_inserter(chosen),
                  [&](const Figure& figure) { return wanted(arguments, figure); });
     const auto secondsOf = [&](const Figure& figure)
-    { return figure.measured && !request.measure ? 1 : figure.seconds; };
+    {
+        return figure.measured && !request.measure && isRecorded(figure, request.recorded)
+                   ? 1
+                   : figure.seconds;
+    };
+    if (!arguments.quiet)
+    {
+        sayWhatIsMeasured(chosen, request);
+    }
     double all = 0;
     for (const Figure& figure : chosen)
     {

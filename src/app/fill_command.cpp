@@ -50,7 +50,7 @@ int printVolume(const FillArguments& arguments)
     warnOfIgnored(arguments, scene.preset);
     // No frames are drawn, so the fastest motion is enough.
     if (scene.preset == Preset::fast && arguments.sceneFile.empty() &&
-        !arguments.given.contains("motion.mode"))
+        !arguments.given.contains(&optionOf("motion.mode")))
     {
         scene.motion.mode = Motion::descend;
     }
@@ -78,14 +78,14 @@ int printVolume(const FillArguments& arguments)
 
 /// The page of a run that has just been written replaces that of an earlier one. Returns what went
 /// wrong, which matters less than what went wrong with the run.
-std::optional<Error> writePageOf(const FillResult& result, const FillArguments& arguments)
+std::optional<Error> writePageOf(const std::filesystem::path& run, const FillArguments& arguments)
 {
-    if (!arguments.view || result.stopped)
+    if (!arguments.view)
     {
         return std::nullopt;
     }
     PageRequest page;
-    page.run = result.directory;
+    page.run = run;
     page.overwrite = true;
     page.fullMesh = arguments.fullMesh;
     try
@@ -99,11 +99,14 @@ std::optional<Error> writePageOf(const FillResult& result, const FillArguments& 
     return std::nullopt;
 }
 
-/// Whether a run that is to be resumed has come to its end before. Throws Error if it is not the
-/// one that is requested.
-bool hasEnded(const FillRequest& request, const std::string& outcome)
+/// Whether a run that is to be resumed has come to its end before, and no other pictures are asked
+/// for. Throws Error if it is not the one that is requested.
+bool hasEnded(const FillRequest& request, const FillArguments& arguments,
+              const std::string& outcome)
 {
-    return request.resume && !outcome.empty() && outcome != "stopped" &&
+    const bool draws =
+        !arguments.video.empty() || !arguments.cameraPath.empty() || arguments.contactSheet;
+    return request.resume && !draws && !outcome.empty() && outcome != "stopped" &&
            meshOfEarlierRun(request).has_value();
 }
 
@@ -199,13 +202,18 @@ int runFill(FillArguments& arguments)
     const std::vector<ExportRequest> exports = exportsOf(arguments, request);
     warnOfIgnored(arguments, request.scene.preset);
     const std::string outcome = request.resume ? outcomeOfRun(request.directory) : "";
-    if (hasEnded(request, outcome))
+    if (hasEnded(request, arguments, outcome))
     {
         say(fmt::format("the run in {} has ended ({}): nothing to resume\n",
                         request.directory.string(), outcome));
         if (!arguments.dryRun)
         {
+            const std::optional<Error> pageFailure = writePageOf(request.directory, arguments);
             exportFiles(exports, arguments.quiet || arguments.json);
+            if (pageFailure)
+            {
+                throw *pageFailure;
+            }
         }
         return outcome == "failed" ? static_cast<int>(ErrorCode::postcondition) : 0;
     }
@@ -227,9 +235,10 @@ int runFill(FillArguments& arguments)
     {
         printResult(request.scene, result);
     }
-    const std::optional<Error> pageFailure = writePageOf(result, arguments);
+    std::optional<Error> pageFailure;
     if (!result.stopped)
     {
+        pageFailure = writePageOf(result.directory, arguments);
         exportFiles(exports, arguments.quiet || arguments.json);
     }
     return outcomeOf(result, pageFailure);

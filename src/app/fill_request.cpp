@@ -16,7 +16,7 @@ namespace
 Preset requestedPreset(const GivenOptions& given)
 {
     GivenOptions presetAlone;
-    if (const auto found = given.find("preset"); found != given.end())
+    if (const auto found = given.find(&optionOf("preset")); found != given.end())
     {
         presetAlone.insert(*found);
     }
@@ -68,22 +68,32 @@ FillRequest requestOf(const FillArguments& arguments)
         throw Error(ErrorCode::usage, "--resume names the directory of the run and keeps what is "
                                       "in it: omit --out and --overwrite");
     }
+    FillRequest request;
     if (!arguments.resume.empty() && arguments.mesh.empty() && arguments.sceneFile.empty())
     {
-        FillRequest request = resumeRequest(arguments.resume);
+        request = resumeRequest(arguments.resume);
         applyGivenOptions(arguments.given, request.scene);
-        return request;
     }
-    FillRequest request;
-    request.scene = requestedScene(arguments);
-    request.resume = !arguments.resume.empty();
-    const std::string& directory = request.resume ? arguments.resume : arguments.directory;
-    request.directory = directory.empty() ? std::filesystem::path("output") / request.scene.name
-                                          : std::filesystem::path(directory);
-    request.overwrite = arguments.overwrite;
-    request.video = arguments.video;
-    request.contactSheet = arguments.contactSheet;
-    request.cameraPath = arguments.cameraPath;
+    else
+    {
+        request.scene = requestedScene(arguments);
+        request.resume = !arguments.resume.empty();
+        request.directory = request.resume ? std::filesystem::path(arguments.resume)
+                            : arguments.directory.empty()
+                                ? "output" / std::filesystem::path(request.scene.name)
+                                : std::filesystem::path(arguments.directory);
+        request.overwrite = arguments.overwrite;
+    }
+    // Those of the run that is resumed, unless others are given.
+    if (!arguments.video.empty())
+    {
+        request.video = arguments.video;
+    }
+    if (!arguments.cameraPath.empty())
+    {
+        request.cameraPath = arguments.cameraPath;
+    }
+    request.contactSheet = request.contactSheet || arguments.contactSheet;
     return request;
 }
 

@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Commands that say how to use the others: help, version, completion, man.
+// Commands that say how to use the others: help, version, completion.
 #include "app/commands.hpp"
 #include "app/help/completion.hpp"
-#include "app/help/man_pages.hpp"
 
 #include <frostfill/error.hpp>
 #include <frostfill/options.hpp>
-#include <frostfill/output.hpp>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <filesystem>
-#include <fstream>
 #include <memory>
 
 namespace frostfill
@@ -49,23 +45,6 @@ std::string helpOf(const CLI::App& program, const std::vector<std::string>& name
     return found->get_formatter()->make_help(found, whole, CLI::AppFormatMode::Normal);
 }
 
-int writePages(const CLI::App& program, const std::filesystem::path& folder)
-{
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    for (const auto& [name, page] : manPages(commandTexts(program), program.get_footer()))
-    {
-        std::ofstream file(folder / name, std::ios::binary);
-        file << page << std::flush;
-        if (!file)
-        {
-            throw Error(ErrorCode::cannotCreate,
-                        fmt::format("cannot write '{}'", (folder / name).string()));
-        }
-    }
-    return 0;
-}
-
 } // namespace
 
 Command addHelpCommand(CLI::App& program)
@@ -97,27 +76,15 @@ Command addCompletionCommand(CLI::App& program)
     const auto shell = std::make_shared<std::string>();
     CLI::App* command =
         program.add_subcommand("completion", "Print a script that completes commands in a shell");
-    command->add_option("SHELL", *shell, "bash, zsh or fish")
-        ->required()
-        ->check(CLI::IsMember(shells()));
-    command->footer(
-        "Examples:\n  frostfill completion fish > ~/.config/fish/completions/frostfill.fish\n"
-        "  source <(frostfill completion bash)      in this shell\n");
-    return [shell, &program]
+    command->add_option("SHELL", *shell, "bash")->required()->check(CLI::IsMember({"bash"}));
+    command->footer("Examples:\n  frostfill completion bash > "
+                    "~/.local/share/bash-completion/completions/frostfill\n"
+                    "  source <(frostfill completion bash)      in this shell\n");
+    return [&program]
     {
-        fmt::print("{}", completionScript(*shell, commandTexts(program)));
+        fmt::print("{}", bashCompletion(commandTexts(program)));
         return 0;
     };
-}
-
-Command addManCommand(CLI::App& program)
-{
-    const auto folder = std::make_shared<std::string>();
-    CLI::App* command =
-        program.add_subcommand("man", "Write the manual pages, one for each command");
-    command->add_option("DIR", *folder, "Folder to write to")->required();
-    command->footer("Examples:\n  frostfill man pages && man pages/frostfill-fill.1\n");
-    return [folder, &program] { return writePages(program, *folder); };
 }
 
 } // namespace frostfill

@@ -10,6 +10,8 @@ namespace frostfill
 namespace
 {
 
+constexpr const char* kMissing = "the program frostfill-wrap is missing (docs/meshes.md)";
+
 /// Of what comes out; or why nothing does.
 std::string effect(const TriangleMesh& mesh, const std::string& name,
                    const LoadMeshOptions& options)
@@ -24,7 +26,7 @@ std::string effect(const TriangleMesh& mesh, const std::string& name,
     {
         if (error.code() == ErrorCode::missingProgram)
         {
-            return "the program frostfill-wrap is missing (docs/meshes.md)";
+            return kMissing;
         }
         return fmt::format("refused: {}", error.what());
     }
@@ -41,8 +43,9 @@ std::string loadEffectsText(const TriangleMesh& mesh, const MeshReport& asRead,
     }
     const bool open = !asRead.closed();
     std::string text;
+    // A closed mesh can be filled without the program.
     const auto add = [&](const char* option, const std::string& what)
-    { text += fmt::format("  with {:<14}{}\n", option, what); };
+    { text += open || what != kMissing ? fmt::format("  with {:<14}{}\n", option, what) : ""; };
     add("--lid", open ? effect(mesh, name, {.lid = true}) : "changes nothing: nothing is open");
     add("--wrap", effect(mesh, name, {.wrap = 0.0}));
     add(open ? "--lid --unite" : "--unite", effect(mesh, name, {.lid = open, .unite = true}));

@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -140,7 +141,45 @@ int reportParseError(const CLI::App& program, const CLI::ParseError& error,
             }
         }
     }
-    return report(kUsageError, fmt::format("{}; see frostfill --help", error.what()));
+    const std::string what = error.what();
+    if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr &&
+        what.find(": At Most 1 required") != std::string::npos)
+    {
+        return report(kUsageError, fmt::format("{} is given more than once: give it once",
+                                               what.substr(0, what.find(':'))));
+    }
+    return report(kUsageError, fmt::format("{}; see frostfill --help", what));
+}
+
+/// No option takes an empty text: a folder without a name would be the usual one, in silence.
+void requireValues(const CLI::App& command)
+{
+    for (const CLI::Option* option : command.get_options())
+    {
+        const auto& values = option->results();
+        if (std::find(values.begin(), values.end(), "") != values.end())
+        {
+            throw Error(ErrorCode::usage, fmt::format("{} is '', but it must not be empty",
+                                                      option->get_name(option->get_positional())));
+        }
+    }
+    for (const CLI::App* inner : command.get_subcommands())
+    {
+        requireValues(*inner);
+    }
+}
+
+/// What could not be printed is a failed write. If the reader of a pipe has gone away, the program
+/// ends as others do: by SIGPIPE, without a word.
+int reportUnprinted()
+{
+    pollfd output = {STDOUT_FILENO, 0, 0};
+    if (poll(&output, 1, 0) > 0 && (output.revents & POLLERR) != 0)
+    {
+        std::signal(SIGPIPE, SIG_DFL);
+        std::raise(SIGPIPE);
+    }
+    return report(static_cast<int>(ErrorCode::writeFailed), "cannot write to standard output");
 }
 
 struct NamedCommand
@@ -168,7 +207,6 @@ constexpr NamedCommand kCommands[] = {
     {"help", addHelpCommand, true},
     {"version", addVersionCommand},
     {"completion", addCompletionCommand, true},
-    {"man", addManCommand, true},
 };
 
 /// Adds the command that the first word names, or all: to describe the options of all of them takes
@@ -210,6 +248,7 @@ int run(int argumentCount, char** arguments)
     {
         return reportParseError(program, error, words);
     }
+    requireValues(program);
     for (const auto& [name, command] : commands)
     {
         if (program.got_subcommand(name))
@@ -240,7 +279,7 @@ int main(int argumentCount, char** arguments)
     useMemoryAgain();
     occupyClosedStreams();
     // A reader that has gone away and a limit on the size of files are failed writes, and no reason
-    // to lose a run.
+    // to lose a run, or to end by the pipe to another program.
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
     try
@@ -249,8 +288,7 @@ int main(int argumentCount, char** arguments)
         // Standard output can be a file on a full disk.
         if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
         {
-            return report(static_cast<int>(ErrorCode::writeFailed),
-                          "cannot write to standard output");
+            return reportUnprinted();
         }
         return code;
     }
@@ -261,8 +299,7 @@ int main(int argumentCount, char** arguments)
         if (failure.code == ErrorCode::writeFailed &&
             (std::fflush(stdout) != 0 || std::ferror(stdout) != 0))
         {
-            return report(static_cast<int>(ErrorCode::writeFailed),
-                          "cannot write to standard output");
+            return reportUnprinted();
         }
         return report(static_cast<int>(failure.code), failure.message);
     }

@@ -51,7 +51,7 @@ std::string presetName(Preset preset)
 {
     Scene scene;
     scene.preset = preset;
-    const Option& option = *findOption("preset");
+    const Option& option = optionOf("preset");
     return optionText(option, option.get(scene));
 }
 
@@ -67,7 +67,7 @@ std::string helpWithDefault(const Option& option)
 void addOption(CLI::App& command, const Option& option, GivenOptions& given,
                const std::string& help)
 {
-    const auto keep = [&given, key = option.key](const std::string& text) { given[key] = text; };
+    const auto keep = [&given, &option](const std::string& text) { given[&option] = text; };
     CLI::Option* added = nullptr;
     if (option.type == OptionType::boolean)
     {
@@ -115,7 +115,7 @@ void addLoadOptions(CLI::App& command, GivenOptions& given)
 
 void addUpOption(CLI::App& command, GivenOptions& given)
 {
-    const Option& up = *findOption("object.up");
+    const Option& up = optionOf("object.up");
     addOption(command, up, given, helpWithDefault(up));
 }
 
@@ -148,18 +148,12 @@ std::vector<std::string> withImpliedValues(int count, const char* const* argumen
 void applyGivenOptions(const GivenOptions& given, Scene& scene)
 {
     // In the table's order, not the command line's: a style comes before the colours that differ.
-    for (const Option& option : sceneOptions())
+    for (const auto& [option, text] : given)
     {
-        const auto found = given.find(option.key);
-        if (found == given.end())
+        const auto value = readOptionText(*option, text);
+        if (!value || !setOption(*option, scene, *value))
         {
-            continue;
-        }
-        const std::string& text = found->second;
-        const auto value = readOptionText(option, text);
-        if (!value || !setOption(option, scene, *value))
-        {
-            throw Error(ErrorCode::usage, refusalText(option, option.flag, text));
+            throw Error(ErrorCode::usage, refusalText(*option, option->flag, text));
         }
     }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <frostfill/scene.hpp>
+#include <frostfill/options.hpp>
 
 #include <CLI/App.hpp>
 
@@ -12,8 +12,8 @@
 namespace frostfill
 {
 
-/// The options given on the command line, by key. Must outlive the parser.
-using GivenOptions = std::map<std::string, std::string>;
+/// What was given on the command line for options, in the table's order. Must outlive the parser.
+using GivenOptions = std::map<const Option*, std::string>;
 
 /// Adds every option of a scene to a command, grouped, with its default in the help.
 void addSceneOptions(CLI::App& command, GivenOptions& given);

@@ -45,7 +45,7 @@ void enterScene(const std::string& text, Packing& packing)
     { return json.is_object() ? json.value(Pointer(place), nlohmann::json()) : nlohmann::json(); };
     Scene scene;
     if (const auto up = at("/scene/object/up");
-        up.is_string() && setOption(*findOption("object.up"), scene, up.get<std::string>()))
+        up.is_string() && setOption(optionOf("object.up"), scene, up.get<std::string>()))
     {
         packing.up = scene.object.up;
     }

@@ -264,9 +264,14 @@ FillResult fill(const FillRequest& request, const FillObserver& observer)
     {
         observer.loaded();
     }
-    RunDirectory directory(request.directory, earlierFiles(request, resumes));
-
+    const EarlierRun earlier = earlierFiles(request, resumes);
+    RunDirectory directory(request.directory, earlier);
     const std::optional<CameraPath> path = cameraPathOf(request);
+    std::optional<BegunRun> begun(request.directory);
+    if (isKept(request.scene) && earlier != EarlierRun::keep)
+    {
+        begun->keep(request, mesh, simulation, path);
+    }
     const auto recorder = stoppableRecorder(request, mesh, simulation, path, observer);
     FillResult result;
     result.reach = reachWithoutLeak(request.scene, simulation);
@@ -286,6 +291,7 @@ FillResult fill(const FillRequest& request, const FillObserver& observer)
     {
         keepRun(*recorder, request, mesh, simulation, frames, path);
     }
+    begun.reset();
     if (observer.planned)
     {
         observer.planned(makePlan(request.scene, mesh, simulation, frames, result.reach));

@@ -105,9 +105,11 @@ std::unique_ptr<FrameRecorder> makeRecorder(const FillRequest& request, const Lo
     return recorder;
 }
 
-void keepRun(FrameRecorder& recorder, const FillRequest& request, const LoadedMesh& mesh,
-             const Simulation& simulation, const FramePlan& frames,
-             const std::optional<CameraPath>& path)
+namespace
+{
+
+std::string headOf(const FillRequest& request, const LoadedMesh& mesh, const Simulation& simulation,
+                   const FramePlan& frames, const std::optional<CameraPath>& path)
 {
     RunHead head;
     head.scene = request.scene;
@@ -120,9 +122,32 @@ void keepRun(FrameRecorder& recorder, const FillRequest& request, const LoadedMe
     head.stride = frames.stride;
     head.poses = simulation.poses();
     head.version = describeMachine().version;
+    return headText(head);
+}
+
+} // namespace
+
+void keepRun(FrameRecorder& recorder, const FillRequest& request, const LoadedMesh& mesh,
+             const Simulation& simulation, const FramePlan& frames,
+             const std::optional<CameraPath>& path)
+{
     recorder.keepIn(std::make_unique<RunFileWriter>(
-        request.directory / kRunFile, headText(head), mesh.mesh, simulation.smallestRadius(),
+        request.directory / kRunFile, headOf(request, mesh, simulation, frames, path), mesh.mesh,
+        simulation.smallestRadius(),
         request.resume ? EarlierFile::continued : EarlierFile::replace));
+}
+
+BegunRun::~BegunRun()
+{
+    std::error_code none;
+    std::filesystem::remove(directory_ / kBegunFile, none);
+}
+
+void BegunRun::keep(const FillRequest& request, const LoadedMesh& mesh,
+                    const Simulation& simulation, const std::optional<CameraPath>& path) const
+{
+    const RunFileWriter file(directory_ / kBegunFile, headOf(request, mesh, simulation, {}, path),
+                             mesh.mesh, simulation.smallestRadius());
 }
 
 namespace

@@ -41,6 +41,24 @@ void keepRun(FrameRecorder& recorder, const FillRequest& request, const LoadedMe
              const Simulation& simulation, const FramePlan& frames,
              const std::optional<CameraPath>& path);
 
+/// Keeps a run, from before its first step until its run file is there, in a file that goes with
+/// this object: a run that is killed meanwhile can begin again. Other files stay as they are.
+class BegunRun
+{
+public:
+    explicit BegunRun(std::filesystem::path directory) : directory_(std::move(directory)) {}
+    ~BegunRun();
+    BegunRun(const BegunRun&) = delete;
+    BegunRun& operator=(const BegunRun&) = delete;
+
+    /// Throws Error cannotCreate or writeFailed.
+    void keep(const FillRequest& request, const LoadedMesh& mesh, const Simulation& simulation,
+              const std::optional<CameraPath>& path) const;
+
+private:
+    std::filesystem::path directory_;
+};
+
 enum class RunEnd
 {
     itself,

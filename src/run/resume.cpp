@@ -31,8 +31,8 @@ bool hasEffect(const Option& option, const Scene& scene)
 {
     return option.key.starts_with("judge.")
                ? showsUnbalance(scene)
-               : std::find(kWithoutEffect.begin(), kWithoutEffect.end(), option.key) ==
-                     kWithoutEffect.end();
+               : std::none_of(kWithoutEffect.begin(), kWithoutEffect.end(),
+                              [&](std::string_view key) { return &optionOf(key) == &option; });
 }
 
 void refuseAnotherScene(const Scene& begun, const Scene& now,
@@ -66,6 +66,12 @@ bool isThere(const std::filesystem::path& file)
     return std::filesystem::exists(file, error);
 }
 
+/// The file that keeps the run in a directory: a run that was begun last replaces one before it.
+std::filesystem::path keptFile(const std::filesystem::path& directory)
+{
+    return directory / (isThere(directory / kBegunFile) ? kBegunFile : kRunFile);
+}
+
 } // namespace
 
 std::string sceneDifference(const Scene& begun, const Scene& now)
@@ -83,7 +89,7 @@ std::string sceneDifference(const Scene& begun, const Scene& now)
 
 std::optional<LoadedMesh> meshOfEarlierRun(const FillRequest& request)
 {
-    const std::filesystem::path file = request.directory / kRunFile;
+    const std::filesystem::path file = keptFile(request.directory);
     if (!isThere(file))
     {
         return std::nullopt;
@@ -108,25 +114,27 @@ std::optional<LoadedMesh> meshOfEarlierRun(const FillRequest& request)
 
 EarlierRun earlierFiles(const FillRequest& request, bool resumes)
 {
-    if (resumes)
+    const bool isBegun = isThere(request.directory / kBegunFile);
+    if (resumes && !isBegun)
     {
         return EarlierRun::keep;
     }
     // Without a run file there is nothing to go on with. What a run has left that was killed as it
     // began is not worth keeping; one that has ended is.
-    const bool begins = request.resume && !isThere(request.directory / "summary.json");
+    const bool begins = request.resume && (isBegun || !isThere(request.directory / "summary.json"));
     return request.overwrite || begins ? EarlierRun::replace : EarlierRun::refuse;
 }
 
 FillRequest resumeRequest(const std::filesystem::path& directory)
 {
-    const std::filesystem::path file = directory / kRunFile;
+    const std::filesystem::path file = keptFile(directory);
     if (!isThere(file))
     {
-        throw Error(ErrorCode::inputMissing,
-                    fmt::format("{} holds no run to resume: {} is missing; a run keeps it with "
-                                "--keep-run on",
-                                directory.string(), kRunFile));
+        throw Error(
+            ErrorCode::inputMissing,
+            fmt::format("{} holds no run to resume: {} is missing; a run with --keep-run on "
+                        "writes it once its mesh is read",
+                        directory.string(), kRunFile));
     }
     const RunHead head = readHead(RunFileReader(file).head(), file.string());
     refuseImported(head, directory);
@@ -142,6 +150,10 @@ FillRequest resumeRequest(const std::filesystem::path& directory)
 
 std::string outcomeOfRun(const std::filesystem::path& directory)
 {
+    if (isThere(directory / kBegunFile))
+    {
+        return "";
+    }
     std::ifstream in(directory / "summary.json");
     const auto summary = nlohmann::json::parse(in, nullptr, false);
     return summary.is_object() && summary.contains("outcome") && summary["outcome"].is_string()

@@ -37,7 +37,8 @@ constexpr KnownFile kFiles[] = {{"spheres.csv", "id,group,x,y,z,radius"},
                                 {"mesh.ply", "Frostfill"},
                                 {"contact_sheet.png", "Frostfill"},
                                 {"view.html", "Frostfill"},
-                                {kRunFile, "frostrun"}};
+                                {kRunFile, "frostrun"},
+                                {kBegunFile, "frostrun"}};
 
 constexpr const char* kFrameFolders[] = {"frames", "depth", "normal", "identity"};
 
@@ -286,7 +287,8 @@ void RunDirectory::takeOver(const std::filesystem::path& file, bool isOurs)
                            file.string()));
     }
     const bool keeps = earlier_ == EarlierRun::keep && file.filename() != "summary.json";
-    if (!keeps && earlier_ != EarlierRun::share)
+    const bool isBegun = file.filename() == kBegunFile; // goes when there is a run file
+    if (!keeps && !isBegun && earlier_ != EarlierRun::share)
     {
         old_.push_back(file);
     }

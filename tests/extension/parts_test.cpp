@@ -60,6 +60,33 @@ TEST(PartsFromOutside, IntegratorMovesTheSpheres)
     }
 }
 
+TEST(PartsFromOutside, OfTheOtherPresetIsRefused)
+{
+    const auto refusal = [](const Scene& scene)
+    {
+        try
+        {
+            (void)started(scene);
+        }
+        catch (const Error& error)
+        {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    Scene scene = sceneWith("fast", kFewSpheres + "[motion]\nintegrator = \"midpoint\"\n");
+    EXPECT_NE(refusal(scene).find("the preset fast does not use motion.integrator, which is "
+                                  "'midpoint'"),
+              std::string::npos)
+        << refusal(scene);
+    scene.motion.integrator =
+        Integrator::semiImplicitEuler; // as in the scene file of another preset
+    EXPECT_EQ(refusal(scene), "");
+    EXPECT_NE(refusal(sceneWith("paper", kFewSpheres + "[freezing]\nrule = \"all-at-once\"\n"))
+                  .find("freezing.rule"),
+              std::string::npos);
+}
+
 TEST(PartsFromOutside, PolygonSearchFindsTheSameContactsWithFewerTests)
 {
     Scene scene = sceneWith("paper", kFewSpheres + "[search]\npolygons = \"by-height\"\n"

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// What helps to use the program: help, version, manual pages, completions, and suggestions.
+// What helps to use the program: help, version, the completion, and suggestions.
 #include "fault/program.hpp"
 #include "support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <filesystem>
 #include <regex>
+#include <sstream>
+#include <string>
 
 namespace frostfill
 {
@@ -71,39 +71,6 @@ TEST_F(HelpCommands, AMistypedCommandIsToldTheNearestOne)
     EXPECT_NE(run("xyzzy").errors.find("no command 'xyzzy'"), std::string::npos);
 }
 
-TEST_F(HelpCommands, ThereIsAManualPageForEveryCommandWithEachOfItsOptions)
-{
-    ASSERT_EQ(run("man pages").code, 0);
-    const std::string all = readFile(folder_ / "pages/frostfill.1");
-    std::size_t pages = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(folder_ / "pages"))
-    {
-        ++pages;
-        const std::string name = entry.path().stem().string();
-        if (name == "frostfill")
-        {
-            continue;
-        }
-        std::string command = name.substr(std::string("frostfill-").size());
-        std::replace(command.begin(), command.end(), '-', ' ');
-        const std::string help = run(command + " --help").output;
-        std::string page = readFile(entry.path());
-        page = std::regex_replace(page, std::regex(R"(\\-)"), "-");
-        const std::regex option("--[a-z][a-z0-9-]*");
-        for (std::sregex_iterator found(help.begin(), help.end(), option), end; found != end;
-             ++found)
-        {
-            EXPECT_NE(page.find(found->str()), std::string::npos) << name << " " << found->str();
-        }
-        if (isThere("groff"))
-        {
-            const Answer formatted = runOther("groff", "-man -ww -z " + entry.path().string());
-            EXPECT_EQ(formatted.errors, "") << name;
-        }
-    }
-    EXPECT_GT(pages, 10U);
-}
-
 TEST_F(HelpCommands, BashCompletesCommandsOptionsAndWords)
 {
     ASSERT_EQ(run("completion bash > completion.bash").code, 0);
@@ -114,20 +81,35 @@ TEST_F(HelpCommands, BashCompletesCommandsOptionsAndWords)
     EXPECT_EQ(completed("frostfill mesh torus --re"), "--repair\n");
 }
 
-TEST_F(HelpCommands, OtherShellsReadTheirCompletions)
+TEST_F(HelpCommands, BashOffersNoWordThatTheProgramRefuses)
 {
-    for (const char* shell : {"zsh", "fish"})
+    ASSERT_EQ(run("completion bash > completion.bash").code, 0);
+    EXPECT_EQ(completed("frostfill fill --cutaway ''"), "none\n");
+    EXPECT_EQ(completed("frostfill fill --sizes ''"), "none\n");
+    const std::string script = readFile(folder_ / "completion.bash");
+    const std::regex choice("'fill,(--[a-z-]+)'\\) words='([^']*)'");
+    std::size_t words = 0;
+    for (std::sregex_iterator found(script.begin(), script.end(), choice), end; found != end;
+         ++found)
     {
-        const std::string file = std::string("completion.") + shell;
-        ASSERT_EQ(run(std::string("completion ") + shell + " > " + file).code, 0);
-        const std::string option = shell == std::string("fish") ? "-l motion" : "--motion";
-        EXPECT_NE(readFile(folder_ / file).find(option), std::string::npos);
-        if (isThere(shell))
+        std::istringstream list((*found)[2].str());
+        for (std::string word; list >> word; ++words)
         {
-            EXPECT_EQ(runOther(shell, "-n " + file).errors, "");
+            const std::string arguments = "fill missing.stl " + (*found)[1].str() + " " + word;
+            const Answer answer = run(arguments);
+            EXPECT_EQ(answer.errors.find("must be"), std::string::npos) << answer.errors;
         }
     }
-    EXPECT_EQ(run("completion tcsh").code, 64);
+    EXPECT_GT(words, 60U);
+    EXPECT_EQ(run("completion zsh").code, 64);
+}
+
+TEST_F(HelpCommands, TheOptionsPageShowsWholeValues)
+{
+    const std::string page = run("options").output;
+    EXPECT_NE(page.find("`--searches A,B,...`"), std::string::npos);
+    EXPECT_NE(page.find("`--shard I/N\\|slurm`"), std::string::npos);
+    EXPECT_EQ(page.find("INT in ["), std::string::npos);
 }
 
 } // namespace

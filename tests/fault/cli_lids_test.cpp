@@ -122,6 +122,7 @@ TEST_F(OpenMeshes, TheCommandMeshTellsWhatEachOptionWouldDo)
     EXPECT_NE(crossing.output.find("obstacles, which --unite removes"), std::string::npos);
     EXPECT_NE(crossing.output.find("with --lid         changes nothing"), std::string::npos)
         << crossing.output;
+    EXPECT_EQ(crossing.output.find("missing"), std::string::npos) << "it can be filled as it is";
 
     EXPECT_EQ(run("mesh torus").output.find("with --"), std::string::npos);
 }

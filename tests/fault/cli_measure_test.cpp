@@ -199,6 +199,16 @@ TEST_F(MeasureCommands, FiguresDrawRecordedTimesAgain)
     EXPECT_TRUE(std::filesystem::exists(folder_ / "new/times.svg"));
 }
 
+TEST_F(MeasureCommands, FiguresSayWhatTheyMeasureWhereNoTimesAreRecorded)
+{
+    const Answer answer =
+        test::runProgram("figures --only times,volume --out new", folder_.path(), "timeout 5");
+    EXPECT_NE(answer.errors.find("docs/figures has no recorded times: these are measured, which "
+                                 "takes 2 minutes or more: times\n"),
+              std::string::npos)
+        << answer.errors;
+}
+
 TEST_F(MeasureCommands, FiguresSayHowToGetGnuplot)
 {
     const Answer missing = test::runProgram("figures --quick --only operations --out b",

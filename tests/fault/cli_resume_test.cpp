@@ -71,6 +71,7 @@ std::map<std::string, std::string> filesOf(const std::filesystem::path& run)
             files[name] = name == "run.frost"      ? withoutSummary(bytes)
                           : name == "sets.csv"     ? countsOf(bytes)
                           : name == "summary.json" ? countsOfSummary(bytes)
+                          : name == "view.html"    ? "a page, with times"
                                                    : bytes;
         }
     }
@@ -80,9 +81,10 @@ std::map<std::string, std::string> filesOf(const std::filesystem::path& run)
 class Resume : public ::testing::Test
 {
 protected:
-    [[nodiscard]] Answer run(const std::string& arguments) const
+    [[nodiscard]] Answer run(const std::string& arguments,
+                             const std::string& environment = "") const
     {
-        return test::runProgram(arguments, folder_.path());
+        return test::runProgram(arguments, folder_.path(), environment);
     }
     /// The run without interruption, and the seconds that it takes.
     double complete(const std::string& options)
@@ -207,6 +209,51 @@ TEST_F(Resume, OfARunThatHasEndedDoesNothing)
     EXPECT_EQ(answer.code, 0);
     EXPECT_NE(answer.errors.find("nothing to resume"), std::string::npos) << answer.errors;
     EXPECT_EQ(readFile(folder_ / "a/summary.json"), before);
+}
+
+// The run is simulated before its pictures, and a small one for most of its time.
+TEST_F(Resume, BeginsAgainAfterAKillBeforeTheFirstFrame)
+{
+    const std::string small = "fill cube --count 300 --size 64x48 --duration 1 --quiet ";
+    complete(small);
+    for (const std::string before : {"", "fill cube --count 8 --size 64x48 --quiet --out killed"})
+    {
+        std::filesystem::remove_all(folder_ / "killed");
+        EXPECT_EQ(before.empty() ? 0 : run(before).code, 0);
+        const Answer killed =
+            run(small + "--overwrite --out killed & process=$!; until test -e killed/begun.frost "
+                        "|| ! kill -0 $process; do :; done; kill -9 $process; wait $process");
+        EXPECT_EQ(killed.code, 128 + 9) << killed.errors;
+        EXPECT_EQ(std::filesystem::exists(folder_ / "killed/run.frost"), !before.empty());
+        const Answer answer = run("fill --quiet --resume killed");
+        EXPECT_EQ(answer.code, 0) << answer.errors;
+        expectTheSame("killed before the first frame");
+    }
+}
+
+TEST_F(Resume, AddsWhatIsAskedForToARunThatWasStoppedOrHasEnded)
+{
+    const std::string small = "fill cube --radius 0.3 --count 8 --size 64x48 --duration 0.3 ";
+    const std::string more = " --quiet --contact-sheet --camera-path '0:30,20 1:60,20' --view";
+    ASSERT_EQ(run(small + more + " --out whole").code, 0);
+    whole_ = filesOf(folder_ / "whole");
+    EXPECT_TRUE(whole_.contains("view.html") && whole_.contains("contact_sheet.png"));
+    for (const bool hasEnded : {true, false})
+    {
+        ASSERT_EQ(run(small + "--overwrite --out killed").code, 0);
+        if (!hasEnded)
+        {
+            std::filesystem::remove(folder_ / "killed/summary.json");
+        }
+        const Answer answer = run("fill --resume killed" + more);
+        EXPECT_EQ(answer.code, 0) << answer.errors;
+        expectTheSame(hasEnded ? "ended" : "stopped");
+    }
+    ASSERT_EQ(run(small + "--overwrite --out killed").code, 0);
+    EXPECT_EQ(run("fill --resume killed --view").code, 0);
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "killed/view.html"));
+    EXPECT_EQ(run("fill --resume killed --video film.mp4", "PATH=/nowhere").code, 73)
+        << "a video is asked for, and there is no ffmpeg";
 }
 
 TEST_F(Resume, IsRefusedInASentenceWhereItCannotBe)

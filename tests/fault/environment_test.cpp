@@ -70,6 +70,23 @@ TEST_F(Environment, ASignalAtAnyMomentEndsTheRunSoonAndWhole)
     }
 }
 
+TEST_F(Environment, TheTableOfARunThatWasStoppedHasTheSpheresThatThereAre)
+{
+    const Answer answer = run("fill cube --count 3000 --frames none --motion descend --rest joint "
+                              "--out a & process=$!; until test -d a; do sleep 0.05; done; "
+                              "sleep 1; kill -TERM $process; wait $process");
+    EXPECT_EQ(answer.code, 75) << answer.errors;
+    std::smatch counts;
+    ASSERT_TRUE(std::regex_search(answer.output, counts,
+                                  std::regex("\n +all .*\\| +([0-9]+) +([0-9]+) +([0-9]+)\n")))
+        << answer.output;
+    const auto summary = nlohmann::json::parse(readFile(folder_ / "a/summary.json"));
+    EXPECT_EQ(summary["spheres"]["running"], std::stoul(counts[1]));
+    EXPECT_EQ(summary["spheres"]["frozen"], std::stoul(counts[2]));
+    EXPECT_EQ(summary["spheres"]["discarded"], std::stoul(counts[3]));
+    EXPECT_GT(summary["spheres"]["total"], 0);
+}
+
 // Where no library of OpenGL can be opened, of whatever name.
 TEST_F(Environment, WithoutAnyOpenGlEveryPictureIsDrawnToTheSameBytes)
 {
@@ -122,8 +139,14 @@ TEST_F(Environment, WithoutTheOpenGlThatWasAskedForItSaysWhatToInstall)
     EXPECT_NE(answer.errors.find("apt install libosmesa6"), std::string::npos) << answer.errors;
     const Answer doctor = run("doctor", shim("FAULT_LIBRARY=libOSMesa"));
     EXPECT_EQ(doctor.code, 0);
-    EXPECT_NE(doctor.output.find("all is well"), std::string::npos) << doctor.output;
+    EXPECT_EQ(doctor.output.find("all is well"), std::string::npos) << doctor.output;
+    EXPECT_NE(doctor.output.find("OSMesa is missing"), std::string::npos) << doctor.output;
     EXPECT_NE(doctor.output.find("apt install libosmesa6"), std::string::npos) << doctor.output;
+    EXPECT_NE(run("doctor").output.find("all is well"), std::string::npos);
+    const Answer fps = run("fps cube --count 21 --repeats 1 --quiet --searches grid",
+                           shim("FAULT_LIBRARY=libOSMesa"));
+    EXPECT_NE(fps.output.find("OSMesa is not measured: "), std::string::npos) << fps.output;
+    EXPECT_NE(fps.output.find("apt install libosmesa6"), std::string::npos) << fps.output;
 }
 
 TEST_F(Environment, WithTooLittleMemoryForOpenGlItSaysSoAndDoesNotHang)

@@ -70,6 +70,7 @@ class Analyse(FolderCase):
             there = self.folder / "run" / "analysis" / name
             self.assertEqual((self.folder / "here" / name).read_bytes(), there.read_bytes(), name)
         self.assertEqual(json.loads((self.folder / "here" / "summary.json").read_text()), found.summary)
+        self.assertEqual(json.loads(str(found)), found.summary)
         with self.assertRaisesRegex(frostfill.CannotCreate, "overwrite=True"):
             found.save(self.folder / "here")
         found.save(self.folder / "here", overwrite=True)

@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Runs that are kept: saved, loaded, exported, drawn."""
 import json
+import os
+import stat
+import unittest.mock
 
 import numpy
 from support import FolderCase, frostfill, run_program, unittest
@@ -39,6 +42,30 @@ class Runs(FolderCase):
         self.assertEqual(json.loads((saved / "summary.json").read_text()), loaded.summary)
         self.assertEqual(frostfill.load(saved / "run.frost").state_hash, loaded.state_hash)
         run_program("check", saved)  # the program takes it for a run of its own
+
+    def test_are_saved_without_touching_the_umask(self):
+        def refuse(mask):
+            raise AssertionError("another thread may make a file meanwhile")
+
+        before = os.umask(0o027)
+        try:
+            with unittest.mock.patch("os.umask", refuse):
+                saved = self.run_.save(self.folder / "run")
+        finally:
+            os.umask(before)
+        self.assertEqual(stat.S_IMODE(saved.stat().st_mode), 0o750)
+
+    def test_are_drawn_while_they_are_filled_if_frames_are_asked_for(self):
+        out = self.folder / "out"
+        frostfill.fill("cube", count=5, duration=0.3, size=(64, 48), frames="all", out=out)
+        self.assertEqual(len(list((out / "frames").glob("*.png"))),
+                         len(frostfill.load(out).frames))
+
+    def test_and_pictures_are_told_in_a_line(self):
+        picture = self.run_.render(size=(64, 48))
+        self.assertEqual(repr(picture), "<frostfill.Picture of 64 x 48 pixels>")
+        self.assertEqual(repr(picture[0, 0, :1]), f"Picture([{picture[0, 0, 0]}], dtype=uint8)")
+        self.assertRegex(repr(self.run_), "^<frostfill.Run of 60 spheres, .* frames, in /.*>$")
 
     def test_are_not_saved_over_anything_without_being_told_to(self):
         target = self.folder / "run"

@@ -23,9 +23,18 @@ ${CPACK_DEBIAN_PACKAGE_RELEASE}) unstable; urgency=medium
  -- ${CPACK_PACKAGE_CONTACT}  ${date}
 ")
     configure_file(${CPACK_FROSTFILL_SOURCE}/CHANGELOG.md ${documentation}/changelog COPYONLY)
-    file(GLOB pages ${root}/usr/share/man/man*/*)
+    # The manual page is what the program says of itself.
+    set(page)
+    if(component STREQUAL program)
+        set(page ${root}/usr/share/man/man1/frostfill.1)
+        file(MAKE_DIRECTORY ${root}/usr/share/man/man1)
+        execute_process(
+            COMMAND help2man --no-info --name "fill a mesh with falling spheres and draw it"
+                --output ${page} ${root}/usr/bin/frostfill
+            COMMAND_ERROR_IS_FATAL ANY)
+    endif()
     execute_process(
-        COMMAND gzip -9n ${documentation}/changelog.Debian ${documentation}/changelog ${pages}
+        COMMAND gzip -9n ${documentation}/changelog.Debian ${documentation}/changelog ${page}
         COMMAND_ERROR_IS_FATAL ANY)
     # Nothing tells when or by whom the packages were made.
     execute_process(COMMAND chmod -R u=rwX,go=rX ${root} COMMAND_ERROR_IS_FATAL ANY)

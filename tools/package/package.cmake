@@ -13,7 +13,7 @@ set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")
 set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
     OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
-# Copyright, changelog and compressed pages; the file reads the changelog from here.
+# Copyright, changelog and manual page, compressed; the file reads the changelog from here.
 set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_CURRENT_LIST_DIR}/finish.cmake)
 set(CPACK_FROSTFILL_SOURCE ${PROJECT_SOURCE_DIR})
 
@@ -42,7 +42,7 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "${opengl}, gnuplot-nox")
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "fill a mesh with falling spheres and draw it
 ${does}.
-This package has the program, its manual pages and completions.")
+This package has the program, its manual page and its completion for bash.")
 
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libfrostfill${soversion})
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)

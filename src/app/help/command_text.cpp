@@ -5,13 +5,14 @@
 
 #include <algorithm>
 #include <cctype>
+#include <regex>
 
 namespace frostfill
 {
 namespace
 {
 
-/// "fast" is a word to type; "FILE" and "X..Y" stand for something.
+/// "fast" is a word to type; "FILE", "X..Y" and "plane:X,Y,Z" stand for something.
 bool isWord(const std::string& part)
 {
     return !part.empty() && std::all_of(part.begin(), part.end(),
@@ -30,11 +31,14 @@ OptionText textOf(const CLI::Option& option)
     {
         text.names.push_back(name.substr(0, name.find('{')));
     }
-    // Behind a colon CLI11 describes what it checks.
-    const std::string type = option.get_type_size() == 0 ? "" : option.get_type_name();
-    text.value = text.positional ? "" : type.substr(0, type.find(':'));
     text.help = option.get_description();
-    text.group = option.get_group();
+    if (text.positional || option.get_type_size() == 0)
+    {
+        return text;
+    }
+    // CLI11 appends what it checks: ":INT in [1 - 5]" or ":{list,tree}".
+    static const std::regex kChecks(R"(:(\{.*\}|NONNEGATIVE|[A-Z]+ in \[.*\])$)");
+    text.value = std::regex_replace(option.get_type_name(), kChecks, "");
     for (const std::string& part : CLI::detail::split(text.value, '|'))
     {
         if (isWord(part))
@@ -47,7 +51,7 @@ OptionText textOf(const CLI::Option& option)
 
 void add(const CLI::App& command, const std::string& name, std::vector<CommandText>& texts)
 {
-    CommandText text{name, command.get_description(), {}, command.get_footer()};
+    CommandText text{name, {}};
     for (const CLI::Option* option : command.get_options())
     {
         text.options.push_back(textOf(*option));

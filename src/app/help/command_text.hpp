@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Room: what the parser knows of the commands, as texts, manual pages and completions.
+// Room: the parser's own tables of commands and options, as texts and as a completion.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -10,13 +10,12 @@
 namespace frostfill
 {
 
-/// An option as the help, the pages and the completions show it.
+/// An option as the completion and docs/options.md show it.
 struct OptionText
 {
     std::vector<std::string> names; ///< "--lid", "--no-lid"; the name of a positional one
     std::string value;              ///< what follows it: "X", "fast|paper"; empty for a flag
     std::string help;
-    std::string group;                ///< heading
     std::vector<std::string> choices; ///< words that are allowed as the value
     bool positional = false;
 };
@@ -25,9 +24,7 @@ struct OptionText
 struct CommandText
 {
     std::string name; ///< without that of the program
-    std::string help;
     std::vector<OptionText> options;
-    std::string footer; ///< examples
 };
 
 /// Every command of the program in the order of its help. Everything is read from the parser, whose

@@ -29,8 +29,10 @@ std::size_t editDistance(std::string_view a, std::string_view b)
 
 std::string nearestName(std::string_view name, std::span<const std::string> names)
 {
+    // The dashes of an option are no resemblance.
+    const std::size_t letters = name.size() - std::min(name.find_first_not_of('-'), name.size());
     std::string nearest;
-    std::size_t smallest = name.size() / 2 + 1;
+    std::size_t smallest = letters / 2 + 1;
     for (const std::string& candidate : names)
     {
         const std::size_t distance = editDistance(name, candidate);

@@ -11,6 +11,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <stdexcept>
 
 namespace frostfill
 {
@@ -157,6 +158,16 @@ const Option* findOption(std::string_view key)
         }
     }
     return nullptr;
+}
+
+const Option& optionOf(std::string_view key)
+{
+    const Option* found = findOption(key);
+    if (found == nullptr)
+    {
+        throw std::logic_error(fmt::format("there is no option '{}'", key));
+    }
+    return *found;
 }
 
 std::vector<const Option*> optionsFor(OptionUse use)

@@ -249,6 +249,8 @@ Option fieldOption(Option option, Access access)
     if constexpr (PartChoice<Inner>)
     {
         option.parts = &partNames<Inner>();
+        option.choices.assign(std::begin(BuiltInParts<Inner>::kNames),
+                              std::end(BuiltInParts<Inner>::kNames));
     }
     else if constexpr (std::is_enum_v<Inner>)
     {

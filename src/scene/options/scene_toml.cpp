@@ -81,39 +81,44 @@ void collect(const toml::table& table, const std::string& prefix, FileValues& va
     }
 }
 
-void refuseUnknownKeys(const FileValues& values, std::string_view file)
+using KnownValues = std::map<const Option*, const FileValue*>;
+
+KnownValues knownValues(const FileValues& values, std::string_view file)
 {
-    std::vector<std::string> known;
+    std::vector<std::string> names;
     for (const Option& option : sceneOptions())
     {
-        known.push_back(option.key);
+        names.push_back(option.key);
     }
+    KnownValues known;
     for (const auto& [key, value] : values)
     {
-        if (findOption(key))
+        if (const Option* option = findOption(key))
         {
+            known[option] = &value;
             continue;
         }
-        const std::string nearest = nearestName(key, known);
+        const std::string nearest = nearestName(key, names);
         refuse(file, value.line,
                fmt::format("unknown key '{}'{}", key,
                            nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest)));
     }
+    return known;
 }
 
-void apply(const std::string& key, const FileValues& values, Scene& scene, std::string_view file)
+void apply(const Option& option, const KnownValues& values, Scene& scene, std::string_view file)
 {
-    const auto found = values.find(key);
+    const auto found = values.find(&option);
     if (found == values.end())
     {
         return;
     }
-    const Option& option = *findOption(key);
-    if (!found->second.readable || !setOption(option, scene, found->second.value))
+    const FileValue& given = *found->second;
+    if (!given.readable || !setOption(option, scene, given.value))
     {
-        refuse(file, found->second.line,
-               fmt::format("'{}' must be {}{}", key, describeAllowed(option),
-                           nearestAllowed(option, found->second.value)));
+        refuse(file, given.line,
+               fmt::format("'{}' must be {}{}", option.key, describeAllowed(option),
+                           nearestAllowed(option, given.value)));
     }
 }
 
@@ -202,17 +207,17 @@ FileValues readTomlValues(std::string_view toml, std::string_view nameForMessage
 
 Scene sceneFromValues(const FileValues& values, std::string_view file)
 {
-    refuseUnknownKeys(values, file);
+    const KnownValues known = knownValues(values, file);
     Scene named;
-    apply("preset", values, named, file);
-    apply("object.mesh", values, named, file);
+    apply(optionOf("preset"), known, named, file);
+    apply(optionOf("object.mesh"), known, named, file);
 
     Scene scene = presetScene(named.preset, named.object.mesh);
     for (const Option& option : sceneOptions())
     {
-        apply(option.key, values, scene, file);
+        apply(option, known, scene, file);
     }
-    impliesUntilFull(values, scene);
+    impliesUntilFull(known, scene);
     return scene;
 }
 

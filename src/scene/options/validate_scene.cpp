@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace frostfill
 {
 
@@ -110,6 +112,29 @@ void validateSizes(const Scene& scene)
     }
 }
 
+/// A part that was added has no effect with a preset that does not use it. The built-in ones stand
+/// in every scene file, for either preset.
+void refuseUnusedParts(const Scene& scene)
+{
+    for (const Option& option : sceneOptions())
+    {
+        const OptionValue value = option.get(scene);
+        const auto* name = std::get_if<std::string>(&value);
+        const std::vector<std::string>& builtIn = option.choices;
+        if (option.parts != nullptr && name != nullptr &&
+            option.preset.value_or(scene.preset) != scene.preset &&
+            std::find(builtIn.begin(), builtIn.end(), *name) == builtIn.end())
+        {
+            throw Error(
+                ErrorCode::usage,
+                fmt::format("the preset {} does not use {}, which is '{}': choose the other "
+                            "preset, or omit {}",
+                            scene.preset == Preset::fast ? "fast" : "paper", option.key, *name,
+                            option.key));
+        }
+    }
+}
+
 } // namespace
 
 void validateScene(const Scene& scene)
@@ -127,6 +152,7 @@ void validateScene(const Scene& scene)
                                     optionText(option, value), describeAllowed(option)));
         }
     }
+    refuseUnusedParts(scene);
     if (scene.preset == Preset::paper && scene.motion.mode != Motion::fall)
     {
         throw Error(ErrorCode::usage, "the preset paper always simulates the whole fall: omit "

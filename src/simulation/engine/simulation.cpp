@@ -215,7 +215,16 @@ const StageTimes& Simulation::times() const
 }
 const std::vector<SetRecord>& Simulation::sets() const
 {
-    return implementation_->world.counts.sets;
+    World& world = implementation_->world;
+    if (!world.clock.finished && !world.counts.sets.empty()) // the newest set goes on
+    {
+        SetRecord& newest = world.counts.sets.back();
+        newest.running = world.spheres.runningCount();
+        newest.frozen = world.spheres.frozenCount();
+        newest.discarded = world.spheres.discardedCount();
+        newest.discardedPolygons = world.discardedPolygons;
+    }
+    return world.counts.sets;
 }
 std::size_t Simulation::groupSize() const
 {

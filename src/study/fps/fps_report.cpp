@@ -290,6 +290,18 @@ std::string fpsCircumstances(const FpsResult& result)
     text += fmt::format("{} runs each, the first {} frames of each left out; ± is half a 95 % "
                         "confidence interval of the runs' means; a frame is one time step\n",
                         result.request.repeats, result.request.warmUpSteps);
+    text += fmt::format("{}: the paper has no number, or the part is not measured by itself\n",
+                        kNotSeparate);
+    for (const FpsObject& object : result.objects)
+    {
+        for (const FpsPictures* pictures : {&object.paperPictures, &object.fastPictures})
+        {
+            if (!pictures->withoutOsmesa.empty())
+            {
+                return text + fmt::format("OSMesa is not measured: {}\n", pictures->withoutOsmesa);
+            }
+        }
+    }
     return text;
 }
 

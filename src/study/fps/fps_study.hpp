@@ -64,7 +64,8 @@ struct FpsPictures
     std::vector<PictureMs> sets; ///< in the middle of each set; empty when nothing was drawn
     PictureMs mean;              ///< of them
     double running = 0;          ///< spheres in them, on average
-    double apart = 0; ///< from those of OSMesa: the largest root of a mean square [of 255]
+    double apart = 0;          ///< from those of OSMesa: the largest root of a mean square [of 255]
+    std::string withoutOsmesa; ///< why there are none of OSMesa; empty if there are
 };
 
 /// One set of one method, over all repeats. Milliseconds a frame; a frame is one time step.

@@ -64,6 +64,7 @@ public:
             {
                 throw;
             }
+            withoutOsmesa_ = error.what();
         }
     }
 
@@ -94,6 +95,7 @@ public:
     }
     [[nodiscard]] std::size_t running() const { return snapshot_.running; }
     [[nodiscard]] double apart() const { return apart_; }
+    [[nodiscard]] const std::string& withoutOsmesa() const { return withoutOsmesa_; }
     [[nodiscard]] const std::string& description() const { return whole_.description(); }
 
 private:
@@ -114,6 +116,7 @@ private:
     std::optional<Renderer> spheres_;
     std::optional<Renderer> osmesa_;
     double apart_ = 0; ///< of 255
+    std::string withoutOsmesa_;
     PngBands encoder_;
     Snapshot snapshot_;
 };
@@ -160,6 +163,7 @@ FpsPictures PictureTiming::timeRun(const Scene& scene)
     pictures.mean = pictures.mean.over(count);
     pictures.running = running / (count * kCounted);
     pictures.apart = clock_->apart();
+    pictures.withoutOsmesa = clock_->withoutOsmesa();
     return pictures;
 }
 

@@ -25,6 +25,9 @@ TEST(NearestName, FindsATypingErrorAndNothingForAForeignWord)
     EXPECT_EQ(nearestName("spheres.raduis", names), "spheres.radius");
     EXPECT_EQ(nearestName("sphere.count", names), "spheres.count");
     EXPECT_EQ(nearestName("zzzzzzzz", names), "");
+    const std::vector<std::string> flags = {"--edges", "--count"};
+    EXPECT_EQ(nearestName("--bogus", flags), "") << "dashes alone are alike";
+    EXPECT_EQ(nearestName("--cuont", flags), "--count");
 }
 
 } // namespace

@@ -26,6 +26,8 @@ TEST(Options, HaveNamesOfTheirOwnAndAllTheirParts)
         EXPECT_EQ(findOption(option.key), &option);
     }
     EXPECT_EQ(findOption("no.such.key"), nullptr);
+    EXPECT_EQ(&optionOf("spheres.count"), findOption("spheres.count"));
+    EXPECT_THROW((void)optionOf("no.such.key"), std::logic_error);
 }
 
 TEST(Options, GiveBackOnTheCommandLineWhatTheyAre)
