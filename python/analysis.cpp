@@ -25,30 +25,6 @@ namespace
 
 using Owner = std::shared_ptr<PackingAnalysis>;
 
-double numberOf(const py::object& value, const char* name)
-{
-    const double number = PyFloat_AsDouble(value.ptr());
-    if (PyErr_Occurred() != nullptr)
-    {
-        PyErr_Clear();
-        throw Error(ErrorCode::usage,
-                    fmt::format("{} is {}, but it must be a number", name, shown(value)));
-    }
-    return number;
-}
-
-std::size_t countOf(const py::object& value, const char* name)
-{
-    const std::int64_t number = wholeNumberOf(value, name);
-    if (number < 0 || number > 0xffffffff)
-    {
-        throw Error(ErrorCode::usage,
-                    fmt::format("{} is {}, but it must be a whole number from 0 to 4294967295",
-                                name, number));
-    }
-    return static_cast<std::size_t>(number);
-}
-
 Axis axisOf(const py::object& value)
 {
     Scene scene;
@@ -75,6 +51,10 @@ AnalysisSettings settingsOf(const py::dict& given)
                         fmt::format("centre has {} numbers, but it must have 3", centre.size()));
         }
         settings.centre = Eigen::Vector3d(centre[0], centre[1], centre[2]);
+    }
+    if (!given["below"].is_none())
+    {
+        settings.below = numberOf(given["below"], "below");
     }
     settings.bins = countOf(given["bins"], "bins");
     settings.range = numberOf(given["range"], "range");

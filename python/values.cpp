@@ -255,4 +255,28 @@ std::int64_t wholeNumberOf(py::handle value, const char* name)
     return *number;
 }
 
+double numberOf(py::handle value, const char* name)
+{
+    const double number = PyFloat_AsDouble(value.ptr());
+    if (PyErr_Occurred() != nullptr)
+    {
+        PyErr_Clear();
+        throw Error(ErrorCode::usage,
+                    fmt::format("{} is {}, but it must be a number", name, shown(value)));
+    }
+    return number;
+}
+
+std::size_t countOf(py::handle value, const char* name)
+{
+    const std::int64_t number = wholeNumberOf(value, name);
+    if (number < 0 || number > 0xffffffff)
+    {
+        throw Error(ErrorCode::usage,
+                    fmt::format("{} is {}, but it must be a whole number from 0 to 4294967295",
+                                name, number));
+    }
+    return static_cast<std::size_t>(number);
+}
+
 } // namespace frostfill::python

@@ -27,5 +27,9 @@ namespace frostfill::python
 
 /// A whole number of Python or NumPy. Throws Error usage.
 [[nodiscard]] std::int64_t wholeNumberOf(pybind11::handle value, const char* name);
+/// The same from 0 on.
+[[nodiscard]] std::size_t countOf(pybind11::handle value, const char* name);
+/// Any number. Throws Error usage.
+[[nodiscard]] double numberOf(pybind11::handle value, const char* name);
 
 } // namespace frostfill::python

@@ -36,6 +36,9 @@ struct AnalysisSettings
     Axis up = Axis::y; ///< of the profiles
     /// A point of the axis of the radial profiles [mesh unit]; none: the middle of the mesh's box.
     std::optional<Eigen::Vector3d> centre = {};
+    /// [mesh unit] Height above the foot of the mesh at which the bed ends; none: at its surface,
+    /// which is over a place the highest top of the spheres within 1.5 of their radii.
+    std::optional<double> below = {};
     std::size_t bins = 50;    ///< of each profile along and about the axis
     double range = 5;         ///< [mean diameter] of g(r) and of the distance from the wall
     double contactGap = 0.01; ///< [smaller radius] below which a gap is a contact
@@ -48,7 +51,7 @@ struct AnalysisSettings
     std::vector<AnalysisKind> only = {};
 };
 
-/// A row of a profile, of the part of the object between two distances [mesh unit].
+/// A row of a profile, of the part of the bed between two distances [mesh unit].
 struct PorosityBin
 {
     double from = 0;
@@ -70,7 +73,7 @@ struct PairBin
 struct PairCorrelation
 {
     double range = 0;         ///< [mesh unit] what was asked, or what the object has room for
-    std::size_t centres = 0;  ///< spheres whose ball of that radius lies within the object
+    std::size_t centres = 0;  ///< spheres whose ball of that radius lies within the bed
     double numberDensity = 0; ///< [1/unit^3] in those balls
     std::vector<PairBin> bins;
 };
@@ -91,7 +94,7 @@ struct ContactStatistics
     std::vector<std::uint32_t> walls;   ///< pieces of wall that it touches
     std::vector<std::uint8_t> rattler;  ///< 1: what is left of its contacts does not hold it
     double mean = 0;                    ///< contacts with spheres, of all
-    double meanInside = 0;              ///< of those away from walls; NaN if there are none
+    double meanInside = 0;              ///< of those away from walls and surface; NaN if none are
     double meanHeld = 0;                ///< among those that are no rattlers; NaN if there are none
     std::size_t rattlers = 0;
 };
@@ -122,7 +125,7 @@ struct OrderStatistics
 {
     std::vector<double> q6;           ///< [#S]
     std::vector<std::uint32_t> bonds; ///< [#S]
-    std::size_t inside = 0;           ///< spheres away from walls, of which the means are
+    std::size_t inside = 0;           ///< spheres away from walls and surface: means are theirs
     double mean = 0;                  ///< of q6; NaN if none is inside
     double global = 0;                ///< Q6 of all their bonds together; likewise
 };
@@ -148,15 +151,20 @@ struct SizeProfiles
 
 struct PorosityProfiles
 {
-    bool slabsAreExact = false; ///< closed forms: unless the mesh passes through itself
+    /// Slabs that the surface does not cut are closed forms: unless the mesh crosses itself.
+    bool slabsAreExact = false;
     std::vector<PorosityBin> height;
     std::vector<PorosityBin> radial;
     std::vector<PorosityBin> wall;   ///< from the wall, up to the range
-    PorosityBin whole;               ///< all of the object, sampled
-    std::optional<PorosityBin> bulk; ///< what is farther from walls than the range, if anything is
+    PorosityBin whole;               ///< all of the bed, sampled
+    std::optional<PorosityBin> bulk; ///< see bulkInWords(), if there is any
 };
 
-/// What was asked; the others are empty.
+/// "bulk: 4 r from the walls and from the surface, ...": what `fill` calls the bulk, too.
+[[nodiscard]] const char* bulkInWords();
+
+/// What was asked; the others are empty. All is of the bed: what the mesh encloses below the
+/// surface.
 struct PackingAnalysis
 {
     AnalysisSettings settings;
@@ -164,10 +172,14 @@ struct PackingAnalysis
     std::vector<Eigen::Vector3d> centres; ///< [#S] [mesh unit]
     std::vector<double> radii;            ///< [#S] [mesh unit]
     std::vector<double> wallDistances;    ///< [#S] [mesh unit] of the centre
+    std::vector<double> depths;           ///< [#S] [mesh unit] of the centre below the surface
+    double largestRadius = 0;             ///< [mesh unit]
     std::size_t outside = 0;              ///< spheres left out: their centre is outside the mesh
     std::size_t notFinite = 0;            ///< spheres left out: their place is no number
     double meshVolume = 0;                ///< [unit^3] of the interior
     double sphereVolume = 0;              ///< [unit^3]
+
+    [[nodiscard]] bool isInBulk(std::size_t k) const;
 
     std::optional<PorosityProfiles> porosity;
     std::optional<PairCorrelation> pairs;

@@ -90,6 +90,7 @@ def analyse(
     mesh: str | PathLike[str] | None = None,
     up: str = "y",
     centre: ArrayLike | None = None,
+    below: float | None = None,
     bins: int = 50,
     range: float = 5,
     gap: float = 0.01,
@@ -112,6 +113,7 @@ def analyse(
     given = {
         "up": up,
         "centre": centre,
+        "below": below,
         "bins": bins,
         "range": range,
         "gap": gap,

@@ -97,6 +97,16 @@ void takeSpheres(const Packing& packing, const Container& container, Threads& th
 
 } // namespace
 
+bool PackingAnalysis::isInBulk(std::size_t k) const
+{
+    return frostfill::isInBulk(wallDistances[k], depths[k], largestRadius);
+}
+
+const char* bulkInWords()
+{
+    return kBulkInWords;
+}
+
 void checkSettings(const AnalysisSettings& settings)
 {
     require(settings.bins > 0 && settings.bins <= kMostBins,
@@ -110,6 +120,8 @@ void checkSettings(const AnalysisSettings& settings)
     require(settings.samples >= kFewestSamples && settings.samples <= kMostSamples,
             "the number of samples must be from 16 to 1e10");
     require(!settings.centre || settings.centre->allFinite(), "the centre must be three numbers");
+    require(!settings.below || *settings.below > 0,
+            "the height below which the bed is must be above 0");
     require(settings.threads >= 0, "the number of threads must not be negative");
     if (!hasVoronoiCells() && std::find(settings.only.begin(), settings.only.end(),
                                         AnalysisKind::cells) != settings.only.end())
@@ -154,13 +166,37 @@ const char* missingVoronoiCells()
 }
 
 ProfileFrame::ProfileFrame(const AnalysisInput& input)
-    : up_(static_cast<Eigen::Index>(input.settings.up)),
-      centre_(input.settings.centre.value_or(input.container.box().center())),
-      foot_(input.container.box().min()[up_]), tallest_(input.container.box().sizes()[up_])
+    : up_(static_cast<Eigen::Index>(input.settings.up))
 {
-    for (const Eigen::Vector3d& vertex : input.container.mesh().vertices)
+    const double end = std::min(input.container.box().max()[up_], input.top.highest());
+    std::vector<Eigen::Vector3d> corners; // of the object, as if it were cut there
+    const TriangleMesh& mesh = input.container.mesh();
+    for (const auto& triangle : mesh.triangles)
     {
-        widest_ = std::max(widest_, radius(vertex));
+        for (std::size_t k = 0; k < 3; ++k)
+        {
+            const Eigen::Vector3d& here = mesh.vertices[triangle[k]];
+            const Eigen::Vector3d& next = mesh.vertices[triangle[(k + 1) % 3]];
+            if (here[up_] <= end)
+            {
+                corners.push_back(here);
+            }
+            if ((here[up_] <= end) != (next[up_] <= end))
+            {
+                const double share = (end - here[up_]) / (next[up_] - here[up_]);
+                corners.emplace_back(here + share * (next - here));
+                corners.back()[up_] = end;
+            }
+        }
+    }
+    for (const Eigen::Vector3d& corner : corners)
+    {
+        box_.extend(corner);
+    }
+    centre_ = input.settings.centre.value_or(box_.center());
+    for (const Eigen::Vector3d& corner : corners)
+    {
+        widest_ = std::max(widest_, radius(corner));
     }
 }
 
@@ -176,6 +212,14 @@ PackingAnalysis analyseIn(const Container& container, const Packing& packing,
     {
         return analysis;
     }
+    const auto up = static_cast<Eigen::Index>(settings.up);
+    const BedTop top = settings.below ? BedTop(up, container.box().min()[up] + *settings.below)
+                                      : BedTop(up, analysis.centres, analysis.radii);
+    for (const Eigen::Vector3d& centre : analysis.centres)
+    {
+        analysis.depths.push_back(top.depth(centre));
+    }
+    analysis.largestRadius = *std::max_element(analysis.radii.begin(), analysis.radii.end());
     const SphereLevels levels(analysis.centres, analysis.radii);
     const AnalysisInput input{settings,
                               container,
@@ -183,6 +227,9 @@ PackingAnalysis analyseIn(const Container& container, const Packing& packing,
                               analysis.centres,
                               analysis.radii,
                               analysis.wallDistances,
+                              top,
+                              analysis.depths,
+                              analysis.largestRadius,
                               meanDiameterOf(analysis.radii),
                               threads};
     const auto find = [&](AnalysisKind kind, auto& result, auto function)

@@ -3,10 +3,12 @@
 
 #include "analysis/container.hpp"
 #include "base/threads.hpp"
+#include "bulk/bulk.hpp"
 #include "geometry/sphere_levels.hpp"
 
 #include <frostfill/analysis.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -25,6 +27,9 @@ struct AnalysisInput
     std::span<const Eigen::Vector3d> centres;
     std::span<const double> radii;
     std::span<const double> wallDistances;
+    const BedTop& top;
+    std::span<const double> depths; ///< [mesh unit] of the centres below the surface
+    double largestRadius;
     double meanDiameter; ///< [mesh unit] by number
     Threads& threads;
 
@@ -35,10 +40,12 @@ struct AnalysisInput
 
     [[nodiscard]] std::size_t size() const { return radii.size(); }
     [[nodiscard]] std::size_t parts() const { return (size() + kInPart - 1) / kInPart; }
+    /// How far the bed reaches in all directions about a sphere's centre.
+    [[nodiscard]] double room(std::size_t k) const { return std::min(wallDistances[k], depths[k]); }
     /// A bond to an equal sphere has room on every side.
     [[nodiscard]] bool isAwayFromWalls(std::size_t k) const
     {
-        return wallDistances[k] >= 2 * radii[k] * settings.bondLength;
+        return room(k) >= 2 * radii[k] * settings.bondLength;
     }
     /// Calls body(first, end, part).
     template <class Body>
@@ -53,28 +60,30 @@ struct AnalysisInput
     return 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
 }
 
-/// Where profiles run: up from the foot of the object, and outwards from an axis.
+/// Where profiles run: up from the foot of the object to the highest place of the bed, and outwards
+/// from an axis to the widest place below that.
 class ProfileFrame
 {
 public:
     explicit ProfileFrame(const AnalysisInput& input);
 
-    [[nodiscard]] double height(const Eigen::Vector3d& p) const { return p[up_] - foot_; }
+    [[nodiscard]] double height(const Eigen::Vector3d& p) const { return p[up_] - box_.min()[up_]; }
     [[nodiscard]] double radius(const Eigen::Vector3d& p) const
     {
         Eigen::Vector3d across = p - centre_;
         across[up_] = 0;
         return across.norm();
     }
-    [[nodiscard]] double tallest() const { return tallest_; } ///< [mesh unit]
-    [[nodiscard]] double widest() const { return widest_; }   ///< [mesh unit]
+    [[nodiscard]] double tallest() const { return box_.sizes()[up_]; } ///< [mesh unit]
+    [[nodiscard]] double widest() const { return widest_; }            ///< [mesh unit]
     [[nodiscard]] Eigen::Index up() const { return up_; }
+    /// The box of the object, as far as the bed goes up.
+    [[nodiscard]] const Eigen::AlignedBox3d& box() const { return box_; }
 
 private:
     Eigen::Index up_;
     Eigen::Vector3d centre_;
-    double foot_;
-    double tallest_;
+    Eigen::AlignedBox3d box_;
     double widest_ = 0;
 };
 

@@ -22,10 +22,13 @@ Json ofPorosity(const PackingAnalysis& analysis)
 {
     const PorosityProfiles& porosity = *analysis.porosity;
     Json json = {{"slabs", porosity.slabsAreExact ? "closed form" : "sampled"},
+                 {"of", "the bed: what the mesh encloses below the surface"},
+                 {"bed_volume", porosity.whole.objectVolume},
                  {"sampled", porosity.whole.porosity},
                  {"sampled_error", numberOrNull(porosity.whole.error)}};
     if (porosity.bulk)
     {
+        json["bulk_is"] = bulkInWords();
         json["bulk_beyond"] = porosity.bulk->from;
         json["bulk"] = porosity.bulk->porosity;
         json["bulk_error"] = numberOrNull(porosity.bulk->error);
@@ -82,6 +85,7 @@ Json settingsJson(const AnalysisSettings& settings)
                  {"bond_length", settings.bondLength},
                  {"rattlers_below", settings.rattlersBelow},
                  {"samples", settings.samples}};
+    json["below"] = settings.below ? Json(*settings.below) : Json(nullptr);
     if (settings.centre)
     {
         json["centre"] = {settings.centre->x(), settings.centre->y(), settings.centre->z()};

@@ -10,8 +10,8 @@ namespace
 
 /// Bins of a mean diameter.
 constexpr double kPairBins = 50;
-/// Share of the spheres, and number, that are at least as far from walls as g(r) reaches. Larger: a
-/// shorter range in narrow objects. Smaller: few spheres speak for all.
+/// Share of the spheres, and number, that are at least as far from walls and surface as g(r)
+/// reaches. Larger: a shorter range in narrow objects. Smaller: few spheres speak for all.
 constexpr double kLeastShare = 0.01;
 constexpr std::size_t kFewestCentres = 50;
 /// Of more spheres that have room, so many speak for all, evenly spread. Larger: time. Smaller: of
@@ -23,7 +23,11 @@ double rangeWithRoom(const AnalysisInput& input, double asked)
 {
     const auto share = static_cast<std::size_t>(kLeastShare * static_cast<double>(input.size()));
     const std::size_t fewest = std::min(std::max(share, kFewestCentres), input.size());
-    std::vector<double> distances(input.wallDistances.begin(), input.wallDistances.end());
+    std::vector<double> distances;
+    for (std::size_t k = 0; k < input.size(); ++k)
+    {
+        distances.push_back(input.room(k));
+    }
     const auto nth = distances.end() - static_cast<std::ptrdiff_t>(fewest);
     std::nth_element(distances.begin(), nth, distances.end());
     return std::min(asked, *nth);
@@ -109,7 +113,7 @@ PairCorrelation findPairs(const AnalysisInput& input)
     std::vector<std::uint32_t> centres;
     for (const std::uint32_t id : input.levels.order()) // so that near ones are looked at together
     {
-        if (input.wallDistances[id] >= pairs.range)
+        if (input.room(id) >= pairs.range)
         {
             centres.push_back(id);
         }

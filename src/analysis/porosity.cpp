@@ -14,11 +14,10 @@ namespace
 /// Parts of the height below which a slab counts as empty: what rounding leaves of one.
 constexpr double kNoVolume = 1e-12;
 
-std::vector<double> planesOf(const ProfileFrame& frame, const Container& container,
-                             std::size_t bins)
+std::vector<double> planesOf(const ProfileFrame& frame, std::size_t bins)
 {
     std::vector<double> planes;
-    const double foot = container.box().min()[frame.up()];
+    const double foot = frame.box().min()[frame.up()];
     for (std::size_t k = 0; k <= bins; ++k)
     {
         planes.push_back(foot +
@@ -62,9 +61,10 @@ std::vector<double> sphereSlabs(const AnalysisInput& input, Eigen::Index axis,
     return sums;
 }
 
+/// Of the object, wherever the bed ends.
 std::vector<PorosityBin> exactSlabs(const AnalysisInput& input, const ProfileFrame& frame)
 {
-    const std::vector<double> planes = planesOf(frame, input.container, input.settings.bins);
+    const std::vector<double> planes = planesOf(frame, input.settings.bins);
     const std::vector<double> object = meshSlabs(input.container.mesh(), frame.up(), planes);
     const std::vector<double> spheres = sphereSlabs(input, frame.up(), planes);
     std::vector<PorosityBin> bins;
@@ -84,11 +84,17 @@ std::vector<PorosityBin> exactSlabs(const AnalysisInput& input, const ProfileFra
 PorosityProfiles findPorosity(const AnalysisInput& input)
 {
     const ProfileFrame frame(input);
-    PorosityProfiles profiles = samplePorosity(input, frame);
+    SampledPorosity sampled = samplePorosity(input, frame);
+    PorosityProfiles& profiles = sampled.profiles;
     profiles.slabsAreExact = input.container.report().crossedTriangles == 0;
     if (profiles.slabsAreExact)
     {
-        profiles.height = exactSlabs(input, frame);
+        std::vector<PorosityBin> slabs = exactSlabs(input, frame);
+        // Those that the surface cuts stay sampled.
+        std::erase_if(slabs, [&](const PorosityBin& bin) { return bin.to > sampled.fullBelow; });
+        std::copy_if(profiles.height.begin(), profiles.height.end(), std::back_inserter(slabs),
+                     [&](const PorosityBin& bin) { return bin.to > sampled.fullBelow; });
+        profiles.height = std::move(slabs);
     }
     return profiles;
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/porosity_samples.hpp"
 
-#include "base/random.hpp"
-
 #include <algorithm>
 #include <array>
 
@@ -17,13 +15,8 @@ constexpr std::size_t kTimes = 16;
 /// Bins of a mean diameter of the profile from the wall: layers there are about one apart.
 constexpr double kWallBins = 10;
 constexpr std::size_t kPlacesInPart = 4096;
-constexpr std::uint64_t kSeed = 0x706f726f73697479; // any
 
-/// Of the digits of numbers along each axis [Halton 1960]. Multiples of the plastic number of three
-/// dimensions fill boxes worse than places at random here, because some of them nearly repeat.
-constexpr std::array<std::size_t, 3> kBases = {2, 3, 5};
-
-/// Places within the object, and those of them within a sphere.
+/// Places within the bed, and those of them within a sphere.
 struct Counts
 {
     std::uint64_t object = 0;
@@ -36,20 +29,27 @@ class Bins
 public:
     Bins(const AnalysisInput& input, const ProfileFrame& frame)
         : frame_(frame), bins_(input.settings.bins),
-          range_(input.settings.range * input.meanDiameter),
+          range_(input.settings.range * input.meanDiameter), largestRadius_(input.largestRadius),
           wallBins_(static_cast<std::size_t>(std::ceil(input.settings.range * kWallBins)))
     {
     }
 
-    // First those of heights, then those about the axis, those from the wall, the bulk, and all.
-    [[nodiscard]] std::size_t size() const { return 2 * bins_ + wallBins_ + 2; }
-    [[nodiscard]] double range() const { return range_; }
-    [[nodiscard]] std::array<std::size_t, 4> of(const Eigen::Vector3d& p, double wall) const
+    // First those of heights, then those about the axis, those from the wall, one that does not
+    // matter, the bulk, and all.
+    [[nodiscard]] std::size_t size() const { return all() + 1; }
+    [[nodiscard]] std::size_t elsewhere() const { return 2 * bins_ + wallBins_; }
+    [[nodiscard]] std::size_t bulk() const { return elsewhere() + 1; }
+    [[nodiscard]] std::size_t all() const { return bulk() + 1; }
+    [[nodiscard]] double bulkBeyond() const { return kBulkBeyond * largestRadius_; }
+    /// Up to which the distance from the wall matters.
+    [[nodiscard]] double limit() const { return std::max(range_, bulkBeyond()); }
+    [[nodiscard]] std::array<std::size_t, 5> of(const Eigen::Vector3d& p, double wall,
+                                                double depth) const
     {
         return {binOf(frame_.height(p), frame_.tallest(), bins_),
                 bins_ + binOf(frame_.radius(p), frame_.widest(), bins_),
-                2 * bins_ + (wall >= range_ ? wallBins_ : binOf(wall, range_, wallBins_)),
-                size() - 1};
+                wall < range_ ? 2 * bins_ + binOf(wall, range_, wallBins_) : elsewhere(),
+                isInBulk(wall, depth, largestRadius_) ? bulk() : elsewhere(), all()};
     }
     [[nodiscard]] PorosityBin bounds(std::size_t bin) const
     {
@@ -92,55 +92,39 @@ private:
     const ProfileFrame& frame_;
     std::size_t bins_;
     double range_;
+    double largestRadius_;
     std::size_t wallBins_;
 };
 
-/// The digits of a number behind the point, in reverse.
-double mirrored(std::size_t number, std::size_t base)
-{
-    std::size_t digits = 0;
-    double scale = 1;
-    for (; number > 0; number /= base)
-    {
-        digits = digits * base + number % base;
-        scale /= static_cast<double>(base);
-    }
-    return static_cast<double>(digits) * scale;
-}
-
-Eigen::Vector3d placeOf(const Eigen::AlignedBox3d& box, std::uint64_t time, std::size_t number)
-{
-    Eigen::Vector3d place;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-        const double at = uniformRandom(kSeed, time, axis) + mirrored(number, kBases[axis]);
-        const auto index = static_cast<Eigen::Index>(axis);
-        place[index] = box.min()[index] + (at - std::floor(at)) * box.sizes()[index];
-    }
-    return place;
-}
-
 using CountsOfTime = std::vector<Counts>; // [bin]
 
-std::vector<CountsOfTime> countPlaces(const AnalysisInput& input, const Bins& bins,
-                                      std::size_t places)
+/// Sets the height of the lowest place that is above the bed.
+std::vector<CountsOfTime> countPlaces(const AnalysisInput& input, const ProfileFrame& frame,
+                                      const Bins& bins, std::size_t places, double& fullBelow)
 {
     const std::size_t parts = (places + kPlacesInPart - 1) / kPlacesInPart;
     std::vector<CountsOfTime> counted(kTimes * parts);
+    std::vector<double> lowest(counted.size(), std::numeric_limits<double>::infinity());
     const auto countPart = [&](std::size_t i)
     {
         counted[i].resize(bins.size());
         const std::size_t first = i % parts * kPlacesInPart;
         for (std::size_t k = first; k < std::min(places, first + kPlacesInPart); ++k)
         {
-            const Eigen::Vector3d place = placeOf(input.container.box(), i / parts, k);
+            const Eigen::Vector3d place = placeInBox(frame.box(), i / parts, k);
             if (!input.container.contains(place))
             {
                 continue;
             }
+            const double depth = input.top.depth(place);
+            if (depth < 0)
+            {
+                lowest[i] = std::min(lowest[i], frame.height(place));
+                continue;
+            }
             const bool covered = input.levels.covers(place);
-            const double wall = input.container.distanceToWall(place, bins.range());
-            for (const std::size_t bin : bins.of(place, wall))
+            const double wall = input.container.distanceToWall(place, bins.limit());
+            for (const std::size_t bin : bins.of(place, wall, depth))
             {
                 ++counted[i][bin].object;
                 counted[i][bin].spheres += covered ? 1 : 0;
@@ -148,6 +132,7 @@ std::vector<CountsOfTime> countPlaces(const AnalysisInput& input, const Bins& bi
         }
     };
     input.threads.forEachLarge(counted.size(), countPart);
+    fullBelow = *std::min_element(lowest.begin(), lowest.end());
     std::vector<CountsOfTime> times(kTimes, CountsOfTime(bins.size()));
     for (std::size_t i = 0; i < counted.size(); ++i)
     {
@@ -197,14 +182,15 @@ bool fillIn(PorosityBin& row, const std::vector<CountsOfTime>& times, std::size_
 
 } // namespace
 
-PorosityProfiles samplePorosity(const AnalysisInput& input, const ProfileFrame& frame)
+SampledPorosity samplePorosity(const AnalysisInput& input, const ProfileFrame& frame)
 {
     const Bins bins(input, frame);
     const std::size_t places = (input.settings.samples + kTimes - 1) / kTimes;
-    const std::vector<CountsOfTime> times = countPlaces(input, bins, places);
-    const double volumeOfPlace =
-        input.container.box().volume() / static_cast<double>(kTimes * places);
-    PorosityProfiles profiles;
+    SampledPorosity sampled;
+    const std::vector<CountsOfTime> times =
+        countPlaces(input, frame, bins, places, sampled.fullBelow);
+    const double volumeOfPlace = frame.box().volume() / static_cast<double>(kTimes * places);
+    PorosityProfiles& profiles = sampled.profiles;
     for (std::size_t bin = 0; bin < bins.size(); ++bin)
     {
         PorosityBin row = bins.bounds(bin);
@@ -213,18 +199,18 @@ PorosityProfiles samplePorosity(const AnalysisInput& input, const ProfileFrame& 
         {
             profile->push_back(row);
         }
-        else if (found && bin + 1 == bins.size())
+        else if (found && bin == bins.all())
         {
             profiles.whole = row;
         }
-        else if (found)
+        else if (found && bin == bins.bulk())
         {
-            row.from = bins.range();
+            row.from = bins.bulkBeyond();
             row.to = AnalysisInput::kNothing;
             profiles.bulk = row;
         }
     }
-    return profiles;
+    return sampled;
 }
 
 } // namespace frostfill

@@ -2,6 +2,7 @@
 #include "analysis/analysis_input.hpp"
 
 #include <algorithm>
+#include <functional>
 
 namespace frostfill
 {
@@ -72,18 +73,24 @@ SizeProfiles findSizes(const AnalysisInput& input)
     const ProfileFrame frame(input);
     std::vector<double> heights;
     std::vector<double> distances;
-    for (const Eigen::Vector3d& centre : input.centres)
+    std::vector<double> radii;
+    for (std::size_t k = 0; k < input.size(); ++k)
     {
-        heights.push_back(frame.height(centre));
-        distances.push_back(frame.radius(centre));
+        if (input.depths[k] >= 0)
+        {
+            heights.push_back(frame.height(input.centres[k]));
+            distances.push_back(frame.radius(input.centres[k]));
+            radii.push_back(input.radii[k]);
+        }
     }
     SizeProfiles sizes;
-    sizes.height = profileOf(heights, input.radii, frame.tallest(), input.settings.bins);
-    sizes.radial = profileOf(distances, input.radii, frame.widest(), input.settings.bins);
-    const auto [smallest, largest] = std::minmax_element(input.radii.begin(), input.radii.end());
-    const bool equal = *smallest == *largest; // rounding would have a correlation of its own
-    sizes.withHeight = equal ? AnalysisInput::kNothing : correlation(heights, input.radii);
-    sizes.withRadial = equal ? AnalysisInput::kNothing : correlation(distances, input.radii);
+    sizes.height = profileOf(heights, radii, frame.tallest(), input.settings.bins);
+    sizes.radial = profileOf(distances, radii, frame.widest(), input.settings.bins);
+    // Rounding would give equal spheres a correlation of its own.
+    const bool equal =
+        std::adjacent_find(radii.begin(), radii.end(), std::not_equal_to<>()) == radii.end();
+    sizes.withHeight = equal ? AnalysisInput::kNothing : correlation(heights, radii);
+    sizes.withRadial = equal ? AnalysisInput::kNothing : correlation(distances, radii);
     return sizes;
 }
 

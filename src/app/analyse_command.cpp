@@ -83,20 +83,21 @@ void printRow(const char* what, const std::string& value)
 std::string textOf(double value)
 {
     return std::isfinite(value) ? fmt::format("{:.5g}", value)
-                                : "none: no sphere is far enough "
-                                  "from walls";
+                                : "none: no sphere is far enough from walls and surface";
 }
 
-void printPorosity(const PorosityProfiles& porosity)
+void printPorosity(const PackingAnalysis& analysis)
 {
-    printRow("porosity", fmt::format("{:.5f} +- {:.5f} by samples", porosity.whole.porosity,
-                                     porosity.whole.error));
-    if (porosity.bulk)
-    {
-        printRow("porosity of the bulk",
-                 fmt::format("{:.5f} +- {:.5f} beyond {:.4g} from walls", porosity.bulk->porosity,
-                             porosity.bulk->error, porosity.bulk->from));
-    }
+    const PorosityProfiles& porosity = *analysis.porosity;
+    printRow(
+        "porosity of the bed",
+        fmt::format("{:.5f} +- {:.5f} below {}", porosity.whole.porosity, porosity.whole.error,
+                    analysis.settings.below ? "the height that was given" : "its topmost spheres"));
+    printRow("porosity of the bulk",
+             porosity.bulk
+                 ? fmt::format("{:.5f} +- {:.5f}", porosity.bulk->porosity, porosity.bulk->error)
+                 : "none: no place is far enough from walls and surface");
+    fmt::print("  ({})\n", bulkInWords());
 }
 
 void printTable(const PackingAnalysis& analysis)
@@ -112,7 +113,7 @@ void printTable(const PackingAnalysis& analysis)
                          100 * analysis.sphereVolume / analysis.meshVolume));
     if (analysis.porosity)
     {
-        printPorosity(*analysis.porosity);
+        printPorosity(analysis);
     }
     if (analysis.pairs)
     {
@@ -122,7 +123,7 @@ void printTable(const PackingAnalysis& analysis)
     if (analysis.contacts)
     {
         printRow("contacts with spheres", fmt::format("{:.4f}", analysis.contacts->mean));
-        printRow("  away from walls", textOf(analysis.contacts->meanInside));
+        printRow("  away from walls and surface", textOf(analysis.contacts->meanInside));
         printRow("  without rattlers", fmt::format("{:.4f}; {} rattle", analysis.contacts->meanHeld,
                                                    analysis.contacts->rattlers));
     }
@@ -207,6 +208,11 @@ void addSettings(CLI::App& command, AnalyseArguments& arguments)
         ->delimiter(',')
         ->expected(3)
         ->type_name("X,Y,Z");
+    command
+        .add_option("--below", settings.below,
+                    "Height above the foot of the mesh at which the bed ends (at its topmost "
+                    "spheres)")
+        ->type_name("X");
     add("--bins", settings.bins, "Bins of a profile along or about the axis");
     add("--range", settings.range,
         "How far g(r) and the profile from the wall go, in mean diameters");

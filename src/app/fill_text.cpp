@@ -3,6 +3,7 @@
 
 #include "app/progress/message.hpp"
 #include "app/text/reach_text.hpp"
+#include "bulk/bulk.hpp"
 
 #include <fmt/format.h>
 
@@ -95,15 +96,16 @@ std::string fractionText(double asked, double reached)
     constexpr double kNear = 0.002;
     if (asked == RestSettings::kLoosest || asked == RestSettings::kDensest)
     {
-        return fmt::format("the bulk packs to {:.4f}, as {} as it gets\n", reached,
-                           asked == RestSettings::kLoosest ? "loosely" : "densely");
+        return fmt::format("the bulk packs to {:.4f}, as {} as it gets ({})\n", reached,
+                           asked == RestSettings::kLoosest ? "loosely" : "densely", kBulkInWords);
     }
     const char* why = reached > asked + kNear
                           ? "; it came in denser, and nothing loosens it: --motion granular fills "
                             "more loosely, with more friction more so"
                       : reached < asked - kNear ? "; without friction nothing flows any more"
                                                 : "";
-    return fmt::format("the bulk packs to {:.4f}, where {:g} is asked{}\n", reached, asked, why);
+    return fmt::format("the bulk packs to {:.4f}, where {:g} is asked{} ({})\n", reached, asked,
+                       why, kBulkInWords);
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include "run/run_files.hpp"
 
 #include "base/posix_file.hpp"
+#include "bulk/bulk.hpp"
 #include "output/atomic_file.hpp"
 #include "output/run_hash.hpp"
 #include "output/scene_json.hpp"
@@ -222,6 +223,7 @@ Json qualityJson(const QualityReport& quality)
         if (settling->fraction)
         {
             json["settling"]["bulk_fraction"] = *settling->fraction;
+            json["settling"]["bulk_is"] = kBulkInWords;
         }
     }
     for (const HeapReport& heap : quality.heaps)

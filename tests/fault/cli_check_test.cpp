@@ -155,5 +155,29 @@ TEST_F(CheckCommand, TakesTheColumnsOfATableByName)
     EXPECT_TRUE(std::filesystem::exists(folder_ / "found/contacts.csv"));
 }
 
+// In a cube that is half full, both say what they mean by the bulk.
+TEST_F(CheckCommand, AnalyseFindsTheBulkOfWhichFillTells)
+{
+    const Answer filled = run("fill cube --radius 0.1 --count 550 --motion granular --rest joint "
+                              "--friction 0.3 --fraction 0.62 --frames none --keep-run on --out run");
+    ASSERT_EQ(filled.code, 0) << filled.errors;
+    const char* words = "bulk: 4 r from the walls and from the surface";
+    EXPECT_NE(filled.output.find(words), std::string::npos) << filled.output;
+    const auto settling =
+        nlohmann::json::parse(test::readFile(folder_ / "run/summary.json"))["error"]["settling"];
+    EXPECT_EQ(settling["bulk_is"].get<std::string>().rfind(words, 0), 0U);
+    const Answer table = run("analyse run --only porosity --out table");
+    EXPECT_NE(table.output.find(words), std::string::npos) << table.output;
+    const Answer answer = run("analyse run --only porosity --out found --json");
+    ASSERT_EQ(answer.code, 0) << answer.errors;
+    const auto porosity = nlohmann::json::parse(answer.output)["porosity"];
+    EXPECT_NEAR(1 - porosity["bulk"].get<double>(), settling["bulk_fraction"].get<double>(), 0.006);
+    EXPECT_LT(porosity["sampled"], 0.5);
+    // All that the cube encloses.
+    const Answer whole = run("analyse run --only porosity --out whole --json --below 2");
+    EXPECT_GT(nlohmann::json::parse(whole.output)["porosity"]["sampled"], 0.6);
+    EXPECT_EQ(run("analyse run --below -1 --out new").code, 64);
+}
+
 } // namespace
 } // namespace frostfill

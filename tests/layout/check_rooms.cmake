@@ -23,6 +23,7 @@ room(mesh/interior base mesh geometry)
 room(mesh/skin mesh geometry base)
 room(mesh/repair mesh mesh/interior mesh/skin geometry)
 room(mesh/files base mesh mesh/repair)
+room(bulk base geometry mesh mesh/interior)
 room(view)
 room(snapshot)
 room(scene ${mesh} view)
@@ -40,7 +41,7 @@ room(simulation/reach ${core})
 room(simulation/discard ${core} simulation/contact simulation/reach)
 set(parts simulation/contact simulation/motion simulation/solver simulation/release simulation/reach
           simulation/discard)
-room(simulation/settling ${core} simulation/contact simulation/solver)
+room(simulation/settling ${core} bulk simulation/contact simulation/solver)
 room(simulation/freezing ${core} ${parts})
 room(simulation/paper ${core} simulation/contact simulation/motion simulation/discard
      simulation/release)
@@ -70,13 +71,13 @@ room(render ${seen} render/framing render/context render/passes render/overlay r
 
 room(run_file base ${mesh} snapshot)
 room(packing ${mesh} scene scene/options snapshot simulation simulation/quality run_file)
-room(analysis base geometry ${mesh} scene snapshot simulation simulation/quality packing)
+room(analysis base geometry ${mesh} bulk scene snapshot simulation simulation/quality packing)
 room(output base mesh snapshot scene scene/options image)
 room(shell mesh mesh/interior geometry snapshot)
 room(bed base geometry mesh mesh/interior output run_file)
 room(export base mesh view scene scene/options snapshot run_file output shell bed analysis)
 room(export/inputs mesh mesh/interior scene snapshot output export)
-room(run base mesh view scene scene/options snapshot simulation image renderer render/overlay run_file output analysis)
+room(run base mesh bulk view scene scene/options snapshot simulation image renderer render/overlay run_file output analysis)
 room(page mesh view scene snapshot renderer render/framing render/context render/overlay render/picture
      run_file output shell run)
 
@@ -86,7 +87,7 @@ room(import mesh scene snapshot run_file packing run)
 
 room(sweep base mesh scene scene/options simulation image renderer run_file output run)
 
-set(below base geometry oracle ${mesh} view scene scene/options snapshot simulation simulation/world ${parts}
+set(below base geometry oracle ${mesh} bulk view scene scene/options snapshot simulation simulation/world ${parts}
           simulation/quality simulation/columns simulation/engine image renderer render/framing render/context
           render/overlay render/picture run_file packing output export run analysis analysis/files)
 room(study ${below})
@@ -101,7 +102,7 @@ room(study/figures ${below} study study/error study/fps study/operations study/p
 room(app/help)
 room(app/progress run)
 room(app/text)
-room(app app/help app/progress app/text run page sweep study study/error study/figures study/fps study/operations study/peers study/stability)
+room(app app/help app/progress app/text bulk run page sweep study study/error study/figures study/fps study/operations study/peers study/stability)
 set(sees_all_public_headers app app/help app/progress app/text)
 
 set(common error measure)

@@ -55,6 +55,16 @@ class Analyse(FolderCase):
         with self.assertRaisesRegex(frostfill.Usage, "has no contacts"):
             found.network
 
+    def test_ends_the_bed_at_its_surface_or_at_a_height(self):
+        high = BOX * (1, 2, 1)
+        bed = frostfill.analyse(LATTICE, 0.5, high, FACES, samples=1 << 16, only="porosity")
+        self.assertAlmostEqual(bed.summary["porosity"]["sampled"], 1 - numpy.pi / 6, delta=0.01)
+        numpy.testing.assert_allclose(bed.porosity_height[:, 1].max(), 6)
+        whole = frostfill.analyse(LATTICE, 0.5, high, FACES, samples=1 << 16, only="porosity", below=12)
+        self.assertAlmostEqual(whole.summary["porosity"]["sampled"], 1 - numpy.pi / 12, delta=0.01)
+        with self.assertRaisesRegex(frostfill.Usage, "above 0"):
+            analyse(below=-1)
+
     def test_leaves_out_what_is_outside(self):
         found = frostfill.analyse([[0, 0, 0], [9, 0, 0], [0.5, 0, 0]], 0.25, mesh="cube", only="order")
         self.assertEqual(list(found.ids), [0, 2])

@@ -27,13 +27,14 @@ ContactLaw lawOf(const World& world)
 } // namespace
 
 Settling::Settling(World& world, Threads& threads)
-    : world_(world), running_(world.spheres.running()), motion_(world, lawOf(world), threads)
+    : world_(world), threads_(threads), running_(world.spheres.running()),
+      motion_(world, lawOf(world), threads)
 {
     if (!world.scene.rest.fraction)
     {
         return;
     }
-    bulk_.emplace(world, threads);
+    bulk_.emplace(world.surface, world.inside, 1, 1, threads);
     if (!bulk_->any())
     {
         throw Error(ErrorCode::badData,
@@ -119,7 +120,7 @@ void Settling::startFlow()
     inPhase_ = 0;
     motion_.stiffen(1 / stiffened_);
     stiffened_ = 1;
-    const std::optional<double> fraction = bulk_ ? bulk_->measure() : std::nullopt;
+    const std::optional<double> fraction = bulk_ ? bulkFraction() : std::nullopt;
     const bool compacts = fraction && *fraction < compactTo_;
     startRest();
     if (compacts)
@@ -135,7 +136,7 @@ void Settling::compact()
     givesWay_ = true;
     advanceByImpulses(kTimeOfCompaction, kDragOfCompaction);
     isDensest_ = isCalm() || inPhase_ >= kLongestFlow;
-    if (isDensest_ || bulk_->measure().value_or(1) >= compactTo_)
+    if (isDensest_ || bulkFraction().value_or(1) >= compactTo_)
     {
         const ContactLaw law = lawOf(world_);
         motion_.setFriction(law.friction, law.wallFriction);
@@ -292,7 +293,7 @@ bool Settling::hasCompacted()
     {
         return true;
     }
-    const std::optional<double> reached = bulk_->measure();
+    const std::optional<double> reached = bulkFraction();
     world_.clock.settling.fraction = reached;
     const double missing = *world_.scene.rest.fraction - reached.value_or(1);
     if (missing <= kFractionMissing || isDensest_ || compactions_ >= kMostCompactions)
@@ -301,6 +302,11 @@ bool Settling::hasCompacted()
     }
     compactTo_ += missing;
     return false;
+}
+
+std::optional<double> Settling::bulkFraction() const
+{
+    return bulk_->fraction(running_.position.all(), running_.radius.all(), threads_);
 }
 
 void Settling::report()

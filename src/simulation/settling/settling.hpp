@@ -4,7 +4,7 @@
 #pragma once
 
 #include "base/threads.hpp"
-#include "simulation/settling/bulk_fraction.hpp"
+#include "bulk/bulk.hpp"
 #include "simulation/settling/granular_motion.hpp"
 #include "simulation/world/world.hpp"
 
@@ -85,9 +85,11 @@ private:
     [[nodiscard]] bool hasStayed() const;
     void freeze();
     [[nodiscard]] bool hasCompacted();
+    [[nodiscard]] std::optional<double> bulkFraction() const;
     void report();
 
     World& world_;
+    Threads& threads_;
     RunningSpheres& running_;
     GranularMotion motion_;
     std::vector<std::uint32_t> order_; ///< ids, by the row in which each of them runs
@@ -96,7 +98,7 @@ private:
     double inPhase_ = 0;                    ///< time since it began
     double stiffened_ = 1;                  ///< by this factor
     double mass_ = 0;                       ///< of all
-    std::optional<BulkFraction> bulk_;      ///< if the scene asks for a packing fraction
+    std::optional<Bulk> bulk_;              ///< if the scene asks for a packing fraction
     double compactTo_ = 0;                  ///< fraction, while contacts are soft
     int compactions_ = 0;                   ///< since all began to run
     int reloads_ = 0;                       ///< times that forces were forgotten, of these spheres

@@ -183,16 +183,6 @@ inline constexpr double kTimeOfCompaction = 0.1;
 
 // A packing fraction that is asked for.
 
-/// Places at which it is counted whether a sphere is there, about, in the box of the bulk. Larger:
-/// time. Smaller: noise, some 0.001 at a quarter of them.
-inline constexpr double kPlacesOfBulk = 60000;
-/// As few tell too little.
-inline constexpr std::size_t kFewestPlaces = 500;
-/// Distance from walls, and from the top of the pile, from which a pile is bulk [r]: two diameters,
-/// within which walls order it [Benenati & Brosilow 1962].
-inline constexpr double kBulkBeyond = 4;
-/// Share of the spheres that lie below what is called the top.
-inline constexpr double kBelowTop = 0.95;
 /// What may be missing of the fraction when all has settled. Larger: less accurate. Smaller: one
 /// more round of settling, for no more than the noise above.
 inline constexpr double kFractionMissing = 0.001;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "study/error/error_runs.hpp"
 
-#include "study/error/bulk_packing.hpp"
 #include "study/error/error_finish.hpp"
 #include "study/stability/stress_meshes.hpp"
 
+#include <frostfill/analysis.hpp>
 #include <frostfill/simulation.hpp>
 
 #include <fmt/format.h>
@@ -67,6 +67,38 @@ ErrorPoint discardRun(Preset preset, const char* object, std::uint64_t count,
         ""};
 }
 
+struct BulkPacking
+{
+    double fraction = 0;
+    double contacts = 0; ///< mean number a sphere of gaps below 1 % of a diameter
+    double spheres = 0;  ///< whose centres are there
+};
+
+BulkPacking bulkPacking(const World& world)
+{
+    Packing packing;
+    for (std::size_t id = 0; id < world.spheres.size(); ++id)
+    {
+        packing.centres.push_back(world.spheres.position(id));
+        packing.radii.push_back(world.spheres.radius(id));
+    }
+    const PackingAnalysis analysis = analysePacking(
+        world.surface.mesh(), packing,
+        {.contactGap = 0.02, .only = {AnalysisKind::porosity, AnalysisKind::contacts}});
+    BulkPacking bulk;
+    for (std::size_t k = 0; k < analysis.ids.size(); ++k)
+    {
+        if (analysis.isInBulk(k))
+        {
+            bulk.contacts += analysis.contacts->spheres[k];
+            ++bulk.spheres;
+        }
+    }
+    bulk.contacts /= std::max(bulk.spheres, 1.0);
+    bulk.fraction = analysis.porosity->bulk ? 1 - analysis.porosity->bulk->porosity : 0;
+    return bulk;
+}
+
 ErrorPoint layerRun(bool bySet, std::uint32_t setSize, double diameters)
 {
     const double half = diameters / 2;
@@ -77,7 +109,7 @@ ErrorPoint layerRun(bool bySet, std::uint32_t setSize, double diameters)
     scene.spheres.groupSize = setSize;
     scene.spheres.groupsPerSet = 1;
     const Finished run = finishRun(scene, mesh);
-    const BulkPacking bulk = bulkPacking(*run.world, 4 * 2);
+    const BulkPacking bulk = bulkPacking(*run.world);
     // The error is what is missing to random close packing.
     constexpr double kRandomClose = 0.639;
     const double layers = setSize / (1.15 * diameters * diameters);
@@ -87,8 +119,8 @@ ErrorPoint layerRun(bool bySet, std::uint32_t setSize, double diameters)
             !bySet && setSize == kUsualSet,
             run.seconds,
             kRandomClose - bulk.fraction,
-            {layers, bulk.fraction, bulk.contacts, static_cast<double>(bulk.spheres),
-             run.quality.maxOverlap, static_cast<double>(run.world->counts.overdue),
+            {layers, bulk.fraction, bulk.contacts, bulk.spheres, run.quality.maxOverlap,
+             static_cast<double>(run.world->counts.overdue),
              static_cast<double>(run.quality.unsupported) /
                  static_cast<double>(run.world->spheres.size())},
             false,

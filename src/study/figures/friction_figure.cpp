@@ -22,25 +22,16 @@ struct Preparation
 constexpr Preparation kPreparations[] = {{"loosest", RestSettings::kLoosest},
                                          {"densest", RestSettings::kDensest}};
 constexpr double kFrictions[] = {0.1, 0.2, 0.3, 0.6, 1};
-/// From walls and top, as for the packing fraction [r].
-constexpr double kBeyond = 4;
 constexpr double kContactGap = 1e-4; ///< [r] below which a gap is a contact
 
 /// Mean number of contacts of a sphere in the bulk that is no rattler.
 double contactsInBulk(const PackingAnalysis& analysis)
 {
-    double top = 0;
-    for (const Eigen::Vector3d& centre : analysis.centres)
-    {
-        top = std::max(top, centre.y());
-    }
     double sum = 0;
     double held = 0;
     for (std::size_t k = 0; k < analysis.centres.size(); ++k)
     {
-        const double beyond = kBeyond * analysis.radii[k];
-        if (analysis.wallDistances[k] > beyond && analysis.centres[k].y() < top - beyond &&
-            analysis.contacts->rattler[k] == 0)
+        if (analysis.isInBulk(k) && analysis.contacts->rattler[k] == 0)
         {
             sum += analysis.contacts->spheres[k];
             ++held;

@@ -20,6 +20,7 @@ PairCorrelation pairsOf(const TriangleMesh& mesh, const Packing& packing, double
     AnalysisSettings settings;
     settings.only = {AnalysisKind::pairs};
     settings.range = range;
+    settings.below = 1e3; // of all that the mesh encloses
     return *analysePacking(mesh, packing, settings).pairs;
 }
 

@@ -91,7 +91,7 @@ TEST(AnalysePacking, OfOneSphereHasAllThatOneCanHave)
     packing.centres.pop_back();
     packing.radii.pop_back();
     packing.atRest.pop_back();
-    const PackingAnalysis analysis = analyse(packing);
+    const PackingAnalysis analysis = analyse(packing, {.below = 2});
     EXPECT_EQ(analysis.contacts->mean, 0);
     EXPECT_EQ(analysis.contacts->rattlers, 1U);
     EXPECT_EQ(analysis.pairs->centres, 1U);

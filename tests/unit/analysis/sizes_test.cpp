@@ -17,6 +17,7 @@ SizeProfiles sizesOf(const Packing& packing)
     AnalysisSettings settings;
     settings.only = {AnalysisKind::sizes};
     settings.bins = 4;
+    settings.below = 4;
     return *analysePacking(shapes::box({-2, 0, -2}, {2, 4, 2}), packing, settings).sizes;
 }
 

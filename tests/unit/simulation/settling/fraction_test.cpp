@@ -1,75 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "simulation/settling/bulk_fraction.hpp"
-
 #include "support/expect_error.hpp"
 #include "support/shapes.hpp"
-#include "support/small_world.hpp"
 
 #include <frostfill/simulation.hpp>
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <numbers>
-
 namespace frostfill
 {
 namespace
 {
-
-/// Runs spheres of radius 1 in a room twenty across, in layers of `height`, up to y = `top`; every
-/// other layer is shifted by `shift` along x and z.
-std::unique_ptr<World> latticeOfSpheres(double across, double height, double shift, double top)
-{
-    std::unique_ptr<World> world = smallWorld(shapes::box({-10, -10, -10}, {10, 10, 10}));
-    int layer = 0;
-    for (double y = -9; y <= top; y += height, ++layer)
-    {
-        const double from = layer % 2 == 0 ? -9 : -9 + shift;
-        for (double x = from; x < 9.1; x += across)
-        {
-            for (double z = from; z < 9.1; z += across)
-            {
-                world->spheres.add({x, y, z}, 1, 0);
-            }
-        }
-    }
-    return world;
-}
-
-double fractionOf(World& world)
-{
-    Threads threads(1);
-    return BulkFraction(world, threads).measure().value_or(-1);
-}
-
-TEST(BulkFraction, IsThatOfACubicLattice)
-{
-    // The places of a lattice count one whose period is near to theirs less nearly than a random
-    // one.
-    EXPECT_NEAR(fractionOf(*latticeOfSpheres(2, 2, 0, 9)), std::numbers::pi / 6, 0.01);
-}
-
-TEST(BulkFraction, IsThatOfTheDensestLattice)
-{
-    const double root = std::sqrt(2.0);
-    EXPECT_NEAR(fractionOf(*latticeOfSpheres(2, root, 1, 9)), std::numbers::pi / (3 * root), 0.006);
-}
-
-TEST(BulkFraction, LeavesOutWhatIsAboveThePile)
-{
-    EXPECT_NEAR(fractionOf(*latticeOfSpheres(2, 2, 0, 1)), std::numbers::pi / 6, 0.006);
-}
-
-TEST(BulkFraction, IsNoneWhereNothingIsFarFromWalls)
-{
-    const auto world = smallWorld(shapes::box({-10, -3, -10}, {10, 3, 10}));
-    world->spheres.add({0, 0, 0}, 1, 0);
-    Threads threads(1);
-    BulkFraction bulk(*world, threads);
-    EXPECT_FALSE(bulk.any());
-    EXPECT_FALSE(bulk.measure());
-}
 
 Scene sceneOfFraction(std::optional<double> fraction)
 {
