@@ -22,6 +22,14 @@ void printResult(const ExportResult& result)
     line += fmt::format(", {} spheres, {:.3g} MB", result.spheres,
                         static_cast<double>(result.bytes) / 1e6);
     line += describe(result.shell);
+    line += result.unitsPerMetre == 1
+                ? "; lengths in metres"
+                : fmt::format("; lengths in the unit of the mesh, {:g} in a metre",
+                              result.unitsPerMetre);
+    line += result.cells > 0
+                ? fmt::format("; snappyHexMesh will make about {:.2g} million cells (--cell)",
+                              result.cells / 1e6)
+                : "";
     fmt::print("{}{}\n", line, result.unfinished ? "; the run has not ended" : "");
 }
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "study/error/tessellated_spheres.hpp"
 
+#include "mesh/geodesic_sphere.hpp"
 #include "render/picture/shrink.hpp"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <array>
-#include <cmath>
 #include <vector>
 
 namespace frostfill
@@ -19,41 +19,16 @@ using Triangle = std::array<glm::vec3, 3>;
 
 std::vector<Triangle> icosphere(int subdivisions)
 {
-    const float g = (1 + std::sqrt(5.0F)) / 2;
-    const std::array<glm::vec3, 12> p = {{{-1, g, 0},
-                                          {1, g, 0},
-                                          {-1, -g, 0},
-                                          {1, -g, 0},
-                                          {0, -1, g},
-                                          {0, 1, g},
-                                          {0, -1, -g},
-                                          {0, 1, -g},
-                                          {g, 0, -1},
-                                          {g, 0, 1},
-                                          {-g, 0, -1},
-                                          {-g, 0, 1}}};
-    constexpr std::array<std::array<int, 3>, 20> kFaces = {
-        {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
-         {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
-         {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}}};
+    const TriangleMesh mesh = geodesicSphere(std::size_t{1} << subdivisions);
     std::vector<Triangle> triangles;
-    for (const auto& [a, b, c] : kFaces)
+    for (const auto& corners : mesh.triangles)
     {
-        triangles.push_back({glm::normalize(p[static_cast<std::size_t>(a)]),
-                             glm::normalize(p[static_cast<std::size_t>(b)]),
-                             glm::normalize(p[static_cast<std::size_t>(c)])});
-    }
-    for (int level = 0; level < subdivisions; ++level)
-    {
-        std::vector<Triangle> finer;
-        for (const auto& [a, b, c] : triangles)
+        Triangle& triangle = triangles.emplace_back();
+        for (std::size_t k = 0; k < 3; ++k)
         {
-            const glm::vec3 ab = glm::normalize(a + b);
-            const glm::vec3 bc = glm::normalize(b + c);
-            const glm::vec3 ca = glm::normalize(c + a);
-            finer.insert(finer.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
+            const Eigen::Vector3d& p = mesh.vertices[corners[k]];
+            triangle[k] = {p.x(), p.y(), p.z()};
         }
-        triangles = finer;
     }
     return triangles;
 }

@@ -2,6 +2,7 @@
 #include "base/processor_time.hpp"
 #include "base/run_program.hpp"
 #include "output/atomic_file.hpp"
+#include "output/stl_text.hpp"
 #include "study/peers/peer.hpp"
 #include "study/peers/pouring.hpp"
 
@@ -53,26 +54,6 @@ public:
 private:
     fs::path folder_;
 };
-
-std::string stlOf(const TriangleMesh& mesh)
-{
-    std::string text = "solid object\n";
-    auto out = std::back_inserter(text);
-    for (const auto& t : mesh.triangles)
-    {
-        const Eigen::Vector3d& a = mesh.vertices[t[0]];
-        const Eigen::Vector3d n =
-            (mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a).normalized();
-        fmt::format_to(out, "facet normal {} {} {}\nouter loop\n", n.x(), n.y(), n.z());
-        for (const std::uint32_t v : t)
-        {
-            fmt::format_to(out, "vertex {} {} {}\n", mesh.vertices[v].x(), mesh.vertices[v].y(),
-                           mesh.vertices[v].z());
-        }
-        text += "endloop\nendfacet\n";
-    }
-    return text + "endsolid object\n";
-}
 
 constexpr const char* kScript = R"(atom_style granular
 atom_modify map array
@@ -189,7 +170,7 @@ bool hasLiggghts()
 PeerResult runLiggghts(const PeerTask& task, double stiffness, double still)
 {
     const TemporaryFolder workplace;
-    workplace.write("object.stl", stlOf(task.mesh));
+    writeStl(workplace.folder() / "object.stl", task.mesh, "object");
     workplace.write("script.in", scriptOf(task, stiffness, still));
     const double before = processorSecondsOfChildren();
     const auto limit = fmt::format("{:.0f}", task.secondsLimit);
