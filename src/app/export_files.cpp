@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace frostfill
 {
 namespace
@@ -27,8 +29,8 @@ void printResult(const ExportResult& result)
                 : fmt::format("; lengths in the unit of the mesh, {:g} in a metre",
                               result.unitsPerMetre);
     line += result.cells > 0
-                ? fmt::format("; snappyHexMesh will make about {:.2g} million cells (--cell)",
-                              result.cells / 1e6)
+                ? fmt::format("; snappyHexMesh will make about {:.0f} thousand cells (--cell)",
+                              std::ceil(result.cells / 1e3))
                 : "";
     fmt::print("{}{}\n", line, result.unfinished ? "; the run has not ended" : "");
 }
