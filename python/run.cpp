@@ -212,13 +212,72 @@ std::size_t drawRun(const KeptRun& run, const py::object& directory, const py::o
     return result.frames;
 }
 
-std::vector<std::filesystem::path> exportInto(const KeptRun& run, const std::string& format,
-                                              const py::object& folder, const std::string& frames,
-                                              bool overwrite, bool fullMesh)
+std::string wordOf(py::handle value, const char* name)
 {
-    const ExportRequest request{run.file(), exportFormat(format).format,
-                                frames,     pathOf(folder, "path"),
-                                overwrite,  fullMesh};
+    if (!py::isinstance<py::str>(value))
+    {
+        throw Error(ErrorCode::usage,
+                    fmt::format("{} is {}, but it must be a str", name, shown(value)));
+    }
+    return value.cast<std::string>();
+}
+
+/// Reads the options of an export that were given.
+ExportRequest exportRequestOf(const KeptRun& run, const std::string& format,
+                              const py::object& folder, const py::dict& given)
+{
+    ExportRequest request;
+    request.run = run.file();
+    request.format = exportFormat(format).format;
+    request.out = pathOf(folder, "path");
+    for (const std::string_view option : exportOptions())
+    {
+        std::string keyword(option);
+        std::replace(keyword.begin(), keyword.end(), '-', '_');
+        if (given.contains(keyword))
+        {
+            requireOption(request.format, option);
+        }
+    }
+    const auto take = [&](const char* name, auto&& read)
+    {
+        if (given.contains(name))
+        {
+            read(given[name], name);
+        }
+    };
+    BedSettings& bed = request.bed;
+    take("frames",
+         [&](const py::object& value, const char* name) { request.frames = wordOf(value, name); });
+    take("contacts", [&](const py::object& value, const char* name)
+         { parseContacts(wordOf(value, name), bed); });
+    take("measure",
+         [&](const py::object& value, const char* name)
+         {
+             for (const py::handle each : value)
+             {
+                 request.measured.push_back(wordOf(each, name));
+             }
+         });
+    take("cell",
+         [&](const py::object& value, const char* name) { bed.cell = numberOf(value, name); });
+    take("resolution",
+         [&](const py::object& value, const char* name) { bed.resolution = countOf(value, name); });
+    take("voxels",
+         [&](const py::object& value, const char* name) { bed.voxels = countOf(value, name); });
+    take("threads", [&](const py::object& value, const char* name)
+         { bed.threads = static_cast<int>(std::min<std::size_t>(countOf(value, name), 32767)); });
+    request.overwrite = given.contains("overwrite");
+    request.fullMesh = given.contains("full_mesh");
+    request.shell = !given.contains("no_shell");
+    bed.ascii = given.contains("ascii");
+    return request;
+}
+
+std::vector<std::filesystem::path> exportInto(const KeptRun& run, const std::string& format,
+                                              const py::object& folder, const py::dict& given)
+{
+    const ExportRequest request = exportRequestOf(run, format, folder, given);
     Interrupts interrupts;
     ExportResult result;
     try
@@ -297,16 +356,6 @@ void addRun(py::module_& module)
              py::arg("contact_sheet"), py::arg("camera_path"), py::arg("overwrite"))
         .def("export_into", &exportInto);
     module.def("fill_into", &fillInto);
-    module.def("export_formats",
-               []
-               {
-                   std::vector<std::string> names;
-                   for (const ExportFormatInfo& info : exportFormats())
-                   {
-                       names.emplace_back(info.name);
-                   }
-                   return names;
-               });
 }
 
 } // namespace frostfill::python

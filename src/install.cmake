@@ -17,6 +17,7 @@ target_sources(frostfill_core PUBLIC FILE_SET HEADERS BASE_DIRS ${public} FILES
     ${public}/frostfill/view.hpp)
 target_sources(frostfill_render PUBLIC FILE_SET HEADERS BASE_DIRS ${public} FILES
     ${public}/frostfill/analysis.hpp
+    ${public}/frostfill/bed.hpp
     ${public}/frostfill/export.hpp
     ${public}/frostfill/fill.hpp
     ${public}/frostfill/image.hpp

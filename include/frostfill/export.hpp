@@ -58,6 +58,12 @@ struct ExportFormatInfo
 /// Throws Error usage with the nearest name.
 [[nodiscard]] const ExportFormatInfo& exportFormat(std::string_view name);
 
+/// Options of the command `export` that only some formats take, without dashes: "measure",
+/// "full-mesh", "no-shell", "contacts", "resolution", "ascii", "cell" and "voxels".
+[[nodiscard]] std::span<const std::string_view> exportOptions();
+/// Throws Error usage, which names the formats that do, if a format does not take one of them.
+void requireOption(ExportFormat format, std::string_view option);
+
 struct ExportRequest
 {
     std::filesystem::path run; ///< a run file, or a folder that has run.frost
@@ -68,6 +74,7 @@ struct ExportRequest
     /// All triangles of a dense mesh where a simplified shell would be written: in glb and
     /// glbInstanced. The other formats have the true mesh, or none.
     bool fullMesh = false;
+    bool shell = true;    ///< in glb and glbInstanced
     BedSettings bed = {}; ///< of the formats that are geometry
     /// Columns that are measured of each frame, see Column::measured, beside those of the run.
     std::vector<std::string> measured = {};
@@ -77,23 +84,26 @@ struct ExportResult
 {
     std::vector<std::filesystem::path> files; ///< the one to open comes first
     std::size_t frames = 0;
-    std::size_t spheres = 0; ///< in the last frame
-    std::size_t repeats = 0; ///< frames left out because another shows the same moment
-    std::uint64_t bytes = 0; ///< of all files
-    ShellInFile shell;       ///< of glTF; the other formats have none
-    bool unfinished = false; ///< the run was stopped, or is still under way
+    std::size_t spheres = 0;  ///< in the last frame
+    std::size_t repeats = 0;  ///< frames left out because another shows the same moment
+    std::uint64_t bytes = 0;  ///< of all files
+    ShellInFile shell;        ///< of glTF; the other formats have none
+    double cells = 0;         ///< of openFoam: estimate of the cells that its mesh will have
+    double unitsPerMetre = 1; ///< in which the lengths of the files are
+    bool unfinished = false;  ///< the run was stopped, or is still under way
 };
 
 /// Called after each frame with the number that are done and all; false stops.
 using ExportProgress = std::function<bool(std::size_t done, std::size_t all)>;
 
-/// Writes frames of a run in another format. Lengths are in the unit of the mesh, times in seconds,
-/// and positions are those of the world: a moved object and its spheres are where they were moved.
-/// Of selected frames that show the same moment one is written, so that times ascend: the first
-/// of those with the last of its states.
-/// Places of resting spheres are exact; those of moving ones are rounded to 1/10,000 of a radius.
-/// Throws Error inputMissing or badData for a run that cannot be read, usage for a selection
-/// without a frame, cannotCreate if a file is there already, writeFailed, and stoppedEarly.
+/// Writes frames of a run in another format. Lengths are in the unit of the mesh, those of
+/// openFoam, glb and glbInstanced in metres. Times are in seconds. Positions are those of the
+/// world: a moved object and its spheres are where they were moved. Of selected frames that show
+/// the same moment one is written, so that times ascend: the first of those with the last of its
+/// states. Places of resting spheres are exact; those of moving ones are rounded to 1/10,000 of a
+/// radius. Throws Error inputMissing or badData for a run that cannot be read, usage for a
+/// selection without a frame and for an option that the format does not take, cannotCreate if a
+/// file is there already, writeFailed, and stoppedEarly.
 ExportResult exportRun(const ExportRequest& request, const ExportProgress& progress = {});
 
 } // namespace frostfill

@@ -266,15 +266,23 @@ class Run:
         *,
         frames: str | None = ...,
         overwrite: bool = ...,
+        measure: str | Sequence[str] = ...,
         full_mesh: bool = ...,
+        no_shell: bool = ...,
+        contacts: str | None = ...,
+        resolution: int | None = ...,
+        ascii: bool = ...,
+        cell: float | None = ...,
+        voxels: int | None = ...,
+        threads: int | None = ...,
     ) -> list[Path]:
         """Writes the run for other programs, and returns the files, the one to open first.
 
         Without a format, `path` is a file and its ending says what it is: .vtp, .xyz, .glb, .ply,
-        .csv, .npz, .dump or .data (LAMMPS). With one, such as "vtp", "glb-instanced" or an input of
-        another program ("liggghts", "yade", "lammps", "mercurydpm", "mfix", "lethe", "openmc",
-        "gmsh"), it is a folder. frames: "last", "all" or numbers and ranges such as "0..100:10". full_mesh: keep all
-        triangles of a dense mesh in glTF, in place of a simplified shell."""
+        .csv, .npz, .vti, .dump or .data (LAMMPS). With one, such as "vtp", "openfoam", "npy" or
+        "liggghts", it is a folder. frames: "last", "all" or numbers and ranges such as
+        "0..100:10". The other keywords are the options of `frostfill export`; a format refuses
+        those that it does not take."""
 
 class Simulation:
     """A run, step by step. Nothing is written.
@@ -682,6 +690,7 @@ def analyse(
         mesh: str | PathLike[str] | None = ...,
         up: str = ...,
         centre: ArrayLike | None = ...,
+        below: float | None = ...,
         bins: int = ...,
         range: float = ...,
         gap: float = ...,

@@ -10,6 +10,7 @@ import stat
 import tempfile
 import uuid
 import weakref
+from collections.abc import Sequence
 from os import PathLike
 from pathlib import Path
 
@@ -140,41 +141,61 @@ class Run(_frostfill.KeptRun):
         *,
         frames: str | None = None,
         overwrite: bool = False,
+        measure: str | Sequence[str] = (),
         full_mesh: bool = False,
+        no_shell: bool = False,
+        contacts: str | None = None,
+        resolution: int | None = None,
+        ascii: bool = False,
+        cell: float | None = None,
+        voxels: int | None = None,
+        threads: int | None = None,
     ) -> list[Path]:
         """Writes the run for other programs, and returns the files, the one to open first.
 
         Without a format, `path` is a file and its ending says what it is: .vtp, .xyz, .glb, .ply,
-        .csv, .npz, .dump or .data (LAMMPS). With one, such as "vtp", "glb-instanced" or an input of
-        another program ("liggghts", "yade", "lammps", "mercurydpm", "mfix", "lethe", "openmc",
-        "gmsh"), it is a folder. frames: "last", "all" or numbers and ranges such as "0..100:10". full_mesh: keep all
-        triangles of a dense mesh in glTF, in place of a simplified shell.
+        .csv, .npz, .vti, .dump or .data (LAMMPS). With one, such as "vtp", "openfoam", "npy" or
+        "liggghts", it is a folder. frames: "last", "all" or numbers and ranges such as
+        "0..100:10". The other keywords are the options of `frostfill export`; a format refuses
+        those that it does not take.
         """
+        values = {
+            "frames": frames,
+            "measure": ([measure] if isinstance(measure, str) else list(measure)) or None,
+            "contacts": contacts,
+            "resolution": resolution,
+            "cell": cell,
+            "voxels": voxels,
+            "threads": threads,
+        }
+        flags = {"overwrite": overwrite, "full_mesh": full_mesh, "no_shell": no_shell, "ascii": ascii}
+        given = {name: value for name, value in values.items() if value is not None}
+        given.update((name, True) for name, value in flags.items() if value)
         if format is not None:
-            return self.export_into(_text(format, "format"), path, frames or "", overwrite, full_mesh)
+            return self.export_into(_text(format, "format"), path, given)
         target = Path(os.fsdecode(path))
         ending = target.suffix[1:].lower()
-        formats = [f for f in _frostfill.export_formats()
-                   if f in (ending, f"lammps-{ending}") and f not in _INPUTS]
-        if not formats:
+        if ending not in _ENDINGS:
             raise _frostfill.Usage(
-                f"'{target}' does not say its format: end it in .vtp, .xyz, .glb, .ply, .csv, .npz, "
-                ".dump or .data, or give a folder and a format"
+                f"'{target}' does not say its format: end it in .{', .'.join(_ENDINGS)}, or give a "
+                "folder and a format"
             )
         if target.exists() and not overwrite:
             raise _frostfill.CannotCreate(f"'{target}' is there already: give overwrite=True")
+        if ending == "vtp":
+            given.setdefault("frames", "last")
         target.parent.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(prefix=".frostfill-", dir=target.parent) as folder:
-            frames = frames or ("last" if formats[0] == "vtp" else "")
-            files = self.export_into(formats[0], folder, frames, False, full_mesh)
+            files = self.export_into(_ENDINGS[ending], folder, given)
             return _move_to(target, [file for file in files if file.suffix == f".{ending}"])
 
     def __repr__(self) -> str:
         return f"<frostfill.Run of {len(self.radii)} spheres, {len(self)} frames, in {self.directory}>"
 
 
-# Formats that are several files, or one with a name of its own: they go to a folder.
-_INPUTS = ("liggghts", "lammps", "yade", "mercurydpm", "mfix", "lethe", "openmc", "gmsh")
+# Formats that are one file of spheres, by its ending.
+_ENDINGS = {"vtp": "vtp", "xyz": "xyz", "glb": "glb", "ply": "ply", "csv": "csv", "npz": "npz",
+            "vti": "vti", "dump": "lammps-dump", "data": "lammps-data"}
 
 
 def _text(value, name):

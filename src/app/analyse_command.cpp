@@ -212,7 +212,7 @@ void addSettings(CLI::App& command, AnalyseArguments& arguments)
         .add_option("--below", settings.below,
                     "Height above the foot of the mesh at which the bed ends (at its topmost "
                     "spheres)")
-        ->type_name("X");
+        ->type_name("HEIGHT");
     add("--bins", settings.bins, "Bins of a profile along or about the axis");
     add("--range", settings.range,
         "How far g(r) and the profile from the wall go, in mean diameters");

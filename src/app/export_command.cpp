@@ -33,6 +33,7 @@ struct ExportArguments
     std::string frames;
     std::string out;
     bool fullMesh = false;
+    bool noShell = false;
     std::string contacts;
     BedSettings bed;
     std::vector<std::string> measured;
@@ -52,9 +53,9 @@ std::string describeFormats()
     return text + "\n";
 }
 
-int exportAll(const ExportArguments& arguments)
+int exportAll(const ExportArguments& arguments, const CLI::App& command)
 {
-    // Every name is checked before the first file is written.
+    // All is checked before the first file is written.
     BedSettings bed = arguments.bed;
     if (!arguments.contacts.empty())
     {
@@ -67,9 +68,17 @@ int exportAll(const ExportArguments& arguments)
     {
         request.frames = arguments.frames;
         request.fullMesh = arguments.fullMesh;
+        request.shell = !arguments.noShell;
         request.bed = bed;
         request.measured = arguments.measured;
         request.overwrite = arguments.overwrite;
+        for (const std::string_view option : exportOptions())
+        {
+            if (command.count(fmt::format("--{}", option)) > 0)
+            {
+                requireOption(request.format, option);
+            }
+        }
     }
     catchStopSignals();
     runHasBegun();
@@ -81,9 +90,10 @@ void addGeometryOptions(CLI::App& command, ExportArguments& arguments)
 {
     BedSettings& bed = arguments.bed;
     command
-        .add_option("--contacts", arguments.contacts,
-                    "stl-bed, openfoam: where spheres touch: none, shrink:FACTOR, caps:GAP, "
-                    "bridges:RADIUS,GAP, in radii (shrink:0.99)")
+        .add_option(
+            "--contacts", arguments.contacts,
+            "Geometry: where spheres touch: none, shrink:FACTOR, and for stl-bed and openfoam "
+            "caps:GAP, bridges:RADIUS,GAP, in radii (shrink:0.99)")
         ->type_name("HOW");
     command
         .add_option(
@@ -128,16 +138,19 @@ Command addExportCommand(CLI::App& program)
         ->type_name("DIR");
     command->add_flag("--full-mesh", arguments->fullMesh,
                       fmt::format("{}: in glTF", kFullMeshHelp));
+    command->add_flag("--no-shell", arguments->noShell, "Leave out the object: in glTF");
     command
-        ->add_option("--measure", arguments->measured,
-                     fmt::format("Columns that are found for spheres at rest, as by analyse: {}",
-                                 fmt::join(measuredNames(), ", ")))
+        ->add_option(
+            "--measure", arguments->measured,
+            fmt::format("vtp, lammps-dump, xyz, glb, glb-instanced, ply, csv, npz: columns that "
+                        "are found for spheres at rest, as by analyse: {}",
+                        fmt::join(measuredNames(), ", ")))
         ->delimiter(',')
         ->type_name("NAMES");
     addGeometryOptions(*command, *arguments);
     command->add_flag("--overwrite", arguments->overwrite, "Replace files of an earlier export");
     command->add_flag("--quiet", arguments->quiet, "Print nothing but errors");
-    return [arguments] { return exportAll(*arguments); };
+    return [arguments, command] { return exportAll(*arguments, *command); };
 }
 
 } // namespace frostfill

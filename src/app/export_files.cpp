@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace frostfill
 {
 namespace
@@ -22,6 +24,14 @@ void printResult(const ExportResult& result)
     line += fmt::format(", {} spheres, {:.3g} MB", result.spheres,
                         static_cast<double>(result.bytes) / 1e6);
     line += describe(result.shell);
+    line += result.unitsPerMetre == 1
+                ? "; lengths in metres"
+                : fmt::format("; lengths in the unit of the mesh, {:g} in a metre",
+                              result.unitsPerMetre);
+    line += result.cells > 0
+                ? fmt::format("; snappyHexMesh will make about {:.0f} thousand cells (--cell)",
+                              std::ceil(result.cells / 1e3))
+                : "";
     fmt::print("{}{}\n", line, result.unfinished ? "; the run has not ended" : "");
 }
 

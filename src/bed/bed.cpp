@@ -178,10 +178,10 @@ void checkBedSettings(const BedSettings& settings)
 }
 
 Bed::Bed(const TriangleMesh& mesh, std::vector<Eigen::Vector3d> centres, std::vector<double> radii,
-         const Eigen::Vector3d& up, const BedSettings& settings)
+         const Eigen::Vector3d& up, const BedSettings& settings, double unitsPerMetre)
     : settings_(settings), threads_(std::make_unique<Threads>(settings.threads)),
       centres_(std::move(centres)), radii_(std::move(radii)), up_(up), surface_(withoutDust(mesh)),
-      levels_(centres_, radii_), patches_(findPatches(mesh, up)),
+      levels_(centres_, radii_), patches_(findPatches(mesh, up)), unitsPerMetre_(unitsPerMetre),
       containerVolume_(inspectInterior(mesh).volume)
 {
     for (const double radius : radii_)

@@ -39,7 +39,7 @@ public:
     /// `mesh` is closed and wound outwards. `up` is a unit vector, from foot to top. Throws Error
     /// badData where there is no sphere.
     Bed(const TriangleMesh& mesh, std::vector<Eigen::Vector3d> centres, std::vector<double> radii,
-        const Eigen::Vector3d& up, const BedSettings& settings);
+        const Eigen::Vector3d& up, const BedSettings& settings, double unitsPerMetre = 1);
 
     [[nodiscard]] const BedSettings& settings() const { return settings_; }
     [[nodiscard]] const TriangleMesh& mesh() const { return surface_.mesh(); }
@@ -58,6 +58,7 @@ public:
                                                               : radii_[k];
     }
     [[nodiscard]] double meanDiameter() const { return meanDiameter_; }
+    [[nodiscard]] double unitsPerMetre() const { return unitsPerMetre_; }
     [[nodiscard]] BedPatch patch(std::size_t triangle) const { return patches_[triangle]; }
     [[nodiscard]] bool has(BedPatch patch) const;
     [[nodiscard]] double containerVolume() const { return containerVolume_; }
@@ -73,6 +74,7 @@ private:
     Surface surface_;
     SphereLevels levels_;
     std::vector<BedPatch> patches_; ///< [#T]
+    double unitsPerMetre_;
     double meanDiameter_ = 0;
     double containerVolume_ = 0;
 };
@@ -87,20 +89,12 @@ struct BedLink
     double gap = 0;               ///< [unit] negative where they overlap
     Eigen::Vector3d direction;    ///< unit, from first
     double bridge = 0;            ///< [unit] radius of the cylinder; 0: both are flattened
-    std::uint32_t triangle = 0;   ///< of the wall, that is near
-    double turn = 0;              ///< [rad] of the bridge's corners about the direction
 };
 
 /// A point as STL has it.
 [[nodiscard]] inline Eigen::Vector3f inSinglePrecision(const Eigen::Vector3d& p)
 {
     return p.cast<float>();
-}
-
-/// For who tests whether places are in single precision.
-[[nodiscard]] inline Eigen::Vector3d roundedToSingle(const Eigen::Vector3d& p)
-{
-    return p.cast<float>().cast<double>();
 }
 
 } // namespace frostfill

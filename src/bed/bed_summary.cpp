@@ -29,6 +29,7 @@ nlohmann::ordered_json bedSummary(const Bed& bed)
         return nlohmann::ordered_json{p.x(), p.y(), p.z()};
     };
     return {{"spheres", bed.size()},
+            {"units_per_metre", bed.unitsPerMetre()},
             {"contacts", treatment},
             {"container_volume", bed.containerVolume()},
             {"container_box", {point(box.min()), point(box.max())}},
@@ -43,7 +44,6 @@ nlohmann::ordered_json surfaceSummary(const BedSurface& surface)
     summary["free_volume"] = surface.freeVolume();
     summary["near_places"] = surface.links().links.size();
     summary["bridges"] = surface.links().bridged;
-    summary["bridges_to_walls"] = surface.links().bridgedWalls;
     summary["bridges_thinner_than_asked"] = surface.links().thinned;
     summary["flattened"] = surface.links().flattened;
     summary["triangles"] = surface.triangles();

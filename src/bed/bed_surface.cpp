@@ -16,9 +16,16 @@ constexpr std::size_t kPartsAtOnce = 64;
 } // namespace
 
 BedSurface::BedSurface(const Bed& bed)
-    : bed_(bed), geodesic_(geodesicSphere(bed.settings().resolution)), links_(findLinks(bed)),
-      walls_(bed, links_)
+    : bed_(bed), geodesic_(geodesicSphere(bed.settings().resolution)), links_(findLinks(bed))
 {
+    for (std::size_t t = 0; t < bed.mesh().triangles.size(); ++t)
+    {
+        const auto& [a, b, c] = bed.mesh().triangles[t];
+        const std::vector<Eigen::Vector3d>& vertices = bed.mesh().vertices;
+        walls_[static_cast<std::size_t>(bed.patch(t))].push_back({inSinglePrecision(vertices[a]),
+                                                                  inSinglePrecision(vertices[b]),
+                                                                  inSinglePrecision(vertices[c])});
+    }
     // The volume is summed about the middle, so that large coordinates take no digits.
     const Eigen::Vector3d middle = bed.surface().box().center();
     for (std::size_t patch = 0; patch < kBedPatches.size(); ++patch)
@@ -59,11 +66,6 @@ void BedSurface::addSphere(std::uint32_t sphere, SphereShape& shape,
         {
             continue;
         }
-        if (link.second == BedLink::kWall)
-        {
-            walls_.addBridge(bed_, link, number, triangles);
-            continue;
-        }
         const std::uint32_t corners = cornersOf(bed_, link);
         for (std::uint32_t k = 0; k < corners; ++k)
         {
@@ -82,7 +84,7 @@ void BedSurface::forEachPart(BedPatch patch, const Sink& sink) const
 {
     if (patch != BedPatch::spheres)
     {
-        sink(walls_.triangles(patch));
+        sink(walls_[static_cast<std::size_t>(patch)]);
         return;
     }
     const std::size_t parts = (bed_.size() + kSpheresInPart - 1) / kSpheresInPart;

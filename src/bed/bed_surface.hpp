@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "bed/geodesic_sphere.hpp"
 #include "bed/links.hpp"
 #include "bed/sphere_shape.hpp"
-#include "bed/wall_holes.hpp"
+#include "mesh/geodesic_sphere.hpp"
 
 #include <cstddef>
 #include <functional>
@@ -48,7 +47,7 @@ private:
     const Bed& bed_;
     TriangleMesh geodesic_;
     BedLinks links_;
-    WallHoles walls_;
+    std::array<std::vector<StlTriangle>, kBedPatches.size()> walls_;
     std::array<std::size_t, kBedPatches.size()> counts_{};
     double freeVolume_ = 0;
 };

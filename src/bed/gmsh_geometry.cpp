@@ -92,16 +92,14 @@ void putHoles(AtomicFile& file, const Bed& bed)
 
 void writeGmshBed(const Bed& bed, const std::filesystem::path& folder, Files& files)
 {
-    if (bed.settings().contacts != ContactTreatment::shrink)
-    {
-        throw Error(ErrorCode::usage, "gmsh-bed has spheres that are apart: give --contacts "
-                                      "shrink:FACTOR; caps and bridges are in stl-bed");
-    }
     (void)findLinks(bed); // refuses what is not apart
     files.push_back(folder / "bed.geo");
     AtomicFile file(files.back());
-    file.write("// Spheres in their container, by Frostfill. gmsh -3 bed.geo meshes what is "
-               "between them.\nSetFactory(\"OpenCASCADE\");\n");
+    file.write(fmt::format(
+        "// Spheres in their container, by Frostfill. gmsh -3 bed.geo meshes what is between "
+        "them.\n// Lengths are in the unit of the mesh, {} in a metre.\n"
+        "SetFactory(\"OpenCASCADE\");\n",
+        bed.unitsPerMetre()));
     file.write(fmt::format("Mesh.CharacteristicLengthMax = {:.9g};\n", bed.meanDiameter() / 4));
     putContainer(file, bed.mesh());
     putHoles(file, bed);

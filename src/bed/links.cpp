@@ -68,6 +68,7 @@ void findWalls(const Bed& bed, std::uint32_t k, std::vector<BedLink>& links)
     }
     std::vector<std::uint32_t> near;
     bed.surface().tree().findNear(centre, reach, near);
+    std::sort(near.begin(), near.end());
     std::vector<BedLink> found;
     for (const std::uint32_t triangle : near)
     {
@@ -77,15 +78,12 @@ void findWalls(const Bed& bed, std::uint32_t k, std::vector<BedLink>& links)
         const double away = (point - centre).norm();
         if (away < reach)
         {
-            found.push_back({.first = k,
-                             .gap = away - radius,
-                             .direction = (point - centre) / away,
-                             .triangle = triangle});
+            found.push_back(
+                {.first = k, .gap = away - radius, .direction = (point - centre) / away});
         }
     }
-    std::sort(found.begin(), found.end(),
-              [](const BedLink& a, const BedLink& b)
-              { return a.gap != b.gap ? a.gap < b.gap : a.triangle < b.triangle; });
+    std::stable_sort(found.begin(), found.end(),
+                     [](const BedLink& a, const BedLink& b) { return a.gap < b.gap; });
     const std::size_t before = links.size();
     for (const BedLink& link : found)
     {
@@ -138,12 +136,15 @@ void findPairs(const Bed& bed, std::uint32_t k, std::vector<BedLink>& links)
               [](const BedLink& a, const BedLink& b) { return a.second < b.second; });
 }
 
-/// The thickest bridge that others leave room for; 0 for none.
+/// The thickest bridge that others leave room for; 0 for none, as to a wall.
 double bridgeOf(const Bed& bed, const BedLinks& all, const BedLink& link)
 {
+    if (link.second == BedLink::kWall)
+    {
+        return 0;
+    }
     const double first = bed.radius(link.first);
-    const bool toWall = link.second == BedLink::kWall;
-    const double smaller = toWall ? first : std::min(first, bed.radius(link.second));
+    const double smaller = std::min(first, bed.radius(link.second));
     const double asked = bed.settings().bridge * smaller;
     const Eigen::Vector3d place = bed.centre(link.first) + (first + link.gap / 2) * link.direction;
     double room = asked / kRoom;
@@ -156,25 +157,17 @@ double bridgeOf(const Bed& bed, const BedLinks& all, const BedLink& link)
                 room = std::min(room, (centre - place).norm() - radius);
             }
         });
-    if (!toWall)
-    {
-        room = std::min(room, std::sqrt(nearestWall(bed.surface(), place, room, 0).square));
-    }
+    room = std::min(room, std::sqrt(nearestWall(bed.surface(), place, room, 0).square));
     double bridge = std::min(asked, kRoom * room);
     for (const std::uint32_t sphere : {link.first, link.second})
     {
-        if (sphere == BedLink::kWall)
-        {
-            continue;
-        }
         const Eigen::Vector3d own =
             sphere == link.first ? link.direction : Eigen::Vector3d(-link.direction);
         for (const std::uint32_t other : all.ofSphere[sphere])
         {
-            const BedLink& its = all.links[other];
-            if (&its == &link || (toWall && its.second == BedLink::kWall))
+            if (&all.links[other] == &link)
             {
-                continue; // of walls that are side by side see below
+                continue;
             }
             const double angle = angleBetween(own, all.direction(other, sphere));
             bridge = std::min(bridge, bed.radius(sphere) * std::sin(kAngleRoom * angle));
@@ -185,8 +178,7 @@ double bridgeOf(const Bed& bed, const BedLinks& all, const BedLink& link)
     return bridge >= kThinnest * asked && bridge > 2 * circle ? bridge : 0;
 }
 
-/// Whether a bridge of a sphere and another link leave each other room. Walls that are side by side
-/// do: where the bridge ends, it ends on all of them, and beyond it they flatten the sphere.
+/// Whether a bridge of a sphere and another link leave each other room.
 bool leaveRoom(const Bed& bed, const BedLinks& all, std::uint32_t sphere, std::uint32_t bridge,
                std::uint32_t other)
 {
@@ -195,35 +187,7 @@ bool leaveRoom(const Bed& bed, const BedLinks& all, std::uint32_t sphere, std::u
     const double wide = std::asin(all.links[bridge].bridge / bed.radius(sphere));
     const double theirs = its.bridge > 0 ? std::asin(its.bridge / bed.radius(sphere))
                                          : std::acos(std::min(1.0, cutOf(bed, its, sphere)));
-    const bool bothWalls =
-        its.second == BedLink::kWall && all.links[bridge].second == BedLink::kWall;
-    return (bothWalls && its.bridge == 0) || wide + theirs < kBeside * angle;
-}
-
-/// Of walls that meet a sphere side by side, such as facets of a tube, the nearest has the bridge.
-void leaveCoveredWalls(const Bed& bed, BedLinks& all)
-{
-    for (std::uint32_t sphere = 0; sphere < bed.size(); ++sphere)
-    {
-        const std::vector<std::uint32_t>& links = all.ofSphere[sphere];
-        for (std::size_t k = 0; k < links.size(); ++k)
-        {
-            const BedLink& nearer = all.links[links[k]];
-            for (std::size_t later = k + 1;
-                 later < links.size() && nearer.second == BedLink::kWall && nearer.bridge > 0;
-                 ++later)
-            {
-                BedLink& other = all.links[links[later]];
-                if (other.second == BedLink::kWall && other.bridge > 0 &&
-                    kBeside * angleBetween(nearer.direction, other.direction) <=
-                        std::asin(nearer.bridge / bed.radius(sphere)) +
-                            std::asin(other.bridge / bed.radius(sphere)))
-                {
-                    other.bridge = 0;
-                }
-            }
-        }
-    }
+    return wide + theirs < kBeside * angle;
 }
 
 } // namespace
@@ -239,6 +203,10 @@ double cutOf(const Bed& bed, const BedLink& link, std::uint32_t sphere)
     return 1 - (bed.settings().gap * smaller - link.gap) / 2 / radius;
 }
 
+namespace
+{
+
+/// Turns bridges that others leave no room for into flattened places, until all have room.
 void dropWhatDoesNotFit(const Bed& bed, BedLinks& all)
 {
     for (bool changed = true; changed;)
@@ -260,18 +228,18 @@ void dropWhatDoesNotFit(const Bed& bed, BedLinks& all)
             }
         }
     }
-    all.bridged = all.bridgedWalls = all.thinned = all.flattened = 0;
     for (const BedLink& link : all.links)
     {
         const double smaller = link.second == BedLink::kWall
                                    ? bed.radius(link.first)
                                    : std::min(bed.radius(link.first), bed.radius(link.second));
         ++(link.bridge > 0 ? all.bridged : all.flattened);
-        all.bridgedWalls += link.bridge > 0 && link.second == BedLink::kWall ? 1 : 0;
         all.thinned +=
             link.bridge > 0 && link.bridge < bed.settings().bridge * smaller * (1 - 1e-9) ? 1 : 0;
     }
 }
+
+} // namespace
 
 BedLinks findLinks(const Bed& bed)
 {
@@ -323,8 +291,8 @@ BedLinks findLinks(const Bed& bed)
         {
             all.links[k].bridge = bridges[k];
         }
-        leaveCoveredWalls(bed, all);
     }
+    dropWhatDoesNotFit(bed, all);
     return all;
 }
 

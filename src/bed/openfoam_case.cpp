@@ -20,37 +20,56 @@ namespace
 
 /// Places that are tried for one in the free space.
 constexpr int kPlaces = 20000;
-/// [unit^2/s] of water where lengths are in metres, and the number of Reynolds of a mean sphere.
+/// [m^2/s] of water, and the Reynolds number of a mean sphere.
 constexpr double kViscosity = 1e-6;
 constexpr double kReynolds = 1;
 
-/// Of places of a low-discrepancy sequence [Roberts 2018], the one that is farthest from
-/// everything. Irrational, so that it is on no face of a cell.
-Eigen::Vector3d freePlace(const Bed& bed)
+/// What places of a low-discrepancy sequence [Roberts 2018] tell of the free space.
+struct FreeSpace
 {
+    Eigen::Vector3d place; ///< the farthest from everything; irrational, so on no face of a cell
+    double cells = 0;      ///< that snappyHexMesh makes of it, about
+};
+
+/// Edge of snappyHexMesh's cells at a distance from the spheres, in edges of the first mesh: a
+/// level has nCellsBetweenLevels cells at least, and that of the surface one more.
+double edgeAt(double away)
+{
+    constexpr double kAtSpheres = 0.25; // two levels
+    return away < 3 * kAtSpheres ? kAtSpheres : away < 3 * kAtSpheres + 2 * 0.5 ? 0.5 : 1;
+}
+
+FreeSpace lookAtFreeSpace(const Bed& bed)
+{
+    const double cell = bed.settings().cell * bed.meanDiameter();
+    FreeSpace space;
     const Eigen::AlignedBox3d& box = bed.surface().box();
     const Eigen::Vector3d steps(0.8191725133961645, 0.6710436067037893, 0.5497004779019703);
-    Eigen::Vector3d best = box.center();
+    space.place = box.center();
     double clearance = 0;
     for (int k = 1; k <= kPlaces; ++k)
     {
         Eigen::Vector3d share = k * steps;
         share -= Eigen::Vector3d(share.array().floor());
         const Eigen::Vector3d p = box.min() + share.cwiseProduct(box.sizes());
-        double gap = bed.meanDiameter();
+        double gap = std::max(bed.meanDiameter(), 2 * cell);
         bed.levels().forEachNear(
             p, [&](double largest) { return largest + gap; },
             [&](std::uint32_t, const Eigen::Vector3d& centre, double radius)
             { gap = std::min(gap, (centre - p).norm() - radius); });
-        if (gap > clearance)
+        if (gap <= 0)
         {
-            const double wall = nearestDistance(bed.surface(), p, 1e300).value;
-            gap = std::min(gap, wall);
+            continue;
         }
-        if (gap > clearance)
+        const double wall = nearestDistance(bed.surface(), p, 1e300).value;
+        if (wall > 0)
         {
-            clearance = gap;
-            best = p;
+            space.cells += box.volume() / kPlaces / std::pow(cell * edgeAt(gap / cell), 3);
+        }
+        if (const double free = std::min({gap, wall, bed.meanDiameter()}); free > clearance)
+        {
+            clearance = free;
+            space.place = p;
         }
     }
     if (clearance <= 0)
@@ -58,7 +77,7 @@ Eigen::Vector3d freePlace(const Bed& bed)
         throw Error(ErrorCode::badData, "no place in the container is free, which a mesh could "
                                         "begin from");
     }
-    return best;
+    return space;
 }
 
 class Case
@@ -80,7 +99,7 @@ public:
         }
     }
 
-    void writeSurfaces(const BedSurface& surface)
+    void writeSurfaces(const BedSurface& surface, double cells)
     {
         for (const BedPatch patch : patches_)
         {
@@ -88,7 +107,9 @@ public:
             writeStl(surface, {&patch, 1}, false, files_.back());
         }
         files_.push_back(folder_ / "bed.json");
-        writeSummary(surfaceSummary(surface), files_.back());
+        nlohmann::ordered_json summary = surfaceSummary(surface);
+        summary["estimated_cells"] = std::llround(cells);
+        writeSummary(summary, files_.back());
     }
 
     void writeBlocks()
@@ -113,7 +134,8 @@ public:
         put("system/blockMeshDict", "dictionary", text);
     }
 
-    void writeSnappy()
+    /// Returns the estimate of its cells.
+    double writeSnappy()
     {
         std::string geometry;
         std::string surfaces;
@@ -125,9 +147,11 @@ public:
                                     name(patch), patch == BedPatch::spheres ? "1 2" : "0 1",
                                     isOpen(patch) ? "patch" : "wall");
         }
-        const Eigen::Vector3d place = freePlace(bed_);
+        const FreeSpace space = lookAtFreeSpace(bed_);
         put("system/snappyHexMeshDict", "dictionary",
-            fmt::format(kSnappy, geometry, surfaces, place.x(), place.y(), place.z()));
+            fmt::format(kSnappy, geometry, surfaces, space.place.x(), space.place.y(),
+                        space.place.z()));
+        return space.cells;
     }
 
     void writeFields()
@@ -324,16 +348,17 @@ relaxationFactors { equations { U 0.8; } }
 
 } // namespace
 
-void writeOpenFoamCase(const Bed& bed, const std::filesystem::path& folder, Files& files)
+double writeOpenFoamCase(const Bed& bed, const std::filesystem::path& folder, Files& files)
 {
     const BedSurface surface(bed);
     Case made(bed, folder / "openfoam", files);
     made.writeRest();
     std::swap(files.front(), files.back()); // Allrun is what to begin with
     made.writeBlocks();
-    made.writeSnappy();
+    const double cells = made.writeSnappy();
     made.writeFields();
-    made.writeSurfaces(surface);
+    made.writeSurfaces(surface, cells);
+    return cells;
 }
 
 } // namespace frostfill

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "bed/sphere_shape.hpp"
 
-#include "bed/geodesic_sphere.hpp"
+#include "mesh/geodesic_sphere.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -33,11 +33,11 @@ std::uint32_t cornersOfCircle(double wide, std::size_t resolution)
 /// On a unit sphere, about a direction. The second sphere of a bridge sees the corners of the first
 /// turning the other way.
 Eigen::Vector3d onCircle(const Eigen::Vector3d& direction, const Eigen::Vector3d& axis, double wide,
-                         double turnOfAll, std::uint32_t corner, std::uint32_t corners)
+                         std::uint32_t corner, std::uint32_t corners)
 {
     const Eigen::Vector3d e1 = axis.unitOrthogonal();
     const Eigen::Vector3d e2 = axis.cross(e1);
-    const double turn = turnOfAll + 2 * std::numbers::pi * corner / corners;
+    const double turn = 2 * std::numbers::pi * corner / corners;
     return std::cos(wide) * direction +
            std::sin(wide) * (std::cos(turn) * e1 + std::sin(turn) * e2);
 }
@@ -46,9 +46,7 @@ Eigen::Vector3d onCircle(const Eigen::Vector3d& direction, const Eigen::Vector3d
 
 std::uint32_t cornersOf(const Bed& bed, const BedLink& link)
 {
-    const double smaller = link.second == BedLink::kWall
-                               ? bed.radius(link.first)
-                               : std::min(bed.radius(link.first), bed.radius(link.second));
+    const double smaller = std::min(bed.radius(link.first), bed.radius(link.second));
     return cornersOfCircle(std::asin(link.bridge / smaller), bed.settings().resolution);
 }
 
@@ -57,8 +55,8 @@ Eigen::Vector3d cornerOf(const Bed& bed, const BedLink& link, std::uint32_t sphe
 {
     const Eigen::Vector3d direction =
         sphere == link.first ? link.direction : Eigen::Vector3d(-link.direction);
-    return onCircle(direction, link.direction, std::asin(link.bridge / bed.radius(sphere)),
-                    link.turn, corner, corners);
+    return onCircle(direction, link.direction, std::asin(link.bridge / bed.radius(sphere)), corner,
+                    corners);
 }
 
 Eigen::Vector3f cornerInWorld(const Bed& bed, const BedLink& link, std::uint32_t sphere,
@@ -100,7 +98,7 @@ void SphereShape::addCircle(std::uint32_t sphere, std::uint32_t link, bool isBri
     for (std::uint32_t corner = 0; corner < corners; ++corner)
     {
         points_.push_back(isBridge ? cornerOf(bed_, its, sphere, corner, corners)
-                                   : onCircle(direction, its.direction, own, 0, corner, corners));
+                                   : onCircle(direction, its.direction, own, corner, corners));
         circleOf_.push_back(static_cast<std::uint32_t>(circles_.size()));
     }
     circles_.push_back({direction, std::cos(own + kAround * edge), isBridge ? link : kFlat});

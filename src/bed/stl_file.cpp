@@ -4,27 +4,17 @@
 #include "bed/bed_files.hpp"
 #include "bed/bed_summary.hpp"
 #include "output/atomic_file.hpp"
+#include "output/stl_text.hpp"
 #include "run_file/bytes.hpp"
 
 #include <frostfill/error.hpp>
 
-#include <fmt/compile.h>
 #include <fmt/format.h>
-
-#include <iterator>
 
 namespace frostfill
 {
 namespace
 {
-
-Eigen::Vector3f normalOf(const StlTriangle& triangle)
-{
-    const Eigen::Vector3d a = triangle[0].cast<double>();
-    const Eigen::Vector3d normal =
-        (triangle[1].cast<double>() - a).cross(triangle[2].cast<double>() - a);
-    return normal.normalized().cast<float>();
-}
 
 void putBinary(AtomicFile& file, const BedSurface& surface, BedPatch patch)
 {
@@ -35,7 +25,7 @@ void putBinary(AtomicFile& file, const BedSurface& surface, BedPatch patch)
                             bytes.bytes().reserve(50 * triangles.size());
                             for (const StlTriangle& triangle : triangles)
                             {
-                                bytes.raw(normalOf(triangle));
+                                bytes.raw(Eigen::Vector3f(facetNormal(triangle).cast<float>()));
                                 bytes.raw(triangle);
                                 bytes.raw(static_cast<std::uint16_t>(patch));
                             }
@@ -47,24 +37,13 @@ void putText(AtomicFile& file, const BedSurface& surface, BedPatch patch)
 {
     const char* name = kBedPatches[static_cast<std::size_t>(patch)];
     file.write(fmt::format("solid {}\n", name));
-    const auto put = [](fmt::memory_buffer& text, const char* what, const Eigen::Vector3f& p)
-    {
-        fmt::format_to(std::back_inserter(text), FMT_COMPILE("{} {} {} {}\n"), what, p.x(), p.y(),
-                       p.z());
-    };
     surface.forEachPart(patch,
                         [&](std::span<const StlTriangle> triangles)
                         {
                             fmt::memory_buffer text;
                             for (const StlTriangle& triangle : triangles)
                             {
-                                put(text, "facet normal", normalOf(triangle));
-                                text.append(std::string_view("outer loop\n"));
-                                for (const Eigen::Vector3f& corner : triangle)
-                                {
-                                    put(text, "vertex", corner);
-                                }
-                                text.append(std::string_view("endloop\nendfacet\n"));
+                                putFacet(text, triangle);
                             }
                             file.write({text.data(), text.size()});
                         });

@@ -2,7 +2,6 @@
 #include "bulk/bulk.hpp"
 
 #include "base/random.hpp"
-#include "geometry/sphere_levels.hpp"
 
 #include <algorithm>
 #include <array>
@@ -74,38 +73,56 @@ Bulk::Bulk(const Surface& surface, const InsideTest& inside, Eigen::Index up, do
                         const WallPoint wall = nearestWall(surface, all[k], beyond, beyond);
                         isFar[k] = wall.square > beyond * beyond ? 1 : 0;
                     });
+    std::vector<Eigen::Vector3d> places;
     for (std::size_t k = 0; k < all.size(); ++k)
     {
         if (isFar[k] != 0 && inside.contains(all[k]))
         {
-            places_.push_back(all[k]);
+            places.push_back(all[k]);
         }
+    }
+    if (!places.empty())
+    {
+        places_.emplace(places, std::vector<double>(places.size(), largestRadius));
     }
 }
 
 std::optional<double> Bulk::fraction(std::span<const Eigen::Vector3d> centres,
-                                     std::span<const double> radii, Threads& threads) const
+                                     std::span<const double> radii) const
 {
-    if (centres.empty())
+    if (centres.empty() || !any())
     {
         return std::nullopt;
+    }
+    const SphereLevels::Level& places = places_->levels().front();
+    std::vector<char> isFilled(places.spheres.size(), 0);
+    for (std::size_t k = 0; k < centres.size(); ++k)
+    {
+        const auto fill = [&](std::uint32_t first, std::uint32_t end)
+        {
+            for (std::uint32_t i = first; i < end; ++i)
+            {
+                const Eigen::Vector3d away = places.spheres[i].centre - centres[k];
+                isFilled[i] |= away.squaredNorm() <= radii[k] * radii[k] ? 1 : 0;
+            }
+        };
+        places.forEachRange(centres[k], radii[k], fill);
     }
     const BedTop top(up_, centres, radii);
-    const SphereLevels levels(centres, radii);
     const double far = std::numeric_limits<double>::infinity(); // from walls
-    std::vector<Eigen::Vector3d> inBulk;
-    std::copy_if(places_.begin(), places_.end(), std::back_inserter(inBulk),
-                 [&](const Eigen::Vector3d& place)
-                 { return isInBulk(far, top.depth(place), largestRadius_); });
-    if (inBulk.size() < kFewestPlaces)
+    std::size_t count = 0;
+    std::size_t filled = 0;
+    for (std::size_t i = 0; i < isFilled.size(); ++i)
     {
-        return std::nullopt;
+        if (isInBulk(far, top.depth(places.spheres[i].centre), largestRadius_))
+        {
+            ++count;
+            filled += isFilled[i] != 0 ? 1 : 0;
+        }
     }
-    std::vector<char> isFilled(inBulk.size());
-    threads.forEach(inBulk.size(),
-                    [&](std::size_t k) { isFilled[k] = levels.covers(inBulk[k]) ? 1 : 0; });
-    return static_cast<double>(std::count(isFilled.begin(), isFilled.end(), 1)) /
-           static_cast<double>(inBulk.size());
+    return count < kFewestPlaces
+               ? std::nullopt
+               : std::optional(static_cast<double>(filled) / static_cast<double>(count));
 }
 
 } // namespace frostfill

@@ -3,13 +3,13 @@
 
 #include "base/threads.hpp"
 #include "bulk/bed_top.hpp"
+#include "geometry/sphere_levels.hpp"
 #include "mesh/interior/inside_test.hpp"
 
 #include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <vector>
 
 namespace frostfill
 {
@@ -42,16 +42,15 @@ public:
          Threads& threads);
 
     /// Whether any place is far enough from walls.
-    [[nodiscard]] bool any() const { return !places_.empty(); }
+    [[nodiscard]] bool any() const { return places_.has_value(); }
     /// None where too few places are in the bulk: the object is too narrow, or next to empty.
     [[nodiscard]] std::optional<double> fraction(std::span<const Eigen::Vector3d> centres,
-                                                 std::span<const double> radii,
-                                                 Threads& threads) const;
+                                                 std::span<const double> radii) const;
 
 private:
     Eigen::Index up_;
     double largestRadius_;
-    std::vector<Eigen::Vector3d> places_;
+    std::optional<SphereLevels> places_; ///< as spheres of one size, to find those near a sphere
 };
 
 } // namespace frostfill

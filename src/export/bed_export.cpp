@@ -4,6 +4,7 @@
 
 #include <frostfill/error.hpp>
 
+#include <algorithm>
 #include <utility>
 
 namespace frostfill
@@ -40,15 +41,25 @@ public:
         {
             vertex = frame.inWorld(vertex);
         }
+        double unitsPerMetre = run_.scene.object.unitsPerMetre;
+        if (isInMetres(format_) && unitsPerMetre != 1)
+        {
+            const auto toMetres = [&](auto& length) { length /= unitsPerMetre; };
+            std::for_each(mesh.vertices.begin(), mesh.vertices.end(), toMetres);
+            std::for_each(centres.begin(), centres.end(), toMetres);
+            std::for_each(radii.begin(), radii.end(), toMetres);
+            unitsPerMetre = 1;
+        }
         Eigen::Vector3d up = Eigen::Vector3d::Unit(run_.up);
         up = frame.moved ? Eigen::Vector3d(frame.state.pose.rotation * up) : up;
-        const Bed bed(mesh, std::move(centres), std::move(radii), up, run_.bed);
+        const Bed bed(mesh, std::move(centres), std::move(radii), up, run_.bed, unitsPerMetre);
         switch (format_)
         {
         case ExportFormat::stlBed:
             return writeStlBed(bed, folder_, files_);
         case ExportFormat::openFoam:
-            return writeOpenFoamCase(bed, folder_, files_);
+            cells_ = writeOpenFoamCase(bed, folder_, files_);
+            return;
         case ExportFormat::gmshBed:
             return writeGmshBed(bed, folder_, files_);
         case ExportFormat::vti:
@@ -58,9 +69,11 @@ public:
         }
     }
     void finish() override {}
+    [[nodiscard]] double cells() const override { return cells_; }
 
 private:
     ExportFormat format_;
+    double cells_ = 0;
     const ExportedRun& run_;
     std::filesystem::path folder_;
 };

@@ -79,10 +79,41 @@ void requireFree(const std::filesystem::path& folder, const std::vector<std::str
     }
 }
 
+/// Before anything is read or written.
+void checkOptions(const ExportRequest& request, const ExportFormatInfo& format)
+{
+    const std::pair<bool, std::string_view> given[] = {{!request.measured.empty(), "measure"},
+                                                       {request.fullMesh, "full-mesh"},
+                                                       {!request.shell, "no-shell"}};
+    for (const auto& [isGiven, option] : given)
+    {
+        if (isGiven)
+        {
+            requireOption(format.format, option);
+        }
+    }
+    if (!isGeometry(format.format))
+    {
+        return;
+    }
+    checkBedSettings(request.bed);
+    const ContactTreatment contacts = request.bed.contacts;
+    const bool isSurface =
+        format.format == ExportFormat::stlBed || format.format == ExportFormat::openFoam;
+    const bool isApart = format.format == ExportFormat::gmshBed; // or gmsh has to intersect them
+    if (!isSurface && contacts != ContactTreatment::shrink &&
+        (isApart || contacts != ContactTreatment::none))
+    {
+        throw Error(ErrorCode::usage,
+                    fmt::format("{} has whole spheres: give --contacts shrink:FACTOR{}; caps and "
+                                "bridges are in stl-bed and openfoam",
+                                format.name, isApart ? "" : " or none"));
+    }
+}
+
 /// Geometry is of one frame.
 void takeGeometry(const ExportRequest& request, const ExportFormatInfo& format, ExportedRun& run)
 {
-    checkBedSettings(request.bed);
     run.bed = request.bed;
     if (run.numbers.size() > 1)
     {
@@ -110,6 +141,7 @@ ExportResult exportRun(const ExportRequest& request, const ExportProgress& progr
 {
     const std::filesystem::path file = fileOfRun(request.run);
     const ExportFormatInfo& format = exportFormats()[static_cast<std::size_t>(request.format)];
+    checkOptions(request, format);
     RunFileReader reader(file);
     const std::vector<std::size_t> selected =
         selectedFrames(reader, request.frames.empty() ? format.frames : request.frames);
@@ -128,7 +160,9 @@ ExportResult exportRun(const ExportRequest& request, const ExportProgress& progr
         // for.
         run.spheres = reader.seek(chosen.back()).states.size();
     }
-    if (request.format == ExportFormat::glb || request.format == ExportFormat::glbInstanced)
+    run.hasShell = request.shell;
+    if (request.shell &&
+        (request.format == ExportFormat::glb || request.format == ExportFormat::glbInstanced))
     {
         run.shell = simplifyShell(run.mesh, request.fullMesh);
     }
@@ -141,12 +175,12 @@ ExportResult exportRun(const ExportRequest& request, const ExportProgress& progr
     {
         requireFree(request.out, names);
     }
-    createDirectory(request.out);
     std::optional<MeasuredColumns> measured;
     if (!request.measured.empty())
     {
         measured.emplace(run.mesh, request.measured, request.bed.threads);
     }
+    createDirectory(request.out);
     const auto exporter = makeExporter(request.format, run, request.out);
     Snapshot withMeasured;
     std::size_t done = 0;
@@ -178,6 +212,9 @@ ExportResult exportRun(const ExportRequest& request, const ExportProgress& progr
                         .spheres = spheres,
                         .repeats = selected.size() - chosen.size(),
                         .shell = run.shell.facts,
+                        .cells = exporter->cells(),
+                        .unitsPerMetre =
+                            isInMetres(request.format) ? 1 : run.scene.object.unitsPerMetre,
                         .unfinished = !reader.summary()};
     for (const std::filesystem::path& each : result.files)
     {

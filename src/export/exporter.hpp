@@ -29,7 +29,8 @@ struct ExportedRun
     int up = 1;                            ///< axis of the mesh that points up
     std::vector<std::size_t> numbers = {}; ///< of the frames that are exported, ascending
     std::size_t spheres = 0;               ///< in the last of them; for npz alone
-    SimplifiedShell shell = {};            ///< of the mesh; for glTF alone
+    bool hasShell = true;                  ///< for glTF alone
+    SimplifiedShell shell = {};            ///< of the mesh; for glTF alone, if it has one
     Scene scene = {};                      ///< as far as the head of the file tells it
     BedSettings bed = {};                  ///< for geometry alone
 };
@@ -71,6 +72,8 @@ public:
     virtual void finish() = 0;
     /// All that was written, the one to open first.
     [[nodiscard]] const std::vector<std::filesystem::path>& files() const { return files_; }
+    /// Estimate of the cells that the program that reads the files will make.
+    [[nodiscard]] virtual double cells() const { return 0; }
 
 protected:
     Exporter() = default;
@@ -111,6 +114,8 @@ MakeExporter makeGmshExporter;
 
 /// Whether a format is the geometry of one frame.
 [[nodiscard]] bool isGeometry(ExportFormat format);
+/// Whether its lengths are in metres, whatever the unit of the mesh.
+[[nodiscard]] bool isInMetres(ExportFormat format);
 [[nodiscard]] std::unique_ptr<Exporter> makeBedExporter(ExportFormat format, const ExportedRun& run,
                                                         const std::filesystem::path& folder);
 

@@ -28,39 +28,57 @@ struct FormatEntry
     /// The files that it writes, the one to open first; one that begins with a dot stands for a
     /// file a frame, which ends in it.
     std::array<const char*, 3> files;
-    bool isGeometry = false; ///< of one frame
+    std::string_view takes = ""; ///< of exportOptions()
+    bool isGeometry = false;     ///< of one frame
+    bool isInMetres = false;     ///< not in the unit of the mesh
 };
+
+constexpr std::array<std::string_view, 8> kOptions = {
+    "measure", "full-mesh", "no-shell", "contacts", "resolution", "ascii", "cell", "voxels"};
+constexpr std::string_view kOfGltf = "measure full-mesh no-shell";
 
 constexpr std::array<FormatEntry, 22> kEntries = {{
     {{ExportFormat::vtp, "vtp", "all", "spheres and mesh for ParaView and VTK; open run.pvd"},
      makeVtpExporter,
-     {"run.pvd", ".vtp"}},
+     {"run.pvd", ".vtp"},
+     "measure"},
     {{ExportFormat::lammpsDump, "lammps-dump", "all",
       "a dump of all frames for LAMMPS, OVITO, VMD"},
      makeLammpsDumpExporter,
-     {"spheres.dump"}},
+     {"spheres.dump"},
+     "measure"},
     {{ExportFormat::lammpsData, "lammps-data", "last", "the packing for read_data of LAMMPS"},
      makeLammpsDataExporter,
      {"spheres.data"}},
     {{ExportFormat::xyz, "xyz", "all", "extended XYZ of all frames for OVITO and ASE"},
      makeXyzExporter,
-     {"spheres.xyz"}},
+     {"spheres.xyz"},
+     "measure"},
     {{ExportFormat::glb, "glb", "all", "an animated glTF 2.0 scene for Blender and F3D"},
      makeGlbExporter,
-     {"run.glb"}},
+     {"run.glb"},
+     kOfGltf,
+     false,
+     true},
     {{ExportFormat::glbInstanced, "glb-instanced", "last",
       "the packing as glTF 2.0 with EXT_mesh_gpu_instancing, for browsers"},
      makeGlbInstancedExporter,
-     {"packing.glb"}},
+     {"packing.glb"},
+     kOfGltf,
+     false,
+     true},
     {{ExportFormat::ply, "ply", "last", "a binary table of spheres for each frame"},
      makePlyExporter,
-     {".ply"}},
+     {".ply"},
+     "measure"},
     {{ExportFormat::csv, "csv", "last", "a text table of spheres for each frame, all numbers"},
      makeCsvExporter,
-     {".csv"}},
+     {".csv"},
+     "measure"},
     {{ExportFormat::npz, "npz", "all", "NumPy arrays of all frames in one file"},
      makeNpzExporter,
-     {"run.npz"}},
+     {"run.npz"},
+     "measure"},
     {{ExportFormat::liggghts, "liggghts", "last", "an input script of LIGGGHTS with its files"},
      makeLiggghtsExporter,
      {"liggghts.in", "liggghts.data", "liggghts_walls.stl"}},
@@ -88,23 +106,29 @@ constexpr std::array<FormatEntry, 22> kEntries = {{
     {{ExportFormat::stlBed, "stl-bed", "last", "one closed surface of spheres and container"},
      makeBedExporter<ExportFormat::stlBed>,
      {"bed.stl", "bed.stl.json"},
+     "contacts resolution ascii",
      true},
     {{ExportFormat::openFoam, "openfoam", "last",
       "a case of OpenFOAM for the flow between spheres"},
      makeBedExporter<ExportFormat::openFoam>,
      {"openfoam"},
+     "contacts resolution cell",
+     true,
      true},
     {{ExportFormat::gmshBed, "gmsh-bed", "last", "exact spheres and container for gmsh"},
      makeBedExporter<ExportFormat::gmshBed>,
      {"bed.geo", "bed.geo.json"},
+     "contacts",
      true},
     {{ExportFormat::vti, "vti", "last", "distance and label of each voxel for VTK"},
      makeBedExporter<ExportFormat::vti>,
      {"bed.vti", "bed.vti.json"},
+     "contacts voxels",
      true},
     {{ExportFormat::npy, "npy", "last", "distance and label of each voxel for NumPy"},
      makeBedExporter<ExportFormat::npy>,
      {"distance.npy", "label.npy", "volume.json"},
+     "contacts voxels",
      true},
 }};
 
@@ -138,6 +162,39 @@ const FormatEntry& entryOf(ExportFormat format)
 }
 
 } // namespace
+
+std::span<const std::string_view> exportOptions()
+{
+    return kOptions;
+}
+
+void requireOption(ExportFormat format, std::string_view option)
+{
+    const auto takes = [&](const FormatEntry& entry) {
+        return fmt::format(" {} ", entry.takes).find(fmt::format(" {} ", option)) !=
+               std::string::npos;
+    };
+    if (takes(entryOf(format)))
+    {
+        return;
+    }
+    std::vector<std::string_view> others;
+    for (const FormatEntry& entry : kEntries)
+    {
+        if (takes(entry))
+        {
+            others.emplace_back(entry.info.name);
+        }
+    }
+    throw Error(ErrorCode::usage,
+                fmt::format("{} takes no --{}, which is for {}", entryOf(format).info.name, option,
+                            fmt::join(others, ", ")));
+}
+
+bool isInMetres(ExportFormat format)
+{
+    return entryOf(format).isInMetres;
+}
 
 bool isGeometry(ExportFormat format)
 {

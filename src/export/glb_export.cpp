@@ -47,10 +47,10 @@ public:
         GlbFile file;
         file.json()["extensionsUsed"] = {"EXT_mesh_gpu_instancing"};
         file.json()["extensionsRequired"] = {"EXT_mesh_gpu_instancing"};
-        const auto meshes = addShapes(file, run_, frame.state.origin);
+        addBalls(file);
         Json& nodes = file.json()["nodes"] = Json::array();
-        nodes.push_back({{"name", "shell"}, {"mesh", meshes[3]}});
-        Json children = {0};
+        Json children = Json::array();
+        addShell(file, run_, frame.state.origin, children);
         const ColumnList columns = extraColumns(frame.state);
         for (std::size_t state = 0; state < 3; ++state)
         {
@@ -79,8 +79,7 @@ public:
                 continue;
             }
             const std::size_t count = places.size() / 3;
-            Json node = {{"name", fmt::format("spheres of state {}", state)},
-                         {"mesh", meshes[state]}};
+            Json node = {{"name", fmt::format("spheres of state {}", state)}, {"mesh", state}};
             const auto attribute = [&](const std::vector<float>& values, const char* type) {
                 return file.addAccessor(file.addView(values), 0, GlbFile::Kind::float32, count,
                                         type);
@@ -128,7 +127,7 @@ private:
     void write(const ExportedFrame& last)
     {
         GlbFile file;
-        const auto meshes = addShapes(file, run_, last.state.origin);
+        addBalls(file);
         Json& nodes = file.json()["nodes"] = Json::array();
         Json children = Json::array();
         const ColumnList columns = extraColumns(last.state);
@@ -138,7 +137,7 @@ private:
             const double r = last.radii[i];
             children.push_back(i);
             nodes.push_back({{"name", fmt::format("sphere {}", i)},
-                             {"mesh", meshes[static_cast<std::size_t>(last.state.states[i])]},
+                             {"mesh", static_cast<std::size_t>(last.state.states[i])},
                              {"translation", {p.x(), p.y(), p.z()}},
                              {"scale", {r, r, r}}});
             for (const Column* column : columns)
@@ -146,8 +145,7 @@ private:
                 nodes.back()["extras"][column->name] = last.state.values(*column)->at(i);
             }
         }
-        children.push_back(nodes.size());
-        nodes.push_back({{"name", "shell"}, {"mesh", meshes[3]}});
+        addShell(file, run_, last.state.origin, children);
         const std::size_t object = addObject(file, run_, last, children);
         animation_.addTo(file, last.radii, object);
         file.write(name_);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "export/glb_file.hpp"
 
+#include "mesh/geodesic_sphere.hpp"
 #include "output/atomic_file.hpp"
 
 #include <frostfill/error.hpp>
@@ -10,7 +11,6 @@
 
 #include <cmath>
 #include <limits>
-#include <map>
 
 namespace frostfill
 {
@@ -22,55 +22,10 @@ using Json = GlbFile::Json;
 constexpr int kArrayBuffer = 34962;
 constexpr int kElementBuffer = 34963;
 
-/// How often the triangles of an icosahedron are cut in four.
-constexpr int kCuts = 2;
-
-struct Shape
-{
-    std::vector<Eigen::Vector3d> vertices;
-    std::vector<std::array<std::uint32_t, 3>> triangles;
-};
-
-/// A ball of radius 1 whose triangles are about equal. Vertices are their own normals.
-Shape ball()
-{
-    const double g = (1 + std::sqrt(5.0)) / 2;
-    Shape shape;
-    shape.vertices = {{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
-                      {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
-    shape.triangles = {{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},
-                       {1, 5, 9},  {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
-                       {3, 9, 4},  {3, 4, 2},  {3, 2, 6},   {3, 6, 8},  {3, 8, 9},
-                       {4, 9, 5},  {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}};
-    for (int cut = 0; cut < kCuts; ++cut)
-    {
-        std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
-        const auto middle = [&](std::uint32_t a, std::uint32_t b)
-        {
-            const auto next = static_cast<std::uint32_t>(shape.vertices.size());
-            const auto [found, isNew] = middles.try_emplace(std::minmax(a, b), next);
-            if (isNew)
-            {
-                shape.vertices.push_back((shape.vertices[a] + shape.vertices[b]) / 2);
-            }
-            return found->second;
-        };
-        std::vector<std::array<std::uint32_t, 3>> finer;
-        for (const auto& [a, b, c] : shape.triangles)
-        {
-            const std::uint32_t ab = middle(a, b);
-            const std::uint32_t bc = middle(b, c);
-            const std::uint32_t ca = middle(c, a);
-            finer.insert(finer.end(), {{a, ab, ca}, {b, bc, ab}, {c, ca, bc}, {ab, bc, ca}});
-        }
-        shape.triangles = std::move(finer);
-    }
-    for (Eigen::Vector3d& vertex : shape.vertices)
-    {
-        vertex.normalize();
-    }
-    return shape;
-}
+/// Behind the meshes of the three states; and its material behind theirs.
+constexpr std::size_t kShellMesh = 3;
+/// Parts of an edge of the icosahedron that stands for a sphere: 320 triangles.
+constexpr std::size_t kBallParts = 4;
 
 /// Adds vertices and triangles; returns a primitive without a material.
 Json addTriangles(GlbFile& file, const std::vector<Eigen::Vector3d>& vertices,
@@ -130,7 +85,6 @@ Json material(const char* name, const Colour& colour)
     if (colour[3] < 255)
     {
         json["alphaMode"] = "BLEND";
-        json["doubleSided"] = true;
     }
     return json;
 }
@@ -220,15 +174,14 @@ std::array<float, 4> quaternion(const Eigen::Matrix3d& rotation)
             static_cast<float>(q.w())};
 }
 
-std::array<std::size_t, 4> addShapes(GlbFile& file, const ExportedRun& run,
-                                     const Eigen::Vector3d& origin)
+void addBalls(GlbFile& file)
 {
     const Palette colours = paletteOf(Look::clean);
-    file.json()["materials"] = {
-        material("running", colours.running), material("frozen", colours.frozen),
-        material("discarded", colours.discarded), material("shell", colours.activePolygon)};
-    const Shape shape = ball();
-    Json primitive = addTriangles(file, shape.vertices, shape.triangles, true);
+    file.json()["materials"] = {material("running", colours.running),
+                                material("frozen", colours.frozen),
+                                material("discarded", colours.discarded)};
+    const TriangleMesh ball = geodesicSphere(kBallParts);
+    Json primitive = addTriangles(file, ball.vertices, ball.triangles, true); // its own normals
     Json& meshes = file.json()["meshes"];
     const char* names[] = {"running", "frozen", "discarded"};
     for (std::size_t state = 0; state < 3; ++state)
@@ -236,20 +189,38 @@ std::array<std::size_t, 4> addShapes(GlbFile& file, const ExportedRun& run,
         primitive["material"] = state;
         meshes.push_back({{"name", names[state]}, {"primitives", {primitive}}});
     }
+}
+
+void addShell(GlbFile& file, const ExportedRun& run, const Eigen::Vector3d& origin, Json& children)
+{
+    if (!run.hasShell)
+    {
+        return;
+    }
+    file.json()["materials"].push_back(material("shell", paletteOf(Look::clean).activePolygon));
+    Json& meshes = file.json()["meshes"];
     std::vector<Eigen::Vector3d> vertices = run.shell.mesh.vertices;
     for (Eigen::Vector3d& vertex : vertices)
     {
         vertex -= origin;
     }
-    Json shell = addTriangles(file, vertices, run.shell.mesh.triangles, false);
-    shell["material"] = 3;
+    // Seen from inside alone: a viewer that draws it opaque, as F3D does, shows what it holds.
+    std::vector<std::array<std::uint32_t, 3>> triangles = run.shell.mesh.triangles;
+    for (auto& triangle : triangles)
+    {
+        std::swap(triangle[1], triangle[2]);
+    }
+    Json shell = addTriangles(file, vertices, triangles, false);
+    shell["material"] = kShellMesh;
     meshes.push_back({{"name", "shell"}, {"primitives", {shell}}});
     if (!run.shell.isTrue())
     {
         meshes.back()["extras"] = {{"mesh_triangles", run.shell.facts.meshTriangles},
                                    {"shell_distance", run.shell.facts.distance}};
     }
-    return {0, 1, 2, 3};
+    Json& nodes = file.json()["nodes"];
+    children.push_back(nodes.size());
+    nodes.push_back({{"name", "shell"}, {"mesh", kShellMesh}});
 }
 
 std::size_t addObject(GlbFile& file, const ExportedRun& run, const ExportedFrame& frame,
@@ -271,7 +242,12 @@ std::size_t addObject(GlbFile& file, const ExportedRun& run, const ExportedFrame
     object["rotation"] = quaternion(frame.state.pose.rotation);
     nodes.push_back(object);
     const std::size_t index = nodes.size() - 1;
-    nodes.push_back({{"name", "world"}, {"rotation", quaternion(upright)}, {"children", {index}}});
+    Json world = {{"name", "world"}, {"rotation", quaternion(upright)}, {"children", {index}}};
+    if (const double units = run.scene.object.unitsPerMetre; units != 1) // glTF is in metres
+    {
+        world["scale"] = {1 / units, 1 / units, 1 / units};
+    }
+    nodes.push_back(world);
     file.json()["scenes"] = {{{"nodes", {index + 1}}}};
     return index;
 }

@@ -50,13 +50,16 @@ private:
     ByteWriter buffer_;
 };
 
-/// Adds materials, the shell and a ball of radius 1 in the colour of each state. Returns the
-/// indices of the meshes: three balls by state, then the shell.
-[[nodiscard]] std::array<std::size_t, 4> addShapes(GlbFile& file, const ExportedRun& run,
-                                                   const Eigen::Vector3d& origin);
+/// Adds a material and a ball of radius 1, the mesh with the number of the state, for each state.
+void addBalls(GlbFile& file);
 
-/// Adds the node of the object, which stands upright in glTF's frame (y up, metres or whatever the
-/// mesh has), and the scene. The children of the object are relative to `origin`.
+/// Adds the shell, behind the balls, and its node to the children of the object; or nothing, if the
+/// run is exported without.
+void addShell(GlbFile& file, const ExportedRun& run, const Eigen::Vector3d& origin,
+              GlbFile::Json& children);
+
+/// Adds the node of the object, which stands upright in glTF's frame (y up, metres), and the scene.
+/// The children of the object are relative to its origin.
 std::size_t addObject(GlbFile& file, const ExportedRun& run, const ExportedFrame& frame,
                       const GlbFile::Json& children);
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <iterator>
+#include <string>
 
 namespace frostfill
 {
@@ -35,6 +36,22 @@ inline void putText(fmt::memory_buffer& row, const Column& column, double value)
     visitNumber(column, value,
                 [&](auto number)
                 { fmt::format_to(std::back_inserter(row), FMT_COMPILE("{}"), number); });
+}
+
+/// A cell of a table as RFC 4180 has it: quoted where a comma, a quote or a line's end would be
+/// read otherwise.
+[[nodiscard]] inline std::string csvCell(const std::string& text)
+{
+    if (text.find_first_of(",\"\r\n") == std::string::npos)
+    {
+        return text;
+    }
+    std::string quoted = "\"";
+    for (const char letter : text)
+    {
+        quoted += letter == '"' ? "\"\"" : std::string(1, letter);
+    }
+    return quoted + "\"";
 }
 
 } // namespace frostfill

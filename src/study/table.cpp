@@ -2,6 +2,7 @@
 #include "study/table.hpp"
 
 #include "output/atomic_file.hpp"
+#include "output/column_text.hpp"
 
 #include <fmt/format.h>
 
@@ -36,20 +37,6 @@ std::string textRow(const Table& table, const std::vector<std::string>& cells,
     }
     line.erase(line.find_last_not_of(' ') + 1);
     return line + "\n";
-}
-
-std::string csvCell(const std::string& text)
-{
-    if (text.find_first_of(",\"\n") == std::string::npos)
-    {
-        return text;
-    }
-    std::string quoted = "\"";
-    for (const char c : text)
-    {
-        quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    }
-    return quoted + "\"";
 }
 
 } // namespace

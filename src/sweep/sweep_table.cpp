@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "output/atomic_file.hpp"
+#include "output/column_text.hpp"
 
 #include <frostfill/sweep.hpp>
 
@@ -60,26 +61,14 @@ Json rowOf(const SweepRun& run, const RunReport& report, const std::filesystem::
     return row;
 }
 
-/// As RFC 4180 has it: quoted where a comma, a quote or a line's end would be read otherwise.
-std::string csvCell(const Json& value)
+std::string cellOf(const Json& value)
 {
     if (value.is_null())
     {
         return "";
     }
-    const std::string text = value.is_string()
-                                 ? value.get<std::string>()
-                                 : value.dump(-1, ' ', false, Json::error_handler_t::replace);
-    if (text.find_first_of(",\"\r\n") == std::string::npos)
-    {
-        return text;
-    }
-    std::string quoted = "\"";
-    for (const char letter : text)
-    {
-        quoted += letter == '"' ? "\"\"" : std::string(1, letter);
-    }
-    return quoted + "\"";
+    return csvCell(value.is_string() ? value.get<std::string>()
+                                     : value.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 /// Runs that ended differently have different columns: all of them, as they first appear.
@@ -114,7 +103,7 @@ std::string csvText(const Json& rows)
         for (std::size_t i = 0; i < columns.size(); ++i)
         {
             text += i == 0 ? "" : ",";
-            text += csvCell(row.contains(columns[i]) ? row[columns[i]] : Json());
+            text += cellOf(row.contains(columns[i]) ? row[columns[i]] : Json());
         }
     }
     return text + "\n";

@@ -158,8 +158,9 @@ TEST_F(CheckCommand, TakesTheColumnsOfATableByName)
 // In a cube that is half full, both say what they mean by the bulk.
 TEST_F(CheckCommand, AnalyseFindsTheBulkOfWhichFillTells)
 {
-    const Answer filled = run("fill cube --radius 0.1 --count 550 --motion granular --rest joint "
-                              "--friction 0.3 --fraction 0.62 --frames none --keep-run on --out run");
+    const Answer filled =
+        run("fill cube --radius 0.1 --count 550 --motion granular --rest joint "
+            "--friction 0.3 --fraction 0.62 --frames none --keep-run on --out run");
     ASSERT_EQ(filled.code, 0) << filled.errors;
     const char* words = "bulk: 4 r from the walls and from the surface";
     EXPECT_NE(filled.output.find(words), std::string::npos) << filled.output;

@@ -122,6 +122,30 @@ class Runs(FolderCase):
         with self.assertRaisesRegex(frostfill.Usage, "did you mean csv"):
             run.export(self.folder / "folder", "csw")
 
+    def test_are_exported_with_the_options_of_the_command(self):
+        run = self.run_
+        folder = self.folder / "geometry"
+        (distance, label, _) = run.export(folder, "npy", voxels=24, contacts="shrink:0.9", threads=1)
+        self.assertEqual(max(numpy.load(distance).shape), 24)
+        self.assertEqual(numpy.load(label).max(), len(run.radii))
+        bed = json.loads(run.export(folder, "openfoam", cell=0.5, resolution=2)[-1].read_text())
+        self.assertGreater(bed["estimated_cells"], 0)
+        stl = run.export(folder, "stl-bed", ascii=True, contacts="bridges:0.2")[0]
+        self.assertTrue(stl.read_text().startswith("solid "))
+        csv = run.export(self.folder / "measured.csv", measure=["q6", "rattler"])[0]
+        self.assertTrue({"q6", "rattler"} <= set(csv.read_text().splitlines()[0].split(",")))
+        self.assertNotIn(b'"shell"', run.export(self.folder / "bare.glb", no_shell=True)[0].read_bytes())
+        for format, option in (("csv", {"voxels": 8}), ("vtp", {"contacts": "none"}), ("npz", {"cell": 1}),
+                               ("gmsh", {"measure": "q6"}), ("stl-bed", {"no_shell": True})):
+            with self.assertRaisesRegex(frostfill.Usage, f"{format} takes no "):
+                run.export(self.folder / "none", format, **option)
+        with self.assertRaisesRegex(frostfill.Usage, "does not say its format"):
+            run.export(self.folder / "x.npy")
+        self.assertFalse((self.folder / "none").exists())
+        for wrong in ({"voxels": "8"}, {"voxels": -1}, {"contacts": 5}, {"threads": 1.5}):
+            with self.assertRaises(frostfill.Usage):
+                run.export(self.folder / "none", "npy", **wrong)
+
     def test_are_drawn_into_a_folder(self):
         drawn = self.run_.draw(self.folder / "pictures", frames="0..9", size=(80, 60),
                                contact_sheet=True)

@@ -137,6 +137,8 @@ variable gravity index {gravity}
 # A fifth of the time in which a wave crosses the smallest sphere, and ten times sqrt(r/g)
 variable dt equal 0.2*PI*{smallest}*sqrt(2*(1+v_poisson)*v_density/v_young)/(0.1631*v_poisson+0.8766)
 variable steps equal ceil(10*sqrt({largest}/v_gravity)/v_dt)
+# A line of numbers so often
+variable often equal ceil(v_steps/50)
 )";
     const GrainLaw& law = state.law;
     return fmt::format(fmt::runtime(kVariables), fmt::arg("friction", law.friction),
@@ -146,33 +148,6 @@ variable steps equal ceil(10*sqrt({largest}/v_gravity)/v_dt)
                        fmt::arg("young", law.young), fmt::arg("poisson", law.poisson),
                        fmt::arg("gravity", law.gravity), fmt::arg("smallest", state.smallest),
                        fmt::arg("largest", state.largest));
-}
-
-void writeStl(const std::filesystem::path& file, const TriangleMesh& mesh, const char* name)
-{
-    AtomicFile stl(file);
-    stl.write(fmt::format("solid {}\n", name));
-    for (const auto& [a, b, c] : mesh.triangles)
-    {
-        const Eigen::Vector3d& first = mesh.vertices[a];
-        const Eigen::Vector3d across = (mesh.vertices[b] - first).cross(mesh.vertices[c] - first);
-        const double area = across.norm();
-        if (!(area > 0))
-        {
-            continue;
-        }
-        const Eigen::Vector3d normal = across / area;
-        stl.write(fmt::format(FMT_COMPILE("facet normal {} {} {}\n outer loop\n"), normal.x(),
-                              normal.y(), normal.z()));
-        for (const std::uint32_t corner : {a, b, c})
-        {
-            const Eigen::Vector3d& p = mesh.vertices[corner];
-            stl.write(fmt::format(FMT_COMPILE("  vertex {} {} {}\n"), p.x(), p.y(), p.z()));
-        }
-        stl.write(" endloop\nendfacet\n");
-    }
-    stl.write(fmt::format("endsolid {}\n", name));
-    stl.commit();
 }
 
 std::string directionText(const Eigen::Vector3d& direction, const char* between)

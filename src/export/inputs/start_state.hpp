@@ -63,10 +63,6 @@ struct StartState
 /// of steps. One of the style index is what -var sets.
 [[nodiscard]] std::string scriptVariables(const StartState& state, double restitution);
 
-/// Writes triangles as the text form of STL, which all codes of discrete elements read, with all
-/// digits. Triangles without an area are left out.
-void writeStl(const std::filesystem::path& file, const TriangleMesh& mesh, const char* name);
-
 /// Writes a data file for read_data of LAMMPS and of LIGGGHTS, of two types: id, type, diameter,
 /// density and place of each sphere. Its box is larger than that of the state by `margin`.
 void writeDataFile(const std::filesystem::path& file, const StartState& state, double margin,

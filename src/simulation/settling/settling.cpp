@@ -27,8 +27,7 @@ ContactLaw lawOf(const World& world)
 } // namespace
 
 Settling::Settling(World& world, Threads& threads)
-    : world_(world), threads_(threads), running_(world.spheres.running()),
-      motion_(world, lawOf(world), threads)
+    : world_(world), running_(world.spheres.running()), motion_(world, lawOf(world), threads)
 {
     if (!world.scene.rest.fraction)
     {
@@ -306,7 +305,7 @@ bool Settling::hasCompacted()
 
 std::optional<double> Settling::bulkFraction() const
 {
-    return bulk_->fraction(running_.position.all(), running_.radius.all(), threads_);
+    return bulk_->fraction(running_.position.all(), running_.radius.all());
 }
 
 void Settling::report()

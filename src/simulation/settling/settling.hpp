@@ -89,7 +89,6 @@ private:
     void report();
 
     World& world_;
-    Threads& threads_;
     RunningSpheres& running_;
     GranularMotion motion_;
     std::vector<std::uint32_t> order_; ///< ids, by the row in which each of them runs

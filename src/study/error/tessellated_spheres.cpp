@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "study/error/tessellated_spheres.hpp"
 
-#include "bed/geodesic_sphere.hpp"
+#include "mesh/geodesic_sphere.hpp"
 #include "render/picture/shrink.hpp"
 
 #include <glm/gtc/matrix_transform.hpp>

@@ -12,6 +12,11 @@ at(from, to) = (column(from) + column(to)) / 2
 do for [i=1:3] {
     set xlabel word(labels, i)." [mesh unit]"
     set ylabel i == 1 ? "porosity" : ""
+    # At most five ticks, whose numbers have room however small the unit makes them.
+    stats "porosity_".word(tables, i).".csv" using "to" nooutput
+    tick = 10 ** floor(log10(STATS_max / 4))
+    share = STATS_max / 4 / tick
+    set xtics tick * (share <= 1 ? 1 : share <= 2 ? 2 : share <= 5 ? 5 : 10)
     plot "porosity_".word(tables, i).".csv" \
         using (at("from", "to")):(column("porosity") - 2 * column("error")):\
         (column("porosity") + 2 * column("error")) with filledcurves \

@@ -3,6 +3,7 @@
 #include "base/run_program.hpp"
 #include "export/inputs/start_state.hpp"
 #include "output/atomic_file.hpp"
+#include "output/stl_text.hpp"
 #include "study/peers/peer.hpp"
 #include "study/peers/pouring.hpp"
 

@@ -105,7 +105,6 @@ TEST_F(BedFiles, OfStlAreClosedAndNotSelfIntersectingForOpenFoam)
             SCOPED_TRACE(fmt::format("{} {}", object, contacts));
             write(ExportFormat::stlBed, contacts);
             const auto summary = nlohmann::json::parse(readFile(folder_ / "out/bed.stl.json"));
-            EXPECT_EQ(summary["bridges_to_walls"] > 10, contacts == std::string("bridges:0.2"));
             EXPECT_EQ(run(std::string(kOpenFoam) + "surfaceCheck bed.stl -checkSelfIntersection"),
                       0);
             EXPECT_TRUE(has("Surface has no illegal triangles")) << said();

@@ -46,7 +46,7 @@ double fractionOf(const std::vector<Eigen::Vector3d>& centres, double ceiling = 
     }
     Threads threads(1);
     const Bulk bulk(world->surface, world->inside, 1, 1, threads);
-    return bulk.fraction(moved, std::vector<double>(moved.size(), 1), threads).value_or(-1);
+    return bulk.fraction(moved, std::vector<double>(moved.size(), 1)).value_or(-1);
 }
 
 TEST(Bulk, OfACubicLatticeHasItsFraction)
@@ -77,8 +77,8 @@ TEST(Bulk, IsNoneWhereNothingIsFarFromWalls)
     const Bulk bulk(world->surface, world->inside, 1, 1, threads);
     EXPECT_FALSE(bulk.any());
     const std::vector<Eigen::Vector3d> one = {{0, 0, 0}};
-    EXPECT_FALSE(bulk.fraction(one, std::vector<double>{1}, threads));
-    EXPECT_FALSE(bulk.fraction({}, {}, threads));
+    EXPECT_FALSE(bulk.fraction(one, std::vector<double>{1}));
+    EXPECT_FALSE(bulk.fraction({}, {}));
 }
 
 } // namespace

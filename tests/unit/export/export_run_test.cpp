@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstring>
 #include <functional>
 #include <string>
 #include <vector>
@@ -205,6 +206,100 @@ TEST_F(ExportRun, GivesTheSameBytesEachTime)
             EXPECT_EQ(readFile(a.files[i]), readFile(b.files[i])) << a.files[i];
         }
     }
+}
+
+TEST_F(ExportRun, RefusesAnOptionThatItsFormatDoesNotTakeBeforeItWrites)
+{
+    const std::vector<std::string> measured = {"vtp",           "lammps-dump", "xyz", "glb",
+                                               "glb-instanced", "ply",         "csv", "npz"};
+    for (const ExportFormatInfo& format : exportFormats())
+    {
+        SCOPED_TRACE(format.name);
+        ExportRequest asked = request(format.format, "last");
+        asked.measured = {"sphere_contacts"};
+        if (std::find(measured.begin(), measured.end(), format.name) != measured.end())
+        {
+            EXPECT_NO_THROW(exportRun(asked));
+            asked.out = folder_ / "new";
+            asked.measured = {"nothing"};
+            expectError(
+                ErrorCode::usage, [&] { exportRun(asked); }, "nothing");
+        }
+        else
+        {
+            asked.out = folder_ / "new";
+            expectError(
+                ErrorCode::usage, [&] { exportRun(asked); }, format.name, "--measure", "npz");
+        }
+        EXPECT_FALSE(std::filesystem::exists(folder_ / "new"));
+    }
+    requireOption(ExportFormat::vti, "voxels");
+    requireOption(ExportFormat::glb, "no-shell");
+    expectError(
+        ErrorCode::usage, [] { requireOption(ExportFormat::csv, "voxels"); },
+        "csv takes no --voxels, which is for vti, npy");
+}
+
+nlohmann::json jsonOfGlb(const std::filesystem::path& file)
+{
+    const std::string bytes = readFile(file);
+    std::uint32_t size = 0;
+    std::memcpy(&size, bytes.data() + 12, sizeof size);
+    return nlohmann::json::parse(bytes.substr(20, size));
+}
+
+TEST_F(ExportRun, LeavesTheShellOutOfGltfIfAsked)
+{
+    for (const ExportFormat format : {ExportFormat::glb, ExportFormat::glbInstanced})
+    {
+        ExportRequest asked = request(format, "last");
+        const auto with = jsonOfGlb(exportRun(asked).files[0]);
+        asked.overwrite = true;
+        asked.shell = false;
+        const auto without = jsonOfGlb(exportRun(asked).files[0]);
+        EXPECT_EQ(with["meshes"].size(), 4U);
+        EXPECT_EQ(without["meshes"].size(), 3U);
+        EXPECT_EQ(with["nodes"].size(), without["nodes"].size() + 1);
+        EXPECT_NE(with.dump().find("shell"), std::string::npos);
+        EXPECT_EQ(without.dump().find("shell"), std::string::npos);
+    }
+}
+
+// A run of a mesh in millimetres.
+TEST(ExportOfMillimetres, IsInMetresWhereTheProgramTakesNothingElse)
+{
+    const test::TemporaryFolder folder;
+    Scene scene = test::fewSpheres();
+    scene.object.unitsPerMetre = 1000;
+    test::recordWithOracle(scene, folder.path());
+    RunFileReader reader(folder / "run.frost");
+    reader.seek(reader.frames().size() - 1);
+    const Eigen::AlignedBox3d box = boundingBox(reader.mesh());
+    const auto write = [&](ExportFormat format)
+    {
+        return exportRun(
+            {.run = folder.path(), .format = format, .frames = "last", .out = folder / "export"});
+    };
+    const ExportResult foam = write(ExportFormat::openFoam);
+    EXPECT_EQ(foam.unitsPerMetre, 1);
+    const TriangleMesh wall = readMesh(folder / "export/openfoam/constant/triSurface/wall.stl");
+    EXPECT_NEAR(boundingBox(wall).sizes().x(), box.sizes().x() / 1000, 1e-9);
+    const auto summary = nlohmann::json::parse(readFile(folder / "export/openfoam/bed.json"));
+    EXPECT_NEAR(summary["mean_diameter"].get<double>(), 2 * reader.radii()[0] / 1000, 1e-12);
+    EXPECT_EQ(summary["units_per_metre"], 1);
+    const std::vector<double> corners =
+        numbersBehind("vertices\n(\n    (", folder / "export/openfoam/system/blockMeshDict");
+    EXPECT_LT(std::abs(corners.at(0)), box.sizes().maxCoeff() / 1000);
+
+    EXPECT_EQ(write(ExportFormat::glb).unitsPerMetre, 1);
+    const auto world = jsonOfGlb(folder / "export/run.glb")["nodes"].back();
+    EXPECT_EQ(world["name"], "world");
+    EXPECT_EQ(world["scale"], nlohmann::json({0.001, 0.001, 0.001}));
+
+    EXPECT_EQ(write(ExportFormat::vti).unitsPerMetre, 1000);
+    const auto volume = nlohmann::json::parse(readFile(folder / "export/bed.vti.json"));
+    EXPECT_EQ(volume["units_per_metre"], 1000);
+    EXPECT_NEAR(volume["mean_diameter"].get<double>(), 2 * reader.radii()[0], 1e-12);
 }
 
 } // namespace

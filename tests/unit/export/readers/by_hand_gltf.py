@@ -84,7 +84,10 @@ class Glb:
             if i == 3:
                 oracle.same("shell", places, [[a - b for a, b in zip(v, oracle.origin)]
                                               for v in oracle.vertices], 1e-6)
-                oracle.same("triangles of the shell", corners, oracle.triangles)
+                # Seen from inside alone, so that a viewer without transparency shows what it holds.
+                inwards = [corner for a, b, c in oracle.triangles for corner in (a, c, b)]
+                oracle.same("triangles of the shell", corners, inwards)
+                oracle.equal("sides", materials[3].get("doubleSided", False), False)
                 continue
             oracle.equal("normals", part["attributes"]["NORMAL"], part["attributes"]["POSITION"])
             oracle.same("radii of the ball", [sum(x * x for x in p) ** 0.5 for p in places], [1] * len(places), 1e-6)

@@ -59,13 +59,22 @@ def data_file(name):
     return [int(row[1]) for row in rows]
 
 
+def talks(name):
+    """The script prints a line of numbers at least ten times in its run."""
+    text = run.file(name).read_text()
+    wanted = re.search(r"^variable often equal ceil\(v_steps/(\d+)\)$", text, re.M)
+    run.equal("often", (int(wanted[1]) >= 10, re.findall("^thermo (.*)$", text, re.M)), (True, ["${often}"]))
+
+
 def liggghts():
+    talks("liggghts.in")
     run.equal("types", set(data_file("liggghts.data")), {1})
     walls("liggghts_walls.stl")
 
 
 def lammps():
     """The torus is not convex: of type 2 are the spheres that touch it."""
+    talks("lammps.in")
     touching = [2 if min(distance(centre, triangle) for triangle in run.triangles) < 1.01 * radius else 1
                 for centre, radius in zip(last["centres"], last["radii"])]
     run.equal("types", data_file("lammps.data"), touching)

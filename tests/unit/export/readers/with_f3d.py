@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """F3D: with_f3d.py FOLDER glb. What F3D lists is counted, and what it draws is compared with rays that
-are cast here. F3D 1.3 draws the shell opaque, which would hide the spheres: it is taken out of the
-file that is drawn."""
+are cast here, once without the shell. F3D draws the shell opaque. The shell is seen from inside alone,
+so that it does not hide the spheres."""
 import json
 import os
 import re
@@ -97,11 +97,16 @@ run.same("spheres by state", [sum(name == state for name, *_ in listed) for stat
 run.same("shell", [int(number) for name, *numbers in listed if name == "shell" for number in numbers],
          [len(run.vertices), len(run.triangles)])
 
+def draw(file):
+    ask("--output", run.folder / "f3d.png", "--no-background", "--resolution", f"{WIDTH},{HEIGHT}",
+        "--camera-position", f"0,0,{DISTANCE}", "--camera-focal-point", "0,0,0", "--camera-view-up", "0,1,0",
+        "--camera-view-angle", ANGLE, file)
+    return read_png(run.folder / "f3d.png")
+
+
 without_shell(run.file("run.glb"), run.folder / "spheres.glb")
-ask("--output", run.folder / "f3d.png", "--no-background", "--resolution", f"{WIDTH},{HEIGHT}",
-    "--camera-position", f"0,0,{DISTANCE}", "--camera-focal-point", "0,0,0", "--camera-view-up", "0,1,0",
-    "--camera-view-angle", ANGLE, run.folder / "spheres.glb")
-image = read_png(run.folder / "f3d.png")
+image = draw(run.folder / "spheres.glb")
+with_shell = draw(run.file("run.glb"))
 box = [(min(v[i] for v in run.vertices) + max(v[i] for v in run.vertices)) / 2 for i in range(3)]
 wanted = cast(np.array(last["centres"]) - box, last["radii"], last["states"])
 drawn = image[..., 3] > 0 if image.shape[2] == 4 else image.min(-1) < 255
@@ -112,4 +117,7 @@ both = drawn & (wanted >= 0)
 run.same("where pixels are drawn", both.sum() / drawn.sum(), 1, 0.005)
 blue = image[..., 2] - image[..., 0] > 40  # frozen; what is discarded is grey
 run.same("states", (blue == (wanted == 1))[both].mean(), 1, 0.03)
+# The far wall of the near half of the torus hides what is behind it, and nothing else.
+same = np.abs(with_shell[..., :3] - image[..., :3]).max(-1) < 12
+run.same("spheres seen in the shell", same[both].mean(), 1, 0.3)
 run.finish()

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bed/geodesic_sphere.hpp"
+#include "mesh/geodesic_sphere.hpp"
 
 #include <array>
 #include <cmath>
@@ -12,12 +12,12 @@ namespace
 {
 
 /// The icosahedron, each face counter-clockwise.
-const std::array<std::array<std::uint32_t, 3>, 20> kFaces = {
+const std::array<std::array<std::uint32_t, 3>, 20> kIcosahedronFaces = {
     {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
      {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
      {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}}};
 
-std::array<Eigen::Vector3d, 12> corners()
+std::array<Eigen::Vector3d, 12> icosahedronCorners()
 {
     const double golden = (1 + std::sqrt(5.0)) / 2;
     std::array<Eigen::Vector3d, 12> points = {{{-1, golden, 0},
@@ -43,11 +43,11 @@ std::array<Eigen::Vector3d, 12> corners()
 
 TriangleMesh geodesicSphere(std::size_t parts)
 {
-    const std::array<Eigen::Vector3d, 12> ends = corners();
+    const std::array<Eigen::Vector3d, 12> ends = icosahedronCorners();
     TriangleMesh mesh;
     // A point is known by how much of which corners it has, so that faces share those of edges.
     std::map<std::array<std::size_t, 6>, std::uint32_t> known;
-    for (const std::array<std::uint32_t, 3>& face : kFaces)
+    for (const std::array<std::uint32_t, 3>& face : kIcosahedronFaces)
     {
         const auto point = [&](std::size_t b, std::size_t c)
         {
