@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace frostfill
 {
@@ -129,13 +130,18 @@ TEST_F(CheckCommand, JudgesARunUnderTheFrictionWithWhichItHasSettled)
     const auto again = nlohmann::json::parse(run("check settled --json").output);
     EXPECT_EQ(again["unsupported_frozen"], 0);
     EXPECT_EQ(error["unsupported_frozen"], 0);
-    for (const char* wrong : {"--friction 0.3", "--rest joint --friction -1", "--rest together",
-                              "--rest joint --tilt 20", "--rest joint --preset paper",
-                              "--rest joint --rolling-friction much", "--wall-friction 0.1"})
+    for (const auto& [wrong, says] :
+         {std::pair("--friction 0.3", "(--rest) joint"),
+          {"--wall-friction 0.1", "(--rest) joint"},
+          {"--rest joint --friction -1", "--friction is '-1'"},
+          {"--rest together", "--rest is 'together'"},
+          {"--rest joint --tilt 20", "omit --tilt"},
+          {"--rest joint --preset paper", "use the preset fast"},
+          {"--rest joint --rolling-friction much", "--rolling-friction is 'much'"}})
     {
         const Answer refused = run(std::string("fill cube --count 5 --out no ") + wrong);
         EXPECT_EQ(refused.code, 64) << wrong;
-        EXPECT_NE(refused.errors.find("--"), std::string::npos) << refused.errors;
+        EXPECT_NE(refused.errors.find(says), std::string::npos) << refused.errors;
     }
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "fault/program.hpp"
+#include "fault/shown_commands.hpp"
 #include "support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <sstream>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -35,6 +35,7 @@ protected:
             << arguments << "\n"
             << answer.errors;
         EXPECT_EQ(answer.errors.rfind("frostfill: ", 0), 0u) << answer.errors;
+        EXPECT_NE(part, "") << "says nothing of what was wrong";
         EXPECT_NE(answer.errors.find(part), std::string::npos) << arguments << "\n"
                                                                << answer.errors;
         EXPECT_EQ(answer.output, "") << arguments;
@@ -44,20 +45,9 @@ protected:
 
 TEST_F(CommandLine, HelpOfEveryCommandIsCompleteAndHasExamples)
 {
-    // "Subcommands:", then a command a line and what goes on from it, which is indented further.
-    const std::string all = run("--help").output;
-    std::istringstream lines(all.substr(all.find("Subcommands:")));
-    std::string line;
-    std::getline(lines, line);
-    std::vector<std::string> commands = {""};
-    while (std::getline(lines, line) && line.starts_with("  "))
-    {
-        if (line[2] != ' ')
-        {
-            commands.push_back(line.substr(2, line.find(' ', 2) - 2));
-        }
-    }
-    EXPECT_GE(commands.size(), 19U);
+    std::vector<std::string> commands = test::commandsOfHelp(run("--help").output);
+    EXPECT_GE(commands.size(), 18U);
+    commands.insert(commands.begin(), ""); // the program itself
     for (const std::string& command : commands)
     {
         const Answer answer = run(command + " --help");
@@ -118,7 +108,7 @@ TEST_F(CommandLine, VersionIsTold)
 TEST_F(CommandLine, WrongUseIsRefusedWith64AndOneLine)
 {
     expectRefused("", 64, "--help");
-    expectRefused("fly", 64, "");
+    expectRefused("fly", 64, "fly");
     expectRefused("fill", 64, "MESH");
     expectRefused("fill torus --cuont 5", 64, "--count");
     expectRefused("fill torus sphere", 64, "sphere");

@@ -155,8 +155,9 @@ void expectShownCommandsWork(bool studies)
                 << answer.errors;
         }
     }
-    for (const char* name :
-         {"fill", "render", "check", "fps", "bench", "figures", "mesh", "doctor"})
+    const auto commands = test::commandsOfHelp(test::runProgram("--help", folder.path()).output);
+    EXPECT_GE(commands.size(), 18U);
+    for (const std::string& name : commands)
     {
         EXPECT_EQ(names.count(name), 1u) << "no page shows frostfill " << name;
     }

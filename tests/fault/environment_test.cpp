@@ -12,6 +12,7 @@
 #include <cmath>
 #include <functional>
 #include <regex>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -155,6 +156,7 @@ TEST_F(Environment, WithTooLittleMemoryForOpenGlItSaysSoAndDoesNotHang)
     {
         GTEST_SKIP() << "a sanitizer takes terabytes of address space";
     }
+    std::set<int> codes;
     for (const int mebibytes : {150, 300, 500, 900})
     {
         const Answer answer =
@@ -162,7 +164,9 @@ TEST_F(Environment, WithTooLittleMemoryForOpenGlItSaysSoAndDoesNotHang)
                 fmt::format("ulimit -v {}; timeout 100", 1024 * mebibytes));
         EXPECT_TRUE(answer.code == 71 || answer.code == 0)
             << mebibytes << " MiB: " << answer.code << answer.errors;
+        codes.insert(answer.code);
     }
+    EXPECT_EQ(codes.count(71), 1U) << "none was too little";
 }
 
 TEST_F(Environment, WithoutAPlaceForCompiledShadersItDrawsTheSamePictures)

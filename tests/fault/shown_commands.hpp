@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <regex>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,6 +26,24 @@ inline std::vector<std::string> commandsOf(const std::string& text)
             {
                 commands.push_back((*it)[group].str());
             }
+        }
+    }
+    return commands;
+}
+
+/// The names in what `frostfill --help` prints: after "Subcommands:" a command a line, and what
+/// goes on from it is indented further.
+inline std::vector<std::string> commandsOfHelp(const std::string& help)
+{
+    std::istringstream lines(help.substr(help.find("Subcommands:")));
+    std::string line;
+    std::getline(lines, line);
+    std::vector<std::string> commands;
+    while (std::getline(lines, line) && line.starts_with("  "))
+    {
+        if (line[2] != ' ')
+        {
+            commands.push_back(line.substr(2, line.find(' ', 2) - 2));
         }
     }
     return commands;

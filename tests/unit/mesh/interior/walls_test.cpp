@@ -152,18 +152,24 @@ TEST(ClassifyWalls, MakesACommonFaceOfTwoBoxesTwoSided)
     TriangleMesh mesh = test::refined(test::box(0, 1), 3);
     test::append(mesh, test::refined(test::box({1, 0, 0}, {2, 1, 1}), 3));
     const Walls walls = classifyWalls(mesh);
+    std::size_t common = 0;
+    std::size_t apart = 0;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     {
         const Eigen::AlignedBox3d here = boxOf(mesh, t);
         if (here.min().x() <= 1 && here.max().x() >= 1)
         {
             EXPECT_TRUE(walls.twoSided[t]) << t;
+            ++common;
         }
         if (here.max().x() <= 0.75 || here.min().x() >= 1.25)
         {
             EXPECT_FALSE(walls.twoSided[t]);
+            ++apart;
         }
     }
+    EXPECT_GT(common, 100U);
+    EXPECT_GT(apart, 100U);
     checkSides(mesh, walls, 500);
 }
 

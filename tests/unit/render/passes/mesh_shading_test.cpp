@@ -119,7 +119,9 @@ TEST(MeshShading, TriangleWithoutAreaGivesFiniteNormals)
 {
     TriangleMesh mesh = boxMesh({1, 1, 1});
     mesh.triangles.push_back({0, 0, 1});
-    for (const auto& normals : shade(mesh).normals)
+    const ShadedMesh shaded = shade(mesh);
+    EXPECT_EQ(shaded.normals.size(), mesh.triangles.size());
+    for (const auto& normals : shaded.normals)
     {
         for (const glm::vec3& normal : normals)
         {

@@ -94,6 +94,7 @@ double lightBySums(const FlatView& view, int x, int y)
 TEST(AmbientOcclusion, LeavesAPlaneAndNothingLit)
 {
     FlatView view(70, 70);
+    EXPECT_EQ(view.light().size(), 70U * 70U);
     for (const float light : view.light())
     {
         EXPECT_EQ(light, 1);

@@ -35,6 +35,7 @@ TEST(ContactCone, InclineLeavesTheSineOfItsAngle)
 
 TEST(ContactCone, IsTheProjectionForRandomContacts)
 {
+    std::size_t compared = 0;
     for (std::uint64_t trial = 0; trial < 300; ++trial)
     {
         Normals normals;
@@ -63,9 +64,11 @@ TEST(ContactCone, IsTheProjectionForRandomContacts)
             if (isInCone(u, 0))
             {
                 EXPECT_LE(kDown.dot(u), projection.norm() + 1e-9) << "trial " << trial;
+                ++compared;
             }
         }
     }
+    EXPECT_GT(compared, 10000U);
 }
 
 } // namespace
