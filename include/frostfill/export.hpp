@@ -68,6 +68,8 @@ struct ExportRequest
     /// All triangles of a dense mesh where a simplified shell would be written: in glb and
     /// glbInstanced. The other formats have the true mesh, or none.
     bool fullMesh = false;
+    /// In liggghts, lammps and yade: lids that the mesh was closed with are walls too.
+    bool lids = false;
     BedSettings bed = {}; ///< of the formats that are geometry
     /// Columns that are measured of each frame, see Column::measured, beside those of the run.
     std::vector<std::string> measured = {};

@@ -33,6 +33,7 @@ struct ExportArguments
     std::string frames;
     std::string out;
     bool fullMesh = false;
+    bool lids = false;
     std::string contacts;
     BedSettings bed;
     std::vector<std::string> measured;
@@ -67,6 +68,7 @@ int exportAll(const ExportArguments& arguments)
     {
         request.frames = arguments.frames;
         request.fullMesh = arguments.fullMesh;
+        request.lids = arguments.lids;
         request.bed = bed;
         request.measured = arguments.measured;
         request.overwrite = arguments.overwrite;
@@ -128,6 +130,8 @@ Command addExportCommand(CLI::App& program)
         ->type_name("DIR");
     command->add_flag("--full-mesh", arguments->fullMesh,
                       fmt::format("{}: in glTF", kFullMeshHelp));
+    command->add_flag("--lids", arguments->lids,
+                      "Keep the lids of --lid among the walls: in liggghts, lammps and yade");
     command
         ->add_option("--measure", arguments->measured,
                      fmt::format("Columns that are found for spheres at rest, as by analyse: {}",

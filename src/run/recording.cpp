@@ -112,6 +112,7 @@ void keepRun(FrameRecorder& recorder, const FillRequest& request, const LoadedMe
     RunHead head;
     head.scene = request.scene;
     head.repairs = mesh.repairs;
+    head.lidTriangles = mesh.lidTriangles;
     head.video = request.video.empty() ? "" : std::filesystem::absolute(request.video).string();
     head.cameraPath = path ? path->text() : "";
     head.contactSheet = request.contactSheet;
