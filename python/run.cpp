@@ -270,6 +270,7 @@ ExportRequest exportRequestOf(const KeptRun& run, const std::string& format,
     request.overwrite = given.contains("overwrite");
     request.fullMesh = given.contains("full_mesh");
     request.shell = !given.contains("no_shell");
+    request.lids = given.contains("lids");
     bed.ascii = given.contains("ascii");
     return request;
 }

@@ -59,7 +59,7 @@ struct ExportFormatInfo
 [[nodiscard]] const ExportFormatInfo& exportFormat(std::string_view name);
 
 /// Options of the command `export` that only some formats take, without dashes: "measure",
-/// "full-mesh", "no-shell", "contacts", "resolution", "ascii", "cell" and "voxels".
+/// "full-mesh", "no-shell", "lids", "contacts", "resolution", "ascii", "cell" and "voxels".
 [[nodiscard]] std::span<const std::string_view> exportOptions();
 /// Throws Error usage, which names the formats that do, if a format does not take one of them.
 void requireOption(ExportFormat format, std::string_view option);
@@ -74,7 +74,9 @@ struct ExportRequest
     /// All triangles of a dense mesh where a simplified shell would be written: in glb and
     /// glbInstanced. The other formats have the true mesh, or none.
     bool fullMesh = false;
-    bool shell = true;    ///< in glb and glbInstanced
+    bool shell = true; ///< in glb and glbInstanced
+    /// In liggghts, lammps and yade: lids that the mesh was closed with are walls too.
+    bool lids = false;
     BedSettings bed = {}; ///< of the formats that are geometry
     /// Columns that are measured of each frame, see Column::measured, beside those of the run.
     std::vector<std::string> measured = {};

@@ -39,6 +39,7 @@ struct FillRequest
 struct FillPlan
 {
     std::vector<std::string> repairs; ///< of the mesh
+    std::vector<std::string> hints;   ///< sentences on options that the mesh may need
     std::size_t triangles = 0;
     std::size_t crossedTriangles = 0; ///< that meet others away from their edges
     Eigen::Vector3d firstCrossing = Eigen::Vector3d::Zero(); ///< if there are any

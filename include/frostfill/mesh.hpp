@@ -62,9 +62,12 @@ struct LoadedMesh
     MeshReport report; ///< of `mesh`
     /// One sentence each, what the reader had to overlook first; empty if the file was clean.
     std::vector<std::string> repairs;
+    std::size_t lidTriangles = 0; ///< of LoadMeshOptions::lid: the last triangles of `mesh`
+    /// [unit^2] Area of the largest lid along its normal, outwards; 0 without lids.
+    Eigen::Vector3d opening = Eigen::Vector3d::Zero();
 };
 
-/// How an open or broken mesh is made one that can be filled. The last two need the program
+/// How an open or broken mesh is made one that can be filled. Skins and unions need the program
 /// frostfill-wrap, which is built with FROSTFILL_WITH_CGAL; without it they throw missingProgram.
 struct LoadMeshOptions
 {
@@ -77,6 +80,9 @@ struct LoadMeshOptions
     std::optional<double> wrap = {};
     /// Remove the walls inside the interior, of pieces that pass through each other. Comes last.
     bool unite = false;
+    /// Fill what the walls of a vessel enclose in place of the walls: closed shells within another,
+    /// and with lids the insides of cups, drums and hoppers.
+    bool cavity = false;
 };
 
 /// Enclosed volume by the divergence theorem, sum of det(a, b, c) / 6. Exact for a closed mesh.
@@ -96,6 +102,11 @@ struct LoadMeshOptions
 /// The same with inspectMesh's report known.
 [[nodiscard]] MeshReport inspectInterior(const TriangleMesh& mesh, const MeshReport& report);
 
+/// A sentence if a closed mesh is the wall of a vessel, closed or open, so that its cavity stays
+/// empty: it names the options that fill the cavity. Empty for other meshes. `report` is that of
+/// the mesh.
+[[nodiscard]] std::string cavityHint(const TriangleMesh& mesh, const MeshReport& report);
+
 /// Reads OBJ, STL, PLY, OFF, glTF or GLB as triangles, known by content first and then by the
 /// name's ending. Keeps every bit of the file's numbers and the order of its vertices and faces,
 /// cuts polygons into triangles, welds equal vertices, and changes nothing else. Opens no other
@@ -106,7 +117,8 @@ struct LoadMeshOptions
                                     std::vector<std::string>* remarks = nullptr);
 
 /// readMesh in a child process. Its limits on memory, processor time and files grow with the file's
-/// size. A file on which the reader crashes, hangs or fills the memory is an Error badData.
+/// size. A file on which the reader crashes, hangs or fills the memory is an Error badData. A
+/// process with several threads cannot be forked safely: there this is readMesh.
 [[nodiscard]] TriangleMesh readMeshSandboxed(const std::filesystem::path& file,
                                              std::vector<std::string>* remarks = nullptr);
 

@@ -144,6 +144,7 @@ class Run(_frostfill.KeptRun):
         measure: str | Sequence[str] = (),
         full_mesh: bool = False,
         no_shell: bool = False,
+        lids: bool = False,
         contacts: str | None = None,
         resolution: int | None = None,
         ascii: bool = False,
@@ -168,7 +169,8 @@ class Run(_frostfill.KeptRun):
             "voxels": voxels,
             "threads": threads,
         }
-        flags = {"overwrite": overwrite, "full_mesh": full_mesh, "no_shell": no_shell, "ascii": ascii}
+        flags = {"overwrite": overwrite, "full_mesh": full_mesh, "no_shell": no_shell,
+                 "lids": lids, "ascii": ascii}
         given = {name: value for name, value in values.items() if value is not None}
         given.update((name, True) for name, value in flags.items() if value)
         if format is not None:

@@ -34,6 +34,7 @@ struct ExportArguments
     std::string out;
     bool fullMesh = false;
     bool noShell = false;
+    bool lids = false;
     std::string contacts;
     BedSettings bed;
     std::vector<std::string> measured;
@@ -69,6 +70,7 @@ int exportAll(const ExportArguments& arguments, const CLI::App& command)
         request.frames = arguments.frames;
         request.fullMesh = arguments.fullMesh;
         request.shell = !arguments.noShell;
+        request.lids = arguments.lids;
         request.bed = bed;
         request.measured = arguments.measured;
         request.overwrite = arguments.overwrite;
@@ -139,6 +141,8 @@ Command addExportCommand(CLI::App& program)
     command->add_flag("--full-mesh", arguments->fullMesh,
                       fmt::format("{}: in glTF", kFullMeshHelp));
     command->add_flag("--no-shell", arguments->noShell, "Leave out the object: in glTF");
+    command->add_flag("--lids", arguments->lids,
+                      "liggghts, lammps, yade: keep the lids of --lid among the walls");
     command
         ->add_option(
             "--measure", arguments->measured,

@@ -116,6 +116,10 @@ void printPlan(const FillRequest& request, const FillPlan& plan)
     {
         say(fmt::format("repaired: {}\n", repair));
     }
+    for (const std::string& hint : plan.hints)
+    {
+        say(hint + "\n");
+    }
     say(fmt::format("{}: {} triangles, about {} spheres of {}, time step {:.3g} s\n",
                     request.scene.name, plan.triangles, plan.spheres,
                     radiiText(plan.smallestRadius, plan.largestRadius), plan.timeStep));

@@ -115,6 +115,8 @@ int inspect(const MeshArguments& arguments)
         printReport("after repair", inspectInterior(loaded.mesh, loaded.report));
     }
     fmt::print("can be filled\n");
+    const std::string hint = scene.object.load.cavity ? "" : cavityHint(loaded.mesh, loaded.report);
+    fmt::print("{}{}", hint, hint.empty() ? "" : "\n");
     if (arguments.radius > 0)
     {
         fmt::print("{}", reachText(inspectReach(loaded.mesh, arguments.radius), arguments.radius,

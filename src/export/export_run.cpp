@@ -53,12 +53,16 @@ std::vector<std::size_t> selectedFrames(const RunFileReader& reader, const std::
     return chosen;
 }
 
-/// Groups per set and the axis that points up, where the head of the file tells them.
+/// Groups per set, the axis that points up and the lids, where the head of the file tells them.
 void readScene(const RunFileReader& reader, const std::string& name, ExportedRun& run)
 {
     const auto head = nlohmann::ordered_json::parse(reader.head(), nullptr, false);
     if (head.is_object() && head.contains("scene"))
     {
+        const auto lids = head.find("lid_triangles");
+        run.lids = lids != head.end() && lids->is_number_unsigned()
+                       ? std::min(lids->get<std::size_t>(), run.mesh.triangles.size())
+                       : 0;
         const Scene scene = sceneFromJson(head["scene"], name);
         run.groupsPerSet = std::max<std::uint32_t>(1, scene.spheres.groupsPerSet);
         run.up = static_cast<int>(scene.object.up);
@@ -84,7 +88,8 @@ void checkOptions(const ExportRequest& request, const ExportFormatInfo& format)
 {
     const std::pair<bool, std::string_view> given[] = {{!request.measured.empty(), "measure"},
                                                        {request.fullMesh, "full-mesh"},
-                                                       {!request.shell, "no-shell"}};
+                                                       {!request.shell, "no-shell"},
+                                                       {request.lids, "lids"}};
     for (const auto& [isGiven, option] : given)
     {
         if (isGiven)
@@ -150,6 +155,7 @@ ExportResult exportRun(const ExportRequest& request, const ExportProgress& progr
         selected.size() > 1 ? KeptFrames(reader).onePerTime(selected) : selected;
     ExportedRun run{reader.mesh(), boundingBox(reader.mesh())};
     readScene(reader, file.string(), run);
+    run.lids = request.lids ? 0 : run.lids;
     for (const std::size_t index : chosen)
     {
         run.numbers.push_back(reader.frames()[index]);

@@ -33,6 +33,7 @@ struct ExportedRun
     SimplifiedShell shell = {};            ///< of the mesh; for glTF alone, if it has one
     Scene scene = {};                      ///< as far as the head of the file tells it
     BedSettings bed = {};                  ///< for geometry alone
+    std::size_t lids = 0;                  ///< the last triangles of the mesh, which are no walls
 };
 
 /// A frame as it is exported.

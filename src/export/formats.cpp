@@ -33,8 +33,9 @@ struct FormatEntry
     bool isInMetres = false;     ///< not in the unit of the mesh
 };
 
-constexpr std::array<std::string_view, 8> kOptions = {
-    "measure", "full-mesh", "no-shell", "contacts", "resolution", "ascii", "cell", "voxels"};
+constexpr std::array<std::string_view, 9> kOptions = {"measure", "full-mesh", "no-shell",
+                                                      "lids",    "contacts",  "resolution",
+                                                      "ascii",   "cell",      "voxels"};
 constexpr std::string_view kOfGltf = "measure full-mesh no-shell";
 
 constexpr std::array<FormatEntry, 22> kEntries = {{
@@ -81,13 +82,16 @@ constexpr std::array<FormatEntry, 22> kEntries = {{
      "measure"},
     {{ExportFormat::liggghts, "liggghts", "last", "an input script of LIGGGHTS with its files"},
      makeLiggghtsExporter,
-     {"liggghts.in", "liggghts.data", "liggghts_walls.stl"}},
+     {"liggghts.in", "liggghts.data", "liggghts_walls.stl"},
+     "lids"},
     {{ExportFormat::lammps, "lammps", "last", "an input script of LAMMPS with its data file"},
      makeLammpsExporter,
-     {"lammps.in", "lammps.data"}},
+     {"lammps.in", "lammps.data"},
+     "lids"},
     {{ExportFormat::yade, "yade", "last", "a Python script of YADE with its files"},
      makeYadeExporter,
-     {"yade.py", "yade.txt", "yade_walls.txt"}},
+     {"yade.py", "yade.txt", "yade_walls.txt"},
+     "lids"},
     {{ExportFormat::mercuryDpm, "mercurydpm", "last", "the packing for readDataFile of MercuryDPM"},
      makeMercuryDpmExporter,
      {"mercurydpm.data"}},

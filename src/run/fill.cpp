@@ -33,6 +33,9 @@ constexpr std::size_t kReachBytesOfThin = std::size_t{32} << 20;
 /// An object that fills less of its box is thin.
 constexpr double kThin = 0.01;
 
+/// [1] Of the area of a lid, along the axis that it faces. Larger: lids that are bent face none.
+constexpr double kPointsAlong = 0.9;
+
 using Clock = std::chrono::steady_clock;
 
 /// Divides the time of a run into parts without a gap.
@@ -60,11 +63,32 @@ private:
     std::vector<std::pair<std::string, double>> phases_;
 };
 
+/// Options that the mesh may need: its cavity stays empty, or its opening does not point up.
+std::vector<std::string> hintsOn(const Scene& scene, const LoadedMesh& mesh)
+{
+    std::vector<std::string> hints;
+    if (!scene.object.load.cavity)
+    {
+        hints.push_back(cavityHint(mesh.mesh, mesh.report));
+    }
+    int axis = 0;
+    const double along = mesh.opening.maxCoeff(&axis);
+    if (axis != static_cast<int>(scene.object.up) && along > kPointsAlong * mesh.opening.norm())
+    {
+        hints.push_back(fmt::format("the largest opening faces {0}, and {1} is up; if the opening "
+                                    "is the top, give --up {0}",
+                                    "xyz"[axis], "xyz"[static_cast<int>(scene.object.up)]));
+    }
+    std::erase(hints, "");
+    return hints;
+}
+
 FillPlan makePlan(const Scene& scene, const LoadedMesh& mesh, const Simulation& simulation,
                   const FramePlan& frames, const ReachInspection& reach)
 {
     FillPlan plan;
     plan.repairs = mesh.repairs;
+    plan.hints = hintsOn(scene, mesh);
     plan.triangles = mesh.report.triangles;
     plan.crossedTriangles = mesh.report.crossedTriangles;
     plan.firstCrossing = mesh.report.firstCrossing;

@@ -114,6 +114,7 @@ std::string headOf(const FillRequest& request, const LoadedMesh& mesh, const Sim
     RunHead head;
     head.scene = request.scene;
     head.repairs = mesh.repairs;
+    head.lidTriangles = mesh.lidTriangles;
     head.video = request.video.empty() ? "" : std::filesystem::absolute(request.video).string();
     head.cameraPath = path ? path->text() : "";
     head.contactSheet = request.contactSheet;

@@ -109,6 +109,7 @@ std::optional<LoadedMesh> meshOfEarlierRun(const FillRequest& request)
     LoadedMesh mesh;
     mesh.mesh = reader.mesh();
     mesh.repairs = head.repairs;
+    mesh.lidTriangles = head.lidTriangles;
     return mesh;
 }
 

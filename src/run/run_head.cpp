@@ -88,6 +88,10 @@ std::string headText(const RunHead& head)
     }
     json["scene"] = sceneToJson(head.scene);
     json["repairs"] = head.repairs;
+    if (head.lidTriangles > 0)
+    {
+        json["lid_triangles"] = head.lidTriangles;
+    }
     json["video"] = head.video;
     json["camera_path"] = head.cameraPath;
     json["contact_sheet"] = head.contactSheet;
@@ -123,6 +127,7 @@ RunHead readHead(const std::string& text, const std::string& nameForMessages)
         head.importedFrom = json.value("imported_from", "");
         head.scene = sceneFromJson(json.at("scene"), nameForMessages);
         head.repairs = json.at("repairs").get<std::vector<std::string>>();
+        head.lidTriangles = json.value("lid_triangles", std::size_t{0});
         head.video = json.at("video").get<std::string>();
         head.cameraPath = json.at("camera_path").get<std::string>();
         head.contactSheet = json.at("contact_sheet").get<bool>();

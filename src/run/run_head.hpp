@@ -29,6 +29,7 @@ struct RunHead
 {
     Scene scene;
     std::vector<std::string> repairs; ///< of the mesh
+    std::size_t lidTriangles = 0;     ///< the last of the mesh
     std::string video;                ///< file, absolute; empty for none
     std::string cameraPath;           ///< as given; empty for none
     bool contactSheet = false;

@@ -9,6 +9,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <fstream>
+#include <numbers>
+#include <sstream>
 
 namespace frostfill
 {
@@ -132,6 +136,98 @@ TEST_F(OpenMeshes, TheCommandMeshWritesTheLiddedMesh)
     const Answer answer = run("mesh tub.obj --lid --repair closed.ply");
     EXPECT_EQ(answer.code, 0) << answer.errors;
     EXPECT_NE(run("mesh closed.ply").output.find("volume      8\n"), std::string::npos);
+}
+
+/// A cup with a wall: outer radius 1, height 2 along an axis; inner radius 0.9, floor at 0.1.
+std::string cup(char up)
+{
+    constexpr int kAbout = 32;
+    const std::array<std::array<double, 2>, 6> profile = {
+        {{0, 0}, {1, 0}, {1, 2}, {0.9, 2}, {0.9, 0.1}, {0, 0.1}}};
+    std::string text;
+    for (const auto& [radius, height] : profile)
+    {
+        for (int i = 0; i < kAbout; ++i)
+        {
+            const double x = radius * std::cos(2 * std::numbers::pi * i / kAbout);
+            const double y = radius * std::sin(2 * std::numbers::pi * i / kAbout);
+            text += up == 'z' ? fmt::format("v {} {} {}\n", x, y, height)
+                              : fmt::format("v {} {} {}\n", y, height, x);
+        }
+    }
+    for (int ring = 0; ring < 5; ++ring)
+    {
+        for (int i = 0; i < kAbout; ++i)
+        {
+            const int a = ring * kAbout + i + 1;
+            const int b = ring * kAbout + (i + 1) % kAbout + 1;
+            text += fmt::format("f {} {} {} {}\n", a, b, b + kAbout, a + kAbout);
+        }
+    }
+    return text;
+}
+
+TEST_F(OpenMeshes, TheWallOfACupIsFilledWithAHint)
+{
+    writeFile(folder_ / "cup.obj", cup('y'));
+    const Answer answer = run("fill cup.obj --radius 0.04 --count 5 --frames none --out a");
+    EXPECT_EQ(answer.code, 0) << answer.errors;
+    EXPECT_NE(answer.errors.find("the walls are filled, and not the cavity"), std::string::npos)
+        << answer.errors;
+    EXPECT_NE(answer.errors.find("; --cavity --lid fills the cavity\n"), std::string::npos);
+    EXPECT_NE(run("mesh cup.obj").output.find("--cavity --lid fills the cavity\n"),
+              std::string::npos);
+}
+
+TEST_F(OpenMeshes, TheCavityOfACupIsFilledAndItsLidIsNoWall)
+{
+    writeFile(folder_ / "cup.obj", cup('y'));
+    const Answer answer = run("fill cup.obj --cavity --lid --radius 0.1 --count 200 --frames last "
+                              "--size 64x48 --out a");
+    ASSERT_EQ(answer.code, 0) << answer.errors;
+    EXPECT_EQ(answer.errors.find("--cavity --lid fills"), std::string::npos) << answer.errors;
+    std::ifstream table(folder_ / "a/spheres.csv");
+    std::string line;
+    std::getline(table, line);
+    std::size_t spheres = 0;
+    for (; std::getline(table, line); ++spheres)
+    {
+        std::array<double, 5> at{}; // id, group, x, y, z
+        std::stringstream numbers(line);
+        for (std::string cell; double& number : at)
+        {
+            std::getline(numbers, cell, ',');
+            number = std::stod(cell);
+        }
+        ASSERT_LT(std::hypot(at[2], at[4]), 0.8 + 1e-6) << line;
+        ASSERT_GT(at[3], 0.2 - 1e-6) << line;
+        ASSERT_LT(at[3], 1.9 + 1e-6) << line;
+    }
+    EXPECT_EQ(spheres, 200U);
+    const auto facets = [&](const std::string& options)
+    {
+        EXPECT_EQ(run("export a --to liggghts --overwrite --quiet --out b " + options).code, 0);
+        const std::string stl = readFile(folder_ / "b/liggghts_walls.stl");
+        std::size_t count = 0;
+        for (std::size_t at = 0; (at = stl.find("endfacet", at)) != std::string::npos; ++at)
+        {
+            ++count;
+        }
+        return count;
+    };
+    EXPECT_EQ(facets(""), 32U * 3);
+    EXPECT_EQ(facets("--lids"), 32U * 3 + 30);
+}
+
+TEST_F(OpenMeshes, AnOpeningThatDoesNotPointUpIsSaid)
+{
+    writeFile(folder_ / "cup.obj", cup('z'));
+    const std::string command = "fill cup.obj --cavity --lid --radius 0.2 --count 5 --frames none "
+                                "--out a --overwrite ";
+    EXPECT_NE(run(command).errors.find("the largest opening faces z, and y is up; if the opening "
+                                       "is the top, give --up z\n"),
+              std::string::npos);
+    EXPECT_EQ(run(command + "--up z").errors.find("largest opening"), std::string::npos);
 }
 
 TEST_F(OpenMeshes, AStopWhileASkinIsMadeEndsBothProgramsAtOnce)

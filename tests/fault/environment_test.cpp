@@ -169,6 +169,22 @@ TEST_F(Environment, WithTooLittleMemoryForOpenGlItSaysSoAndDoesNotHang)
     EXPECT_EQ(codes.count(71), 1U) << "none was too little";
 }
 
+TEST_F(Environment, WithTooLittleMemoryForThreadsItNamesTheLimitOnMemory)
+{
+    if (!hasShim())
+    {
+        GTEST_SKIP() << "a sanitizer takes terabytes of address space";
+    }
+    for (int megabytes = 70; megabytes <= 150; megabytes += 10)
+    {
+        const Answer answer = run(kSmall + "--quiet --overwrite --out a",
+                                  fmt::format("ulimit -v {};", 1000 * megabytes));
+        EXPECT_TRUE(answer.code == 71 || answer.code == 0) << megabytes << answer.errors;
+        EXPECT_EQ(answer.errors.find("ulimit -u"), std::string::npos)
+            << megabytes << " MB: " << answer.errors;
+    }
+}
+
 TEST_F(Environment, WithoutAPlaceForCompiledShadersItDrawsTheSamePictures)
 {
     ASSERT_EQ(

@@ -99,6 +99,7 @@ StartState startStateOf(const ExportedRun& run, const ExportedFrame& frame)
     }
     state.smallest = state.largest = state.spheres.front().radius;
     state.walls.triangles = run.mesh.triangles;
+    state.walls.triangles.resize(run.mesh.triangles.size() - run.lids);
     for (const Eigen::Vector3d& vertex : run.mesh.vertices)
     {
         state.walls.vertices.push_back(frame.inWorld(vertex));

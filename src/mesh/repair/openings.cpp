@@ -114,7 +114,9 @@ void putLidsOn(OpenPatch& patch, TriangleMesh& mesh, const EdgeTable& edges)
         const std::vector<Triangle> lid = largeLid(mesh, edges, rim);
         for (const Triangle& t : lid)
         {
+            const Eigen::Vector3d& a = mesh.vertices[t[0]];
             report.area += areaOf(mesh, t);
+            report.normal += 0.5 * (mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a);
         }
         patch.lids.insert(patch.lids.end(), lid.begin(), lid.end());
         patch.reports.push_back(report);
@@ -224,7 +226,6 @@ ClosedOpenings closeOpenings(TriangleMesh& mesh)
     for (OpenPatch& patch : patches)
     {
         closed.turnedPatches += turnIfInverted(whole, patch) ? 1 : 0;
-        whole.triangles.insert(whole.triangles.end(), patch.lids.begin(), patch.lids.end());
         closed.lids.insert(closed.lids.end(), patch.reports.begin(), patch.reports.end());
     }
     for (const Triangle& t : walls)
@@ -233,7 +234,13 @@ ClosedOpenings closeOpenings(TriangleMesh& mesh)
         whole.triangles.push_back({t[0], t[2], t[1]});
     }
     closed.walls = walls.size();
+    const std::size_t withoutLids = whole.triangles.size();
+    for (const OpenPatch& patch : patches)
+    {
+        whole.triangles.insert(whole.triangles.end(), patch.lids.begin(), patch.lids.end());
+    }
     dropFlatTriangles(whole); // of fans
+    closed.lidTriangles = std::max(whole.triangles.size(), withoutLids) - withoutLids;
     mesh = std::move(whole);
     return closed;
 }

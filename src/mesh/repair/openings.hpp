@@ -12,11 +12,13 @@ struct LidReport
     std::size_t edges = 0;                            ///< of the rim
     Eigen::Vector3d middle = Eigen::Vector3d::Zero(); ///< mean of the vertices of the rim
     double area = 0;                                  ///< [unit^2] of the lid
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero(); ///< [unit^2] sum of its areas
 };
 
 struct ClosedOpenings
 {
     std::vector<LidReport> lids;
+    std::size_t lidTriangles = 0;   ///< the last of the mesh
     std::size_t sheetTriangles = 0; ///< removed: of patches that enclose nothing with lids
     std::size_t walls = 0;          ///< triangles of walls within, which are doubled
     std::size_t turnedPatches = 0;  ///< wound against the patches that they touch

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/edge_table.hpp"
 #include "mesh/repair/advice.hpp"
+#include "mesh/repair/cavity.hpp"
 #include "mesh/repair/clean_mesh.hpp"
 #include "mesh/repair/close_holes.hpp"
 #include "mesh/repair/find_invalid_data.hpp"
@@ -72,8 +73,8 @@ void cleanTriangles(TriangleMesh& mesh, std::vector<std::string>& repairs)
 void straightenWinding(TriangleMesh& mesh, std::vector<std::string>& repairs)
 {
     std::size_t turned = makeWindingConsistent(mesh);
-    if (const std::size_t count = separateTouchingEdges(mesh))
     turned += alternateWindings(mesh);
+    if (const std::size_t count = separateTouchingEdges(mesh))
     {
         turned += makeWindingConsistent(mesh);
         repairs.push_back("separated the surface along " + counted(count, "edge") +
@@ -84,12 +85,12 @@ void straightenWinding(TriangleMesh& mesh, std::vector<std::string>& repairs)
         repairs.push_back("turned " + counted(turned, "triangle") +
                           " to agree with the neighbours");
     }
-}
     if (const std::size_t count = cutWhereOneSided(mesh))
     {
         repairs.push_back("removed " + counted(count, "triangle") +
                           " where the surface passes from one side to the other");
     }
+}
 
 /// Returns the largest remaining hole; it has no edges if there is none.
 Hole closeAndReport(TriangleMesh& mesh, std::vector<std::string>& repairs)
@@ -116,10 +117,22 @@ Hole closeAndReport(TriangleMesh& mesh, std::vector<std::string>& repairs)
 }
 
 /// Puts lids on all that is still open.
-void lidAndReport(TriangleMesh& mesh, std::vector<std::string>& repairs)
+void lidAndReport(TriangleMesh& mesh, LoadedMesh& result)
 {
+    std::vector<std::string>& repairs = result.repairs;
     const double surface = surfaceArea(mesh);
     const ClosedOpenings closed = closeOpenings(mesh);
+    result.lidTriangles = closed.lidTriangles;
+    const Eigen::Vector3d centre = boundingBox(mesh).center();
+    for (const LidReport& lid : closed.lids)
+    {
+        if (lid.normal.norm() > result.opening.norm())
+        {
+            // The mesh may still be inside out.
+            const bool isInwards = lid.normal.dot(lid.middle - centre) < 0;
+            result.opening = isInwards ? -lid.normal : lid.normal;
+        }
+    }
     if (closed.sheetTriangles > 0)
     {
         repairs.push_back("removed " + counted(closed.sheetTriangles, "triangle") +
@@ -219,9 +232,9 @@ void refuseDefects(const TriangleMesh& mesh, const MeshReport& report, const Hol
 }
 
 /// All repairs that keep the mesh's own surface. Returns the largest opening that is left.
-Hole mend(TriangleMesh& mesh, bool isOpen, bool lid, std::string_view name,
-          std::vector<std::string>& repairs)
+Hole mend(TriangleMesh& mesh, bool isOpen, bool lid, std::string_view name, LoadedMesh& result)
 {
+    std::vector<std::string>& repairs = result.repairs;
     if (isOpen)
     {
         for (std::string& repair : stitchSeams(mesh))
@@ -248,7 +261,7 @@ Hole mend(TriangleMesh& mesh, bool isOpen, bool lid, std::string_view name,
     const Hole largestLeft = closeAndReport(mesh, repairs);
     if (lid)
     {
-        lidAndReport(mesh, repairs);
+        lidAndReport(mesh, result);
     }
     else if (const std::size_t count = largestLeft.edges > 0 ? dropOpenPieces(mesh) : 0)
     {
@@ -271,11 +284,36 @@ bool isSound(const MeshReport& report)
            report.duplicateTriangles == 0 && report.unusedVertices == 0;
 }
 
+/// What the walls enclose, in their place.
+LoadedMesh repairCavity(TriangleMesh mesh, std::string_view name, const LoadMeshOptions& options)
+{
+    LoadedMesh walls =
+        repairMesh(std::move(mesh), name, {.lid = options.lid, .wrap = options.wrap});
+    Cavity cavity = findCavity(walls.mesh);
+    if (cavity.surface.triangles.empty())
+    {
+        refuse(name, "its walls enclose no cavity; leave --cavity out");
+    }
+    const std::size_t faces = cavity.surface.triangles.size();
+    LoadedMesh inside =
+        repairMesh(std::move(cavity.surface), name, {.lid = options.lid, .unite = options.unite});
+    inside.asRead = walls.asRead;
+    walls.repairs.push_back(fmt::format("kept the {} that face the cavity of {} of the walls",
+                                        counted(faces, "triangle"), walls.mesh.triangles.size()));
+    walls.repairs.insert(walls.repairs.end(), inside.repairs.begin(), inside.repairs.end());
+    inside.repairs = std::move(walls.repairs);
+    return inside;
+}
+
 } // namespace
 
 LoadedMesh repairMesh(TriangleMesh mesh, std::string_view name, const LoadMeshOptions& options)
 {
     refuseNonsense(mesh, name);
+    if (options.cavity)
+    {
+        return repairCavity(std::move(mesh), name, options);
+    }
     LoadedMesh result;
     result.asRead = inspectMesh(mesh);
     const bool isOpen = result.asRead.boundaryEdges > 0;
@@ -283,13 +321,13 @@ LoadedMesh repairMesh(TriangleMesh mesh, std::string_view name, const LoadMeshOp
     {
         if (options.lid)
         {
-            mend(mesh, isOpen, true, name, result.repairs);
+            mend(mesh, isOpen, true, name, result);
         }
         wrapMesh(mesh, *options.wrap, name, result.repairs);
     }
     const bool isAsRead = !options.wrap && !options.lid && isSound(result.asRead);
     const Hole largestLeft =
-        isAsRead ? Hole() : mend(mesh, isOpen && !options.wrap, options.lid, name, result.repairs);
+        isAsRead ? Hole() : mend(mesh, isOpen && !options.wrap, options.lid, name, result);
     // Each repair has a sentence. Without one the mesh is as it was read.
     result.report = result.repairs.empty() ? result.asRead : inspectMesh(mesh);
     refuseDefects(mesh, result.report, largestLeft, name, options);
@@ -302,7 +340,9 @@ LoadedMesh repairMesh(TriangleMesh mesh, std::string_view name, const LoadMeshOp
     }
     if (options.unite)
     {
+        const std::size_t repairs = result.repairs.size();
         unite(mesh, name, result.repairs);
+        result.lidTriangles = result.repairs.size() > repairs ? 0 : result.lidTriangles;
     }
     if (turned > 0 || options.unite)
     {

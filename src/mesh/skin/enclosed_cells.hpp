@@ -3,6 +3,8 @@
 
 #include <frostfill/mesh.hpp>
 
+#include <vector>
+
 namespace frostfill
 {
 
@@ -11,5 +13,9 @@ namespace frostfill
 /// skin encloses more than itself. Rooms of less than some three alpha go unseen.
 /// False where the cubes would be too many to look at.
 [[nodiscard]] bool enclosesRoom(const TriangleMesh& mesh, double alpha);
+
+/// [#T] Which triangles face a room that the surface mostly encloses, closed or open, such as the
+/// inside of a cup. False for all where that would take too long.
+[[nodiscard]] std::vector<bool> facesRooms(const TriangleMesh& mesh);
 
 } // namespace frostfill

@@ -175,8 +175,8 @@ std::vector<const Option*> optionsFor(OptionUse use)
     constexpr std::array<std::string_view, 3> kPictureGroups = {"Frames", "Picture", "Camera"};
     constexpr std::array<std::string_view, 3> kOfTheRun = {"frames.slow_motion", "frames.duration",
                                                            "frames.keep_run"};
-    constexpr std::array<std::string_view, 3> kLoading = {"object.lid", "object.wrap",
-                                                          "object.unite"};
+    constexpr std::array<std::string_view, 4> kLoading = {"object.lid", "object.cavity",
+                                                          "object.wrap", "object.unite"};
     const auto isIn = [](const auto& names, const std::string& name)
     { return std::find(names.begin(), names.end(), name) != names.end(); };
     std::vector<const Option*> options;

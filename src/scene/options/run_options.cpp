@@ -34,6 +34,10 @@ void addObject(TableBuilder& table)
         .words({{"m", 1}, {"cm", 100}, {"mm", 1000}, {"in", 1 / 0.0254}, {"ft", 1 / 0.3048}});
     table.add("object.lid", "--lid", "Close openings of any size with lids, such as that of a bust",
               FROSTFILL_FIELD(object.load.lid));
+    table.add("object.cavity", "--cavity",
+              "Fill what the walls of a vessel enclose in place of the walls; with --lid where the "
+              "vessel is open",
+              FROSTFILL_FIELD(object.load.cavity));
     table
         .add("object.wrap", "--wrap",
              "Wrap a skin around the mesh; it enters openings wider than twice this length [mesh "

@@ -103,7 +103,8 @@ TEST(ReadMesh, NamesFormatsThatItDoesNotRead)
     test::expectUnreadable("PK\x03\x04 and more", "box.obj", "it is a ZIP archive, as 3MF");
     test::expectUnreadable("Kaydara FBX Binary  ", "box.fbx", "it is an FBX file");
     test::expectUnreadable("ISO-10303-21;\nHEADER;\n", "box.step", "it is a STEP file");
-    test::expectUnreadable("<?xml version=\"1.0\"?>\n<COLLADA/>\n", "box.obj", "it is a COLLADA file");
+    test::expectUnreadable("<?xml version=\"1.0\"?>\n<COLLADA/>\n", "box.obj",
+                           "it is a COLLADA file");
     test::expectUnreadable("", "box.obj", "it is empty");
 }
 

@@ -58,7 +58,8 @@ std::set<std::string> keysFor(OptionUse use)
 TEST(Options, OfEachUseAreThePartOfTheTableThatChangesItsResult)
 {
     EXPECT_EQ(keysFor(OptionUse::filling).size(), sceneOptions().size());
-    const std::set<std::string> loading = {"object.lid", "object.unite", "object.wrap"};
+    const std::set<std::string> loading = {"object.cavity", "object.lid", "object.unite",
+                                           "object.wrap"};
     EXPECT_EQ(keysFor(OptionUse::loading), loading);
     std::set<std::string> judging = loading;
     judging.insert({"object.up", "judge.friction", "judge.rolling_friction", "judge.unbalance"});
