@@ -125,6 +125,13 @@ TEST_F(FillCommand, TakesAPorosityAsOneMinusTheFraction)
     EXPECT_EQ(run(bed + "--porosity 0.375 --fraction 0.625").code, 64);
 }
 
+TEST_F(FillCommand, GrainsAreNotLeftInTheNarrowsOfAnAnkle)
+{
+    const Answer answer = run("fill human --count 120 --seed 2 --motion granular --rest joint "
+                              "--friction 0.3 --frames none --quiet");
+    EXPECT_EQ(answer.code, 0) << answer.errors;
+}
+
 TEST_F(FillCommand, FillsThroughInletsUntilTheHeapReachesThem)
 {
     const std::string inlets = " --inlet '0.3,0.2,0,0.25;-0.3,0.2,0,0.25' --frames none ";
