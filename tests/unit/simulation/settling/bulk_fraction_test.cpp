@@ -136,6 +136,7 @@ TEST(FractionOfRest, IsReachedByGrainsFromTheLoosestOn)
     EXPECT_LT(*loosest.settling->fraction, 0.59);
     EXPECT_GT(*loosest.settling->fraction, 0.55);
     EXPECT_EQ(loosest.equilibrium->unbalanced, 0U);
+    scene.rest.friction = 0.3;
     for (const double fraction : {0.599, 0.6, 0.62})
     {
         scene.rest.fraction = fraction;
