@@ -42,10 +42,11 @@ struct OptionRange
 /// command line, its help, docs/options.md and summary.json come from it.
 struct Option
 {
-    std::string key = {};   ///< in scene files: "spheres.radius"
-    std::string flag = {};  ///< on the command line: "--radius"; empty for scene files only
-    std::string group = {}; ///< heading in the help
-    std::string help = {};  ///< one line, with the unit
+    std::string key = {};        ///< in scene files: "spheres.radius"
+    std::string flag = {};       ///< on the command line: "--radius"; empty for scene files only
+    std::string complement = {}; ///< a flag that takes 1 minus the number: "--porosity"
+    std::string group = {};      ///< heading in the help
+    std::string help = {};       ///< one line, with the unit
     OptionType type = OptionType::text; ///< of the value, if there is one
     std::string nothing = {}; ///< the word for no value ("auto"); empty if a value is required
     std::string implied = {}; ///< the value of a flag without one; empty if one is required

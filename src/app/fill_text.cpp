@@ -90,22 +90,14 @@ std::string fillingText(const Scene& scene, const FillResult& result)
                        result.fitting);
 }
 
-/// How far the packing fraction is from what was asked, and why.
 std::string fractionText(double asked, double reached)
 {
-    constexpr double kNear = 0.002;
-    if (asked == RestSettings::kLoosest || asked == RestSettings::kDensest)
-    {
-        return fmt::format("the bulk packs to {:.4f}, as {} as it gets ({})\n", reached,
-                           asked == RestSettings::kLoosest ? "loosely" : "densely", kBulkInWords);
-    }
-    const char* why = reached > asked + kNear
-                          ? "; it came in denser, and nothing loosens it: --motion granular fills "
-                            "more loosely, with more friction more so"
-                      : reached < asked - kNear ? "; without friction nothing flows any more"
-                                                : "";
-    return fmt::format("the bulk packs to {:.4f}, where {:g} is asked{} ({})\n", reached, asked,
-                       why, kBulkInWords);
+    const bool isEnd = asked == RestSettings::kLoosest || asked == RestSettings::kDensest;
+    return fmt::format("the bulk packs to {:.4f}, {} ({})\n", reached,
+                       !isEnd                            ? fmt::format("where {:g} is asked", asked)
+                       : asked == RestSettings::kLoosest ? "as loosely as it gets"
+                                                         : "as densely as it gets",
+                       kBulkInWords);
 }
 
 } // namespace

@@ -81,6 +81,16 @@ void addOption(CLI::App& command, const Option& option, GivenOptions& given,
                     ->type_name(placeholder(option));
     }
     added->group(option.group);
+    if (!option.complement.empty())
+    {
+        command
+            .add_option_function<double>(
+                option.complement, [keep](double one) { keep(fmt::format("{:.12g}", 1 - one)); },
+                fmt::format("1 minus {}", option.flag))
+            ->type_name("X")
+            ->group(option.group)
+            ->excludes(added);
+    }
 }
 
 void addOptions(CLI::App& command, GivenOptions& given, OptionUse use)
@@ -153,7 +163,11 @@ void applyGivenOptions(const GivenOptions& given, Scene& scene)
         const auto value = readOptionText(*option, text);
         if (!value || !setOption(*option, scene, *value))
         {
-            throw Error(ErrorCode::usage, refusalText(*option, option->flag, text));
+            const std::string name =
+                option->complement.empty()
+                    ? option->flag
+                    : fmt::format("{} (1 minus {})", option->flag, option->complement);
+            throw Error(ErrorCode::usage, refusalText(*option, name, text));
         }
     }
 }

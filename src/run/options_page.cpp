@@ -20,7 +20,8 @@ std::string flagText(const Option& option)
     }
     return option.type == OptionType::boolean
                ? fmt::format("`{}`, `--no-{}`", option.flag, option.flag.substr(2))
-               : fmt::format("`{}`", option.flag);
+           : option.complement.empty() ? fmt::format("`{}`", option.flag)
+                                       : fmt::format("`{}`, `{}`", option.flag, option.complement);
 }
 
 std::string presetText(const Option& option)
@@ -60,7 +61,8 @@ bool isSceneOption(std::string_view flag)
 {
     const auto options = sceneOptions();
     return std::any_of(options.begin(), options.end(),
-                       [&](const Option& option) { return option.flag == flag; });
+                       [&](const Option& option)
+                       { return option.flag == flag || option.complement == flag; });
 }
 
 } // namespace frostfill

@@ -6,18 +6,26 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace frostfill
 {
 namespace
 {
 
-constexpr const char* kBlank = "the pictures are blank: the camera does not see the object";
+constexpr const char* kBlank = "the pictures are blank: the camera does not see the object; check "
+                               "--target, --distance and --azimuth";
 constexpr const char* kLookAtMesh = "`frostfill mesh` tells whether the mesh crosses itself";
 
 std::string spheres(std::size_t count)
 {
     return fmt::format("{} sphere{}", count, count == 1 ? "" : "s");
+}
+
+/// What may help where spheres have left the object.
+const char* helpInside(const Scene& scene)
+{
+    return scene.preset == Preset::paper ? "try a smaller --dt, or preset fast" : kLookAtMesh;
 }
 
 std::string describe(const StraySphere& stray)
@@ -26,12 +34,12 @@ std::string describe(const StraySphere& stray)
     const char* help = kLookAtMesh;
     if (stray.kind == StrayKind::tooFast)
     {
-        what = "was faster than any fall explains";
+        what = "was over 10 times as fast as a fall through the object explains";
         help = "try a smaller --dt or a lower --restitution";
     }
     if (stray.kind == StrayKind::notFinite)
     {
-        what = "had a position or velocity that is not a number";
+        what = "had a position or velocity that is not finite";
         help = "try a smaller --dt";
     }
     return fmt::format(
@@ -40,34 +48,98 @@ std::string describe(const StraySphere& stray)
         stray.sphere, what, stray.centre.x(), stray.centre.y(), stray.centre.z(), stray.time, help);
 }
 
-std::optional<std::string> findFaultOfFast(const FillResult& result, double restitution)
+/// What has not settled, with its value and its limit: those of simulation/settling.
+std::string unrestText(const QualityReport& quality)
+{
+    constexpr double kOverlap = 1e-8;
+    constexpr double kMissing = 0.1;
+    const SettlingReport& settling = *quality.settling;
+    if (settling.overlap > kOverlap)
+    {
+        return fmt::format("a sphere overlaps {} by {:.2g} of a radius, where {:g} is allowed",
+                           quality.maxWallOverlap > quality.maxOverlap ? "a wall" : "another",
+                           settling.overlap, kOverlap);
+    }
+    if (settling.missing > kMissing)
+    {
+        return fmt::format("forces miss {:.2g} of a sphere's weight, where {:g} is allowed",
+                           settling.missing, kMissing);
+    }
+    return fmt::format("forces miss up to {:.2g} of their weight on more than 1 in 200 spheres, "
+                       "where 0.02 is allowed",
+                       settling.missing);
+}
+
+std::optional<std::string> findFaultOfFraction(const Scene& scene, const SettlingReport& settling)
+{
+    const RestSettings& rest = scene.rest;
+    if (!rest.fraction || rest.fraction == RestSettings::kLoosest ||
+        rest.fraction == RestSettings::kDensest)
+    {
+        return std::nullopt;
+    }
+    if (!settling.fraction)
+    {
+        return "the packing fraction (--fraction) cannot be measured: too little of the pile is 4 "
+               "radii away from walls and from its top; fill in more spheres, or smaller ones";
+    }
+    const double missing = *rest.fraction - *settling.fraction;
+    if (std::abs(missing) <= kFaultyFraction)
+    {
+        return std::nullopt;
+    }
+    const std::string help =
+        missing > 0 ? "it flows no denser: ask for less"
+        : scene.motion.mode != Motion::granular
+            ? "it came in denser, and nothing loosens it: try --motion granular, or ask for more"
+            : fmt::format("no looser pile rests under friction {:g}: ask for more{}", rest.friction,
+                          rest.friction < 1 ? ", or try more --friction" : "");
+    return fmt::format("the bulk packs to {:.4f}, where {:g} is asked to within {:g}; {}",
+                       *settling.fraction, *rest.fraction, kFaultyFraction, help);
+}
+
+std::optional<std::string> findFaultOfFast(const Scene& scene, const FillResult& result)
 {
     const QualityReport& quality = result.quality;
     if (quality.settling && !quality.settling->settled)
     {
-        return fmt::format("the spheres had not settled together when they were frozen: {:.2g} of "
-                           "its weight is missing on one, and two overlap by {:.2g} of a radius; "
-                           "try another --radius, more --friction, or --rest each",
-                           quality.settling->missing, quality.maxOverlap);
+        const RestSettings& rest = scene.rest;
+        return fmt::format("the spheres had not settled together when they were frozen: {}; try "
+                           "{}, another --radius, or --rest each",
+                           unrestText(quality),
+                           rest.friction == 0          ? "--friction 0.1"
+                           : rest.rollingFriction == 0 ? "--rolling-friction 0.05"
+                                                       : "more --friction");
+    }
+    if (const auto fault =
+            quality.settling ? findFaultOfFraction(scene, *quality.settling) : std::nullopt)
+    {
+        return fault;
     }
     if (quality.maxOverlap > kFaultyOverlap)
     {
-        return fmt::format("two spheres overlap by {:.2g} of a radius; try a smaller --dt or more "
-                           "--sweeps",
-                           quality.maxOverlap);
+        return fmt::format("two spheres overlap by {:.2g} of a radius, where {:g} is allowed; try "
+                           "a smaller --dt or more --sweeps",
+                           quality.maxOverlap, kFaultyOverlap);
     }
     if (quality.maxWallOverlap > kFaultyOverlap)
     {
-        return fmt::format("a sphere is {:.2g} of its radius deep in a wall; {}",
-                           quality.maxWallOverlap, kLookAtMesh);
+        return fmt::format("a sphere is {:.2g} of its radius deep in a wall, where {:g} is "
+                           "allowed; {}",
+                           quality.maxWallOverlap, kFaultyOverlap, kLookAtMesh);
     }
-    const double most = std::max(1.0, kFaultyHanging * static_cast<double>(result.spheres));
+    const double most =
+        std::floor(std::max(1.0, kFaultyHanging * static_cast<double>(result.spheres)));
     // Without any loss of speed only the time limit ends a run.
-    if (static_cast<double>(quality.unsupported) > most && restitution < 1)
+    if (static_cast<double>(quality.unsupported) > most && scene.motion.restitution < 1)
     {
-        return fmt::format("{} of {} are at rest without support; try --motion descend, a lower "
-                           "--restitution or a longer --set-time-limit",
-                           spheres(quality.unsupported), result.spheres);
+        return fmt::format("{} of {} are at rest without support, where {:g} may be; try {}",
+                           spheres(quality.unsupported), result.spheres, most,
+                           quality.settling ? "another --seed or --radius"
+                           : scene.motion.mode == Motion::descend
+                               ? "--rest joint"
+                               : "--motion descend, a lower --restitution or a longer "
+                                 "--set-time-limit");
     }
     return std::nullopt;
 }
@@ -84,25 +156,23 @@ std::optional<std::string> findFault(const Scene& scene, const FillResult& resul
     }
     if (quality.notFinite > 0)
     {
-        return fmt::format("{} ended at positions that are not numbers; try a smaller --dt",
+        return fmt::format("{} ended at positions that are not finite; try a smaller --dt",
                            spheres(quality.notFinite));
     }
     if (result.overfull)
     {
-        return fmt::format(
-            "the run was stopped after {}, which take more than the object's volume: "
-            "they overlap or have left it; try a smaller --dt, or preset fast",
-            spheres(result.spheres));
+        return fmt::format("the run was stopped after {}, which take more than the object's "
+                           "volume: they overlap or have left it; {}",
+                           spheres(result.spheres), helpInside(scene));
     }
     if (quality.centresOutside > 0)
     {
         return fmt::format("{} ended outside the object; {}", spheres(quality.centresOutside),
-                           scene.preset == Preset::paper ? "try a smaller --dt, or preset fast"
-                                                         : kLookAtMesh);
+                           helpInside(scene));
     }
     if (scene.preset == Preset::fast && !result.stopped)
     {
-        if (auto fault = findFaultOfFast(result, scene.motion.restitution))
+        if (auto fault = findFaultOfFast(scene, result))
         {
             return fault;
         }

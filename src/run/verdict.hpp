@@ -12,6 +12,8 @@ namespace frostfill
 /// Overlap of two spheres, or of a sphere with a wall, with which a run of preset fast has failed
 /// [own radius]. Ours are rounding, 1e-7 at most, so this much is a fault.
 inline constexpr double kFaultyOverlap = 1e-6;
+/// The most that the packing fraction of the bulk may differ from one that is asked for [1].
+inline constexpr double kFaultyFraction = 0.002;
 /// Share of the spheres that may hang in the air at the end of a run of preset fast [1]. One sphere
 /// may in any run.
 inline constexpr double kFaultyHanging = 0.005;

@@ -29,8 +29,10 @@ void addRest(TableBuilder& table)
         .of(Preset::fast);
     table
         .add("rest.fraction", "--fraction",
-             "Packing fraction 4 r from walls, which friction holds; below 0.6, grains sink slowly",
+             "Packing fraction of the bulk, 4 r from walls and surface, under friction; --porosity "
+             "P: 1 - P",
              FROSTFILL_FIELD(rest.fraction))
+        .complement("--porosity")
         .orUnset("none")
         .range(RestSettings::kLoosest, RestSettings::kDensest)
         .words({{"loosest", RestSettings::kLoosest}, {"densest", RestSettings::kDensest}})

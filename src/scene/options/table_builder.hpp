@@ -65,6 +65,13 @@ public:
         return *this;
     }
 
+    /// A second flag that takes 1 minus the number.
+    TableBuilder& complement(const char* flag)
+    {
+        table_.back().complement = flag;
+        return *this;
+    }
+
     std::vector<Option> take() { return std::move(table_); }
     [[nodiscard]] const std::string& group() const { return group_; }
 

@@ -15,58 +15,46 @@ namespace frostfill
 namespace
 {
 
+void refuseIf(bool isWrong, const char* why)
+{
+    if (isWrong)
+    {
+        throw Error(ErrorCode::usage, why);
+    }
+}
+
 void validateRest(const Scene& scene)
 {
     const RestSettings& rest = scene.rest;
     if (rest.mode == Rest::each)
     {
-        if (scene.motion.mode == Motion::granular)
-        {
-            throw Error(ErrorCode::usage, "grains rest together, or not at all: motion.mode "
-                                          "(--motion) granular requires rest.mode (--rest) joint");
-        }
-        if (rest.friction != 0 || rest.wallFriction || rest.rollingFriction != 0)
-        {
-            throw Error(ErrorCode::usage,
-                        "friction (--friction, --wall-friction, --rolling-friction) acts while all "
-                        "spheres settle together: give rest.mode (--rest) joint");
-        }
-        if (rest.orientation)
-        {
-            throw Error(ErrorCode::usage, "spheres turn only while all settle together: "
-                                          "rest.orientation (--orientation) requires rest.mode "
-                                          "(--rest) joint");
-        }
-        if (rest.fraction)
-        {
-            throw Error(ErrorCode::usage, "a packing fraction (rest.fraction, --fraction) is "
-                                          "reached while all spheres settle together: give "
-                                          "rest.mode (--rest) joint");
-        }
+        refuseIf(scene.motion.mode == Motion::granular,
+                 "grains rest together, or not at all: motion.mode "
+                 "(--motion) granular requires rest.mode (--rest) joint");
+        refuseIf(rest.friction != 0 || rest.wallFriction || rest.rollingFriction != 0,
+                 "friction (--friction, --wall-friction, --rolling-friction) acts while all "
+                 "spheres settle together: give rest.mode (--rest) joint");
+        refuseIf(rest.orientation, "spheres turn only while all settle together: "
+                                   "rest.orientation (--orientation) requires rest.mode "
+                                   "(--rest) joint");
+        refuseIf(rest.fraction.has_value(), "a packing fraction (rest.fraction, --fraction) is "
+                                            "reached while all spheres settle together: give "
+                                            "rest.mode (--rest) joint");
         return;
     }
-    if (rest.fraction == RestSettings::kLoosest && scene.motion.mode != Motion::granular)
-    {
-        throw Error(ErrorCode::usage, "only grains come in as loosely as friction lets them "
-                                      "(rest.fraction, --fraction loosest): give motion.mode "
-                                      "(--motion) granular");
-    }
-    if (rest.fraction && rest.fraction != RestSettings::kDensest && rest.friction == 0)
-    {
-        throw Error(ErrorCode::usage, "only friction holds spheres at a packing fraction "
-                                      "(rest.fraction, --fraction) that is asked for: give "
-                                      "rest.friction (--friction), such as 0.3");
-    }
-    if (scene.preset == Preset::paper)
-    {
-        throw Error(ErrorCode::usage, "the preset paper lets no spheres settle together: omit "
-                                      "rest.mode (--rest), or use the preset fast");
-    }
-    if (scene.move.any())
-    {
-        throw Error(ErrorCode::usage, "spheres settle together (rest.mode, --rest joint) in an "
-                                      "object that stands still: omit --tilt, --turn and --shake");
-    }
+    refuseIf(rest.fraction == RestSettings::kLoosest && scene.motion.mode != Motion::granular,
+             "only grains come in as loosely as friction lets them "
+             "(rest.fraction, --fraction loosest): give motion.mode "
+             "(--motion) granular");
+    refuseIf(rest.fraction && rest.fraction != RestSettings::kDensest && rest.friction == 0,
+             "only friction holds spheres at a packing fraction "
+             "(rest.fraction, --fraction) that is asked for: give "
+             "rest.friction (--friction), such as 0.3");
+    refuseIf(scene.preset == Preset::paper,
+             "the preset paper lets no spheres settle together: omit "
+             "rest.mode (--rest), or use the preset fast");
+    refuseIf(scene.move.any(), "spheres settle together (rest.mode, --rest joint) in an "
+                               "object that stands still: omit --tilt, --turn and --shake");
 }
 
 void validateSizes(const Scene& scene)
@@ -75,37 +63,26 @@ void validateSizes(const Scene& scene)
     const SizeSettings usual;
     if (!sizes.curve)
     {
-        if (sizes != usual)
-        {
-            throw Error(ErrorCode::usage,
-                        "spheres.by (--by), spheres.curve_within (--curve-within) and "
-                        "spheres.fill_gaps (--fill-gaps) say how a size curve is kept: give "
-                        "spheres.sizes (--sizes)");
-        }
+        refuseIf(sizes != usual,
+                 "spheres.by (--by), spheres.curve_within (--curve-within) and "
+                 "spheres.fill_gaps (--fill-gaps) say how a size curve is kept: give "
+                 "spheres.sizes (--sizes)");
         return;
     }
-    if (scene.spheres.radius)
-    {
-        throw Error(ErrorCode::usage, "radii come from a size curve (spheres.sizes, --sizes) or "
-                                      "from spheres.radius (--radius), not both");
-    }
-    if (scene.preset == Preset::paper)
-    {
-        throw Error(ErrorCode::usage, "the preset paper keeps no size curve: omit spheres.sizes "
-                                      "(--sizes), or use the preset fast");
-    }
-    if (sizes.fillGaps && !scene.spheres.inlets.empty())
-    {
-        throw Error(ErrorCode::usage, "what comes through an inlet fills no gaps: omit "
-                                      "spheres.fill_gaps (--fill-gaps) or spheres.inlets "
-                                      "(--inlet)");
-    }
-    if (sizes.fillGaps && scene.move.any())
-    {
-        throw Error(ErrorCode::usage, "gaps are filled in an object that stands still: omit "
-                                      "spheres.fill_gaps (--fill-gaps), or --tilt, --turn and "
-                                      "--shake");
-    }
+    refuseIf(scene.spheres.radius.has_value(),
+             "radii come from a size curve (spheres.sizes, --sizes) or "
+             "from spheres.radius (--radius), not both");
+    refuseIf(scene.preset == Preset::paper,
+             "the preset paper keeps no size curve: omit spheres.sizes "
+             "(--sizes), or use the preset fast");
+    refuseIf(sizes.fillGaps && !scene.spheres.inlets.empty(),
+             "what comes through an inlet fills no gaps: omit "
+             "spheres.fill_gaps (--fill-gaps) or spheres.inlets "
+             "(--inlet)");
+    refuseIf(sizes.fillGaps && scene.move.any(),
+             "gaps are filled in an object that stands still: omit "
+             "spheres.fill_gaps (--fill-gaps), or --tilt, --turn and "
+             "--shake");
     if (isNamedSizes(*sizes.curve))
     {
         (void)readSizeCurve(sizes); // its text is all there is
@@ -153,16 +130,13 @@ void validateScene(const Scene& scene)
         }
     }
     refuseUnusedParts(scene);
-    if (scene.preset == Preset::paper && scene.motion.mode != Motion::fall)
-    {
-        throw Error(ErrorCode::usage, "the preset paper always simulates the whole fall: omit "
-                                      "motion.mode (--motion), or use the preset fast");
-    }
-    if (scene.move.any() && (scene.preset == Preset::paper || scene.motion.mode == Motion::descend))
-    {
-        throw Error(ErrorCode::usage, "moving the object (--tilt, --turn, --shake) requires the "
-                                      "preset fast with --motion fall or skip");
-    }
+    refuseIf(scene.preset == Preset::paper && scene.motion.mode != Motion::fall,
+             "the preset paper always simulates the whole fall: omit "
+             "motion.mode (--motion), or use the preset fast");
+    refuseIf(scene.move.any() &&
+                 (scene.preset == Preset::paper || scene.motion.mode == Motion::descend),
+             "moving the object (--tilt, --turn, --shake) requires the "
+             "preset fast with --motion fall or skip");
     const DiscardRule foreign =
         scene.preset == Preset::fast ? DiscardRule::paper : DiscardRule::exact;
     if (scene.discard.rule == foreign)
@@ -174,29 +148,23 @@ void validateScene(const Scene& scene)
                   "the preset paper"
                 : "discard.rule (--discard) exact requires the preset fast");
     }
-    if (scene.preset == Preset::paper && scene.spheres.groupSize == 0)
-    {
-        throw Error(ErrorCode::usage, "spheres.group_size (--group-size) is 0, but with the preset "
-                                      "paper it must be at least 1");
-    }
+    refuseIf(scene.preset == Preset::paper && scene.spheres.groupSize == 0,
+             "spheres.group_size (--group-size) is 0, but with the preset "
+             "paper it must be at least 1");
     if (scene.judge.unbalance != JudgeSettings{}.unbalance && !scene.judge.friction &&
         !showsUnbalance(scene))
     {
         throw Error(ErrorCode::usage, "judge.unbalance (--judge-unbalance) needs a friction: give "
                                       "judge.friction (--judge-friction)");
     }
-    if (!scene.spheres.inlets.empty() && scene.spheres.release != ReleaseRule::ceilings)
-    {
-        throw Error(ErrorCode::usage, "spheres appear in openings (spheres.inlets, --inlet) or by "
-                                      "another rule (spheres.release), not both");
-    }
+    refuseIf(!scene.spheres.inlets.empty() && scene.spheres.release != ReleaseRule::ceilings,
+             "spheres appear in openings (spheres.inlets, --inlet) or by "
+             "another rule (spheres.release), not both");
     validateRest(scene);
     validateSizes(scene);
-    if (!scene.spheres.givesRadii() && !scene.spheres.count)
-    {
-        throw Error(ErrorCode::usage, "no radius and no number of spheres; give --radius, "
-                                      "--count or both");
-    }
+    refuseIf(!scene.spheres.givesRadii() && !scene.spheres.count,
+             "no radius and no number of spheres; give --radius, "
+             "--count or both");
 }
 
 } // namespace frostfill

@@ -15,7 +15,7 @@ namespace
 
 double dragOfPour(const RestSettings& rest)
 {
-    return rest.fraction.value_or(1) < kFractionOfPour ? kDragOfLoosePour : 0;
+    return rest.fraction.value_or(1) < RestSettings::kDensest ? kDragOfLoosePour : 0;
 }
 
 } // namespace

@@ -60,11 +60,10 @@ inline constexpr double kSpeedOfPour = 0.5;
 inline constexpr double kTimeToFall = 2;
 /// Pouring is over in any case when none has appeared for so long [sqrt(r/g)].
 inline constexpr double kLongestPour = 400;
-/// A packing fraction of the bulk below this is looser than what is poured: grains then sink with
-/// a drag of all motion [1/sqrt(r/g)], so at a tenth of sqrt(g r) in the end. Larger: time.
-/// Smaller: denser, such as 0.601 without drag and 0.575 at 10, beyond ten radii from walls, with
-/// friction 1 and 2,200 spheres in the cube.
-inline constexpr double kFractionOfPour = 0.6;
+/// Where a packing fraction of the bulk is asked for, grains sink with a drag of all motion
+/// [1/sqrt(r/g)], so at a tenth of sqrt(g r) in the end: they come in as loosely as they can, as
+/// nothing loosens them. Larger: time. Smaller: denser, such as 0.601 without drag and 0.575 at 10,
+/// beyond ten radii from walls, with friction 1 and 2,200 spheres in the cube.
 inline constexpr double kDragOfLoosePour = 10;
 
 // Where spheres appear.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/settling/granular_motion.hpp"
 
+#include "simulation/contact/depenetration.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -104,6 +106,38 @@ void GranularMotion::relieve()
     }
     pushAll();
     look(true);
+}
+
+bool GranularMotion::liftOutOfWalls()
+{
+    bool anyLifted = false;
+    walls_.forEachOverlap(
+        [&](std::uint32_t row, double overlap)
+        { anyLifted = (overlap > kOverlapRelieved && liftOutOfWalls(row)) || anyLifted; });
+    if (anyLifted)
+    {
+        forget();
+    }
+    return anyLifted;
+}
+
+bool GranularMotion::liftOutOfWalls(std::uint32_t row)
+{
+    const double radius = running_.radius[row];
+    const Eigen::Vector3d start = running_.position[row];
+    const Eigen::Vector3d step = -kStepOfLift * radius * world_.pull.direction(start);
+    for (int steps = 1; steps <= kStepsOfLift; ++steps)
+    {
+        Eigen::Vector3d place = start + steps * step;
+        if (depenetrate(world_, place, radius, step.norm()))
+        {
+            running_.position[row] = place;
+            running_.velocity[row].setZero();
+            spin_[row].setZero();
+            return true;
+        }
+    }
+    return false;
 }
 
 // As spheres lie now.
@@ -304,8 +338,9 @@ void GranularMotion::look(bool hardens)
             active_[row] = 1;
         }
     };
-    pairs_.forEachOverlap(enter);
     walls_.forEachOverlap(enter);
+    unrest_.wallOverlap = unrest_.overlap;
+    pairs_.forEachOverlap(enter);
 }
 
 // One that two others carry, or a plane, is held against rolling by nothing but balance. What

@@ -20,6 +20,7 @@ struct Unrest
     std::size_t loose = 0;    ///< spheres that begin to roll off what they stand on
     double speed = 0;         ///< [sqrt(g r)] of the fastest
     double overlap = 0;       ///< [r] the deepest
+    double wallOverlap = 0;   ///< [r] the deepest with a wall
     double kinetic = 0;       ///< energy, with that of spin
 };
 
@@ -67,6 +68,10 @@ public:
     /// Takes overlaps away where spheres lie, and lets forces be: see OverlapRelief. Stops all
     /// motion. Leaves all as it was where no way out is near.
     void relieve();
+    /// Lifts spheres out of places that are too narrow for them, into which others have pressed
+    /// them while contacts were soft, to the nearest place above without a wall; all contacts begin
+    /// anew. Returns whether there were any.
+    [[nodiscard]] bool liftOutOfWalls();
     /// To be called when there are other spheres, or they are elsewhere: all are moved.
     void listAnew();
     /// To be called when spheres have appeared in rows behind those that were there.
@@ -106,6 +111,7 @@ private:
     void slow(std::uint32_t row, double drag, double fastest);
     [[nodiscard]] bool move(std::uint32_t row);
     void turn(std::uint32_t row, double dt);
+    [[nodiscard]] bool liftOutOfWalls(std::uint32_t row);
     void look(bool hardens);
     void lookAtHold(std::uint32_t row, double missing);
 

@@ -67,7 +67,6 @@ void Settling::admit()
 
 void Settling::begin()
 {
-    compactTo_ = world_.scene.rest.fraction.value_or(0) - kGainOfStop;
     compactions_ = 0;
     reloads_ = 0;
     isDensest_ = false;
@@ -119,10 +118,9 @@ void Settling::startFlow()
     inPhase_ = 0;
     motion_.stiffen(1 / stiffened_);
     stiffened_ = 1;
-    const std::optional<double> fraction = bulk_ ? bulkFraction() : std::nullopt;
-    const bool compacts = fraction && *fraction < compactTo_;
+    const double missing = missingFraction();
     startRest();
-    if (compacts)
+    if (missing > kFractionMissing)
     {
         phase_ = Phase::compacts;
         ++compactions_;
@@ -133,9 +131,10 @@ void Settling::startFlow()
 void Settling::compact()
 {
     givesWay_ = true;
-    advanceByImpulses(kTimeOfCompaction, kDragOfCompaction);
+    const bool isNear = missingFraction() < kSlowlyFrom;
+    advanceByImpulses(kTimeOfCompaction, isNear ? kDragOfStop : kDragOfCompaction);
     isDensest_ = isCalm() || inPhase_ >= kLongestFlow;
-    if (isDensest_ || bulkFraction().value_or(1) >= compactTo_)
+    if (isDensest_ || missingFraction() <= 0)
     {
         const ContactLaw law = lawOf(world_);
         motion_.setFriction(law.friction, law.wallFriction);
@@ -198,6 +197,12 @@ bool Settling::harden()
     }
     if (!rests() && inPhase_ < kLongestHardening)
     {
+        return false;
+    }
+    if (!rests() && reloads_ < kMostReloads && motion_.liftOutOfWalls())
+    {
+        ++reloads_;
+        startFlow();
         return false;
     }
     if (rests() && isPinched() && !standsAnew())
@@ -285,27 +290,21 @@ bool Settling::hasStayed() const
     return static_cast<double>(moved) <= kMovingAtRest * static_cast<double>(running_.size());
 }
 
-// If the bulk is not yet as dense as asked, aims higher.
-bool Settling::hasCompacted()
+// Below 0 where the bulk is denser than asked; 0 where there is none.
+double Settling::missingFraction()
 {
     if (!bulk_)
     {
-        return true;
+        return 0;
     }
-    const std::optional<double> reached = bulkFraction();
+    const auto reached = bulk_->fraction(running_.position.all(), running_.radius.all());
     world_.clock.settling.fraction = reached;
-    const double missing = *world_.scene.rest.fraction - reached.value_or(1);
-    if (missing <= kFractionMissing || isDensest_ || compactions_ >= kMostCompactions)
-    {
-        return true;
-    }
-    compactTo_ += missing;
-    return false;
+    return reached ? *world_.scene.rest.fraction - *reached : 0;
 }
 
-std::optional<double> Settling::bulkFraction() const
+bool Settling::hasCompacted()
 {
-    return bulk_->fraction(running_.position.all(), running_.radius.all());
+    return missingFraction() <= kFractionMissing || isDensest_ || compactions_ >= kMostCompactions;
 }
 
 void Settling::report()

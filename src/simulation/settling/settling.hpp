@@ -84,8 +84,8 @@ private:
     [[nodiscard]] bool standsAnew();
     [[nodiscard]] bool hasStayed() const;
     void freeze();
+    [[nodiscard]] double missingFraction();
     [[nodiscard]] bool hasCompacted();
-    [[nodiscard]] std::optional<double> bulkFraction() const;
     void report();
 
     World& world_;
@@ -98,7 +98,6 @@ private:
     double stiffened_ = 1;                  ///< by this factor
     double mass_ = 0;                       ///< of all
     std::optional<Bulk> bulk_;              ///< if the scene asks for a packing fraction
-    double compactTo_ = 0;                  ///< fraction, while contacts are soft
     int compactions_ = 0;                   ///< since all began to run
     int reloads_ = 0;                       ///< times that forces were forgotten, of these spheres
     std::vector<Eigen::Vector3d> restedAt_; ///< by row, when they were last

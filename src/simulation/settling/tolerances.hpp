@@ -127,6 +127,11 @@ inline constexpr double kMissingAtRest = 0.1;
 /// moves in another program. Otherwise: time.
 inline constexpr double kStays = 0.02;
 inline constexpr int kMostReloads = 6;
+/// What is still in a wall by more than kOverlapRelieved after that time is lifted to a place
+/// without one, by steps of this [own radius], so many at most. Larger: it may come out elsewhere.
+/// Smaller: it stays wedged.
+inline constexpr double kStepOfLift = 0.1;
+inline constexpr int kStepsOfLift = 10;
 /// After this time all is frozen as it is [sqrt(r/g)], and the report says so.
 inline constexpr double kLongestHardening = 150;
 
@@ -175,20 +180,20 @@ inline constexpr double kLongerSide = 1.5;
 /// Spheres from which slabs are swept on several threads. Fewer are not worth it.
 inline constexpr std::size_t kSpheresWorthSharing = 500;
 
-/// Drag while a pile grows denser without friction [1/sqrt(r/g)].
-inline constexpr double kDragOfCompaction = 1;
-/// The fraction is measured after this time meanwhile [sqrt(r/g)]: it grows by some 0.002. Larger:
-/// too dense a pile. Smaller: time.
-inline constexpr double kTimeOfCompaction = 0.1;
-
 // A packing fraction that is asked for.
 
 /// What may be missing of the fraction when all has settled. Larger: less accurate. Smaller: one
-/// more round of settling, for no more than the noise above.
-inline constexpr double kFractionMissing = 0.001;
-/// What the first round aims below the fraction, as a pile goes on growing denser while friction
-/// stops it. Larger: more rounds. Smaller: too dense, which nothing loosens.
-inline constexpr double kGainOfStop = 0.01;
+/// more round of settling, which adds as much at least.
+inline constexpr double kFractionMissing = 0.002;
+/// Drag while a pile grows denser without friction [1/sqrt(r/g)], and when little is missing of the
+/// fraction: this much. Larger, and earlier: time. Smaller, and later: the pile goes on growing
+/// denser while friction stops it, such as by 0.007 with the first drag, which nothing loosens.
+inline constexpr double kDragOfCompaction = 1;
+inline constexpr double kDragOfStop = 10;
+inline constexpr double kSlowlyFrom = 0.01;
+/// The fraction is measured after this time meanwhile [sqrt(r/g)]: it grows by some 0.002 with the
+/// first drag. Larger: too dense a pile. Smaller: time.
+inline constexpr double kTimeOfCompaction = 0.1;
 /// Rounds of compaction at most. What is lost when contacts harden is added after the first.
 inline constexpr int kMostCompactions = 5;
 

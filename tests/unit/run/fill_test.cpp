@@ -228,7 +228,7 @@ TEST(FillRun, FailsWhenAPositionIsNoNumberButKeepsTheFiles)
     EXPECT_GT(result.quality.notFinite, 0u);
     EXPECT_EQ(result.quality.centresOutside, 0u);
     ASSERT_TRUE(result.failure);
-    EXPECT_NE(result.failure->find("not numbers"), std::string::npos) << *result.failure;
+    EXPECT_NE(result.failure->find("not finite"), std::string::npos) << *result.failure;
     EXPECT_EQ(nlohmann::json::parse(result.summary)["outcome"], "failed");
     EXPECT_EQ(entriesIn(folder / "run"), 5u);
 }

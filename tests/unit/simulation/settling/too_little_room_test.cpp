@@ -45,6 +45,31 @@ TEST(TooLittleRoom, IsLeftByARowThatSlipsOutSlowly)
     }
 }
 
+// Walls that lean towards each other below hold a sphere that was pressed between them.
+TEST(TooLittleRoom, IsLeftUpwardsByASphereBetweenWalls)
+{
+    const auto slotOf = [](double top)
+    {
+        TriangleMesh mesh = shapes::box({-0.95, -4, -4}, {0.95, 4, 4});
+        for (Vector3d& vertex : mesh.vertices)
+        {
+            vertex.x() *= vertex.y() > 0 ? top : 1;
+        }
+        return mesh;
+    };
+    for (const auto& [top, isLifted] : {std::pair(1.3, true), {1.0, false}})
+    {
+        Bench bench(0, slotOf(top));
+        bench.add({0, -2.9, 0});
+        GranularMotion& motion = bench.start(0.3);
+        motion.advance(0.01, kHardens);
+        ASSERT_GT(motion.unrest().wallOverlap, kOverlapRelieved);
+        EXPECT_EQ(motion.liftOutOfWalls(), isLifted);
+        motion.advance(0.01, kHardens);
+        EXPECT_EQ(motion.unrest().wallOverlap < kGapAtRest, isLifted);
+    }
+}
+
 TEST(TooLittleRoom, IsNotHeldByFriction)
 {
     const Spring spring({.stiffness = 100}, 1, 1);
