@@ -31,6 +31,7 @@ DropAndRollEngine::DropAndRollEngine(World& world)
       dropAndRoll_(world, observers_.falls),
       query_(queryOfRest(dropAndRoll_, threads_.concurrency()))
 {
+    query_.stop = &world.stop;
     const SphereSettings& spheres = world.scene.spheres;
     setSize_ = std::max<std::size_t>(groupSize(world) * spheres.groupsPerSet,
                                      expectedCount(world) / kMaxSets);
@@ -61,14 +62,13 @@ bool DropAndRollEngine::step()
     bool noPlace = false;
     {
         const StageTimer timer(world_.counts.times, Stage::motion);
-        bool stopped = false;
-        while (placed < wanted && !(stopped = world_.stop.isAsked()) && placeOne())
+        while (placed < wanted && !world_.stop.isAsked() && placeOne())
         {
             ++placed;
         }
         inSet_ += placed;
         world_.counts.sets.back().spheres = inSet_;
-        noPlace = placed < wanted && !stopped;
+        noPlace = placed < wanted && !world_.stop.isAsked();
     }
     ++world_.clock.steps;
     if (noPlace)
