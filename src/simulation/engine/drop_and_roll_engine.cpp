@@ -49,11 +49,7 @@ bool DropAndRollEngine::step()
     {
         return false;
     }
-    std::size_t wanted = std::min(stepSize_, setSize_ - inSet_);
-    if (world_.targetCount > 0)
-    {
-        wanted = std::min(wanted, world_.targetCount - world_.spheres.size());
-    }
+    const std::size_t wanted = wantedOfSet(world_, std::min(stepSize_, setSize_ - inSet_));
     if (inSet_ == 0)
     {
         clock_.open(world_, 0);
@@ -75,7 +71,7 @@ bool DropAndRollEngine::step()
     {
         endForWantOfPlaces(world_, *observers_.release);
     }
-    world_.clock.finished = noPlace || world_.spheres.size() == world_.targetCount;
+    world_.clock.finished = noPlace || wantedOfSet(world_, 1) == 0;
     if (DiscardPart* discard = observers_.discard.get())
     {
         const StageTimer timer(world_.counts.times, Stage::discarding);

@@ -109,11 +109,8 @@ bool PaperEngine::startNextSet()
 bool PaperEngine::releaseSet()
 {
     const SphereSettings& settings = world_.scene.spheres;
-    std::size_t wanted = static_cast<std::size_t>(settings.groupSize) * settings.groupsPerSet;
-    if (world_.targetCount > 0)
-    {
-        wanted = std::min(wanted, world_.targetCount - world_.spheres.size());
-    }
+    const std::size_t wanted =
+        wantedOfSet(world_, static_cast<std::size_t>(settings.groupSize) * settings.groupsPerSet);
     if (wanted == 0)
     {
         return false;

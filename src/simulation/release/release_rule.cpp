@@ -61,7 +61,7 @@ std::size_t releaseAmong(const RunningSpheres& runners, RunnerGrid& grid, std::s
 
 void endForWantOfPlaces(World& world, const ReleasePart& release)
 {
-    if (world.targetCount > 0 && world.spheres.size() >= world.targetCount)
+    if (wantedOfSet(world, 1) == 0)
     {
         return;
     }

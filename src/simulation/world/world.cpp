@@ -197,6 +197,12 @@ std::size_t groupSize(const World& world)
     return std::max(kSmallestGroup, inSet / spheres.groupsPerSet);
 }
 
+std::size_t wantedOfSet(const World& world, std::size_t size)
+{
+    const std::size_t there = std::min(world.spheres.size(), world.targetCount);
+    return world.targetCount > 0 ? std::min(size, world.targetCount - there) : size;
+}
+
 double spheresInLayer(const World& world)
 {
     const double volume = world.report.volume / std::pow(world.frame.length, 3);
