@@ -13,6 +13,8 @@ namespace frostfill
 
 /// From the middle of a unit cube to a corner.
 inline constexpr double kHalfDiagonal = 0.8660254037844387;
+/// Along an axis: what fits an int, with room to count a few beyond the end.
+inline constexpr double kMostCellsAlong = 2e9;
 
 /// Whole numbers low..high that lie in [from, to] and are the number of a cell, of so many, without
 /// calls.
@@ -28,8 +30,9 @@ inline std::array<int, 2> wholeNumbers(double from, double to, int count)
     return {low < from ? low + 1 : low, static_cast<int>(to)};
 }
 
-/// A box divided into equal cubes. Cells are numbered with x fastest. A point outside the box
-/// belongs to the nearest border cell, so a lookup never leaves the array.
+/// A box divided into equal cubes. Of more than an int counts along an axis the rest is missing.
+/// Cells are numbered with x fastest. A point outside the box belongs to the nearest border cell,
+/// so a lookup never leaves the array.
 struct GridFrame
 {
     Eigen::Vector3d origin = Eigen::Vector3d::Zero(); ///< lower corner
@@ -44,7 +47,8 @@ struct GridFrame
         for (int axis = 0; axis < 3; ++axis)
         {
             const double length = box.sizes()[axis] + 2 * margin;
-            frame.count[axis] = std::max(1, static_cast<int>(std::ceil(length / cell)));
+            const double cells = std::max(1.0, std::ceil(length / cell));
+            frame.count[axis] = static_cast<int>(std::min(cells, kMostCellsAlong));
         }
         return frame;
     }

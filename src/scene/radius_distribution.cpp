@@ -120,7 +120,8 @@ double RadiusDistribution::draw(double uniform, double limit) const
     if (curve_)
     {
         const double below = limit < largest_ ? curve_->cumulative(limit, SizeCurve::kNumber) : 1;
-        return curve_->quantile(uniform * below);
+        // Rounding may take the inverse of a share a little beyond where the share was taken.
+        return std::max(smallest_, std::min(limit, curve_->quantile(uniform * below)));
     }
     if (values_.empty())
     {

@@ -31,6 +31,7 @@ DropAndRollEngine::DropAndRollEngine(World& world)
       dropAndRoll_(world, observers_.falls),
       query_(queryOfRest(dropAndRoll_, threads_.concurrency()))
 {
+    query_.stop = &world.stop;
     const SphereSettings& spheres = world.scene.spheres;
     setSize_ = std::max<std::size_t>(groupSize(world) * spheres.groupsPerSet,
                                      expectedCount(world) / kMaxSets);
@@ -48,11 +49,7 @@ bool DropAndRollEngine::step()
     {
         return false;
     }
-    std::size_t wanted = std::min(stepSize_, setSize_ - inSet_);
-    if (world_.targetCount > 0)
-    {
-        wanted = std::min(wanted, world_.targetCount - world_.spheres.size());
-    }
+    const std::size_t wanted = wantedOfSet(world_, std::min(stepSize_, setSize_ - inSet_));
     if (inSet_ == 0)
     {
         clock_.open(world_, 0);
@@ -61,21 +58,20 @@ bool DropAndRollEngine::step()
     bool noPlace = false;
     {
         const StageTimer timer(world_.counts.times, Stage::motion);
-        bool stopped = false;
-        while (placed < wanted && !(stopped = world_.stop.isAsked()) && placeOne())
+        while (placed < wanted && !world_.stop.isAsked() && placeOne())
         {
             ++placed;
         }
         inSet_ += placed;
         world_.counts.sets.back().spheres = inSet_;
-        noPlace = placed < wanted && !stopped;
+        noPlace = placed < wanted && !world_.stop.isAsked();
     }
     ++world_.clock.steps;
     if (noPlace)
     {
         endForWantOfPlaces(world_, *observers_.release);
     }
-    world_.clock.finished = noPlace || world_.spheres.size() == world_.targetCount;
+    world_.clock.finished = noPlace || wantedOfSet(world_, 1) == 0;
     if (DiscardPart* discard = observers_.discard.get())
     {
         const StageTimer timer(world_.counts.times, Stage::discarding);

@@ -6,8 +6,6 @@
 #include "simulation/discard/discard_rule.hpp"
 #include "simulation/engine/tolerances.hpp"
 
-#include <algorithm>
-
 namespace frostfill
 {
 namespace
@@ -114,11 +112,7 @@ void GranularEngine::settle()
 std::vector<PlacedSphere> GranularEngine::search()
 {
     const StageTimer timer(world_.counts.times, Stage::releasing);
-    std::size_t wanted = groupSize_ * world_.scene.spheres.groupsPerSet;
-    if (world_.targetCount > 0)
-    {
-        wanted = std::min(wanted, world_.targetCount - world_.spheres.size());
-    }
+    const std::size_t wanted = wantedOfSet(world_, groupSize_ * world_.scene.spheres.groupsPerSet);
     std::vector<PlacedSphere> found;
     releaseAmong(world_.spheres.running(), grid_, wanted, *release_, {}, world_.stop,
                  [&](const PlacedSphere& sphere) { found.push_back(sphere); });

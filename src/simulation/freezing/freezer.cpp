@@ -5,6 +5,7 @@
 #include "simulation/freezing/tolerances.hpp"
 
 #include <algorithm>
+#include <compare>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -131,9 +132,9 @@ void Freezer::findSleepy()
               [&](std::uint32_t a, std::uint32_t b)
               {
                   // Who has been looked at may have been moved since.
-                  const double ya = -watch_[a].start.dot(down);
-                  const double yb = -watch_[b].start.dot(down);
-                  return ya < yb || (ya == yb && a < b);
+                  const auto order = std::weak_order(-watch_[a].start.dot(down),
+                                                     -watch_[b].start.dot(down)); // NaN as well
+                  return order < 0 || (order == 0 && a < b);
               });
 }
 

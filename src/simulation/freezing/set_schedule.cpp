@@ -4,8 +4,6 @@
 #include "simulation/freezing/tolerances.hpp"
 #include "simulation/world/world.hpp"
 
-#include <algorithm>
-
 namespace frostfill
 {
 
@@ -25,10 +23,9 @@ void SetSchedule::startGroups()
 
 SetProgress SetSchedule::progress(std::size_t running) const
 {
-    const std::size_t target = world_.targetCount;
     return {.size = size_,
             .running = running,
-            .complete = appeared_ >= size_ || (target > 0 && world_.spheres.size() >= target),
+            .complete = appeared_ >= size_ || wantedOfSet(world_, 1) == 0,
             .noRoom = noRoom_,
             .ageLimit = ageLimit_};
 }
@@ -46,12 +43,7 @@ std::size_t SetSchedule::startSearch(std::size_t running)
     {
         appeared_ = 0;
     }
-    std::size_t wanted = size_ - appeared_;
-    if (world_.targetCount > 0)
-    {
-        wanted = std::min(wanted, world_.targetCount - world_.spheres.size());
-    }
-    return wanted;
+    return wantedOfSet(world_, size_ - appeared_);
 }
 
 std::uint32_t SetSchedule::groupOf(std::size_t n) const

@@ -69,8 +69,7 @@ bool PaperEngine::step()
     }
     if (setIsOver_ && !startNextSet())
     {
-        world_.clock.finished = true;
-        return false;
+        return !world_.clock.finished;
     }
     const double energyBefore = energyOf(running_, world_.frame.gravity);
     integrate();
@@ -83,7 +82,7 @@ bool PaperEngine::step()
     return true;
 }
 
-// Called when the newest set has come to rest. Returns false when the run is over.
+// Called when the newest set has come to rest. Returns whether another has begun.
 bool PaperEngine::startNextSet()
 {
     const std::uint32_t every = world_.scene.freezing.everySets;
@@ -91,29 +90,27 @@ bool PaperEngine::startNextSet()
     {
         freezeAndDiscard();
     }
-    if (releaseSet())
+    bool begins = releaseSet();
+    if (!begins && !world_.stop.isAsked())
     {
-        return true;
+        // Whatever still runs is at rest; once it is frozen the search sees it as it will stay.
+        freezeAndDiscard();
+        begins = releaseSet();
     }
-    // Whatever still runs is at rest; once it is frozen the search sees it as it will stay.
-    freezeAndDiscard();
-    if (releaseSet())
+    if (!begins && !world_.stop.isAsked())
     {
-        return true;
+        endForWantOfPlaces(world_, *release_);
+        clock_.close(world_);
+        world_.clock.finished = true;
     }
-    endForWantOfPlaces(world_, *release_);
-    clock_.close(world_);
-    return false;
+    return begins;
 }
 
 bool PaperEngine::releaseSet()
 {
     const SphereSettings& settings = world_.scene.spheres;
-    std::size_t wanted = static_cast<std::size_t>(settings.groupSize) * settings.groupsPerSet;
-    if (world_.targetCount > 0)
-    {
-        wanted = std::min(wanted, world_.targetCount - world_.spheres.size());
-    }
+    const std::size_t wanted =
+        wantedOfSet(world_, static_cast<std::size_t>(settings.groupSize) * settings.groupsPerSet);
     if (wanted == 0)
     {
         return false;
@@ -122,7 +119,8 @@ bool PaperEngine::releaseSet()
     {
         const StageTimer timer(world_.counts.times, Stage::releasing);
         const ReleaseQuery query = {.suits = [this](const Eigen::Vector3d& place, double radius)
-                                    { return clearOfRunning(place, radius); }};
+                                    { return clearOfRunning(place, radius); },
+                                    .stop = &world_.stop};
         while (world_.spheres.size() - before < wanted)
         {
             const auto found = release_->next(query);

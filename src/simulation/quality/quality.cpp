@@ -262,14 +262,35 @@ QualityReport examine(const TriangleMesh& mesh, std::span<const Eigen::Vector3d>
         scene.spheres.radius = Radii(*smallest, *largest);
     }
     World world(scene, mesh);
+    place(world, centres, radii, atRest);
+    return examine(world);
+}
+
+void place(World& world, std::span<const Eigen::Vector3d> centres, std::span<const double> radii,
+           const std::vector<bool>& atRest)
+{
+    std::vector<double> sorted(radii.begin(), radii.end());
+    std::sort(sorted.begin(), sorted.end());
+    double cubes = 0;
+    for (double& radius : sorted)
+    {
+        radius /= world.frame.length;
+        cubes += radius * radius * radius;
+    }
+    const auto count = static_cast<double>(sorted.size());
+    const auto upTo = [&](double radius)
+    {
+        const auto end = std::upper_bound(sorted.begin(), sorted.end(), radius);
+        return static_cast<double>(end - sorted.begin()) / count;
+    };
+    world.spheres.setLevels(sorted.empty() ? 0 : finerLevels(sorted.front(), cubes / count, upTo));
     for (std::size_t k = 0; k < centres.size(); ++k)
     {
-        const Eigen::Vector3d place = world.frame.toRun(centres[k]);
+        const Eigen::Vector3d centre = world.frame.toRun(centres[k]);
         const double radius = radii[k] / world.frame.length;
-        atRest[k] && place.allFinite() ? world.spheres.addResting(place, radius, 0)
-                                       : world.spheres.add(place, radius, 0);
+        atRest[k] && centre.allFinite() ? world.spheres.addResting(centre, radius, 0)
+                                        : world.spheres.add(centre, radius, 0);
     }
-    return examine(world);
 }
 
 } // namespace frostfill

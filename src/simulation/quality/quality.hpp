@@ -25,4 +25,9 @@ namespace frostfill
                                     std::span<const double> radii, const std::vector<bool>& atRest,
                                     Axis up = Axis::y, const JudgeSettings& settings = {});
 
+/// Puts such spheres into an empty world, whose grids are then such that few spheres are looked at
+/// beside each, whatever their sizes.
+void place(World& world, std::span<const Eigen::Vector3d> centres, std::span<const double> radii,
+           const std::vector<bool>& atRest);
+
 } // namespace frostfill

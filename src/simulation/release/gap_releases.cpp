@@ -87,40 +87,24 @@ std::optional<PlacedSphere> GapReleases::next(const ReleaseQuery& query)
             drawn_ = radiusOfDraw(++draws_);
         }
         const double radius = *drawn_;
-        const auto found = sites_->find(radius, query);
-        if (!found)
+        if (const auto place = sites_->findLasting(radius, query))
         {
-            if (sites_->any())
-            {
-                return std::nullopt; // others run through it
-            }
-            enter(current_ + 1);
-            continue;
+            ++classes_[current_].placed;
+            drawn_.reset();
+            return PlacedSphere{*place, radius};
         }
-        if (!found->stays)
+        if (query.isStopped() || sites_->any())
         {
-            sites_->giveUp();
-            continue;
+            return std::nullopt; // it has not looked everywhere, or others run through a place
         }
-        ++classes_[current_].placed;
-        drawn_.reset();
-        return PlacedSphere{found->place, radius};
+        enter(current_ + 1);
     }
     return std::nullopt;
 }
 
 std::optional<Eigen::Vector3d> GapReleases::place(double radius, const ReleaseQuery& query)
 {
-    ReleaseSites sites(world_, radius, -1, threads_);
-    while (const auto found = sites.find(radius, query))
-    {
-        if (found->stays)
-        {
-            return found->place;
-        }
-        sites.giveUp();
-    }
-    return std::nullopt;
+    return ReleaseSites(world_, radius, -1, threads_).findLasting(radius, query);
 }
 
 void GapReleases::close(const Eigen::Vector3d& centre, double radius)

@@ -37,6 +37,7 @@ std::size_t releaseAmong(const RunningSpheres& runners, RunnerGrid& grid, std::s
                          ReleasePart& release, ReleaseQuery query, const StopRequest& stop,
                          const std::function<void(const PlacedSphere&)>& appear)
 {
+    query.stop = &stop;
     query.givesUp = true; // when those that run have come to rest, every free place suits
     query.suits = [&grid](const Eigen::Vector3d& place, double radius)
     { return grid.isClear(place, radius); };
@@ -60,7 +61,7 @@ std::size_t releaseAmong(const RunningSpheres& runners, RunnerGrid& grid, std::s
 
 void endForWantOfPlaces(World& world, const ReleasePart& release)
 {
-    if (world.targetCount > 0 && world.spheres.size() >= world.targetCount)
+    if (wantedOfSet(world, 1) == 0)
     {
         return;
     }

@@ -33,6 +33,10 @@ struct ReleaseQuery
     /// Whether to give up for now after many places in a row that do not suit. Otherwise a place is
     /// found if there is one.
     bool givesUp = false;
+    /// Ends the search once asked. A search that has ended so has not looked everywhere.
+    const StopRequest* stop = nullptr;
+
+    [[nodiscard]] bool isStopped() const { return stop != nullptr && stop->isAsked(); }
 };
 
 /// A release rule: where spheres appear, and so when the object is full. Units of the run.

@@ -97,7 +97,7 @@ std::optional<ReleaseSites::Found> ReleaseSites::find(double radius, const Relea
     for (const bool highOnly : {true, false})
     {
         highOnly_ = highOnly;
-        for (int misses = 0; misses < kMaxMisses && !ceilings_.empty();)
+        for (int misses = 0; misses < kMaxMisses && !ceilings_.empty() && !query.isStopped();)
         {
             const Draw& draw = take(nextDraw(radius, query, lookAhead));
             const bool isBlocked = query.search != 0 && draw.blockedIn == query.search;
@@ -109,6 +109,20 @@ std::optional<ReleaseSites::Found> ReleaseSites::find(double radius, const Relea
         }
     }
     return ceilings_.empty() ? sweep(radius, query) : std::nullopt;
+}
+
+std::optional<Eigen::Vector3d> ReleaseSites::findLasting(double radius, const ReleaseQuery& query,
+                                                         const std::function<void()>& lookAhead)
+{
+    while (const auto found = find(radius, query, lookAhead))
+    {
+        if (found->stays)
+        {
+            return found->place;
+        }
+        giveUp();
+    }
+    return std::nullopt;
 }
 
 std::optional<ReleaseSites::Found> ReleaseSites::sweep(double radius, const ReleaseQuery& query)
@@ -124,8 +138,9 @@ std::optional<ReleaseSites::Found> ReleaseSites::sweep(double radius, const Rele
             sites_.nextOpen(static_cast<std::size_t>(share * static_cast<double>(sites_.end())));
         first = first < sites_.end() ? first : sweep_;
     }
-    for (std::size_t site = nextFree(first);
-         site < sites_.end() && (!query.givesUp || misses < kMaxMisses); site = nextFree(site + 1))
+    for (std::size_t site = nextFree(first, query);
+         site < sites_.end() && (!query.givesUp || misses < kMaxMisses);
+         site = nextFree(site + 1, query))
     {
         Eigen::Vector3d place = place_;
         Footprint unused;
@@ -154,10 +169,11 @@ bool ReleaseSites::any()
 }
 
 // The first open site from `site` on that has a clear place, which becomes place_; sites that turn
-// out to have none are closed.
-std::size_t ReleaseSites::nextFree(std::size_t site)
+// out to have none are closed. None once the search is stopped.
+std::size_t ReleaseSites::nextFree(std::size_t site, const ReleaseQuery& query)
 {
-    for (site = sites_.nextOpen(site); site < sites_.end(); site = sites_.nextOpen(site + 1))
+    for (site = sites_.nextOpen(site); site < sites_.end() && !query.isStopped();
+         site = sites_.nextOpen(site + 1))
     {
         place_ = sites_.centre(site);
         if (depenetrate(world_, place_, radius_, farthest(), kMoves, startWithin(0)))
@@ -166,7 +182,7 @@ std::size_t ReleaseSites::nextFree(std::size_t site)
         }
         sites_.closeSite(site);
     }
-    return site;
+    return sites_.end();
 }
 
 void ReleaseSites::giveUp()

@@ -42,6 +42,11 @@ public:
     /// expectPlace leads to, the next at least; the answer is the same.
     [[nodiscard]] std::optional<Found> find(double radius, const ReleaseQuery& query,
                                             const std::function<void()>& lookAhead = {});
+    /// The same, but for places that do not stay: those are given up, until one does. As no site is
+    /// given up twice, this ends.
+    [[nodiscard]] std::optional<Eigen::Vector3d>
+    findLasting(double radius, const ReleaseQuery& query,
+                const std::function<void()>& lookAhead = {});
 
     /// The draw after the last one taken, and further ones when called again, for a sphere of
     /// `radius`: each comes to a place, as far as is known. None when all ceilings are gone, or too
@@ -92,7 +97,7 @@ private:
                          const std::function<void()>& lookAhead);
     const Draw& take(const Draw& draw);
     [[nodiscard]] std::optional<Found> sweep(double radius, const ReleaseQuery& query);
-    [[nodiscard]] std::size_t nextFree(std::size_t site);
+    [[nodiscard]] std::size_t nextFree(std::size_t site, const ReleaseQuery& query);
 
     const World& world_;
     Threads& threads_;

@@ -53,7 +53,8 @@ Releases::Releases(const World& world, double band, Threads& threads)
     }
 }
 
-// A place at which a sphere cannot stay is given up, and with it the radius.
+// A place at which a sphere cannot stay is given up, and with it the radius. Each round gives up a
+// site or a class, or is the last.
 std::optional<PlacedSphere> Releases::next(const ReleaseQuery& query)
 {
     if (ledger_)
@@ -67,53 +68,55 @@ std::optional<PlacedSphere> Releases::next(const ReleaseQuery& query)
             drawn_ = radiusOfDraw(++draws_);
         }
         const double radius = *drawn_;
-        if (const auto found = find(radius, query))
+        const std::size_t ofClass = classOf(radius);
+        ReleaseSites& sites = *classes_[ofClass].sites;
+        if (const auto found = sites.find(radius, query, lookingAhead(radius, query)))
         {
             drawn_.reset();
             if (found->stays)
             {
                 return PlacedSphere{found->place, radius};
             }
-            classes_[lastClass_].sites->giveUp();
+            sites.giveUp();
             continue;
         }
-        if (classes_.size() == 1 || classes_[lastClass_].sites->any())
+        if (query.isStopped() || classes_.size() == 1 || sites.any())
         {
             return std::nullopt;
         }
-        dropClasses(std::max<std::size_t>(1, lastClass_));
+        dropClasses(std::max<std::size_t>(1, ofClass));
     }
     return std::nullopt;
 }
 
-// A place is given up here, too, but the radius stays: else those that stay in few places would
-// be too few.
+// The radius stays when a place is given up: else those that stay in few places would be too few.
+// Each round gives up a class, makes its sites finer for the only time, or is the last.
 std::optional<PlacedSphere> Releases::nextOfCurve(const ReleaseQuery& query)
 {
     while (drawn_ || drawOfCurve())
     {
         const double radius = *drawn_;
-        if (const auto found = find(radius, query))
+        const std::size_t ofClass = classOf(radius);
+        Class& one = classes_[ofClass];
+        if (const auto place = one.sites->findLasting(radius, query, lookingAhead(radius, query)))
         {
-            if (!found->stays)
-            {
-                classes_[lastClass_].sites->giveUp();
-                continue;
-            }
             drawn_.reset();
             ledger_->add(radius);
-            return PlacedSphere{found->place, radius};
+            return PlacedSphere{*place, radius};
         }
-        Class& one = classes_[lastClass_];
+        if (query.isStopped())
+        {
+            return std::nullopt;
+        }
         if (findsMore(one))
         {
             continue;
         }
-        if (lastClass_ == 0 || one.sites->any())
+        if (ofClass == 0 || one.sites->any())
         {
             return std::nullopt;
         }
-        dropClasses(lastClass_);
+        dropClasses(ofClass);
         ranOut_ = true;
     }
     return std::nullopt;
@@ -153,30 +156,20 @@ bool Releases::drawOfCurve()
 
 std::optional<Eigen::Vector3d> Releases::place(double radius, const ReleaseQuery& query)
 {
-    while (const auto found = find(radius, query))
-    {
-        if (found->stays)
-        {
-            return found->place;
-        }
-        classes_[lastClass_].sites->giveUp();
-    }
-    return std::nullopt;
-}
-
-std::optional<ReleaseSites::Found> Releases::find(double radius, const ReleaseQuery& query)
-{
     if (radius > classes_.back().largest)
     {
-        return std::nullopt;
+        return std::nullopt; // its class is done with
     }
-    lastClass_ = classOf(radius);
-    ReleaseSites& sites = *classes_[lastClass_].sites;
+    return classes_[classOf(radius)].sites->findLasting(radius, query, lookingAhead(radius, query));
+}
+
+std::function<void()> Releases::lookingAhead(double radius, const ReleaseQuery& query)
+{
     if (query.ahead == 0 || threads_.concurrency() == 1)
     {
-        return sites.find(radius, query);
+        return {};
     }
-    return sites.find(radius, query, [&] { lookAhead(radius, query); });
+    return [this, radius, &query] { lookAhead(radius, query); };
 }
 
 // The radii that come next, if each finds a place at once.

@@ -44,7 +44,7 @@ private:
         bool isCoarse = false; ///< places may be left that its sites do not lead to
     };
     [[nodiscard]] bool findsMore(Class& one);
-    [[nodiscard]] std::optional<ReleaseSites::Found> find(double radius, const ReleaseQuery& query);
+    [[nodiscard]] std::function<void()> lookingAhead(double radius, const ReleaseQuery& query);
     void lookAhead(double radius, const ReleaseQuery& query);
     [[nodiscard]] double radiusOfDraw(std::uint64_t number) const;
     void dropClasses(std::size_t from);
@@ -54,8 +54,7 @@ private:
 
     const World& world_;
     Threads& threads_;
-    std::vector<Class> classes_; ///< ascending; those that are done with are gone, but the first
-    std::size_t lastClass_ = 0;
+    std::vector<Class> classes_;  ///< ascending; those that are done with are gone, but the first
     std::optional<double> drawn_; ///< the next radius, for which there was no place yet
     std::uint64_t draws_ = 0;
     std::optional<SizeLedger> ledger_; ///< of a size curve

@@ -15,27 +15,48 @@ namespace frostfill
 namespace
 {
 
-double cellFor(const Eigen::Vector3d& size, double radius)
+bool isLarge(const Eigen::Vector3d& box)
 {
-    double cell = kSiteCell * radius;
-    if ((size.array() + 2 * kGridMargin).prod() > kLargeBox)
+    return (box.array() + 2 * kGridMargin).prod() > kLargeBox;
+}
+
+/// Of the part of a large box in which sites count [r^3].
+double volumeInReach(const Eigen::AlignedBox3d& box, const InsideTest& inside)
+{
+    double volume = 0;
+    if (isLarge(box.sizes()))
     {
-        return cell; // only sites in the object count
+        inside.forEachBoxInReach([&](const Eigen::AlignedBox3d& part)
+                                 { volume += part.intersection(box).sizes().cwiseMax(0).prod(); });
     }
-    while ((size.array() / cell + 1).prod() > kMaxSites)
+    return volume;
+}
+
+} // namespace
+
+double cellOfSites(const Eigen::Vector3d& box, double inReach, double radius)
+{
+    const auto areTooMany = [&](double cell)
+    {
+        const Eigen::Array3d along = box.array() / cell + 1;
+        const double all = isLarge(box) ? inReach / (cell * cell * cell) : along.prod();
+        return all > kMaxSites || along.maxCoeff() > kMostCellsAlong;
+    };
+    double cell = kSiteCell * radius;
+    while (areTooMany(cell))
     {
         cell *= kCellGrowth;
     }
     return cell;
 }
 
-} // namespace
-
 SiteLattice::SiteLattice(const Surface& surface, const InsideTest& inside, double radius,
                          Threads& threads, double smallLattice, double coarsest)
-    : radius_(radius),
-      lattice_(GridFrame::cover(surface.box(),
-                                cellFor(surface.box().sizes(), std::max(radius, coarsest)), 0)),
+    : radius_(radius), lattice_(GridFrame::cover(surface.box(),
+                                                 cellOfSites(surface.box().sizes(),
+                                                             volumeInReach(surface.box(), inside),
+                                                             std::max(radius, coarsest)),
+                                                 0)),
       wordsPerRow_((static_cast<std::size_t>(lattice_.count[0]) + 63) / 64)
 {
     const double words = static_cast<double>(wordsPerRow_) * lattice_.count[1] * lattice_.count[2];

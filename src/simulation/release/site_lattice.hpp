@@ -15,6 +15,10 @@
 namespace frostfill
 {
 
+/// Edge of the cells of a lattice for spheres of a radius [r]. They grow until there are few enough
+/// along each axis and in all: in the box, or, where that is large, in `inReach` of it [r^3].
+[[nodiscard]] double cellOfSites(const Eigen::Vector3d& box, double inReach, double radius);
+
 /// A lattice of half a radius over the object, a bit a cell: whether the cell may still hold the
 /// centre of a sphere of that radius. Spheres at rest close the cells that lie wholly within the
 /// two radii; a cell that is closed stays closed.

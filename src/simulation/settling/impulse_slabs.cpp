@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/settling/impulse_sweeps.hpp"
+#include "simulation/world/tolerances.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 namespace frostfill
@@ -27,9 +29,12 @@ void ImpulseSweeps::plan(const std::vector<char>& active, double width)
 }
 
 // Along the longer side of the pile: more slabs, more threads. Otherwise along z, by which rows
-// ascend, so that a slab's spheres lie side by side in memory.
+// ascend, so that a slab's spheres lie side by side in memory. Contacts that have grown longer
+// since they were listed widen the slabs: so a sphere is in its own slab and in the one below
+// alone.
 void ImpulseSweeps::layOut(double width)
 {
+    constexpr double kBeyondRounding = 1 + 1e-9;
     const auto& places = running_.position;
     Eigen::Vector3d low = places[0];
     Eigen::Vector3d high = places[0];
@@ -40,9 +45,19 @@ void ImpulseSweeps::layOut(double width)
     }
     const Eigen::Vector3d size = high - low;
     const int axis = size.x() > kLongerSide * size.z() ? 0 : 2;
+    for (const std::uint32_t k : pairs_.chosen())
+    {
+        const auto [a, b] = pairs_.rowsOf(k);
+        width = std::max(width, kBeyondRounding * std::abs(places[a][axis] - places[b][axis]));
+    }
+    double last = (high[axis] - low[axis]) / width;
+    last = last < kMaxLength ? last : 0; // a sphere is lost, as the guard will find: one slab
     const auto slabOf = [&](std::uint32_t row)
-    { return static_cast<std::size_t>((places[row][axis] - low[axis]) / width); };
-    slabs_.resize(static_cast<std::size_t>((high[axis] - low[axis]) / width) + 1);
+    {
+        const double slab = (places[row][axis] - low[axis]) / width;
+        return slab > 0 && slab <= last ? static_cast<std::size_t>(slab) : 0;
+    };
+    slabs_.resize(static_cast<std::size_t>(last) + 1);
     for (Slab& slab : slabs_)
     {
         slab.items.clear();

@@ -27,9 +27,9 @@ struct ImpulseStep
 /// from the impulses of the step before, up a pile and down again: so weight gets through a pile in
 /// a few steps, for which springs take thousands.
 ///
-/// Contacts lie in slabs side by side, each as wide as a contact is long. Every other slab touches
-/// no sphere of the same turn, so those are swept at the same time, with the same bits on any
-/// number of threads.
+/// Contacts lie in slabs side by side, each as wide as the longest contact. Every other slab
+/// touches no sphere of the same turn, so those are swept at the same time, with the same bits on
+/// any number of threads.
 class ImpulseSweeps
 {
 public:
@@ -40,7 +40,7 @@ public:
     {
     }
 
-    /// To be called when other contacts are chosen. `width`: no contact is longer [r]. Spheres that
+    /// To be called when other contacts are chosen. `width`: of a slab at least [r]. Spheres that
     /// are not active, by row, stand still.
     void plan(const std::vector<char>& active, double width);
     /// Turns velocities that would be without contacts into those with them. What contacts know,

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 
 namespace frostfill
 {
@@ -16,6 +17,12 @@ namespace
 int axisOfStrips(const Eigen::Vector3d& down)
 {
     return std::abs(down.x()) <= std::abs(down.z()) ? 0 : 2;
+}
+
+/// An order of all numbers: what is not finite is found at the end of the step, not in a sort.
+bool isBelow(double a, double b)
+{
+    return std::weak_order(a, b) < 0;
 }
 
 } // namespace
@@ -82,8 +89,10 @@ void Crowd::cluster()
 void Crowd::order()
 {
     std::sort(order_.begin(), order_.end(),
-              [](const Height& a, const Height& b)
-              { return a.height < b.height || (a.height == b.height && a.row < b.row); });
+              [](const Height& a, const Height& b) {
+                  return isBelow(a.height, b.height) ||
+                         (!isBelow(b.height, a.height) && a.row < b.row);
+              });
 }
 
 void Crowd::cut()
@@ -161,7 +170,7 @@ void Crowd::cutByPlace()
     {
         sample_[k] = at(k * size / samples);
     }
-    std::sort(sample_.begin(), sample_.end());
+    std::sort(sample_.begin(), sample_.end(), isBelow);
     borders_.clear();
     for (std::size_t k = 1; k < count; ++k)
     {
@@ -169,7 +178,7 @@ void Crowd::cutByPlace()
     }
     for (std::size_t rank = 0; rank < size; ++rank)
     {
-        const auto border = std::upper_bound(borders_.begin(), borders_.end(), at(rank));
+        const auto border = std::upper_bound(borders_.begin(), borders_.end(), at(rank), isBelow);
         order_[rank].strip = static_cast<std::uint32_t>(border - borders_.begin());
     }
 }

@@ -1,8 +1,31 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/world/spheres.hpp"
 
+#include "scene/packing_estimate.hpp"
+#include "simulation/world/tolerances.hpp"
+
+#include <numbers>
+
 namespace frostfill
 {
+
+int finerLevels(double smallest, double meanCube, const std::function<double(double)>& upTo)
+{
+    const double density = // of all spheres [1 / r^3]
+        kPackingFraction / (4.0 / 3.0 * std::numbers::pi * meanCube);
+    int levels = 0;
+    for (double largest = 0.5; largest >= smallest; largest /= 2)
+    {
+        const double cell = 4 * largest; // of the level above
+        const double inCell = density * upTo(largest) * cell * cell * cell;
+        if (inCell <= kCrowdedCell)
+        {
+            break;
+        }
+        ++levels;
+    }
+    return levels;
+}
 
 void Spheres::reserve(std::size_t count)
 {

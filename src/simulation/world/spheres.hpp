@@ -10,10 +10,17 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace frostfill
 {
+
+/// Grids for smaller spheres, each for half the radius of the one before, as long as the cells of a
+/// pile would be crowded otherwise: see SphereGrid. The largest radius is 1. `meanCube`: the mean
+/// of r^3. `upTo(r)`: which share of all spheres is no larger.
+[[nodiscard]] int finerLevels(double smallest, double meanCube,
+                              const std::function<double(double)>& upTo);
 
 /// The table of all spheres: what runs and what is at rest are two sets of columns by row, as the
 /// solver sets of Box3D are. A sphere keeps its id, which tells its set and row, while it goes from
@@ -23,6 +30,8 @@ class Spheres
 public:
     /// `frame`: of the grid of spheres at rest; `levels`: see SphereGrid.
     explicit Spheres(const GridFrame& frame = {}, int levels = 0) : resting_(frame, levels) {}
+    /// Gives other levels to the grid, in which nothing rests yet.
+    void setLevels(int levels) { resting_ = SphereGrid(resting_.frame(), levels); }
 
     [[nodiscard]] RunningSpheres& running() { return running_; }
     [[nodiscard]] const RunningSpheres& running() const { return running_; }

@@ -91,29 +91,13 @@ GridFrame checkedGrid(const Surface& surface, const MeshReport& report, const Fr
     return gridOver(surface, kTriangleCell);
 }
 
-/// Grids for the smaller spheres of a size curve, each for half the radius of the one before, as
-/// long as its cells would be crowded otherwise.
-int finerLevels(const RadiusDistribution& radii)
+int finerLevelsOf(const RadiusDistribution& radii)
 {
-    if (!radii.curve())
-    {
-        return 0;
-    }
-    const double density = // of all spheres [1 / r^3]
-        kPackingFraction / (4.0 / 3.0 * std::numbers::pi * radii.meanPower(3));
-    int levels = 0;
-    for (double largest = 0.5; largest >= radii.smallest(); largest /= 2)
-    {
-        const double cell = 4 * largest; // of the level above
-        const double inCell =
-            density * radii.curve()->cumulative(largest, SizeCurve::kNumber) * cell * cell * cell;
-        if (inCell <= kCrowdedCell)
-        {
-            break;
-        }
-        ++levels;
-    }
-    return levels;
+    return radii.curve()
+               ? finerLevels(radii.smallest(), radii.meanPower(3),
+                             [&](double radius)
+                             { return radii.curve()->cumulative(radius, SizeCurve::kNumber); })
+               : 0;
 }
 
 /// By the estimate that sphereRadius uses, the other way round.
@@ -163,7 +147,7 @@ World::World(const Scene& sceneOfRun, std::shared_ptr<const ObjectOfRun> sharedO
       triangles(object->triangles), inside(object->inside), radii(object->radii.inLargest()),
       height(surface.box().sizes().y()),
       motion(scene.move, frame, height), pull{.uniform = {0, -frame.gravity, 0}},
-      spheres(gridOver(surface, kSphereCell), finerLevels(radii)),
+      spheres(gridOver(surface, kSphereCell), finerLevelsOf(radii)),
       polygons(surface.size(), PolygonState::active)
 {
     if (scene.spheres.count && !scene.spheres.untilFull)
@@ -211,6 +195,12 @@ std::size_t groupSize(const World& world)
             inSet, static_cast<std::size_t>(static_cast<double>(expectedCount(world)) / sets));
     }
     return std::max(kSmallestGroup, inSet / spheres.groupsPerSet);
+}
+
+std::size_t wantedOfSet(const World& world, std::size_t size)
+{
+    const std::size_t there = std::min(world.spheres.size(), world.targetCount);
+    return world.targetCount > 0 ? std::min(size, world.targetCount - there) : size;
 }
 
 double spheresInLayer(const World& world)

@@ -100,6 +100,9 @@ struct World
 /// cover a tenth of the object's mean cross-section, or pour into it in the scene's duration.
 [[nodiscard]] std::size_t groupSize(const World& world);
 
+/// Of a set of this size, how many spheres are to appear: no more than the count still lacks.
+[[nodiscard]] std::size_t wantedOfSet(const World& world, std::size_t size);
+
 /// Spheres side by side that cover the object's mean cross-section.
 [[nodiscard]] double spheresInLayer(const World& world);
 

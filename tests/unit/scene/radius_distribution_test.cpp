@@ -52,6 +52,29 @@ TEST(RadiusDistribution, IsEvenBetweenTwoRadiiUpToALimit)
     }
 }
 
+// Rounding may take the inverse of a share beyond where the share was taken.
+TEST(RadiusDistribution, NeverGivesARadiusOfACurveBeyondTheLimit)
+{
+    for (const SharesOf by : {SharesOf::mass, SharesOf::number})
+    {
+        for (int k = 0; k < 200; ++k)
+        {
+            const std::string curve = "normal:" + std::to_string(0.04 + 1e-5 * k) + ",0.008";
+            const RadiusDistribution radii =
+                RadiusDistribution({.curve = curve, .by = by}).inLargest();
+            for (const double limit : {radii.smallest(), 0.1, 0.5, 0.75, 1.0})
+            {
+                for (const double uniform : {0.0, 0.3, 1 - 1e-16})
+                {
+                    const double radius = radii.draw(uniform, limit);
+                    EXPECT_GE(radius, radii.smallest());
+                    EXPECT_LE(radius, std::max(limit, radii.smallest())) << curve;
+                }
+            }
+        }
+    }
+}
+
 TEST(RadiusDistribution, DrawsTheLinesOfAFileWithEqualLikelihood)
 {
     const TemporaryFolder folder;

@@ -226,6 +226,68 @@ TEST(FastEngine, DividesAStepThatIsTooLongIntoTheFewestEqualParts)
     }
 }
 
+// Of whatever engine, and in whatever search it is.
+TEST(Simulation, IsNotFullForASearchThatWasStopped)
+{
+    for (const auto& [preset, motion] : {std::pair{Preset::paper, Motion::fall},
+                                         {Preset::fast, Motion::fall},
+                                         {Preset::fast, Motion::skip},
+                                         {Preset::fast, Motion::descend},
+                                         {Preset::fast, Motion::granular}})
+    {
+        Scene scene = presetScene(preset, "torus");
+        scene.motion.mode = motion;
+        scene.rest.mode = motion == Motion::granular ? Rest::joint : Rest::each;
+        scene.spheres.radius = 0.17;
+        scene.spheres.count.reset();
+        Simulation whole(scene, shapes::torus());
+        while (whole.step())
+        {
+        }
+        Simulation stopped(scene, shapes::torus());
+        int asked = 0;
+        int limit = 0;
+        stopped.stopWhen([&] { return ++asked > limit; });
+        for (int step = 0; stopped.step(); ++step)
+        {
+            asked = 0;
+            limit = 1 + step * 37 % 400;
+        }
+        EXPECT_TRUE(stopped.full());
+        EXPECT_GT(static_cast<double>(stopped.sphereCount()),
+                  0.9 * static_cast<double>(whole.sphereCount()))
+            << static_cast<int>(preset) << " " << static_cast<int>(motion);
+    }
+}
+
+// An engine of its own may be given more than its scene counts.
+TEST(Engines, AddNoneToMoreSpheresThanTheCount)
+{
+    for (const auto& [preset, motion] : {std::pair{Preset::paper, Motion::fall},
+                                         {Preset::fast, Motion::fall},
+                                         {Preset::fast, Motion::skip},
+                                         {Preset::fast, Motion::descend},
+                                         {Preset::fast, Motion::granular}})
+    {
+        Scene scene = presetScene(preset, "cube");
+        scene.motion.mode = motion;
+        scene.rest.mode = motion == Motion::granular ? Rest::joint : Rest::each;
+        scene.spheres.radius = 0.2;
+        scene.spheres.count = 2;
+        World world(scene, builtInMesh("cube"));
+        const auto engine = makeEngine(world);
+        engine->releaseAt(std::vector<PlacedSphere>{{{0, 0, 0}}, {{2.5, 0, 0}}, {{-2.5, 0, 0}}});
+        for (int step = 0; engine->step() && world.spheres.size() < 10;)
+        {
+            ASSERT_LT(++step, 100'000);
+        }
+        EXPECT_EQ(world.spheres.size(), 3U)
+            << static_cast<int>(preset) << " " << static_cast<int>(motion);
+        EXPECT_TRUE(world.clock.finished);
+        EXPECT_FALSE(world.clock.full);
+    }
+}
+
 TEST(Simulation, EndsAStepEarlyWhenItIsToStopAndGoesOnAfterwards)
 {
     for (const Motion motion : {Motion::fall, Motion::skip, Motion::descend})

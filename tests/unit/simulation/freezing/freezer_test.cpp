@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace frostfill
 {
 namespace
@@ -37,6 +39,49 @@ TEST(Freezer, LetsASphereGiveWayAgainThatHasLongStoodAndFallsNow)
     EXPECT_TRUE(yieldsAfter(1.01 * kYieldsAgain, 0.3));
     EXPECT_FALSE(yieldsAfter(0.99 * kYieldsAgain, 0.3)) << "it creeps";
     EXPECT_FALSE(yieldsAfter(1.01 * kYieldsAgain, 0)) << "nothing rolls";
+}
+
+// The guard looks at them after the step, not in its middle.
+TEST(Freezer, TakesTheLowestFirstWhereSomeHeightsAreNoNumbers)
+{
+    const auto world = smallWorld(shapes::box({-20, -20, -20}, {20, 20, 20}, 4));
+    Threads threads(1);
+    RestObservers observers(*world, world->height, threads);
+    RunnerGrid grid(world->spheres.resting().frame());
+    FreeFlight flight(*world, {.restitution = {}});
+    RunningSpheres& running = world->spheres.running();
+    PositionSolver solver(running, flight, threads, {.restitution = {}, .dt = 0.1});
+    constexpr double kAgeLimit = 1;
+    Freezer freezer(*world, grid, observers, flight, solver, threads, kAgeLimit);
+    SetSchedule sets(*world, kAgeLimit);
+    for (std::uint32_t k = 0; k < 200; ++k)
+    {
+        const double x = 3 * (k % 13) - 18.0;
+        const double z = 3 * (k / 13) - 18.0;
+        const double y =
+            k % 5 == 0 ? std::numeric_limits<double>::quiet_NaN() : 0.001 * (k * 97 % 200);
+        world->spheres.add({x, y, z}, 1, 0);
+    }
+    freezer.startWindow();
+    for (std::uint32_t row = 0; row < running.size(); ++row)
+    {
+        freezer.age(row, 2 * kAgeLimit); // all are overdue
+    }
+    freezer.freeze(sets);
+    const SphereGrid& resting = world->spheres.resting();
+    std::uint32_t before = 0;
+    std::size_t finite = 0;
+    for (std::uint32_t row = 0; row < resting.size(); ++row)
+    {
+        const std::uint32_t id = resting.id(row);
+        if (id % 5 != 0)
+        {
+            EXPECT_LE(before, id * 97 % 200);
+            before = id * 97 % 200;
+            ++finite;
+        }
+    }
+    EXPECT_GT(finite, 100U);
 }
 
 } // namespace

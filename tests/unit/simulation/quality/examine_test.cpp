@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The judge is judged: packings placed by hand, on either side of each of its thresholds.
 
+#include "base/random.hpp"
 #include "support/expect_error.hpp"
+#include "support/small_world.hpp"
 #include "unit/simulation/quality/packing.hpp"
 
 #include <gtest/gtest.h>
@@ -52,6 +54,37 @@ TEST(Examine, MeasuresOverlapsInTheSmallerRadius)
                                          .in(mesh);
         EXPECT_NEAR(report.maxOverlap, 0.2, 1e-12) << scale;
     }
+}
+
+// A pile of 1:20, half of its mass in the smallest.
+TEST(Examine, LooksAtFewSpheresBesideEachWhateverTheirSizes)
+{
+    std::vector<Vector3d> centres;
+    std::vector<double> radii;
+    std::uint64_t draw = 0;
+    const auto random = [&] { return uniformRandom(3, 0, draw++); };
+    for (const double radius : {1.0, 0.2, 0.05})
+    {
+        // The mass of each size takes a fifth of the room below y = -6.
+        const double each = 4.0 / 3.0 * 3.14159 * radius * radius * radius;
+        for (double k = 0; k < 20 * 20 * 4 / 5.0 / each; ++k)
+        {
+            centres.emplace_back(20 * random() - 10, -10 + 4 * random(), 20 * random() - 10);
+            radii.push_back(radius);
+        }
+    }
+    const auto world = smallWorld(room());
+    place(*world, centres, radii, std::vector<bool>(centres.size(), true));
+    const SphereGrid& resting = world->spheres.resting();
+    std::size_t candidates = 0;
+    for (std::uint32_t row = 0; row < resting.size(); row += 100)
+    {
+        resting.forEachNear(resting[row].position(), resting[row].radius + 1.01,
+                            [&](std::uint32_t) { ++candidates; });
+    }
+    const double each = 100.0 * static_cast<double>(candidates) / static_cast<double>(radii.size());
+    EXPECT_GT(radii.size(), 500'000U);
+    EXPECT_LT(each, 200) << "beside a sphere";
 }
 
 TEST(Examine, MeasuresSpheresInOnePlaceAsTwoRadii)

@@ -95,6 +95,41 @@ TEST_F(ReleaseSitesTest, GivesUpForNowWhenManyPlacesInARowDoNotSuit)
     EXPECT_TRUE(sites.any());
 }
 
+// No step ends before its search has ended.
+TEST_F(ReleaseSitesTest, EndsASearchSoonAfterItIsToldToAndForgetsNothing)
+{
+    World world(scene, mesh);
+    FallIndex falls(world.spheres.resting().frame(), world.triangles);
+    Threads threads(1);
+    for (const double band : {-1.0, 4.0}) // in the order of the lattice, and below ceilings
+    {
+        Releases releases(world, band, threads);
+        int asked = 0;
+        bool stays = true;
+        const StopRequest stop{[&] { return asked >= 20; }};
+        ReleaseQuery query;
+        query.suits = [&](const Eigen::Vector3d&, double)
+        {
+            ++asked;
+            return false;
+        };
+        query.prepare = [&](Eigen::Vector3d&, double, Footprint&)
+        {
+            asked += stays ? 0 : 1;
+            return stays;
+        };
+        query.stop = &stop;
+        for (const bool stay : {true, false}) // places that do not suit now, or never
+        {
+            stays = stay;
+            asked = 0;
+            EXPECT_FALSE(releases.next(query));
+            EXPECT_LE(asked, 20);
+            EXPECT_TRUE(releases.any());
+        }
+    }
+}
+
 // The oracle is random points of the room that the walls leave: the largest gap among them.
 TEST_F(ReleaseSitesTest, LeavesNoPlaceInAnObjectThatIsFull)
 {

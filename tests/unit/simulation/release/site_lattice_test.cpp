@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace frostfill
 {
 namespace
@@ -42,6 +44,30 @@ TEST_P(SiteLatticeOf, OpensTheSitesThatAreFarEnoughInside)
         }
         EXPECT_GT(open, 1000U);
     }
+}
+
+TEST(SiteLattice, HasNoMoreCellsThanItsNumbersCount)
+{
+    // A needle of 2e7 largest radii, whose smallest spheres are a hundredth, and a slanted one.
+    for (const auto& [box, inReach] :
+         {std::pair{Eigen::Vector3d(2e7, 3, 3), 2e8}, {Eigen::Vector3d(2e7, 2e7, 3), 2e8}})
+    {
+        for (const double radius : {1.0, 0.01, 1e-6})
+        {
+            const double cell = cellOfSites(box, inReach, radius);
+            EXPECT_GE(cell, kSiteCell * radius);
+            EXPECT_LE(box.maxCoeff() / cell, std::numeric_limits<int>::max());
+            EXPECT_LE(inReach / (cell * cell * cell), kMaxSites);
+            EXPECT_TRUE(radius < 1 || cell == kSiteCell);
+            const GridFrame frame =
+                GridFrame::cover(Eigen::AlignedBox3d(Eigen::Vector3d::Zero(), box), cell, 0);
+            EXPECT_NEAR(frame.count[0], box.x() / cell, 1);
+        }
+    }
+    const GridFrame endless = GridFrame::cover(
+        Eigen::AlignedBox3d(Eigen::Vector3d::Zero(), Eigen::Vector3d(1e12, 1, 1)), 1, 0);
+    EXPECT_EQ(endless.count[0], kMostCellsAlong);
+    EXPECT_EQ(endless.coordinate(5e11, 0), endless.count[0] - 1) << "the last cell has the rest";
 }
 
 // The sites of a list are those of the whole box, in the same order, and close alike.

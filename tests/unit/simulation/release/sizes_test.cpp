@@ -139,6 +139,20 @@ TEST_F(SizesOfARun, GoOnWithoutALimitAndSayHowFarTheyAreOff)
     expectSound(second);
 }
 
+// In the end there is room for none but the smallest.
+TEST_F(SizesOfARun, EndWithoutALimitWhateverTheSmallestIs)
+{
+    for (int k = 0; k < 12; ++k)
+    {
+        Scene one =
+            scene("radius,cumulative mass\n" + std::to_string(0.12 + 1e-4 * k) + ",0\n0.2,100\n");
+        one.spheres.sizes.within.reset();
+        const Simulation run = finished(one);
+        EXPECT_TRUE(run.full());
+        EXPECT_GT(run.sphereCount(), 250U);
+    }
+}
+
 TEST_F(SizesOfARun, FillTheGapsOfTheLargestInTheSharesAskedFor)
 {
     Scene one = scene("radius,volume share\n0.05,0.1\n0.2,0.9\n");

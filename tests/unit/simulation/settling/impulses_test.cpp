@@ -6,6 +6,10 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+#include <memory>
+#include <vector>
+
 /// Spheres that settle by impulses, against closed forms.
 namespace frostfill
 {
@@ -233,6 +237,95 @@ TEST(Impulses, AreTheSameOnAnyNumberOfThreads)
             places.assign(now.begin(), now.end());
         }
         EXPECT_TRUE(std::equal(now.begin(), now.end(), places.begin())) << threads;
+    }
+}
+
+/// Columns of three spheres along z in a high room, listed where they lay closer than they do now:
+/// the first and the second have moved apart by more than a slab since, so that they are two slabs
+/// apart by the longest contact there was. The third touches the second.
+class DriftedApart
+{
+public:
+    static constexpr double kReach = 1.3;
+
+    explicit DriftedApart(int threads = 1) : threads_(threads)
+    {
+        for (int k = 0; k < kColumns; ++k)
+        {
+            const double x = 3.0 * (k % 5) - 6;
+            const double y = 3.0 * (k / 5) - 96;
+            for (const double z : {-9.0, kFirst, kFirst + 2.5, kFirst + 2.65 + 2 + kGapAtRest})
+            {
+                world_->spheres.add({x, y, z}, 1, 0);
+            }
+        }
+        const std::vector<double> reaches(running_.size(), kReach);
+        pairs_.list(reaches);
+        const std::vector<char> active(running_.size(), 1);
+        pairs_.choose(active);
+        for (std::uint32_t row = 0; row < running_.size(); row += 4)
+        {
+            running_.position[row + 2].z() = kFirst + 2.65;
+        }
+        sweeps_.plan(active, 2 * kReach);
+        for (std::uint32_t row = 0; row < running_.size(); row += 4)
+        {
+            running_.position[row + 1].z() = kFirst + 0.65; // it meets the second
+            running_.velocity[row + 1] = {0, 0, 1};
+        }
+        sweeps_.solve({.dt = 0.01, .sweeps = 1, .stiffness = 0, .most = 1e9});
+    }
+    [[nodiscard]] double speed(std::uint32_t column, std::uint32_t sphere) const
+    {
+        return running_.velocity[4 * column + sphere].z();
+    }
+    static constexpr int kColumns = 320;
+
+private:
+    static constexpr double kFirst = -9 + 4 * kReach - 0.02; // at the end of the second slab
+
+    std::unique_ptr<World> world_ = smallWorld(shapes::box({-10, -100, -12}, {10, 100, 12}));
+    RunningSpheres& running_ = world_->spheres.running();
+    RunningColumn<Vector3d> spin_{running_, [](std::uint32_t, Vector3d& spin) { spin.setZero(); }};
+    ContactLaw law_{.stiffness = 1e5};
+    Threads threads_;
+    PairContacts pairs_{running_, spin_, law_, threads_};
+    WallContacts walls_{*world_, spin_, law_, threads_};
+    ImpulseSweeps sweeps_{running_, spin_, law_, pairs_, walls_, threads_};
+};
+
+// Contacts of one sphere would else be swept by two threads at once. In its own turn the contact
+// with the third comes first, and nothing moves it yet.
+TEST(ImpulseSweeps, TakeContactsOfOneSphereInDifferentTurnsHoweverFarItHasMoved)
+{
+    for (const int threads : {1, 3})
+    {
+        const DriftedApart spheres(threads);
+        for (std::uint32_t column = 0; column < DriftedApart::kColumns; ++column)
+        {
+            EXPECT_GT(spheres.speed(column, 2), 0.4);
+            EXPECT_EQ(spheres.speed(column, 3), 0);
+        }
+    }
+}
+
+// The guard looks at them after the step, not in its middle.
+TEST(Impulses, EndAStepInWhichASphereIsLost)
+{
+    for (const double lost :
+         {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e300})
+    {
+        Bench bench;
+        for (int k = 0; k < 60; ++k)
+        {
+            bench.add({2.2 * (k % 7) - 7, -9 + 2.2 * (k / 49), 2.2 * (k / 7 % 7) - 7});
+        }
+        bench.start(0.3);
+        bench.motion().advanceByImpulses(0.1, {}, false);
+        bench.place(30) = Vector3d::Constant(lost);
+        bench.motion().listAnew();
+        bench.motion().advanceByImpulses(0.1, {}, false);
+        EXPECT_TRUE(bench.place(31).allFinite());
     }
 }
 

@@ -8,6 +8,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
 
 namespace frostfill
 {
@@ -65,6 +68,35 @@ TEST_P(CrowdTest, HasEachRunnerOnceTheLowestFirstInEachStrip)
             ASSERT_EQ((*numbers)[k], k);
         }
     }
+}
+
+// What is no number is told of at the end of a step, not in its middle.
+TEST(Crowd, HasTheLowestFirstWhereSomeHeightsAreNoNumbers)
+{
+    std::vector<Eigen::Vector3d> places = shakenPlaces(1);
+    for (std::size_t k = 0; k < places.size(); k += 5)
+    {
+        places[k].y() = std::numeric_limits<double>::quiet_NaN();
+    }
+    CrowdOfPile all(1, places, 1);
+    std::vector<std::uint32_t> rows(places.size());
+    std::iota(rows.begin(), rows.end(), 0);
+    all.crowd.gather(rows, {0, -1, 0});
+    all.crowd.arrange();
+    all.crowd.forEachStrip([&](std::size_t strip) { all.crowd.enlist(strip); });
+    double before = -std::numeric_limits<double>::infinity();
+    std::size_t finite = 0;
+    for (std::uint32_t slot = 0; slot < all.crowd.size(); ++slot)
+    {
+        const double height = all.crowd[slot].y;
+        if (std::isfinite(height))
+        {
+            EXPECT_LE(before, height);
+            before = height;
+            ++finite;
+        }
+    }
+    EXPECT_EQ(finite, places.size() - (places.size() + 4) / 5);
 }
 
 TEST_P(CrowdTest, KnowsWhoIsNearLowerAndOfAnotherStrip)

@@ -166,7 +166,7 @@ protected:
         return {x, y, 10 * draw()};
     }
 
-    Spheres spheres{GridFrame{{0, 0, 0}, 2, {5, 5, 5}}, 0, 8}; // most of them in files
+    Spheres spheres{GridFrame{{0, 0, 0}, 2, {5, 5, 5}}};
     RunningColumn<std::string> notes{spheres.running(),
                                      [](std::uint32_t, std::string& text) { text = "new"; }};
     std::vector<Model> model;
