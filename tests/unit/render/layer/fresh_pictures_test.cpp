@@ -95,7 +95,7 @@ TEST_P(FreshPictures, AreDrawnOfOlderSnapshotsAfterNewerOnes)
         after.states[i] = i % 3 == 0 ? SphereState::discarded : SphereState::frozen;
         after.centres[i].y() -= 0.05F;
     }
-    before.changed.resize(3); // since a state before that
+    before.changed = {1, 3}; // since a state before that
     before.changedSince = 2;
     Renderer renderer(mesh_, settings_);
     expectFresh(renderer, before, "the older one");
