@@ -28,7 +28,7 @@ function piecesOfBase64(text) {
 async function unpackSections() {
   if (typeof DecompressionStream === "undefined") {
     throw new Unable("This browser cannot unpack the run: it lacks DecompressionStream. " +
-      "Chrome and Edge from version 80, Firefox from 113 and Safari from 16.4 have it.");
+      "The page needs Chrome or Edge from version 111, Firefox from 113, or Safari from 16.4.");
   }
   const text = part("sections").textContent;
   part("sections").textContent = "";

@@ -9,7 +9,9 @@ class Page {
     this.film = new Film(sections);
     const look = facts.looks[startLook()];
     this.view = { colourBy: facts.colour_by, look, shell: 0, cut: null };
-    this.picture = new Picture(part("picture"), this.film, sections, this.view);
+    const canvas = part("picture");
+    this.picture = new Picture(canvas, this.film, sections, this.view);
+    this.keepContext(canvas, sections);
     this.camera = new Camera(this.picture.shell.points);
     this.timeline = new Timeline(this.film, () => this.redraw());
     this.gestures = new Gestures(part("picture"), this.camera, () => this.redraw());
@@ -20,6 +22,21 @@ class Page {
     new ResizeObserver(() => this.draw()).observe(part("stage"));
     window.addEventListener("hashchange", () => this.readAddress());
     window.addEventListener("keydown", (event) => this.key(event));
+  }
+
+  /** A browser may take the graphics context away; what it gives in its place is empty. */
+  keepContext(canvas, sections) {
+    canvas.addEventListener("webglcontextlost", (event) => {
+      event.preventDefault(); // or there is no other one
+      part("notice").textContent =
+        "The browser has taken the graphics away. If the picture does not come back, reload the page.";
+      part("notice").hidden = false;
+    });
+    canvas.addEventListener("webglcontextrestored", () => {
+      this.picture = new Picture(canvas, this.film, sections, this.view);
+      part("notice").hidden = true;
+      this.redraw();
+    });
   }
 
   fillControls() {
@@ -154,6 +171,9 @@ class Page {
   }
 
   draw() {
+    if (this.picture.gl.isContextLost()) {
+      return;
+    }
     const now = performance.now();
     this.film.seek(this.timeline.frame);
     const { clientWidth, clientHeight } = part("stage");

@@ -119,6 +119,8 @@ struct FillResult
     std::string stateHash;
     std::string summary; ///< the text of summary.json
     QualityReport quality;
+    /// That no picture was drawn, although some were asked for, in a sentence.
+    std::optional<std::string> noFrames;
     /// What went wrong with the video, in a sentence; all other files are there.
     std::optional<std::string> videoFailure;
     ReachInspection reach;            ///< of the smallest radius, in the empty object

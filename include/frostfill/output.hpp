@@ -12,6 +12,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace frostfill
@@ -50,44 +51,38 @@ private:
 
 class PngBands;
 
-/// Numbered pictures frame_00000.png, ... in a directory. They are thinned out and renumbered at
-/// the limit. The files are plain PNG. Rows that equal those of the picture before are not
-/// compressed again.
+/// The name of a file of a frame: "frame_00042.png" or "spheres_00042.vtp".
+[[nodiscard]] std::string numberedName(std::string_view what, std::size_t frame,
+                                       std::string_view ending);
+
+/// Pictures in a directory, each named by the number of its frame: frame_00042.png. The files are
+/// plain PNG. Rows that equal those of the picture before are not compressed again.
 class PngSequence : public ImageSink
 {
 public:
     /// Creates the directory if needed. Every picture gets `text`. Throws Error cannotCreate.
-    PngSequence(std::filesystem::path directory, std::size_t limit, PngText text = {});
+    explicit PngSequence(std::filesystem::path directory, PngText text = {});
     ~PngSequence() override;
     PngSequence(PngSequence&&) noexcept;
     PngSequence& operator=(PngSequence&&) noexcept;
 
-    /// Does nothing for a frame that is not wanted. Call it with ascending numbers.
-    void put(std::size_t number, const Image& image) override;
+    void put(std::size_t frame, const Image& image) override;
     /// The same with text for this picture alone. `changedRows` [height] is not 0 for rows that may
     /// differ from the picture before; if it is empty, every row may differ.
-    void put(std::size_t number, const Image& image, std::span<const std::uint8_t> changedRows,
+    void put(std::size_t frame, const Image& image, std::span<const std::uint8_t> changedRows,
              const PngText& text);
-    /// Leaves a picture as it is whose file is there already.
-    void skip(std::size_t number);
-    /// Of the picture with this index among those kept.
-    [[nodiscard]] static std::string fileName(std::size_t index);
-    /// See FrameThinning.
-    void keepEvery(std::size_t stride) { thinning_.keepEvery(stride); }
-    [[nodiscard]] bool wants(std::size_t number) const { return thinning_.wants(number); }
-    [[nodiscard]] std::size_t count() const { return thinning_.count(); }
-    [[nodiscard]] std::size_t stride() const { return thinning_.stride(); }
+    /// Removes the picture of a frame if it exists. Throws Error writeFailed.
+    void remove(std::size_t frame);
+    [[nodiscard]] static std::string fileName(std::size_t frame);
+    /// What follows the number in such a name, ".png" or more; empty for any other name.
+    [[nodiscard]] static std::string_view endingOf(std::string_view name);
     /// Time spent so far in Stage::encoding and Stage::writing.
     [[nodiscard]] const StageTimes& times() const { return times_; }
 
 private:
-    void thin(std::size_t count);
-    [[nodiscard]] std::filesystem::path file(std::size_t index) const;
     std::filesystem::path directory_;
-    FrameThinning thinning_;
     PngText text_;
     std::unique_ptr<PngBands> encoder_;
-    std::vector<std::uint8_t> changedRows_; ///< since the last picture that was kept
     StageTimes times_;
 };
 

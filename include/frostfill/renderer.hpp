@@ -46,6 +46,7 @@ struct PassPictures
     double furthest = 0;
     Image normal;   ///< RGB 0..255 for -1..1: right, up, towards the viewer; 128 where no sphere is
     Image identity; ///< id + 1 as R + 256 G + 65536 B; 0 where there is no sphere
+    bool withIdentity = true; ///< else `identity` says nothing, and ids may have any size
 };
 
 /// Draws snapshots of one mesh without a screen. Use a renderer in one thread only.
@@ -73,6 +74,7 @@ public:
     void turn(double degrees);
 
     /// Draws depth, normals and identities for the picture that `render` makes of this snapshot.
+    /// Throws Error usage if an identity is wanted and has more than 24 bits.
     void renderPasses(const Snapshot& snapshot, PassPictures& pictures);
 
     /// The region of the object in the picture: left, top, right, bottom [pixel]. It is all of the

@@ -16,8 +16,11 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
+#include <filesystem>
 #include <iterator>
 #include <memory>
+#include <system_error>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -259,6 +262,35 @@ int run(int argumentCount, char** arguments)
     return 0;
 }
 
+/// Tells Mesa where to keep compiled shaders, which take most of the time before a first picture.
+/// The folder is our own, in the user's cache: Mesa complains on standard error when another
+/// program removes files of a shared one. What the environment says stands. Without such a folder
+/// nothing is kept. Only a program may change its environment, and only before it has threads.
+void chooseShaderCache()
+{
+    if (std::getenv("MESA_SHADER_CACHE_DISABLE") != nullptr ||
+        std::getenv("MESA_SHADER_CACHE_DIR") != nullptr)
+    {
+        return;
+    }
+    const char* cache = std::getenv("XDG_CACHE_HOME");
+    const char* home = std::getenv("HOME");
+    std::filesystem::path folder = cache != nullptr && *cache == '/' ? std::filesystem::path(cache)
+                                   : home != nullptr && *home == '/'
+                                       ? std::filesystem::path(home) / ".cache"
+                                       : std::filesystem::path();
+    std::error_code none;
+    std::filesystem::path there = folder /= "frostfill";
+    while (there.has_relative_path() && !std::filesystem::exists(there, none))
+    {
+        there = there.parent_path();
+    }
+    const bool isUsable = folder.is_absolute() && std::filesystem::is_directory(there, none) &&
+                          access(there.c_str(), W_OK | X_OK) == 0;
+    setenv(isUsable ? "MESA_SHADER_CACHE_DIR" : "MESA_SHADER_CACHE_DISABLE",
+           isUsable ? folder.c_str() : "true", 1);
+}
+
 /// A standard stream that was closed would give its number to the next file that is opened, and
 /// what is printed would end up in that. Each gets a file that fails: it cannot be read or written.
 void occupyClosedStreams()
@@ -284,6 +316,7 @@ int main(int argumentCount, char** arguments)
     std::signal(SIGXFSZ, SIG_IGN);
     try
     {
+        chooseShaderCache();
         const int code = run(argumentCount, arguments);
         // Standard output can be a file on a full disk.
         if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)

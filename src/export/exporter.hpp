@@ -6,6 +6,7 @@
 
 #include <frostfill/export.hpp>
 #include <frostfill/mesh.hpp>
+#include <frostfill/output.hpp>
 #include <frostfill/scene.hpp>
 #include <frostfill/snapshot.hpp>
 
@@ -84,9 +85,6 @@ protected:
 /// Names of the files that an exporter of this format writes for these frames.
 [[nodiscard]] std::vector<std::string> exportFiles(ExportFormat format,
                                                    const std::vector<std::size_t>& numbers);
-
-/// frame_00042.vtp, for instance.
-[[nodiscard]] std::string numberedName(const char* what, std::size_t number, const char* ending);
 
 // The makers, each in a file of its own. `run` outlives the exporter.
 using MakeExporter = std::unique_ptr<Exporter>(const ExportedRun& run,

@@ -248,11 +248,6 @@ ColumnList without(const ColumnList& columns, bool (*left)(const Column& column)
     return rest;
 }
 
-std::string numberedName(const char* what, std::size_t number, const char* ending)
-{
-    return fmt::format("{}_{:05}.{}", what, number, ending);
-}
-
 std::vector<std::string> exportFiles(ExportFormat format, const std::vector<std::size_t>& numbers)
 {
     std::vector<std::string> names;

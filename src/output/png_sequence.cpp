@@ -2,7 +2,6 @@
 #include "image/png_bands.hpp"
 #include "image/save_bytes.hpp"
 #include "output/atomic_file.hpp"
-#include "output/thinned_folder.hpp"
 
 #include <frostfill/error.hpp>
 #include <frostfill/output.hpp>
@@ -45,8 +44,13 @@ FrameThinning::Decision FrameThinning::take(std::size_t number)
     return decision;
 }
 
-PngSequence::PngSequence(std::filesystem::path directory, std::size_t limit, PngText text)
-    : directory_(std::move(directory)), thinning_(limit), text_(std::move(text)),
+std::string numberedName(std::string_view what, std::size_t frame, std::string_view ending)
+{
+    return fmt::format("{}_{:05}.{}", what, frame, ending);
+}
+
+PngSequence::PngSequence(std::filesystem::path directory, PngText text)
+    : directory_(std::move(directory)), text_(std::move(text)),
       encoder_(std::make_unique<PngBands>())
 {
     createDirectory(directory_);
@@ -56,73 +60,51 @@ PngSequence::~PngSequence() = default;
 PngSequence::PngSequence(PngSequence&&) noexcept = default;
 PngSequence& PngSequence::operator=(PngSequence&&) noexcept = default;
 
-std::string PngSequence::fileName(std::size_t index)
+std::string PngSequence::fileName(std::size_t frame)
 {
-    return fmt::format("frame_{:05}.png", index);
+    return numberedName("frame", frame, "png");
 }
 
-void PngSequence::skip(std::size_t number)
+std::string_view PngSequence::endingOf(std::string_view name)
 {
-    const std::size_t before = thinning_.count();
-    if (thinning_.take(number).thin)
-    {
-        thin(before);
-    }
+    constexpr std::string_view kPrefix = "frame_";
+    constexpr std::size_t kDigits = 5;
+    const std::size_t end =
+        std::min(name.find_first_not_of("0123456789", kPrefix.size()), name.size());
+    return name.starts_with(kPrefix) && end >= kPrefix.size() + kDigits ? name.substr(end)
+                                                                        : std::string_view();
 }
 
-std::filesystem::path PngSequence::file(std::size_t index) const
+void PngSequence::put(std::size_t frame, const Image& image)
 {
-    return directory_ / fileName(index);
+    put(frame, image, {}, {});
 }
 
-void PngSequence::put(std::size_t number, const Image& image)
-{
-    put(number, image, {}, {});
-}
-
-void PngSequence::put(std::size_t number, const Image& image,
+void PngSequence::put(std::size_t frame, const Image& image,
                       std::span<const std::uint8_t> changedRows, const PngText& text)
 {
-    // The changes of a picture that is not kept count for the next one that is.
-    changedRows_.resize(static_cast<std::size_t>(image.height), 1);
-    for (std::size_t y = 0; y < changedRows_.size(); ++y)
-    {
-        changedRows_[y] |= y < changedRows.size() ? changedRows[y] : std::uint8_t{1};
-    }
-
-    const std::size_t before = thinning_.count();
-    const FrameThinning::Decision decision = thinning_.take(number);
-    if (decision.thin)
-    {
-        thin(before);
-    }
-    if (!decision.keep)
-    {
-        return;
-    }
-
     const auto encoding = Clock::now();
     PngText all = text_;
     all.insert(all.end(), text.begin(), text.end());
-    const std::vector<std::uint8_t>& bytes = encoder_->encode(image, all, changedRows_);
-    std::fill(changedRows_.begin(), changedRows_.end(), std::uint8_t{0});
+    std::vector<std::uint8_t> rows(changedRows.begin(), changedRows.end());
+    rows.resize(static_cast<std::size_t>(image.height), 1);
+    const std::vector<std::uint8_t>& bytes = encoder_->encode(image, all, rows);
     times_[Stage::encoding] += secondsSince(encoding);
 
     const auto writing = Clock::now();
-    saveBytes(bytes, file(thinning_.count() - 1));
+    saveBytes(bytes, directory_ / fileName(frame));
     times_[Stage::writing] += secondsSince(writing);
 }
 
-void PngSequence::thin(std::size_t count)
+void PngSequence::remove(std::size_t frame)
 {
-    const auto start = Clock::now();
-    const std::error_code error = keepEverySecond(directory_, count, &fileName);
+    std::error_code error;
+    std::filesystem::remove(directory_ / fileName(frame), error);
     if (error)
     {
         throw Error(ErrorCode::writeFailed, fmt::format("cannot thin out the frames in {}: {}",
                                                         directory_.string(), error.message()));
     }
-    times_[Stage::writing] += secondsSince(start);
 }
 
 } // namespace frostfill

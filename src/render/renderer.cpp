@@ -10,7 +10,11 @@
 #include <frostfill/error.hpp>
 #include <frostfill/renderer.hpp>
 
+#include <fmt/core.h>
+
+#include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <memory>
 
 namespace frostfill
@@ -38,6 +42,16 @@ double meanRadius(const Snapshot& snapshot)
     return snapshot.radii.empty() ? 0 : sum / static_cast<double>(snapshot.radii.size());
 }
 
+/// Longest edge of a picture in tiles, as OpenGL has it in OSMesa.
+constexpr std::int64_t kLongestEdge = 16384;
+/// No driver draws more; most draw less, and say so.
+constexpr std::int64_t kLongestEdgeOfOpenGl = 32768;
+
+bool drawsInTiles(Backend backend)
+{
+    return backend == Backend::builtin || backend == Backend::automatic;
+}
+
 /// Everything in the picture grows with it, so a larger one made small shows the same.
 RenderSettings enlarged(RenderSettings settings)
 {
@@ -45,8 +59,18 @@ RenderSettings enlarged(RenderSettings settings)
     {
         throw Error(ErrorCode::usage, "supersampling must be at least 1");
     }
-    settings.size.width *= settings.supersample;
-    settings.size.height *= settings.supersample;
+    const std::int64_t width = std::int64_t{settings.size.width} * settings.supersample;
+    const std::int64_t height = std::int64_t{settings.size.height} * settings.supersample;
+    const std::int64_t longest =
+        drawsInTiles(settings.backend) ? kLongestEdge : kLongestEdgeOfOpenGl;
+    if (std::min(width, height) < 1 || std::max(width, height) > longest)
+    {
+        throw Error(ErrorCode::usage,
+                    fmt::format("a picture of {}x{} pixels cannot be drawn: each edge must be "
+                                "between 1 and {} pixels",
+                                width, height, longest));
+    }
+    settings.size = {static_cast<int>(width), static_cast<int>(height)};
     return settings;
 }
 
@@ -67,7 +91,7 @@ bool drawsASphere(PictureBackend& backend)
 std::unique_ptr<PictureBackend> openBackend(const TriangleMesh& mesh,
                                             const RenderSettings& settings)
 {
-    if (settings.backend == Backend::builtin || settings.backend == Backend::automatic)
+    if (drawsInTiles(settings.backend))
     {
         return std::make_unique<TilePipeline>(mesh, settings);
     }

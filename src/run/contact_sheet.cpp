@@ -3,6 +3,8 @@
 
 #include "render/overlay/text.hpp"
 
+#include <frostfill/output.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -95,7 +97,7 @@ Image makeContactSheet(const ContactSheetRequest& request)
     {
         ground = {255, 255, 255, 255};
     }
-    const auto tiles = static_cast<int>(std::min(kMaxTiles, request.count));
+    const auto tiles = static_cast<int>(std::min(kMaxTiles, request.numbers.size()));
     const int columns = std::clamp(tiles, 1, kColumns);
     const int rows = (tiles + columns - 1) / columns;
     const Crop& crop = request.crop;
@@ -115,11 +117,11 @@ Image makeContactSheet(const ContactSheetRequest& request)
                    titleFont.shorten(request.title, sheet.width - 2 * kMargin), ink, ground);
     for (int tile = 0; tile < tiles; ++tile)
     {
-        const std::size_t index = tiles == 1
-                                      ? 0
-                                      : static_cast<std::size_t>(tile) * (request.count - 1) /
-                                            static_cast<std::size_t>(tiles - 1);
-        const Image frame = loadPng(request.frames / fmt::format("frame_{:05}.png", index));
+        const std::size_t index = tiles == 1 ? 0
+                                             : static_cast<std::size_t>(tile) *
+                                                   (request.numbers.size() - 1) /
+                                                   static_cast<std::size_t>(tiles - 1);
+        const Image frame = loadPng(request.frames / PngSequence::fileName(request.numbers[index]));
         Crop place;
         place.left = kMargin + tile % columns * (width + kMargin);
         place.top = header + kMargin / 2 + tile / columns * (height + caption + kMargin);
@@ -141,7 +143,7 @@ void writeContactSheet(const Scene& scene, const std::filesystem::path& director
     const auto& [left, top, right, bottom] = painter.drawn().objectRegion;
     ContactSheetRequest sheet;
     sheet.frames = directory / "frames";
-    sheet.count = painter.count();
+    sheet.numbers = painter.drawn().numbers;
     sheet.times = painter.drawn().moments;
     sheet.title = scene.name;
     sheet.palette = scene.style.palette;

@@ -21,9 +21,9 @@ struct Crop
 
 struct ContactSheetRequest
 {
-    std::filesystem::path frames; ///< directory with frame_00000.png, ...
-    std::size_t count = 0;        ///< of frames in it
-    std::vector<double> times;    ///< [frames] simulated, for the captions [s]
+    std::filesystem::path frames;     ///< directory of a PngSequence
+    std::vector<std::size_t> numbers; ///< of the frames in it
+    std::vector<double> times;        ///< [frames] simulated, for the captions [s]
     std::string title;
     Palette palette;
     Crop crop; ///< what is shown of each

@@ -200,9 +200,16 @@ void judge(const Scene& scene, const Simulation& simulation, FillResult& result)
 }
 
 /// Enters what was drawn, and draws the contact sheet.
-void enterPictures(const FillRequest& request, const FramePainter& painter, FillResult& result)
+void enterPictures(const FillRequest& request, const FramePainter& painter, std::size_t last,
+                   FillResult& result)
 {
     result.frames = painter.count();
+    if (result.frames == 0 && !result.stopped)
+    {
+        result.noFrames = fmt::format("--frames {} leaves no frame: the frames of the run have the "
+                                      "numbers 0 to {}",
+                                      request.scene.frames.selection, last);
+    }
     result.skippedFrames = painter.drawn().skipped;
     result.videoFailure = painter.drawn().videoFailure;
     if (request.contactSheet)
@@ -339,11 +346,20 @@ FillResult fill(const FillRequest& request, const FillObserver& observer)
     const FramePainter* painter = recorder ? recorder->painter() : nullptr;
     if (recorder)
     {
-        recorder->finish(LiveStates(simulation));
+        const auto taken = [&]
+        {
+            if (observer.progressed)
+            {
+                observer.progressed({simulation.sphereCount(), simulation.restingCount(),
+                                     simulation.expectedSpheres(), recorder->count(),
+                                     simulation.time(), frames.kept});
+            }
+        };
+        recorder->finish(LiveStates(simulation), taken);
     }
     if (painter != nullptr)
     {
-        enterPictures(request, *painter, result);
+        enterPictures(request, *painter, recorder->lastNumber(), result);
         times += painter->drawn().times;
     }
     clock.end("drawing_the_rest");

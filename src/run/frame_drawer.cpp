@@ -57,21 +57,31 @@ PngText textOfRun(const PaintRequest& request)
     return text;
 }
 
-PngText textOfFrame(std::size_t frame, const Snapshot& snapshot)
+PngText textOfFrame(const PicturePlan::Picture& picture, const Snapshot& snapshot)
 {
-    return {{"Frame", fmt::format("{}", frame)},
-            {"Time", fmt::format("{:.9g} s", snapshot.time)},
-            {"State", fmt::format("{} running, {} frozen, {} discarded, {} polygons discarded",
-                                  snapshot.running, snapshot.frozen, snapshot.discarded,
-                                  snapshot.discardedPolygons)}};
+    PngText text = {
+        {"Frame", fmt::format("{}", picture.frame)},
+        {"Time", fmt::format("{:.9g} s", snapshot.time)},
+        {"State",
+         fmt::format("{} running, {} frozen, {} discarded, {} polygons discarded", snapshot.running,
+                     snapshot.frozen, snapshot.discarded, snapshot.discardedPolygons)}};
+    if (picture.clock != picture.frame)
+    {
+        text.emplace_back("Frame of the turn", fmt::format("{}", picture.clock));
+    }
+    return text;
+}
+
+bool showsSpheres(const Snapshot& state)
+{
+    return state.running + state.frozen + state.discarded > 0; // those that wait are not drawn
 }
 
 } // namespace
 
 FrameDrawer::FrameDrawer(const PaintRequest& request)
     : request_(request), settings_(renderSettings(request.scene, request.range, request.poses)),
-      skips_(request.skips()),
-      writer_(request.directory / "frames", request.scene.frames.limit, textOfRun(request)),
+      writer_(request.directory / "frames", textOfRun(request)),
       sideOutputs_(request.scene, request.directory, request.video)
 {
     if (request_.path)
@@ -89,22 +99,33 @@ FrameDrawer::FrameDrawer(const PaintRequest& request)
     drawn_.objectRegion = renderer_->objectRegion();
 }
 
-void FrameDrawer::keepEvery(std::size_t stride)
-{
-    writer_.keepEvery(stride);
-    sideOutputs_.keepEvery(stride);
-}
-
 /// How far the camera has gone: on its path [s], or round the object [degree].
-double FrameDrawer::cameraAt(std::size_t frame) const
+double FrameDrawer::cameraAt(std::size_t clock) const
 {
     const double fps = request_.scene.frames.fps;
     if (request_.path)
     {
-        return std::min(static_cast<double>(frame) / fps, request_.path->duration());
+        return std::min(static_cast<double>(clock) / fps, request_.path->duration());
     }
     const auto& turn = settings_.camera.turntable;
-    return turn ? 360 * std::fmod(static_cast<double>(frame) / (fps * *turn), 1.0) : 0;
+    return turn ? 360 * std::fmod(static_cast<double>(clock) / (fps * *turn), 1.0) : 0;
+}
+
+/// Removes every second picture so far, but for the first.
+void FrameDrawer::thin()
+{
+    for (std::size_t i = 1; i < drawn_.numbers.size(); i += 2)
+    {
+        writer_.remove(drawn_.numbers[i]);
+        sideOutputs_.remove(drawn_.numbers[i]);
+    }
+    const auto keepEverySecond = [](auto& values)
+    {
+        std::size_t index = 0;
+        std::erase_if(values, [&](const auto&) { return index++ % 2 != 0; });
+    };
+    keepEverySecond(drawn_.numbers);
+    keepEverySecond(drawn_.moments);
 }
 
 /// Whether a picture is not drawn, and for which reason.
@@ -117,11 +138,12 @@ bool FrameDrawer::leavesOut(const PicturePlan::Picture& picture, const PngText& 
     const auto [first, end] = request_.pictures;
     const bool ours = *picture.index >= first && *picture.index < end;
     drawn_.others += ours ? 0 : 1;
-    const bool isThere = ours && skips_ && writer_.has(*picture.index, settings_.size, text);
+    const bool isThere =
+        ours && request_.skips() && writer_.has(picture.frame, settings_.size, text);
     drawn_.skipped += isThere ? 1 : 0;
     if (ours && !isThere && request_.onlyLook)
     {
-        drawn_.missing.push_back(*picture.index);
+        drawn_.missing.push_back(picture.frame);
     }
     return !ours || isThere || request_.onlyLook;
 }
@@ -140,31 +162,28 @@ const Snapshot& FrameDrawer::measured(const Snapshot& state)
 void FrameDrawer::draw(const PicturePlan::Picture& picture, const Snapshot& state,
                        std::uint64_t revision)
 {
-    const std::pair shown(revision, cameraAt(picture.frame));
+    const std::pair shown(revision, cameraAt(picture.clock));
     const bool isNew = shown_ != shown;
     shown_ = shown;
     state_ = measured_ ? state_ : &state;
     if (isNew)
     {
-        drawn_.sets.resize(std::max<std::size_t>(drawn_.sets.size(), state.set + 1));
+        drawn_.sets.resize(std::max(drawn_.sets.size(), std::size_t{state.set} + 1));
         drawn_.sets[state.set].renderMs.push_back(0); // unless it is drawn
         drawn_.sets[state.set].readbackMs.push_back(0);
     }
     if (picture.thins)
     {
-        std::size_t index = 0;
-        std::erase_if(drawn_.moments, [&](double) { return index++ % 2 != 0; });
-        skips_ = false; // from now on pictures change their names
+        thin();
     }
     if (picture.index)
     {
+        drawn_.numbers.push_back(picture.frame);
         drawn_.moments.push_back(state.time);
     }
-    const PngText text = textOfFrame(picture.frame, state);
+    const PngText text = textOfFrame(picture, state);
     if (leavesOut(picture, text))
     {
-        writer_.skip(picture.number);
-        sideOutputs_.skip(picture.number);
         isDrawn_ = isDrawn_ && !isNew;
         return;
     }
@@ -174,11 +193,18 @@ void FrameDrawer::draw(const PicturePlan::Picture& picture, const Snapshot& stat
         state_ = measured_ ? &measured(state) : &state;
         render(*state_, isNew);
     }
-    noRows_.assign(static_cast<std::size_t>(image_->height), 0);
-    writer_.put(picture.number, *image_, draws ? renderer_->changedRows() : noRows_, state.set,
-                text);
-    // A picture at which thinning begins may fall to it itself: the passes have to hear of it.
-    sideOutputs_.put(picture.number, picture.thins || picture.index, *renderer_, *state_, *image_);
+    changedRows_.resize(static_cast<std::size_t>(image_->height), 1);
+    const auto& rows = renderer_->changedRows();
+    for (std::size_t y = 0; draws && y < rows.size(); ++y)
+    {
+        changedRows_[y] |= rows[y];
+    }
+    if (picture.index)
+    {
+        writer_.put(picture.frame, *image_, changedRows_, state.set, text);
+        changedRows_.assign(changedRows_.size(), 0);
+    }
+    sideOutputs_.put(picture.frame, picture.index.has_value(), *renderer_, *state_, *image_);
 }
 
 void FrameDrawer::render(const Snapshot& state, bool isNew)
@@ -202,7 +228,7 @@ void FrameDrawer::render(const Snapshot& state, bool isNew)
         drawn_.sets[state.set].readbackMs.back() = spent(Stage::readback);
     }
     drawn_.blank =
-        drawn_.blank || (!state.centres.empty() && image_->width * image_->height >= kFewPixels &&
+        drawn_.blank || (showsSpheres(state) && image_->width * image_->height >= kFewPixels &&
                          allPixelsAlike(*image_));
 }
 
@@ -224,7 +250,7 @@ void FrameDrawer::finish()
 
 void FrameDrawer::checkForBlank()
 {
-    if (state_ == nullptr || state_->centres.empty())
+    if (state_ == nullptr || !showsSpheres(*state_))
     {
         return;
     }

@@ -41,6 +41,7 @@ struct PaintRequest
     std::filesystem::path directory; ///< that gets the folders of pictures
     std::filesystem::path video;     ///< a file's, or empty
     std::optional<CameraPath> path;  ///< of the camera
+    std::size_t turn = 0;            ///< see PicturePlan
     /// Pictures that are there already, and are what would be drawn, are not drawn again. With a
     /// video or passes all are drawn.
     bool skipExisting = false;
@@ -56,8 +57,6 @@ struct PaintRequest
     {
         return skipExisting && video.empty() && (onlyLook || !scene.frames.passes.any());
     }
-    /// Of the camera's path [s].
-    [[nodiscard]] double duration() const { return path ? path->duration() : 0; }
 };
 
 /// What has come of the pictures of a run.
@@ -65,10 +64,11 @@ struct DrawnPictures
 {
     std::string renderer;             ///< see Renderer::description
     std::array<int, 4> objectRegion;  ///< see Renderer::objectRegion
-    std::vector<double> moments;      ///< simulated times of those kept [s]
+    std::vector<std::size_t> numbers; ///< of the frames of those kept
+    std::vector<double> moments;      ///< their simulated times [s]
     std::size_t skipped = 0;          ///< that were there already
     std::size_t others = 0;           ///< that were left to others
-    std::vector<std::size_t> missing; ///< indices of those not there, or not what would be drawn
+    std::vector<std::size_t> missing; ///< frames of those not there, or not what would be drawn
     [[nodiscard]] std::size_t leftOut() const { return skipped + others + missing.size(); }
     // What follows is known once all are drawn.
     std::optional<std::string> videoFailure; ///< what went wrong with the video
@@ -85,7 +85,6 @@ public:
     /// Throws Error; see Renderer and Video.
     explicit FrameDrawer(const PaintRequest& request);
 
-    void keepEvery(std::size_t stride);
     /// Pictures come in order. `revision` is equal for the same state once more. The state stays as
     /// it is until two others were drawn, or until finish(). Throws what has gone wrong with an
     /// earlier picture.
@@ -96,7 +95,8 @@ public:
     [[nodiscard]] const DrawnPictures& drawn() const { return drawn_; }
 
 private:
-    [[nodiscard]] double cameraAt(std::size_t frame) const;
+    [[nodiscard]] double cameraAt(std::size_t clock) const;
+    void thin();
     [[nodiscard]] bool leavesOut(const PicturePlan::Picture& picture, const PngText& text);
     [[nodiscard]] const Snapshot& measured(const Snapshot& state);
     void render(const Snapshot& state, bool isNew);
@@ -104,7 +104,6 @@ private:
 
     PaintRequest request_;
     RenderSettings settings_;
-    bool skips_; ///< pictures that are there already
     FrameWriter writer_;
     SideOutputs sideOutputs_;
     std::optional<Renderer> renderer_;
@@ -112,10 +111,10 @@ private:
     std::array<Snapshot, 2> measuredStates_;  ///< in turn
     /// Of the newest picture: the revision of its state, and where the camera is.
     std::optional<std::pair<std::uint64_t, double>> shown_;
-    const Snapshot* state_ = nullptr; ///< that it shows
-    const Image* image_ = nullptr;    ///< the newest one that was drawn
-    bool isDrawn_ = true;             ///< the newest state was drawn, not left out
-    std::vector<std::uint8_t> noRows_;
+    const Snapshot* state_ = nullptr;       ///< that it shows
+    const Image* image_ = nullptr;          ///< the newest one that was drawn
+    bool isDrawn_ = true;                   ///< the newest state was drawn, not left out
+    std::vector<std::uint8_t> changedRows_; ///< since the last picture that was kept
     DrawnPictures drawn_;
 };
 

@@ -5,7 +5,7 @@ namespace frostfill
 {
 
 FramePainter::FramePainter(const PaintRequest& request)
-    : plan_(request.scene, request.duration(), !request.video.empty())
+    : plan_(request.scene, request.turn, !request.video.empty())
 {
     drawing_.push([this, &request] { drawer_ = std::make_unique<FrameDrawer>(request); });
     drawing_.finish();
@@ -24,22 +24,23 @@ FramePainter::~FramePainter()
     }
 }
 
-void FramePainter::keepEvery(std::size_t stride)
-{
-    plan_.keepEvery(stride);
-    drawing_.push([this, stride] { drawer_->keepEvery(stride); });
-}
-
 void FramePainter::draw(const PicturePlan::Picture& picture, const State& state)
 {
     drawing_.push([this, picture, state]
                   { drawer_->draw(picture, *state.snapshot, state.revision); });
 }
 
-void FramePainter::finish(std::size_t frame, const State& last)
+void FramePainter::finish(std::size_t number, const State& last, const std::function<void()>& taken)
 {
-    plan_.finish(frame, last.revision, stopRequested_,
-                 [&](const PicturePlan::Picture& picture) { draw(picture, last); });
+    plan_.finish(number, last.revision, stopRequested_,
+                 [&](const PicturePlan::Picture& picture)
+                 {
+                     draw(picture, last);
+                     if (taken)
+                     {
+                         taken();
+                     }
+                 });
     drawing_.push([this] { drawer_->finish(); });
     drawing_.finish();
 }

@@ -34,10 +34,10 @@ public:
     ~FramePainter();
 
     /// See PicturePlan.
-    void keepEvery(std::size_t stride);
+    void keepEvery(std::size_t stride) { plan_.keepEvery(stride); }
     [[nodiscard]] bool wants(std::size_t frame) const { return plan_.wants(frame); }
     void pass(std::size_t frame) { plan_.pass(frame); }
-    [[nodiscard]] bool wantsLast() const { return plan_.wantsLast(); }
+    [[nodiscard]] bool wantsLast(std::size_t last) const { return plan_.wantsLast(last); }
     [[nodiscard]] std::size_t count() const { return plan_.count(); }
     [[nodiscard]] std::size_t stride() const { return plan_.stride(); }
 
@@ -50,11 +50,11 @@ public:
     }
     /// Waits until what was taken is drawn.
     void wait() { drawing_.finish(); }
-    /// Shows the last state for as long as it is held, and once at all if nothing shows it yet;
-    /// `frame` is the number after the last, and the state may be empty if it is not wanted. Waits
-    /// until everything is written, and looks whether the spheres can be seen at all. Throws what
-    /// has gone wrong.
-    void finish(std::size_t frame, const State& last);
+    /// Shows the last state for as long as it is held, and once at all if nothing shows it yet.
+    /// `number` is that of the last state, which may be empty if it is not wanted. Calls taken(),
+    /// which may be empty, after each picture. Waits until everything is written, and looks whether
+    /// the spheres can be seen at all. Throws what has gone wrong.
+    void finish(std::size_t number, const State& last, const std::function<void()>& taken = {});
 
     /// After wait() or finish().
     [[nodiscard]] const DrawnPictures& drawn() const { return drawer_->drawn(); }

@@ -69,7 +69,7 @@ void FrameRecorder::takeNext(const RunStates& run)
     {
         painter_->take(next_, state());
     }
-    else if (painter_)
+    else if (painter_ && !lastOnly_)
     {
         painter_->pass(next_);
     }
@@ -121,7 +121,7 @@ void FrameRecorder::capture(const RunStates& run, double time)
     snapshot.revision = ++revision_;
 }
 
-void FrameRecorder::finish(const RunStates& run)
+void FrameRecorder::finish(const RunStates& run, const std::function<void()>& taken)
 {
     if (falls_)
     {
@@ -132,7 +132,7 @@ void FrameRecorder::finish(const RunStates& run)
     observe(run, run.time());
     if (painter_)
     {
-        painter_->finish(next_, state());
+        painter_->finish(next_, state(), taken);
     }
 }
 

@@ -59,12 +59,14 @@ public:
     /// Takes the frames that are due. Throws what has gone wrong with an earlier one.
     void record(const RunStates& run);
     /// Takes the last state; see FramePainter::finish.
-    void finish(const RunStates& run);
+    void finish(const RunStates& run, const std::function<void()>& taken = {});
 
     /// Null without pictures.
     [[nodiscard]] const FramePainter* painter() const { return painter_.get(); }
     /// Null if none is kept.
     [[nodiscard]] RunFileWriter* file() { return file_.get(); }
+    /// Of the last state, after finish().
+    [[nodiscard]] std::size_t lastNumber() const { return next_; }
     /// Pictures so far.
     [[nodiscard]] std::size_t count() const { return painter_ ? painter_->count() : 0; }
     [[nodiscard]] std::size_t stride() const { return painter_ ? painter_->stride() : 1; }

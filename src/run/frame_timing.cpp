@@ -19,6 +19,11 @@ constexpr double kMoreThanModel = 1.25;
 constexpr double kBytesPerPixel = 0.33;
 constexpr double kMaxFrames = 9e15; // exact and in range
 
+std::size_t framesIn(double seconds, const Scene& scene)
+{
+    return static_cast<std::size_t>(std::min(std::round(seconds * scene.frames.fps), kMaxFrames));
+}
+
 /// Pictures that remain of so many frames. The last state is kept whatever its number.
 std::size_t keptOf(std::size_t frames, std::size_t stride, bool last)
 {
@@ -82,15 +87,20 @@ FrameSelection framesToDraw(const Scene& scene)
                                                           : selection;
 }
 
-std::size_t heldFrames(const Scene& scene, double path)
+std::size_t heldFrames(const Scene& scene)
+{
+    return framesIn(scene.frames.hold, scene);
+}
+
+std::size_t turnFrames(const Scene& scene, double path)
+{
+    return framesIn(path > 0 ? path : scene.camera.turntable.value_or(0), scene);
+}
+
+std::size_t turnOfLast(const Scene& scene, double path)
 {
     const auto selection = FrameSelection::parse(scene.frames.selection);
-    double seconds = scene.frames.hold;
-    if (seconds == 0 && selection && selection->isLastOnly())
-    {
-        seconds = path > 0 ? path : scene.camera.turntable.value_or(0);
-    }
-    return static_cast<std::size_t>(std::min(std::round(seconds * scene.frames.fps), kMaxFrames));
+    return selection && selection->isLastOnly() ? turnFrames(scene, path) : 0;
 }
 
 FramePlan planFrames(const Scene& scene, const MeshReport& mesh, const RunLength& length,
@@ -103,7 +113,7 @@ FramePlan planFrames(const Scene& scene, const MeshReport& mesh, const RunLength
         return plan;
     }
     plan.timing = frameTiming(scene, mesh, length.seconds, !length.landings.empty());
-    plan.held = heldFrames(scene, path);
+    plan.held = scene.frames.hold > 0 ? heldFrames(scene) : turnOfLast(scene, path);
     std::size_t selected = 0;
     if (selection->isLastOnly() || scene.frames.limit == 1)
     {
@@ -113,8 +123,9 @@ FramePlan planFrames(const Scene& scene, const MeshReport& mesh, const RunLength
     {
         const double shown = (length.seconds + plan.timing.lag) / plan.timing.interval;
         plan.all = static_cast<std::size_t>(std::min(std::floor(shown + 1e-6) + 1, kMaxFrames));
-        selected = selection->hasLast() ? selection->countOf(plan.all) + plan.held
-                                        : selection->countOf(plan.all + plan.held);
+        selected = selection->hasLast()
+                       ? selection->countOf(plan.all) + plan.held
+                       : selection->countOf(plan.all + std::max<std::size_t>(plan.held, 1));
     }
     // The end of the run may discard something, which takes one picture more to show.
     const double most = static_cast<double>(selected + (selection->hasLast() ? 1 : 0)) *

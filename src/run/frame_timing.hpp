@@ -63,8 +63,13 @@ struct FramePlan
 /// last one is kept whatever its number.
 [[nodiscard]] std::size_t strideFor(std::size_t frames, std::size_t limit, bool last);
 
-/// Frames for which the last state is held: --hold, or a whole turn of the turntable if only that
-/// state is drawn and nothing is said. `path`: the same for a camera's path [s].
-[[nodiscard]] std::size_t heldFrames(const Scene& scene, double path = 0);
+/// Frames for which the last state is held.
+[[nodiscard]] std::size_t heldFrames(const Scene& scene);
+
+/// Frames of the camera's path of so many seconds, or else of a whole turn of the turntable.
+[[nodiscard]] std::size_t turnFrames(const Scene& scene, double path);
+
+/// The same if only the last state is drawn, and otherwise 0.
+[[nodiscard]] std::size_t turnOfLast(const Scene& scene, double path);
 
 } // namespace frostfill

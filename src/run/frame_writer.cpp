@@ -9,15 +9,15 @@
 namespace frostfill
 {
 
-FrameWriter::FrameWriter(const std::filesystem::path& directory, std::size_t limit, PngText text)
-    : directory_(directory), text_(text), sequence_(directory, limit, std::move(text))
+FrameWriter::FrameWriter(const std::filesystem::path& directory, PngText text)
+    : directory_(directory), text_(text), sequence_(directory, std::move(text))
 {
 }
 
-bool FrameWriter::has(std::size_t index, PictureSize size, const PngText& text) const
+bool FrameWriter::has(std::size_t frame, PictureSize size, const PngText& text) const
 {
     constexpr std::size_t kPackedAtMost = 64; // [1] of what has any content
-    const auto facts = pngFacts(directory_ / PngSequence::fileName(index));
+    const auto facts = pngFacts(directory_ / PngSequence::fileName(frame));
     PngText all = text_;
     all.insert(all.end(), text.begin(), text.end());
     const std::size_t bytes =
@@ -26,7 +26,7 @@ bool FrameWriter::has(std::size_t index, PictureSize size, const PngText& text) 
            facts->text == all && facts->packedBytes * kPackedAtMost > bytes;
 }
 
-void FrameWriter::put(std::size_t number, const Image& image,
+void FrameWriter::put(std::size_t frame, const Image& image,
                       std::span<const std::uint8_t> changedRows, std::size_t set, PngText text)
 {
     // With one job at most waiting and one being done, the third copy is free.
@@ -51,19 +51,19 @@ void FrameWriter::put(std::size_t number, const Image& image,
             std::copy_n(image.pixels.data() + y * row, row, copy.image.pixels.data() + y * row);
         }
     }
-    worker_.push([this, number, &copy, set, text = std::move(text),
+    worker_.push([this, frame, &copy, set, text = std::move(text),
                   rows = std::vector<std::uint8_t>(changedRows.begin(), changedRows.end())]
-                 { write(number, copy.image, rows, set, text); });
+                 { write(frame, copy.image, rows, set, text); });
 }
 
-void FrameWriter::write(std::size_t number, const Image& image,
+void FrameWriter::write(std::size_t frame, const Image& image,
                         const std::vector<std::uint8_t>& changedRows, std::size_t set,
                         const PngText& text)
 {
     const auto spent = [&]
     { return sequence_.times()[Stage::encoding] + sequence_.times()[Stage::writing]; };
     const double before = spent();
-    sequence_.put(number, image, changedRows, text);
+    sequence_.put(frame, image, changedRows, text);
     if (milliseconds_.size() <= set)
     {
         milliseconds_.resize(set + 1);

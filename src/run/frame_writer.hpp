@@ -21,26 +21,20 @@ class FrameWriter
 {
 public:
     /// Throws Error cannotCreate.
-    FrameWriter(const std::filesystem::path& directory, std::size_t limit, PngText text);
+    FrameWriter(const std::filesystem::path& directory, PngText text);
 
     /// Copies what it needs; may wait for earlier pictures. `changedRows` as Renderer tells them,
     /// all 0 for the same picture once more. `set` is the one that the time is counted for. Throws
     /// what has gone wrong with an earlier picture.
-    void put(std::size_t number, const Image& image, std::span<const std::uint8_t> changedRows,
+    void put(std::size_t frame, const Image& image, std::span<const std::uint8_t> changedRows,
              std::size_t set, PngText text);
-    /// Whether the picture with this index among those kept is there already: whole, of this size,
-    /// with the text of all pictures and with `text`. One of which all pixels may be alike is not
-    /// taken for it, so that it is drawn again and told.
-    [[nodiscard]] bool has(std::size_t index, PictureSize size, const PngText& text) const;
-    /// Leaves a picture as it is whose file is there already.
-    void skip(std::size_t number)
+    /// Whether the picture of this frame is there already: whole, of this size, with the text of
+    /// all pictures and with `text`. One of which all pixels may be alike is not taken for it, so
+    /// that it is drawn again and told.
+    [[nodiscard]] bool has(std::size_t frame, PictureSize size, const PngText& text) const;
+    void remove(std::size_t frame)
     {
-        worker_.push([this, number] { sequence_.skip(number); });
-    }
-    /// See FrameThinning.
-    void keepEvery(std::size_t stride)
-    {
-        worker_.push([this, stride] { sequence_.keepEvery(stride); });
+        worker_.push([this, frame] { sequence_.remove(frame); });
     }
     /// Waits until everything is written. Throws what has gone wrong.
     void finish() { worker_.finish(); }
@@ -61,7 +55,7 @@ private:
         std::vector<std::uint8_t> staleRows; ///< [height] that have changed since it was made
     };
 
-    void write(std::size_t number, const Image& image, const std::vector<std::uint8_t>& changedRows,
+    void write(std::size_t frame, const Image& image, const std::vector<std::uint8_t>& changedRows,
                std::size_t set, const PngText& text);
 
     std::filesystem::path directory_;

@@ -3,19 +3,28 @@
 
 #include "run/frame_timing.hpp"
 
+#include <algorithm>
+
 namespace frostfill
 {
 
-PicturePlan::PicturePlan(const Scene& scene, double path, bool everyFrame)
-    : selection_(framesToDraw(scene)), thinning_(scene.frames.limit),
-      held_(heldFrames(scene, path)), everyFrame_(everyFrame)
+PicturePlan::PicturePlan(const Scene& scene, std::size_t turn, bool everyFrame)
+    : selection_(framesToDraw(scene)), thinning_(scene.frames.limit), held_(heldFrames(scene)),
+      turn_(turn), everyFrame_(everyFrame)
 {
+}
+
+void PicturePlan::pass(std::size_t frame)
+{
+    next_ = frame + 1;
+    selected_ += selection_.has(frame) ? 1 : 0;
 }
 
 PicturePlan::Picture PicturePlan::take(std::size_t frame, std::uint64_t state)
 {
-    Picture picture{frame, selected_++};
-    const FrameThinning::Decision decision = thinning_.take(picture.number);
+    next_ = frame + 1;
+    Picture picture{frame, frame};
+    const FrameThinning::Decision decision = thinning_.take(selected_++);
     picture.thins = decision.thin;
     if (decision.keep)
     {
@@ -25,38 +34,57 @@ PicturePlan::Picture PicturePlan::take(std::size_t frame, std::uint64_t state)
     return picture;
 }
 
-void PicturePlan::hold(std::size_t& next, const std::function<bool()>& stopRequested,
-                       const std::function<void()>& visit) const
+PicturePlan::Rest PicturePlan::restAfter(std::size_t last) const
 {
-    next = selection_.isLastOnly() ? 0 : next; // a turn begins with it
-    for (const std::size_t end = next + held_; next < end && !(stopRequested && stopRequested());
-         ++next)
-    {
-        if (selection_.hasLast() || selection_.has(next))
-        {
-            visit();
-        }
-    }
+    const std::size_t begin = std::max(last, next_); // of a run that has not ended, last is drawn
+    const bool turns = held_ == 0 && selected_ == 0;
+    const std::size_t shown = turns ? turn_ : held_;
+    return {begin, shown > 0 ? begin + shown : last + 1, shown > 0, turns && shown > 0 ? begin : 0};
 }
 
-void PicturePlan::finish(std::size_t frame, std::uint64_t lastState,
+bool PicturePlan::isSelected(std::size_t frame, const Rest& rest, bool isNews) const
+{
+    return rest.isHeld ? selection_.hasLast() || selection_.has(frame)
+                       : selection_.names(frame) || (isNews && selection_.has(frame));
+}
+
+void PicturePlan::finish(std::size_t last, std::uint64_t lastState,
                          const std::function<bool()>& stopRequested,
                          const std::function<void(const Picture&)>& draw)
 {
-    hold(frame, stopRequested,
-         [&] { wantsNext() ? draw(take(frame, lastState)) : void(++selected_); });
+    const Rest rest = restAfter(last);
+    const auto show = [&](std::size_t frame)
+    {
+        Picture picture = take(frame, lastState);
+        picture.clock = frame - std::min(frame, rest.turnBegins);
+        draw(picture);
+    };
+    std::size_t newest = last;
+    for (std::size_t frame = rest.begin;
+         frame < rest.end && !(rest.isHeld && stopRequested && stopRequested()); ++frame)
+    {
+        newest = frame;
+        if (isSelected(frame, rest, keptState_ != lastState))
+        {
+            wantsNext() ? show(frame) : void(++selected_);
+        }
+    }
     while (selection_.hasLast() && keptState_ != lastState)
     {
         // Thinning may double the stride under our hands; the last state has to survive it.
         const std::size_t stride = thinning_.stride();
         selected_ = (selected_ + stride - 1) / stride * stride;
-        draw(take(frame, lastState));
+        show(newest);
     }
 }
 
-void PicturePlan::passLast(std::size_t frame)
+void PicturePlan::passLast(std::size_t last)
 {
-    hold(frame, {}, [&] { ++selected_; });
+    const Rest rest = restAfter(last);
+    for (std::size_t frame = rest.begin; frame < rest.end; ++frame)
+    {
+        selected_ += isSelected(frame, rest, false) ? 1 : 0;
+    }
     selected_ += selection_.hasLast() && selected_ == 0 ? 1 : 0;
 }
 

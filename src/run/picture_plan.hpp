@@ -14,24 +14,27 @@
 namespace frostfill
 {
 
-/// Which frames of a run become pictures, and as which: those that are selected, then those for
-/// which the last state is held, then the last state once if no picture shows it. It knows numbers
-/// alone: of frames, which come in order, and of states, the same for the same state.
+/// Which frames of a run become pictures: those that are selected, then those for which the last
+/// state is held or turned, then the last state once if no picture shows it. The last state has the
+/// number after that of the last frame in order, and numbers go on from there while it is held. The
+/// plan takes numbers alone: of frames, which come in order, and of states, the same for the same
+/// state.
 class PicturePlan
 {
 public:
     struct Picture
     {
-        std::size_t frame = 0;  ///< among all frames
-        std::size_t number = 0; ///< among those that are selected
-        bool thins = false;     ///< first, every second picture so far is removed
+        std::size_t frame = 0; ///< its number
+        std::size_t clock = 0; ///< frames for which the camera has moved
+        bool thins = false;    ///< first, every second picture so far is removed
         /// Among the pictures kept; empty for one that is not, which may be for the video.
         std::optional<std::size_t> index = std::nullopt;
     };
 
-    /// `path` is the duration of the camera's [s]. With `everyFrame` thinning does not apply to
-    /// what is wanted, only to what is kept.
-    PicturePlan(const Scene& scene, double path, bool everyFrame = false);
+    /// `turn`: frames for which the camera moves while it shows the last state, if no frame before
+    /// that is selected and nothing is held. With `everyFrame` thinning does not apply to what is
+    /// wanted, only to what is kept.
+    PicturePlan(const Scene& scene, std::size_t turn, bool everyFrame = false);
 
     /// Only every stride-th of the selected frames is kept as a picture, from the start.
     void keepEvery(std::size_t stride) { thinning_.keepEvery(stride); }
@@ -41,17 +44,21 @@ public:
         return selection_.has(frame) && wantsNext();
     }
     /// `frame` is not shown.
-    void pass(std::size_t frame) { selected_ += selection_.has(frame) ? 1 : 0; }
+    void pass(std::size_t frame);
     Picture take(std::size_t frame, std::uint64_t state);
-    /// Whether anything shows the last state, beside the frames in order.
-    [[nodiscard]] bool wantsLast() const { return selection_.hasLast() || held_ > 0; }
-    /// Calls draw() for each picture of the last state; `frame` is the number after the last. Once
-    /// `stopRequested` is true, which may be empty, the state is held no longer.
-    void finish(std::size_t frame, std::uint64_t lastState,
+    /// Whether anything may show the last state, whose number is `last`, beside the frames in
+    /// order. To be called after these.
+    [[nodiscard]] bool wantsLast(std::size_t last) const
+    {
+        return selection_.hasLast() || selection_.has(last) || restAfter(last).isHeld;
+    }
+    /// Calls draw() for each picture of the last state. Once `stopRequested` is true, which may be
+    /// empty, the state is held no longer.
+    void finish(std::size_t last, std::uint64_t lastState,
                 const std::function<bool()>& stopRequested,
                 const std::function<void(const Picture&)>& draw);
     /// Only counts them as selected: those that are held, and one at least if the last is selected.
-    void passLast(std::size_t frame);
+    void passLast(std::size_t last);
 
     /// Frames that were selected so far.
     [[nodiscard]] std::size_t selected() const { return selected_; }
@@ -62,15 +69,23 @@ public:
     [[nodiscard]] const std::optional<std::uint64_t>& keptState() const { return keptState_; }
 
 private:
+    /// Frames begin..end-1 that follow those in order and show the last state.
+    struct Rest
+    {
+        std::size_t begin, end;
+        bool isHeld; ///< or turned; otherwise it is the one frame of the last state
+        std::size_t turnBegins;
+    };
     [[nodiscard]] bool wantsNext() const { return everyFrame_ || thinning_.wants(selected_); }
-    /// Visits the selected frames for which the last state is held; `next` is their number.
-    void hold(std::size_t& next, const std::function<bool()>& stopRequested,
-              const std::function<void()>& visit) const;
+    [[nodiscard]] Rest restAfter(std::size_t last) const;
+    [[nodiscard]] bool isSelected(std::size_t frame, const Rest& rest, bool isNews) const;
 
     FrameSelection selection_;
     FrameThinning thinning_;
     std::size_t held_; ///< frames for which the last state is held
+    std::size_t turn_; ///< the same for the camera to move
     bool everyFrame_;
+    std::size_t next_ = 0; ///< number after the newest frame
     std::size_t selected_ = 0;
     std::optional<std::uint64_t> keptState_;
 };

@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -67,8 +68,9 @@ FramePlan planPictures(const Scene& all, const LoadedMesh& mesh, const RunLength
     if (all.frames.enabled && plan.kept == 0)
     {
         throw Error(ErrorCode::usage,
-                    fmt::format("--frames {} leaves no frame: the animation has {}",
-                                scene.frames.selection, plan.all + plan.held));
+                    fmt::format("--frames {} leaves no frame: the animation ends near frame {}",
+                                scene.frames.selection,
+                                plan.all + std::max<std::size_t>(plan.held, 1) - 1));
     }
     if (recorder)
     {
@@ -94,10 +96,10 @@ std::unique_ptr<FrameRecorder> makeRecorder(const FillRequest& request, const Lo
     std::unique_ptr<FramePainter> painter;
     if (scene.frames.enabled)
     {
-        painter = std::make_unique<FramePainter>(
-            PaintRequest{mesh.mesh, scene, colourRange(scene, colourFacts(scene, simulation)),
-                         simulation.poses(), runHash(scene, mesh.mesh), request.directory,
-                         request.video, path, request.resume});
+        painter = std::make_unique<FramePainter>(PaintRequest{
+            mesh.mesh, scene, colourRange(scene, colourFacts(scene, simulation)),
+            simulation.poses(), runHash(scene, mesh.mesh), request.directory, request.video, path,
+            turnOfLast(scene, path ? path->duration() : 0), request.resume});
     }
     auto recorder = std::make_unique<FrameRecorder>(std::move(painter), simulation.smallestRadius(),
                                                     framesToDraw(scene).isLastOnly());

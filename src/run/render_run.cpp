@@ -17,6 +17,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <set>
 #include <utility>
@@ -42,29 +43,52 @@ std::optional<CameraPath> cameraPath(const RenderRequest& request, const RunHead
     return text.empty() ? std::nullopt : std::optional(CameraPath::read(text));
 }
 
-/// Every n-th selected frame is kept: as `fill` did for the same selection, or as the limit
-/// asks for. Throws Error usage when no frame is left.
-std::size_t strideOf(const Scene& scene, const RunHead& head, const KeptFrames& frames,
-                     PicturePlan counted)
+/// The scene that is drawn. Says whether the request moves the camera, rather than the run.
+Scene sceneOf(const RenderRequest& request, const RunHead& head, bool& moves)
+{
+    Scene scene = head.scene;
+    scene.frames.enabled = true;
+    Scene still = scene;
+    still.camera.turntable.reset();
+    if (request.change)
+    {
+        request.change(scene);
+        request.change(still);
+    }
+    moves = still.camera.turntable || !request.cameraPath.empty();
+    validateScene(scene);
+    requireBackgroundOf(request.video, scene);
+    return scene;
+}
+
+/// Counts the frames that are selected. Throws Error usage when there is none.
+std::size_t selectedFrames(const Scene& scene, const KeptFrames& frames, PicturePlan counted)
 {
     for (std::size_t i = 0; i < frames.count(); ++i)
     {
         counted.pass(frames.number(i));
     }
-    counted.passLast(frames.end());
+    counted.passLast(frames.lastNumber());
     if (counted.selected() == 0)
     {
         throw Error(ErrorCode::usage,
-                    fmt::format("--frames {} leaves no frame: the run file has {} frames, up to "
-                                "number {}",
-                                scene.frames.selection, frames.count(), frames.end()));
+                    fmt::format("--frames {} leaves no frame: the frames of the run file have the "
+                                "numbers 0 to {}",
+                                scene.frames.selection, frames.lastNumber()));
     }
+    return counted.selected();
+}
+
+/// Every n-th selected frame is kept: as `fill` did for the same selection, or as the limit
+/// asks for.
+std::size_t strideOf(const Scene& scene, const RunHead& head, std::size_t selected)
+{
     const FrameSettings& then = head.scene.frames;
     const FrameSettings& now = scene.frames;
     const bool same = then.enabled && then.selection == now.selection && then.limit == now.limit &&
                       then.hold == now.hold && then.fps == now.fps;
     const bool last = framesToDraw(scene).hasLast();
-    return same ? head.stride : strideFor(counted.selected() + (last ? 1 : 0), now.limit, last);
+    return same ? head.stride : strideFor(selected + (last ? 1 : 0), now.limit, last);
 }
 
 /// Plans all pictures of a rendering, before the first is drawn.
@@ -77,32 +101,32 @@ void planAll(PicturePlan& plan, const std::filesystem::path& file)
         plan.wants(frames.number(i)) ? void(plan.take(frames.number(i), i))
                                      : plan.pass(frames.number(i));
     }
-    if (plan.wantsLast())
+    if (plan.wantsLast(frames.lastNumber()))
     {
         const std::size_t last = reader.frames().size() - 1;
         const std::size_t kept = plan.keptState().value_or(last);
         (void)reader.seek(kept);
         const std::uint64_t revision = reader.revision();
         (void)reader.seek(last);
-        plan.finish(frames.end(), reader.revision() == revision ? kept : last, {},
+        plan.finish(frames.lastNumber(), reader.revision() == revision ? kept : last, {},
                     [](const PicturePlan::Picture&) {});
     }
 }
 
-/// Pictures in a folder that are none of the first `count`.
-std::size_t picturesBeyond(std::size_t count, const std::filesystem::path& folder)
+/// Pictures in a folder that are of none of these frames.
+std::size_t picturesBeside(const std::vector<std::size_t>& frames,
+                           const std::filesystem::path& folder)
 {
     std::set<std::string> names;
-    for (std::size_t i = 0; i < count; ++i)
+    for (const std::size_t frame : frames)
     {
-        names.insert(PngSequence::fileName(i));
+        names.insert(PngSequence::fileName(frame));
     }
     std::size_t surplus = 0;
     for (const auto& entry : std::filesystem::directory_iterator(folder))
     {
         const std::string name = entry.path().filename().string();
-        surplus +=
-            name.starts_with("frame_") && name.ends_with(".png") && !names.contains(name) ? 1 : 0;
+        surplus += PngSequence::endingOf(name) == ".png" && !names.contains(name) ? 1 : 0;
     }
     return surplus;
 }
@@ -170,10 +194,19 @@ std::filesystem::path directoryOf(const RenderRequest& request, const std::files
     return directory;
 }
 
-/// Draws all frames. Returns whether it was stopped.
+/// Draws all frames, about as many pictures as are expected. Returns whether it was stopped.
 bool drawFrames(FramePainter& painter, RunFileReader& reader, KeptFrames& frames,
-                const RenderObserver& observer)
+                std::size_t expected, const RenderObserver& observer)
 {
+    std::size_t done = 0;
+    const auto progressed = [&]
+    {
+        ++done;
+        if (observer.progressed)
+        {
+            observer.progressed(done, std::max(done, expected));
+        }
+    };
     for (std::size_t i = 0; i < frames.count(); ++i)
     {
         if (observer.stopRequested && observer.stopRequested())
@@ -192,14 +225,15 @@ bool drawFrames(FramePainter& painter, RunFileReader& reader, KeptFrames& frames
         {
             reader.forgetChanges();
         }
-        if (observer.progressed)
-        {
-            observer.progressed(i + 1, frames.count());
-        }
+        progressed();
     }
-    painter.finish(frames.end(), painter.wantsLast()
-                                     ? FramePainter::State{&frames.last(), reader.revision()}
-                                     : FramePainter::State{});
+    FramePainter::State last;
+    if (painter.wantsLast(frames.lastNumber()))
+    {
+        const Snapshot& state = frames.last();
+        last = {&state, reader.revision()};
+    }
+    painter.finish(frames.lastNumber(), last, progressed);
     return false;
 }
 
@@ -213,19 +247,17 @@ RenderResult renderRun(const RenderRequest& request, const RenderObserver& obser
     RunFileReader reader(file);
     const RunHead head = readHead(reader.head(), file.string());
     requireFrames(reader, file);
-    Scene scene = head.scene;
-    scene.frames.enabled = true;
-    if (request.change)
-    {
-        request.change(scene);
-    }
-    validateScene(scene);
-    requireBackgroundOf(request.video, scene);
+    bool moves = false;
+    const Scene scene = sceneOf(request, head, moves);
     const std::filesystem::path directory = directoryOf(request, file);
     const std::optional<CameraPath> path = cameraPath(request, head, scene);
     KeptFrames frames(reader);
-    PicturePlan pictures(scene, path ? path->duration() : 0);
-    pictures.keepEvery(strideOf(scene, head, frames, pictures));
+    // A run of one state is its turn.
+    const std::size_t turn =
+        moves || frames.lastNumber() == 0 ? turnFrames(scene, path ? path->duration() : 0) : 0;
+    PicturePlan pictures(scene, turn);
+    const std::size_t selected = selectedFrames(scene, frames, pictures);
+    pictures.keepEvery(strideOf(scene, head, selected));
     const bool isPart = request.shard.count > 1 || request.gather;
     if (isPart || request.dryRun)
     {
@@ -249,6 +281,7 @@ RenderResult renderRun(const RenderRequest& request, const RenderObserver& obser
                           directory,
                           request.video,
                           path,
+                          turn,
                           request.skipExisting || isPart};
     if (isPart)
     {
@@ -261,12 +294,14 @@ RenderResult renderRun(const RenderRequest& request, const RenderObserver& obser
     place.begin();
 
     RenderResult result = resultOf(reader, directory);
-    result.stopped = drawFrames(painter, reader, frames, observer);
+    const std::size_t stride = request.video.empty() ? pictures.stride() : 1;
+    result.stopped =
+        drawFrames(painter, reader, frames, (selected + stride - 1) / stride, observer);
     result.allFrames = painter.count();
     const DrawnPictures& drawn = painter.drawn();
     result.frames = painter.count() - drawn.others;
     result.missing = drawn.missing;
-    result.surplus = request.gather ? picturesBeyond(painter.count(), directory / "frames") : 0;
+    result.surplus = request.gather ? picturesBeside(drawn.numbers, directory / "frames") : 0;
     result.skippedFrames = drawn.skipped;
     result.renderer = drawn.renderer;
     if (!result.stopped)

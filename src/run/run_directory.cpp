@@ -5,14 +5,13 @@
 #include "run_file/file_of_run.hpp"
 
 #include <frostfill/error.hpp>
+#include <frostfill/output.hpp>
 
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <fstream>
 #include <string>
@@ -45,25 +44,6 @@ constexpr const char* kFrameFolders[] = {"frames", "depth", "normal", "identity"
 /// Signs of our own stand in a file's first bytes.
 constexpr std::size_t kHead = 2048;
 
-bool isDigit(char c)
-{
-    return std::isdigit(static_cast<unsigned char>(c)) != 0;
-}
-
-/// What follows the number of frame_00000.png, or nothing for any other name.
-std::string_view endingOfFrame(std::string_view name)
-{
-    constexpr std::string_view kPrefix = "frame_";
-    if (!name.starts_with(kPrefix))
-    {
-        return {};
-    }
-    name.remove_prefix(kPrefix.size());
-    const auto end = std::find_if_not(name.begin(), name.end(), isDigit);
-    const auto digits = static_cast<std::size_t>(end - name.begin());
-    return digits >= 5 ? name.substr(digits) : std::string_view();
-}
-
 /// ".png.1234.tmp" or ".png.part": what a run that was killed leaves behind.
 bool isLeftOver(std::string_view ending)
 {
@@ -77,17 +57,6 @@ bool holdsSign(const std::filesystem::path& file, std::string_view sign)
     stream.read(head.data(), static_cast<std::streamsize>(head.size()));
     head.resize(static_cast<std::size_t>(stream.gcount()));
     return head.find(sign) != std::string::npos;
-}
-
-/// Where two folders change places in two steps, a run can be killed between them.
-void restore(const std::filesystem::path& folder)
-{
-    const std::filesystem::path old = folder.string() + ".part.old";
-    if (std::filesystem::symlink_status(folder).type() == std::filesystem::file_type::not_found &&
-        std::filesystem::is_directory(std::filesystem::symlink_status(old)))
-    {
-        std::filesystem::rename(old, folder);
-    }
 }
 
 [[noreturn]] void refuse(const std::string& why)
@@ -143,13 +112,7 @@ void RunDirectory::survey()
         surveyFiles();
         for (const char* folder : kFrameFolders)
         {
-            if (writes_)
-            {
-                restore(path_ / folder);
-            }
             surveyFrames(path_ / folder);
-            surveyUnfinishedThinning(path_ / (std::string(folder) + ".part"));
-            surveyUnfinishedThinning(path_ / (std::string(folder) + ".part.old"));
         }
     }
     catch (const std::filesystem::filesystem_error& error)
@@ -230,25 +193,6 @@ void RunDirectory::surveyFiles()
     }
 }
 
-// Half of the pictures, or all of them, of a run that was killed while it thinned them out. They
-// are links to those in the folder, or these are to them.
-void RunDirectory::surveyUnfinishedThinning(const std::filesystem::path& folder)
-{
-    if (std::filesystem::symlink_status(folder).type() != std::filesystem::file_type::directory)
-    {
-        return;
-    }
-    for (const auto& entry : std::filesystem::directory_iterator(folder))
-    {
-        if (endingOfFrame(entry.path().filename().string()) == ".png" &&
-            holdsSign(entry.path(), "Frostfill"))
-        {
-            left_.push_back(entry.path());
-        }
-    }
-    halves_.push_back(folder);
-}
-
 void RunDirectory::surveyFrames(const std::filesystem::path& folder)
 {
     const std::filesystem::file_status status = std::filesystem::symlink_status(folder);
@@ -265,7 +209,7 @@ void RunDirectory::surveyFrames(const std::filesystem::path& folder)
     for (const auto& entry : std::filesystem::directory_iterator(folder))
     {
         const std::string name = entry.path().filename().string();
-        const std::string_view ending = endingOfFrame(name);
+        const std::string_view ending = PngSequence::endingOf(name);
         if (ending == ".png")
         {
             takeOver(entry.path(), holdsSign(entry.path(), "Frostfill"));
@@ -312,11 +256,6 @@ void RunDirectory::begin()
             }
         }
     }
-    for (const std::filesystem::path& half : halves_)
-    {
-        std::filesystem::remove(half, error); // unless something else is in it
-    }
-    halves_.clear();
     left_.clear();
     old_.clear();
 }

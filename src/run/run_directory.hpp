@@ -46,7 +46,6 @@ private:
     void lock();
     void surveyFiles();
     void surveyFrames(const std::filesystem::path& folder);
-    void surveyUnfinishedThinning(const std::filesystem::path& folder);
     void takeOver(const std::filesystem::path& file, bool isOurs);
 
     std::filesystem::path path_;
@@ -62,9 +61,8 @@ private:
         ~Lock();
     };
     Lock lock_;
-    std::vector<std::filesystem::path> old_;    ///< of the earlier run
-    std::vector<std::filesystem::path> left_;   ///< by one that was killed: not worth keeping
-    std::vector<std::filesystem::path> halves_; ///< folders of pictures that were being thinned out
+    std::vector<std::filesystem::path> old_;  ///< of the earlier run
+    std::vector<std::filesystem::path> left_; ///< by one that was killed: not worth keeping
 };
 
 } // namespace frostfill

@@ -24,36 +24,25 @@ void requireBackgroundOf(const std::filesystem::path& video, const Scene& scene)
 
 SideOutputs::SideOutputs(const Scene& scene, std::filesystem::path directory,
                          const std::filesystem::path& video)
-    : limit_(scene.frames.limit), directory_(std::move(directory)),
+    : directory_(std::move(directory)),
       passes_({{{"depth", scene.frames.passes.depth, &PassPictures::depth},
                 {"normal", scene.frames.passes.normal, &PassPictures::normal},
                 {"identity", scene.frames.passes.identity, &PassPictures::identity}}}),
       hasPasses_(scene.frames.passes.any())
 {
+    pictures_.withIdentity = scene.frames.passes.identity;
     if (!video.empty())
     {
         video_.emplace(video, scene.frames.fps);
     }
 }
 
-void SideOutputs::keepEvery(std::size_t stride)
-{
-    stride_ = stride;
-    for (Pass& pass : passes_)
-    {
-        if (pass.sequence)
-        {
-            pass.sequence->keepEvery(stride);
-        }
-    }
-}
-
-void SideOutputs::put(std::size_t number, bool kept, Renderer& renderer, const Snapshot& snapshot,
+void SideOutputs::put(std::size_t frame, bool kept, Renderer& renderer, const Snapshot& snapshot,
                       const Image& image)
 {
     if (video_)
     {
-        video_->put(number, image);
+        video_->put(frame, image);
     }
     if (!kept || !hasPasses_)
     {
@@ -68,28 +57,22 @@ void SideOutputs::put(std::size_t number, bool kept, Renderer& renderer, const S
     {
         if (pass.isWanted && !pass.sequence)
         {
-            pass.sequence.emplace(directory_ / pass.folder, limit_, range);
-            pass.sequence->keepEvery(stride_);
-            for (const std::size_t earlier : skipped_)
-            {
-                pass.sequence->skip(earlier);
-            }
+            pass.sequence.emplace(directory_ / pass.folder, range);
         }
         if (pass.isWanted)
         {
-            pass.sequence->put(number, pictures_.*pass.picture);
+            pass.sequence->put(frame, pictures_.*pass.picture);
         }
     }
 }
 
-void SideOutputs::skip(std::size_t number)
+void SideOutputs::remove(std::size_t frame)
 {
-    skipped_.push_back(number);
     for (Pass& pass : passes_)
     {
         if (pass.sequence)
         {
-            pass.sequence->skip(number);
+            pass.sequence->remove(frame);
         }
     }
 }

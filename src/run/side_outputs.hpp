@@ -11,7 +11,6 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace frostfill
 {
@@ -27,23 +26,19 @@ public:
     SideOutputs(const Scene& scene, std::filesystem::path directory,
                 const std::filesystem::path& video);
 
-    /// See FrameThinning; for the passes. The video gets every frame.
-    void keepEvery(std::size_t stride);
-    /// Takes a frame that the renderer has just drawn; passes are for those that are `kept`.
-    void put(std::size_t number, bool kept, Renderer& renderer, const Snapshot& snapshot,
+    /// Takes a frame that the renderer has just drawn; passes are for those that are `kept`. The
+    /// video gets every frame.
+    void put(std::size_t frame, bool kept, Renderer& renderer, const Snapshot& snapshot,
              const Image& image);
-    /// Others draw the passes of this frame.
-    void skip(std::size_t number);
+    /// Removes the passes of a frame.
+    void remove(std::size_t frame);
     /// What went wrong with the video, in a sentence; the pictures are all there.
     [[nodiscard]] std::optional<std::string> finish();
 
 private:
-    std::size_t limit_;
-    std::size_t stride_ = 1;
     std::filesystem::path directory_;
     std::optional<Video> video_;
     PassPictures pictures_;
-    std::vector<std::size_t> skipped_; ///< before the first passes
     struct Pass
     {
         const char* folder;

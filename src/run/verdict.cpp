@@ -192,6 +192,11 @@ std::optional<Error> failureOf(const FillResult& result)
         return Error(ErrorCode::postcondition,
                      fmt::format("{}; the files are in {}", *result.failure, directory));
     }
+    if (result.noFrames)
+    {
+        return Error(ErrorCode::usage,
+                     fmt::format("{}; the other files are in {}", *result.noFrames, directory));
+    }
     if (result.videoFailure)
     {
         return Error(ErrorCode::writeFailed,

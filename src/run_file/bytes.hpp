@@ -24,6 +24,16 @@ public:
     using std::runtime_error::runtime_error;
 };
 
+/// a + b and a - b of numbers that a file gives: they wrap round where they are too large.
+[[nodiscard]] constexpr std::int64_t wrappedSum(std::int64_t a, std::int64_t b)
+{
+    return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) + static_cast<std::uint64_t>(b));
+}
+[[nodiscard]] constexpr std::int64_t wrappedDifference(std::int64_t a, std::int64_t b)
+{
+    return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) - static_cast<std::uint64_t>(b));
+}
+
 /// Appends numbers to a string. Counts and differences take as few bytes as they need (LEB128;
 /// signs are folded in as in Protocol Buffers).
 class ByteWriter
@@ -60,7 +70,10 @@ public:
     // What ByteReader reads in the same words.
     void passSize(std::uint64_t& size, std::uint64_t /*known*/) { count(size); }
     void pass(std::uint64_t& number, std::uint64_t /*largest*/) { count(number); }
-    void pass(std::int64_t& number, std::int64_t before) { difference(number - before); }
+    void pass(std::int64_t& number, std::int64_t before)
+    {
+        difference(wrappedDifference(number, before));
+    }
     void pass(std::vector<std::uint32_t>& list, std::size_t /*below*/) { ids(list); }
     template <typename Value>
     void passRaw(Value& value)
@@ -132,7 +145,10 @@ public:
             throw DamagedBytes("has a number that is too large");
         }
     }
-    void pass(std::int64_t& number, std::int64_t before) { number = before + difference(); }
+    void pass(std::int64_t& number, std::int64_t before)
+    {
+        number = wrappedSum(before, difference());
+    }
     /// Ascending ids, all of them below.
     void pass(std::vector<std::uint32_t>& ids, std::size_t below)
     {

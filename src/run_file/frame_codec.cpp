@@ -254,8 +254,15 @@ void FrameCodec::goThroughPlaces(Named<Bytes>& streams, const Given* given)
     for (auto& [id, place, step] : tracks_)
     {
         const Place before = place;
-        place = passPlace(id, {place[0] + step[0], place[1] + step[1], place[2] + step[2]});
-        step = {place[0] - before[0], place[1] - before[1], place[2] - before[2]};
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+            place[axis] = wrappedSum(before[axis], step[axis]); // as it is expected
+        }
+        place = passPlace(id, place);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+            step[axis] = wrappedDifference(place[axis], before[axis]);
+        }
         moved_.push_back(id);
     }
     std::erase_if(tracks_, [&](const Track& track) { return state(track.id) != kRuns; });

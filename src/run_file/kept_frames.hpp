@@ -24,8 +24,8 @@ public:
     /// Frames of the animation.
     [[nodiscard]] std::size_t count() const { return numbers_.size() - (ended_ ? 1 : 0); }
     [[nodiscard]] std::size_t number(std::size_t index) const { return numbers_[index]; }
-    /// The number after the last of them.
-    [[nodiscard]] std::size_t end() const { return numbers_.back() + (ended_ ? 0 : 1); }
+    /// Of the last state; in a run that has not ended, the last of them shows it.
+    [[nodiscard]] std::size_t lastNumber() const { return numbers_.back(); }
     /// See RunFileReader::seek; index count() is that of the last state of a run that has ended.
     [[nodiscard]] const Snapshot& state(std::size_t index) { return reader_.seek(index); }
     [[nodiscard]] const Snapshot& last() { return state(numbers_.size() - 1); }

@@ -112,10 +112,15 @@ std::optional<FrameSelection> FrameSelection::parse(std::string_view text)
 bool FrameSelection::has(std::size_t number) const
 {
     return std::any_of(ranges_.begin(), ranges_.end(),
-                       [&](const Range& range)
-                       {
-                           return number >= range.start && number < range.end &&
-                                  (number - range.start) % range.step == 0;
+                       [&](const Range& range) { return range.has(number); });
+}
+
+bool FrameSelection::names(std::size_t number) const
+{
+    return std::any_of(ranges_.begin(), ranges_.end(),
+                       [&](const Range& range) {
+                           return range.has(number) &&
+                                  (range.end != kEndless || range.start == number);
                        });
 }
 

@@ -19,6 +19,8 @@ public:
     [[nodiscard]] static std::optional<FrameSelection> parse(std::string_view text);
 
     [[nodiscard]] bool has(std::size_t number) const;
+    /// Whether it is selected as a number, or in a range that has an end.
+    [[nodiscard]] bool names(std::size_t number) const;
     /// Whether the last state of the run is selected, whatever its number.
     [[nodiscard]] bool hasLast() const { return last_; }
     /// Whether nothing but the last state is selected.
@@ -34,6 +36,11 @@ private:
     struct Range
     {
         std::size_t start, end, step;
+
+        [[nodiscard]] bool has(std::size_t number) const
+        {
+            return number >= start && number < end && (number - start) % step == 0;
+        }
     };
     static std::optional<Range> rangeWithoutEnd(std::string_view part);
     static std::optional<Range> rangeWithLast(std::string_view part);

@@ -252,7 +252,7 @@ TEST_F(FillCommand, LosesNoFrameWhenTheVideoFails)
     EXPECT_EQ(broken.code, 74) << broken.errors;
     EXPECT_NE(broken.errors.find("broken"), std::string::npos) << broken.errors;
     EXPECT_FALSE(std::filesystem::exists(folder_ / "film.mp4"));
-    EXPECT_TRUE(std::filesystem::exists(folder_ / "output/cube/frames/frame_00001.png"));
+    EXPECT_GT(test::filesIn(folder_ / "output/cube/frames").size(), 1U);
     EXPECT_TRUE(std::filesystem::exists(folder_ / "output/cube/summary.json"));
 
     EXPECT_EQ(run(kEightInTwos + "--frames none --video film.mp4 --overwrite").code, 64);

@@ -47,16 +47,14 @@ protected:
     }
 
     /// Runs with the `at`-th call failing.
-    [[nodiscard]] Answer runWith(const Failure& failure, int at, const std::string& arguments,
-                                 const std::string& program = FROSTFILL_PROGRAM) const
+    [[nodiscard]] Answer runWith(const Failure& failure, int at, const std::string& arguments) const
     {
         std::filesystem::remove(folder_ / "mark");
         return test::runProgram(
             arguments, folder_.path(),
             fmt::format("LD_PRELOAD='" FROSTFILL_FAULT_SHIM "' FAULT_CALL={} FAULT_HOW={} "
                         "FAULT_STAYS={} FAULT_AT={} FAULT_UNDER=faulty FAULT_MARK=mark",
-                        failure.call, failure.how, failure.stays ? 1 : 0, at),
-            program);
+                        failure.call, failure.how, failure.stays ? 1 : 0, at));
     }
     [[nodiscard]] bool hasFailed() const
     {

@@ -63,70 +63,6 @@ TEST_F(FailingCalls, OfEveryKindLeaveNoCorruptFile) // with the label `long`
     expectEachIsBorne({{"open", "4"}, {"write", "4"}, {"write", "short"}, {"fsync", "4"}}, true);
 }
 
-/// The number that a picture has been given in the run, before any thinning.
-int frameOf(const std::string& png)
-{
-    const std::string key = std::string("tEXtFrame") + '\0';
-    const std::size_t found = png.find(key);
-    if (found == std::string::npos)
-    {
-        return -1;
-    }
-    // The length of a chunk, of which the last byte is enough here, stands before its name.
-    const auto length = static_cast<unsigned char>(png[found - 1]);
-    return std::stoi(png.substr(found + key.size(), length - std::string("Frame").size() - 1));
-}
-
-/// The pictures of a run stand without a gap, and are equally far from one another, but for the
-/// last, which shows how the run ended.
-void expectNoGap(const fs::path& folder, const std::string& what)
-{
-    std::vector<int> frames;
-    const auto file = [&] { return folder / fmt::format("frame_{:05}.png", frames.size()); };
-    while (fs::exists(file()))
-    {
-        frames.push_back(frameOf(readFile(file())));
-    }
-    std::size_t pictures = 0;
-    std::error_code none;
-    for (const auto& entry : fs::directory_iterator(folder, none))
-    {
-        pictures += entry.path().extension() == ".png" ? 1 : 0;
-    }
-    EXPECT_EQ(frames.size(), pictures) << what;
-    for (std::size_t k = 2; k + 1 < frames.size(); ++k)
-    {
-        EXPECT_EQ(frames[k] - frames[k - 1], frames[1] - frames[0]) << what;
-    }
-}
-
-// A run plans its pictures so that none is thinned out, unless there are far more than a model of
-// it has told. So a program that does nothing else stands in for it.
-TEST_F(FailingCalls, AKillWhilePicturesAreThinnedOutLeavesNoGap)
-{
-    for (const char* call : {"link", "renameat2", "unlink", "rename"})
-    {
-        int kills = 0;
-        for (int at = 1;; at = next(at, false))
-        {
-            fs::remove_all(folder_ / "faulty");
-            fs::create_directory(folder_ / "faulty");
-            const Answer answer =
-                runWith({call, "kill"}, at, "faulty/frames", FROSTFILL_THINNED_PICTURES);
-            if (!hasFailed())
-            {
-                EXPECT_EQ(answer.code, 0) << answer.errors;
-                break;
-            }
-            ++kills;
-            EXPECT_EQ(answer.code, 128 + 9) << call << at << answer.errors;
-            expectNoGap(folder_ / "faulty/frames", fmt::format("{} {}", call, at));
-            ASSERT_LT(at, 300);
-        }
-        EXPECT_GT(kills, 2) << call;
-    }
-}
-
 TEST_F(FailingCalls, WhatAKillLeavesTheNextRunClearsAway)
 {
     const std::string arguments = kTiny + "--max-frames 6 --overwrite --out faulty";
@@ -140,35 +76,14 @@ TEST_F(FailingCalls, WhatAKillLeavesTheNextRunClearsAway)
         }
         return count;
     };
-    for (const char* call : {"link", "fsync", "rename"})
+    for (const char* call : {"fsync", "rename"})
     {
         fs::create_directories(folder_ / "faulty");
-        const bool thins = call == std::string("link");
-        const Answer killed =
-            thins ? runWith({call, "kill"}, 3, "faulty/frames", FROSTFILL_THINNED_PICTURES)
-                  : runWith({call, "kill"}, 3, arguments);
+        const Answer killed = runWith({call, "kill"}, 3, arguments);
         EXPECT_EQ(killed.code, 128 + 9) << call;
         EXPECT_GT(unfinished(), 0u) << call;
         EXPECT_EQ(run(arguments).code, 0) << call;
         EXPECT_EQ(unfinished(), 0u) << call;
-    }
-}
-
-// File systems without hard links, or on which folders cannot change places in one step.
-TEST_F(FailingCalls, ThatThinningCanDoWithoutChangeNoPicture)
-{
-    fs::create_directory(folder_ / "whole");
-    ASSERT_EQ(test::runProgram("whole/frames", folder_.path(), "", FROSTFILL_THINNED_PICTURES).code,
-              0);
-    for (const char* call : {"link", "renameat2"})
-    {
-        fs::remove_all(folder_ / "faulty");
-        fs::create_directory(folder_ / "faulty");
-        const Answer answer =
-            runWith({call, "1", true}, 1, "faulty/frames", FROSTFILL_THINNED_PICTURES);
-        EXPECT_TRUE(hasFailed()) << call;
-        EXPECT_EQ(answer.code, 0) << call << answer.errors;
-        EXPECT_TRUE(contents("faulty") == contents("whole")) << call;
     }
 }
 

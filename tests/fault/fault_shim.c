@@ -125,18 +125,6 @@ int rename(const char* from, const char* to)
     return isUnder(to) && isDue("rename") ? -1 : REAL(rename)(from, to);
 }
 
-int renameat2(int fromFolder, const char* from, int toFolder, const char* to, unsigned flags)
-{
-    return isUnder(to) && isDue("renameat2")
-               ? -1
-               : REAL(renameat2)(fromFolder, from, toFolder, to, flags);
-}
-
-int link(const char* from, const char* to)
-{
-    return isUnder(to) && isDue("link") ? -1 : REAL(link)(from, to);
-}
-
 int unlink(const char* path)
 {
     return isUnder(path) && isDue("unlink") ? -1 : REAL(unlink)(path);

@@ -63,7 +63,7 @@ class Equality(FolderCase):
         frame = run.render(frame=12, size=(200, 150), color_by="height")
         file = self.folder / "frame.png"
         frame.save(file)
-        difference = pixels(file).astype(int) - pixels(self.folder / "drawn/frames/frame_00000.png")
+        difference = pixels(file).astype(int) - pixels(self.folder / "drawn/frames/frame_00012.png")
         self.assertEqual(numpy.abs(difference).max(), 0)
 
 

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "support/temporary_folder.hpp"
+#include "support/picture_files.hpp"
 
 #include <frostfill/fill.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <filesystem>
 #include <string>
 
@@ -26,26 +25,6 @@ inline FillRequest smallPictures(Scene scene, const std::filesystem::path& direc
     request.scene.threads = 1;
     request.directory = directory;
     return request;
-}
-
-/// The text of a picture under a keyword; empty if there is none.
-inline std::string pictureText(const std::filesystem::path& png, const std::string& keyword)
-{
-    const std::string bytes = readFile(png);
-    const std::string chunk = "tEXt" + keyword + '\0';
-    const std::size_t at = bytes.find(chunk);
-    if (at == std::string::npos)
-    {
-        return "";
-    }
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
-    const std::size_t size = byte(at - 2) * std::size_t{256} + byte(at - 1);
-    return bytes.substr(at + chunk.size(), size + 4 - chunk.size());
-}
-
-inline std::filesystem::path picture(const std::filesystem::path& directory, std::size_t index)
-{
-    return directory / "frames" / fmt::format("frame_{:05}.png", index);
 }
 
 /// [s] simulated, that a picture shows.

@@ -87,7 +87,8 @@ void ProgressBar::update(const FillProgress& progress)
     {
         line_.beginAnew();
     }
-    if (++calls_ % kStepsPerLook != 0 || !line_.isDue())
+    const bool looks = draws_ || ++calls_ % kStepsPerLook == 0; // pictures take long
+    if (!looks || !line_.isDue())
     {
         return;
     }

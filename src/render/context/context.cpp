@@ -113,31 +113,13 @@ std::unique_ptr<Context> openContext(Backend backend)
     throw Error(ErrorCode::noOpenGl, "no OpenGL context is available:" + attempts);
 }
 
-void keepCompiledShaders()
+void makeShaderCache()
 {
-    namespace fs = std::filesystem;
-    if (std::getenv("MESA_SHADER_CACHE_DISABLE") != nullptr ||
-        std::getenv("MESA_SHADER_CACHE_DIR") != nullptr)
+    std::error_code none;
+    if (const char* folder = std::getenv("MESA_SHADER_CACHE_DIR"))
     {
-        return;
+        std::filesystem::create_directories(folder, none);
     }
-    const char* cache = std::getenv("XDG_CACHE_HOME");
-    const char* home = std::getenv("HOME");
-    fs::path folder = cache != nullptr && *cache == '/' ? fs::path(cache)
-                      : home != nullptr && *home == '/' ? fs::path(home) / ".cache"
-                                                        : fs::path();
-    std::error_code error;
-    if (!folder.empty())
-    {
-        folder /= "frostfill";
-        fs::create_directories(folder, error);
-    }
-    if (folder.empty() || error || ::access(folder.c_str(), W_OK) != 0)
-    {
-        ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
-        return;
-    }
-    ::setenv("MESA_SHADER_CACHE_DIR", folder.c_str(), 1);
 }
 
 } // namespace frostfill

@@ -67,10 +67,8 @@ struct BackendChoice
 /// minute ends the process with the code of noOpenGl: nothing else gets out of it.
 [[nodiscard]] std::unique_ptr<Context> openContext(Backend backend);
 
-/// Tells Mesa where it may keep what it compiles, before its library is opened: most of the time
-/// before a first picture goes into compiling. The folder is our own, in the user's cache, for Mesa
-/// complains on standard error when another program tidies away what it shares with others. What
-/// the environment says about it stands; where there is no such folder nothing is kept.
-void keepCompiledShaders();
+/// Creates the folder in which Mesa keeps the shaders that it has compiled, if the environment
+/// names one. To be called before its library is opened.
+void makeShaderCache();
 
 } // namespace frostfill

@@ -67,7 +67,7 @@ struct EglLibrary
 
 EglLibrary openEglLibrary()
 {
-    keepCompiledShaders();
+    makeShaderCache();
     EglLibrary egl;
     void* library = ::dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
     if (library == nullptr)

@@ -52,7 +52,7 @@ void resolve(void* library, const char* name, OsmesaLibrary& result, Function& f
 
 OsmesaLibrary openOsmesaLibrary()
 {
-    keepCompiledShaders();
+    makeShaderCache();
     OsmesaLibrary result;
     for (const char* name : {"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"})
     {

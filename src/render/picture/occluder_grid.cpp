@@ -78,6 +78,8 @@ void OccluderGrid::build()
     inCells_.resize(spheres_.size());
     if (spheres_.empty())
     {
+        cells_ = glm::ivec3(1);
+        begins_.assign(2, 0);
         return;
     }
     // Not many more cells than spheres.

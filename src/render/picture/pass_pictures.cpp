@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "render/picture/pass_pictures.hpp"
 
+#include <frostfill/error.hpp>
+
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,6 +14,7 @@ namespace frostfill
 void makePassPictures(const Surfaces& surfaces, const Framing& framing, PassPictures& pictures)
 {
     constexpr double kFurthest = 65534;
+    constexpr std::uint32_t kLargestIdentity = 0xffffff;
     const DepthLimits limits = depthLimits(framing.projection, framing.orthographic);
     pictures.nearest = limits.nearest / framing.scale;
     pictures.furthest = limits.furthest / framing.scale;
@@ -27,6 +32,13 @@ void makePassPictures(const Surfaces& surfaces, const Framing& framing, PassPict
     }
     for (std::size_t i = 0; i < count; ++i)
     {
+        if (pictures.withIdentity && surfaces.identity[i] > kLargestIdentity)
+        {
+            throw Error(ErrorCode::usage,
+                        fmt::format("the pass identity tells {} spheres apart, and sphere {} is "
+                                    "seen: omit identity from --passes",
+                                    kLargestIdentity, surfaces.identity[i] - 1));
+        }
         const bool seen = surfaces.distance[i] != Surfaces::kNothing;
         const double share =
             (double{surfaces.distance[i]} - limits.nearest) / (limits.furthest - limits.nearest);

@@ -7,11 +7,11 @@
 
 #include <Eigen/Geometry>
 #include <glm/geometric.hpp>
+#include <tbb/parallel_sort.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 namespace frostfill
@@ -20,7 +20,6 @@ namespace
 {
 
 constexpr int kKeyBits = 22;
-constexpr int kDigitBits = 11;
 
 /// The mesh lies within 1 of unit space's origin, so that steps are a millionth of its size.
 std::uint32_t sortKey(float distance)
@@ -32,28 +31,6 @@ std::uint32_t sortKey(float distance)
 /// A key, and below it where it belongs.
 using Keyed = std::uint64_t;
 constexpr int kPlaceBits = 32;
-
-/// In ascending order of the keys, equal ones as they came: a radix sort, which takes a tenth of
-/// the time of std::sort for a million keys.
-void sortByKey(std::vector<Keyed>& keyed)
-{
-    std::vector<Keyed> next(keyed.size());
-    for (int shift = kPlaceBits; shift < kPlaceBits + kKeyBits; shift += kDigitBits)
-    {
-        const auto digit = [&](Keyed k) { return k >> shift & ((1U << kDigitBits) - 1); };
-        std::vector<std::uint32_t> starts((1U << kDigitBits) + 1, 0);
-        for (const Keyed k : keyed)
-        {
-            ++starts[digit(k) + 1];
-        }
-        std::partial_sum(starts.begin(), starts.end(), starts.begin());
-        for (const Keyed k : keyed)
-        {
-            next[starts[digit(k)]++] = k;
-        }
-        keyed.swap(next);
-    }
-}
 
 std::array<const ColumnValues*, 4> turnedIn(const Snapshot& snapshot)
 {
@@ -77,7 +54,8 @@ Eigen::Vector3d stripeAxis()
 bool SphereDrawList::knowsWhatChanged(const Snapshot& snapshot) const
 {
     return snapshot.source != 0 && snapshot.source == source_ &&
-           snapshot.changedSince <= revision_ && snapshot.centres.size() >= places_.size();
+           snapshot.changedSince <= revision_ && revision_ <= snapshot.revision &&
+           snapshot.centres.size() >= places_.size();
 }
 
 std::uint32_t SphereDrawList::stateWord(const Snapshot& snapshot, std::uint32_t id) const
@@ -116,12 +94,6 @@ void SphereDrawList::lookAt(const Snapshot& snapshot, std::uint32_t id)
     {
         places_.push_back(kRuns);
     }
-    if (!isNew && isForgotten(id)) // and hidden, unless it has moved
-    {
-        changes_.everything =
-            changes_.everything || runs || places_[id] != placeOfForgotten(instance(snapshot, id));
-        return;
-    }
     if (!isNew && places_[id] != kRuns)
     {
         SphereInstance& held = resting_[places_[id]];
@@ -149,10 +121,6 @@ void SphereDrawList::lookAt(const Snapshot& snapshot, std::uint32_t id)
     places_[id] = static_cast<std::uint32_t>(resting_.size());
     restingIds_.push_back(id);
     resting_.push_back(instance(snapshot, id));
-    if (!order_.empty())
-    {
-        order_.push_back(id);
-    }
 }
 
 void SphereDrawList::startAgain(const Snapshot& snapshot)
@@ -160,7 +128,6 @@ void SphereDrawList::startAgain(const Snapshot& snapshot)
     places_.clear();
     restingIds_.clear();
     resting_.clear();
-    order_ = {};
     cells_.clear();
     runningIds_.clear();
     changes_ = {};
@@ -176,7 +143,7 @@ void SphereDrawList::startAgain(const Snapshot& snapshot)
 
 const SphereDrawList::Changes& SphereDrawList::update(const Snapshot& snapshot,
                                                       const Framing& framing,
-                                                      const SphereColours& colours, bool anew)
+                                                      const SphereColours& colours)
 {
     colours.requireIn(snapshot);
     colours_ = &colours;
@@ -215,10 +182,6 @@ const SphereDrawList::Changes& SphereDrawList::update(const Snapshot& snapshot,
     {
         startAgain(snapshot);
     }
-    else if (anew && !order_.empty())
-    {
-        bringBack(snapshot);
-    }
     source_ = snapshot.source;
     revision_ = snapshot.revision;
 
@@ -250,8 +213,8 @@ std::vector<std::uint32_t> nearestFirst(std::span<const SphereInstance> spheres,
                                           : glm::length(centre - eye) - eyeDistance;
                order[i] = Keyed{sortKey(distance)} << kPlaceBits | i;
            });
-    sortByKey(order);
-    return {order.begin(), order.end()}; // without the keys
+    tbb::parallel_sort(order.begin(), order.end()); // equal keys as they came
+    return {order.begin(), order.end()};            // without the keys
 }
 
 void SphereDrawList::sortFrontToBack(const Framing& framing)

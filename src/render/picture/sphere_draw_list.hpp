@@ -19,9 +19,6 @@ namespace frostfill
 /// Nearest first pays from so many spheres at rest: only then are many of them found hidden.
 inline constexpr std::size_t kSortFrom = 2000;
 
-/// Fewer spheres at rest are not worth looking which of them to forget.
-inline constexpr std::size_t kForgetFrom = 10000;
-
 /// What the stripes of spheres are square to before they have turned: oblique, so that rolling
 /// about any axis of the mesh moves them. A unit vector.
 [[nodiscard]] Eigen::Vector3d stripeAxis();
@@ -46,23 +43,9 @@ public:
     };
 
     /// Takes a snapshot. Looks only at the spheres in its list of changes where that list is known
-    /// to be complete, otherwise at all. With `anew`, or where one that was forgotten has moved,
-    /// none is forgotten any more.
+    /// to be complete, otherwise at all.
     const Changes& update(const Snapshot& snapshot, const Framing& framing,
-                          const SphereColours& colours, bool anew = false);
-
-    /// Whether so many have come to rest since the last time that it pays to forget some. Not where
-    /// the source does not tell what changes, nor in cells, which are few pictures of many spheres.
-    [[nodiscard]] bool mayForget() const
-    {
-        return source_ != 0 && cells_.empty() && resting_.size() >= forgetFrom_;
-    }
-    /// Forgets the spheres at rest that are discarded and not `seen` [resting]: they draw nothing
-    /// for as long as the camera is still. Returns the new index of each, or kForgotten; the order
-    /// stays.
-    std::vector<std::uint32_t> forget(const std::vector<bool>& seen);
-    /// From here on no index.
-    static constexpr std::uint32_t kForgotten = 0x80000000U;
+                          const SphereColours& colours);
 
     /// Orders the spheres at rest by their distance from the viewer, the nearest first.
     void sortFrontToBack(const Framing& framing);
@@ -85,13 +68,6 @@ private:
     [[nodiscard]] SphereInstance instance(const Snapshot& snapshot, std::uint32_t id) const;
     void lookAt(const Snapshot& snapshot, std::uint32_t id);
     void startAgain(const Snapshot& snapshot);
-    void bringBack(const Snapshot& snapshot);
-    /// What `places_` has of one that is forgotten.
-    [[nodiscard]] static std::uint32_t placeOfForgotten(const SphereInstance& sphere);
-    [[nodiscard]] bool isForgotten(std::uint32_t id) const
-    {
-        return places_[id] >= kForgotten && places_[id] != kRuns;
-    }
 
     const SphereColours* colours_ = nullptr; ///< during update()
     /// During update(): x, y, z, w of the quaternions by which spheres have turned, if it is known.
@@ -100,12 +76,8 @@ private:
     float scale_ = 1;
     std::uint64_t source_ = 0; ///< of the last snapshot
     std::uint64_t revision_ = 0;
-    /// [#S] index in resting_, or kRuns; of one that is forgotten the bit kForgotten, and below it
-    /// a hash of where it is.
-    std::vector<std::uint32_t> places_;
+    std::vector<std::uint32_t> places_;     ///< [#S] index in resting_, or kRuns
     std::vector<std::uint32_t> restingIds_; ///< [resting]
-    std::vector<std::uint32_t> order_;      ///< the same with those forgotten; empty where none is
-    std::size_t forgetFrom_ = kForgetFrom;  ///< spheres at rest
     std::vector<SphereInstance> resting_;
     std::vector<SphereCell> cells_;
     std::vector<std::uint32_t> runningIds_; ///< ascending

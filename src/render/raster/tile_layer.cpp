@@ -303,4 +303,34 @@ std::optional<SphereLight> TileLayer::lightOn(const SphereInstance& sphere,
     return isHidden(placed) ? SphereLight{} : sphereOcclusion_->of(sphere);
 }
 
+void TileLayer::updateVisibleLight()
+{
+    std::vector<bool> seen(resting_.size());
+    for (const RestingTile& tile : tiles_)
+    {
+        tile.each([&](std::uint32_t sphere) { seen[sphere] = true; });
+    }
+    std::vector<std::uint32_t> spheres;
+    for (std::uint32_t i = 0; i < seen.size(); ++i)
+    {
+        if (seen[i])
+        {
+            spheres.push_back(i);
+        }
+    }
+    sphereOcclusion_->ask(spheres);
+}
+
+bool TileLayer::isSeen(std::uint32_t resting, std::size_t tile) const
+{
+    return tiles_[tile].lists(resting) && !hides(boundsOf(resting), tile);
+}
+
+bool TileLayer::isHidden(const SphereBounds& sphere) const
+{
+    bool hidden = true;
+    grid_.each(sphere.pixels, [&](std::size_t tile) { hidden = hidden && hides(sphere, tile); });
+    return hidden;
+}
+
 } // namespace frostfill

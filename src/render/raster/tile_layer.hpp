@@ -46,15 +46,6 @@ public:
     /// Draws those from `first` on over what is there.
     void add(std::size_t first, std::span<PixelRectangle> dirty);
 
-    /// Whether what is hidden matters to nothing that is seen; in the studio it keeps light from
-    /// it.
-    [[nodiscard]] bool needsOnlySeen() const { return !studio_; }
-    /// [resting] those that may be seen.
-    [[nodiscard]] std::vector<bool> findSeen();
-    /// The spheres at rest have got new numbers, `now`; some that are not seen may be gone. Those
-    /// that are left have to stay until follow().
-    void renumber(std::span<const std::uint32_t> now, std::span<const SphereInstance> resting);
-
     [[nodiscard]] const RestingTile& operator[](std::size_t tile) const { return tiles_[tile]; }
     [[nodiscard]] bool hides(const SphereBounds& sphere, std::size_t tile) const
     {
@@ -79,7 +70,6 @@ private:
     void addToRepainted(std::size_t tile, const PixelRectangle& pixels);
     void addContacts(std::span<PixelRectangle> dirty);
     void repaintTiles(const RestingSpheres& resting, bool cull);
-    [[nodiscard]] std::vector<bool> listed() const;
     void updateVisibleLight();
     [[nodiscard]] bool isSeen(std::uint32_t resting, std::size_t tile) const;
     /// In every tile.

@@ -5,9 +5,6 @@
 #include "render/raster/lanes/resolve.hpp"
 #include "render/raster/surface_tiles.hpp"
 
-#include <frostfill/error.hpp>
-
-#include <fmt/core.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -15,26 +12,12 @@
 
 namespace frostfill
 {
-namespace
-{
-
-/// Longest edge of a picture, as OpenGL has it here.
-constexpr int kLongestEdge = 16384;
-
-} // namespace
 
 TilePipeline::TilePipeline(const TriangleMesh& mesh, const RenderSettings& settings, bool avx2)
     : PictureBackend(mesh, settings), size_(settings.size), variant_(variantOf(settings, mesh)),
       samples_(settings.samples > 1 ? kMaxTileSamples : 1), avx2_(avx2), grid_(size_),
       triangles_(grid_)
 {
-    if (size_.width > kLongestEdge || size_.height > kLongestEdge)
-    {
-        throw Error(ErrorCode::usage,
-                    fmt::format("a picture of {}x{} pixels cannot be drawn: each edge must be "
-                                "between 1 and {} pixels",
-                                size_.width, size_.height, kLongestEdge));
-    }
     runningIn_.resize(grid_.count());
     dirty_.resize(grid_.count());
     const std::vector<glm::vec3> positions = inUnitSpace(mesh, viewpoint().framing());
@@ -121,7 +104,7 @@ const std::vector<PixelRectangle>& TilePipeline::draw(const Snapshot& snapshot, 
 {
     follow(snapshot);
     const SphereDrawList::Changes& changes =
-        drawList_.update(snapshot, viewpoint().framing(), viewpoint().colours(), stale_);
+        drawList_.update(snapshot, viewpoint().framing(), viewpoint().colours());
     const bool startAgain = stale_ || changes.everything;
     std::size_t first = changes.firstArrival; // of what stands where it did not
     if (startAgain)
@@ -178,22 +161,7 @@ const std::vector<PixelRectangle>& TilePipeline::draw(const Snapshot& snapshot, 
     image.pixels.resize(static_cast<std::size_t>(image.width * image.height) *
                         static_cast<std::size_t>(image.channels));
     composeDirty(startAgain, image);
-    if (!startAgain && viewpoint().settings().staticLayer)
-    {
-        forgetHidden();
-    }
     return parts_;
-}
-
-// What is discarded and hidden draws nothing more, unless the camera moves. That is taken not to
-// happen once it has been still for a picture.
-void TilePipeline::forgetHidden()
-{
-    if (layer_->needsOnlySeen() && drawList_.mayForget())
-    {
-        const std::vector<std::uint32_t> now = drawList_.forget(layer_->findSeen());
-        layer_->renumber(now, drawList_.resting());
-    }
 }
 
 void TilePipeline::placeRunning()

@@ -47,7 +47,6 @@ private:
     /// Draws the tile where it has these pixels of the picture.
     void renew(std::size_t tile, const PixelRectangle& pixels);
     void placeRunning();
-    void forgetHidden();
     void composeDirty(bool manyTiles, Image& image);
     /// Returns which part of the picture it has drawn.
     PixelRectangle compose(std::size_t tile, SampleTile& work, Image& image);

@@ -24,97 +24,79 @@ std::size_t numberOf(const std::filesystem::path& file)
     return loadPng(file).pixels.at(0);
 }
 
-TEST(PngSequence, NumbersPicturesFromZero)
+TEST(PngSequence, NamesPicturesByTheNumbersOfTheirFrames)
 {
     const test::TemporaryFolder folder;
-    PngSequence sequence(folder / "frames", 0);
-    for (std::size_t i = 0; i < 3; ++i)
+    PngSequence sequence(folder / "frames");
+    std::set<std::string> names;
+    for (const std::size_t number : {0U, 7U, 60U, 255U})
     {
-        sequence.put(i, numberedImage(i));
+        sequence.put(number, numberedImage(number));
+        EXPECT_EQ(numberOf(folder / fmt::format("frames/frame_{:05}.png", number)), number);
     }
-    EXPECT_EQ(sequence.count(), 3u);
-    for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_EQ(PngSequence::fileName(123456), "frame_123456.png");
+    EXPECT_EQ(numberedName("spheres", 42, "vtp"), "spheres_00042.vtp");
+}
+
+TEST(PngSequence, KnowsItsOwnNames)
+{
+    EXPECT_EQ(PngSequence::endingOf(PngSequence::fileName(0)), ".png");
+    EXPECT_EQ(PngSequence::endingOf(PngSequence::fileName(1234567)), ".png");
+    EXPECT_EQ(PngSequence::endingOf("frame_00012.png.4711.tmp"), ".png.4711.tmp");
+    for (const char* other : {"", "frame", "frame_", "frame_1.png", "frame_0001.png",
+                              "frames_00001", "spheres_00042.vtp", "frame_x0001.png"})
     {
-        EXPECT_EQ(numberOf(folder / fmt::format("frames/frame_{:05}.png", i)), i);
+        EXPECT_EQ(PngSequence::endingOf(other), "") << other;
     }
 }
 
-TEST(PngSequence, KeepsEveryNthWhenThereAreTooMany)
+TEST(PngSequence, RemovesOneOfItsPicturesAndNoOtherFile)
+{
+    const test::TemporaryFolder folder;
+    PngSequence sequence(folder / "frames");
+    test::writeFile(folder / "frames/notes.txt", "mine");
+    for (const std::size_t number : {3U, 4U, 5U})
+    {
+        sequence.put(number, numberedImage(number));
+    }
+    sequence.remove(4);
+    sequence.remove(9); // that was never there
+    EXPECT_EQ(test::filesIn(folder / "frames").size(), 3U);
+    EXPECT_FALSE(std::filesystem::exists(folder / "frames/frame_00004.png"));
+    std::filesystem::create_directories(folder / "frames/frame_00006.png/full");
+    test::expectError(
+        ErrorCode::writeFailed, [&] { sequence.remove(6); }, "cannot thin out");
+}
+
+TEST(FrameThinning, KeepsEveryNthWhenThereAreTooMany)
 {
     for (const std::size_t limit : {1u, 2u, 3u, 5u, 8u})
     {
         for (const std::size_t total : {1u, 2u, 5u, 9u, 33u, 100u})
         {
-            const test::TemporaryFolder folder;
-            PngSequence sequence(folder.path(), limit);
+            FrameThinning thinning(limit);
+            std::vector<std::size_t> kept;
             for (std::size_t i = 0; i < total; ++i)
             {
-                sequence.put(i, numberedImage(i));
+                const FrameThinning::Decision decision = thinning.take(i);
+                std::size_t place = 0;
+                std::erase_if(kept, [&](std::size_t) { return decision.thin && place++ % 2 != 0; });
+                if (decision.keep)
+                {
+                    kept.push_back(i);
+                }
             }
-
-            EXPECT_LE(sequence.count(), limit);
-            EXPECT_TRUE(sequence.count() == limit || limit == 1 || 2 * sequence.count() >= limit ||
-                        sequence.count() == total)
+            EXPECT_LE(thinning.count(), limit);
+            EXPECT_TRUE(thinning.count() == limit || limit == 1 || 2 * thinning.count() >= limit ||
+                        thinning.count() == total)
                 << limit << " of " << total;
-            std::set<std::string> names;
-            for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+            EXPECT_EQ(kept.size(), thinning.count());
+            for (std::size_t i = 0; i < kept.size(); ++i)
             {
-                names.insert(entry.path().filename());
-            }
-            EXPECT_EQ(names.size(), sequence.count());
-            for (std::size_t i = 0; i < sequence.count(); ++i)
-            {
-                EXPECT_EQ(numberOf(folder / fmt::format("frame_{:05}.png", i)),
-                          i * sequence.stride());
+                EXPECT_EQ(kept[i], i * thinning.stride());
             }
         }
     }
-}
-
-// Picture 3 falls to thinning, and 4, which is kept, does not differ from it.
-TEST(PngSequence, PicturesThatAreNotKeptLeaveTheirChangesToTheNext)
-{
-    const test::TemporaryFolder folder;
-    PngSequence sequence(folder.path(), 2);
-    const std::vector<std::uint8_t> changed = {1};
-    const std::vector<std::uint8_t> same = {0};
-    for (std::size_t i = 0; i < 4; ++i)
-    {
-        sequence.put(i, numberedImage(i), changed, {});
-    }
-    sequence.put(4, numberedImage(3), same, {});
-    EXPECT_EQ(sequence.stride(), 4u);
-    EXPECT_EQ(numberOf(folder / "frame_00001.png"), 3u);
-}
-
-TEST(PngSequence, ThinningLeavesOtherFilesWhereTheyAre)
-{
-    const test::TemporaryFolder folder;
-    PngSequence sequence(folder / "frames", 4);
-    test::writeFile(folder / "frames/notes.txt", "mine");
-    std::filesystem::create_directory(folder / "frames/more");
-    for (std::size_t i = 0; i < 9; ++i)
-    {
-        sequence.put(i, numberedImage(i));
-    }
-    EXPECT_EQ(sequence.count(), 3u);
-    EXPECT_EQ(test::readFile(folder / "frames/notes.txt"), "mine");
-    EXPECT_TRUE(std::filesystem::is_directory(folder / "frames/more"));
-    EXPECT_FALSE(std::filesystem::exists(folder / "frames.part"));
-}
-
-TEST(PngSequence, ThinsThroughASymbolicLinkWithoutReplacingIt)
-{
-    const test::TemporaryFolder folder;
-    std::filesystem::create_directory(folder / "elsewhere");
-    std::filesystem::create_directory_symlink(folder / "elsewhere", folder / "frames");
-    PngSequence sequence(folder / "frames", 2);
-    for (std::size_t i = 0; i < 5; ++i)
-    {
-        sequence.put(i, numberedImage(i));
-    }
-    EXPECT_TRUE(std::filesystem::is_symlink(folder / "frames"));
-    EXPECT_EQ(numberOf(folder / "elsewhere/frame_00001.png"), sequence.stride());
 }
 
 TEST(PngSequence, TellsThatItsDirectoryCannotBeCreated)
@@ -122,7 +104,7 @@ TEST(PngSequence, TellsThatItsDirectoryCannotBeCreated)
     const test::TemporaryFolder folder;
     test::writeFile(folder / "file", "");
     test::expectError(
-        ErrorCode::cannotCreate, [&] { PngSequence sequence(folder / "file", 0); }, "file");
+        ErrorCode::cannotCreate, [&] { PngSequence sequence(folder / "file"); }, "file");
 }
 
 } // namespace

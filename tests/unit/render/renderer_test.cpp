@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "support/drawn_with.hpp"
+#include "support/expect_error.hpp"
 #include "support/pictures.hpp"
 #include "unit/render/draw.hpp"
 
@@ -9,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <limits>
 
 namespace frostfill
 {
@@ -64,6 +66,17 @@ TEST_F(RendererTest, BackgroundHasItsColourExactly)
         const Image image = draw(mesh, settings, snapshot);
         EXPECT_TRUE(isColour(image, 479, 0, settings.style.palette.background));
         EXPECT_TRUE(isColour(image, 479, 269, settings.style.palette.background));
+    }
+}
+
+TEST_F(RendererTest, RefusesASizeThatSupersamplingMakesTooLargeForANumber)
+{
+    RenderSettings settings = smallSettings();
+    for (const int times : {60, 1 << 20, 1 << 28, std::numeric_limits<int>::max()})
+    {
+        settings.supersample = times;
+        test::expectError(
+            ErrorCode::usage, [&] { const Renderer renderer(mesh, settings); }, "cannot be drawn");
     }
 }
 

@@ -98,8 +98,9 @@ TEST_P(Animation, PlaysAsAnnouncedAndAtTheSpeedThatTheSummaryTells)
         EXPECT_NEAR(kept / rate, 2, limit == 0 ? 0.1 : 0.35);
         const std::size_t first = result.frames / 4;
         const std::size_t last = 3 * result.frames / 4;
-        const double simulated = test::timeOf(picture(folder / "run", last)) -
-                                 test::timeOf(picture(folder / "run", first));
+        const auto pictures = test::pictures(folder / "run");
+        ASSERT_EQ(pictures.size(), result.frames);
+        const double simulated = test::timeOf(pictures[last]) - test::timeOf(pictures[first]);
         const double played = static_cast<double>(last - first) / rate;
         // A picture shows the first state at or after its time.
         const double step = summary["time"]["step"];

@@ -3,7 +3,8 @@
 
 #include "support/temporary_folder.hpp"
 
-#include <fmt/format.h>
+#include <frostfill/output.hpp>
+
 #include <gtest/gtest.h>
 
 #include <set>
@@ -14,10 +15,12 @@ namespace
 {
 
 /// Frames of one colour each: red tells the number, and the left half, to be cropped, is green.
-void writeFrames(const std::filesystem::path& folder, int count)
+std::vector<std::size_t> writeFrames(const std::filesystem::path& folder, std::size_t count)
 {
-    for (int i = 0; i < count; ++i)
+    std::vector<std::size_t> numbers;
+    for (std::size_t i = 0; i < count; ++i)
     {
+        numbers.push_back(60 + 2 * i);
         Image image;
         image.width = 80;
         image.height = 30;
@@ -27,8 +30,9 @@ void writeFrames(const std::filesystem::path& folder, int count)
             image.pixels.insert(image.pixels.end(), {static_cast<std::uint8_t>(left ? 0 : 100 + i),
                                                      static_cast<std::uint8_t>(left ? 250 : 0), 0});
         }
-        savePng(image, folder / fmt::format("frame_{:05}.png", i));
+        savePng(image, folder / PngSequence::fileName(numbers.back()));
     }
+    return numbers;
 }
 
 std::set<int> redsOn(const Image& sheet)
@@ -48,10 +52,9 @@ std::set<int> redsOn(const Image& sheet)
 TEST(ContactSheet, ShowsTwelveFramesWithTheFirstAndTheLast)
 {
     const test::TemporaryFolder folder;
-    writeFrames(folder.path(), 45);
     ContactSheetRequest request;
+    request.numbers = writeFrames(folder.path(), 45);
     request.frames = folder.path();
-    request.count = 45;
     request.title = "run";
     request.crop = {40, 0, 80, 30};
     const std::set<int> reds = redsOn(makeContactSheet(request));
@@ -61,13 +64,12 @@ TEST(ContactSheet, ShowsTwelveFramesWithTheFirstAndTheLast)
 TEST(ContactSheet, ShowsAllOfAFewAndNothingOfNone)
 {
     const test::TemporaryFolder folder;
-    writeFrames(folder.path(), 3);
     ContactSheetRequest request;
     request.frames = folder.path();
     request.crop = {40, 0, 80, 30};
     for (const std::size_t count : {0U, 1U, 3U})
     {
-        request.count = count;
+        request.numbers = writeFrames(folder.path(), count);
         EXPECT_EQ(redsOn(makeContactSheet(request)).size(), count);
     }
 }

@@ -44,13 +44,13 @@ struct PlannedRun
 struct Folder
 {
     std::vector<std::uint64_t> states; ///< that the pictures show
-    std::vector<std::size_t> numbers;  ///< of all frames that were taken
-    std::vector<std::size_t> frames;
+    std::vector<std::size_t> frames;   ///< that were taken
+    std::vector<std::size_t> clocks;
 
     void put(const PicturePlan::Picture& picture, std::uint64_t state)
     {
-        numbers.push_back(picture.number);
         frames.push_back(picture.frame);
+        clocks.push_back(picture.clock);
         if (picture.thins)
         {
             std::vector<std::uint64_t> left;
@@ -121,9 +121,9 @@ TEST(PicturePlan, KeepsTheLimitAndShowsTheLastStateAtTheEnd)
                 ASSERT_LE(folder.states.size(), run.limit);
             }
             ASSERT_TRUE(std::is_sorted(folder.states.begin(), folder.states.end()));
-            ASSERT_EQ(std::adjacent_find(folder.numbers.begin(), folder.numbers.end(),
-                                         std::greater_equal<>()),
-                      folder.numbers.end());
+            // The last comes twice if it falls to the thinning that it begins.
+            ASSERT_TRUE(std::is_sorted(folder.frames.begin(), folder.frames.end()));
+            ASSERT_EQ(folder.clocks, folder.frames);
             if (FrameSelection::parse(run.selection)->hasLast())
             {
                 ASSERT_FALSE(folder.states.empty());
@@ -148,21 +148,22 @@ TEST(PicturePlan, WithoutALimitTakesEverySelectedFrameInItsPlace)
             const FrameSelection selection = FrameSelection::parse(run.selection).value();
             std::vector<std::size_t> frames;
             std::vector<std::uint64_t> states;
-            for (std::size_t i = 0; i < run.frames + run.held; ++i)
+            // The number after the frames is that of the last state.
+            const bool isAll = std::string(run.selection) == "all";
+            for (std::size_t i = 0; i < run.frames + std::max<std::size_t>(run.held, 1); ++i)
             {
-                if (selection.isLastOnly()
-                        ? i < run.held
-                        : selection.has(i) || (selection.hasLast() && i >= run.frames))
+                const bool isLast = run.held == 0 && i == run.frames;
+                if (isLast ? !isAll && selection.has(i)
+                           : selection.has(i) || (selection.hasLast() && i >= run.frames))
                 {
                     frames.push_back(i);
-                    states.push_back(selection.isLastOnly() || i >= run.frames ? run.lastState()
-                                                                               : i);
+                    states.push_back(i >= run.frames ? run.lastState() : i);
                 }
             }
             const std::size_t selected = frames.size();
             if (selection.hasLast() && (states.empty() || states.back() != run.lastState()))
             {
-                frames.push_back((selection.isLastOnly() ? 0 : run.frames) + run.held);
+                frames.push_back(run.frames);
                 states.push_back(run.lastState());
             }
             PicturePlan plan(run.scene(), 0);
@@ -211,15 +212,63 @@ TEST(PicturePlan, ThatIsStoppedHoldsNoLongerButShowsTheLastState)
     EXPECT_EQ(draw(none, run, 0).frames.size(), 5U);
 }
 
-TEST(PicturePlan, HoldsTheLastStateForAPathOrATurnUnlessToldHowLong)
+// The numbers go on from that of the last state, and the camera begins anew.
+TEST(PicturePlan, ShowsTheLastStateForATurnUnlessToldHowLong)
 {
     PlannedRun run{"last", 0, 1, 5, 0, true};
-    PicturePlan path(run.scene(), 1.2);
-    EXPECT_TRUE(path.wantsLast());
-    EXPECT_EQ(draw(path, run).states, std::vector<std::uint64_t>(12, 5));
-    run.selection = "0..9";
-    PicturePlan none(run.scene(), 1.2);
-    EXPECT_FALSE(none.wantsLast());
+    PicturePlan turn(run.scene(), 12);
+    const Folder folder = draw(turn, run);
+    EXPECT_EQ(folder.states, std::vector<std::uint64_t>(12, 5));
+    for (std::size_t i = 0; i < 12; ++i)
+    {
+        EXPECT_EQ(folder.frames.at(i), 5 + i);
+        EXPECT_EQ(folder.clocks.at(i), i);
+    }
+    run.held = 3;
+    PicturePlan held(run.scene(), 12);
+    EXPECT_EQ(draw(held, run).frames, (std::vector<std::size_t>{5, 6, 7}));
+}
+
+TEST(PicturePlan, TakesTheNumbersOfATurnAsItTakesTheTurn)
+{
+    PlannedRun run{"5..30:4", 0, 1, 5, 0, true};
+    PicturePlan turn(run.scene(), 12);
+    const Folder folder = draw(turn, run);
+    EXPECT_EQ(folder.frames, (std::vector<std::size_t>{5, 9, 13}));
+    EXPECT_EQ(folder.clocks, (std::vector<std::size_t>{0, 4, 8}));
+    run.selection = "3..30:4"; // begins before the last state
+    PicturePlan film(run.scene(), 12);
+    EXPECT_EQ(draw(film, run).frames, (std::vector<std::size_t>{3}));
+}
+
+// A run that was killed has no state after that of its last frame.
+TEST(PicturePlan, TakesTheLastFrameOfARunThatHasNotEnded)
+{
+    for (const char* selection : {"last", "4", "3..9", "all"})
+    {
+        const PlannedRun run{selection, 0, 1, 5, 0, false};
+        PicturePlan plan(run.scene(), 0);
+        std::vector<std::size_t> frames;
+        for (std::size_t frame = 0; frame < 5; ++frame)
+        {
+            plan.wants(frame) ? frames.push_back(plan.take(frame, frame).frame) : plan.pass(frame);
+        }
+        plan.finish(4, 4, {},
+                    [&](const PicturePlan::Picture& picture) { frames.push_back(picture.frame); });
+        ASSERT_FALSE(frames.empty()) << selection;
+        EXPECT_EQ(frames.back(), 4U) << selection;
+        EXPECT_EQ(std::count(frames.begin(), frames.end(), 4U), 1) << selection;
+    }
+}
+
+TEST(PicturePlan, WantsTheLastStateOnlyWhereItIsShown)
+{
+    PicturePlan none(PlannedRun{"0..3", 0, 1, 5, 0, true}.scene(), 0);
+    EXPECT_FALSE(none.wantsLast(5));
+    PicturePlan named(PlannedRun{"0..5", 0, 1, 5, 0, true}.scene(), 0);
+    EXPECT_TRUE(named.wantsLast(5));
+    PicturePlan held(PlannedRun{"0..3", 0, 1, 5, 2, true}.scene(), 0);
+    EXPECT_TRUE(held.wantsLast(5));
 }
 
 } // namespace

@@ -142,42 +142,10 @@ TEST(RunDirectory, ClearsAwayWhatAKilledRunHasLeft)
     writeFile(folder / "sets.csv.part", "se");
     writeFile(folder / "run.frost.part", "fro");
     writeFile(folder / "frames/frame_00012.png.4711.tmp", "\x89P");
+    writeFile(folder / "contact_sheet.png.4711.tmp", "\x89P");
     RunDirectory directory(folder.path(), EarlierRun::refuse); // that is no run
     directory.begin();
     EXPECT_EQ(countFiles(folder.path()), 0u);
-}
-
-// A run can be killed while it thins out its pictures: the half of them is in another folder.
-TEST(RunDirectory, ClearsAwayTheHalfOfPicturesThatWereThinnedOut)
-{
-    const TemporaryFolder folder;
-    writeOldRun(folder.path());
-    for (const char* half : {"frames.part", "depth.part.old"})
-    {
-        std::filesystem::create_directory(folder / half);
-        writeFile((folder / half) / "frame_00000.png", "\x89PNG tEXtSoftware Frostfill");
-    }
-    writeFile(folder / "frames.part/notes.txt", "mine");
-    writeFile(folder / "contact_sheet.png.4711.tmp", "\x89P");
-    {
-        RunDirectory directory(folder.path(), EarlierRun::replace);
-        directory.begin();
-    }
-    EXPECT_EQ(countFiles(folder.path()), 1u);
-    EXPECT_EQ(test::readFile(folder / "frames.part/notes.txt"), "mine");
-    EXPECT_FALSE(std::filesystem::exists(folder / "depth"));
-    EXPECT_FALSE(std::filesystem::exists(folder / "depth.part.old"));
-}
-
-TEST(RunDirectory, KeepsPicturesThatWereBetweenTwoFolders)
-{
-    const TemporaryFolder folder;
-    std::filesystem::create_directory(folder / "frames.part.old");
-    writeFile(folder / "frames.part.old/frame_00000.png", "\x89PNG tEXtSoftware Frostfill");
-    expectError(
-        ErrorCode::cannotCreate,
-        [&] { const RunDirectory directory(folder.path(), EarlierRun::refuse); }, "--overwrite");
-    EXPECT_TRUE(std::filesystem::exists(folder / "frames/frame_00000.png"));
 }
 
 TEST(RunDirectory, IsRefusedWhileAnotherRunWritesToIt)

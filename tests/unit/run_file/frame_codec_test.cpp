@@ -6,7 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <numeric>
+#include <utility>
 
 namespace frostfill
 {
@@ -184,6 +186,40 @@ TEST_F(FrameCodec, TellsARepeatedStateFromANewOne)
     EXPECT_EQ(decoder_.snapshot().revision, 1U);
     put();
     EXPECT_EQ(decoder_.snapshot().revision, 2U);
+}
+
+// A file can say anything behind sums that are right. With sanitizers this must not overflow.
+TEST_F(FrameCodec, WrapsNumbersRoundThatAreTooLarge)
+{
+    constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
+    static_assert(wrappedSum(kMost, 1) == -kMost - 1 && wrappedDifference(-kMost, 2) == kMost);
+    addSphere(SphereState::running, 1, 0);
+    put();
+    // Its places are then the largest number, 4 less, and 5.
+    for (const std::int64_t moved : {kMost, kMost - 2, 13 - kMost})
+    {
+        Streams streams;
+        streams["frames"].count(0);
+        for (int fact = 0; fact < 6; ++fact)
+        {
+            streams["frames"].difference(kMost);
+        }
+        streams["times"].raw(1.0);
+        streams["changes"].count(1);
+        for (int list = 0; list < 3; ++list)
+        {
+            streams["changes"].ids({});
+        }
+        for (const char* axis : {"x", "y", "z"})
+        {
+            streams[axis].difference(moved);
+        }
+        streams["speed"].difference(-kMost);
+        const std::string bytes = joined(std::move(streams));
+        StreamReaders readers = split(bytes);
+        decoder_.decode(readers);
+    }
+    EXPECT_EQ(decoder_.centres()[0].x() / gridOf(1), 5);
 }
 
 TEST_F(FrameCodec, GathersChangesUntilTheyAreForgotten)

@@ -175,7 +175,9 @@ void RestingTile::repaint(const SphereRaster& raster, const RestingSpheres& rest
 void RestingTile::recolour(const SphereRaster& raster, const RestingSpheres& resting,
                            const TilePart& whole, const PixelRectangle& pixels)
 {
-    unlistHidden(resting, whole);
+    // Shapes stay, so what is hidden now is hidden afterwards too.
+    std::erase_if(spheres_,
+                  [&](const Listed& listed) { return hides(resting.bounds(listed.index), whole); });
     start(pixels);
     TilePart part = whole;
     part.pixels = pixels;

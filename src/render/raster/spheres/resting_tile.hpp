@@ -83,21 +83,6 @@ public:
     /// hide are not listed any more.
     void recolour(const SphereRaster& raster, const RestingSpheres& resting, const TilePart& whole,
                   const PixelRectangle& pixels);
-    /// Spheres that others have come to hide are not listed any more.
-    void unlistHidden(const RestingSpheres& resting, const TilePart& whole)
-    {
-        // Shapes stay, so what is hidden now is hidden afterwards too.
-        std::erase_if(spheres_, [&](const Listed& listed)
-                      { return hides(resting.bounds(listed.index), whole); });
-    }
-    /// The spheres at rest have got new numbers, in the same order; those listed are there still.
-    void renumber(std::span<const std::uint32_t> now)
-    {
-        for (Listed& listed : spheres_)
-        {
-            listed.index = now[listed.index];
-        }
-    }
     /// Lists a sphere and draws it over what is there, unless it is hidden. Returns whether it may
     /// be seen.
     bool add(const SphereRaster& raster, const RestingSpheres& resting, std::uint32_t sphere,

@@ -130,6 +130,22 @@ def say_what_is_missing():
         pass
 
 
+def survive_a_lost_context():
+    with Browser(url) as page:
+        for words in ["look=Clean", "look=Studio"]:
+            page.go_to(words)
+            before = page.screenshot()
+            page.value("window.lose = frostfill.picture.gl.getExtension('WEBGL_lose_context'); lose.loseContext(); 1")
+            page.until("!document.getElementById('notice').hidden")
+            expect("graphics" in page.value("document.getElementById('notice').textContent"), "the loss is told")
+            page.value("frostfill.redraw(); 1")
+            page.settle()
+            page.value("lose.restoreContext(); 1")
+            page.until("document.getElementById('notice').hidden")
+            expect(page.screenshot() == before, f"{words}: the picture does not come back")
+        expect(not any("exceptionId" in line for line in page.said), page.said)
+
+
 look_alike()
 with Browser(url) as page:
     answer_keys(page)
@@ -137,4 +153,5 @@ with Browser(url) as page:
     choose(page)
     quiet(page)
 answer_touch()
+survive_a_lost_context()
 say_what_is_missing()

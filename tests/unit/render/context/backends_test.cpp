@@ -10,10 +10,14 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -326,6 +330,24 @@ TEST_F(Backends, ABackendThatIsNotThereNamesEveryAttempt)
         EXPECT_EQ(error.code(), ErrorCode::noOpenGl);
         EXPECT_NE(std::string(error.what()).find("egl-hardware"), std::string::npos);
         EXPECT_EQ(std::string(error.what()).find("osmesa"), std::string::npos);
+    }
+}
+
+// Other threads of the process may be reading it.
+TEST_F(Backends, LeaveTheEnvironmentAsItIs)
+{
+    std::ifstream stream("/proc/self/environ", std::ios::binary);
+    std::string atStart{std::istreambuf_iterator<char>(stream), {}};
+    for (const Backend backend : test::backends())
+    {
+        std::string driver;
+        (void)draw(backend, driver);
+    }
+    for (char** entry = environ; *entry != nullptr; ++entry)
+    {
+        const std::string words(*entry);
+        EXPECT_TRUE(!words.starts_with("MESA_") || atStart.find(words) != std::string::npos)
+            << words;
     }
 }
 

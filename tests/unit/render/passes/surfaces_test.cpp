@@ -2,11 +2,13 @@
 // Depth, normals, identities, and what of light neighbours keep off by them, as OpenGL and as tiles
 // draw them, against a ray caster.
 #include "render/picture/painter_settings.hpp"
+#include "render/picture/pass_pictures.hpp"
 #include "render/pipeline.hpp"
 #include "render/raster/lanes/has_avx2.hpp"
 #include "render/raster/spheres/ambient_occlusion.hpp"
 #include "render/raster/tile_pipeline.hpp"
 #include "support/drawn_with.hpp"
+#include "support/expect_error.hpp"
 #include "support/pictures.hpp"
 #include "unit/render/passes/ray_caster.hpp"
 
@@ -218,6 +220,27 @@ TEST(SurfacesAgainstRays, ShowNoSphereThatWaits)
             ASSERT_EQ(value, 0);
         }
     }
+}
+
+TEST(PassPictures, RefuseIdentitiesThatDoNotFitUnlessNoneIsWanted)
+{
+    Surfaces surfaces;
+    surfaces.width = surfaces.height = 1;
+    surfaces.distance = {0.5F};
+    surfaces.normal = {{128, 128, 255}};
+    surfaces.identity = {0xffffff};
+    const TilePipeline pipeline(boxMesh({1, 1, 1}), smallPicture(Look::clean));
+    const Framing& framing = pipeline.framing();
+    PassPictures pictures;
+    makePassPictures(surfaces, framing, pictures);
+    EXPECT_EQ(pictures.identity.pixels, (std::vector<std::uint8_t>{255, 255, 255}));
+    surfaces.identity = {0x1000000};
+    test::expectError(
+        ErrorCode::usage, [&] { makePassPictures(surfaces, framing, pictures); },
+        "omit identity from --passes");
+    pictures.withIdentity = false;
+    makePassPictures(surfaces, framing, pictures);
+    EXPECT_EQ(pictures.normal.pixels, (std::vector<std::uint8_t>{128, 128, 255}));
 }
 
 } // namespace

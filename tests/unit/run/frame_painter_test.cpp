@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// Pictures that are thinned out while a run is drawn: those that stay have their numbers, and each
+// is what a renderer draws that has drawn nothing before.
+#include "run/frame_painter.hpp"
+
+#include "support/small_runs.hpp"
+
+#include <frostfill/image.hpp>
+
+#include <gtest/gtest.h>
+
+#include <deque>
+
+namespace frostfill
+{
+namespace
+{
+
+/// A sphere that sinks slowly, so that few rows change; every third state repeats the one before.
+Snapshot stateOf(std::size_t frame)
+{
+    Snapshot snapshot;
+    snapshot.resize(1);
+    const auto sunk = static_cast<float>(frame - frame % 3 / 2);
+    snapshot.centres[0] = {0, 0.4F - 0.02F * sunk, 0};
+    snapshot.radii[0] = 0.2F;
+    snapshot.running = 1;
+    snapshot.time = static_cast<double>(frame);
+    return snapshot;
+}
+
+TEST(FramePainter, KeepsTheNumbersOfThePicturesThatAreThinnedOut)
+{
+    for (const std::size_t limit : {2U, 3U, 6U})
+    {
+        const test::TemporaryFolder folder;
+        Scene scene = presetScene(Preset::fast, "cube");
+        scene.size = {48, 64};
+        scene.frames.limit = limit;
+        scene.frames.passes.depth = true;
+        const TriangleMesh mesh = loadMesh(scene.object.mesh, scene.object.load).mesh;
+        const PaintRequest request{mesh, scene, {}, {}, "run", folder.path(), {}, {}};
+        std::deque<Snapshot> states;
+        FramePainter painter(request);
+        constexpr std::size_t kFrames = 29;
+        for (std::size_t frame = 0; frame < kFrames; ++frame)
+        {
+            states.push_back(stateOf(frame));
+            painter.wants(frame) ? painter.take(frame, {&states.back(), frame})
+                                 : painter.pass(frame);
+        }
+        painter.finish(kFrames, {&states.back(), kFrames - 1});
+
+        std::vector<std::size_t> numbers;
+        for (const std::filesystem::path& file : test::pictures(folder.path()))
+        {
+            numbers.push_back(std::stoul(test::pictureText(file, "Frame")));
+            EXPECT_EQ(file.filename(), PngSequence::fileName(numbers.back()));
+            EXPECT_TRUE(std::filesystem::exists(folder / "depth" / file.filename()));
+            Image alone;
+            Renderer(mesh, renderSettings(scene))
+                .render(states.at(std::min(numbers.back(), kFrames - 1)), alone);
+            EXPECT_TRUE(loadPng(file).pixels == alone.pixels) << limit << " " << numbers.back();
+        }
+        EXPECT_EQ(painter.drawn().numbers, numbers);
+        EXPECT_EQ(painter.drawn().moments.size(), numbers.size());
+        EXPECT_LE(numbers.size(), limit);
+        EXPECT_EQ(test::filesIn(folder / "depth").size(), numbers.size());
+        for (std::size_t i = 1; i + 1 < numbers.size(); ++i)
+        {
+            EXPECT_EQ(numbers[i], i * numbers[1]);
+        }
+    }
+}
+
+} // namespace
+} // namespace frostfill
