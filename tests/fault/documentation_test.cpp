@@ -64,6 +64,13 @@ void prepare(const std::filesystem::path& folder)
                     "facet normal 1 1 1\nouter loop\nvertex 9 0 0\nvertex 0 9 0\nvertex 0 0 9\n"
                     "endloop\nendfacet\n"
                     "endsolid part\n");
+    // A square cup with a wall. OFF files are known by their first word.
+    test::writeFile(folder / "cup.stl",
+                    "OFF\n16 14 0\n0 0 0\n1 0 0\n1 0 1\n0 0 1\n0 1 0\n1 1 0\n1 1 1\n0 1 1\n"
+                    ".1 .1 .1\n.9 .1 .1\n.9 .1 .9\n.1 .1 .9\n.1 1 .1\n.9 1 .1\n.9 1 .9\n.1 1 .9\n"
+                    "4 0 1 2 3\n4 0 4 5 1\n4 1 5 6 2\n4 2 6 7 3\n4 3 7 4 0\n"
+                    "4 8 11 10 9\n4 8 9 13 12\n4 9 10 14 13\n4 10 11 15 14\n4 11 8 12 15\n"
+                    "4 4 12 13 5\n4 5 13 14 6\n4 6 14 15 7\n4 7 15 12 4\n");
     test::writeFile(folder / "packing.csv", "x,y,z,radius\n1.5,1.5,0.5,0.5\n");
     test::writeFile(folder / "beads.csv", "px,py,pz,size\n0,-0.5,0,1\n");
     test::writeFile(folder / "grains.txt", "0 -0.5 0 0.5\n0.2 0.6 0 0.25\n");
