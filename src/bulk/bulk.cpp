@@ -103,7 +103,10 @@ std::optional<double> Bulk::fraction(std::span<const Eigen::Vector3d> centres,
             for (std::uint32_t i = first; i < end; ++i)
             {
                 const Eigen::Vector3d away = places.spheres[i].centre - centres[k];
-                isFilled[i] |= away.squaredNorm() <= radii[k] * radii[k] ? 1 : 0;
+                if (away.squaredNorm() <= radii[k] * radii[k])
+                {
+                    isFilled[i] = 1;
+                }
             }
         };
         places.forEachRange(centres[k], radii[k], fill);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/settling/impulse_sweeps.hpp"
+#include "simulation/solver/tolerances.hpp"
 #include "simulation/world/tolerances.hpp"
 
 #include <algorithm>
@@ -34,7 +35,6 @@ void ImpulseSweeps::plan(const std::vector<char>& active, double width)
 // alone.
 void ImpulseSweeps::layOut(double width)
 {
-    constexpr double kBeyondRounding = 1 + 1e-9;
     const auto& places = running_.position;
     Eigen::Vector3d low = places[0];
     Eigen::Vector3d high = places[0];

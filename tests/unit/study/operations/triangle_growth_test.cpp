@@ -81,7 +81,11 @@ TEST(TriangleGrowth, IsWhatTheDocumentationSaysOfTheRecordedTimes)
     const auto million = std::min_element(
         points.begin(), points.end(),
         [](const auto& a, const auto& b)
-        { return std::abs(std::log(a.triangles / 1e6)) < std::abs(std::log(b.triangles / 1e6)); });
+        {
+            const auto away = [](const auto& point)
+            { return std::abs(std::log(static_cast<double>(point.triangles) / 1e6)); };
+            return away(a) < away(b);
+        });
     const auto parts = testing_support::markdownTable(page, "part of the run | seconds");
     ASSERT_EQ(parts.size(), 2U);
     EXPECT_EQ(parts[0].at(1), fmt::format("{:.1f}", million->load + million->prepare));
