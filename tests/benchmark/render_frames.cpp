@@ -146,7 +146,7 @@ double framesPerSecond(const Options& options, const std::filesystem::path& fold
 {
     RenderScene scene(10000, 20);
     Renderer renderer(unitCube(1), settingsFor(options));
-    FrameWriter writer(folder, 0, {{"Software", "Frostfill"}});
+    FrameWriter writer(folder, {{"Software", "Frostfill"}});
     static_cast<void>(renderer.draw(scene.snapshot));
     scene.advance();
     const auto start = Clock::now();
