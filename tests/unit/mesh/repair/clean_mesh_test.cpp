@@ -62,7 +62,8 @@ TEST(DropFlatTriangles, LeavesMeshesOfNeedlesClosedWithTheirVolume)
         {
             const bool isNeedle = random() % 2 == 0;
             addVertex(mesh, random() % mesh.triangles.size(), random() % 3,
-                      isNeedle ? 1e-14 : 0.25 + 0.5 * (random() % 100) / 100, random() % 2 == 0);
+                      isNeedle ? 1e-14 : 0.25 + 0.005 * static_cast<double>(random() % 100),
+                      random() % 2 == 0);
         }
         std::shuffle(mesh.triangles.begin(), mesh.triangles.end(), random);
         ASSERT_EQ(edgesThatDoNotCancel(mesh), 0U);
