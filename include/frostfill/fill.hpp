@@ -78,7 +78,8 @@ struct FillObserver
     std::function<void()> loaded; ///< the mesh is read, and nothing is written yet
     std::function<void(const FillPlan&)> planned;
     std::function<void(const FillProgress&)> progressed; ///< after every step
-    std::function<bool()> stopRequested;                 ///< asked after every step
+    /// Asked after every step, and within long searches. Once true, it stays true.
+    std::function<bool()> stopRequested;
 };
 
 /// What drawing took while a set was the newest; one entry a frame. [ms]
