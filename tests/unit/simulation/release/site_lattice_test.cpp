@@ -49,8 +49,9 @@ TEST_P(SiteLatticeOf, OpensTheSitesThatAreFarEnoughInside)
 TEST(SiteLattice, HasNoMoreCellsThanItsNumbersCount)
 {
     // A needle of 2e7 largest radii, whose smallest spheres are a hundredth, and a slanted one.
-    for (const auto& [box, inReach] :
-         {std::pair{Eigen::Vector3d(2e7, 3, 3), 2e8}, {Eigen::Vector3d(2e7, 2e7, 3), 2e8}})
+    for (const auto& [box, inReach] : {std::pair{Eigen::Vector3d(2e7, 3, 3), 2e8},
+                                       {Eigen::Vector3d(2e7, 2e7, 3), 2e8},
+                                       {Eigen::Vector3d(2e7, 2e7, 3), 1.0}})
     {
         for (const double radius : {1.0, 0.01, 1e-6})
         {
