@@ -80,7 +80,7 @@ Command addCompletionCommand(CLI::App& program)
     command->footer("Examples:\n  frostfill completion bash > "
                     "~/.local/share/bash-completion/completions/frostfill\n"
                     "  source <(frostfill completion bash)      in this shell\n");
-    return [&program]
+    return [shell, &program]
     {
         fmt::print("{}", bashCompletion(commandTexts(program)));
         return 0;
