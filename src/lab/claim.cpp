@@ -27,33 +27,9 @@ Scene torusScene(Preset preset, std::uint64_t spheres)
     return scene;
 }
 
-void addPoints(Table& points, Table& growth, const char* method,
-               const std::vector<GrowthPoint>& measured)
-{
-    for (const GrowthPoint& point : measured)
-    {
-        points.rows.push_back({method, fmt::format("{}", point.spheres),
-                               fmt::format("{:.6g}", point.tests), fmt::format("{:.6g}", point.ms),
-                               fmt::format("{:.6g}", point.testsOfSphere),
-                               fmt::format("{:.6g}", point.msOfSphere)});
-    }
-    const Growth grown = firstToLastTenth(measured);
-    const GrowthPoint& last = measured.back();
-    std::vector<std::string> row = {method, fmt::format("{}", last.spheres)};
-    for (const double cost : {last.tests, last.ms, last.testsOfSphere, last.msOfSphere})
-    {
-        row.push_back(fmt::format("{:.6g}", cost));
-    }
-    for (const double percent : {grown.tests, grown.ms, grown.testsOfSphere, grown.msOfSphere})
-    {
-        row.push_back(fmt::format("{:.1f}", percent));
-    }
-    growth.rows.push_back(row);
-}
-
 } // namespace
 
-ClaimTables measureClaim(bool quick, const LabProgress& progress)
+Table measureClaim(bool quick, const LabProgress& progress)
 {
     const std::uint64_t spheres = quick ? kQuickClaimSpheres : kClaimSpheres;
     const TriangleMesh mesh = builtInMesh("torus");
@@ -64,27 +40,30 @@ ClaimTables measureClaim(bool quick, const LabProgress& progress)
     grid.search = {SphereSearch::grid, PolygonSearch::grid};
     const Scene fast = torusScene(Preset::fast, spheres);
 
-    ClaimTables tables;
-    Table& points = tables.points;
-    points.headings = {"method", "spheres", "tests", "ms", "sphere_tests", "sphere_ms"};
-    Table& growth = tables.growth;
-    growth.headings = points.headings;
-    for (std::size_t i = 2; i < points.headings.size(); ++i)
+    Table table;
+    table.headings = {"method", "spheres", "tests", "ms", "sphere_tests", "sphere_ms"};
+    const auto add = [&](const char* method, const std::vector<GrowthPoint>& measured)
     {
-        growth.headings.push_back(points.headings[i] + "_growth_percent");
-    }
+        for (const GrowthPoint& p : measured)
+        {
+            table.rows.push_back({method, fmt::format("{}", p.spheres),
+                                  fmt::format("{:.6g}", p.tests), fmt::format("{:.6g}", p.ms),
+                                  fmt::format("{:.6g}", p.testsOfSphere),
+                                  fmt::format("{:.6g}", p.msOfSphere)});
+        }
+    };
     constexpr std::size_t kCurves = 5;
     std::size_t curves = 0;
     progress(curves++, kCurves, "all pairs without freezing");
-    addPoints(points, growth, "all running", growthWithoutFreezing(grid, mesh, kPoints / 2));
+    add("all running", growthWithoutFreezing(grid, mesh, kPoints / 2));
     for (const auto& [method, scene] :
          {std::pair{"freezing", freezing}, std::pair{"discards", discards}, std::pair{"grid", grid},
           std::pair{"fast", fast}})
     {
         progress(curves++, kCurves, method);
-        addPoints(points, growth, method, growthOfRun(scene, mesh, kPoints));
+        add(method, growthOfRun(scene, mesh, kPoints));
     }
-    return tables;
+    return table;
 }
 
 } // namespace frostfill

@@ -4,6 +4,10 @@
 #include "lab/closed_form_parts.hpp"
 #include "lab/meshes.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
+
 namespace frostfill
 {
 
@@ -64,6 +68,27 @@ std::vector<ClosedFormPoint> measureClosedForms(bool quick)
     measureArches(points);
     measureRolling(points);
     return points.take();
+}
+
+bool ClosedFormPoint::holds() const
+{
+    return exact ? std::abs(error - expected) <= kClosedFormRounding * 100
+                 : std::abs(error) <= std::abs(expected);
+}
+
+Table closedFormsCsv(const std::vector<ClosedFormPoint>& points)
+{
+    Table table;
+    table.headings = {"problem", "method",    "parameter", "value",
+                      "error",   "magnitude", "expected",  "holds"};
+    for (const ClosedFormPoint& point : points)
+    {
+        table.rows.push_back({point.problem, point.method, point.parameter,
+                              fmt::format("{:g}", point.value), fmt::format("{:.6e}", point.error),
+                              fmt::format("{:.6e}", std::abs(point.error)),
+                              fmt::format("{:.6e}", point.expected), point.holds() ? "1" : "0"});
+    }
+    return table;
 }
 
 } // namespace frostfill

@@ -32,8 +32,5 @@ struct ClosedFormPoint
 [[nodiscard]] std::vector<ClosedFormPoint> measureClosedForms(bool quick);
 
 [[nodiscard]] Table closedFormsCsv(const std::vector<ClosedFormPoint>& points);
-/// A row for each problem and method: errors at the largest and smallest value, order fitted to the
-/// points by least squares in logarithms, and whether all hold.
-[[nodiscard]] Table closedFormsTable(const std::vector<ClosedFormPoint>& points);
 
 } // namespace frostfill

@@ -119,26 +119,4 @@ std::vector<GrowthPoint> growthWithoutFreezing(const Scene& scene, const Triangl
     return result;
 }
 
-Growth firstToLastTenth(const std::vector<GrowthPoint>& points)
-{
-    if (points.empty())
-    {
-        return {};
-    }
-    const std::size_t tenth = std::max<std::size_t>(points.size() / 10, 1);
-    const auto growth = [&](double GrowthPoint::*cost)
-    {
-        double first = 0;
-        double last = 0;
-        for (std::size_t i = 0; i < tenth; ++i)
-        {
-            first += points[i].*cost;
-            last += points[points.size() - 1 - i].*cost;
-        }
-        return first > 0 ? 100 * (last / first - 1) : 0;
-    };
-    return {growth(&GrowthPoint::tests), growth(&GrowthPoint::ms),
-            growth(&GrowthPoint::testsOfSphere), growth(&GrowthPoint::msOfSphere)};
-}
-
 } // namespace frostfill

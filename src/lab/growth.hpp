@@ -34,15 +34,4 @@ struct GrowthPoint
 [[nodiscard]] std::vector<GrowthPoint>
 growthWithoutFreezing(const Scene& scene, const TriangleMesh& mesh, std::size_t points);
 
-/// By how much a step, and a sphere, costs more in the last tenth of the points than in the first.
-/// [%]
-struct Growth
-{
-    double tests = 0;
-    double ms = 0;
-    double testsOfSphere = 0;
-    double msOfSphere = 0;
-};
-[[nodiscard]] Growth firstToLastTenth(const std::vector<GrowthPoint>& points);
-
 } // namespace frostfill

@@ -22,11 +22,12 @@ using namespace frostfill;
 constexpr const char* kExamples = R"(Examples:
   frostfill-lab operations            counted tests against the paper's lemmas
   frostfill-lab closed-forms          errors against closed forms
-  frostfill-lab steps --quick         a look, with few spheres
+  frostfill-lab claim --quick         a look, with few spheres
   frostfill-lab peers --peer Jolt=examples/peers/jolt.mjs
   scripts/figures --measure           every table, and the figures drawn from them
 )";
 
+constexpr std::size_t kMostShown = 120; // rows of a table
 constexpr std::uint64_t kGroups = 200;
 constexpr std::uint64_t kQuickGroups = 20;
 constexpr double kMinPeerRatio = 50; // claimed: time of the fastest other engine over ours
@@ -81,7 +82,6 @@ int operations(const LabRequest& request)
                                                  .discards = discards,
                                                  .groups = request.quick ? kQuickGroups : kGroups,
                                                  .room = kGroups}));
-            fmt::print("{}\n", formatText(operationsTable(results.back())));
             for (const OperationsRow& row : results.back().rows)
             {
                 if (!row.agrees())
@@ -100,7 +100,6 @@ int triangles(const LabRequest& request)
 {
     const std::vector<TriangleGrowthPoint> points = measureTriangleGrowth(request.quick, tell);
     request.write("triangles.csv", triangleGrowthCsv(points));
-    fmt::print("{}\n", formatText(triangleGrowthTable(points)));
     std::vector<std::string> broken;
     for (const TriangleGrowth& growth : triangleGrowth(points))
     {
@@ -117,7 +116,6 @@ int closedForms(const LabRequest& request)
 {
     const std::vector<ClosedFormPoint> points = measureClosedForms(request.quick);
     request.write("closed-forms.csv", closedFormsCsv(points));
-    fmt::print("{}\n", formatText(closedFormsTable(points)));
     std::vector<std::string> broken;
     for (const ClosedFormPoint& point : points)
     {
@@ -133,10 +131,7 @@ int closedForms(const LabRequest& request)
 
 int claim(const LabRequest& request)
 {
-    const ClaimTables tables = measureClaim(request.quick, tell);
-    request.write("claim.csv", tables.points);
-    request.write("claim-growth.csv", tables.growth);
-    fmt::print("{}\n", formatText(tables.growth));
+    request.write("claim.csv", measureClaim(request.quick, tell));
     return 0;
 }
 
@@ -146,31 +141,21 @@ int times(const LabRequest& request)
     request.write("times.csv", tables.times);
     request.write("fps.csv", tables.sets);
     saveText(tables.markdown, request.folder / "fps.md");
-    fmt::print("{}", tables.markdown);
-    return 0;
-}
-
-int steps(const LabRequest& request)
-{
-    const ErrorStudy study = measureSteps(request.quick, tell);
-    request.write("error-steps.csv", errorCsv(study));
-    fmt::print("{}\n", formatText(errorTable(study)));
     return 0;
 }
 
 int rest(const LabRequest& request)
 {
-    const ErrorStudy study = measureRest(request.quick, request.peers(), tell);
-    request.write("error-rest.csv", errorCsv(study));
-    fmt::print("{}\n", formatText(errorTable(study)));
+    const std::vector<RestPoint> points = measureRest(request.quick, request.peers(), tell);
+    request.write("error-rest.csv", restCsv(points));
     std::vector<std::string> broken;
-    for (const ErrorPoint& point : study.points)
+    for (const RestPoint& point : points)
     {
-        if (point.curve == "joint" && point.error > kMaxUnbalanced)
+        if (point.curve == "joint" && point.unbalanced > kMaxUnbalanced)
         {
-            broken.push_back(fmt::format("{}, {}: {:.1f} % of what has settled together do not "
-                                         "stay where they are",
-                                         point.setting, point.rivals, 100 * point.error));
+            broken.push_back(fmt::format("{}, friction {:g}: {:.1f} % of what has settled together "
+                                         "do not stay where they are",
+                                         point.setting, point.friction, 100 * point.unbalanced));
         }
     }
     return verdict(broken, "what settles together stays where it is");
@@ -185,7 +170,6 @@ int peers(const LabRequest& request)
     }
     const std::vector<PeerPoint> points = measurePeers(request.quick, engines, tell);
     request.write("peers.csv", peersCsv(points));
-    fmt::print("{}\n", formatText(peersTable(points)));
     for (const char* motion : {"fall", "skip", "descend"})
     {
         fmt::print("the fastest other engine takes {:.0f} times as long as --motion {}\n",
@@ -223,7 +207,6 @@ constexpr LabCommand kLabCommands[] = {
     {"claim", "Cost of a frame and of a sphere while the torus fills", claim},
     {"times", "The paper's times beside ours, as `frostfill fps` measures them", times},
     {"triangles", "Cost of loading, of a sphere and of a picture against the triangles", triangles},
-    {"steps", "Run time against overlap, by time step and sweeps", steps},
     {"rest", "Run time against the share of spheres that nothing holds", rest, true},
     {"peers", "Other engines on the same spheres", peers, true},
 };

@@ -98,18 +98,6 @@ private:
     std::uint64_t responses_ = 0;
 };
 
-bool isRound(std::uint64_t beta)
-{
-    for (std::uint64_t power = 1; power <= beta; power *= 10)
-    {
-        if (beta == power || beta == 2 * power || beta == 5 * power)
-        {
-            return true;
-        }
-    }
-    return false;
-}
-
 } // namespace
 
 bool OperationsRow::agrees() const
@@ -179,35 +167,6 @@ Table operationsCsv(const std::vector<OperationsResult>& results)
             }
             table.rows.push_back(cells);
         }
-    }
-    return table;
-}
-
-Table operationsTable(const OperationsResult& result)
-{
-    Table table;
-    table.title = fmt::format("{}, {} groups of {}, {} a set, {}: operations a step, beside the "
-                              "lemmas'",
-                              result.what.object, result.what.groups, result.what.gamma,
-                              result.what.k, result.what.discards ? "discards" : "no discards");
-    table.words = 0;
-    table.headings = {"β",     "α",         "tests",      "lemma",    "responses",
-                      "bound", "no freeze", "pol. tests", "so far Σ", "lemma 3"};
-    for (const OperationsRow& row : result.rows)
-    {
-        if (!isRound(row.beta) && &row != &result.rows.back())
-        {
-            continue;
-        }
-        std::vector<std::string> cells;
-        for (const std::uint64_t number :
-             {row.beta, row.alpha, row.sphereTests, row.spheres.tests, row.greatestSphereResponses,
-              row.spheres.responses, row.withoutFreezing.tests, row.polygonTests,
-              row.polygonTestsSoFar, row.polygonsSoFar.tests})
-        {
-            cells.push_back(fmt::format("{}", number));
-        }
-        table.rows.push_back(cells);
     }
     return table;
 }

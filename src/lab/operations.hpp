@@ -58,7 +58,5 @@ struct OperationsResult
 
 /// Every row of every result.
 [[nodiscard]] Table operationsCsv(const std::vector<OperationsResult>& results);
-/// The rows at 1, 2, 5, 10, 20, 50, ... groups.
-[[nodiscard]] Table operationsTable(const OperationsResult& result);
 
 } // namespace frostfill

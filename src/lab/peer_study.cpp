@@ -161,27 +161,4 @@ Table peersCsv(const std::vector<PeerPoint>& points)
     return table;
 }
 
-Table peersTable(const std::vector<PeerPoint>& points)
-{
-    Table table;
-    table.title = "Other engines on the same cube, one thread each";
-    table.words = 2;
-    table.headings = {"engine",
-                      "setting",
-                      "seconds",
-                      "at rest",
-                      "missing or outside",
-                      "largest overlap [r]",
-                      "mean overlap [r]",
-                      "in walls [r]"};
-    for (const PeerPoint& p : points)
-    {
-        table.rows.push_back(
-            {p.engine, p.setting, fmt::format("{:.2f}", p.seconds), p.atRest ? "yes" : "no",
-             fmt::format("{}", p.missing + p.outside), fmt::format("{:.1e}", p.maxOverlap),
-             fmt::format("{:.1e}", p.meanOverlap), fmt::format("{:.1e}", p.wallOverlap)});
-    }
-    return table;
-}
-
 } // namespace frostfill

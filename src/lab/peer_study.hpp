@@ -36,7 +36,6 @@ measurePeers(bool quick, const std::vector<ProgramPeer>& engines, const LabProgr
 /// How many times as long as ours with that motion the fastest other engine takes.
 [[nodiscard]] double peerRatio(const std::vector<PeerPoint>& points, const std::string& motion);
 
-[[nodiscard]] Table peersTable(const std::vector<PeerPoint>& points);
 [[nodiscard]] Table peersCsv(const std::vector<PeerPoint>& points);
 
 } // namespace frostfill

@@ -18,16 +18,6 @@ constexpr double kClear = 2.0001; // distance of two centres that are clear of e
 
 } // namespace
 
-Eigen::AlignedBox3d boxOf(const TriangleMesh& mesh)
-{
-    Eigen::AlignedBox3d box;
-    for (const Eigen::Vector3d& v : mesh.vertices)
-    {
-        box.extend(v);
-    }
-    return box;
-}
-
 TriangleMesh cubeFilledTo(double share, std::uint64_t count)
 {
     TriangleMesh mesh = builtInMesh("cube");
@@ -42,7 +32,7 @@ TriangleMesh cubeFilledTo(double share, std::uint64_t count)
 
 Pouring::Pouring(const PeerTask& task) : count_(task.count)
 {
-    const Eigen::AlignedBox3d box = boxOf(task.mesh);
+    const Eigen::AlignedBox3d box = boundingBox(task.mesh);
     const Eigen::Vector3d wall = Eigen::Vector3d::Constant(1.0001 + kShift);
     Eigen::Vector3d low = box.min() + wall;
     const Eigen::Vector3d high = box.max() - wall;

@@ -3,8 +3,6 @@
 
 #include "lab/peer.hpp"
 
-#include <Eigen/Geometry>
-
 #include <cstdint>
 #include <vector>
 
@@ -30,8 +28,5 @@ private:
 
 /// The built-in cube in units of the radius at which so many spheres take that share of it.
 [[nodiscard]] TriangleMesh cubeFilledTo(double share, std::uint64_t count);
-
-/// Of all vertices.
-[[nodiscard]] Eigen::AlignedBox3d boxOf(const TriangleMesh& mesh);
 
 } // namespace frostfill

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "lab/finish_run.hpp"
+#include "base/processor_time.hpp"
 #include "lab/pouring.hpp"
 #include "lab/study.hpp"
 #include "simulation/quality/quality.hpp"
+
+#include <frostfill/simulation.hpp>
 
 #include <fmt/format.h>
 
@@ -36,73 +38,83 @@ constexpr RestMethod kRestMethods[] = {
 };
 
 /// Judges places alone, whoever has found them: how many would move if nobody held anything.
-ErrorPoint judged(const PeerTask& task, const std::vector<Eigen::Vector3d>& places)
+RestPoint judged(const PeerTask& task, const std::vector<Eigen::Vector3d>& places)
 {
     const std::vector<double> radii(places.size(), 1);
     const std::vector<bool> atRest(places.size(), true);
     const QualityReport quality =
         examine(task.mesh, places, radii, atRest, Axis::y, {.friction = task.friction});
     const EquilibriumReport& balance = quality.equilibrium.value();
-    const auto spheres = static_cast<double>(balance.spheres);
-    ErrorPoint point;
-    point.rivals = fmt::format("friction {:g}", task.friction);
-    point.error = static_cast<double>(balance.unbalanced) / std::max(1.0, spheres);
-    point.details = {task.friction, balance.leastFriction, balance.largest,
-                     std::max(quality.maxOverlap, quality.maxWallOverlap), spheres};
+    RestPoint point;
+    point.friction = task.friction;
+    point.spheres = balance.spheres;
+    point.unbalanced = static_cast<double>(balance.unbalanced) /
+                       std::max(1.0, static_cast<double>(balance.spheres));
+    point.leastFriction = balance.leastFriction;
+    point.largestUnbalance = balance.largest;
+    point.maxOverlap = std::max(quality.maxOverlap, quality.maxWallOverlap);
     return point;
 }
 
-ErrorPoint ourRest(const PeerTask& task, const RestMethod& method)
+RestPoint ourRest(const PeerTask& task, const RestMethod& method)
 {
-    Scene scene = studyScene(Preset::fast, "cube", 1);
+    Scene scene = presetScene(Preset::fast, "cube");
+    scene.spheres.radius = 1;
     scene.spheres.count = task.count;
     scene.motion.mode = method.motion;
     scene.motion.restitution = task.restitution;
     scene.rest.mode = method.rest;
     scene.rest.friction = method.rest == Rest::joint ? task.friction : 0;
-    const Finished run = finishRun(scene, task.mesh);
-    std::vector<Eigen::Vector3d> places;
-    for (std::uint32_t id = 0; id < run.world->spheres.size(); ++id)
+    scene.threads = 1;
+    const ProcessorClock clock;
+    Simulation simulation(scene, task.mesh);
+    while (simulation.step())
     {
-        places.push_back(run.world->frame.toMesh(run.world->spheres.position(id)));
     }
-    ErrorPoint point = judged(task, places);
+    const double seconds = clock.seconds();
+    std::vector<Eigen::Vector3d> places;
+    for (std::size_t id = 0; id < simulation.sphereCount(); ++id)
+    {
+        places.push_back(simulation.sphere(id).centre);
+    }
+    RestPoint point = judged(task, places);
     point.curve = method.curve;
     point.setting = method.setting;
     point.isDefault = method.rest == Rest::each && method.motion == Motion::fall;
-    point.seconds = run.seconds;
-    const auto& settling = run.quality.settling;
-    point.details.push_back(settling && !settling->settled ? 0 : 1);
+    point.seconds = seconds;
+    const auto settling = simulation.quality().settling;
+    point.rests = !settling || settling->settled;
     return point;
 }
 
-ErrorPoint restOfEngine(const PeerTask& task, const ProgramPeer& engine, double step)
+RestPoint restOfEngine(const PeerTask& task, const ProgramPeer& engine)
 {
-    const PeerResult result = runProgramPeer(engine, task, step);
-    ErrorPoint point = judged(task, result.places);
+    const PeerResult result = runProgramPeer(engine, task, kEngineStep);
+    RestPoint point = judged(task, result.places);
     point.curve = engine.name;
-    point.setting = fmt::format("step {:g}", step);
+    point.setting = fmt::format("step {:g}", kEngineStep);
     point.seconds = result.seconds;
-    point.details.push_back(result.atRest ? 1 : 0);
+    point.rests = result.atRest;
     return point;
 }
 
 } // namespace
 
-ErrorStudy measureRest(bool quick, const std::vector<ProgramPeer>& engines,
-                       const LabProgress& progress)
+std::vector<RestPoint> measureRest(bool quick, const std::vector<ProgramPeer>& engines,
+                                   const LabProgress& progress)
 {
-    ErrorStudy study{
-        "rest",
-        "share of spheres unbalanced by more than a tenth of their weight",
-        {"friction", "least_friction", "largest_unbalance", "max_overlap", "spheres", "rests"},
-        {}};
     PeerTask task;
     task.count = quick ? 300 : 1000;
     task.mesh = cubeFilledTo(kShareOfCube, task.count);
     task.restitution = kPeerRestitution;
     task.secondsLimit = kEngineLimit;
-    std::vector<std::function<ErrorPoint()>> runs;
+    std::vector<RestPoint> points;
+    const std::size_t all = 2 * (std::size(kRestMethods) + engines.size()) - 1;
+    const auto add = [&](const RestPoint& point)
+    {
+        points.push_back(point);
+        progress(points.size(), all, point.curve + ", " + point.setting);
+    };
     for (const double friction : {0.0, 0.3})
     {
         task.friction = friction;
@@ -110,21 +122,34 @@ ErrorStudy measureRest(bool quick, const std::vector<ProgramPeer>& engines,
         {
             if (friction > 0 || !method.needsFriction)
             {
-                runs.emplace_back([=] { return ourRest(task, method); });
+                add(ourRest(task, method));
             }
         }
         for (const ProgramPeer& engine : engines)
         {
-            runs.emplace_back([=] { return restOfEngine(task, engine, kEngineStep); });
+            add(restOfEngine(task, engine));
         }
     }
-    for (const auto& run : runs)
+    return points;
+}
+
+Table restCsv(const std::vector<RestPoint>& points)
+{
+    Table table;
+    table.headings = {"curve",   "setting",  "rivals",         "seconds",           "error",
+                      "default", "friction", "least_friction", "largest_unbalance", "max_overlap",
+                      "spheres", "rests"};
+    for (const RestPoint& p : points)
     {
-        study.points.push_back(run());
-        const ErrorPoint& point = study.points.back();
-        progress(study.points.size(), runs.size(), point.curve + ", " + point.setting);
+        table.rows.push_back({p.curve, p.setting, fmt::format("friction {:g}", p.friction),
+                              fmt::format("{:.4f}", p.seconds), fmt::format("{:.4e}", p.unbalanced),
+                              p.isDefault ? "1" : "0", fmt::format("{:.6g}", p.friction),
+                              fmt::format("{:.6g}", p.leastFriction),
+                              fmt::format("{:.6g}", p.largestUnbalance),
+                              fmt::format("{:.6g}", p.maxOverlap), fmt::format("{}", p.spheres),
+                              p.rests ? "1" : "0"});
     }
-    return study;
+    return table;
 }
 
 } // namespace frostfill

@@ -192,22 +192,6 @@ std::vector<TriangleGrowth> triangleGrowth(const std::vector<TriangleGrowthPoint
             {"a picture", growthPower(points, &TriangleGrowthPoint::picture, from)}};
 }
 
-Table triangleGrowthTable(const std::vector<TriangleGrowthPoint>& points)
-{
-    Table table;
-    table.title = "Processor time by the number of triangles of one object";
-    table.headings = {"triangles", "load s", "prepare s", "sphere ms", "picture ms"};
-    table.words = 0;
-    for (const TriangleGrowthPoint& point : points)
-    {
-        table.rows.push_back({fmt::format("{}", point.triangles), fmt::format("{:.3f}", point.load),
-                              fmt::format("{:.3f}", point.prepare),
-                              fmt::format("{:.3f}", 1000 * point.sphere),
-                              fmt::format("{:.3f}", 1000 * point.picture)});
-    }
-    return table;
-}
-
 Table triangleGrowthCsv(const std::vector<TriangleGrowthPoint>& points)
 {
     Table table;

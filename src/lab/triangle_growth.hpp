@@ -48,7 +48,6 @@ struct TriangleGrowth
 [[nodiscard]] std::vector<TriangleGrowth>
 triangleGrowth(const std::vector<TriangleGrowthPoint>& points);
 
-[[nodiscard]] Table triangleGrowthTable(const std::vector<TriangleGrowthPoint>& points);
 [[nodiscard]] Table triangleGrowthCsv(const std::vector<TriangleGrowthPoint>& points);
 
 } // namespace frostfill

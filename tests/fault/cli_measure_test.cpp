@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <filesystem>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -115,6 +116,28 @@ TEST_F(MeasureCommands, FpsReadsScenesAndMeshFiles)
     EXPECT_EQ(run("fps missing.stl --no-render --quiet").code, 66);
 }
 
+TEST_F(MeasureCommands, AnalyseDrawsItsTablesAndSaysHowToGetGnuplot)
+{
+    ASSERT_EQ(run("fill cube --count 200 --frames none --keep-run on --quiet --out run").code, 0);
+    const std::string analyse = "analyse run --only porosity,contacts,pairs --figures --quiet ";
+    const Answer missing = test::runProgram(analyse + "--out new", folder_.path(), "PATH=/nowhere");
+    EXPECT_EQ(missing.code, 69);
+    EXPECT_NE(missing.errors.find("apt-get install gnuplot-nox"), std::string::npos)
+        << missing.errors;
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "new"));
+    const Answer drawn = run(analyse + "--out found");
+    ASSERT_EQ(drawn.code, 0) << drawn.errors;
+    for (const std::string name : {"porosity", "contacts", "pairs"})
+    {
+        for (const char* ending : {".gp", ".png", ".svg"})
+        {
+            EXPECT_GT(readFile(folder_ / ("found/" + name + ending)).size(), 300u)
+                << name << ending;
+        }
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "found/order.png"));
+}
+
 /// frostfill-lab, which users do not have.
 class Laboratory : public MeasureCommands
 {
@@ -153,7 +176,7 @@ TEST_F(Laboratory, WritesTheTablesOfItsFigures)
 {
     for (const auto& [command, tables] :
          {std::pair("closed-forms", std::vector<const char*>{"closed-forms.csv"}),
-          std::pair("claim", std::vector<const char*>{"claim.csv", "claim-growth.csv"}),
+          std::pair("claim", std::vector<const char*>{"claim.csv"}),
           std::pair("times", std::vector<const char*>{"times.csv", "fps.csv", "fps.md"})})
     {
         const Answer answer = lab(std::string(command) + " --quick --out here");

@@ -11,6 +11,7 @@ import unittest
 
 try:
     import matplotlib
+    import numpy
 except ImportError:
     print("skipped: matplotlib is missing (apt-get install python3-matplotlib)")
     sys.exit(77)
@@ -91,6 +92,12 @@ class Figures(unittest.TestCase):
                     near = [line for line in lines if close(line[1], y)]
                     # Three series of a figure lie beside each other, so that their bars can be seen.
                     self.assertTrue(any(close(line[0], x) or name == "density" for line in near))
+
+    def test_growth_is_of_the_last_tenth_over_the_first(self):
+        growth = figures.figure("claim").growth
+        costs = numpy.array([100.0] * 2 + [7.0] * 16 + [110.0] * 2)
+        self.assertAlmostEqual(growth(costs), 10)
+        self.assertAlmostEqual(growth(costs[::-1]), 100 * (100 / 110 - 1))
 
     def test_figure_3_has_a_mark_for_each_time(self):
         lines = lines_of(figures.figure("times").draw(RECORDED))

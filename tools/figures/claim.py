@@ -16,20 +16,25 @@ PANELS = (("ms", "Time of a frame", "milliseconds"), ("tests", "Tests of a frame
           ("sphere_tests", "Tests of a sphere, until it rests", "pairs tested"))
 
 
+def growth(costs):
+    """By how much the last tenth of the points costs more than the first. [%]"""
+    tenth = max(len(costs) // 10, 1)
+    return 100 * (costs[-tenth:].mean() / costs[:tenth].mean() - 1)
+
+
 def draw(folder):
     points = tables.read(folder / "claim.csv")
-    growth = tables.read(folder / "claim-growth.csv")
     figure, axes = style.panels(900, 760, 2, 2)
     for ax, (column, title, label) in zip(axes.flat, PANELS):
         for name, (words, colour, mark) in METHODS.items():
-            rows, grown = points.where(method=name), growth.where(method=name)
+            rows = points.where(method=name)
             if column.startswith("sphere") and name == "all running":
                 continue  # only single steps are timed, so what a sphere costs is not known
             ax.plot(rows["spheres"], rows[column], color=colour, marker=mark, linestyle="none",
                     markersize=4, label=words)
             up = {("ms", "grid"): -7, ("ms", "fast"): 7}.get((column, name), 0)
-            ax.annotate(f"{grown[column + '_growth_percent'][0]:+.0f} %",
-                        (grown["spheres"][0], grown[column][0]), xytext=(6, up),
+            ax.annotate(f"{growth(rows[column]):+.0f} %", (rows["spheres"][-1], rows[column][-1]),
+                        xytext=(6, up),
                         textcoords="offset points", color=colour, va="center", fontsize=9)
         ax.set(yscale="log", title=title, ylabel=label, xlim=(0, 12800), xticks=range(0, 10001, 2500))
         if column.startswith("sphere"):

@@ -8,7 +8,7 @@ import numpy
 
 from . import error_runs, style, tables
 
-LAB = ("steps", "rest")
+LAB = ("rest",)
 measure = error_runs.measure
 NO_ERROR, SAME_TIME = 1e-9, 0.05
 MARKS = ((style.BLUE, "s"), (style.SKY, "^"), (style.VERMILLION, "o"), (style.ORANGE, "v"),

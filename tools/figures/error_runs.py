@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The runs behind the figure `error` that need nothing but the module: discards, volume, layers and
-rendering. Each is one run on one thread, with its processor time."""
+"""The runs behind the figure `error` that need nothing but the module: steps, discards, volume, layers
+and rendering. Each is one run on one thread, with its processor time."""
 
 import math
 import time
@@ -23,6 +23,69 @@ def _timed(work):
 def _row(curve, setting, rivals, seconds, error, default, *details):
     return (curve, setting, rivals, f"{seconds:.4f}", f"{error:.4e}", int(default),
             *(f"{detail:.6g}" for detail in details))
+
+
+def overlaps(state):
+    """The largest and the mean overlap [r] of running spheres of one size, with all others."""
+    moves = numpy.flatnonzero(state.states == 0)
+    if not len(moves):
+        return 0.0, 0.0
+    apart = numpy.linalg.norm(state.centres[moves, None] - state.centres[None], axis=2)
+    depth = 2 - apart / state.radii[0]
+    # Each pair once: a running sphere with those that rest, and with running ones after it.
+    later = (state.states != 0) | (numpy.arange(len(state)) > moves[:, None])
+    depth = depth[later & (depth > 0) & (numpy.arange(len(state)) != moves[:, None])]
+    return (depth.max(), depth.mean()) if len(depth) else (0.0, 0.0)
+
+
+def steps(runs, quick):
+    """Time steps and contact sweeps against overlap in motion, support and energy; means over seeds."""
+    unit = math.sqrt(0.1 / runs.GRAVITY)
+
+    def run(factor, seeds, **options):
+        numbers = []
+        step = None
+        for seed in range(1, seeds + 1):
+            start = time.process_time()
+            simulation = runs.frostfill.Simulation("cube", radius=0.1, count=100 if quick else 600, seed=seed,
+                                                   threads=1, **options)
+            if factor != 1:
+                step = step or factor * simulation.time_step
+                start = time.process_time()
+                simulation = runs.frostfill.Simulation("cube", radius=0.1, count=100 if quick else 600,
+                                                       seed=seed, threads=1, dt=step, **options)
+            looks, looking = [], 0.0
+            every = max(1, round(0.5 * unit / simulation.time_step))
+            while simulation.advance(every) == every:
+                before = time.process_time()
+                looks.append(overlaps(simulation.snapshot()))
+                looking += time.process_time() - before
+            seconds = time.process_time() - start - looking
+            quality = simulation.quality()
+            numbers.append((seconds, *numpy.mean(looks, axis=0), quality.max_overlap, quality.mean_overlap,
+                            quality.unsupported / simulation.sphere_count, quality.energy_gain,
+                            quality.energy_excess, quality.centres_outside))
+        return simulation.time_step / unit, numpy.mean(numbers, axis=0)
+
+    rows = []
+    for curve, rivals, options in (
+            ("fast", "fall", {}), ("fast skip", "skip", {"motion": "skip"}),
+            ("paper", "fall", {"preset": "paper", **runs.GRIDS}),
+            ("paper semi-implicit", "fall", {"preset": "paper", "integrator": "semi-implicit", **runs.GRIDS})):
+        fast = "preset" not in options
+        # The preset fast divides steps that are longer than twice its default.
+        factors = [f for f in (0.1, 0.25, 0.5, 1, 2, 4, 8)
+                   if (f <= (1 if rivals == "skip" else 2) if fast else f >= 0.25)
+                   and (not quick or f in (0.5, 1, 2))]
+        for factor in factors:
+            for sweeps in ((1, 16) if quick else (1, 2, 4, 8, 16)) if fast else (1,):
+                more = {"sweeps": sweeps} if fast else {}
+                step, (seconds, *found) = run(factor, 12 if fast else 3, **options, **more)
+                setting = f"step x{factor:g}" + (f", sweeps {sweeps}" if fast else "")
+                rows.append(_row(curve, setting, rivals, seconds, found[0] + found[4],
+                                 fast and factor == 1 and sweeps == 16, step, sweeps, *found))
+    return ("step", "sweeps", "moving_overlap", "mean_moving_overlap", "max_overlap", "mean_overlap",
+            "unsupported_share", "energy_gain", "energy_excess", "outside"), rows
 
 
 def discards(runs, quick):
@@ -124,8 +187,10 @@ def layers(runs, quick):
 
 def rendering(runs, quick):
     """Samples a pixel against a picture of 256, for spheres and for shells."""
-    size = "240x135" if quick else "480x270"
+    width, height = (240, 135) if quick else (480, 270)
+    size = f"{width}x{height}"
     rows = []
+
 
     def compare(curve, setting, rivals, reference, run, samples, supersample, triangles, **options):
         def draw():
@@ -133,20 +198,23 @@ def rendering(runs, quick):
                               static_layer="off", **options)
         draw()
         picture, seconds = min((_timed(draw) for _ in range(5)), key=lambda each: each[1])
-        apart = picture[:, :, :3].astype(float) - reference[:, :, :3]
+        apart = picture[:, :, :3] - reference
         rows.append(_row(curve, setting, rivals, seconds, math.sqrt(numpy.mean(apart ** 2)),
                          samples == 4 and supersample == 1, samples, supersample, triangles,
                          abs(apart).max(), (abs(apart).max(axis=2) > 8).sum()))
 
     run = runs.finished("torus", count=200 if quick else 1000, motion="skip")
-    fine = run.render(samples=1, supersample=8 if quick else 16, size=size, legend=False, shell=False)
+    # Of 256 samples a pixel: a picture twice as large, whose pixels are averaged by four.
+    fine = run.render(samples=1, supersample=8, size=f"{2 * width}x{2 * height}", legend=False, shell=False)
+    fine = fine[:, :, :3].reshape(height, 2, width, 2, 3).mean(axis=(1, 3))
     for samples, supersample in ((1, 1), (2, 1), (4, 1), (1, 2), (1, 3), (1, 4)):
         compare("exact spheres", f"{samples} samples, {supersample}x{supersample}", "", fine, run, samples,
                 supersample, 0, shell=False)
     for along in (48, 192, 768):
         vertices, triangles = torus(along)
         run = runs.frostfill.Simulation(vertices=vertices, triangles=triangles, count=1, radius=0.05)
-        fine = run.render(samples=4, supersample=8, size=size, legend=False)
+        # Its lines are one pixel wide, so its size stays.
+        fine = run.render(samples=4, supersample=8, size=size, legend=False)[:, :, :3].astype(float)
         name = f"{len(triangles)} triangles"
         for samples in (1, 4):
             compare("shell", f"{name}, {samples} samples", "shell of " + name, fine, run, samples, 1,
@@ -171,6 +239,6 @@ def torus(along):
 
 def measure(folder, quick):
     from . import runs
-    for study in (discards, volume, layers, rendering):
+    for study in (steps, discards, volume, layers, rendering):
         details, rows = study(runs, quick)
         tables.write(folder / f"error-{study.__name__}.csv", HEAD + details, rows)

@@ -62,19 +62,5 @@ TEST(GrowthStudy, WithoutFreezingEveryPairIsTested)
     EXPECT_EQ(points.back().spheres, 40u);
 }
 
-TEST(GrowthStudy, GrowthComparesTheFirstTenthWithTheLast)
-{
-    std::vector<GrowthPoint> points;
-    for (int i = 0; i < 20; ++i)
-    {
-        points.push_back({0, i < 2 ? 100.0 : 110.0, i < 2 ? 2.0 : 1.0, i < 2 ? 4.0 : 5.0, 1.0});
-    }
-    EXPECT_NEAR(firstToLastTenth(points).tests, 10, 1e-9);
-    EXPECT_NEAR(firstToLastTenth(points).ms, -50, 1e-9);
-    EXPECT_NEAR(firstToLastTenth(points).testsOfSphere, 25, 1e-9);
-    EXPECT_NEAR(firstToLastTenth(points).msOfSphere, 0, 1e-9);
-    EXPECT_EQ(firstToLastTenth({}).ms, 0);
-}
-
 } // namespace
 } // namespace frostfill

@@ -6,6 +6,7 @@
 #include <frostfill/packing.hpp>
 #include <frostfill/simulation.hpp>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,28 +19,23 @@ namespace frostfill
 namespace
 {
 
-/// By "curve setting friction".
-using RestPoints = std::map<std::string, ErrorPoint>;
+/// By "curve setting, friction F".
+using RestPoints = std::map<std::string, RestPoint>;
 
-const ErrorStudy& restStudy()
+const RestPoints& restPoints()
 {
-    static const ErrorStudy kStudy = measureRest(true, {}, [](auto, auto, const auto&) {});
-    return kStudy;
-}
-
-RestPoints restPoints()
-{
-    RestPoints points;
-    for (const ErrorPoint& point : restStudy().points)
+    static const RestPoints kPoints = []
     {
-        points.emplace(point.curve + " " + point.setting + ", " + point.rivals, point);
-    }
-    return points;
-}
-
-double detail(const ErrorPoint& point, const std::string& name)
-{
-    return restStudy().detail(point, name);
+        RestPoints points;
+        for (const RestPoint& point : measureRest(true, {}, [](auto, auto, const auto&) {}))
+        {
+            points.emplace(
+                fmt::format("{} {}, friction {:g}", point.curve, point.setting, point.friction),
+                point);
+        }
+        return points;
+    }();
+    return kPoints;
 }
 
 TEST(RestRuns, LeaveNothingUnbalancedThatHasSettledTogether)
@@ -47,17 +43,16 @@ TEST(RestRuns, LeaveNothingUnbalancedThatHasSettledTogether)
     std::size_t joint = 0;
     for (const auto& [name, point] : restPoints())
     {
-        EXPECT_EQ(point.details.size(), 6u) << name;
-        EXPECT_EQ(detail(point, "spheres"), 300) << name;
+        EXPECT_EQ(point.spheres, 300u) << name;
         if (point.curve == "joint")
         {
             ++joint;
-            EXPECT_LE(point.error, 0.005) << name;
-            const double least = detail(point, "least_friction");
-            EXPECT_LE(least, detail(point, "friction")) << name;
-            EXPECT_EQ(least > 0.05, detail(point, "friction") > 0) << name << ": " << least;
-            EXPECT_LE(detail(point, "max_overlap"), 1e-7) << name;
-            EXPECT_EQ(detail(point, "rests"), 1) << name;
+            EXPECT_LE(point.unbalanced, 0.005) << name;
+            const double least = point.leastFriction;
+            EXPECT_LE(least, point.friction) << name;
+            EXPECT_EQ(least > 0.05, point.friction > 0) << name << ": " << least;
+            EXPECT_LE(point.maxOverlap, 1e-7) << name;
+            EXPECT_TRUE(point.rests) << name;
         }
     }
     EXPECT_EQ(joint, 7u); // three motions with and without friction, grains with friction alone
@@ -68,10 +63,10 @@ TEST(RestRuns, FindThatSpheresWhichRestEachByThemselvesNeedFriction)
     for (const char* motion : {"fall", "skip", "descend"})
     {
         const std::string name = std::string("each ") + motion;
-        EXPECT_GT(restPoints().at(name + ", friction 0").error, 0.9) << name;
-        const ErrorPoint held = restPoints().at(name + ", friction 0.3");
-        EXPECT_LT(held.error, 0.05) << name;
-        EXPECT_NEAR(detail(held, "least_friction"), 0.25, 0.1) << name;
+        EXPECT_GT(restPoints().at(name + ", friction 0").unbalanced, 0.9) << name;
+        const RestPoint& held = restPoints().at(name + ", friction 0.3");
+        EXPECT_LT(held.unbalanced, 0.05) << name;
+        EXPECT_NEAR(held.leastFriction, 0.25, 0.1) << name;
         EXPECT_EQ(held.isDefault, std::string(motion) == "fall");
     }
 }
@@ -89,10 +84,10 @@ TEST(RestRuns, CountWhatTheProgramCounts)
     {
     }
     const EquilibriumReport report = simulation.quality().equilibrium.value();
-    const ErrorPoint point = restPoints().at("each skip, friction 0");
-    EXPECT_NEAR(point.error * 300, static_cast<double>(report.unbalanced), 1);
-    EXPECT_NEAR(detail(point, "least_friction"), report.leastFriction, 0.005);
-    EXPECT_NEAR(detail(point, "largest_unbalance"), report.largest, 0.02);
+    const RestPoint& point = restPoints().at("each skip, friction 0");
+    EXPECT_NEAR(point.unbalanced * 300, static_cast<double>(report.unbalanced), 1);
+    EXPECT_NEAR(point.leastFriction, report.leastFriction, 0.005);
+    EXPECT_NEAR(point.largestUnbalance, report.largest, 0.02);
 }
 
 TEST(RestRuns, PourIntoACubeOfWhichSpheresTakeTheShareThatIsSaid)
