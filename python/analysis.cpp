@@ -159,6 +159,9 @@ void addSpheres(Class& type)
     add(
         "wall_distances", [](const A& a) -> auto& { return a.wallDistances; },
         "float64 [n] from the centre to the wall");
+    add(
+        "depths", [](const A& a) -> auto& { return a.depths; },
+        "float64 [n] from the centre up to the surface of the bed");
     const auto contacts = [](const A& a) -> const ContactStatistics&
     { return partOf(a.contacts, "contacts"); };
     add(

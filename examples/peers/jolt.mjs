@@ -1,8 +1,8 @@
 #!/usr/bin/env node
 // SPDX-License-Identifier: MIT
-// Jolt, through WebAssembly, as an engine of `frostfill bench error --peer`. Do this once in its folder:
+// Jolt, through WebAssembly, as an engine of `frostfill-lab peers`. Do this once in its folder:
 //     npm install jolt-physics@1.1.0
-// Then, with the path of this file: `frostfill bench error --peer Jolt=examples/peers/jolt.mjs`.
+// Then, with the path of this file: `frostfill-lab peers --peer Jolt=examples/peers/jolt.mjs`.
 // Lengths are in radii of the spheres, times in sqrt(r/g); down is -y.
 import { readSync, writeSync } from "node:fs";
 

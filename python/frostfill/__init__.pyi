@@ -728,6 +728,9 @@ class PackingAnalysis:
     def wall_distances(self) -> NDArray[numpy.float64]:
         """float64 [n] from the centre to the wall"""
     @property
+    def depths(self) -> NDArray[numpy.float64]:
+        """float64 [n] from the centre up to the surface of the bed"""
+    @property
     def sphere_contacts(self) -> NDArray[numpy.uint32]:
         """uint32 [n] other spheres that each touches"""
     @property

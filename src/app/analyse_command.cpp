@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands.hpp"
 #include "app/packing_mesh.hpp"
+#include "app/plots/analysis_plots.hpp"
 #include "app/progress/message.hpp"
 #include "app/scene_options.hpp"
-#include "study/figures/analysis_figures.hpp"
 
 #include <frostfill/analysis.hpp>
 #include <frostfill/error.hpp>

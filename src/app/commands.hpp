@@ -14,10 +14,8 @@ using Command = std::function<int()>;
 
 /// Each function adds a command to the program and returns the function that runs it.
 Command addAnalyseCommand(CLI::App& program);
-Command addBenchCommand(CLI::App& program);
 Command addCheckCommand(CLI::App& program);
 Command addExportCommand(CLI::App& program);
-Command addFiguresCommand(CLI::App& program);
 Command addFillCommand(CLI::App& program);
 Command addFpsCommand(CLI::App& program);
 Command addImportCommand(CLI::App& program);

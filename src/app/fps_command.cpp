@@ -2,8 +2,8 @@
 #include "app/commands.hpp"
 #include "app/progress/message.hpp"
 #include "app/scene_options.hpp"
-#include "study/fps/fps_compare.hpp"
-#include "study/fps/fps_report.hpp"
+#include "fps/fps_compare.hpp"
+#include "fps/fps_report.hpp"
 
 #include <frostfill/error.hpp>
 

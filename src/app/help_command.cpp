@@ -16,7 +16,7 @@ namespace frostfill
 namespace
 {
 
-/// The help of the command of this name, such as {"bench", "error"}.
+/// The help of the command of this name.
 std::string helpOf(const CLI::App& program, const std::vector<std::string>& names)
 {
     const CLI::App* found = &program;
@@ -51,8 +51,8 @@ Command addHelpCommand(CLI::App& program)
 {
     const auto names = std::make_shared<std::vector<std::string>>();
     CLI::App* command = program.add_subcommand("help", "Print the help of a command");
-    command->add_option("COMMAND", *names, "Such as fill, or bench error");
-    command->footer("Examples:\n  frostfill help fill\n  frostfill help bench error\n");
+    command->add_option("COMMAND", *names, "Such as fill");
+    command->footer("Examples:\n  frostfill help fill\n");
     return [names, &program]
     {
         fmt::print("{}", helpOf(program, *names));

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What a frame takes: to memory with the static layer, with everything redrawn, with the shell; and
-// to PNG files, beside a naive pipeline. Milliseconds and frames a second of one run on this
+// to PNG files. Milliseconds and frames a second of one run on this
 // machine. Run it by hand on an idle machine:
 // build/release/tests/benchmark/benchmark_render [--samples 4] [--quick] [--opengl] [--only WORD]
 // `--opengl` draws with OpenGL what is otherwise drawn without it.
 
-#include "benchmark/naive_pipeline.hpp"
 #include "benchmark/render_scene.hpp"
 #include "run/frame_writer.hpp"
 
@@ -165,32 +164,14 @@ double framesPerSecond(const Options& options, const std::filesystem::path& fold
     return frames / seconds;
 }
 
-double naiveFramesPerSecond(const Options& options, const std::filesystem::path& folder, int frames)
-{
-    RenderScene scene(10000, 20);
-    NaivePipeline pipeline({}, options.samples);
-    Image image;
-    pipeline.draw(scene.snapshot, image);
-    const auto start = Clock::now();
-    for (int i = 0; i < frames; ++i)
-    {
-        pipeline.draw(scene.snapshot, image);
-        NaivePipeline::save(image, folder / fmt::format("naive_{}.png", i));
-        scene.advance();
-    }
-    return frames / (millisecondsSince(start) / 1000);
-}
-
-void compareFiles(const Options& options)
+void measureFiles(const Options& options)
 {
     const auto folder =
         std::filesystem::temp_directory_path() / fmt::format("frostfill_benchmark_{}", ::getpid());
     std::filesystem::create_directories(folder);
     const double ours = framesPerSecond(options, folder, options.quick ? 100 : 600);
-    const double naive = naiveFramesPerSecond(options, folder, options.quick ? 3 : 10);
     std::filesystem::remove_all(folder);
-    fmt::print("10k + 20 to PNG files: {:.1f} frames/s; naive pipeline {:.2f}; {:.1f} times\n",
-               ours, naive, ours / naive);
+    fmt::print("10k + 20 to PNG files: {:.1f} frames/s\n", ours);
 }
 
 void run(const Options& options)
@@ -226,7 +207,7 @@ void run(const Options& options)
     }
     if (options.only.empty())
     {
-        compareFiles(options);
+        measureFiles(options);
     }
     measure("10k, camera moves", [&] { return everythingRedrawn(options, 10000, true); });
     measure("10k, camera moves, layer off",

@@ -49,7 +49,6 @@ protected:
 TEST_F(HelpCommands, HelpOfACommandIsThatOfItsOption)
 {
     EXPECT_EQ(run("help fill").output, run("fill --help").output);
-    EXPECT_EQ(run("help bench error").output, run("bench error --help").output);
     EXPECT_EQ(run("help").output, run("--help").output);
     EXPECT_EQ(run("version").output, run("--version").output);
     const Answer wrong = run("help fil");
@@ -59,8 +58,7 @@ TEST_F(HelpCommands, HelpOfACommandIsThatOfItsOption)
 
 TEST_F(HelpCommands, AMistypedCommandIsToldTheNearestOne)
 {
-    for (const auto& [words, nearest] :
-         {std::pair{"fil torus", "fill"}, {"bench eror", "error"}, {"mehs torus", "mesh"}})
+    for (const auto& [words, nearest] : {std::pair{"fil torus", "fill"}, {"mehs torus", "mesh"}})
     {
         const Answer answer = run(words);
         EXPECT_EQ(answer.code, 64) << words;
@@ -75,7 +73,6 @@ TEST_F(HelpCommands, BashCompletesCommandsOptionsAndWords)
 {
     ASSERT_EQ(run("completion bash > completion.bash").code, 0);
     EXPECT_EQ(completed("frostfill fil"), "fill\n");
-    EXPECT_EQ(completed("frostfill bench err"), "error\n");
     EXPECT_EQ(completed("frostfill fill torus --group"), "--group-size --groups-per-set\n");
     EXPECT_EQ(completed("frostfill fill --motion ''"), "fall skip descend granular\n");
     EXPECT_EQ(completed("frostfill mesh torus --re"), "--repair\n");

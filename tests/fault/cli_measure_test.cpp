@@ -2,11 +2,14 @@
 #include "fault/program.hpp"
 #include "support/temporary_folder.hpp"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <filesystem>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 namespace frostfill
 {
@@ -113,19 +116,53 @@ TEST_F(MeasureCommands, FpsReadsScenesAndMeshFiles)
     EXPECT_EQ(run("fps missing.stl --no-render --quiet").code, 66);
 }
 
-TEST_F(MeasureCommands, BenchOperationsAgreesWithTheLemmas)
+TEST_F(MeasureCommands, AnalyseDrawsItsTablesAndSaysHowToGetGnuplot)
 {
-    const Answer answer = run("bench operations --quick --out here");
+    ASSERT_EQ(run("fill cube --count 200 --frames none --keep-run on --quiet --out run").code, 0);
+    const std::string analyse = "analyse run --only porosity,contacts,pairs --figures --quiet ";
+    const Answer missing = test::runProgram(analyse + "--out new", folder_.path(), "PATH=/nowhere");
+    EXPECT_EQ(missing.code, 69);
+    EXPECT_NE(missing.errors.find("apt-get install gnuplot-nox"), std::string::npos)
+        << missing.errors;
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "new"));
+    const Answer drawn = run(analyse + "--out found");
+    ASSERT_EQ(drawn.code, 0) << drawn.errors;
+    for (const std::string name : {"porosity", "contacts", "pairs"})
+    {
+        for (const char* ending : {".gp", ".png", ".svg"})
+        {
+            EXPECT_GT(readFile(folder_ / ("found/" + name + ending)).size(), 300u)
+                << name << ending;
+        }
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "found/order.png"));
+}
+
+/// frostfill-lab, which users do not have.
+class Laboratory : public MeasureCommands
+{
+protected:
+    [[nodiscard]] Answer lab(const std::string& arguments) const
+    {
+        return test::runProgram(arguments, folder_.path(), "", FROSTFILL_LAB_PROGRAM);
+    }
+};
+
+TEST_F(Laboratory, AgreesWithTheLemmas)
+{
+    const Answer answer = lab("operations --quick --out here");
     ASSERT_EQ(answer.code, 0) << answer.output << answer.errors;
     EXPECT_NE(answer.output.find("verdict: tests equal"), std::string::npos) << answer.output;
     // 20 groups one by one and in fours, with and without discards.
     EXPECT_EQ(lines(readFile(folder_ / "here/operations.csv")), 1 + 2 * (20 + 5));
-    EXPECT_EQ(run("bench").code, 64);
+    EXPECT_EQ(lab("").code, 64);
+    EXPECT_EQ(lab("nothing").code, 64);
+    EXPECT_EQ(run("bench operations").code, 64) << "it is no command of the program";
 }
 
-TEST_F(MeasureCommands, BenchGrowthTellsHowEachCostGrows)
+TEST_F(Laboratory, TellsHowEachCostGrowsWithTriangles)
 {
-    const Answer answer = run("bench growth --quick --out here");
+    const Answer answer = lab("triangles --quick --out here");
     EXPECT_TRUE(answer.code == 0 || answer.code == 2) << answer.errors; // as the clock says
     for (const char* cost : {"loading grows as triangles^", "a sphere grows as triangles^",
                              "a picture grows as triangles^", "verdict: "})
@@ -135,88 +172,42 @@ TEST_F(MeasureCommands, BenchGrowthTellsHowEachCostGrows)
     EXPECT_EQ(lines(readFile(folder_ / "here/triangles.csv")), 1 + 3);
 }
 
-TEST_F(MeasureCommands, FiguresListsThemAndRefusesOthers)
+TEST_F(Laboratory, WritesTheTablesOfItsFigures)
 {
-    const Answer answer = run("figures --list");
-    EXPECT_EQ(answer.code, 0);
-    for (const char* name : {"volume", "interaction", "times", "claim", "operations", "filling",
-                             "cutaways", "discarded", "density"})
+    for (const auto& [command, tables] :
+         {std::pair("closed-forms", std::vector<const char*>{"closed-forms.csv"}),
+          std::pair("claim", std::vector<const char*>{"claim.csv"}),
+          std::pair("times", std::vector<const char*>{"times.csv", "fps.csv", "fps.md"})})
     {
-        EXPECT_NE(answer.output.find(name), std::string::npos) << name;
-    }
-    EXPECT_EQ(run("figures --only nothing").code, 64);
-}
-
-TEST_F(MeasureCommands, FiguresAreTheSameByteForByte)
-{
-    const std::string which = "figures --quick --quiet --only operations,interaction,volume ";
-    ASSERT_EQ(run(which + "--out a").code, 0);
-    ASSERT_EQ(run(which + "--out b").code, 0);
-    std::size_t files = 0;
-    for (const auto& file : std::filesystem::directory_iterator(folder_ / "a"))
-    {
-        const std::string name = file.path().filename().string();
-        EXPECT_EQ(readFile(file.path()), readFile(folder_ / ("b/" + name))) << name;
-        EXPECT_GT(std::filesystem::file_size(file.path()), 0u) << name;
-        ++files;
-    }
-    // Three scripts and their style, SVG and PNG of each, and the data.
-    EXPECT_GE(files, 4u + 6 + 3);
-}
-
-TEST_F(MeasureCommands, FiguresOfAnObjectOfOnesOwnComeWithPdfAndAreTheSameByteForByte)
-{
-    const std::string which = "figures --object sphere --quick --quiet ";
-    ASSERT_EQ(run(which + "--out a").code, 0);
-    ASSERT_EQ(run(which + "--only stages,volume --out b").code, 0);
-    for (const char* name : {"stages", "cutaways", "discards", "volume"})
-    {
-        for (const char* ending : {".svg", ".png", ".pdf"})
+        const Answer answer = lab(std::string(command) + " --quick --out here");
+        EXPECT_EQ(answer.code, 0) << command << answer.errors;
+        for (const char* table : tables)
         {
-            EXPECT_TRUE(std::filesystem::exists(folder_ / fmt::format("a/{}{}", name, ending)))
-                << name << ending;
+            EXPECT_GT(lines(readFile(folder_ / (std::string("here/") + table))), 5) << table;
         }
     }
-    for (const std::string name : {"stages.pdf", "volume.pdf", "volume.svg", "stages.png"})
+}
+
+TEST_F(Laboratory, RefusesEnginesThatCannotBeCompared)
+{
+    writeFile(folder_ / "text", "no program\n");
+    for (const auto& [arguments, code, words] :
+         {std::tuple("peers", 64, "name an engine by --peer"),
+          std::tuple("peers --peer Jolt", 64, "'Jolt' must be NAME=PROGRAM"),
+          std::tuple("peers --peer a,b=text", 64, "cannot name an engine"),
+          std::tuple("peers --peer A=text --peer A=b", 64, "two engines have the name A"),
+          std::tuple("peers --peer Frostfill=text", 64, "two engines have the name Frostfill"),
+          std::tuple("rest --peer Jolt=missing", 69,
+                     "the engine Jolt cannot be started: 'missing': No such file"),
+          std::tuple("peers --peer Jolt=./text", 69, "'./text': Permission denied"),
+          std::tuple("peers --peer Jolt=/bin/false", 69,
+                     "the engine Jolt was to answer 'ready', but ended with code 1"),
+          std::tuple("peers --peer Jolt=cat", 69, "but said 'frostfill-peer 1'")})
     {
-        EXPECT_EQ(readFile(folder_ / ("a/" + name)), readFile(folder_ / ("b/" + name))) << name;
+        const Answer answer = lab(arguments);
+        EXPECT_EQ(answer.code, code) << arguments;
+        EXPECT_NE(answer.errors.find(words), std::string::npos) << answer.errors;
     }
-    EXPECT_EQ(run(which + "--only operations --out c").code, 64);
-    EXPECT_EQ(run("figures --object nothing.obj --quiet --out d").code, 66);
-}
-
-TEST_F(MeasureCommands, FiguresDrawRecordedTimesAgain)
-{
-    std::filesystem::create_directory(folder_ / "recorded");
-    writeFile(folder_ / "recorded/times.csv", "number,object,series,ms,low,high\n"
-                                              "0,torus,loop,0.1,0.05,0.2\n");
-    writeFile(folder_ / "recorded/fps.csv", "object\n");
-    writeFile(folder_ / "recorded/fps.md", "table\n");
-    const Answer answer = run("figures --only times --recorded recorded --out new");
-    EXPECT_EQ(answer.code, 0) << answer.errors;
-    EXPECT_NE(answer.errors.find("--measure"), std::string::npos) << answer.errors;
-    EXPECT_EQ(readFile(folder_ / "new/times.csv"), readFile(folder_ / "recorded/times.csv"));
-    EXPECT_TRUE(std::filesystem::exists(folder_ / "new/times.svg"));
-}
-
-TEST_F(MeasureCommands, FiguresSayWhatTheyMeasureWhereNoTimesAreRecorded)
-{
-    const Answer answer =
-        test::runProgram("figures --only times,volume --out new", folder_.path(), "timeout 5");
-    EXPECT_NE(answer.errors.find("docs/figures has no recorded times: these are measured, which "
-                                 "takes 2 minutes or more: times\n"),
-              std::string::npos)
-        << answer.errors;
-}
-
-TEST_F(MeasureCommands, FiguresSayHowToGetGnuplot)
-{
-    const Answer missing = test::runProgram("figures --quick --only operations --out b",
-                                            folder_.path(), "PATH=/nowhere");
-    EXPECT_EQ(missing.code, 69);
-    EXPECT_NE(missing.errors.find("apt-get install gnuplot-nox"), std::string::npos)
-        << missing.errors;
-    EXPECT_FALSE(std::filesystem::exists(folder_ / "b"));
 }
 
 } // namespace

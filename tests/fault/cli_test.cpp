@@ -128,7 +128,6 @@ TEST_F(CommandLine, AValueThatIsEmptyOrGivenTwiceIsRefusedInPlainWords)
     expectRefused("fill cube --count 5 --frames none --out ''", 64, "--out is ''");
     EXPECT_FALSE(std::filesystem::exists(folder_ / "output"));
     expectRefused("render '' --out there", 64, "RUN is ''");
-    expectRefused("bench error --quick --out ''", 64, "--out is ''");
     expectRefused("fill cube --count 5 --count 6", 64, "--count is given more than once");
 }
 
@@ -144,7 +143,7 @@ TEST_F(CommandLine, NothingIsSuggestedWhereNothingIsNear)
 TEST_F(CommandLine, WithoutAReaderItEndsSilentlyBySigpipe)
 {
     for (const std::string arguments : {"--help", "help fill", "options", "version", "mesh torus",
-                                        "figures --list", "fill cube --count 5 --json --quiet"})
+                                        "fill cube --count 5 --json --quiet"})
     {
         const Answer answer = test::runProgram("-c '{ sleep 0.3; \"$0\" " + arguments +
                                                    "; } | true; exit ${PIPESTATUS[0]}' "

@@ -244,7 +244,7 @@ TEST(DocumentedFigures, ItsTimesOfRestAreThoseOfTheRecord)
     }
 }
 
-// By the recorded run of `bench error --peers`, of engines that came to rest.
+// By the recorded run of `frostfill-lab peers`, of engines that came to rest.
 TEST(DocumentedFigures, TheReadmeNamesTheFastestOtherEngine)
 {
     std::istringstream table(readFile(kRepository / "docs/figures/peers.csv"));

@@ -16,7 +16,7 @@ inline std::vector<std::string> commandsOf(const std::string& text)
 {
     static const std::regex kCommand(
         "(?:^|\\n)    ((?:build/release/)?frostfill [^\\n]*)|`((?:build/release/)?frostfill "
-        "[^`\\n]*)`|(?:^|\\n)    (gnuplot [^\\n]*)");
+        "[^`\\n]*)`|(?:^|\\n)    (frostfill-lab [^\\n]*)");
     std::vector<std::string> commands;
     for (std::sregex_iterator it(text.begin(), text.end(), kCommand), end; it != end; ++it)
     {
@@ -119,12 +119,6 @@ inline std::string madeSmall(std::string arguments)
             small += " --threshold 1000000";
         }
         without("threshold");
-    }
-    else if ((name == "bench" || name == "figures") &&
-             arguments.find("--quick") == std::string::npos &&
-             arguments.find("--list") == std::string::npos)
-    {
-        return arguments + " --quick";
     }
     return name + small + arguments.substr(name.size());
 }

@@ -87,23 +87,18 @@ room(import mesh scene snapshot run_file packing run)
 
 room(sweep base mesh scene scene/options simulation image renderer run_file output run)
 
-set(below base geometry oracle ${mesh} bulk view scene scene/options snapshot simulation simulation/world ${parts}
+set(below base geometry ${mesh} bulk view scene scene/options snapshot simulation simulation/world ${parts}
           simulation/quality simulation/columns simulation/engine image renderer render/framing render/context
-          render/overlay render/picture run_file packing output export run analysis analysis/files)
-room(study ${below})
-room(study/stability ${below} study)
-room(study/operations ${below} study)
-room(study/fps ${below} study)
-room(study/peers ${below} export/inputs study study/stability)
-room(study/error ${below} bed study study/peers study/stability)
-room(study/figures ${below} study study/error study/fps study/operations study/peers
-     study/stability)
-# The command line stands where any program stands: on the public headers, and on run and study.
+          render/overlay render/picture output run)
+room(fps ${below})
+room(lab ${below} oracle fps)
+# The command line stands where any program stands: on the public headers, and on run and fps.
 room(app/help)
 room(app/progress run)
 room(app/text)
-room(app app/help app/progress app/text bulk run page sweep study study/error study/figures study/fps study/operations study/peers study/stability)
-set(sees_all_public_headers app app/help app/progress app/text)
+room(app/plots base output)
+room(app app/help app/plots app/progress app/text bulk run page sweep fps)
+set(sees_all_public_headers app app/help app/plots app/progress app/text)
 
 set(common error measure)
 # The public headers that are not named after their room.

@@ -1,7 +1,7 @@
 cmake_minimum_required(VERSION 3.25)
 
-# Who installs Frostfill gets no gnuplot runner, no other engines and no stress matrix: nothing that
-# the library of the studies defines is in an installed one.
+# Who installs Frostfill gets nothing that measures it: nothing that the libraries of `frostfill fps` and
+# of frostfill-lab define is in an installed one.
 function(defined_functions library result)
     execute_process(COMMAND ${NM} --defined-only --extern-only --demangle ${library}
         OUTPUT_VARIABLE text ERROR_QUIET COMMAND_ERROR_IS_FATAL ANY)
@@ -11,10 +11,13 @@ function(defined_functions library result)
     set(${result} "${functions}" PARENT_SCOPE)
 endfunction()
 
-defined_functions(${STUDY} studies)
-foreach(known runGnuplot measurePeers stressMatrix)
+foreach(library IN LISTS APART)
+    defined_functions(${library} functions)
+    list(APPEND studies ${functions})
+endforeach()
+foreach(known measureFps measurePeers measureClosedForms)
     if(NOT " T frostfill::${known}" IN_LIST studies)
-        message(FATAL_ERROR "${STUDY} does not define ${known}: this test looks for nothing")
+        message(FATAL_ERROR "nothing defines ${known}: this test looks for nothing")
     endif()
 endforeach()
 

@@ -21,6 +21,7 @@ class Analyse(FolderCase):
         found = analyse()
         inner = found.wall_distances > 1
         self.assertEqual(inner.sum(), 64)
+        numpy.testing.assert_allclose(found.depths, 6 - found.centres[:, 1])
         self.assertTrue((found.sphere_contacts[inner] == 6).all())
         self.assertEqual(found.wall_contacts.sum(), 6 * 36)
         self.assertEqual(found.rattlers.sum(), 0)

@@ -7,7 +7,7 @@
 #include <cstddef>
 
 // The numbers of the exact discard. The margins decide what is safe, the rest only how early and at
-// what price something is dropped. `bench discards` measures that price.
+// what price something is dropped. The figure `error` shows that price.
 
 namespace frostfill
 {

@@ -4,8 +4,8 @@
 #include <cstddef>
 
 /// The numbers of the engines' schedules. Where no source is named, the value was chosen from runs:
-/// `bench error` and `bench stability` tell when one is wrong. r is the largest radius of the run
-/// and g gravity, the units of length and acceleration.
+/// The stress matrix of the tests and frostfill-lab tell when one is wrong. r is the largest radius
+/// of the run and g gravity, the units of length and acceleration.
 namespace frostfill
 {
 

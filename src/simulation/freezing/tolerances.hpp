@@ -5,7 +5,7 @@
 #include <cstdint>
 
 /// The numbers by which spheres are put to sleep and woken. Where no source is named, the value was
-/// chosen from runs: the stress matrix of `bench stability` and the packings of `bench error` tell
+/// chosen from runs: the stress matrix of the tests and the figure `error` tell
 /// when one is wrong. r is the radius of the sphere that the sentence is about; a window is the
 /// time over which a sphere is watched (see engine/tolerances.hpp).
 namespace frostfill
