@@ -105,7 +105,7 @@ ErrorPoint layerRun(bool bySet, std::uint32_t setSize, double diameters)
     const TriangleMesh mesh = boxMesh({-half, -half, -half}, {half, half, half}, 4);
     Scene scene = studyScene(Preset::fast, "cube", 0.5);
     scene.motion.restitution = 0; // as the packings have it that we compare with
-    scene.freezing.bySet = bySet;
+    scene.freezing.rule = bySet ? FreezingRule::bySet : FreezingRule::oneByOne;
     scene.spheres.groupSize = setSize;
     scene.spheres.groupsPerSet = 1;
     const Finished run = finishRun(scene, mesh);

@@ -333,7 +333,7 @@ TEST(FreezingBySet, PacksMoreDenselyTheMoreLayersASetHas)
     {
         Scene scene = studyScene(Preset::fast, "cube", 0.5);
         scene.motion.restitution = 0;
-        scene.freezing.bySet = true;
+        scene.freezing.rule = FreezingRule::bySet;
         scene.spheres.groupSize = setSize;
         scene.spheres.groupsPerSet = 1;
         const Finished run = finishRun(scene, mesh);
